@@ -1,0 +1,21 @@
+# What every target of Pelt shares: language level, warnings, floating point that is the same on
+# every machine, sanitizers.
+function(pelt_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  # A fused multiply-add rounds once where two operations round twice: it would give posed vertices
+  # other bits on machines that have it.
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow
+                                           -Wconversion -Wno-sign-conversion)
+  if(PELT_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(PELT_SCALAR)
+    target_compile_definitions(${target} PRIVATE PELT_SCALAR)
+  endif()
+  if(PELT_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${PELT_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${PELT_SANITIZE})
+  endif()
+endfunction()

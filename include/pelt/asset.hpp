@@ -1,0 +1,127 @@
+#pragma once
+
+/// Characters from files: meshes, skeletons and clips, turned into what the core takes. Everything
+/// from the file to the palette uses only + - * / and square roots in a fixed order (sines by own
+/// polynomials), so that the same file gives the same bits on every platform.
+
+#include <pelt/mesh.hpp>
+#include <pelt/result.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelt::asset {
+
+inline constexpr std::uint32_t kNoParent = 0xFFFFFFFF;
+
+/// Translation, rotation (unit quaternion x y z w) and scale: T * R * S.
+struct Transform {
+  std::array<float, 3> translation = {0, 0, 0};
+  std::array<float, 4> rotation = {0, 0, 0, 1};
+  std::array<float, 3> scale = {1, 1, 1};
+};
+
+/// A node of the scene graph. Parents come before their children.
+struct Node {
+  std::string name;
+  std::uint32_t parent = kNoParent;  ///< index into Asset::nodes
+  Transform local;                   ///< relative to the parent, in the default pose
+  bool has_matrix = false;           ///< the file gave `matrix`, not `local`; never animated
+  Matrix4 matrix;                    ///< relative to the parent
+};
+
+/// Entry j of the joint palette is `instance placement * global(node) * inverse_bind`.
+struct Joint {
+  std::uint32_t node = 0;  ///< index into Asset::nodes
+  Matrix4 inverse_bind;    ///< rest position -> joint space
+};
+
+/// A range of triangles that came from one primitive of the file.
+struct Part {
+  std::string node, mesh, material;  ///< names; empty where the file has none
+  std::uint32_t first_triangle = 0, triangle_count = 0;
+  bool skinned = false;  ///< false: an unskinned mesh that rides on its node as on one joint
+};
+
+enum class Path : std::uint8_t { translation, rotation, scale };
+enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
+
+/// One animated property of one node.
+struct Channel {
+  std::uint32_t node = 0;
+  Path path = Path::translation;
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times;   ///< [K] seconds, strictly ascending, K >= 1
+  std::vector<float> values;  ///< [K][n], n = 4 for rotation (x y z w), else 3;
+                              ///< [K][3][n] (in-tangent, value, out-tangent) for cubic_spline
+};
+
+struct Clip {
+  std::string name;     ///< may be empty
+  float duration = 0;   ///< seconds; time of the last key of any channel, may be 0
+  std::vector<Channel> channels;
+};
+
+/// One character: a mesh with all its skins and parts merged, its skeleton and its clips.
+///
+/// Triangles are numbered in scene order (nodes depth-first, primitives in order, degenerate ones
+/// kept).
+struct Asset {
+  std::vector<Vec3> rest_positions;        // [V]
+  std::vector<Triangle> triangles;         // [T]
+  std::uint32_t influences_per_vertex = 1; // K
+  std::vector<std::uint16_t> joint_indices;// [V][K], into `joints`
+  std::vector<float> weights;              // [V][K]
+  std::vector<Joint> joints;               // [J]
+  std::vector<Node> nodes;                 // parents first
+  std::vector<Part> parts;                 // in order of first_triangle, covering all triangles
+  std::vector<Clip> clips;
+  std::vector<std::string> warnings;       // what the file has and Pelt passed over
+
+  /// For `build_model`; borrows from this asset.
+  SkinnedMeshView mesh() const;
+
+  /// The first clip of that name ("" finds an unnamed clip), or null.
+  const Clip* find_clip(std::string_view name) const;
+
+  /// Name of joint `joint`'s node.
+  const std::string& joint_name(std::uint32_t joint) const;
+
+  /// The part that has the triangle. Precondition: triangle < T.
+  const Part& part_of(std::uint32_t triangle) const;
+};
+
+struct GltfOptions {
+  bool unskinned_parts = true;             ///< take along unskinned meshes (weapons, armour)
+  std::vector<std::string> exclude_nodes;  ///< names of mesh nodes to leave out, with their children
+};
+
+/// Reads a glTF 2.0 file, .glb or .gltf with external files (searched beside it, never outside its
+/// folder) and data URIs. The file is treated as hostile: every range is checked before it is
+/// used or allocated, and the message names the accessor, node or extension that is wrong.
+Result<Asset> load_gltf(const std::filesystem::path& path, const GltfOptions& options = {});
+
+/// The same from memory. `folder` is where external files are looked for; empty: there are none.
+Result<Asset> load_gltf(std::span<const std::byte> file, const std::filesystem::path& folder,
+                        const GltfOptions& options = {});
+
+/// Reusable memory and working state for sampling; one per thread.
+struct SampleScratch {
+  std::vector<Transform> locals;                  // [nodes]
+  std::vector<std::array<double, 16>> globals;    // [nodes]
+};
+
+/// Writes the joint palette at `seconds` of `clip`: keys outside the clip's range are clamped
+/// (loop by passing a time modulo `duration`); null: the default node pose. `placement` stands
+/// before everything, as the instance's world matrix. Precondition: `palette` has J elements.
+/// O(nodes + channels * log keys).
+void sample_palette(const Asset& asset, const Clip* clip, float seconds, const Matrix4& placement,
+                    SampleScratch& scratch, std::span<Matrix4> palette);
+
+}  // namespace pelt::asset

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+
+namespace pelt {
+
+/// A point or vector in model units. Rest positions are in the model's frame, posed ones in the
+/// frame of the joint palette (the world, when the palette has the instance's placement in it).
+struct Vec3 {
+  float x = 0, y = 0, z = 0;
+
+  friend bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+/// A joint matrix: 16 floats, column-major, last row 0 0 0 1; element (row, column) is
+/// `m[4 * column + row]` and the translation is m[12], m[13], m[14].
+///
+/// This is the layout of glTF, three.js and OpenGL, so an engine's array is taken as it is. Any
+/// affine map is allowed: rotation, translation, scale, shear, reflection.
+struct Matrix4 {
+  std::array<float, 16> m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+  friend bool operator==(const Matrix4&, const Matrix4&) = default;
+};
+
+static_assert(sizeof(Vec3) == 12 && sizeof(Matrix4) == 64, "arrays are shared with engines");
+
+}  // namespace pelt

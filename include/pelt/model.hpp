@@ -1,0 +1,57 @@
+#pragma once
+
+#include <pelt/mesh.hpp>
+#include <pelt/result.hpp>
+
+#include <cstdint>
+#include <memory>
+
+namespace pelt {
+
+namespace detail {
+struct Model;
+}
+
+/// What to do with a vertex whose weights sum to something further than 2^-7 from 1. (Sums nearer
+/// than that are rounding of the exporter and always renormalised.)
+enum class OffWeights {
+  refuse,       ///< `build_model` returns an error that names the vertex and its sum
+  renormalise,  ///< divide by the sum, as renderers do
+};
+
+struct ModelOptions {
+  OffWeights off_weights = OffWeights::refuse;
+};
+
+/// What `build_model` met on its way.
+struct BuildReport {
+  std::uint32_t renormalised_vertices = 0;  ///< weights summed to 1 only within more than 2^-16
+  std::uint32_t merged_influences = 0;      ///< a joint named twice in one vertex, summed
+  std::uint32_t degenerate_triangles = 0;   ///< two or three equal rest positions; kept
+};
+
+/// A skinned mesh, checked and prepared for queries. Immutable, cheap to copy (copies share), safe
+/// to use from any number of threads.
+class SkinnedModel {
+ public:
+  std::uint32_t vertex_count() const;
+  std::uint32_t triangle_count() const;
+  std::uint32_t joint_count() const;
+  const BuildReport& report() const;
+
+  /// For Pelt's own files.
+  explicit SkinnedModel(std::shared_ptr<const detail::Model> model);
+  const detail::Model& detail() const { return *model_; }
+
+ private:
+  std::shared_ptr<const detail::Model> model_;
+};
+
+/// Checks the arrays of `mesh` and prepares them for queries, or says which array, index and value
+/// break which rule: an index or joint out of range, NaN or infinity, a coordinate beyond 2^60, a
+/// negative weight, weights that do not sum to 1.
+///
+/// Triangles keep their numbers, vertices keep theirs. O(T log T); allocates.
+Result<SkinnedModel> build_model(const SkinnedMeshView& mesh, const ModelOptions& options = {});
+
+}  // namespace pelt

@@ -1,0 +1,12 @@
+#pragma once
+
+/// Exact collision detection for skinned characters: a SkinnedModel is built once, a Pose moves it,
+/// a query asks two Poses, Contacts come out.
+
+#include <pelt/collide.hpp>
+#include <pelt/math.hpp>
+#include <pelt/mesh.hpp>
+#include <pelt/model.hpp>
+#include <pelt/pose.hpp>
+#include <pelt/result.hpp>
+#include <pelt/version.hpp>

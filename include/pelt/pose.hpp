@@ -1,0 +1,54 @@
+#pragma once
+
+#include <pelt/model.hpp>
+
+#include <memory>
+#include <span>
+
+namespace pelt {
+
+namespace detail {
+struct Pose;
+}
+
+/// One instance of a model in one posture: a joint palette, and the bounds that queries have
+/// derived from it so far. There is nothing to update or refit by hand: the whole update is
+/// `set_palette`, and a query refits what it visits.
+///
+/// A new pose has identity matrices, that is, the rest positions. Queries write the bounds that
+/// they refit into the pose, so one thread at a time may query a pose. Movable, not copyable.
+class Pose {
+ public:
+  /// Allocates all the memory that the pose will ever need, O(T).
+  explicit Pose(SkinnedModel model);
+  Pose(Pose&&) noexcept;
+  Pose& operator=(Pose&&) noexcept;
+  ~Pose();
+
+  const SkinnedModel& model() const;
+
+  /// Takes the joint palette: matrix j maps the rest positions that joint j moves into the frame
+  /// shared by all poses of a query (`instance x joint x inverse bind`). Copies it; O(J), no
+  /// allocation. Precondition: `palette` has `model().joint_count()` matrices.
+  ///
+  /// Refuses, and leaves the pose as it was, when an element is not finite, a last row is not
+  /// 0 0 0 1 (a row-major matrix, most likely), or a vertex could land beyond 2^60 units.
+  Result<void> set_palette(std::span<const Matrix4> palette);
+
+  /// The same from 16 floats a joint, as engines keep them.
+  Result<void> set_palette(std::span<const float> palette);
+
+  /// For Pelt's own files.
+  detail::Pose& detail() { return *pose_; }
+  const detail::Pose& detail() const { return *pose_; }
+
+ private:
+  std::unique_ptr<detail::Pose> pose_;
+};
+
+/// Writes every posed vertex: the very float32 positions that queries collide, linear blend
+/// skinning of the rest positions (Kavan & Zara 2005, eq. 1). Precondition: `out` has
+/// `vertex_count()` elements. O(V) and not needed for any query.
+void posed_vertices(const Pose& pose, std::span<Vec3> out);
+
+}  // namespace pelt

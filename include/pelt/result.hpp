@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace pelt {
+
+enum class ErrorCode {
+  invalid_argument,  ///< an array or option handed over by the caller breaks a stated rule
+  unreadable_file,   ///< a file is missing or cannot be read or written
+  malformed_file,    ///< a file breaks its format
+  unsupported,       ///< a file is well-formed but needs something that Pelt does not do
+};
+
+/// What went wrong with input from outside. The message names the thing (file, array, index,
+/// value) and, where there is one, the remedy.
+struct Error {
+  ErrorCode code = ErrorCode::invalid_argument;
+  std::string message;
+};
+
+/// A value or the reason why there is none. Pelt's own code throws nothing: whatever depends on
+/// input from outside returns a Result; broken promises of a caller are asserts.
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+
+  explicit operator bool() const { return state_.index() == 0; }
+
+  /// Precondition of the accessors below: the Result holds a value.
+  T& operator*() & { return std::get<0>(state_); }
+  const T& operator*() const& { return std::get<0>(state_); }
+  T&& operator*() && { return std::get<0>(std::move(state_)); }
+  T* operator->() { return &std::get<0>(state_); }
+  const T* operator->() const { return &std::get<0>(state_); }
+
+  /// Precondition: the Result holds an error.
+  const Error& error() const { return std::get<1>(state_); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+/// Success, or the reason of a failure.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : failed_(true), error_(std::move(error)) {}
+
+  explicit operator bool() const { return !failed_; }
+
+  /// Precondition: the Result holds an error.
+  const Error& error() const { return error_; }
+
+ private:
+  bool failed_ = false;
+  Error error_;
+};
+
+}  // namespace pelt

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <pelt/math.hpp>
+
+namespace pelt::detail {
+
+struct Sphere {
+  Vec3 centre;
+  float radius = 0;
+};
+
+}  // namespace pelt::detail
