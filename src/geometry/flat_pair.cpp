@@ -1,0 +1,88 @@
+#include "geometry/flat_pair.hpp"
+
+#include "geometry/predicates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace pelt::detail {
+namespace {
+
+bool lexicographically_less(const Vec3& a, const Vec3& b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+/// The first and last corner in lexicographic order: the ends of a collapsed triangle.
+struct Ends {
+  explicit Ends(const TriangleCorners& t)
+      : first(*std::min_element(t.begin(), t.end(), lexicographically_less)),
+        last(*std::max_element(t.begin(), t.end(), lexicographically_less)) {}
+
+  Vec3 first, last;
+};
+
+using Triangle2 = std::array<Vec2, 3>;
+
+/// Without the coordinate `axis`.
+Triangle2 project(const TriangleCorners& t, int axis) {
+  Triangle2 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& p = t[i];
+    result[i] = axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
+  }
+  return result;
+}
+
+/// Whether the line through p and q has the third corner r of its triangle on one closed side and
+/// `other` on the opposite open side.
+bool line_separates(const Vec2& p, const Vec2& q, const Vec2& r, const Triangle2& other) {
+  const int side = orient2d(p, q, other[0]);
+  return side != 0 && orient2d(p, q, other[1]) == side && orient2d(p, q, other[2]) == side &&
+         orient2d(p, q, r) != side;
+}
+
+bool edge_separates(const Triangle2& t, const Triangle2& other) {
+  return line_separates(t[0], t[1], t[2], other) || line_separates(t[1], t[2], t[0], other) ||
+         line_separates(t[2], t[0], t[1], other);
+}
+
+/// Whether the six points, known to be coplanar, span disjoint triangles.
+///
+/// Lexicographic order agrees with convex combination, so separate ranges prove the triangles
+/// disjoint, and on one line nothing else can be. Otherwise, in a plane, disjoint convex polygons
+/// are separated by the line of an edge of one of them. A separating line of any projection along
+/// an axis is proof; one of the three projections keeps the plane a plane, so there it is also
+/// found.
+bool disjoint_in_plane(const TriangleCorners& a, const TriangleCorners& b, const Ends& ends_a,
+                       const Ends& ends_b) {
+  if (lexicographically_less(ends_a.last, ends_b.first)) return true;
+  if (lexicographically_less(ends_b.last, ends_a.first)) return true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Triangle2 flat_a = project(a, axis), flat_b = project(b, axis);
+    if (edge_separates(flat_a, flat_b) || edge_separates(flat_b, flat_a)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool flat_triangles_intersect(const TriangleCorners& a, const TriangleCorners& b) {
+  const Ends ends_a(a), ends_b(b);
+  // Only two segments can be here without a common plane.
+  if (orient3d(ends_a.first, ends_a.last, ends_b.first, ends_b.last) != 0) return false;
+  return !disjoint_in_plane(a, b, ends_a, ends_b);
+}
+
+bool segment_meets_triangle(const TriangleCorners& collapsed, const TriangleCorners& triangle) {
+  const auto& [a, b, c] = triangle;
+  const Ends ends(collapsed);
+  // The line of the segment pierces the plane in one point, which is inside where it passes no two
+  // edges on different sides.
+  const int ab = orient3d(ends.first, ends.last, a, b);
+  const int bc = orient3d(ends.first, ends.last, b, c);
+  const int ca = orient3d(ends.first, ends.last, c, a);
+  return std::min({ab, bc, ca}) >= 0 || std::max({ab, bc, ca}) <= 0;
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,172 @@
+/// The minimal enclosing sphere by pivoting on the farthest point (Gaertner, "Fast and robust
+/// smallest enclosing balls", ESA 1999). It is the minimal sphere of at most four of the points,
+/// its support; while a point is outside the current sphere, the farthest one joins the support,
+/// and of these at most five points the minimal sphere is found again, with a larger radius.
+///
+/// The small problem is solved by trying the circumcentre of every subset that has the new point.
+/// The centre sought is the one whose distance to its farthest point is least, so candidates are
+/// compared by just that: no tolerance is needed, and a circumcentre that is far off because its
+/// points are nearly dependent merely loses.
+#include "geometry/min_sphere.hpp"
+
+#include "base/assert.hpp"
+#include "base/vec3.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace pelt::detail {
+namespace {
+
+/// Points on the boundary of a sphere, at most four, and a fifth while it is being enlarged.
+struct Support {
+  std::array<Vec3d, 5> points;
+  std::size_t count = 0;
+};
+
+struct Candidate {
+  Vec3d centre;
+  double squared_radius = 0;
+};
+
+/// A sphere and those of its points that determine it.
+struct Supported {
+  Support support;
+  Candidate sphere;
+};
+
+double squared_distance(const Vec3d& a, const Vec3d& b) { return squared_length(a - b); }
+
+/// The point of the affine hull of 0, u, v that is as far from each of them.
+std::optional<Vec3d> circumcentre(const Vec3d& u, const Vec3d& v) {
+  const Vec3d normal = cross(u, v);
+  const double divisor = 2 * squared_length(normal);
+  if (!(divisor > 0)) return std::nullopt;
+  const Vec3d across = squared_length(u) * v - squared_length(v) * u;
+  return (1 / divisor) * cross(across, normal);
+}
+
+/// The point as far from 0 as from u, v and w.
+std::optional<Vec3d> circumcentre(const Vec3d& u, const Vec3d& v, const Vec3d& w) {
+  const Vec3d vw = cross(v, w);
+  const double divisor = 2 * dot(u, vw);
+  if (divisor == 0) return std::nullopt;
+  const Vec3d sum =
+      squared_length(u) * vw + squared_length(v) * cross(w, u) + squared_length(w) * cross(u, v);
+  return (1 / divisor) * sum;
+}
+
+std::optional<Vec3d> circumcentre(const Support& s) {
+  const Vec3d& p = s.points[0];
+  std::optional<Vec3d> offset = Vec3d();
+  if (s.count == 2) offset = 0.5 * (s.points[1] - p);
+  if (s.count == 3) offset = circumcentre(s.points[1] - p, s.points[2] - p);
+  if (s.count == 4) offset = circumcentre(s.points[1] - p, s.points[2] - p, s.points[3] - p);
+  if (!offset) return std::nullopt;
+  return p + *offset;
+}
+
+double farthest_squared_distance(const Vec3d& centre, const Support& s) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < s.count; ++i) {
+    farthest = std::max(farthest, squared_distance(centre, s.points[i]));
+  }
+  return farthest;
+}
+
+/// The members of `s` whose bits are set in `subset`.
+Support choose(const Support& s, unsigned subset) {
+  Support chosen;
+  for (std::size_t i = 0; i < s.count; ++i) {
+    if (subset >> i & 1) chosen.points[chosen.count++] = s.points[i];
+  }
+  return chosen;
+}
+
+/// The minimal sphere of a support's points, the last of which is on its boundary.
+Supported min_sphere_through_last(const Support& s) {
+  Supported best;
+  best.sphere.squared_radius = std::numeric_limits<double>::infinity();
+  const unsigned last = 1u << (s.count - 1);
+  for (unsigned others = 0; others < last; ++others) {
+    const Support chosen = choose(s, others | last);
+    if (chosen.count > 4) continue;
+    const std::optional<Vec3d> centre = circumcentre(chosen);
+    if (!centre) continue;
+    const double squared_radius = farthest_squared_distance(*centre, s);
+    if (squared_radius < best.sphere.squared_radius) best = {chosen, {*centre, squared_radius}};
+  }
+  return best;
+}
+
+Vec3d farthest_point(const Vec3d& centre, std::span<const Vec3> points) {
+  double farthest = -1;
+  std::size_t index = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double d = squared_distance(Vec3d(points[i]), centre);
+    if (d > farthest) farthest = d, index = i;
+  }
+  return Vec3d(points[index]);
+}
+
+/// The centre of the minimal sphere, up to rounding. The radius grows in every round, so no support
+/// comes twice and the loop ends.
+Vec3d min_sphere_centre(std::span<const Vec3> points) {
+  Supported current;
+  current.support.points[0] = current.sphere.centre = Vec3d(points[0]);
+  current.support.count = 1;
+  while (true) {
+    const Vec3d pivot = farthest_point(current.sphere.centre, points);
+    if (!(squared_distance(pivot, current.sphere.centre) > current.sphere.squared_radius)) break;
+    Support grown = current.support;
+    grown.points[grown.count++] = pivot;
+    const Supported next = min_sphere_through_last(grown);
+    if (!(next.sphere.squared_radius > current.sphere.squared_radius)) break;
+    current = next;
+  }
+  return current.sphere.centre;
+}
+
+/// A float that is not below x: x or one of the two next to it.
+float round_up(double x) {
+  const float nearest = static_cast<float>(x);
+  if (double{nearest} >= x) return nearest;
+  return nearest * (1 + 0x1p-23f) + 0x1p-149f;
+}
+
+/// The sphere around `centre`, rounded to float, that encloses all points. A squared length has at
+/// most five relative errors 2^-53 and its root half as many and one more: 2^-50 covers them.
+Sphere enclose(const Vec3d& centre, std::span<const Vec3> points) {
+  const Vec3 rounded = {static_cast<float>(centre.x), static_cast<float>(centre.y),
+                        static_cast<float>(centre.z)};
+  double farthest = 0;
+  for (const Vec3& p : points) {
+    farthest = std::max(farthest, squared_distance(Vec3d(p), Vec3d(rounded)));
+  }
+  return {rounded, round_up(std::sqrt(farthest) * (1 + 0x1p-50))};
+}
+
+}  // namespace
+
+Sphere min_sphere(std::span<const Vec3> points) {
+  PELT_ASSERT(!points.empty());
+  return enclose(min_sphere_centre(points), points);
+}
+
+Sphere ball_of_triangle(const TriangleCorners& corners) {
+  const Vec3d a(corners[0]), b(corners[1]), c(corners[2]);
+  const Vec3d ab = b - a, ac = c - a, bc = c - b;
+  const double ab2 = squared_length(ab), ac2 = squared_length(ac), bc2 = squared_length(bc);
+  // Without an acute angle at each corner, the longest side is a diameter.
+  if (ab2 >= ac2 + bc2) return enclose(a + 0.5 * ab, corners);
+  if (ac2 >= ab2 + bc2) return enclose(a + 0.5 * ac, corners);
+  if (bc2 >= ab2 + ac2) return enclose(b + 0.5 * bc, corners);
+  const std::optional<Vec3d> offset = circumcentre(ab, ac);
+  return enclose(offset ? a + *offset : a, corners);
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <pelt/math.hpp>
+
+#include "base/vec3.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace pelt::detail {
+
+/// Signs of orientation determinants, exact on float32 coordinates: -1, 0 or 1.
+///
+/// A double filter decides all but nearly degenerate cases; exact arithmetic decides those. No
+/// operation overflows or underflows in either: differences and products of floats are multiples of
+/// 2^-447 below 2^400 up to degree three, both well inside the range of double.
+
+/// The plane through three points, prepared to tell the side of many others.
+class OrientedPlane {
+ public:
+  OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c), origin_(a) {
+    const Vec3d u = Vec3d(b) - origin_, v = Vec3d(c) - origin_;
+    normal_ = cross(u, v);
+    error_ = kRelativeError * max_abs(u) * max_abs(v);
+  }
+
+  /// The sign of det(b - a, c - a, d - a): 1 where a, b, c are seen counter-clockwise, -1 behind, 0
+  /// on the plane (everywhere, if a, b, c are collinear).
+  int side(const Vec3& d) const {
+    const Vec3d w = Vec3d(d) - origin_;
+    const double determinant = dot(normal_, w), error = error_ * max_abs(w);
+    if (determinant > error) return 1;
+    if (determinant < -error) return -1;
+    return exact_side(d);
+  }
+
+ private:
+  /// With e = 2^-53, each of the six products of the determinant gathers at most 8 relative errors
+  /// e: three differences, two products, three sums; in absolute terms at most 6 * 8 e |u||v||w| =
+  /// 48 e |u||v||w| in the largest components, and 56 e covers the terms of second order and the
+  /// rounding of the bound itself.
+  static constexpr double kRelativeError = 56 * 0x1p-53;
+
+  static double max_abs(const Vec3d& v) {
+    return std::max(std::max(v.x < 0 ? -v.x : v.x, v.y < 0 ? -v.y : v.y), v.z < 0 ? -v.z : v.z);
+  }
+
+  int exact_side(const Vec3& d) const;
+
+  const Vec3 &a_, &b_, &c_;
+  Vec3d origin_, normal_;
+  double error_ = 0;
+};
+
+/// The sign of det(b - a, c - a, d - a).
+inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return OrientedPlane(a, b, c).side(d);
+}
+
+struct Vec2 {
+  float x = 0, y = 0;
+};
+
+/// The sign of det(b - a, c - a): 1 if a, b, c turn counter-clockwise.
+int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// How many signs needed exact arithmetic on this thread; for tests that must see it run.
+std::uint64_t& exact_sign_count();
+
+}  // namespace pelt::detail
