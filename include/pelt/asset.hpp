@@ -113,8 +113,15 @@ Result<Asset> load_gltf(std::span<const std::byte> file, const std::filesystem::
 
 /// Reusable memory and working state for sampling; one per thread.
 struct SampleScratch {
-  std::vector<Transform> locals;                  // [nodes]
-  std::vector<std::array<double, 16>> globals;    // [nodes]
+  /// A Transform in double.
+  struct Local {
+    std::array<double, 3> translation;
+    std::array<double, 4> rotation;
+    std::array<double, 3> scale;
+  };
+
+  std::vector<Local> locals;                    // [nodes]
+  std::vector<std::array<double, 12>> globals;  // [nodes] three rows by columns
 };
 
 /// Writes the joint palette at `seconds` of `clip`: keys outside the clip's range are clamped

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <pelt/math.hpp>
+
+#include "asset/quaternion.hpp"
+
+#include <array>
+
+namespace pelt::asset {
+
+/// An affine map in double, the upper three rows of a 4 x 4 matrix by columns: element
+/// (row, column) is `[3 * column + row]`.
+using Affine = std::array<double, 12>;
+
+inline Affine affine_of(const Matrix4& matrix) {
+  Affine result;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) result[3 * column + row] = matrix.m[4 * column + row];
+  }
+  return result;
+}
+
+/// Rounds to float; the last row is 0 0 0 1.
+inline Matrix4 matrix_of(const Affine& affine) {
+  Matrix4 result;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      result.m[4 * column + row] = static_cast<float>(affine[3 * column + row]);
+    }
+  }
+  return result;
+}
+
+/// First `b`, then `a`.
+inline Affine operator*(const Affine& a, const Affine& b) {
+  Affine result;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      double sum = a[row] * b[3 * column] + a[3 + row] * b[3 * column + 1];
+      sum = sum + a[6 + row] * b[3 * column + 2];
+      result[3 * column + row] = column < 3 ? sum : sum + a[9 + row];
+    }
+  }
+  return result;
+}
+
+/// T * R * S. A rotation that is not of norm 1 is taken as it is, as renderers do.
+inline Affine compose(const std::array<double, 3>& translation, const Quaternion& q,
+                      const std::array<double, 3>& scale) {
+  const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
+  const double xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
+  const double wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+  return {scale[0] * (1 - 2 * (yy + zz)),
+          scale[0] * (2 * (xy + wz)),
+          scale[0] * (2 * (xz - wy)),
+          scale[1] * (2 * (xy - wz)),
+          scale[1] * (1 - 2 * (xx + zz)),
+          scale[1] * (2 * (yz + wx)),
+          scale[2] * (2 * (xz + wy)),
+          scale[2] * (2 * (yz - wx)),
+          scale[2] * (1 - 2 * (xx + yy)),
+          translation[0],
+          translation[1],
+          translation[2]};
+}
+
+}  // namespace pelt::asset

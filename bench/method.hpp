@@ -1,0 +1,51 @@
+#pragma once
+
+/// The ways to answer a query, behind one face: what the command's --method and the benchmark choose
+/// from. All give the same contacts; they differ in the work that they do.
+
+#include <pelt/collide.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace pelt::bench {
+
+enum class MethodKind {
+  paper,        ///< Kavan & Zara 2005: sphere tree refitted on demand; behind the public functions
+  paper_eq2,    ///< the same with the un-optimised bound of their eq. 2
+  paper_eager,  ///< the paper's rival: all vertices skinned, the same tree refitted bottom-up
+  paper_rigid,  ///< a sphere tree built afresh over the posed mesh: what a rigid body would cost
+  brute,        ///< every triangle of one against every triangle of the other
+};
+
+/// Names as the command line has them, in the order of MethodKind.
+std::span<const std::string_view> method_names();
+std::string_view name_of(MethodKind kind);
+std::optional<MethodKind> find_method(std::string_view name);
+
+/// Posed bodies that can be asked for their contacts. Bodies are numbered in the order of `add`.
+class Method {
+ public:
+  virtual ~Method() = default;
+
+  /// Adds a body. What depends on the model alone is prepared here, once for each model.
+  virtual void add(const SkinnedModel& model) = 0;
+
+  /// Gives body `body` its joint palette, and does what the method does before it can answer.
+  virtual Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) = 0;
+
+  /// Appends the contacts of two bodies, ascending; see pelt::collide.
+  virtual QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                             const CollideOptions& options) = 0;
+
+  /// The work done in set_palette so far; the work of queries is what collide returns.
+  virtual QueryStats update_work() const = 0;
+};
+
+std::unique_ptr<Method> make_method(MethodKind kind);
+
+}  // namespace pelt::bench

@@ -1,0 +1,134 @@
+#include "paper/refit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelt::paper {
+namespace {
+
+using detail::broadcast;
+using detail::load4;
+
+using Symmetric3 = std::array<std::array<double, 3>, 3>;
+
+/// A^T A.
+Symmetric3 gram(const Matrix4& joint) {
+  Symmetric3 g;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j) {
+      double sum = 0;
+      for (std::size_t row = 0; row < 3; ++row)
+        sum += static_cast<double>(joint.m[4 * i + row]) *
+               static_cast<double>(joint.m[4 * j + row]);
+      g[i][j] = g[j][i] = sum;
+    }
+  return g;
+}
+
+Symmetric3 square(const Symmetric3& g) {
+  Symmetric3 s;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      s[i][j] = g[i][0] * g[0][j] + g[i][1] * g[1][j] + g[i][2] * g[2][j];
+  return s;
+}
+
+/// Gershgorin: no eigenvalue is larger.
+double largest_row_sum(const Symmetric3& g) {
+  double largest = 0;
+  for (const auto& row : g)
+    largest = std::max(largest, std::fabs(row[0]) + std::fabs(row[1]) + std::fabs(row[2]));
+  return largest;
+}
+
+double largest_diagonal(const Symmetric3& g) { return std::max({g[0][0], g[1][1], g[2][2]}); }
+
+}  // namespace
+
+float stretch_bound(const Matrix4& joint) {
+  constexpr double kRounding = 1 + 0x1p-20;
+  const Symmetric3 g = gram(joint);
+  const double row_sum = largest_row_sum(g);
+  // The largest eigenvalue lies between the two; for scale x rotation they are equal.
+  if (row_sum <= largest_diagonal(g) * (1 + 0x1p-18))
+    return static_cast<float>(std::sqrt(row_sum) * kRounding);
+  Symmetric3 power = g;
+  for (auto& row : power)
+    for (double& entry : row) entry /= row_sum;
+  constexpr int kSquarings = 3;
+  for (int i = 0; i < kSquarings; ++i) power = square(power);
+  double lambda = largest_row_sum(power);
+  for (int i = 0; i < kSquarings; ++i) lambda = std::sqrt(lambda);
+  return static_cast<float>(std::sqrt(row_sum * lambda) * kRounding);
+}
+
+Refit::Refit(const SphereModel& model, std::uint32_t joint_count)
+    : model_(&model),
+      joints_(joint_count),
+      node_stamp_(model.tree.nodes.size(), 0),
+      spheres_(model.tree.nodes.size()),
+      corner_spheres_(model.bounds.max_corners) {}
+
+void Refit::invalidate() {
+  if (++stamp_ != 0) return;
+  std::fill(node_stamp_.begin(), node_stamp_.end(), 0);
+  stamp_ = 1;
+}
+
+void Refit::take_palette(const Palette& palette) {
+  for (std::uint32_t j = 0; j < joints_.size(); ++j) {
+    const Matrix4& m = palette[j];
+    for (std::size_t column = 0; column < 4; ++column)
+      joints_[j].columns[column] = load4(m.m.data() + 4 * column);
+    joints_[j].columns[3] = {m.m[12], m.m[13], m.m[14], stretch_bound(m)};
+  }
+  const auto n = static_cast<float>(model_->bounds.max_joints);
+  margin_ = (4 * n + 32) * 0x1p-24f * palette.reach() + 0x1p-100f;
+  palette_stamp_ = stamp_;
+}
+
+/// Eq. 5: the spheres S_j = C_j S of each joint set, blended by each of its corners. Returns m.
+std::uint32_t Refit::blend_corners(std::uint32_t node) {
+  const WeightBounds& bounds = model_->bounds;
+  const Vec3& c = model_->tree.nodes[node].rest.centre;
+  const Float4 x = broadcast(c.x), y = broadcast(c.y), z = broadcast(c.z);
+  Float4* out = corner_spheres_.data();
+  for (const JointSet& set : bounds.sets_of(node)) {
+    const std::uint16_t* joint = bounds.joints.data() + set.first_joint;
+    const float* corner = bounds.corners.data() + set.first_corner;
+    for (std::uint32_t a = 0; a < set.corner_count; ++a) out[a] = broadcast(0);
+    for (std::uint32_t j = 0; j < set.joint_count; ++j) {
+      const Float4* column = joints_[joint[j]].columns;
+      const Float4 s = (x * column[0] + z * column[2]) + (y * column[1] + column[3]);
+      for (std::uint32_t a = 0; a < set.corner_count; ++a)
+        out[a] = out[a] + corner[a * set.joint_count + j] * s;
+    }
+    out += set.corner_count;
+  }
+  return static_cast<std::uint32_t>(out - corner_spheres_.data());
+}
+
+/// The paper's approximate enclosing sphere: around the average of the corner spheres' centres.
+void Refit::refit(std::uint32_t node, const Palette& palette) {
+  if (palette_stamp_ != stamp_) take_palette(palette);
+  const std::uint32_t count = blend_corners(node);
+  Float4 sum = corner_spheres_[0];
+  for (std::uint32_t a = 1; a < count; ++a) sum = sum + corner_spheres_[a];
+  const Float4 centre = (1 / static_cast<float>(count)) * sum;
+
+  float squared_distance = 0, stretch = 0;
+  for (std::uint32_t a = 0; a < count; ++a) {
+    const Float4 d = corner_spheres_[a] - centre;
+    const Float4 dd = d * d;
+    squared_distance = std::max(squared_distance, (dd[0] + dd[1]) + dd[2]);
+    stretch = std::max(stretch, corner_spheres_[a][3]);
+  }
+  const float rest_radius = model_->tree.nodes[node].rest.radius;
+  const float radius =
+      (std::sqrt(squared_distance) + rest_radius * stretch) * (1 + 0x1p-20f) + margin_;
+  spheres_[node] = {centre[0], centre[1], centre[2], radius};
+  node_stamp_[node] = stamp_;
+  ++refits_;
+}
+
+}  // namespace pelt::paper

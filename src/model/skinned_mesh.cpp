@@ -1,0 +1,176 @@
+#include "model/skinned_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <optional>
+
+namespace pelt::detail {
+namespace {
+
+/// Sums of weights further from 1 are not an exporter's rounding.
+constexpr double kMaxWeightSumError = 0x1p-7;
+
+/// Sums of weights nearer to 1 are the rounding of floats and not worth a word in the report.
+constexpr double kWeightSumNoise = 0x1p-16;
+
+Error invalid(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
+Error invalid(const char* format, ...) {
+  char text[256];
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return {ErrorCode::invalid_argument, text};
+}
+
+using Problem = std::optional<Error>;
+
+Problem check_sizes(const SkinnedMeshView& view) {
+  if (view.rest_positions.size() > 0x7FFFFFFF || view.triangles.size() > 0x7FFFFFFF)
+    return invalid("rest_positions or triangles have more than 2^31 - 1 elements");
+  if (view.triangles.empty()) return invalid("triangles is empty: there is nothing to collide");
+  if (view.influences_per_vertex == 0) return invalid("influences_per_vertex is 0");
+  if (view.joint_count == 0 || view.joint_count > 65536)
+    return invalid("joint_count is %u, expected 1 to 65536", view.joint_count);
+  const std::size_t expected = view.rest_positions.size() * view.influences_per_vertex;
+  if (view.joints.size() != expected || view.weights.size() != expected)
+    return invalid(
+        "joints has %zu and weights has %zu elements, expected %zu "
+        "(rest_positions x influences_per_vertex)",
+        view.joints.size(), view.weights.size(), expected);
+  return std::nullopt;
+}
+
+Problem check_rest_positions(std::span<const Vec3> rest_positions) {
+  for (std::size_t v = 0; v < rest_positions.size(); ++v) {
+    const Vec3& p = rest_positions[v];
+    for (const float c : {p.x, p.y, p.z})
+      if (!(std::fabs(c) <= kMaxCoordinate))  // also true for NaN
+        return invalid("rest_positions[%zu] has the coordinate %g, expected finite and within 2^60",
+                       v, static_cast<double>(c));
+  }
+  return std::nullopt;
+}
+
+Problem check_triangles(std::span<const Triangle> triangles, std::size_t vertex_count) {
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (const std::uint32_t v : triangles[t])
+      if (v >= vertex_count)
+        return invalid("triangles[%zu] names vertex %u, but there are %zu rest_positions", t, v,
+                       vertex_count);
+  return std::nullopt;
+}
+
+Problem check_influence(const SkinnedMeshView& view, std::size_t vertex, std::size_t slot) {
+  const std::size_t i = vertex * view.influences_per_vertex + slot;
+  if (view.joints[i] >= view.joint_count)
+    return invalid("joints[%zu] of vertex %zu is %u, but joint_count is %u", i, vertex,
+                   view.joints[i], view.joint_count);
+  if (!(view.weights[i] >= 0 && std::isfinite(view.weights[i])))
+    return invalid("weights[%zu] of vertex %zu is %g, expected a finite number >= 0", i, vertex,
+                   static_cast<double>(view.weights[i]));
+  return std::nullopt;
+}
+
+/// The view's influences of one vertex: zero weights left out, a joint named twice summed, joints
+/// ascending. Replaces the content of `merged`.
+void merge_influences(const SkinnedMeshView& view, std::size_t vertex,
+                      std::vector<Influence>& merged, BuildReport& report) {
+  merged.clear();
+  const std::size_t begin = vertex * view.influences_per_vertex;
+  for (std::size_t i = begin; i < begin + view.influences_per_vertex; ++i)
+    if (view.weights[i] > 0) merged.push_back(Influence{view.joints[i], view.weights[i]});
+  std::stable_sort(merged.begin(), merged.end(),
+                   [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < merged.size(); ++i) {
+    if (kept > 0 && merged[kept - 1].joint == merged[i].joint) {
+      merged[kept - 1].weight += merged[i].weight;
+      ++report.merged_influences;
+    } else {
+      merged[kept++] = merged[i];
+    }
+  }
+  merged.resize(kept);
+}
+
+/// Divides the weights by their sum.
+Problem normalise_weights(std::span<Influence> influences, std::size_t vertex,
+                          const ModelOptions& options, BuildReport& report) {
+  double sum = 0;
+  for (const Influence& influence : influences) sum += static_cast<double>(influence.weight);
+  if (sum == 0) return invalid("weights of vertex %zu sum to 0, expected 1", vertex);
+  const double error = std::fabs(sum - 1);
+  if (error > kMaxWeightSumError && options.off_weights == OffWeights::refuse)
+    return invalid(
+        "weights of vertex %zu sum to %.6g, expected 1 (off_weights = OffWeights::renormalise "
+        "divides by the sum)",
+        vertex, sum);
+  if (error > kWeightSumNoise) ++report.renormalised_vertices;
+  for (Influence& influence : influences)
+    influence.weight = static_cast<float>(static_cast<double>(influence.weight) / sum);
+  return std::nullopt;
+}
+
+Problem take_influences(const SkinnedMeshView& view, const ModelOptions& options, SkinnedMesh& mesh,
+                        BuildReport& report) {
+  mesh.influence_begin.reserve(view.rest_positions.size() + 1);
+  mesh.influence_begin.push_back(0);
+  std::vector<Influence> merged;
+  for (std::size_t v = 0; v < view.rest_positions.size(); ++v) {
+    for (std::size_t slot = 0; slot < view.influences_per_vertex; ++slot)
+      if (Problem problem = check_influence(view, v, slot)) return problem;
+    merge_influences(view, v, merged, report);
+    if (Problem problem = normalise_weights(merged, v, options, report)) return problem;
+    // A weight that is tiny beside the others can become zero by the division.
+    for (const Influence& influence : merged)
+      if (influence.weight > 0) mesh.influences.push_back(influence);
+    mesh.influence_begin.push_back(static_cast<std::uint32_t>(mesh.influences.size()));
+  }
+  return std::nullopt;
+}
+
+std::uint32_t count_degenerate(const SkinnedMesh& mesh) {
+  std::uint32_t count = 0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vec3& a = mesh.rest_positions[triangle[0]];
+    const Vec3& b = mesh.rest_positions[triangle[1]];
+    const Vec3& c = mesh.rest_positions[triangle[2]];
+    count += a == b || b == c || c == a;
+  }
+  return count;
+}
+
+float enclosing_radius(std::span<const Vec3> points) {
+  double squared = 0;
+  for (const Vec3& p : points) {
+    const double x = p.x, y = p.y, z = p.z;
+    squared = std::max(squared, x * x + y * y + z * z);
+  }
+  return std::nextafter(static_cast<float>(std::sqrt(squared)),
+                        std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOptions& options,
+                                      BuildReport& report) {
+  if (Problem problem = check_sizes(view)) return *problem;
+  if (Problem problem = check_rest_positions(view.rest_positions)) return *problem;
+  if (Problem problem = check_triangles(view.triangles, view.rest_positions.size()))
+    return *problem;
+
+  SkinnedMesh mesh;
+  mesh.rest_positions.assign(view.rest_positions.begin(), view.rest_positions.end());
+  mesh.triangles.assign(view.triangles.begin(), view.triangles.end());
+  mesh.joint_count = view.joint_count;
+  mesh.rest_radius = enclosing_radius(mesh.rest_positions);
+  if (Problem problem = take_influences(view, options, mesh, report)) return *problem;
+  report.degenerate_triangles = count_degenerate(mesh);
+  return mesh;
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <pelt/mesh.hpp>
+#include <pelt/model.hpp>
+
+#include <span>
+#include <vector>
+
+namespace pelt::detail {
+
+/// One joint that a vertex follows, and how much.
+struct Influence {
+  std::uint32_t joint = 0;
+  float weight = 0;
+};
+
+/// A skinned mesh that has been checked and brought to one form: influences of a vertex have
+/// positive weights that sum to 1 up to rounding, and stand in ascending order of their joints, so
+/// that vertices that were split at a seam are posed to the same bits.
+struct SkinnedMesh {
+  std::vector<Vec3> rest_positions;           // [V]
+  std::vector<Triangle> triangles;            // [T]
+  std::vector<std::uint32_t> influence_begin; // [V + 1], into influences
+  std::vector<Influence> influences;
+  std::uint32_t joint_count = 0;
+  float rest_radius = 0;  // no rest position is further from the origin
+
+  std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(rest_positions.size()); }
+  std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size()); }
+
+  std::span<const Influence> influences_of(std::uint32_t vertex) const {
+    const std::uint32_t begin = influence_begin[vertex];
+    return {influences.data() + begin, influence_begin[vertex + 1] - begin};
+  }
+};
+
+/// No coordinate, in the rest pose or posed, is larger: squared distances then stay finite in
+/// float32.
+inline constexpr float kMaxCoordinate = 0x1p60f;
+
+/// Checks `view`, copies it into the form above and fills `report`.
+Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOptions& options,
+                                      BuildReport& report);
+
+}  // namespace pelt::detail

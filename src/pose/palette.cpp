@@ -1,0 +1,75 @@
+#include "pose/palette.hpp"
+
+#include "base/assert.hpp"
+#include "model/skinned_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace pelt::detail {
+namespace {
+
+/// |A|_F R + |t| of one joint, rounded up. Not finite when the matrix is not, or nearly overflows.
+double joint_reach(const float* m, double rest_radius) {
+  double linear = 0, translation = 0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) {
+      const double a = m[4 * column + row];
+      linear += a * a;
+    }
+  for (int row = 0; row < 3; ++row) {
+    const double t = m[12 + row];
+    translation += t * t;
+  }
+  return (std::sqrt(linear) * rest_radius + std::sqrt(translation)) * (1 + 0x1p-40);
+}
+
+bool has_affine_last_row(const float* m) {
+  return m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
+}
+
+Error describe(const float* m, std::size_t joint) {
+  char text[160];
+  for (int i = 0; i < 16; ++i)
+    if (!std::isfinite(m[i])) {
+      std::snprintf(text, sizeof text, "palette[%zu] has the element %g at row %d, column %d",
+                    joint, static_cast<double>(m[i]), i % 4, i / 4);
+      return {ErrorCode::invalid_argument, text};
+    }
+  if (!has_affine_last_row(m))
+    std::snprintf(text, sizeof text,
+                  "palette[%zu] has the last row %g %g %g %g, expected 0 0 0 1 (is the matrix "
+                  "row-major?)",
+                  joint, static_cast<double>(m[3]), static_cast<double>(m[7]),
+                  static_cast<double>(m[11]), static_cast<double>(m[15]));
+  else
+    std::snprintf(text, sizeof text, "palette[%zu] can move a vertex beyond 2^60 units", joint);
+  return {ErrorCode::invalid_argument, text};
+}
+
+}  // namespace
+
+Palette::Palette(std::uint32_t joint_count, float rest_radius)
+    : joints_(joint_count), rest_radius_(rest_radius) {
+  reach_ = std::nextafter(static_cast<float>(joint_reach(joints_[0].m.data(), rest_radius)),
+                          std::numeric_limits<float>::infinity());
+}
+
+Result<void> Palette::set(std::span<const float> floats) {
+  PELT_ASSERT(floats.size() == joints_.size() * 16);
+  double reach = 0;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const float* m = floats.data() + 16 * j;
+    const double joint = joint_reach(m, static_cast<double>(rest_radius_));
+    if (!(joint <= static_cast<double>(kMaxCoordinate)) || !has_affine_last_row(m))
+      return describe(m, j);
+    reach = std::max(reach, joint);
+  }
+  std::memcpy(joints_.data(), floats.data(), floats.size_bytes());
+  reach_ = std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::infinity());
+  return {};
+}
+
+}  // namespace pelt::detail

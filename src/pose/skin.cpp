@@ -1,0 +1,32 @@
+#include "pose/skin.hpp"
+
+#include "base/assert.hpp"
+
+namespace pelt::detail {
+
+void posed_vertices(const SkinnedMesh& mesh, const Palette& palette, std::span<Vec3> out) {
+  PELT_ASSERT(out.size() == mesh.rest_positions.size());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) out[v] = posed_vertex(mesh, palette, v);
+}
+
+}  // namespace pelt::detail
+
+namespace pelt::scalar {
+
+Vec3 posed_vertex(const detail::SkinnedMesh& mesh, const detail::Palette& palette,
+                  std::uint32_t vertex) {
+  const auto influences = mesh.influences_of(vertex);
+  float blended[16];
+  for (int e = 0; e < 16; ++e) {
+    blended[e] = influences[0].weight * palette[influences[0].joint].m[e];
+    for (std::size_t k = 1; k < influences.size(); ++k)
+      blended[e] += influences[k].weight * palette[influences[k].joint].m[e];
+  }
+  const Vec3& v = mesh.rest_positions[vertex];
+  const auto coordinate = [&](int a) {
+    return (blended[a] * v.x + blended[8 + a] * v.z) + (blended[4 + a] * v.y + blended[12 + a]);
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+}  // namespace pelt::scalar
