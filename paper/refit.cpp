@@ -6,7 +6,6 @@
 namespace pelt::paper {
 namespace {
 
-using detail::broadcast;
 using detail::load4;
 
 using Symmetric3 = std::array<std::array<double, 3>, 3>;
@@ -80,10 +79,10 @@ void Refit::take_palette(const Palette& palette) {
     const Matrix4& m = palette[j];
     for (std::size_t column = 0; column < 4; ++column)
       joints_[j].columns[column] = load4(m.m.data() + 4 * column);
-    joints_[j].columns[3] = {m.m[12], m.m[13], m.m[14], stretch_bound(m)};
+    joints_[j].columns[3] = Float4(m.m[12], m.m[13], m.m[14], stretch_bound(m));
   }
   const auto n = static_cast<float>(model_->bounds.max_joints);
-  margin_ = (4 * n + 32) * 0x1p-24f * palette.reach() + 0x1p-100f;
+  margin_ = (4 * n + 32) * 0x1p-24f * palette.reach();
   palette_stamp_ = stamp_;
 }
 
@@ -91,12 +90,12 @@ void Refit::take_palette(const Palette& palette) {
 std::uint32_t Refit::blend_corners(std::uint32_t node) {
   const WeightBounds& bounds = model_->bounds;
   const Vec3& c = model_->tree.nodes[node].rest.centre;
-  const Float4 x = broadcast(c.x), y = broadcast(c.y), z = broadcast(c.z);
+  const Float4 x = Float4(c.x), y = Float4(c.y), z = Float4(c.z);
   Float4* out = corner_spheres_.data();
   for (const JointSet& set : bounds.sets_of(node)) {
     const std::uint16_t* joint = bounds.joints.data() + set.first_joint;
     const float* corner = bounds.corners.data() + set.first_corner;
-    for (std::uint32_t a = 0; a < set.corner_count; ++a) out[a] = broadcast(0);
+    for (std::uint32_t a = 0; a < set.corner_count; ++a) out[a] = Float4(0);
     for (std::uint32_t j = 0; j < set.joint_count; ++j) {
       const Float4* column = joints_[joint[j]].columns;
       const Float4 s = (x * column[0] + z * column[2]) + (y * column[1] + column[3]);
@@ -116,17 +115,13 @@ void Refit::refit(std::uint32_t node, const Palette& palette) {
   for (std::uint32_t a = 1; a < count; ++a) sum = sum + corner_spheres_[a];
   const Float4 centre = (1 / static_cast<float>(count)) * sum;
 
-  float squared_distance = 0, stretch = 0;
+  float squared_reach = 0, stretch = 0;
   for (std::uint32_t a = 0; a < count; ++a) {
-    const Float4 d = corner_spheres_[a] - centre;
-    const Float4 dd = d * d;
-    squared_distance = std::max(squared_distance, (dd[0] + dd[1]) + dd[2]);
+    squared_reach = std::max(squared_reach, squared_distance(corner_spheres_[a], centre));
     stretch = std::max(stretch, corner_spheres_[a][3]);
   }
   const float rest_radius = model_->tree.nodes[node].rest.radius;
-  const float radius =
-      (std::sqrt(squared_distance) + rest_radius * stretch) * (1 + 0x1p-20f) + margin_;
-  spheres_[node] = {centre[0], centre[1], centre[2], radius};
+  spheres_[node] = make_ball(centre, std::sqrt(squared_reach) + rest_radius * stretch + margin_);
   node_stamp_[node] = stamp_;
   ++refits_;
 }

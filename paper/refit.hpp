@@ -9,14 +9,16 @@
 ///     |v' - x| <= max_a ( |R_a - x| + r sum_j r_aj s_j ),     R_a = sum_j r_aj C_j c,
 ///
 /// because the left side, bounded by |sum_j w_j C_j c - x| + r sum_j w_j s_j, is convex in w and so
-/// largest at a corner. For rotations s = 1 and this is the paper's refit to the letter.
+/// largest at a corner. For rotations s = 1 and this is the paper's refit to the letter. (The code
+/// takes the largest distance and the largest stretch apart, which is the same where all joints
+/// stretch alike and saves a square root for each corner.)
 ///
 /// Rounding. With u = 2^-24, n influences at most and G the palette's reach, a posed vertex is off
 /// its real position by (n + 4) u G at most, a corner's centre by (n + 4) u G, the stored corner
 /// weights by u G, and weights that sum to 1 only up to n u by n u G. The margin of (4n + 32) u G
-/// is larger than their sum; the factor 1 + 2^-20 covers the norms and sums of the last lines.
+/// is larger than their sum; make_ball covers the norms and sums of the last lines.
 
-#include "base/float4.hpp"
+#include "paper/ball.hpp"
 #include "paper/weight_bounds.hpp"
 #include "pose/palette.hpp"
 
@@ -25,7 +27,6 @@
 
 namespace pelt::paper {
 
-using detail::Float4;
 using detail::Palette;
 
 /// An upper bound of |A|_2, the most by which the linear part of a joint matrix stretches; 1 up to

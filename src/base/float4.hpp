@@ -9,37 +9,67 @@ namespace pelt::detail {
 
 #ifdef PELT_SCALAR
 
-struct Float4 {
+struct Lanes {
   float lane[4];
 
   float operator[](int i) const { return lane[i]; }
 };
 
-inline Float4 operator+(const Float4& a, const Float4& b) {
-  return {{a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]}};
+template <typename Operation>
+Lanes each_lane(const Lanes& a, const Lanes& b, Operation operation) {
+  return {{operation(a[0], b[0]), operation(a[1], b[1]), operation(a[2], b[2]),
+           operation(a[3], b[3])}};
 }
-inline Float4 operator-(const Float4& a, const Float4& b) {
-  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]}};
+
+inline Lanes operator+(const Lanes& a, const Lanes& b) {
+  return each_lane(a, b, [](float x, float y) { return x + y; });
 }
-inline Float4 operator*(const Float4& a, const Float4& b) {
-  return {{a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]}};
+inline Lanes operator-(const Lanes& a, const Lanes& b) {
+  return each_lane(a, b, [](float x, float y) { return x - y; });
 }
-inline Float4 broadcast(float s) { return {{s, s, s, s}}; }
+inline Lanes operator*(const Lanes& a, const Lanes& b) {
+  return each_lane(a, b, [](float x, float y) { return x * y; });
+}
+inline Lanes lower(const Lanes& a, const Lanes& b) {
+  return each_lane(a, b, [](float x, float y) { return x < y ? x : y; });
+}
+inline Lanes higher(const Lanes& a, const Lanes& b) {
+  return each_lane(a, b, [](float x, float y) { return x > y ? x : y; });
+}
+inline Lanes make_lanes(float x, float y, float z, float w) { return {{x, y, z, w}}; }
 
 #else
 
-using Float4 = float __attribute__((vector_size(16)));
+using Lanes = float __attribute__((vector_size(16)));
 
-inline Float4 broadcast(float s) { return Float4{s, s, s, s}; }
+inline Lanes lower(Lanes a, Lanes b) { return a < b ? a : b; }
+inline Lanes higher(Lanes a, Lanes b) { return a > b ? a : b; }
+inline Lanes make_lanes(float x, float y, float z, float w) { return Lanes{x, y, z, w}; }
 
 #endif
 
-inline Float4 operator*(float s, const Float4& v) { return broadcast(s) * v; }
+struct Float4 {
+  Lanes lanes;
+
+  Float4() = default;
+  explicit Float4(Lanes l) : lanes(l) {}
+  explicit Float4(float s) : lanes(make_lanes(s, s, s, s)) {}
+  Float4(float x, float y, float z, float w) : lanes(make_lanes(x, y, z, w)) {}
+
+  float operator[](int i) const { return lanes[i]; }
+};
+
+inline Float4 operator+(const Float4& a, const Float4& b) { return Float4(a.lanes + b.lanes); }
+inline Float4 operator-(const Float4& a, const Float4& b) { return Float4(a.lanes - b.lanes); }
+inline Float4 operator*(const Float4& a, const Float4& b) { return Float4(a.lanes * b.lanes); }
+inline Float4 operator*(float s, const Float4& v) { return Float4(s) * v; }
+inline Float4 min(const Float4& a, const Float4& b) { return Float4(lower(a.lanes, b.lanes)); }
+inline Float4 max(const Float4& a, const Float4& b) { return Float4(higher(a.lanes, b.lanes)); }
 
 /// Any four floats, aligned or not.
 inline Float4 load4(const float* p) {
   Float4 v;
-  std::memcpy(&v, p, sizeof v);
+  std::memcpy(&v.lanes, p, sizeof v.lanes);
   return v;
 }
 

@@ -22,21 +22,21 @@ struct Ends {
   Vec3 first, last;
 };
 
-using Triangle2 = std::array<Vec2, 3>;
+using Triangle2 = std::array<Vec2d, 3>;
 
 /// Without the coordinate `axis`.
 Triangle2 project(const TriangleCorners& t, int axis) {
   Triangle2 result;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& p = t[i];
-    result[i] = axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
+    result[i] = axis == 0 ? Vec2d{p.y, p.z} : axis == 1 ? Vec2d{p.z, p.x} : Vec2d{p.x, p.y};
   }
   return result;
 }
 
 /// Whether the line through p and q has the third corner r of its triangle on one closed side and
 /// `other` on the opposite open side.
-bool line_separates(const Vec2& p, const Vec2& q, const Vec2& r, const Triangle2& other) {
+bool line_separates(const Vec2d& p, const Vec2d& q, const Vec2d& r, const Triangle2& other) {
   const int side = orient2d(p, q, other[0]);
   return side != 0 && orient2d(p, q, other[1]) == side && orient2d(p, q, other[2]) == side &&
          orient2d(p, q, r) != side;

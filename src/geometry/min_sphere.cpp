@@ -131,15 +131,9 @@ Vec3d min_sphere_centre(std::span<const Vec3> points) {
   return current.sphere.centre;
 }
 
-/// A float that is not below x: x or one of the two next to it.
-float round_up(double x) {
-  const float nearest = static_cast<float>(x);
-  if (double{nearest} >= x) return nearest;
-  return nearest * (1 + 0x1p-23f) + 0x1p-149f;
-}
-
-/// The sphere around `centre`, rounded to float, that encloses all points. A squared length has at
-/// most five relative errors 2^-53 and its root half as many and one more: 2^-50 covers them.
+/// The sphere around `centre`, rounded to float, that encloses all points. The last line rounds up:
+/// 2^-23 covers the rounding to a normal float, 2^-24, and that of the distance, less than 2^-50;
+/// 2^-149 covers the rounding to a subnormal one.
 Sphere enclose(const Vec3d& centre, std::span<const Vec3> points) {
   const Vec3 rounded = {static_cast<float>(centre.x), static_cast<float>(centre.y),
                         static_cast<float>(centre.z)};
@@ -147,7 +141,7 @@ Sphere enclose(const Vec3d& centre, std::span<const Vec3> points) {
   for (const Vec3& p : points) {
     farthest = std::max(farthest, squared_distance(Vec3d(p), Vec3d(rounded)));
   }
-  return {rounded, round_up(std::sqrt(farthest) * (1 + 0x1p-50))};
+  return {rounded, static_cast<float>(std::sqrt(farthest) * (1 + 0x1p-23) + 0x1p-149)};
 }
 
 }  // namespace
@@ -160,13 +154,23 @@ Sphere min_sphere(std::span<const Vec3> points) {
 Sphere ball_of_triangle(const TriangleCorners& corners) {
   const Vec3d a(corners[0]), b(corners[1]), c(corners[2]);
   const Vec3d ab = b - a, ac = c - a, bc = c - b;
-  const double ab2 = squared_length(ab), ac2 = squared_length(ac), bc2 = squared_length(bc);
-  // Without an acute angle at each corner, the longest side is a diameter.
-  if (ab2 >= ac2 + bc2) return enclose(a + 0.5 * ab, corners);
-  if (ac2 >= ab2 + bc2) return enclose(a + 0.5 * ac, corners);
-  if (bc2 >= ab2 + ac2) return enclose(b + 0.5 * bc, corners);
-  const std::optional<Vec3d> offset = circumcentre(ab, ac);
-  return enclose(offset ? a + *offset : a, corners);
+  const double ab2 = squared_length(ab), ac2 = squared_length(ac);
+  const double cos_a = dot(ab, ac), cos_b = -dot(ab, bc), cos_c = dot(ac, bc);
+  const double sin_a2 = squared_length(cross(ab, ac));
+
+  // centre = a + s ab + t ac: the middle of the side across from a corner without an acute angle, or
+  // else the circumcentre. A needle with its point at a, too thin for that, is as good as a segment.
+  double s = 0.5, t = 0;
+  if (cos_a <= 0) {
+    t = 0.5;
+  } else if (cos_b <= 0) {
+    s = 0, t = 0.5;
+  } else if (cos_c > 0 && sin_a2 > 0x1p-80 * ab2 * ac2) {
+    const double scale = 0.5 / sin_a2;
+    s = scale * ac2 * cos_b;
+    t = scale * ab2 * cos_c;
+  }
+  return enclose(a + s * ab + t * ac, corners);
 }
 
 }  // namespace pelt::detail

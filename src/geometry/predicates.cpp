@@ -13,6 +13,12 @@ static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
 
 int sign(double value) { return (value > 0) - (value < 0); }
 
+/// Two-Sum (Shewchuk, theorem 7): a + b == sum + result, exactly.
+double rounding_error(double a, double b, double sum) {
+  const double b_part = sum - a, a_part = sum - b_part;
+  return (a - a_part) + (b - b_part);
+}
+
 /// An exact sum of doubles: a nonoverlapping expansion, terms of increasing magnitude of which the
 /// last has the sign of the whole (Shewchuk, "Adaptive precision floating-point arithmetic and fast
 /// robust geometric predicates", 1997, section 2).
@@ -35,38 +41,46 @@ class ExactSum {
   int sign() const { return size_ == 0 ? 0 : detail::sign(terms_[size_ - 1]); }
 
  private:
-  /// Two-Sum (theorem 7): a + b == sum + result, exactly.
-  static double rounding_error(double a, double b, double sum) {
-    const double b_part = sum - a, a_part = sum - b_part;
-    return (a - a_part) + (b - b_part);
-  }
-
   std::array<double, kCapacity> terms_;  // the first size_ are set
   std::size_t size_ = 0;
 };
 
 using Sum3d = ExactSum<48>;
 
-/// The product of two floats: their 24-bit mantissas make one of at most 48 bits, so it is exact.
-double product(float a, float b) { return double{a} * double{b}; }
+/// Dekker's product (theorem 18): value + error == a * b, exactly.
+struct ExactProduct {
+  ExactProduct(double a, double b) : value(a * b) {
+    const double a_high = high_half(a), a_low = a - a_high;
+    const double b_high = high_half(b), b_low = b - b_high;
+    error = a_low * b_low - (((value - a_high * b_high) - a_low * b_high) - a_high * b_low);
+  }
 
-/// Adds xy * z, where xy has 48 bits: split into halves of at most 26 bits (Veltkamp), each of
-/// which times 24 bits is exact.
-void add_product(Sum3d& sum, double xy, float z) {
-  const double shifted = 0x8000001p0 * xy;
-  const double high = shifted - (shifted - xy), low = xy - high;
-  sum.add(high * double{z});
-  sum.add(low * double{z});
+  static double high_half(double a) {
+    const double shifted = 0x8000001p0 * a;
+    return shifted - (shifted - a);
+  }
+
+  double value, error;
+};
+
+void add_product(Sum3d& sum, double x, double y, double z) {
+  const ExactProduct xy(x, y), high(xy.value, z), low(xy.error, z);
+  for (const double term : {low.error, low.value, high.error, high.value}) sum.add(term);
 }
 
-/// Adds det(p, q, r).
-void add_determinant(Sum3d& sum, const Vec3& p, const Vec3& q, const Vec3& r) {
-  add_product(sum, product(p.x, q.y), r.z);
-  add_product(sum, product(q.x, r.y), p.z);
-  add_product(sum, product(r.x, p.y), q.z);
-  add_product(sum, -product(q.x, p.y), r.z);
-  add_product(sum, -product(r.x, q.y), p.z);
-  add_product(sum, -product(p.x, r.y), q.z);
+void add_determinant(Sum3d& sum, const Vec3d& p, const Vec3d& q, const Vec3d& r) {
+  add_product(sum, p.x, q.y, r.z);
+  add_product(sum, q.x, r.y, p.z);
+  add_product(sum, r.x, p.y, q.z);
+  add_product(sum, -q.x, p.y, r.z);
+  add_product(sum, -r.x, q.y, p.z);
+  add_product(sum, -p.x, r.y, q.z);
+}
+
+bool is_exact_difference(const Vec3d& difference, const Vec3d& a, const Vec3d& b) {
+  return rounding_error(a.x, -b.x, difference.x) == 0 &&
+         rounding_error(a.y, -b.y, difference.y) == 0 &&
+         rounding_error(a.z, -b.z, difference.z) == 0;
 }
 
 }  // namespace
@@ -77,36 +91,37 @@ std::uint64_t& exact_sign_count() {
 }
 
 int OrientedPlane::exact_side(const Vec3& d) const {
-  if (d == a_ || d == b_ || d == c_) return 0;
+  if (d == a_ || d == b_ || d == c_ || a_ == b_ || b_ == c_ || c_ == a_) return 0;
   ++exact_sign_count();
+  const Vec3d pb(b_), pc(c_), pd(d);
+  const Vec3d u = pb - origin_, v = pc - origin_, w = pd - origin_;
   Sum3d sum;
-  add_determinant(sum, b_, c_, d);
-  add_determinant(sum, c_, a_, d);
-  add_determinant(sum, a_, b_, d);
-  add_determinant(sum, c_, b_, a_);
+  if (is_exact_difference(u, pb, origin_) && is_exact_difference(v, pc, origin_) &&
+      is_exact_difference(w, pd, origin_)) {
+    add_determinant(sum, u, v, w);
+  } else {
+    add_determinant(sum, pb, pc, pd);
+    add_determinant(sum, pc, origin_, pd);
+    add_determinant(sum, origin_, pb, pd);
+    add_determinant(sum, pc, pb, origin_);
+  }
   return sum.sign();
 }
 
-int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const double ux = double{b.x} - double{a.x}, uy = double{b.y} - double{a.y};
-  const double vx = double{c.x} - double{a.x}, vy = double{c.y} - double{a.y};
-  const double left = ux * vy, right = uy * vx;
-  // Either product has three relative errors 2^-53 and their difference one more; equal signs make
-  // |left| + |right| large against the determinant, opposite ones do not.
+int orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
   const double determinant = left - right;
-  const double error = 0x1p-50 * ((left < 0 ? -left : left) + (right < 0 ? -right : right));
+  // Each product has three relative errors 2^-53 and their difference one more; 2^-50 is twice
+  // that.
+  const double error = 0x1p-50 * (std::abs(left) + std::abs(right));
   if (determinant > error) return 1;
   if (determinant < -error) return -1;
   if (error == 0) return 0;
 
   ++exact_sign_count();
   ExactSum<6> sum;
-  sum.add(product(a.x, b.y));
-  sum.add(-product(a.y, b.x));
-  sum.add(product(b.x, c.y));
-  sum.add(-product(b.y, c.x));
-  sum.add(product(c.x, a.y));
-  sum.add(-product(c.y, a.x));
+  for (const double term : {a.x * b.y, b.x * c.y, c.x * a.y}) sum.add(term);
+  for (const double term : {b.x * a.y, c.x * b.y, a.x * c.y}) sum.add(-term);
   return sum.sign();
 }
 

@@ -5,6 +5,7 @@
 #include "base/vec3.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace pelt::detail {
@@ -42,7 +43,7 @@ class OrientedPlane {
   static constexpr double kRelativeError = 56 * 0x1p-53;
 
   static double max_abs(const Vec3d& v) {
-    return std::max(std::max(v.x < 0 ? -v.x : v.x, v.y < 0 ? -v.y : v.y), v.z < 0 ? -v.z : v.z);
+    return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
   }
 
   int exact_side(const Vec3& d) const;
@@ -57,12 +58,13 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
   return OrientedPlane(a, b, c).side(d);
 }
 
-struct Vec2 {
-  float x = 0, y = 0;
+/// A point of the plane with float32 coordinates, widened so that a product of two is exact.
+struct Vec2d {
+  double x = 0, y = 0;
 };
 
 /// The sign of det(b - a, c - a): 1 if a, b, c turn counter-clockwise.
-int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
+int orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c);
 
 /// How many signs needed exact arithmetic on this thread; for tests that must see it run.
 std::uint64_t& exact_sign_count();

@@ -67,7 +67,7 @@ Result<void> Palette::set(std::span<const float> floats) {
       return describe(m, j);
     reach = std::max(reach, joint);
   }
-  std::memcpy(joints_.data(), floats.data(), floats.size_bytes());
+  std::memcpy(joints_.data()->m.data(), floats.data(), floats.size_bytes());
   reach_ = std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::infinity());
   return {};
 }

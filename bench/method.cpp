@@ -1,0 +1,171 @@
+#include "bench/method.hpp"
+
+#include "base/assert.hpp"
+#include "bench/brute_force.hpp"
+#include "paper/eager.hpp"
+#include "paper/on_demand.hpp"
+#include "paper/rigid.hpp"
+#include "pose/pose.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace pelt::bench {
+namespace {
+
+using detail::Palette;
+using detail::SkinnedMesh;
+
+const SkinnedMesh& mesh_of(const SkinnedModel& model) { return model.detail().mesh; }
+
+/// The library as its users call it.
+class PublicMethod final : public Method {
+ public:
+  void add(const SkinnedModel& model) override { poses_.emplace_back(model); }
+
+  Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
+    return poses_[body].set_palette(palette);
+  }
+
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     const CollideOptions& options) override {
+    return pelt::collide(poses_[a], poses_[b], scratch_, contacts, options);
+  }
+
+  QueryStats update_work() const override { return {}; }
+
+ private:
+  std::vector<Pose> poses_;
+  Scratch scratch_;
+};
+
+/// What the methods below share: a checked palette for each body, contacts sorted, work counted.
+/// `Body` has update(palette) and collide(other, ...); `Prepared` is built once for each model.
+template <typename Traits>
+class BodyMethod final : public Method {
+ public:
+  void add(const SkinnedModel& model) override {
+    models_.push_back(model);
+    const SkinnedMesh& mesh = mesh_of(model);
+    auto& prepared = prepared_[&mesh];
+    if (!prepared) prepared = std::make_unique<typename Traits::Prepared>(Traits::prepare(mesh));
+    palettes_.emplace_back(mesh.joint_count, mesh.rest_radius);
+    bodies_.push_back(Traits::make_body(mesh, *prepared));
+    update_work_ += Traits::update(*bodies_.back(), palettes_.back());
+  }
+
+  Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
+    Result<void> taken = palettes_[body].set({palette[0].m.data(), palette.size() * 16});
+    if (taken) update_work_ += Traits::update(*bodies_[body], palettes_[body]);
+    return taken;
+  }
+
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     const CollideOptions& options) override {
+    const auto first = static_cast<std::ptrdiff_t>(contacts.size());
+    const QueryStats work = Traits::collide(*bodies_[a], palettes_[a], *bodies_[b], palettes_[b],
+                                            scratch_, contacts, options.max_contacts);
+    std::sort(contacts.begin() + first, contacts.end());
+    return work;
+  }
+
+  QueryStats update_work() const override { return update_work_; }
+
+ private:
+  std::vector<SkinnedModel> models_;  // keep the meshes alive
+  std::map<const SkinnedMesh*, std::unique_ptr<typename Traits::Prepared>> prepared_;
+  std::vector<Palette> palettes_;
+  std::vector<std::unique_ptr<typename Traits::Body>> bodies_;
+  detail::Scratch scratch_;
+  QueryStats update_work_;
+};
+
+struct Eq2Traits {
+  using Prepared = paper::SphereModel;
+  using Body = paper::OnDemandBody;
+
+  static Prepared prepare(const SkinnedMesh& mesh) {
+    return paper::build_sphere_model(mesh, paper::BoundKind::plain);
+  }
+  static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const Prepared& model) {
+    return std::make_unique<Body>(mesh, model);
+  }
+  static QueryStats update(Body& body, const Palette&) {
+    body.invalidate();
+    return {};
+  }
+  static QueryStats collide(Body& a, const Palette& palette_a, Body& b, const Palette& palette_b,
+                            detail::Scratch& scratch, std::vector<Contact>& contacts,
+                            std::uint32_t max_contacts) {
+    return paper::collide(a, palette_a, b, palette_b, scratch, contacts, max_contacts);
+  }
+};
+
+/// Bodies that are all done once their palette has been taken.
+template <typename Body_, typename Prepared_>
+struct UpdatedTraits {
+  using Prepared = Prepared_;
+  using Body = Body_;
+
+  static QueryStats update(Body& body, const Palette& palette) { return body.update(palette); }
+  static QueryStats collide(Body& a, const Palette&, Body& b, const Palette&,
+                            detail::Scratch& scratch, std::vector<Contact>& contacts,
+                            std::uint32_t max_contacts) {
+    using paper::collide;
+    return collide(a, b, scratch, contacts, max_contacts);
+  }
+};
+
+struct EagerTraits : UpdatedTraits<paper::EagerBody, paper::SphereTree> {
+  static Prepared prepare(const SkinnedMesh& mesh) {
+    return paper::build_sphere_tree(mesh.rest_positions, mesh.triangles);
+  }
+  static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const Prepared& tree) {
+    return std::make_unique<Body>(mesh, tree);
+  }
+};
+
+struct Nothing {};
+
+template <typename Body>
+struct UnpreparedTraits : UpdatedTraits<Body, Nothing> {
+  static Nothing prepare(const SkinnedMesh&) { return {}; }
+  static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const Nothing&) {
+    return std::make_unique<Body>(mesh);
+  }
+};
+
+constexpr std::array<std::string_view, 5> kNames = {"paper", "paper_eq2", "paper_eager",
+                                                    "paper_rigid", "brute"};
+
+}  // namespace
+
+std::span<const std::string_view> method_names() { return kNames; }
+
+std::string_view name_of(MethodKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+std::optional<MethodKind> find_method(std::string_view name) {
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<MethodKind>(found - kNames.begin());
+}
+
+std::unique_ptr<Method> make_method(MethodKind kind) {
+  switch (kind) {
+    case MethodKind::paper:
+      return std::make_unique<PublicMethod>();
+    case MethodKind::paper_eq2:
+      return std::make_unique<BodyMethod<Eq2Traits>>();
+    case MethodKind::paper_eager:
+      return std::make_unique<BodyMethod<EagerTraits>>();
+    case MethodKind::paper_rigid:
+      return std::make_unique<BodyMethod<UnpreparedTraits<paper::RigidBody>>>();
+    case MethodKind::brute:
+      return std::make_unique<BodyMethod<UnpreparedTraits<BruteForceBody>>>();
+  }
+  PELT_ASSERT(false);
+  return nullptr;
+}
+
+}  // namespace pelt::bench
