@@ -1,0 +1,51 @@
+# `cmake --install`: libraries, headers, a CMake package, pkg-config files, the command and its page.
+include(CMakePackageConfigHelpers)
+
+set(pelt_libraries pelt)
+if(TARGET pelt_asset)
+  list(APPEND pelt_libraries pelt_asset)
+  set_target_properties(pelt_asset PROPERTIES EXPORT_NAME asset)
+endif()
+# Before 1.0 a minor version may change the interface.
+set_target_properties(${pelt_libraries} PROPERTIES
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+
+install(TARGETS ${pelt_libraries} EXPORT pelt)
+install(DIRECTORY include/pelt ${PROJECT_BINARY_DIR}/include/pelt TYPE INCLUDE
+        FILES_MATCHING PATTERN "*.hpp")
+install(FILES LICENSE docs/third-party.md TYPE DOC)
+
+# --- CMake package: find_package(pelt) -> pelt::pelt, pelt::asset
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pelt)
+configure_package_config_file(cmake/pelt-config.cmake.in pelt-config.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(pelt-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(EXPORT pelt NAMESPACE pelt:: FILE pelt-targets.cmake DESTINATION ${package_dir})
+install(FILES ${PROJECT_BINARY_DIR}/pelt-config.cmake ${PROJECT_BINARY_DIR}/pelt-config-version.cmake
+        DESTINATION ${package_dir})
+
+# --- pkg-config: pelt, pelt-asset. Paths are relative to the file: `--prefix` may come at install.
+file(RELATIVE_PATH pc_to_include ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
+     ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+# What a static library needs to link, a shared one brings along.
+set(pc_meshoptimizer "")
+if(NOT BUILD_SHARED_LIBS)
+  set(pc_meshoptimizer -lmeshoptimizer)
+endif()
+set(pc_sanitize "")
+if(PELT_SANITIZE)
+  set(pc_sanitize -fsanitize=${PELT_SANITIZE})
+endif()
+foreach(library IN LISTS pelt_libraries)
+  string(REPLACE _ - name ${library})
+  configure_file(cmake/${name}.pc.in ${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
+
+# --- the command
+if(TARGET pelt_command)
+  file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set_target_properties(pelt_command PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
+  install(TARGETS pelt_command)
+  install(FILES docs/pelt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()

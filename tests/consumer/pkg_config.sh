@@ -1,0 +1,16 @@
+#!/bin/sh
+# pkg_config.sh COMPILER PKG_CONFIG_PATH EXAMPLES FOLDER: compiles the README's programs in FOLDER
+# with what pkg-config says, and runs the one that needs no file.
+set -eu
+compiler=$1 examples=$3 folder=$4
+export PKG_CONFIG_PATH="$2"
+mkdir -p "$folder"
+
+build() {  # build PROGRAM PACKAGE
+  # shellcheck disable=SC2046  # flags are words
+  "$compiler" -std=c++20 "$examples/$1.cpp" -o "$folder/$1" $(pkg-config --cflags --libs "$2")
+}
+
+build plain_arrays pelt
+build hello_pelt pelt-asset
+"$folder/plain_arrays"
