@@ -1,0 +1,67 @@
+"""tools/check_floors.py finds each kind of wrong include in a small tree made for the purpose."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CHECKER = pathlib.Path(sys.argv.pop())
+
+
+def check(files):
+    """Exit status and output of the checker on a tree of {path: text}."""
+    with tempfile.TemporaryDirectory() as folder:
+        for path, text in files.items():
+            file = pathlib.Path(folder, path)
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+        run = subprocess.run([sys.executable, CHECKER, folder], capture_output=True, text=True)
+        return run.returncode, run.stdout
+
+
+class CheckFloors(unittest.TestCase):
+    def assert_refused(self, path, text, also=()):
+        status, output = check({path: text, **dict.fromkeys(also, "")})
+        self.assertEqual(status, 1, output)
+        self.assertIn(f"{path}:{text.count(chr(10)) + 1}: ", output)
+
+    def assert_accepted(self, path, text, also=()):
+        status, output = check({path: text, **dict.fromkeys(also, "")})
+        self.assertEqual(status, 0, output)
+
+    def test_own_and_lower_floors_are_accepted(self):
+        self.assert_accepted("src/pose/a.cpp", '#include "pose/b.hpp"', ["src/pose/b.hpp"])
+        self.assert_accepted("src/pose/a.cpp", '#include "base/b.hpp"', ["src/base/b.hpp"])
+        self.assert_accepted("src/pose/a.cpp", "#include <vector>\n#include <pelt/pose.hpp>")
+        self.assert_accepted("scenes/a.cpp", "#include <nlohmann/json.hpp>")
+
+    def test_higher_floors_are_refused_with_their_line(self):
+        self.assert_refused("src/base/a.hpp", '#pragma once\n\n#include "geometry/b.hpp"',
+                            ["src/geometry/b.hpp"])
+        self.assert_refused("scenes/a.cpp", '  # include "tools/pelt/b.hpp"',
+                            ["tools/pelt/b.hpp"])
+
+    def test_one_file_may_know_the_paper(self):
+        self.assert_accepted("src/query/paper_engine.cpp", '#include "paper/b.hpp"',
+                             ["paper/b.hpp"])
+        self.assert_refused("src/query/collide.cpp", '#include "paper/b.hpp"', ["paper/b.hpp"])
+        self.assert_refused("scenes/a.cpp", '#include "paper/b.hpp"', ["paper/b.hpp"])
+
+    def test_the_reader_knows_the_core_by_its_public_headers(self):
+        self.assert_refused("asset/a.cpp", '#include "model/b.hpp"', ["src/model/b.hpp"])
+
+    def test_public_headers_stand_on_public_headers_and_the_standard_library(self):
+        self.assert_refused("include/pelt/a.hpp", '#include "base/b.hpp"', ["src/base/b.hpp"])
+        self.assert_refused("include/pelt/a.hpp", "#include <nlohmann/json.hpp>")
+        self.assert_refused("src/geometry/a.cpp", "#include <immintrin.h>")
+
+    def test_a_file_that_does_not_exist_is_refused(self):
+        self.assert_refused("src/base/a.hpp", '#include "base/missing.hpp"')
+
+    def test_an_empty_tree_is_refused(self):
+        self.assertEqual(check({})[0], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
