@@ -1,0 +1,63 @@
+"""check_readme.py accepts a true README and refuses each kind of untruth."""
+
+import pathlib
+import tempfile
+import unittest
+
+import check_readme
+
+PROGRAM = "int main() {}\n"
+
+
+class CheckReadme(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+        (self.folder / "a.cpp").write_text(PROGRAM)
+
+    def check(self, check, text):
+        readme = self.folder / "README.md"
+        readme.write_text(text)
+        count, wrong = check(readme, self.folder)
+        return count, len(wrong)
+
+    def programs(self, text):
+        return self.check(check_readme.check_programs, text)
+
+    def commands(self, text):
+        return self.check(check_readme.check_commands, text)
+
+    def test_a_program_is_shown_to_the_letter(self):
+        self.assertEqual(self.programs(f"# A\n\n```cpp\n{PROGRAM}```\n"), (1, 0))
+
+    def test_a_changed_program_is_wrong_and_the_example_missing(self):
+        self.assertEqual(self.programs("```cpp\nint main() { }\n```\n"), (1, 2))
+
+    def test_only_marked_commands_run(self):
+        self.assertEqual(self.commands("```sh\nfalse\n```\n\n<!-- run -->\n```sh\ntrue\n```\n"),
+                         (1, 0))
+
+    def test_the_status_must_be_the_stated_one(self):
+        self.assertEqual(self.commands("<!-- run: 3 -->\n```sh\nexit 3\n```\n"), (1, 0))
+        self.assertEqual(self.commands("<!-- run -->\n```sh\nexit 3\n```\n"), (1, 1))
+        self.assertEqual(self.commands("<!-- run -->\n```sh\nfalse\ntrue\n```\n"), (1, 1))
+
+    def test_the_output_must_be_the_shown_one(self):
+        def readme(shown):
+            return f"<!-- run -->\n```sh\necho one; echo two\n```\n<!-- output -->\n```text\n{shown}\n```\n"
+        self.assertEqual(self.commands(readme("one\ntwo")), (1, 0))
+        self.assertEqual(self.commands(readme("o...\n...wo")), (1, 0))
+        self.assertEqual(self.commands(readme("one")), (1, 1))
+        self.assertEqual(self.commands(readme("one\nthree")), (1, 1))
+
+    def test_blocks_share_a_folder_and_see_the_programs(self):
+        tool = self.folder / "tool"
+        tool.write_text("#!/bin/sh\ntouch made\n")
+        tool.chmod(0o755)
+        self.assertEqual(self.commands("<!-- run -->\n```sh\ntool\n```\n\ntext\n\n"
+                                       "<!-- run -->\n```sh\ntest -e made\n```\n"), (2, 0))
+
+
+if __name__ == "__main__":
+    unittest.main()
