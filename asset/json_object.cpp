@@ -43,7 +43,7 @@ std::size_t nesting_depth(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (in_string && c == '\\') ++i;
-    if (c == '"' && (!in_string || text[i] == '"')) in_string = !in_string;
+    if (c == '"') in_string = !in_string;
     if (in_string) continue;
     if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
     if ((c == ']' || c == '}') && depth > 0) --depth;
@@ -51,11 +51,11 @@ std::size_t nesting_depth(std::string_view text) {
   return deepest;
 }
 
-/// nlohmann's message without its own number of the error.
+/// nlohmann's message without its own number of the error, and cut, for it may quote the file.
 std::string plain_words(const json::exception& error) {
   const std::string_view words = error.what();
   const std::size_t bracket = words.find("] ");
-  return std::string(bracket == words.npos ? words : words.substr(bracket + 2));
+  return std::string(words.substr(bracket == words.npos ? 0 : bracket + 2).substr(0, 200));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ std::string quoted(std::string_view name) {
 
 std::string label(std::string_view kind, std::size_t index, std::string_view name) {
   std::string text = std::string(kind) + " " + std::to_string(index);
-  return name.empty() ? text : text + " " + quoted(name);
+  return name.empty() ? text : text + " " + asset::quoted(name);
 }
 
 Error prefixed(std::string_view place, const Error& error) {

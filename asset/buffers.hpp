@@ -1,0 +1,45 @@
+#pragma once
+
+#include <asset/budget.hpp>
+#include <asset/document.hpp>
+
+#include <filesystem>
+#include <map>
+#include <span>
+
+namespace pelt::asset {
+
+/// The bytes behind a document's buffers and views. They are fetched when they are first asked for:
+/// what no mesh or clip uses is never read, and may be missing.
+class Buffers {
+ public:
+  /// Borrows all its arguments. `folder` is where external files are looked for; empty: there are
+  /// none.
+  Buffers(const GltfDocument& document, std::optional<std::span<const std::byte>> binary_chunk,
+          const std::filesystem::path& folder, Budget& budget);
+
+  /// The bytes of a view, decompressed. `what` names the user of the view in messages.
+  Result<std::span<const std::byte>> view(std::uint32_t view, const std::string& what);
+
+ private:
+  using Bytes = std::span<const std::byte>;
+
+  Result<Bytes> buffer(std::uint32_t buffer);
+  Result<Bytes> fetch(std::uint32_t buffer);
+  Result<Bytes> fetch_uri(std::uint32_t buffer);
+  Result<Bytes> fetch_file(std::uint32_t buffer);
+  Result<Bytes> compressed_view(std::uint32_t view, const std::string& what);
+  Result<Bytes> range(std::uint32_t buffer, std::uint64_t offset, std::uint64_t length,
+                      const std::string& what);
+
+  const GltfDocument& document_;
+  std::optional<Bytes> binary_chunk_;
+  const std::filesystem::path& folder_;
+  Budget& budget_;
+  std::map<std::uint32_t, Bytes> fetched_;
+  std::map<std::uint32_t, std::vector<std::byte>> data_uris_;
+  std::map<std::filesystem::path, std::vector<std::byte>> files_;
+  std::map<std::uint32_t, std::vector<std::byte>> decompressed_;
+};
+
+}  // namespace pelt::asset

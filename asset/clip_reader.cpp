@@ -1,0 +1,165 @@
+#include <asset/clip_reader.hpp>
+#include <asset/message.hpp>
+#include <asset/transform.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace pelt::asset {
+
+namespace {
+
+class ClipReader {
+ public:
+  ClipReader(const GltfDocument& document, const NodeGraph& graph, AccessorReader& reader)
+      : document_(document), graph_(graph), reader_(reader) {}
+
+  Result<Clip> read(std::uint32_t animation);
+  std::size_t passed_over() const { return passed_over_; }
+
+ private:
+  Result<void> add_channel(const GltfAnimation& animation, const GltfChannel& source, Clip& clip);
+  Result<Channel> read_channel(const GltfSampler& sampler, const GltfChannel& source,
+                               std::vector<float> times);
+  Result<std::vector<float>> read_times(std::uint32_t accessor);
+  Result<std::vector<float>> read_values(const GltfSampler& sampler, Path path,
+                                         std::size_t key_count);
+  Result<void> normalise_keys(std::uint32_t accessor, std::vector<float>& values);
+  Result<void> require_animatable(const GltfChannel& channel);
+
+  const GltfDocument& document_;
+  const NodeGraph& graph_;
+  AccessorReader& reader_;
+  std::set<std::pair<std::uint32_t, GltfPath>> targets_;  ///< of the clip at hand
+  std::size_t passed_over_ = 0;
+};
+
+Path to_path(GltfPath path) {
+  if (path == GltfPath::translation) return Path::translation;
+  return path == GltfPath::rotation ? Path::rotation : Path::scale;
+}
+
+Result<Clip> ClipReader::read(std::uint32_t index) {
+  const GltfAnimation& animation = document_.animations[index];
+  Clip clip;
+  clip.name = animation.name;
+  targets_.clear();
+  for (const GltfChannel& channel : animation.channels) {
+    const Result<void> added = add_channel(animation, channel, clip);
+    if (!added) return prefixed(label("animation", index, animation.name), added.error());
+  }
+  return clip;
+}
+
+Result<void> ClipReader::add_channel(const GltfAnimation& animation, const GltfChannel& source,
+                                     Clip& clip) {
+  const GltfSampler& sampler = animation.samplers[source.sampler];
+  Result<std::vector<float>> times = read_times(sampler.times);
+  if (!times) return times.error();
+  clip.duration = std::max(clip.duration, times->back());
+  const bool moves_node = source.path != GltfPath::weights && source.path != GltfPath::unknown;
+  if (!source.node || !moves_node) {
+    ++passed_over_;
+    return {};
+  }
+  const Result<void> animatable = require_animatable(source);
+  if (!animatable) return animatable.error();
+  Result<Channel> channel = read_channel(sampler, source, *std::move(times));
+  if (!channel) return prefixed(node_label(document_, *source.node), channel.error());
+  clip.channels.push_back(*std::move(channel));
+  return {};
+}
+
+Result<Channel> ClipReader::read_channel(const GltfSampler& sampler, const GltfChannel& source,
+                                         std::vector<float> times) {
+  Channel channel;
+  channel.node = graph_.position[*source.node];
+  channel.path = to_path(source.path);
+  channel.interpolation = sampler.interpolation;
+  Result<std::vector<float>> values = read_values(sampler, channel.path, times.size());
+  if (!values) return values.error();
+  channel.times = std::move(times);
+  channel.values = *std::move(values);
+  return channel;
+}
+
+Result<std::vector<float>> ClipReader::read_times(std::uint32_t accessor) {
+  const std::string use = "times of keys";
+  Result<std::vector<float>> times =
+      reader_.floats(accessor, ElementType::scalar, Storage::floats, use);
+  if (!times) return times;
+  if (times->empty()) return malformed(accessor_label(accessor, use) + ": there are none");
+  if (times->front() < 0) {
+    return malformed(accessor_label(accessor, use) + ": the first is negative");
+  }
+  const auto fault = std::adjacent_find(times->begin(), times->end(),
+                                        [](float time, float next) { return !(time < next); });
+  if (fault == times->end()) return times;
+  return malformed(accessor_label(accessor, use) + ": key " +
+                   std::to_string(fault - times->begin() + 1) +
+                   " is not later than the one before it");
+}
+
+Result<std::vector<float>> ClipReader::read_values(const GltfSampler& sampler, Path path,
+                                                   std::size_t key_count) {
+  const bool rotation = path == Path::rotation;
+  const bool cubic = sampler.interpolation == Interpolation::cubic_spline;
+  const std::string use = "values of keys";
+  const std::size_t expected = cubic ? 3 * key_count : key_count;
+  if (reader_.count(sampler.values) != expected) {
+    return malformed(accessor_label(sampler.values, use) + ": has " +
+                     std::to_string(reader_.count(sampler.values)) + " elements, must have " +
+                     std::to_string(expected));
+  }
+  Result<std::vector<float>> values =
+      reader_.floats(sampler.values, rotation ? ElementType::vec4 : ElementType::vec3,
+                     rotation ? Storage::floats_or_normalised : Storage::floats, use);
+  if (!values || !rotation || cubic) return values;
+  const Result<void> unit = normalise_keys(sampler.values, *values);
+  if (!unit) return unit.error();
+  return values;
+}
+
+Result<void> ClipReader::normalise_keys(std::uint32_t accessor, std::vector<float>& values) {
+  for (std::size_t key = 0; 4 * key < values.size(); ++key) {
+    float* value = &values[4 * key];
+    std::array<float, 4> rotation = {value[0], value[1], value[2], value[3]};
+    if (!normalise(rotation)) {
+      return malformed(accessor_label(accessor, "values of keys") + ": key " + std::to_string(key) +
+                       " is no unit quaternion");
+    }
+    std::copy(rotation.begin(), rotation.end(), value);
+  }
+  return {};
+}
+
+Result<void> ClipReader::require_animatable(const GltfChannel& channel) {
+  const std::string node = node_label(document_, *channel.node);
+  if (document_.nodes[*channel.node].has_matrix) {
+    return malformed(node + " is animated, but has a matrix");
+  }
+  if (!targets_.emplace(*channel.node, channel.path).second) {
+    return malformed(node + " has two channels for the same property");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<Clip>> read_clips(const GltfDocument& document, const NodeGraph& graph,
+                                     AccessorReader& reader, std::vector<std::string>& warnings) {
+  ClipReader clip_reader(document, graph, reader);
+  std::vector<Clip> clips;
+  for (std::uint32_t i = 0; i < document.animations.size(); ++i) {
+    Result<Clip> clip = clip_reader.read(i);
+    if (!clip) return clip.error();
+    clips.push_back(*std::move(clip));
+  }
+  if (clip_reader.passed_over() > 0) {
+    warnings.push_back(std::to_string(clip_reader.passed_over()) +
+                       " animation channels are passed over: they move no node (morph weights)");
+  }
+  return clips;
+}
+
+}  // namespace pelt::asset

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <asset/accessor.hpp>
+#include <asset/node_graph.hpp>
+
+namespace pelt::asset {
+
+/// The animations of the document. What Pelt does not animate (morph weights) is passed over with a
+/// warning, but counts for a clip's duration.
+Result<std::vector<Clip>> read_clips(const GltfDocument& document, const NodeGraph& graph,
+                                     AccessorReader& reader, std::vector<std::string>& warnings);
+
+}  // namespace pelt::asset

@@ -1,0 +1,69 @@
+#include <asset/container.hpp>
+#include <asset/little_endian.hpp>
+#include <asset/message.hpp>
+
+namespace pelt::asset {
+
+namespace {
+
+constexpr std::uint32_t kMagic = 0x46546C67;   // "glTF"
+constexpr std::uint32_t kJson = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t kBinary = 0x004E4942;  // "BIN\0"
+
+std::string_view as_text(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+struct Chunk {
+  std::uint32_t type = 0;
+  std::span<const std::byte> bytes;
+};
+
+/// Cuts the first chunk off `rest`.
+Result<Chunk> next_chunk(std::span<const std::byte>& rest) {
+  constexpr std::size_t kHeader = 8;
+  if (rest.size() < kHeader) return malformed("the .glb ends inside the header of a chunk");
+  const auto length = load<std::uint32_t>(rest.data());
+  if (length > rest.size() - kHeader) {
+    return malformed("the .glb is cut short: a chunk of " + std::to_string(length) +
+                     " bytes has only " + std::to_string(rest.size() - kHeader));
+  }
+  const Chunk chunk{load<std::uint32_t>(rest.data() + 4), rest.subspan(kHeader, length)};
+  rest = rest.subspan(kHeader + length);
+  return chunk;
+}
+
+Result<Container> read_chunks(std::span<const std::byte> rest) {
+  const Result<Chunk> json = next_chunk(rest);
+  if (!json) return json.error();
+  if (json->type != kJson) return malformed("the first chunk of the .glb must be the JSON text");
+  Container container{as_text(json->bytes), {}};
+  while (!rest.empty()) {
+    const Result<Chunk> chunk = next_chunk(rest);
+    if (!chunk) return chunk.error();
+    if (chunk->type == kBinary && !container.binary) container.binary = chunk->bytes;
+  }
+  return container;
+}
+
+}  // namespace
+
+Result<Container> open_container(std::span<const std::byte> file) {
+  constexpr std::size_t kHeader = 12;
+  if (file.size() < 4 || load<std::uint32_t>(file.data()) != kMagic) {
+    return Container{as_text(file), {}};
+  }
+  if (file.size() < kHeader) return malformed("the .glb ends inside its header");
+  const auto version = load<std::uint32_t>(file.data() + 4);
+  const auto length = load<std::uint32_t>(file.data() + 8);
+  if (version != 2) {
+    return unsupported("Pelt reads .glb version 2, this is version " + std::to_string(version));
+  }
+  if (length < kHeader || length > file.size()) {
+    return malformed("the .glb says that it has " + std::to_string(length) + " bytes, it has " +
+                     std::to_string(file.size()));
+  }
+  return read_chunks(file.subspan(kHeader, length - kHeader));
+}
+
+}  // namespace pelt::asset

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <pelt/result.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace pelt::asset {
+
+/// The parts of a glTF file, borrowed from its bytes.
+struct Container {
+  std::string_view json;
+  std::optional<std::span<const std::byte>> binary;  ///< the binary chunk of a .glb
+};
+
+/// Takes a .glb apart; a file without its magic number is the JSON text of a .gltf.
+Result<Container> open_container(std::span<const std::byte> file);
+
+}  // namespace pelt::asset

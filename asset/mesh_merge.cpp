@@ -1,0 +1,230 @@
+#include <asset/joint_table.hpp>
+#include <asset/mesh_merge.hpp>
+#include <asset/message.hpp>
+#include <asset/node_choice.hpp>
+#include <asset/primitive.hpp>
+
+#include <algorithm>
+
+namespace pelt::asset {
+
+namespace {
+
+/// Walks the scene once and appends what it meets to the asset.
+class Merger {
+ public:
+  Merger(const GltfDocument& document, const NodeGraph& graph, AccessorReader& reader,
+         Budget& budget, Asset& asset);
+
+  Result<void> add_node(std::uint32_t node);
+  Result<void> finish();
+
+ private:
+  Result<void> add_primitive(std::uint32_t node, PrimitivePlace place);
+  Result<std::uint32_t> vertices(std::uint32_t node, PrimitivePlace place);
+  Result<std::uint32_t> add_vertices(std::uint32_t node, PrimitivePlace place);
+  Result<Influences> influences(std::uint32_t node, PrimitivePlace place, std::size_t vertex_count);
+  Result<Influences> rigid_influences(std::uint32_t node, std::size_t vertex_count);
+  Result<void> add_part(std::uint32_t node, PrimitivePlace place, std::size_t triangle_count);
+  const std::vector<std::uint32_t>& drawn_primitives(std::uint32_t mesh);
+  bool is_drawn(PrimitivePlace place);
+  void warn_of_targets(std::uint32_t mesh);
+
+  const GltfDocument& document_;
+  Budget& budget_;
+  Asset& asset_;
+  JointTable joints_;
+  PrimitiveReader primitives_;
+  Influences influences_;  ///< of all vertices so far
+  std::map<std::uint32_t, std::vector<std::uint32_t>> drawn_;
+  /// First vertex of each combination of accessors that the node at hand has used: primitives that
+  /// share their vertices in the file share them here.
+  std::map<std::vector<std::uint32_t>, std::uint32_t> shared_;
+};
+
+/// What a primitive's vertices are made of; equal for primitives that share them.
+std::vector<std::uint32_t> vertex_key(const GltfPrimitive& primitive) {
+  std::vector<std::uint32_t> key = {*primitive.positions};
+  for (const GltfInfluenceSet& set : primitive.influence_sets) {
+    key.insert(key.end(), {set.joints, set.weights});
+  }
+  for (const std::optional<std::uint32_t>& target : primitive.target_positions) {
+    key.insert(key.end(), {target.has_value(), target.value_or(0)});
+  }
+  return key;
+}
+
+Merger::Merger(const GltfDocument& document, const NodeGraph& graph, AccessorReader& reader,
+               Budget& budget, Asset& asset)
+    : document_(document),
+      budget_(budget),
+      asset_(asset),
+      joints_(document, graph, reader),
+      primitives_(document, reader, budget) {}
+
+Result<void> Merger::add_node(std::uint32_t node) {
+  const std::uint32_t mesh = *document_.nodes[node].mesh;
+  shared_.clear();
+  for (const std::uint32_t primitive : drawn_primitives(mesh)) {
+    const Result<void> added = add_primitive(node, {mesh, primitive});
+    if (!added) return prefixed(node_label(document_, node), added.error());
+  }
+  return {};
+}
+
+Result<void> Merger::add_primitive(std::uint32_t node, PrimitivePlace place) {
+  const Result<std::uint32_t> first = vertices(node, place);
+  if (!first) return first.error();
+  const std::size_t vertex_count =
+      document_.accessors[*document_.meshes[place.mesh].primitives[place.primitive].positions]
+          .count;
+  const Result<std::vector<Triangle>> triangles = primitives_.triangles(place, vertex_count);
+  if (!triangles) return triangles.error();
+  const Result<void> part = add_part(node, place, triangles->size());
+  if (!part) return part.error();
+  for (const Triangle& triangle : *triangles) {
+    asset_.triangles.push_back({triangle[0] + *first, triangle[1] + *first, triangle[2] + *first});
+  }
+  return {};
+}
+
+/// The first of the primitive's vertices, which are added unless another primitive has.
+Result<std::uint32_t> Merger::vertices(std::uint32_t node, PrimitivePlace place) {
+  const GltfPrimitive& primitive = document_.meshes[place.mesh].primitives[place.primitive];
+  const std::vector<std::uint32_t> key = vertex_key(primitive);
+  const auto known = shared_.find(key);
+  if (known != shared_.end()) return known->second;
+  const Result<std::uint32_t> first = add_vertices(node, place);
+  if (first) shared_[key] = *first;
+  return first;
+}
+
+Result<std::uint32_t> Merger::add_vertices(std::uint32_t node, PrimitivePlace place) {
+  const std::vector<float>& own = document_.nodes[node].weights;
+  const Result<std::vector<Vec3>> positions =
+      primitives_.positions(place, own.empty() ? document_.meshes[place.mesh].weights : own);
+  if (!positions) return positions.error();
+  const Result<Influences> influences = this->influences(node, place, positions->size());
+  if (!influences) return influences.error();
+  const Result<void> taken = budget_.take(positions->size() + influences->list.size(), 20,
+                                          primitive_label(document_, place));
+  if (!taken) return taken.error();
+  const auto first = static_cast<std::uint32_t>(asset_.rest_positions.size());
+  asset_.rest_positions.insert(asset_.rest_positions.end(), positions->begin(), positions->end());
+  const std::uint64_t offset = influences_.list.size();
+  for (std::size_t v = 1; v < influences->first.size(); ++v) {
+    influences_.first.push_back(offset + influences->first[v]);
+  }
+  influences_.list.insert(influences_.list.end(), influences->list.begin(), influences->list.end());
+  return first;
+}
+
+Result<Influences> Merger::influences(std::uint32_t node, PrimitivePlace place,
+                                      std::size_t vertex_count) {
+  const std::optional<std::uint32_t> skin = document_.nodes[node].skin;
+  if (!skin) return rigid_influences(node, vertex_count);
+  const Result<const std::vector<std::uint16_t>*> joints = joints_.add_skin(*skin);
+  if (!joints) return joints.error();
+  return primitives_.influences(place, **joints, skin_label(document_, *skin));
+}
+
+/// A mesh without a skin rides on its node: one influence, the node itself.
+Result<Influences> Merger::rigid_influences(std::uint32_t node, std::size_t vertex_count) {
+  const Result<std::uint16_t> joint = joints_.add_node(node);
+  if (!joint) return joint.error();
+  Influences influences;
+  influences.list.assign(vertex_count, {*joint, 1});
+  for (std::size_t v = 0; v < vertex_count; ++v) influences.first.push_back(v + 1);
+  return influences;
+}
+
+Result<void> Merger::add_part(std::uint32_t node, PrimitivePlace place,
+                              std::size_t triangle_count) {
+  const GltfMesh& mesh = document_.meshes[place.mesh];
+  const std::optional<std::uint32_t> material = mesh.primitives[place.primitive].material;
+  Part part;
+  part.node = document_.nodes[node].name;
+  part.mesh = mesh.name;
+  if (material) part.material = document_.materials[*material];
+  part.first_triangle = static_cast<std::uint32_t>(asset_.triangles.size());
+  part.triangle_count = static_cast<std::uint32_t>(triangle_count);
+  part.skinned = document_.nodes[node].skin.has_value();
+  const std::uint64_t name_bytes = part.node.size() + part.mesh.size() + part.material.size();
+  const std::uint64_t bytes = sizeof(Part) + name_bytes + triangle_count * sizeof(Triangle);
+  const Result<void> taken = budget_.take(bytes, 1, primitive_label(document_, place));
+  if (taken && triangle_count > 0) asset_.parts.push_back(std::move(part));
+  return taken;
+}
+
+/// The primitives of a mesh that have triangles. Warns of the others, once for each mesh.
+const std::vector<std::uint32_t>& Merger::drawn_primitives(std::uint32_t mesh) {
+  const auto known = drawn_.find(mesh);
+  if (known != drawn_.end()) return known->second;
+  warn_of_targets(mesh);
+  std::vector<std::uint32_t>& drawn = drawn_[mesh];
+  for (std::uint32_t i = 0; i < document_.meshes[mesh].primitives.size(); ++i) {
+    if (is_drawn({mesh, i})) drawn.push_back(i);
+  }
+  return drawn;
+}
+
+bool Merger::is_drawn(PrimitivePlace place) {
+  const GltfPrimitive& primitive = document_.meshes[place.mesh].primitives[place.primitive];
+  const bool points_or_lines = primitive.mode == PrimitiveMode::points_or_lines;
+  if (!points_or_lines && primitive.positions) return true;
+  asset_.warnings.push_back(primitive_label(document_, place) + " is passed over: it has " +
+                            (points_or_lines ? "points or lines" : "no POSITION"));
+  return false;
+}
+
+void Merger::warn_of_targets(std::uint32_t mesh) {
+  std::size_t count = 0;
+  for (const GltfPrimitive& primitive : document_.meshes[mesh].primitives) {
+    count = std::max(count, primitive.target_positions.size());
+  }
+  if (count == 0) return;
+  asset_.warnings.push_back(label("mesh", mesh, document_.meshes[mesh].name) + ": its " +
+                            std::to_string(count) +
+                            " morph targets are not animated, they stand at their default weights");
+}
+
+/// Gives every vertex the same number of influences, the largest that any has.
+Result<void> Merger::finish() {
+  const std::size_t vertex_count = asset_.rest_positions.size();
+  std::uint64_t most = 1;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    most = std::max(most, influences_.first[v + 1] - influences_.first[v]);
+  }
+  const Result<void> taken = budget_.take(vertex_count * most, 6, "influences");
+  if (!taken) return taken.error();
+  asset_.influences_per_vertex = static_cast<std::uint32_t>(most);
+  asset_.joint_indices.assign(vertex_count * most, 0);
+  asset_.weights.assign(vertex_count * most, 0);
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    std::uint64_t slot = v * most;
+    for (std::uint64_t i = influences_.first[v]; i < influences_.first[v + 1]; ++i, ++slot) {
+      asset_.joint_indices[slot] = influences_.list[i].joint;
+      asset_.weights[slot] = influences_.list[i].weight;
+    }
+  }
+  asset_.joints = std::move(joints_).take();
+  return {};
+}
+
+}  // namespace
+
+Result<void> merge_meshes(const GltfDocument& document, const NodeGraph& graph,
+                          const GltfOptions& options, AccessorReader& reader, Budget& budget,
+                          Asset& asset) {
+  const Result<std::vector<std::uint32_t>> nodes = choose_mesh_nodes(document, graph, options);
+  if (!nodes) return nodes.error();
+  Merger merger(document, graph, reader, budget, asset);
+  for (const std::uint32_t node : *nodes) {
+    const Result<void> added = merger.add_node(node);
+    if (!added) return added.error();
+  }
+  if (asset.triangles.empty()) return unsupported("the scene has no triangles");
+  return merger.finish();
+}
+
+}  // namespace pelt::asset

@@ -1,0 +1,57 @@
+#include <asset/message.hpp>
+#include <asset/node_choice.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace pelt::asset {
+
+namespace {
+
+/// The names of the scene's mesh nodes, for a message: the first few.
+std::string mesh_node_names(const GltfDocument& document, const NodeGraph& graph) {
+  constexpr std::size_t kMost = 20;
+  std::string names;
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < graph.scene_count && count < kMost; ++i) {
+    const GltfNode& node = document.nodes[graph.order[i]];
+    if (node.mesh) names += (count++ == 0 ? "" : ", ") + asset::quoted(node.name);
+  }
+  return count < kMost ? names : names + ", ...";
+}
+
+/// For each node of the scene whether it or a node above it has one of the names.
+Result<std::vector<bool>> find_excluded(const GltfDocument& document, const NodeGraph& graph,
+                                        const std::vector<std::string>& names) {
+  std::set<std::string_view> unknown(names.begin(), names.end());
+  const std::set<std::string_view> wanted = unknown;
+  std::vector<bool> excluded(graph.scene_count);
+  for (std::uint32_t i = 0; i < graph.scene_count; ++i) {
+    const std::string& name = document.nodes[graph.order[i]].name;
+    const bool above = graph.parent[i] != kNoParent && excluded[graph.parent[i]];
+    excluded[i] = above || wanted.count(name) > 0;
+    unknown.erase(name);
+  }
+  if (unknown.empty()) return excluded;
+  return Error{ErrorCode::invalid_argument,
+               "no node to exclude is named " + asset::quoted(*unknown.begin()) +
+                   "; the nodes with meshes are " + mesh_node_names(document, graph)};
+}
+
+}  // namespace
+
+Result<std::vector<std::uint32_t>> choose_mesh_nodes(const GltfDocument& document,
+                                                     const NodeGraph& graph,
+                                                     const GltfOptions& options) {
+  const Result<std::vector<bool>> excluded = find_excluded(document, graph, options.exclude_nodes);
+  if (!excluded) return excluded.error();
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t i = 0; i < graph.scene_count; ++i) {
+    const GltfNode& node = document.nodes[graph.order[i]];
+    const bool wanted = node.skin || options.unskinned_parts;
+    if (node.mesh && wanted && !(*excluded)[i]) chosen.push_back(graph.order[i]);
+  }
+  return chosen;
+}
+
+}  // namespace pelt::asset

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <asset/document.hpp>
+
+namespace pelt::asset {
+
+/// The nodes of a document in Pelt's order, parents first: depth-first through the scene, children
+/// in order, and after it the nodes that are in no scene.
+struct NodeGraph {
+  std::vector<std::uint32_t> order;     ///< [N] the document's number of each
+  std::vector<std::uint32_t> position;  ///< [N] the inverse: Pelt's number of the document's node
+  std::vector<std::uint32_t> parent;    ///< [N] in Pelt's numbers, kNoParent for roots
+  std::uint32_t scene_count = 0;        ///< the first so many are in the scene
+};
+
+/// Orders the nodes, or names one that has two parents or lies in a cycle.
+Result<NodeGraph> order_nodes(const GltfDocument& document);
+
+/// `node 12 "Hips"`.
+std::string node_label(const GltfDocument& document, std::uint32_t node);
+
+}  // namespace pelt::asset

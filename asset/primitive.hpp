@@ -1,0 +1,63 @@
+#pragma once
+
+/// What a primitive's accessors say, each list checked by itself and against the others.
+
+#include <asset/accessor.hpp>
+
+namespace pelt::asset {
+
+/// A mesh's primitive and the names under which messages speak of it.
+struct PrimitivePlace {
+  std::uint32_t mesh = 0, primitive = 0;
+};
+
+struct Influence {
+  std::uint16_t joint = 0;
+  float weight = 0;
+};
+
+/// The influences of each vertex in the file's order, without those of zero weight.
+struct Influences {
+  std::vector<std::uint64_t> first = {0};  ///< [V + 1] vertex v has first[v] to first[v + 1]
+  std::vector<Influence> list;
+};
+
+class PrimitiveReader {
+ public:
+  /// Borrows all its arguments.
+  PrimitiveReader(const GltfDocument& document, AccessorReader& reader, Budget& budget);
+
+  /// Rest positions with the morph targets at `target_weights` added; a weight that is missing is
+  /// 0.
+  Result<std::vector<Vec3>> positions(PrimitivePlace place,
+                                      const std::vector<float>& target_weights);
+
+  /// Influences of all sets. `joints` has the palette's number of each joint of the skin, which
+  /// messages call `skin`.
+  Result<Influences> influences(PrimitivePlace place, const std::vector<std::uint16_t>& joints,
+                                const std::string& skin);
+
+  /// Triangles of a list, strip or fan, with or without indices, over `vertex_count` vertices.
+  Result<std::vector<Triangle>> triangles(PrimitivePlace place, std::uint64_t vertex_count);
+
+ private:
+  const GltfPrimitive& at(PrimitivePlace place) const;
+  std::string label_of(PrimitivePlace place) const;
+  Result<void> add_target(PrimitivePlace place, std::uint32_t target, float weight,
+                          std::vector<Vec3>& positions);
+  Result<std::vector<std::uint32_t>> joint_set(PrimitivePlace place, std::uint32_t set,
+                                               std::size_t joint_count, const std::string& skin);
+  Result<std::vector<float>> weight_set(PrimitivePlace place, std::uint32_t set);
+  Result<void> require_count(std::uint32_t accessor, std::uint64_t vertex_count,
+                             const std::string& use) const;
+  Result<std::vector<std::uint32_t>> corners(PrimitivePlace place, std::uint64_t vertex_count);
+
+  const GltfDocument& document_;
+  AccessorReader& reader_;
+  Budget& budget_;
+};
+
+/// `mesh 2 "Body", primitive 0`.
+std::string primitive_label(const GltfDocument& document, PrimitivePlace place);
+
+}  // namespace pelt::asset

@@ -1,0 +1,117 @@
+#include <asset/message.hpp>
+#include <asset/uri.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace pelt::asset {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::optional<std::string> percent_decode(std::string_view text) {
+  std::string decoded;
+  decoded.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      decoded += text[i];
+      continue;
+    }
+    if (text.size() - i < 3) return std::nullopt;
+    const int high = hex_digit(text[i + 1]), low = hex_digit(text[i + 2]);
+    if (high < 0 || low < 0) return std::nullopt;
+    decoded += static_cast<char>(16 * high + low);
+    i += 2;
+  }
+  return decoded;
+}
+
+int base64_digit(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+') return 62;
+  return c == '/' ? 63 : -1;
+}
+
+std::optional<std::vector<std::byte>> base64_decode(std::string_view text) {
+  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  if (text.size() % 4 == 1) return std::nullopt;
+  std::vector<std::byte> bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const int digit = base64_digit(text[i]);
+    if (digit < 0) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    // Characters 1, 2 and 3 of a group of four complete a byte each.
+    const std::size_t spare = 6 - 2 * (i % 4);
+    if (i % 4 != 0) bytes.push_back(static_cast<std::byte>(bits >> spare & 0xFF));
+  }
+  return bytes;
+}
+
+/// A path that only goes down from the folder it is joined to, on every platform.
+bool stays_below(const std::string& path) {
+  if (path.empty() || path.front() == '/') return false;
+  if (path.find_first_of(std::string_view("\\:\0", 3)) != std::string::npos) return false;
+  const fs::path parts(path);
+  return std::find(parts.begin(), parts.end(), "..") == parts.end();
+}
+
+/// Whether `path`, links resolved, lies in `folder`, links resolved.
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  std::error_code error;
+  const fs::path inner = fs::weakly_canonical(path, error);
+  if (error) return false;
+  const fs::path outer = fs::canonical(folder, error);
+  if (error) return false;
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+}  // namespace
+
+bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
+
+Result<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
+  const std::size_t comma = uri.find(',');
+  if (comma == uri.npos) return malformed("a data URI without a comma");
+  const std::string_view data = uri.substr(comma + 1);
+  if (uri.substr(0, comma).ends_with(";base64")) {
+    std::optional<std::vector<std::byte>> bytes = base64_decode(data);
+    if (!bytes) return malformed("a data URI that is not base64");
+    return *std::move(bytes);
+  }
+  const std::optional<std::string> text = percent_decode(data);
+  if (!text) return malformed("a data URI with a wrong percent code");
+  const auto* first = reinterpret_cast<const std::byte*>(text->data());
+  return std::vector<std::byte>(first, first + text->size());
+}
+
+Result<fs::path> resolve_file_uri(std::string_view uri, const fs::path& folder) {
+  const std::optional<std::string> path = percent_decode(uri);
+  if (!path || !stays_below(*path)) {
+    return malformed("uri " + asset::quoted(uri) +
+                     " is not the name of a file in the folder of the .gltf");
+  }
+  if (folder.empty()) {
+    return unsupported("uri " + asset::quoted(uri) +
+                       " names a file, but there is no folder to look in");
+  }
+  const fs::path file = folder / *path;
+  if (!lies_in(file, folder)) {
+    return malformed("uri " + asset::quoted(uri) + " leads out of the folder of the .gltf");
+  }
+  return file;
+}
+
+}  // namespace pelt::asset
