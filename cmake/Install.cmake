@@ -11,8 +11,12 @@ set_target_properties(${pelt_libraries} PROPERTIES
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
 install(TARGETS ${pelt_libraries} EXPORT pelt)
+set(not_built "")
+if(NOT TARGET pelt_asset)
+  set(not_built PATTERN asset.hpp EXCLUDE)
+endif()
 install(DIRECTORY include/pelt ${PROJECT_BINARY_DIR}/include/pelt TYPE INCLUDE
-        FILES_MATCHING PATTERN "*.hpp")
+        FILES_MATCHING PATTERN "*.hpp" ${not_built})
 install(FILES LICENSE docs/third-party.md TYPE DOC)
 
 # --- CMake package: find_package(pelt) -> pelt::pelt, pelt::asset

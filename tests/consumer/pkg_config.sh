@@ -13,4 +13,4 @@ build() {  # build PROGRAM PACKAGE
 
 build plain_arrays pelt
 build hello_pelt pelt-asset
-"$folder/plain_arrays"
+LD_LIBRARY_PATH="$2/.." "$folder/plain_arrays"
