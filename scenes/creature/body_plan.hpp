@@ -1,0 +1,46 @@
+#pragma once
+
+#include "scenes/creature/flesh.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pelt::scenes {
+
+inline constexpr std::uint32_t kBaseJoints = 20;
+inline constexpr std::uint32_t kPlanJoints = 64;
+inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+/// What the seed varies; 1 is the middle.
+struct Proportions {
+  double leg = 1, girth = 1, head = 1, snout = 1, ear = 1, arm = 1, tail = 1, hand = 1, foot = 1;
+};
+
+Proportions draw_proportions(std::uint32_t seed);
+
+/// A joint's frame at rest has the axes of the world.
+struct PlanJoint {
+  std::string name;
+  std::uint32_t parent = kNone;  ///< a lower index
+  Vec3d position;
+};
+
+/// The whole creature at rest: 1.8 units tall, y up, facing +z, arms half raised, feet on y = 0.
+/// Names end in "_l" on the left, where x > 0, and in "_r" on the right.
+struct BodyPlan {
+  std::vector<PlanJoint> joints;  ///< [kPlanJoints], "hips" first
+  Flesh flesh;                    ///< muscles name plan joints
+};
+
+BodyPlan make_body_plan(const Proportions& proportions);
+
+/// Index of the joint. Precondition: there is one of that name.
+std::uint32_t find_joint(const BodyPlan& plan, const std::string& name);
+
+/// A skeleton of `count` joints: for every plan joint the plan joint that stands for it, itself or
+/// its nearest ancestor that was kept. Left and right keep the same joints.
+/// Precondition: kBaseJoints <= count <= kPlanJoints.
+std::vector<std::uint32_t> choose_joints(const BodyPlan& plan, std::uint32_t count);
+
+}  // namespace pelt::scenes

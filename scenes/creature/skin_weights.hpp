@@ -1,0 +1,47 @@
+#pragma once
+
+#include "scenes/creature/body_plan.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pelt::scenes {
+
+inline constexpr std::uint32_t kInfluences = 4;
+
+/// A vertex's joints (plan joints, those of weight 0 being joint 0) and weights, which sum to 1.
+struct VertexWeights {
+  std::array<std::uint32_t, kInfluences> joints = {};
+  std::array<double, kInfluences> weights = {};
+};
+
+/// Weights of points on the skin for a skeleton as `choose_joints` returns it.
+///
+/// Each joint shares the points that reach it between its own muscles and the branches of its
+/// children, by their distances; the shares multiply down the skeleton. So weights change smoothly
+/// along a limb, and a finger never follows its neighbour, however near: only their common parent.
+class SkinWeights {
+ public:
+  SkinWeights(const BodyPlan& plan, std::span<const std::uint32_t> stands_for);
+
+  VertexWeights at(const Vec3d& point);
+
+ private:
+  void measure_distances(const Vec3d& point);
+  void share_out(double width);
+  void share_of(std::uint32_t joint, double width);
+
+  const BodyPlan& plan_;
+  std::vector<std::uint32_t> stands_for_;             // [plan joints]
+  std::vector<std::uint32_t> joints_;                 // kept ones, parents first
+  std::vector<std::vector<std::uint32_t>> children_;  // [plan joints] of the kept ones
+  std::vector<std::uint32_t> parent_;                 // [plan joints] of the kept ones
+  std::vector<double> own_;                           // [plan joints] distance to own muscles
+  std::vector<double> branch_;                        // [plan joints] to those of the whole branch
+  std::vector<double> reach_;                         // [plan joints] share that arrives at it
+  std::vector<double> weight_;                        // [plan joints] share that stays with it
+};
+
+}  // namespace pelt::scenes
