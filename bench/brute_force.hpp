@@ -4,8 +4,8 @@
 /// predicate. Knows no tree.
 
 #include "base/scratch.hpp"
-#include "pose/palette.hpp"
 #include "model/skinned_mesh.hpp"
+#include "pose/palette.hpp"
 
 #include <pelt/collide.hpp>
 

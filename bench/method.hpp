@@ -1,7 +1,7 @@
 #pragma once
 
-/// The ways to answer a query, behind one face: what the command's --method and the benchmark choose
-/// from. All give the same contacts; they differ in the work that they do.
+/// The ways to answer a query, behind one face: what the command's --method and the benchmark
+/// choose from. All give the same contacts; they differ in the work that they do.
 
 #include <pelt/collide.hpp>
 

@@ -29,9 +29,19 @@ class EagerBody {
   std::span<const Float4> spheres() const { return spheres_; }
 
  private:
+  struct Leaf {
+    std::uint32_t node;
+    Triangle corners;
+  };
+
+  void refit_leaves();
+  std::span<Vec3> positions() { return {positions_.data(), mesh_.vertex_count()}; }
+
   const SkinnedMesh& mesh_;
   const SphereTree& tree_;
-  std::vector<Vec3> positions_;
+  std::vector<Leaf> leaves_;
+  std::vector<std::uint32_t> inner_nodes_;
+  std::vector<Vec3> positions_;  // [V + 1], so that four floats can be loaded from each
   std::vector<Float4> spheres_;
 };
 

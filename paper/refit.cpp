@@ -17,8 +17,8 @@ Symmetric3 gram(const Matrix4& joint) {
     for (std::size_t j = i; j < 3; ++j) {
       double sum = 0;
       for (std::size_t row = 0; row < 3; ++row)
-        sum += static_cast<double>(joint.m[4 * i + row]) *
-               static_cast<double>(joint.m[4 * j + row]);
+        sum +=
+            static_cast<double>(joint.m[4 * i + row]) * static_cast<double>(joint.m[4 * j + row]);
       g[i][j] = g[j][i] = sum;
     }
   return g;

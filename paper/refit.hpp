@@ -61,7 +61,8 @@ class Refit {
   void take_palette(const Palette& palette);
   std::uint32_t blend_corners(std::uint32_t node);
 
-  /// A joint matrix with the stretch bound in its last row, so that one product gives C_j c and s_j.
+  /// A joint matrix with the stretch bound in its last row, so that one product gives C_j c and
+  /// s_j.
   struct Joint {
     Float4 columns[4];
   };

@@ -76,9 +76,8 @@ class BinaryBuilder {
     const auto begin = tree_.triangle_order.begin() + first;
     const auto end = begin + count;
     const Cut cut = quinlan_cut({begin, end});
-    const auto middle = std::stable_partition(begin, end, [&](std::uint32_t t) {
-      return centroids_[t][cut.axis] < cut.position;
-    });
+    const auto middle = std::stable_partition(
+        begin, end, [&](std::uint32_t t) { return centroids_[t][cut.axis] < cut.position; });
     const auto left = static_cast<std::uint32_t>(middle - begin);
     return left == 0 || left == count ? count / 2 : left;
   }

@@ -3,8 +3,9 @@
 /// Kavan & Zara 2005, section 3.1: the sphere tree over the rest pose.
 ///
 /// First pass: top-down, binary, split by Quinlan's heuristic, the minimal enclosing sphere of the
-/// vertices in each node, down to one triangle in a leaf. Second pass: a node whose sphere is nearly
-/// as large as its parent's tells little, so it is taken out and its children go to the parent.
+/// vertices in each node, down to one triangle in a leaf. Second pass: a node whose sphere is
+/// nearly as large as its parent's tells little, so it is taken out and its children go to the
+/// parent.
 
 #include "geometry/sphere.hpp"
 #include "model/skinned_mesh.hpp"
@@ -28,7 +29,7 @@ struct Node {
 };
 
 struct SphereTree {
-  std::vector<Node> nodes;                    // breadth-first: the root first, children after parents
+  std::vector<Node> nodes;  // breadth-first: the root first, children after parents
   std::vector<std::uint32_t> triangle_order;  // every node's triangles are contiguous here
 
   std::span<const std::uint32_t> triangles_of(const Node& node) const {

@@ -133,7 +133,7 @@ class Builder {
   VertexJointSets vertex_sets_;
   std::vector<std::uint32_t> first_joint_;  // by distinct joint set
   std::uint32_t first_single_joint_ = 0;
-  std::vector<std::uint32_t> seen_in_;      // by vertex: the last node that took it
+  std::vector<std::uint32_t> seen_in_;  // by vertex: the last node that took it
   std::uint32_t stamp_ = 0;
   std::vector<std::vector<WeightInterval>> intervals_;  // by distinct joint set; of this node
   std::vector<std::uint32_t> sets_of_node_;

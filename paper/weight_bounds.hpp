@@ -29,10 +29,10 @@ struct JointSet {
 struct WeightBounds {
   std::vector<std::uint32_t> set_begin;  // [nodes + 1], into sets
   std::vector<JointSet> sets;
-  std::vector<std::uint16_t> joints;     // each distinct list of joints stands here once
+  std::vector<std::uint16_t> joints;  // each distinct list of joints stands here once
   std::vector<float> corners;
-  std::uint32_t max_joints = 0;          // in one set
-  std::uint32_t max_corners = 0;         // in all sets of one node
+  std::uint32_t max_joints = 0;   // in one set
+  std::uint32_t max_corners = 0;  // in all sets of one node
 
   std::span<const JointSet> sets_of(std::uint32_t node) const {
     return {sets.data() + set_begin[node], set_begin[node + 1] - set_begin[node]};

@@ -18,9 +18,9 @@ struct Influence {
 /// positive weights that sum to 1 up to rounding, and stand in ascending order of their joints, so
 /// that vertices that were split at a seam are posed to the same bits.
 struct SkinnedMesh {
-  std::vector<Vec3> rest_positions;           // [V]
-  std::vector<Triangle> triangles;            // [T]
-  std::vector<std::uint32_t> influence_begin; // [V + 1], into influences
+  std::vector<Vec3> rest_positions;            // [V]
+  std::vector<Triangle> triangles;             // [T]
+  std::vector<std::uint32_t> influence_begin;  // [V + 1], into influences
   std::vector<Influence> influences;
   std::uint32_t joint_count = 0;
   float rest_radius = 0;  // no rest position is further from the origin

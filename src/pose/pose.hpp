@@ -12,9 +12,7 @@ struct Pose {
   Palette palette;
   EnginePoseHandle engine_pose;
 
-  EngineSide side() {
-    return {model.detail().mesh, palette, *model.detail().engine, *engine_pose};
-  }
+  EngineSide side() { return {model.detail().mesh, palette, *model.detail().engine, *engine_pose}; }
 };
 
 }  // namespace pelt::detail

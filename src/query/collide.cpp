@@ -27,8 +27,7 @@ QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& con
   PELT_ASSERT(&a != &b);
   const auto first = static_cast<std::ptrdiff_t>(contacts.size());
   const QueryStats stats = detail::engine_collide(a.detail().side(), b.detail().side(),
-                                                  scratch.detail(), contacts,
-                                                  options.max_contacts);
+                                                  scratch.detail(), contacts, options.max_contacts);
   std::sort(contacts.begin() + first, contacts.end());
   return stats;
 }

@@ -58,7 +58,8 @@ Matrix4 linear_times(const double (&l)[3][3], const Matrix4& m) {
   for (std::size_t column = 0; column < 3; ++column)
     for (std::size_t row = 0; row < 3; ++row) {
       double sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) sum += l[row][k] * static_cast<double>(m.m[4 * column + k]);
+      for (std::size_t k = 0; k < 3; ++k)
+        sum += l[row][k] * static_cast<double>(m.m[4 * column + k]);
       product.m[4 * column + row] = static_cast<float>(sum);
     }
   return product;
@@ -170,13 +171,12 @@ Matrix4 rotation_about(const Vec3& axis, double angle, const Vec3& centre,
   const double n[3] = {static_cast<double>(axis.x) / length, static_cast<double>(axis.y) / length,
                        static_cast<double>(axis.z) / length};
   const double c = std::cos(angle), s = std::sin(angle);
-  const double r[3][3] = {
-      {c + n[0] * n[0] * (1 - c), n[0] * n[1] * (1 - c) - n[2] * s,
-       n[0] * n[2] * (1 - c) + n[1] * s},
-      {n[1] * n[0] * (1 - c) + n[2] * s, c + n[1] * n[1] * (1 - c),
-       n[1] * n[2] * (1 - c) - n[0] * s},
-      {n[2] * n[0] * (1 - c) - n[1] * s, n[2] * n[1] * (1 - c) + n[0] * s,
-       c + n[2] * n[2] * (1 - c)}};
+  const double r[3][3] = {{c + n[0] * n[0] * (1 - c), n[0] * n[1] * (1 - c) - n[2] * s,
+                           n[0] * n[2] * (1 - c) + n[1] * s},
+                          {n[1] * n[0] * (1 - c) + n[2] * s, c + n[1] * n[1] * (1 - c),
+                           n[1] * n[2] * (1 - c) - n[0] * s},
+                          {n[2] * n[0] * (1 - c) - n[1] * s, n[2] * n[1] * (1 - c) + n[0] * s,
+                           c + n[2] * n[2] * (1 - c)}};
   const double p[3] = {static_cast<double>(centre.x), static_cast<double>(centre.y),
                        static_cast<double>(centre.z)};
   const double t[3] = {static_cast<double>(translation.x), static_cast<double>(translation.y),
@@ -185,8 +185,8 @@ Matrix4 rotation_about(const Vec3& axis, double angle, const Vec3& centre,
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column)
       m.m[4 * column + row] = static_cast<float>(r[row][column]);
-    m.m[12 + row] = static_cast<float>(p[row] + t[row] - (r[row][0] * p[0] + r[row][1] * p[1] +
-                                                          r[row][2] * p[2]));
+    m.m[12 + row] = static_cast<float>(p[row] + t[row] -
+                                       (r[row][0] * p[0] + r[row][1] * p[1] + r[row][2] * p[2]));
   }
   return m;
 }

@@ -38,10 +38,10 @@ Shape make_soup(Random& random, std::uint32_t triangle_count, std::uint32_t join
                 std::uint32_t influences_per_vertex, Weights weights);
 
 enum class Motion {
-  rigid,        ///< rotations and translations, as in the paper
-  affine,       ///< any scale, shear and reflection
-  collapsed,    ///< singular matrices: everything falls on planes, lines, points
-  far_away,     ///< rigid, 1e5 units from the origin
+  rigid,      ///< rotations and translations, as in the paper
+  affine,     ///< any scale, shear and reflection
+  collapsed,  ///< singular matrices: everything falls on planes, lines, points
+  far_away,   ///< rigid, 1e5 units from the origin
 };
 
 /// A random palette of the given kind; translations up to `spread`.

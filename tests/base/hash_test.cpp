@@ -1,0 +1,30 @@
+#include "base/hash.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+namespace pelt::detail {
+namespace {
+
+std::uint64_t hash_of(std::string_view text) {
+  Fnv1a64 hash;
+  hash.add_bytes(std::as_bytes(std::span(text.data(), text.size())));
+  return hash.value();
+}
+
+TEST(Fnv1a64, PublishedValues) {
+  EXPECT_EQ(hash_of(""), 0xcbf29ce484222325u);
+  EXPECT_EQ(hash_of("a"), 0xaf63dc4c8601ec8cu);
+  EXPECT_EQ(hash_of("foobar"), 0x85944171f73967e8u);
+}
+
+TEST(Fnv1a64, NumbersAreLittleEndian) {
+  Fnv1a64 by_number, by_bytes;
+  by_number.add_u32(0x04030201);
+  for (const std::uint8_t byte : {1, 2, 3, 4}) by_bytes.add_byte(byte);
+  EXPECT_EQ(by_number.value(), by_bytes.value());
+}
+
+}  // namespace
+}  // namespace pelt::detail

@@ -1,0 +1,98 @@
+#include "pose/palette.hpp"
+
+#include "pose/pose.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pelt {
+namespace {
+
+using test::Random;
+
+Pose make_pose() { return Pose(*build_model(test::make_limb(8, 6, 3).view())); }
+
+std::string refusal(Pose& pose, const std::vector<Matrix4>& palette) {
+  const Result<void> taken = pose.set_palette(palette);
+  return taken ? "accepted" : taken.error().message;
+}
+
+TEST(SetPalette, RefusesWithTheElementAndLeavesThePoseAsItWas) {
+  Pose pose = make_pose();
+  Random random(3);
+  const auto good = test::make_palette(random, 3, test::Motion::affine, 2);
+  ASSERT_TRUE(pose.set_palette(good));
+  std::vector<Vec3> before(pose.model().vertex_count()), after(before.size());
+  posed_vertices(pose, before);
+
+  const auto refuse = [&](std::size_t joint, std::size_t element, float value) {
+    auto bad = test::make_palette(random, 3, test::Motion::rigid, 1);
+    bad[joint].m[element] = value;
+    return refusal(pose, bad);
+  };
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(refuse(1, 9, std::numeric_limits<float>::quiet_NaN()),
+            "palette[1] has the element nan at row 1, column 2");
+  EXPECT_EQ(refuse(2, 12, -infinity), "palette[2] has the element -inf at row 0, column 3");
+  EXPECT_EQ(refuse(0, 3, 0.5f),
+            "palette[0] has the last row 0.5 0 0 1, expected 0 0 0 1 (is the matrix row-major?)");
+  EXPECT_EQ(refuse(2, 15, std::numeric_limits<float>::quiet_NaN()),
+            "palette[2] has the element nan at row 3, column 3");
+  EXPECT_EQ(refuse(2, 13, 0x1p61f), "palette[2] can move a vertex beyond 2^60 units");
+  EXPECT_EQ(refuse(2, 5, std::numeric_limits<float>::max()),
+            "palette[2] can move a vertex beyond 2^60 units");
+
+  posed_vertices(pose, after);
+  EXPECT_EQ(before, after);
+}
+
+TEST(SetPalette, TakesEngineArraysAsTheyAre) {
+  Pose by_matrices = make_pose(), by_floats = make_pose();
+  Random random(4);
+  const auto palette = test::make_palette(random, 3, test::Motion::affine, 2);
+  std::vector<float> floats;
+  for (const Matrix4& joint : palette) floats.insert(floats.end(), joint.m.begin(), joint.m.end());
+  ASSERT_TRUE(by_matrices.set_palette(palette));
+  ASSERT_TRUE(by_floats.set_palette(floats));
+  std::vector<Vec3> a(by_matrices.model().vertex_count()), b(a.size());
+  posed_vertices(by_matrices, a);
+  posed_vertices(by_floats, b);
+  EXPECT_EQ(a, b);
+}
+
+TEST(Pose, StartsInTheRestPose) {
+  const test::Shape limb = test::make_limb(8, 6, 3);
+  const Pose pose(*build_model(limb.view()));
+  std::vector<Vec3> posed(limb.rest_positions.size());
+  posed_vertices(pose, posed);
+  for (std::size_t v = 0; v < posed.size(); ++v) {
+    EXPECT_NEAR(posed[v].x, limb.rest_positions[v].x, 1e-6);
+    EXPECT_NEAR(posed[v].y, limb.rest_positions[v].y, 1e-6);
+    EXPECT_NEAR(posed[v].z, limb.rest_positions[v].z, 1e-6);
+  }
+}
+
+TEST(Palette, NoVertexIsPosedBeyondItsReach) {
+  Random random(5);
+  for (const test::Motion motion : {test::Motion::rigid, test::Motion::affine,
+                                    test::Motion::collapsed, test::Motion::far_away}) {
+    const test::Shape soup = test::make_soup(random, 200, 6, 4, test::Weights::adversarial);
+    Pose pose(*build_model(soup.view()));
+    ASSERT_TRUE(pose.set_palette(test::make_palette(random, 6, motion, 3)));
+    std::vector<Vec3> posed(soup.rest_positions.size());
+    posed_vertices(pose, posed);
+    const double reach = pose.detail().palette.reach();
+    double farthest = 0;
+    for (const Vec3& v : posed)
+      farthest = std::max(farthest, std::hypot(static_cast<double>(v.x), static_cast<double>(v.y),
+                                               static_cast<double>(v.z)));
+    EXPECT_LE(farthest, reach * (1 + 1e-6));
+    EXPECT_GE(farthest, reach * 0.1) << "not a bound to be proud of";
+  }
+}
+
+}  // namespace
+}  // namespace pelt
