@@ -47,17 +47,13 @@ bool edge_separates(const Triangle2& t, const Triangle2& other) {
          line_separates(t[2], t[0], t[1], other);
 }
 
-/// Whether the six points, known to be coplanar, span disjoint triangles.
+/// Whether two triangles in one plane are disjoint, given that their boxes are not.
 ///
-/// Lexicographic order agrees with convex combination, so separate ranges prove the triangles
-/// disjoint, and on one line nothing else can be. Otherwise, in a plane, disjoint convex polygons
-/// are separated by the line of an edge of one of them. A separating line of any projection along
-/// an axis is proof; one of the three projections keeps the plane a plane, so there it is also
-/// found.
-bool disjoint_in_plane(const TriangleCorners& a, const TriangleCorners& b, const Ends& ends_a,
-                       const Ends& ends_b) {
-  if (lexicographically_less(ends_a.last, ends_b.first)) return true;
-  if (lexicographically_less(ends_b.last, ends_a.first)) return true;
+/// On one line, disjoint ranges have disjoint boxes, so there is nothing left to find. Otherwise
+/// disjoint convex polygons are separated by the line of an edge of one of them. A separating line
+/// in any projection along an axis is proof; one of the three projections keeps the plane a plane,
+/// so there it is also found.
+bool disjoint_in_plane(const TriangleCorners& a, const TriangleCorners& b) {
   for (int axis = 0; axis < 3; ++axis) {
     const Triangle2 flat_a = project(a, axis), flat_b = project(b, axis);
     if (edge_separates(flat_a, flat_b) || edge_separates(flat_b, flat_a)) return true;
@@ -71,7 +67,7 @@ bool flat_triangles_intersect(const TriangleCorners& a, const TriangleCorners& b
   const Ends ends_a(a), ends_b(b);
   // Only two segments can be here without a common plane.
   if (orient3d(ends_a.first, ends_a.last, ends_b.first, ends_b.last) != 0) return false;
-  return !disjoint_in_plane(a, b, ends_a, ends_b);
+  return !disjoint_in_plane(a, b);
 }
 
 bool segment_meets_triangle(const TriangleCorners& collapsed, const TriangleCorners& triangle) {

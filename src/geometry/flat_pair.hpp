@@ -7,8 +7,8 @@ namespace pelt::detail {
 /// The pairs of closed triangles that two planes cannot decide: coplanar ones, and those of which
 /// one or both have collapsed to a segment or a point. Exact like triangles_intersect.
 
-/// Whether the triangles intersect. Precondition: every corner of either lies on the plane of the
-/// other, where a collapsed triangle's plane is the whole space.
+/// Whether the triangles intersect. Precondition: their boxes do, and every corner of either lies
+/// on the plane of the other, where a collapsed triangle's plane is the whole space.
 bool flat_triangles_intersect(const TriangleCorners& a, const TriangleCorners& b);
 
 /// Whether a triangle that has collapsed to a segment meets one that has not. Precondition: the

@@ -158,8 +158,9 @@ Sphere ball_of_triangle(const TriangleCorners& corners) {
   const double cos_a = dot(ab, ac), cos_b = -dot(ab, bc), cos_c = dot(ac, bc);
   const double sin_a2 = squared_length(cross(ab, ac));
 
-  // centre = a + s ab + t ac: the middle of the side across from a corner without an acute angle, or
-  // else the circumcentre. A needle with its point at a, too thin for that, is as good as a segment.
+  // centre = a + s ab + t ac: the middle of the side across from a corner without an acute angle,
+  // or else the circumcentre. A needle with its point at a, too thin for that, is as good as a
+  // segment.
   double s = 0.5, t = 0;
   if (cos_a <= 0) {
     t = 0.5;
