@@ -2,39 +2,41 @@
 /// test using orientation predicates", 2003): every decision is the sign of an orientation
 /// determinant, so exact signs make an exact test.
 ///
-/// Two triangles in general position whose planes cross in a line L intersect if the intervals in
-/// which they cut L overlap. Turn each triangle so that its corner p, the apex, is alone on its
-/// side of the other's plane: the interval then ends where the edges pq and pr cross L. Which of
-/// two such ends comes first along L is again the side of an edge: with the apexes in front of the
-/// other's plane (n2 (q1 - p1) < 0, n1 (q2 - p2) < 0), points i on p1q1 and k on p2q2, and D = n1 x
-/// n2,
-///   orient3d(p1, q1, p2, q2) = -((q1 - p1) x (q2 - p2)) (k - i),
-///   ((q1 - p1) x (q2 - p2)) D = -(n2 (q1 - p1)) (n1 (q2 - p2)) < 0,
-/// so it is positive if k comes after i in the direction D. The same direction has p1r1 before p1q1
-/// and p2q2 before p2r2.
+/// Two triangles whose planes cross in a line L intersect if the intervals in which they cut L
+/// overlap. Turn each triangle so that its first corner p, the apex, is further in front of the
+/// other's plane than q and r, and these are not in front of it: the interval then reaches from
+/// where the edge pq crosses L to where pr does. Which of two such ends comes first along L is an
+/// orientation again. Let i on p1q1 and k on p2q2 be ends, n1 and n2 the normals, D = n1 x n2 the
+/// direction of L, u = q1 - p1 and w = q2 - p2. Sliding the four points along their lines,
+///   orient3d(p1, q1, p2, q2) = sign of -(u x w) . (k - i),
+///   (u x w) . D = (u . n1)(w . n2) - (u . n2)(w . n1) = 0 - (< 0)(< 0) < 0,
+/// so it is positive if k comes after i in the direction D. In that direction the first triangle's
+/// interval begins at p1r1, the second's at p2q2: they overlap if the end at p2q2 does not come
+/// after that at p1q1, nor the end at p2r2 before that at p1r1.
 #include "geometry/triangle_pair.hpp"
 
 #include "geometry/flat_pair.hpp"
 #include "geometry/predicates.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <utility>
 
 namespace pelt::detail {
 namespace {
 
-/// On which side of a plane the three corners of a triangle are.
-struct Sides {
-  int p, q, r;
-
-  bool all_on_one_open_side() const { return p != 0 && p == q && q == r; }
-  bool all_on_plane() const { return p == 0 && q == 0 && r == 0; }
-};
+/// On which side of a plane each corner of a triangle is.
+using Sides = std::array<int, 3>;
 
 Sides sides_of(const TriangleCorners& corners, const TriangleCorners& plane) {
   const OrientedPlane oriented(plane[0], plane[1], plane[2]);
   return {oriented.side(corners[0]), oriented.side(corners[1]), oriented.side(corners[2])};
 }
+
+bool all_on_one_open_side(const Sides& s) { return s[0] != 0 && s[0] == s[1] && s[1] == s[2]; }
+
+bool all_on_plane(const Sides& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
 
 bool disjoint_range(float a0, float a1, float a2, float b0, float b1, float b2) {
   return std::max(std::max(a0, a1), a2) < std::min(std::min(b0, b1), b2) ||
@@ -47,29 +49,36 @@ bool disjoint_boxes(const TriangleCorners& a, const TriangleCorners& b) {
          disjoint_range(a[0].z, a[1].z, a[2].z, b[0].z, b[1].z, b[2].z);
 }
 
-/// A triangle in its own orientation, begun at its apex: the corner whose side, of the other's
-/// plane, is less than the sides of both others or greater than both.
-struct Apex {
-  const Vec3 *p, *q, *r;
-  bool behind;  ///< p is the corner further behind the plane, not the one in front
+/// The corner whose side is less than those of both others, or greater than both. Precondition: not
+/// all are equal.
+std::size_t apex_index(const Sides& s) {
+  if (s[1] == s[2]) return 0;
+  if (s[2] == s[0]) return 1;
+  if (s[0] == s[1]) return 2;
+  return s[0] > 0 ? 0 : s[1] > 0 ? 1 : 2;
+}
 
-  Apex(const TriangleCorners& t, const Sides& s) : p(&t[0]), q(&t[1]), r(&t[2]) {
-    int side_p = s.p, side_q = s.q;
-    const bool all_differ = s.p != s.q && s.q != s.r && s.r != s.p;
-    if (s.p == s.r || (all_differ && s.q > 0)) {
-      p = &t[1], q = &t[2], r = &t[0], side_p = s.q, side_q = s.r;
-    } else if (s.p == s.q || (all_differ && s.r > 0)) {
-      p = &t[2], q = &t[0], r = &t[1], side_p = s.r, side_q = s.p;
-    }
-    behind = side_p < side_q;
-  }
+/// The corners of a triangle in their order, from the apex on.
+struct Turned {
+  const Vec3 &p, *q, *r;
+  bool apex_behind;  ///< p is behind the other's plane, or the others in front
+
+  Turned(const TriangleCorners& t, const Sides& s, std::size_t apex)
+      : p(t[apex]),
+        q(&t[(apex + 1) % 3]),
+        r(&t[(apex + 2) % 3]),
+        apex_behind(s[apex] < s[(apex + 1) % 3]) {}
 };
 
-/// Whether the triangles' intervals on the line of their planes overlap.
-bool intervals_overlap(Apex a, Apex b) {
-  if (a.behind) std::swap(b.q, b.r);  // turns b's plane round
-  if (b.behind) std::swap(a.q, a.r);
-  return orient3d(*a.p, *a.q, *b.p, *b.q) <= 0 && orient3d(*a.p, *a.r, *b.p, *b.r) >= 0;
+/// Whether the triangles' intervals on the line of their planes overlap. Precondition: neither
+/// triangle is on one open side of the other's plane, or on it.
+bool intervals_overlap(const TriangleCorners& corners_a, const Sides& sides_a,
+                       const TriangleCorners& corners_b, const Sides& sides_b) {
+  Turned a(corners_a, sides_a, apex_index(sides_a));
+  Turned b(corners_b, sides_b, apex_index(sides_b));
+  if (a.apex_behind) std::swap(b.q, b.r);  // turns b's plane round
+  if (b.apex_behind) std::swap(a.q, a.r);
+  return orient3d(a.p, *a.q, b.p, *b.q) <= 0 && orient3d(a.p, *a.r, b.p, *b.r) >= 0;
 }
 
 }  // namespace
@@ -77,15 +86,17 @@ bool intervals_overlap(Apex a, Apex b) {
 bool triangles_intersect(const TriangleCorners& a, const TriangleCorners& b) {
   if (disjoint_boxes(a, b)) return false;
   const Sides sides_a = sides_of(a, b);
-  if (sides_a.all_on_one_open_side()) return false;
+  if (all_on_one_open_side(sides_a)) return false;
   const Sides sides_b = sides_of(b, a);
-  if (sides_b.all_on_one_open_side()) return false;
+  if (all_on_one_open_side(sides_b)) return false;
 
-  // A corner off the other's plane proves that the other has not collapsed.
-  if (sides_a.all_on_plane() && sides_b.all_on_plane()) return flat_triangles_intersect(a, b);
-  if (sides_a.all_on_plane()) return segment_meets_triangle(b, a);
-  if (sides_b.all_on_plane()) return segment_meets_triangle(a, b);
-  return intervals_overlap(Apex(a, sides_a), Apex(b, sides_b));
+  // A collapsed triangle has no plane and every corner is on it, so a corner that is not proves
+  // that the other triangle has not collapsed.
+  const bool a_on_plane = all_on_plane(sides_a), b_on_plane = all_on_plane(sides_b);
+  if (a_on_plane && b_on_plane) return flat_triangles_intersect(a, b);
+  if (a_on_plane) return segment_meets_triangle(b, a);
+  if (b_on_plane) return segment_meets_triangle(a, b);
+  return intervals_overlap(a, sides_a, b, sides_b);
 }
 
 }  // namespace pelt::detail
