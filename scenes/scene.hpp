@@ -4,11 +4,13 @@
 /// the command, the benchmark and the tests, so that what is timed is what is tested and shown.
 
 #include <pelt/asset.hpp>
-#include <pelt/model.hpp>
+#include <pelt/result.hpp>
 
+#include "scenes/creature.hpp"
+
+#include <array>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,21 +19,20 @@ namespace pelt::scenes {
 
 /// A character as the scene names it.
 struct Character {
-  std::string name;          ///< key in the scene's "models", or the file's stem
-  std::string path;          ///< as written in the scene; empty for a generated one
-  std::uint64_t hash = 0;    ///< FNV-1a 64 of the file's bytes, or of the generator's parameters
+  std::string name;        ///< key in the scene's "models", or the file's stem
+  std::string source;      ///< the path as it was written, or "creature:13590:56:1"
+  std::uint64_t hash = 0;  ///< FNV-1a 64 of the file's bytes, or of `source`
   asset::Asset asset;
 };
 
 struct Instance {
-  std::uint32_t character = 0;  ///< index into Scene::characters
-  /// Empty optional: default node pose; "": the unnamed clip.
-  std::optional<std::string> clip;
-  double start = 0, speed = 1;  ///< clip time = (start + speed * t) mod duration
+  std::uint32_t character = 0;      ///< index into Scene::characters
+  std::optional<std::string> clip;  ///< nothing: default node pose; "": the unnamed clip
+  double start = 0, speed = 1;      ///< clip time = (start + speed t) mod duration
   std::array<double, 3> translation = {0, 0, 0};
-  std::array<double, 4> rotation = {0, 0, 0, 1};  ///< x y z w
+  std::array<double, 4> rotation = {0, 0, 0, 1};  ///< x y z w, any length but 0
   double scale = 1;
-  std::array<double, 3> velocity = {0, 0, 0};     ///< units per second
+  std::array<double, 3> velocity = {0, 0, 0};  ///< units per second
 };
 
 struct Scene {
@@ -42,10 +43,23 @@ struct Scene {
   double fps = 30;
 };
 
-/// Reads the JSON scene format (docs/scene.schema.json); paths in it are relative to its folder.
-/// Unknown keys, wrong types, missing clips and bad characters are refused with the path inside
-/// the file.
-Result<Scene> load_scene(const std::filesystem::path& path);
+inline constexpr std::uint32_t kMaxFrames = 1'000'000;
+inline constexpr double kMaxFps = 1e6;
+inline constexpr double kMaxScale = 1e6;
+
+/// Reads the JSON scene format (docs/scenes.md); paths in it are relative to its folder. Unknown
+/// keys, wrong types, missing clips and bad characters are refused with the path inside the file.
+Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOptions& options = {});
+
+/// Reads one character from a glTF file; the message of an error begins with the path.
+Result<Character> load_character(const std::filesystem::path& path,
+                                 const asset::GltfOptions& options = {});
+
+/// A generated one.
+Result<Character> generate_character(const CreatureOptions& options);
+
+/// Refuses an instance whose clip its character does not have, naming those that it has.
+Result<void> check_clip(const Scene& scene, std::uint32_t instance);
 
 /// Seconds at which frame `frame` stands: frame / fps.
 double frame_time(const Scene& scene, std::uint32_t frame);

@@ -1,0 +1,37 @@
+#include "asset/file_bytes.hpp"
+#include "asset/message.hpp"
+#include "base/hash.hpp"
+#include "scenes/scene.hpp"
+
+namespace pelt::scenes {
+namespace {
+
+std::uint64_t hash_of(std::span<const std::byte> bytes) {
+  detail::Fnv1a64 hash;
+  hash.add_bytes(bytes);
+  return hash.value();
+}
+
+}  // namespace
+
+Result<Character> load_character(const std::filesystem::path& path,
+                                 const asset::GltfOptions& options) {
+  const Result<std::vector<std::byte>> file = asset::read_file(path);
+  if (!file) return file.error();
+  // A path without a folder is beside the working directory, and "" would mean: no external files.
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  Result<asset::Asset> asset = asset::load_gltf(*file, folder, options);
+  if (!asset) return asset::prefixed(path.string(), asset.error());
+  return Character{path.stem().string(), path.string(), hash_of(*file), std::move(*asset)};
+}
+
+Result<Character> generate_character(const CreatureOptions& options) {
+  Result<asset::Asset> creature = make_creature(options);
+  if (!creature) return creature.error();
+  const std::string source = "creature:" + std::to_string(options.triangles) + ":" +
+                             std::to_string(options.joints) + ":" + std::to_string(options.seed);
+  const std::uint64_t hash = hash_of(std::as_bytes(std::span(source)));
+  return Character{"creature", source, hash, std::move(*creature)};
+}
+
+}  // namespace pelt::scenes

@@ -1,0 +1,110 @@
+#include "scenes/scene.hpp"
+
+#include "asset/affine.hpp"
+#include "asset/file_bytes.hpp"
+#include "asset/message.hpp"
+#include "base/assert.hpp"
+#include "scenes/nearest_name.hpp"
+#include "scenes/scene_file.hpp"
+
+#include <cmath>
+
+namespace pelt::scenes {
+namespace {
+
+Result<Character> make_character(const SceneFile::Model& model, const std::filesystem::path& folder,
+                                 const asset::GltfOptions& options) {
+  if (const auto* creature = std::get_if<CreatureOptions>(&model.source)) {
+    return generate_character(*creature);
+  }
+  const std::string& path = std::get<std::string>(model.source);
+  Result<Character> character = load_character(folder / path, options);
+  if (character) character->source = path;
+  return character;
+}
+
+Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& folder,
+                         const asset::GltfOptions& options) {
+  Scene scene;
+  scene.instances = file.instances;
+  scene.frame_count = file.frame_count;
+  scene.fps = file.fps;
+  for (const SceneFile::Model& model : file.models) {
+    Result<Character> character = make_character(model, folder, options);
+    if (!character) return asset::prefixed("models." + model.name, character.error());
+    character->name = model.name;
+    scene.characters.push_back(std::move(*character));
+  }
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const std::string place = "instances[" + std::to_string(i) + "].clip";
+    if (const auto found = check_clip(scene, i); !found) {
+      return asset::prefixed(place, found.error());
+    }
+  }
+  return scene;
+}
+
+/// In [0, duration). `fmod` is no libm in the sense of the rule on determinism: IEEE 754 defines it
+/// exactly, so that it has the same bits everywhere.
+double wrapped(double seconds, double duration) {
+  if (!(duration > 0)) return 0;
+  const double rest = std::fmod(seconds, duration);
+  const double wrapped = rest < 0 ? rest + duration : rest;
+  return wrapped < duration ? wrapped : 0;  // a tiny negative rest rounds up to the duration
+}
+
+Matrix4 placement(const Instance& instance, double seconds) {
+  std::array<double, 3> position = instance.translation;
+  for (int i = 0; i < 3; ++i) position[i] += instance.velocity[i] * seconds;
+  const auto& r = instance.rotation;
+  const asset::Quaternion rotation = asset::normalised({r[0], r[1], r[2], r[3]});
+  const double scale = instance.scale;
+  return asset::matrix_of(asset::compose(position, rotation, {scale, scale, scale}));
+}
+
+const asset::Asset& asset_of(const Scene& scene, std::uint32_t instance) {
+  return scene.characters[scene.instances[instance].character].asset;
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOptions& options) {
+  const Result<std::vector<std::byte>> bytes = asset::read_file(path);
+  if (!bytes) return bytes.error();
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  const Result<SceneFile> file = parse_scene(text);
+  if (!file) return asset::prefixed(path.string(), file.error());
+  Result<Scene> scene = make_scene(*file, path.parent_path(), options);
+  if (!scene) return asset::prefixed(path.string(), scene.error());
+  scene->name = path.filename().string();
+  return scene;
+}
+
+Result<void> check_clip(const Scene& scene, std::uint32_t instance) {
+  const std::optional<std::string>& clip = scene.instances[instance].clip;
+  const asset::Asset& asset = asset_of(scene, instance);
+  if (!clip || asset.find_clip(*clip) != nullptr) return {};
+  const std::string& character = scene.characters[scene.instances[instance].character].name;
+  const std::string problem = asset::quoted(character) + " has no clip " + asset::quoted(*clip);
+  if (asset.clips.empty()) return Error{ErrorCode::invalid_argument, problem + ", it has none"};
+  std::vector<std::string_view> names;
+  for (const asset::Clip& known : asset.clips) names.push_back(known.name);
+  return Error{ErrorCode::invalid_argument, problem + suggestion(*clip, names)};
+}
+
+double frame_time(const Scene& scene, std::uint32_t frame) { return frame / scene.fps; }
+
+void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
+                      asset::SampleScratch& scratch, std::span<Matrix4> palette) {
+  const Instance& placed = scene.instances[instance];
+  const asset::Asset& asset = asset_of(scene, instance);
+  const double time = frame_time(scene, frame);
+  const asset::Clip* clip = placed.clip ? asset.find_clip(*placed.clip) : nullptr;
+  PELT_ASSERT(!placed.clip || clip != nullptr);
+  const double duration = clip != nullptr ? static_cast<double>(clip->duration) : 0;
+  const double clip_time = wrapped(placed.start + placed.speed * time, duration);
+  asset::sample_palette(asset, clip, static_cast<float>(clip_time), placement(placed, time),
+                        scratch, palette);
+}
+
+}  // namespace pelt::scenes

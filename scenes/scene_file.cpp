@@ -1,0 +1,124 @@
+#include "scenes/scene_file.hpp"
+
+#include "asset/json_object.hpp"
+#include "asset/message.hpp"
+#include "scenes/nearest_name.hpp"
+#include "scenes/scene_keys.hpp"
+#include "scenes/strict_object.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pelt::scenes {
+namespace {
+
+using nlohmann::json;
+using Problem = StrictObject::Problem;
+
+constexpr double kMaxNumber = 1e12;  // far beyond any use, near enough to keep arithmetic finite
+constexpr Range kAnyNumber = {-kMaxNumber, kMaxNumber};
+constexpr Range kAnyCount = {0, std::numeric_limits<std::uint32_t>::max()};
+constexpr double kSmallestPositive = std::numeric_limits<float>::min();
+
+CreatureOptions read_creature(const StrictObject& object) {
+  const CreatureOptions defaults;
+  return {object.count("triangles", defaults.triangles, kAnyCount),
+          object.count("joints", defaults.joints, kAnyCount),
+          object.count("seed", defaults.seed, kAnyCount)};
+}
+
+SceneFile::Model read_model(const std::string& name, const json& value, const std::string& path,
+                            Problem& problem) {
+  if (value.is_string()) return {name, value.get<std::string>()};
+  const StrictObject object(value, path, kModelKeys, problem);
+  object.require("creature");
+  return {name, read_creature(object.object("creature", kCreatureKeys))};
+}
+
+std::vector<SceneFile::Model> read_models(const StrictObject& file, Problem& problem) {
+  file.require("models");
+  std::vector<SceneFile::Model> models;
+  const json& members = file.members("models");
+  for (auto member = members.begin(); member != members.end(); ++member) {
+    models.push_back(read_model(member.key(), member.value(),
+                                file.path_of("models") + "." + member.key(), problem));
+  }
+  return models;
+}
+
+std::uint32_t read_character(const StrictObject& object, std::span<const SceneFile::Model> models) {
+  object.require("model");
+  const std::string name = object.text("model").value_or("");
+  std::vector<std::string_view> names;
+  for (const SceneFile::Model& model : models) names.push_back(model.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    object.refuse("model", asset::quoted(name) + " is not in \"models\"" + suggestion(name, names));
+  }
+  return static_cast<std::uint32_t>(found - names.begin());
+}
+
+/// Rotations written with a few decimals are not quite of length 1; others are mistakes.
+void require_unit_length(const StrictObject& object, const std::array<double, 4>& q) {
+  constexpr double kTolerance = 1e-3;
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  if (std::fabs(length - 1) <= kTolerance) return;
+  object.refuse("rotation", "expected a unit quaternion x y z w, found one of length " +
+                                std::to_string(length));
+}
+
+template <std::size_t N>
+std::array<double, N> read_vector(const StrictObject& object, std::string_view key,
+                                  const std::array<double, N>& otherwise) {
+  const std::array<double, N> vector = object.numbers(key, otherwise);
+  for (const double number : vector) {
+    if (!(std::fabs(number) <= kMaxNumber)) object.refuse(key, "expected numbers within 1e12");
+  }
+  return vector;
+}
+
+Instance read_instance(const StrictObject& object, std::span<const SceneFile::Model> models) {
+  Instance instance;
+  instance.character = read_character(object, models);
+  instance.clip = object.text("clip");
+  instance.start = object.number("start", instance.start, kAnyNumber);
+  instance.speed = object.number("speed", instance.speed, kAnyNumber);
+  instance.translation = read_vector(object, "translation", instance.translation);
+  instance.rotation = read_vector(object, "rotation", instance.rotation);
+  require_unit_length(object, instance.rotation);
+  instance.scale = object.number("scale", instance.scale, {kSmallestPositive, kMaxScale});
+  instance.velocity = read_vector(object, "velocity", instance.velocity);
+  return instance;
+}
+
+std::vector<Instance> read_instances(const StrictObject& file,
+                                     std::span<const SceneFile::Model> models) {
+  file.require("instances");
+  std::vector<Instance> instances;
+  for (const StrictObject& object : file.objects("instances", kInstanceKeys)) {
+    instances.push_back(read_instance(object, models));
+  }
+  return instances;
+}
+
+}  // namespace
+
+Result<SceneFile> parse_scene(std::string_view text) {
+  const Result<json> parsed = asset::parse_json(text);
+  if (!parsed) return parsed.error();
+  Problem problem;
+  const StrictObject file(*parsed, "", kSceneKeys, problem);
+  SceneFile scene;
+  scene.models = read_models(file, problem);
+  const StrictObject frames = file.object("frames", kFramesKeys);
+  scene.frame_count = frames.count("count", scene.frame_count, {1, kMaxFrames});
+  scene.fps = frames.number("fps", scene.fps, {kSmallestPositive, kMaxFps});
+  scene.instances = read_instances(file, scene.models);
+  if (problem) return asset::malformed(*problem);
+  return scene;
+}
+
+}  // namespace pelt::scenes

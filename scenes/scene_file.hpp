@@ -1,0 +1,29 @@
+#pragma once
+
+/// The text of a scene file, before the characters that it names are loaded.
+
+#include "scenes/scene.hpp"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace pelt::scenes {
+
+struct SceneFile {
+  struct Model {
+    std::string name;
+    std::variant<std::string, CreatureOptions> source;  ///< path of a glTF file, or generated
+  };
+
+  std::vector<Model> models;        ///< by name
+  std::vector<Instance> instances;  ///< `character` is an index into `models`
+  std::uint32_t frame_count = 1;
+  double fps = 30;
+};
+
+/// The message of an error begins with the path inside the file.
+Result<SceneFile> parse_scene(std::string_view text);
+
+}  // namespace pelt::scenes

@@ -1,0 +1,19 @@
+#pragma once
+
+/// The keys of the scene format, object by object: what the reader takes and docs/scene.schema.json
+/// documents.
+
+#include <array>
+#include <string_view>
+
+namespace pelt::scenes {
+
+inline constexpr std::array<std::string_view, 4> kSceneKeys = {"$schema", "models", "frames",
+                                                               "instances"};
+inline constexpr std::array<std::string_view, 2> kFramesKeys = {"count", "fps"};
+inline constexpr std::array<std::string_view, 1> kModelKeys = {"creature"};
+inline constexpr std::array<std::string_view, 3> kCreatureKeys = {"triangles", "joints", "seed"};
+inline constexpr std::array<std::string_view, 8> kInstanceKeys = {
+    "model", "clip", "start", "speed", "translation", "rotation", "scale", "velocity"};
+
+}  // namespace pelt::scenes

@@ -1,0 +1,158 @@
+/// `pelt check`: which triangles collide, frame by frame.
+
+#include "asset/message.hpp"
+#include "scenes/nearest_name.hpp"
+#include "tools/pelt/check_scene.hpp"
+#include "tools/pelt/commands.hpp"
+#include "tools/pelt/scene_arguments.hpp"
+#include "tools/pelt/text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace pelt::tools {
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  std::string frames, by = "instance", method = "paper";
+  bool first = false, pairs = false;
+  std::optional<std::uint32_t> max_contacts, glb_frame;
+  std::string jsonl, glb;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt check scene.json
+  pelt check knight.glb barbarian.glb --clip Walk --clip Attack --at 0,0,-0.5 --at 0,0,0.5 --turn 0 --turn 180
+  pelt check knight.glb --clip Walk --by part
+  pelt check scene.json --frames 20:40 --jsonl contacts.jsonl --pairs
+  pelt check scene.json --first --jsonl - > contacts.jsonl
+  pelt check scene.json --glb worst.glb
+  pelt check scene.json --method brute --frames 24:25
+
+Exact: triangles are closed, so touching counts, on the very float32 positions that `pelt pose`
+writes. All methods give the same contacts and the same hash; they differ in their work.
+With --by part, a and b number the colliders of the header's "instances", one for each part.
+Exit codes: 0 no contact, 1 contact, 2 bad input or arguments, 3 internal error.)";
+
+Result<bench::MethodKind> choose_method(const std::string& name) {
+  if (const auto method = bench::find_method(name)) return *method;
+  return Error{ErrorCode::invalid_argument, "--method: there is no " + asset::quoted(name) +
+                                                scenes::suggestion(name, bench::method_names())};
+}
+
+Result<Granularity> choose_granularity(const std::string& name) {
+  if (name == "instance") return Granularity::instance;
+  if (name == "part") return Granularity::part;
+  return bad_argument("--by", "there is no " + asset::quoted(name), "give instance or part");
+}
+
+Result<std::optional<std::uint32_t>> choose_limit(const Arguments& arguments) {
+  if (arguments.first) return std::optional<std::uint32_t>(1);
+  if (arguments.max_contacts == 0u) {
+    return bad_argument("--max-contacts", "a limit of 0 finds nothing", "give 1 or more");
+  }
+  return arguments.max_contacts;
+}
+
+bool contains(const FrameRange& range, std::uint32_t frame) {
+  return frame >= range.begin && frame < range.end && (frame - range.begin) % range.stride == 0;
+}
+
+Result<std::optional<std::uint32_t>> choose_glb_frame(const Arguments& arguments,
+                                                      const FrameRange& frames) {
+  if (!arguments.glb_frame) return arguments.glb_frame;
+  if (arguments.glb.empty()) {
+    return bad_argument("--glb-frame", "there is no --glb", "name the file with --glb FILE");
+  }
+  if (contains(frames, *arguments.glb_frame)) return arguments.glb_frame;
+  return bad_argument("--glb-frame", std::to_string(*arguments.glb_frame) + " is not checked",
+                      "choose one of the frames that are");
+}
+
+Result<CheckSettings> choose_settings(const Arguments& arguments, scenes::Scene& scene) {
+  CheckSettings settings;
+  const auto method = choose_method(arguments.method);
+  if (!method) return method.error();
+  settings.method = *method;
+  const auto granularity = choose_granularity(arguments.by);
+  if (!granularity) return granularity.error();
+  settings.granularity = *granularity;
+  const auto limit = choose_limit(arguments);
+  if (!limit) return limit.error();
+  settings.max_contacts = *limit;
+  const auto frames = choose_frames(arguments.frames, arguments.scene, scene);
+  if (!frames) return frames.error();
+  settings.frames = *frames;
+  const auto glb_frame = choose_glb_frame(arguments, settings.frames);
+  if (!glb_frame) return glb_frame.error();
+  settings.frame_to_keep = *glb_frame;
+  return settings;
+}
+
+Result<ExitCode> check(const Arguments& arguments) {
+  Result<scenes::Scene> scene = open_scene(arguments.scene);
+  if (!scene) return scene.error();
+  const Result<CheckSettings> settings = choose_settings(arguments, *scene);
+  if (!settings) return settings.error();
+  CheckOutputs outputs;
+  outputs.jsonl = arguments.jsonl;
+  outputs.glb = arguments.glb;
+  outputs.lists = arguments.pairs ? TriangleLists::written : TriangleLists::left_out;
+  std::ostream& words = arguments.jsonl == kStandardOutput ? std::cerr : std::cout;
+  const Result<CheckReport> report =
+      check_scene(*scene, *settings, arguments.scene.models.model_options(), outputs, words);
+  if (!report) return report.error();
+  return report->totals.contacts > 0 ? ExitCode::contact : ExitCode::success;
+}
+
+std::string listed(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+void add_options(CLI::App& verb, Arguments& arguments) {
+  add_scene_options(verb, arguments.scene);
+  verb.add_option("--frames", arguments.frames,
+                  "Frames A to B - 1, each S-th of them with A:B:S (default: all of the scene, or "
+                  "of the longest clip)")
+      ->type_name("A:B");
+  verb.add_option("--by", arguments.by,
+                  "What collides: every instance with every other, or every part with every other, "
+                  "also of the same instance")
+      ->type_name("instance|part")
+      ->capture_default_str();
+  verb.add_option("--method", arguments.method, "One of " + listed(bench::method_names()))
+      ->type_name("NAME")
+      ->capture_default_str();
+  CLI::Option* first = verb.add_flag("--first", arguments.first,
+                                     "Stop at the first contact of each pair in each frame");
+  verb.add_option("--max-contacts", arguments.max_contacts,
+                  "Stop after so many contacts of each pair in each frame")
+      ->type_name("N")
+      ->excludes(first);
+  verb.add_option("--jsonl", arguments.jsonl,
+                  "Write the answer, a JSON object a line; -: to standard output, the summary then "
+                  "to standard error")
+      ->type_name("FILE");
+  verb.add_flag("--pairs", arguments.pairs, "Write the triangle pairs too, not only their number");
+  verb.add_option("--glb", arguments.glb,
+                  "Write the posed characters of the worst frame, colliding triangles coloured")
+      ->type_name("FILE");
+  verb.add_option("--glb-frame", arguments.glb_frame, "The frame for --glb")->type_name("N");
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Command& chosen) {
+  CLI::App* verb = app.add_subcommand("check", "Find every colliding triangle pair of every frame");
+  const auto arguments = std::make_shared<Arguments>();
+  add_options(*verb, *arguments);
+  verb->footer(kFooter);
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return check(*arguments); }; });
+}
+
+}  // namespace pelt::tools

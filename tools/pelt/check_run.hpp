@@ -1,0 +1,42 @@
+#pragma once
+
+/// The heart of `pelt check`: every frame of a scene asked for its contacts.
+
+#include "tools/pelt/frame_range.hpp"
+#include "tools/pelt/jsonl.hpp"
+#include "tools/pelt/scene_query.hpp"
+#include "tools/pelt/touch_tally.hpp"
+
+#include <optional>
+
+namespace pelt::tools {
+
+struct CheckSettings {
+  bench::MethodKind method = bench::MethodKind::paper;
+  Granularity granularity = Granularity::instance;
+  std::optional<std::uint32_t> max_contacts;  ///< of a pair of colliders in a frame
+  FrameRange frames;
+  std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
+};
+
+struct CheckReport {
+  /// The contacts of one frame, and its number.
+  struct Kept {
+    std::uint32_t frame = 0;
+    FrameContacts found;
+  };
+
+  CheckTotals totals;
+  Kept kept;
+  std::uint32_t worst_frame = 0;  ///< the first one with the most contacts
+  std::uint64_t worst_contacts = 0;
+  std::vector<std::uint32_t> frames_in_contact;
+  std::vector<double> frame_seconds;  ///< palettes taken and all pairs queried; not the sampling
+};
+
+/// Runs through the frames. `jsonl` may be null. Writes no file itself and prints nothing but the
+/// progress bar.
+Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collider> colliders,
+                              const CheckSettings& settings, TouchTally& tally, JsonlWriter* jsonl);
+
+}  // namespace pelt::tools

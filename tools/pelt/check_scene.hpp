@@ -1,0 +1,27 @@
+#pragma once
+
+/// `pelt check` after its arguments: colliders made, frames run through, files written, a summary
+/// printed. Also what `pelt demo` runs.
+
+#include "tools/pelt/check_run.hpp"
+
+#include <ostream>
+#include <string>
+
+namespace pelt::tools {
+
+/// Names standard output where a file is asked for.
+inline constexpr const char* kStandardOutput = "-";
+
+struct CheckOutputs {
+  std::string jsonl;  ///< file, kStandardOutput or "" for none
+  TriangleLists lists = TriangleLists::left_out;
+  std::string glb;  ///< file for the frame that is kept, or "" for none
+};
+
+/// The summary goes to `words`.
+Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
+                                const ModelOptions& options, const CheckOutputs& outputs,
+                                std::ostream& words);
+
+}  // namespace pelt::tools

@@ -1,0 +1,37 @@
+#pragma once
+
+/// The bodies that are checked against each other: the instances of a scene, or their parts.
+
+#include <pelt/model.hpp>
+
+#include "scenes/scene.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pelt::tools {
+
+enum class Granularity {
+  instance,  ///< two instances collide, never an instance with itself
+  part,      ///< every part of every instance is a collider; those of one instance collide too
+};
+
+struct Collider {
+  std::uint32_t instance = 0;
+  std::optional<std::uint32_t> part;  ///< index into the asset's parts
+  std::uint32_t first_triangle = 0;   ///< added to the model's triangle numbers in answers
+  SkinnedModel model;
+};
+
+/// In order of instances, then parts; parts without triangles are left out.
+Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
+                                             const ModelOptions& options);
+
+/// "knight 0", or "knight 0 Knight_Helmet" for a part.
+std::string collider_name(const scenes::Scene& scene, const Collider& collider);
+
+/// What names a part best: its node, else its mesh, else its material, else its number.
+std::string part_name(const asset::Asset& asset, std::uint32_t part);
+
+}  // namespace pelt::tools

@@ -1,0 +1,20 @@
+#pragma once
+
+/// The verbs of the command, each in a file of its own. Every function below adds its verb to
+/// `app`; when the command line names the verb, `chosen` becomes what it asks for.
+
+#include "tools/pelt/exit_code.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace pelt::tools {
+
+void add_check(CLI::App& app, Command& chosen);
+void add_info(CLI::App& app, Command& chosen);
+void add_pose(CLI::App& app, Command& chosen);
+void add_demo(CLI::App& app, Command& chosen);
+void add_bench(CLI::App& app, Command& chosen);
+
+}  // namespace pelt::tools

@@ -1,0 +1,159 @@
+/// `pelt demo`: two generated characters walk into each other; nothing has to be at hand.
+
+#include "tools/pelt/check_scene.hpp"
+#include "tools/pelt/commands.hpp"
+#include "tools/pelt/glb_writer.hpp"
+#include "tools/pelt/run_program.hpp"
+#include "tools/pelt/scene_glb.hpp"
+#include "tools/pelt/still.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace pelt::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string folder = "pelt-demo";
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt demo
+  pelt demo -o pictures
+
+Writes scene.json (then try `pelt check pelt-demo/scene.json`), contacts.jsonl (every colliding
+triangle pair of every frame), contacts.glb (the worst frame, for any glTF viewer) and still.png (the
+picture of one frame, by POV-Ray).)";
+
+/// They walk at the speed of their feet, out of step, and pass with a touch of shoulders and arms.
+constexpr std::string_view kScene = R"({
+  "models": {
+    "creature": {"creature": {"triangles": 60000, "joints": 56, "seed": 1}},
+    "man": {"creature": {"triangles": 60000, "joints": 56, "seed": 2}}
+  },
+  "frames": {"count": 90, "fps": 30},
+  "instances": [
+    {"model": "creature", "clip": "walk", "start": 0.0,
+     "translation": [-0.17, 0, -1.35], "velocity": [0, 0, 0.9]},
+    {"model": "man", "clip": "walk", "start": 0.45,
+     "translation": [0.17, 0, 1.35], "rotation": [0, 1, 0, 0], "velocity": [0, 0, -0.9]}
+  ]
+}
+)";
+
+/// The frame of still.png.
+constexpr std::uint32_t kStillFrame = 45;
+
+Result<void> write_text(const fs::path& path, std::string_view text) {
+  return write_file(path, std::as_bytes(std::span(text)));
+}
+
+Result<void> make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (fs::is_directory(folder, error)) return {};
+  return Error{ErrorCode::unreadable_file,
+               folder.string() + ": is no folder and cannot be made: choose another with -o"};
+}
+
+Result<void> write_check(const scenes::Scene& scene, const fs::path& folder) {
+  CheckSettings settings;
+  settings.frames = {0, scene.frame_count};
+  CheckOutputs outputs;
+  outputs.jsonl = (folder / "contacts.jsonl").string();
+  outputs.lists = TriangleLists::written;
+  outputs.glb = (folder / "contacts.glb").string();
+  const Result<CheckReport> report = check_scene(scene, settings, {}, outputs, std::cout);
+  if (!report) return report.error();
+  return {};
+}
+
+/// The contacts of one frame alone.
+Result<std::string> still_of(const scenes::Scene& scene, std::uint32_t frame) {
+  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  const auto posed = pose_instances(scene, frame, {});
+  if (!posed) return posed.error();
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  sample_palettes(scene, frame, scratch, palettes);
+  SceneQuery query(*colliders, bench::MethodKind::paper);
+  if (const auto set = query.set_palettes(palettes); !set) return set.error();
+  FrameContacts found;
+  query.collide({}, found);
+  return describe_still(*posed, touching_triangles(*posed, *colliders, found));
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
+
+/// A missing ray tracer is no failure of the demo: all but the picture is there.
+void render(const fs::path& description, const fs::path& picture) {
+  const std::vector<std::string> command = {"povray",
+                                            "+I" + description.string(),
+                                            "+O" + picture.string(),
+                                            "+W1280",
+                                            "+H720",
+                                            "+A0.1",
+                                            "+AM2",
+                                            "+R3",
+                                            "+FN8",
+                                            "-D",
+                                            "-P",
+                                            "+Q11"};
+  switch (run_program(command)) {
+    case ProgramEnd::succeeded:
+      std::cout << "wrote " << picture.string() << '\n';
+      remove_file(description);
+      return;
+    case ProgramEnd::not_found:
+      std::cout << "no picture: POV-Ray is not installed. After `apt-get install povray`, run "
+                   "`pelt demo` again\n";
+      return;
+    case ProgramEnd::failed:
+      std::cout << "no picture: POV-Ray failed on " << description.string() << "; run `povray "
+                << description.string() << "` to see why\n";
+      return;
+  }
+}
+
+Result<ExitCode> demo(const Arguments& arguments) {
+  const fs::path folder = arguments.folder;
+  if (const auto made = make_folder(folder); !made) return made.error();
+  const fs::path scene_path = folder / "scene.json";
+  if (const auto written = write_text(scene_path, kScene); !written) return written.error();
+  const Result<scenes::Scene> scene = scenes::load_scene(scene_path);
+  if (!scene) return scene.error();
+  if (const auto written = write_check(*scene, folder); !written) return written.error();
+  for (const char* name : {"scene.json", "contacts.jsonl", "contacts.glb"}) {
+    std::cout << "wrote " << (folder / name).string() << '\n';
+  }
+  const Result<std::string> still = still_of(*scene, kStillFrame);
+  if (!still) return still.error();
+  const fs::path description = folder / "still.pov";
+  if (const auto written = write_text(description, *still); !written) return written.error();
+  std::cout << "rendering ..." << std::endl;
+  render(description, folder / "still.png");
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, Command& chosen) {
+  CLI::App* verb = app.add_subcommand("demo", "Let two generated characters collide");
+  const auto arguments = std::make_shared<Arguments>();
+  verb->add_option("-o,--output", arguments->folder, "Folder for the files")
+      ->type_name("DIR")
+      ->capture_default_str();
+  verb->footer(kFooter);
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return demo(*arguments); }; });
+}
+
+}  // namespace pelt::tools

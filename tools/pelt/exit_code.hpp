@@ -1,0 +1,20 @@
+#pragma once
+
+#include <pelt/result.hpp>
+
+#include <functional>
+
+namespace pelt::tools {
+
+/// What the command returns to the shell.
+enum class ExitCode : int {
+  success = 0,  ///< for `check`: no contact
+  contact = 1,  ///< only from `check`
+  bad_input = 2,
+  internal = 3,
+};
+
+/// A verb with its arguments, ready to run.
+using Command = std::function<Result<ExitCode>()>;
+
+}  // namespace pelt::tools

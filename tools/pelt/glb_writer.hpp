@@ -1,0 +1,41 @@
+#pragma once
+
+/// Writing of .glb files: meshes without skins or textures, each on a root node of its own.
+
+#include <pelt/mesh.hpp>
+#include <pelt/result.hpp>
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+struct GlbMaterial {
+  std::string name;
+  std::array<float, 3> base_colour = {1, 1, 1};  ///< linear
+  std::array<float, 3> emissive = {0, 0, 0};
+};
+
+struct GlbPrimitive {
+  std::span<const Triangle> triangles;  ///< indices into the mesh's positions; not empty
+  std::size_t material = 0;
+};
+
+struct GlbMesh {
+  std::string name;
+  std::span<const Vec3> positions;  ///< written bit for bit; not empty
+  std::span<const Vec3> normals;    ///< of unit length, one for each position, or none at all
+  std::vector<GlbPrimitive> primitives;
+};
+
+/// A binary glTF 2.0 file; node i is mesh i, without a transform.
+std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
+                                std::span<const GlbMaterial> materials);
+
+Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+}  // namespace pelt::tools

@@ -1,0 +1,39 @@
+#include "tools/pelt/machine.hpp"
+
+#include <fstream>
+#include <thread>
+
+namespace pelt::tools {
+namespace {
+
+/// Linux tells; elsewhere the name stays unknown.
+std::string cpu_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != line.npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+std::string compiler_name() {
+#ifdef __clang__
+  return __VERSION__;
+#else
+  return "GCC " __VERSION__;
+#endif
+}
+
+#ifdef NDEBUG
+constexpr const char* kAsserts = "no asserts";
+#else
+constexpr const char* kAsserts = "asserts";
+#endif
+
+}  // namespace
+
+Machine this_machine() {
+  return {cpu_name(), compiler_name(), kAsserts, std::thread::hardware_concurrency()};
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,65 @@
+/// The command `pelt`: reads the command line, runs the verb, and turns what happened into words
+/// and an exit code.
+
+#include <pelt/version.hpp>
+
+#include "tools/pelt/commands.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace {
+
+using pelt::tools::ExitCode;
+
+constexpr const char* kFooter = R"(
+`pelt VERB --help` teaches each verb with examples. Exit codes: 0 success (check: no contact),
+1 contact (check only), 2 bad input or arguments, 3 internal error.)";
+
+int code(ExitCode exit) { return static_cast<int>(exit); }
+
+int refuse(const std::string& message) {
+  std::cerr << "pelt: error: " << message << '\n';
+  return code(ExitCode::bad_input);
+}
+
+/// --help and --version end the parse as "errors" with code 0.
+int end_of_parse(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  return refuse(std::string(error.what()) + ": see pelt --help");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Exact collision detection for animated, skinned characters.", "pelt");
+  app.set_version_flag("--version", "pelt " PELT_VERSION);
+  app.set_help_all_flag("--help-all", "Print this help and that of every verb");
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  pelt::tools::Command command;
+  pelt::tools::add_check(app, command);
+  pelt::tools::add_info(app, command);
+  pelt::tools::add_pose(app, command);
+  pelt::tools::add_demo(app, command);
+  pelt::tools::add_bench(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return end_of_parse(app, error);
+  }
+  const pelt::Result<ExitCode> exit = command();
+  return exit ? code(*exit) : refuse(exit.error().message);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "pelt: internal error: " << error.what() << '\n';
+  } catch (...) {
+    std::cerr << "pelt: internal error\n";
+  }
+  return code(ExitCode::internal);
+}

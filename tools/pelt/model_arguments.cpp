@@ -1,0 +1,43 @@
+#include "tools/pelt/model_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace pelt::tools {
+
+asset::GltfOptions ModelArguments::gltf_options() const {
+  asset::GltfOptions options;
+  options.unskinned_parts = !no_unskinned;
+  options.exclude_nodes = exclude;
+  return options;
+}
+
+ModelOptions ModelArguments::model_options() const {
+  ModelOptions options;
+  if (renormalise) options.off_weights = OffWeights::renormalise;
+  return options;
+}
+
+void add_model_options(CLI::App& verb, ModelArguments& arguments) {
+  verb.add_flag("--no-unskinned", arguments.no_unskinned,
+                "Leave out meshes without a skin (weapons, armour)");
+  verb.add_option("--exclude", arguments.exclude,
+                  "Leave out the mesh node of this name and its children (repeatable)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  verb.add_flag("--renormalise", arguments.renormalise,
+                "Accept weights that do not sum to 1: divide them by their sum, as renderers do");
+}
+
+Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
+                                       const ModelOptions& options) {
+  Result<SkinnedModel> model = build_model(mesh, options);
+  if (model) return model;
+  std::string message = source + ": " + model.error().message;
+  const std::string in_code = "off_weights = OffWeights::renormalise";
+  if (const std::size_t at = message.find(in_code); at != message.npos) {
+    message.replace(at, in_code.size(), "--renormalise");
+  }
+  return Error{model.error().code, message};
+}
+
+}  // namespace pelt::tools

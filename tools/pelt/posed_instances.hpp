@@ -1,0 +1,30 @@
+#pragma once
+
+/// The posed characters of one frame, to be written to files and pictures.
+
+#include <pelt/model.hpp>
+
+#include "scenes/scene.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+struct PosedInstance {
+  std::string name;                     ///< "knight 0"
+  std::vector<Vec3> positions;          ///< the very float32 positions that queries collide
+  std::span<const Triangle> triangles;  ///< borrowed from the scene's asset
+};
+
+/// `scene` must outlive the result.
+Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
+                                                  const ModelOptions& options);
+
+/// Unit normals for smooth shading: triangles weigh by their area, and vertices at the same place
+/// share one normal, so that seams of the texture do not show.
+std::vector<Vec3> smooth_normals(std::span<const Vec3> positions,
+                                 std::span<const Triangle> triangles);
+
+}  // namespace pelt::tools

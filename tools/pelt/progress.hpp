@@ -1,0 +1,26 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+
+namespace pelt::tools {
+
+/// A bar on standard error while something long runs; silent where that is no terminal.
+class Progress {
+ public:
+  explicit Progress(std::size_t total);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();  ///< wipes the bar away
+
+  void advance();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool visible_;
+  std::size_t done_ = 0, total_;
+  Clock::time_point next_drawing_;
+};
+
+}  // namespace pelt::tools

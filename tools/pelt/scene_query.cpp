@@ -1,0 +1,58 @@
+#include "tools/pelt/scene_query.hpp"
+
+#include "asset/message.hpp"
+
+namespace pelt::tools {
+
+void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
+                     Palettes& palettes) {
+  palettes.resize(scene.instances.size());
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    palettes[i].resize(scene.characters[scene.instances[i].character].asset.joints.size());
+    scenes::instance_palette(scene, i, frame, scratch, palettes[i]);
+  }
+}
+
+SceneQuery::SceneQuery(std::span<const Collider> colliders, bench::MethodKind method)
+    : colliders_(colliders), method_(bench::make_method(method)) {
+  for (const Collider& collider : colliders_) method_->add(collider.model);
+}
+
+Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
+  for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
+    const std::uint32_t instance = colliders_[c].instance;
+    const Result<void> posed = method_->set_palette(c, palettes[instance]);
+    if (!posed) {
+      return asset::prefixed("instances[" + std::to_string(instance) + "]", posed.error());
+    }
+  }
+  return {};
+}
+
+void SceneQuery::collide(const CollideOptions& options, FrameContacts& found) {
+  found.pairs.clear();
+  found.contacts.clear();
+  for (std::uint32_t a = 0; a < colliders_.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < colliders_.size(); ++b) collide_pair(a, b, options, found);
+  }
+}
+
+void SceneQuery::collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
+                              FrameContacts& found) {
+  const std::size_t begin = found.contacts.size();
+  query_work_ += method_->collide(a, b, found.contacts, options);
+  const std::size_t end = found.contacts.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    found.contacts[i].triangle_a += colliders_[a].first_triangle;
+    found.contacts[i].triangle_b += colliders_[b].first_triangle;
+  }
+  if (end > begin) found.pairs.push_back({a, b, begin, end});
+}
+
+QueryStats SceneQuery::work() const {
+  QueryStats work = query_work_;
+  work += method_->update_work();
+  return work;
+}
+
+}  // namespace pelt::tools

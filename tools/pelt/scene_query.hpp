@@ -1,0 +1,60 @@
+#pragma once
+
+/// One frame of a scene asked for its contacts: palettes sampled, bodies posed, every pair queried.
+
+#include "bench/method.hpp"
+#include "tools/pelt/colliders.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace pelt::tools {
+
+/// The joint palette of every instance at one frame.
+using Palettes = std::vector<std::vector<Matrix4>>;
+
+/// Resizes `palettes` as needed.
+void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
+                     Palettes& palettes);
+
+/// The contacts of one frame, pair after pair.
+struct FrameContacts {
+  /// Colliders a < b and their contacts: [begin, end) of `contacts`, not empty.
+  struct Pair {
+    std::uint32_t a = 0, b = 0;
+    std::size_t begin = 0, end = 0;
+  };
+
+  std::vector<Pair> pairs;        ///< those in contact, ascending
+  std::vector<Contact> contacts;  ///< triangle numbers of the two instances' models
+
+  std::span<const Contact> of(const Pair& pair) const {
+    return std::span(contacts).subspan(pair.begin, pair.end - pair.begin);
+  }
+};
+
+class SceneQuery {
+ public:
+  /// `colliders` must outlive the query.
+  SceneQuery(std::span<const Collider> colliders, bench::MethodKind method);
+
+  /// Poses all colliders. The message of an error names the instance.
+  Result<void> set_palettes(const Palettes& palettes);
+
+  /// Replaces `found` by the contacts of every pair of colliders.
+  void collide(const CollideOptions& options, FrameContacts& found);
+
+  /// The work of posing and querying so far.
+  QueryStats work() const;
+
+ private:
+  void collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
+                    FrameContacts& found);
+
+  std::span<const Collider> colliders_;
+  std::unique_ptr<bench::Method> method_;
+  QueryStats query_work_;
+};
+
+}  // namespace pelt::tools

@@ -1,0 +1,17 @@
+#pragma once
+
+/// A still picture of characters that collide, described for the ray tracer POV-Ray.
+
+#include "tools/pelt/posed_instances.hpp"
+
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+/// Smooth skins on a ground under soft light, with the triangles in contact glowing; the camera
+/// looks at the middle of the contact.
+std::string describe_still(std::span<const PosedInstance> instances,
+                           const std::vector<std::vector<bool>>& touching);
+
+}  // namespace pelt::tools

@@ -1,0 +1,38 @@
+#pragma once
+
+/// Small pieces of text: numbers read and shown, and the words of an error.
+
+#include <pelt/result.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelt::tools {
+
+/// An error in the form that the command prints: "--frames: what is wrong: what to do".
+inline Error bad_argument(const std::string& argument, const std::string& problem,
+                          const std::string& remedy) {
+  return {ErrorCode::invalid_argument, argument + ": " + problem + ": " + remedy};
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// Whether all of `text` is one number, which is then in `value`; else `value` is as it was.
+bool parse_whole(std::string_view text, std::uint32_t& value);
+bool parse_number(std::string_view text, double& value);
+
+/// "53,512"
+std::string with_commas(std::uint64_t value);
+
+/// printf's %.*f
+std::string fixed(double value, int decimals);
+
+/// "0123456789abcdef"
+std::string hex16(std::uint64_t value);
+
+/// "1 frame", "2 frames"
+std::string counted(std::uint64_t count, const char* noun);
+
+}  // namespace pelt::tools
