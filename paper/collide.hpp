@@ -4,7 +4,7 @@
 /// together; where two spheres overlap, the children of the larger one are tested against the
 /// other, down to pairs of leaves, whose triangles are tested exactly.
 ///
-/// A side answers three questions: `tree()`, `sphere(node)` and `triangle(t)`. The paper's method
+/// A side answers three questions: `tree()`, `sphere(node)` and `corners(leaf)`. The paper's method
 /// refits inside `sphere(node)`, that is, just prior to the sphere test; its rivals look it up.
 
 #include "base/scratch.hpp"
@@ -27,50 +27,68 @@ class Descent {
 
   /// Appends contacts until all are found or `max_contacts` of them.
   QueryStats run() {
-    stack_.clear();
-    visit(0, 0);
-    while (!stack_.empty() && left_ > 0) {
-      const auto [node_a, node_b] = stack_.back();
-      stack_.pop_back();
+    ++stats_.node_pairs;
+    make_room(1);
+    stack_[0] = {0, 0};
+    waiting_ = balls_meet(a_.sphere(0), b_.sphere(0));
+    while (waiting_ > 0 && left_ > 0) {
+      const auto [node_a, node_b] = stack_[--waiting_];
       open(node_a, node_b);
     }
-    stats_.cut_short = !stack_.empty();
+    stats_.cut_short = waiting_ > 0;
     return stats_;
   }
 
  private:
-  /// Keeps a pair of nodes for later if their spheres overlap.
-  void visit(std::uint32_t node_a, std::uint32_t node_b) {
-    ++stats_.node_pairs;
-    if (balls_meet(a_.sphere(node_a), b_.sphere(node_b))) stack_.emplace_back(node_a, node_b);
-  }
+  using NodePair = std::pair<std::uint32_t, std::uint32_t>;
 
   void open(std::uint32_t node_a, std::uint32_t node_b) {
     const Node& a = a_.tree().nodes[node_a];
     const Node& b = b_.tree().nodes[node_b];
     if (a.is_leaf() && b.is_leaf()) {
-      test_triangles(a_.tree().triangle_of_leaf(a), b_.tree().triangle_of_leaf(b));
+      test_triangles(a, b);
     } else if (b.is_leaf() || (!a.is_leaf() && larger_is_a(node_a, node_b))) {
-      for (std::uint32_t c = 0; c < a.child_count; ++c) visit(a.first_child + c, node_b);
+      test_children(a_, a, b_.sphere(node_b),
+                    [&](std::uint32_t child) { return NodePair(child, node_b); });
     } else {
-      for (std::uint32_t c = 0; c < b.child_count; ++c) visit(node_a, b.first_child + c);
+      test_children(b_, b, a_.sphere(node_a),
+                    [&](std::uint32_t child) { return NodePair(node_a, child); });
     }
+  }
+
+  /// Keeps the pairs whose spheres overlap for later. Every pair is written and only the
+  /// overlapping ones are counted: whether they overlap is nothing that a processor could foretell.
+  template <class Side, class MakePair>
+  void test_children(Side& side, const Node& parent, const Float4& other, MakePair make_pair) {
+    stats_.node_pairs += parent.child_count;
+    make_room(parent.child_count);
+    const std::uint32_t end = parent.first_child + parent.child_count;
+    for (std::uint32_t child = parent.first_child; child < end; ++child) {
+      stack_[waiting_] = make_pair(child);
+      waiting_ += balls_meet(side.sphere(child), other);
+    }
+  }
+
+  void make_room(std::size_t count) {
+    if (stack_.size() < waiting_ + count) stack_.resize(2 * (waiting_ + count));
   }
 
   bool larger_is_a(std::uint32_t node_a, std::uint32_t node_b) {
     return a_.sphere(node_a)[3] >= b_.sphere(node_b)[3];
   }
 
-  void test_triangles(std::uint32_t triangle_a, std::uint32_t triangle_b) {
+  void test_triangles(const Node& leaf_a, const Node& leaf_b) {
     ++stats_.triangle_pairs;
-    if (!detail::triangles_intersect(a_.triangle(triangle_a), b_.triangle(triangle_b))) return;
-    contacts_.push_back(Contact{triangle_a, triangle_b});
+    if (!detail::triangles_intersect(a_.corners(leaf_a), b_.corners(leaf_b))) return;
+    contacts_.push_back(
+        Contact{a_.tree().triangle_of_leaf(leaf_a), b_.tree().triangle_of_leaf(leaf_b)});
     --left_;
   }
 
   SideA& a_;
   SideB& b_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>& stack_;
+  std::vector<NodePair>& stack_;
+  std::size_t waiting_ = 0;  // pairs on the stack
   std::vector<Contact>& contacts_;
   std::uint32_t left_;
   QueryStats stats_;

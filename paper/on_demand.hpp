@@ -16,7 +16,7 @@ SphereModel build_sphere_model(const SkinnedMesh& mesh, BoundKind kind = BoundKi
 class OnDemandBody {
  public:
   OnDemandBody(const SkinnedMesh& mesh, const SphereModel& model)
-      : model_(model), refit_(model, mesh.joint_count), triangles_(mesh) {}
+      : model_(model), refit_(model, mesh.joint_count), triangles_(mesh, model.tree) {}
 
   /// The palette has changed.
   void invalidate() {
@@ -31,7 +31,9 @@ class OnDemandBody {
 
     const SphereTree& tree() const { return body_.model_.tree; }
     Float4 sphere(std::uint32_t node) { return body_.refit_.sphere(node, palette_); }
-    TriangleCorners triangle(std::uint32_t t) { return body_.triangles_.corners(t, palette_); }
+    const TriangleCorners& corners(const Node& leaf) {
+      return body_.triangles_.corners(leaf, palette_);
+    }
 
    private:
     OnDemandBody& body_;

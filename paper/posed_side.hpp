@@ -19,8 +19,8 @@ class PosedSide {
 
   const SphereTree& tree() const { return tree_; }
   Float4 sphere(std::uint32_t node) const { return spheres_[node]; }
-  TriangleCorners triangle(std::uint32_t t) const {
-    const Triangle& v = triangles_[t];
+  TriangleCorners corners(const Node& leaf) const {
+    const Triangle& v = triangles_[tree_.triangle_of_leaf(leaf)];
     return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
   }
 

@@ -4,12 +4,16 @@
 
 namespace pelt::paper {
 
-PosedTriangles::PosedTriangles(const SkinnedMesh& mesh)
-    : mesh_(&mesh), vertex_stamp_(mesh.vertex_count(), 0), positions_(mesh.vertex_count()) {}
+PosedTriangles::PosedTriangles(const SkinnedMesh& mesh, const SphereTree& tree)
+    : mesh_(&mesh),
+      tree_(&tree),
+      vertices_(mesh.vertex_count()),
+      triangles_(mesh.triangle_count()) {}
 
 void PosedTriangles::invalidate() {
   if (++stamp_ != 0) return;
-  std::fill(vertex_stamp_.begin(), vertex_stamp_.end(), 0);
+  for (auto& vertex : vertices_) vertex.stamp = 0;
+  for (auto& triangle : triangles_) triangle.stamp = 0;
   stamp_ = 1;
 }
 

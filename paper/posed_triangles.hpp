@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/triangle_pair.hpp"
+#include "paper/sphere_tree.hpp"
 #include "pose/skin.hpp"
 
 #include <vector>
@@ -8,41 +9,52 @@
 namespace pelt::paper {
 
 using detail::Palette;
-using detail::SkinnedMesh;
 using detail::TriangleCorners;
 
-/// The posed vertices of one pose, skinned when a triangle first needs them and then kept until the
-/// palette changes.
+/// The posed triangles of one pose, in the order of a sphere tree's leaves, where triangles that
+/// are asked for together stand together. Vertices are skinned when a triangle first needs them and
+/// then, like the triangles, kept until the palette changes.
 class PosedTriangles {
  public:
-  explicit PosedTriangles(const SkinnedMesh& mesh);
+  PosedTriangles(const SkinnedMesh& mesh, const SphereTree& tree);
 
   /// The palette has changed. O(1).
   void invalidate();
 
-  TriangleCorners corners(std::uint32_t triangle, const Palette& palette) {
-    const Triangle& v = mesh_->triangles[triangle];
-    return {vertex(v[0], palette), vertex(v[1], palette), vertex(v[2], palette)};
+  const TriangleCorners& corners(const Node& leaf, const Palette& palette) {
+    Stamped<TriangleCorners>& posed = triangles_[leaf.first_triangle];
+    if (posed.stamp != stamp_) {
+      const Triangle& v = mesh_->triangles[tree_->triangle_of_leaf(leaf)];
+      posed = {{vertex(v[0], palette), vertex(v[1], palette), vertex(v[2], palette)}, stamp_};
+    }
+    return posed.value;
   }
 
   /// Vertices skinned so far.
   std::uint64_t posed_vertices() const { return posed_vertices_; }
 
  private:
+  template <typename T>
+  struct Stamped {
+    T value;
+    std::uint32_t stamp = 0;
+  };
+
   const Vec3& vertex(std::uint32_t v, const Palette& palette) {
-    if (vertex_stamp_[v] != stamp_) {
-      vertex_stamp_[v] = stamp_;
-      positions_[v] = detail::posed_vertex(*mesh_, palette, v);
+    Stamped<Vec3>& posed = vertices_[v];
+    if (posed.stamp != stamp_) {
+      posed = {detail::posed_vertex(*mesh_, palette, v), stamp_};
       ++posed_vertices_;
     }
-    return positions_[v];
+    return posed.value;
   }
 
   const SkinnedMesh* mesh_;
+  const SphereTree* tree_;
   std::uint64_t posed_vertices_ = 0;
   std::uint32_t stamp_ = 1;
-  std::vector<std::uint32_t> vertex_stamp_;
-  std::vector<Vec3> positions_;
+  std::vector<Stamped<Vec3>> vertices_;              // [V]
+  std::vector<Stamped<TriangleCorners>> triangles_;  // [T], in the order of the leaves
 };
 
 }  // namespace pelt::paper

@@ -42,6 +42,37 @@ double largest_row_sum(const Symmetric3& g) {
 
 double largest_diagonal(const Symmetric3& g) { return std::max({g[0][0], g[1][1], g[2][2]}); }
 
+/// R_a = sum_j r_aj S_j for each of a joint set's corners; returns the end of `r`. The number of
+/// joints is a constant where it is small, as it mostly is.
+template <std::uint32_t Joints>
+Float4* blend(const Float4* s, std::uint32_t joint_count, const float* weight,
+              std::uint32_t corner_count, Float4* r) {
+  const std::uint32_t n = Joints > 0 ? Joints : joint_count;
+  for (Float4* const end = r + corner_count; r < end; ++r, weight += n) {
+    Float4 blended = weight[0] * s[0];
+    for (std::uint32_t j = 1; j < n; ++j) blended = blended + weight[j] * s[j];
+    *r = blended;
+  }
+  return r;
+}
+
+Float4* blend_set(std::span<const Float4> s, const float* weight, std::uint32_t corner_count,
+                  Float4* r) {
+  const auto n = static_cast<std::uint32_t>(s.size());
+  switch (n) {
+    case 1:
+      return blend<1>(s.data(), n, weight, corner_count, r);
+    case 2:
+      return blend<2>(s.data(), n, weight, corner_count, r);
+    case 3:
+      return blend<3>(s.data(), n, weight, corner_count, r);
+    case 4:
+      return blend<4>(s.data(), n, weight, corner_count, r);
+    default:
+      return blend<0>(s.data(), n, weight, corner_count, r);
+  }
+}
+
 }  // namespace
 
 float stretch_bound(const Matrix4& joint) {
@@ -66,6 +97,7 @@ Refit::Refit(const SphereModel& model, std::uint32_t joint_count)
       joints_(joint_count),
       node_stamp_(model.tree.nodes.size(), 0),
       spheres_(model.tree.nodes.size()),
+      joint_spheres_(model.bounds.max_joints),
       corner_spheres_(model.bounds.max_corners) {}
 
 void Refit::invalidate() {
@@ -86,39 +118,37 @@ void Refit::take_palette(const Palette& palette) {
   palette_stamp_ = stamp_;
 }
 
-/// Eq. 5: the spheres S_j = C_j S of each joint set, blended by each of its corners. Returns m.
-std::uint32_t Refit::blend_corners(std::uint32_t node) {
+/// Eq. 5: the spheres S_j = C_j S of each joint set, blended by each of its corners.
+std::span<const Float4> Refit::blend_corners(std::uint32_t node) {
   const WeightBounds& bounds = model_->bounds;
   const Vec3& c = model_->tree.nodes[node].rest.centre;
-  const Float4 x = Float4(c.x), y = Float4(c.y), z = Float4(c.z);
-  Float4* out = corner_spheres_.data();
+  const Float4 x(c.x), y(c.y), z(c.z);
+  Float4* const s = joint_spheres_.data();
+  Float4* r = corner_spheres_.data();
   for (const JointSet& set : bounds.sets_of(node)) {
     const std::uint16_t* joint = bounds.joints.data() + set.first_joint;
-    const float* corner = bounds.corners.data() + set.first_corner;
-    for (std::uint32_t a = 0; a < set.corner_count; ++a) out[a] = Float4(0);
     for (std::uint32_t j = 0; j < set.joint_count; ++j) {
       const Float4* column = joints_[joint[j]].columns;
-      const Float4 s = (x * column[0] + z * column[2]) + (y * column[1] + column[3]);
-      for (std::uint32_t a = 0; a < set.corner_count; ++a)
-        out[a] = out[a] + corner[a * set.joint_count + j] * s;
+      s[j] = (x * column[0] + z * column[2]) + (y * column[1] + column[3]);
     }
-    out += set.corner_count;
+    r = blend_set({s, set.joint_count}, bounds.corners.data() + set.first_corner, set.corner_count,
+                  r);
   }
-  return static_cast<std::uint32_t>(out - corner_spheres_.data());
+  return {corner_spheres_.data(), r};
 }
 
 /// The paper's approximate enclosing sphere: around the average of the corner spheres' centres.
 void Refit::refit(std::uint32_t node, const Palette& palette) {
   if (palette_stamp_ != stamp_) take_palette(palette);
-  const std::uint32_t count = blend_corners(node);
-  Float4 sum = corner_spheres_[0];
-  for (std::uint32_t a = 1; a < count; ++a) sum = sum + corner_spheres_[a];
-  const Float4 centre = (1 / static_cast<float>(count)) * sum;
+  const std::span<const Float4> corners = blend_corners(node);
+  Float4 sum = corners[0];
+  for (const Float4& r : corners.subspan(1)) sum = sum + r;
+  const Float4 centre = (1 / static_cast<float>(corners.size())) * sum;
 
   float squared_reach = 0, stretch = 0;
-  for (std::uint32_t a = 0; a < count; ++a) {
-    squared_reach = std::max(squared_reach, squared_distance(corner_spheres_[a], centre));
-    stretch = std::max(stretch, corner_spheres_[a][3]);
+  for (const Float4& r : corners) {
+    squared_reach = std::max(squared_reach, squared_distance(r, centre));
+    stretch = std::max(stretch, r[3]);
   }
   const float rest_radius = model_->tree.nodes[node].rest.radius;
   spheres_[node] = make_ball(centre, std::sqrt(squared_reach) + rest_radius * stretch + margin_);

@@ -59,11 +59,11 @@ class Refit {
  private:
   void refit(std::uint32_t node, const Palette& palette);
   void take_palette(const Palette& palette);
-  std::uint32_t blend_corners(std::uint32_t node);
+  std::span<const Float4> blend_corners(std::uint32_t node);
 
   /// A joint matrix with the stretch bound in its last row, so that one product gives C_j c and
   /// s_j.
-  struct Joint {
+  struct alignas(64) Joint {
     Float4 columns[4];
   };
 
@@ -74,6 +74,7 @@ class Refit {
   std::uint32_t stamp_ = 1, palette_stamp_ = 0;
   std::vector<std::uint32_t> node_stamp_;
   std::vector<Float4> spheres_;
+  std::vector<Float4> joint_spheres_;   // S_1 ... S_n of the joint set at hand; lane 3: radius / r
   std::vector<Float4> corner_spheres_;  // R_1 ... R_m of the node at hand; lane 3: radius / r
 };
 
