@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string_view>
 
 namespace pelt::detail {
@@ -22,7 +23,7 @@ TEST(Fnv1a64, PublishedValues) {
 TEST(Fnv1a64, NumbersAreLittleEndian) {
   Fnv1a64 by_number, by_bytes;
   by_number.add_u32(0x04030201);
-  for (const std::uint8_t byte : {1, 2, 3, 4}) by_bytes.add_byte(byte);
+  by_bytes.add_bytes(std::as_bytes(std::span("\1\2\3\4", 4)));
   EXPECT_EQ(by_number.value(), by_bytes.value());
 }
 
