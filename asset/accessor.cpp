@@ -1,6 +1,6 @@
-#include <asset/accessor.hpp>
-#include <asset/little_endian.hpp>
-#include <asset/message.hpp>
+#include "asset/accessor.hpp"
+#include "asset/little_endian.hpp"
+#include "asset/message.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <asset/buffers.hpp>
+#include "asset/buffers.hpp"
 
 namespace pelt::asset {
 

@@ -1,6 +1,6 @@
 #include <pelt/asset.hpp>
 
-#include <base/assert.hpp>
+#include "base/assert.hpp"
 
 #include <algorithm>
 

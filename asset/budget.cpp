@@ -1,5 +1,5 @@
-#include <asset/budget.hpp>
-#include <asset/message.hpp>
+#include "asset/budget.hpp"
+#include "asset/message.hpp"
 
 #include <algorithm>
 

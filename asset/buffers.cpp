@@ -1,8 +1,8 @@
-#include <asset/buffers.hpp>
-#include <asset/file_bytes.hpp>
-#include <asset/meshopt.hpp>
-#include <asset/message.hpp>
-#include <asset/uri.hpp>
+#include "asset/buffers.hpp"
+#include "asset/file_bytes.hpp"
+#include "asset/meshopt.hpp"
+#include "asset/message.hpp"
+#include "asset/uri.hpp"
 
 namespace pelt::asset {
 

@@ -1,6 +1,6 @@
-#include <asset/clip_reader.hpp>
-#include <asset/message.hpp>
-#include <asset/transform.hpp>
+#include "asset/clip_reader.hpp"
+#include "asset/message.hpp"
+#include "asset/transform.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <asset/accessor.hpp>
-#include <asset/node_graph.hpp>
+#include "asset/accessor.hpp"
+#include "asset/node_graph.hpp"
 
 namespace pelt::asset {
 

@@ -1,6 +1,6 @@
-#include <asset/container.hpp>
-#include <asset/little_endian.hpp>
-#include <asset/message.hpp>
+#include "asset/container.hpp"
+#include "asset/little_endian.hpp"
+#include "asset/message.hpp"
 
 namespace pelt::asset {
 

@@ -1,7 +1,7 @@
-#include <asset/document.hpp>
-#include <asset/json_object.hpp>
-#include <asset/message.hpp>
-#include <asset/transform.hpp>
+#include "asset/document.hpp"
+#include "asset/json_object.hpp"
+#include "asset/message.hpp"
+#include "asset/transform.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include <asset/file_bytes.hpp>
+#include "asset/file_bytes.hpp"
 
 #include <fstream>
 #include <string>

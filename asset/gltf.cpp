@@ -1,8 +1,8 @@
-#include <asset/clip_reader.hpp>
-#include <asset/container.hpp>
-#include <asset/file_bytes.hpp>
-#include <asset/mesh_merge.hpp>
-#include <asset/message.hpp>
+#include "asset/clip_reader.hpp"
+#include "asset/container.hpp"
+#include "asset/file_bytes.hpp"
+#include "asset/mesh_merge.hpp"
+#include "asset/message.hpp"
 
 namespace pelt::asset {
 

@@ -1,6 +1,6 @@
-#include <asset/joint_table.hpp>
-#include <asset/message.hpp>
-#include <asset/transform.hpp>
+#include "asset/joint_table.hpp"
+#include "asset/message.hpp"
+#include "asset/transform.hpp"
 
 #include <algorithm>
 #include <bit>

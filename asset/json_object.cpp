@@ -1,5 +1,5 @@
-#include <asset/json_object.hpp>
-#include <asset/message.hpp>
+#include "asset/json_object.hpp"
+#include "asset/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +19,9 @@ const json& empty_object() {
 
 std::optional<std::uint64_t> whole_number(const json& value) {
   if (value.is_number_unsigned()) return value.get<std::uint64_t>();
+  if (value.is_number_integer() && value.get<std::int64_t>() >= 0) {
+    return static_cast<std::uint64_t>(value.get<std::int64_t>());
+  }
   if (!value.is_number_float()) return std::nullopt;
   constexpr double kLargest = 9007199254740992;  // 2^53, above which doubles skip whole numbers
   const double number = value.get<double>();

@@ -1,8 +1,8 @@
-#include <asset/joint_table.hpp>
-#include <asset/mesh_merge.hpp>
-#include <asset/message.hpp>
-#include <asset/node_choice.hpp>
-#include <asset/primitive.hpp>
+#include "asset/mesh_merge.hpp"
+#include "asset/joint_table.hpp"
+#include "asset/message.hpp"
+#include "asset/node_choice.hpp"
+#include "asset/primitive.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include <asset/little_endian.hpp>
-#include <asset/meshopt.hpp>
-#include <asset/message.hpp>
+#include "asset/meshopt.hpp"
+#include "asset/little_endian.hpp"
+#include "asset/message.hpp"
 
 #include <meshoptimizer.h>
 

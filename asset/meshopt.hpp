@@ -1,7 +1,7 @@
 #pragma once
 
-#include <asset/budget.hpp>
-#include <asset/document.hpp>
+#include "asset/budget.hpp"
+#include "asset/document.hpp"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include <asset/message.hpp>
+#include "asset/message.hpp"
 
 namespace pelt::asset {
 

@@ -1,5 +1,5 @@
-#include <asset/message.hpp>
-#include <asset/node_choice.hpp>
+#include "asset/node_choice.hpp"
+#include "asset/message.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <asset/node_graph.hpp>
+#include "asset/node_graph.hpp"
 
 namespace pelt::asset {
 

@@ -1,5 +1,5 @@
-#include <asset/message.hpp>
-#include <asset/node_graph.hpp>
+#include "asset/node_graph.hpp"
+#include "asset/message.hpp"
 
 namespace pelt::asset {
 

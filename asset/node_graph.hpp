@@ -1,6 +1,6 @@
 #pragma once
 
-#include <asset/document.hpp>
+#include "asset/document.hpp"
 
 namespace pelt::asset {
 

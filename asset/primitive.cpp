@@ -1,5 +1,5 @@
-#include <asset/message.hpp>
-#include <asset/primitive.hpp>
+#include "asset/primitive.hpp"
+#include "asset/message.hpp"
 
 #include <cmath>
 #include <numeric>

@@ -2,7 +2,7 @@
 
 /// What a primitive's accessors say, each list checked by itself and against the others.
 
-#include <asset/accessor.hpp>
+#include "asset/accessor.hpp"
 
 namespace pelt::asset {
 

@@ -1,4 +1,4 @@
-#include <asset/transform.hpp>
+#include "asset/transform.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
-#include <asset/message.hpp>
-#include <asset/uri.hpp>
+#include "asset/uri.hpp"
+#include "asset/message.hpp"
 
 #include <algorithm>
 #include <optional>
