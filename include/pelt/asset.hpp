@@ -63,8 +63,8 @@ struct Channel {
 };
 
 struct Clip {
-  std::string name;     ///< may be empty
-  float duration = 0;   ///< seconds; time of the last key of any channel, may be 0
+  std::string name;    ///< may be empty
+  float duration = 0;  ///< seconds; time of the last key of any channel, may be 0
   std::vector<Channel> channels;
 };
 
@@ -73,16 +73,16 @@ struct Clip {
 /// Triangles are numbered in scene order (nodes depth-first, primitives in order, degenerate ones
 /// kept).
 struct Asset {
-  std::vector<Vec3> rest_positions;        // [V]
-  std::vector<Triangle> triangles;         // [T]
-  std::uint32_t influences_per_vertex = 1; // K
-  std::vector<std::uint16_t> joint_indices;// [V][K], into `joints`
-  std::vector<float> weights;              // [V][K]
-  std::vector<Joint> joints;               // [J]
-  std::vector<Node> nodes;                 // parents first
-  std::vector<Part> parts;                 // in order of first_triangle, covering all triangles
+  std::vector<Vec3> rest_positions;          // [V]
+  std::vector<Triangle> triangles;           // [T]
+  std::uint32_t influences_per_vertex = 1;   // K
+  std::vector<std::uint16_t> joint_indices;  // [V][K], into `joints`
+  std::vector<float> weights;                // [V][K]
+  std::vector<Joint> joints;                 // [J]
+  std::vector<Node> nodes;                   // parents first
+  std::vector<Part> parts;                   // in order of first_triangle, covering all triangles
   std::vector<Clip> clips;
-  std::vector<std::string> warnings;       // what the file has and Pelt passed over
+  std::vector<std::string> warnings;  // what the file has and Pelt passed over
 
   /// For `build_model`; borrows from this asset.
   SkinnedMeshView mesh() const;
@@ -98,13 +98,20 @@ struct Asset {
 };
 
 struct GltfOptions {
-  bool unskinned_parts = true;             ///< take along unskinned meshes (weapons, armour)
-  std::vector<std::string> exclude_nodes;  ///< names of mesh nodes to leave out, with their children
+  /// Take along unskinned meshes (weapons, armour).
+  bool unskinned_parts = true;
+  /// Names of mesh nodes to leave out, with their children; a name that no node has is refused.
+  std::vector<std::string> exclude_nodes;
 };
 
 /// Reads a glTF 2.0 file, .glb or .gltf with external files (searched beside it, never outside its
 /// folder) and data URIs. The file is treated as hostile: every range is checked before it is
 /// used or allocated, and the message names the accessor, node or extension that is wrong.
+///
+/// Rotations are scaled to length 1 (files round them) and refused when their squared length is
+/// further than 1/16 from 1. Weights stay as they are in the file: `build_model` judges them. No
+/// file takes more than 256 times its size in memory, 16 MiB aside: instances beyond that are
+/// refused.
 Result<Asset> load_gltf(const std::filesystem::path& path, const GltfOptions& options = {});
 
 /// The same from memory. `folder` is where external files are looked for; empty: there are none.
