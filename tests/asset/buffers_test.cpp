@@ -1,0 +1,123 @@
+#include "asset/buffers.hpp"
+
+#include "support/gltf_builder.hpp"
+
+#include <fstream>
+
+namespace pelt::asset {
+namespace {
+
+namespace fs = std::filesystem;
+using test::GltfBuilder;
+using test::refused;
+
+/// A folder with a .gltf and its buffer beside it.
+class BesideFiles : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_ / "data"); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::vector<std::byte>& bytes) const {
+    std::ofstream stream(folder_ / name, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(bytes.data()),
+                 static_cast<std::streamsize>(bytes.size()));
+  }
+
+  Result<Asset> load(const std::string& uri) const {
+    write("model.gltf", test::paper_strip().gltf(uri));
+    return load_gltf(folder_ / "model.gltf");
+  }
+
+  fs::path folder_ = fs::path(::testing::TempDir()) /
+                     (std::string("pelt-buffers-") +
+                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(BesideFiles, AreRead) {
+  write("data/the bytes.bin", test::paper_strip().binary);
+  const Result<Asset> asset = load("data/the%20bytes.bin");
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(asset->rest_positions, test::paper_strip().load()->rest_positions);
+}
+
+TEST_F(BesideFiles, AreNamedWhenTheyAreMissing) {
+  const Result<Asset> asset = load("none.bin");
+  EXPECT_TRUE(refused(asset, {"model.gltf", "accessor 1", "buffer 0", "none.bin", "no such file"}));
+  EXPECT_EQ(asset.error().code, ErrorCode::unreadable_file);
+}
+
+TEST_F(BesideFiles, MustHaveTheBytesThatTheFileSays) {
+  write("short.bin", std::vector<std::byte>(10));
+  EXPECT_TRUE(refused(load("short.bin"), {"buffer 0", "byteLength", "only 10 bytes"}));
+}
+
+TEST_F(BesideFiles, MustBeRegularFiles) {
+  EXPECT_TRUE(refused(load("data"), {"is not a regular file"}));
+}
+
+TEST_F(BesideFiles, MayNotLieOutside) {
+  EXPECT_TRUE(refused(load("../model.bin"), {"buffer 0", "\"../model.bin\""}));
+}
+
+TEST_F(BesideFiles, OneFileBehindManyBuffersIsReadOnce) {
+  GltfBuilder builder = test::paper_strip();
+  write("model.bin", builder.binary);
+  for (std::size_t i = 0; i < builder.document["bufferViews"].size(); ++i) {
+    builder.document["bufferViews"][i]["buffer"] = i;
+    builder.add("buffers", {{"byteLength", builder.binary.size()}, {"uri", "model.bin"}});
+  }
+  const std::string text = builder.document.dump();
+  const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+  const Result<Asset> asset = load_gltf(std::span(bytes, text.size()), folder_);
+  EXPECT_TRUE(asset) << asset.error().message;
+}
+
+TEST(LoadGltf, NamesAFileThatIsMissing) {
+  const Result<Asset> asset = load_gltf(fs::path("no/such/model.glb"));
+  EXPECT_TRUE(refused(asset, {"no/such/model.glb", "there is no such file"}));
+  EXPECT_EQ(asset.error().code, ErrorCode::unreadable_file);
+}
+
+TEST(LoadGltf, NamesAFolder) {
+  EXPECT_TRUE(refused(load_gltf(fs::path(".")), {"is not a regular file"}));
+}
+
+TEST(Buffers, RefusesExternalFilesWithoutAFolder) {
+  const std::vector<std::byte> file = test::paper_strip().gltf("model.bin");
+  EXPECT_TRUE(refused(load_gltf(file, {}), {"\"model.bin\"", "no folder"}));
+}
+
+TEST(Buffers, RefusesABufferWithoutBytes) {
+  GltfBuilder builder = test::stone();
+  builder.document["buffers"] = {{{"byteLength", 36}}, {{"byteLength", 36}}};
+  builder.document["bufferViews"][0]["buffer"] = 1;
+  EXPECT_TRUE(refused(builder.load(), {"buffer 1", "neither a uri nor the binary chunk"}));
+}
+
+TEST(Buffers, RefusesABinaryChunkThatIsTooShort) {
+  GltfBuilder builder = test::stone();
+  builder.document["buffers"] = {{{"byteLength", 1000}}};
+  EXPECT_TRUE(refused(builder.load(), {"buffer 0", "1000", "only 36 bytes"}));
+}
+
+TEST(Buffers, RefusesViewsBeyondTheBuffer) {
+  const std::pair<std::uint64_t, std::uint64_t> kRanges[] = {
+      {0, 37}, {37, 0}, {1, 36}, {36, 1}, {UINT64_MAX, 1}, {1, UINT64_MAX}, {8, UINT64_MAX - 7}};
+  for (const auto& range : kRanges) {
+    GltfBuilder builder = test::stone();
+    builder.document["bufferViews"][0]["byteOffset"] = range.first;
+    builder.document["bufferViews"][0]["byteLength"] = range.second;
+    EXPECT_TRUE(refused(builder.load(), {"accessor 0", "bufferView 0", "buffer 0"}))
+        << range.first << " " << range.second;
+  }
+}
+
+TEST(Buffers, NeverReadsWhatNothingUses) {
+  GltfBuilder builder = test::stone();
+  builder.document["buffers"] = {{{"byteLength", 36}}, {{"byteLength", 8}, {"uri", "gone.bin"}}};
+  builder.add("bufferViews", {{"buffer", 1}, {"byteLength", 8}});
+  EXPECT_TRUE(builder.load());
+}
+
+}  // namespace
+}  // namespace pelt::asset

@@ -1,0 +1,177 @@
+#include "asset/clip_reader.hpp"
+
+#include "support/gltf_builder.hpp"
+
+#include <limits>
+
+namespace pelt::asset {
+namespace {
+
+using test::GltfBuilder;
+using test::json;
+using test::refused;
+
+json& sampler(GltfBuilder& builder) { return builder.document["animations"][0]["samplers"][0]; }
+json& channel(GltfBuilder& builder) { return builder.document["animations"][0]["channels"][0]; }
+
+TEST(Clips, HaveTheirKeys) {
+  const Result<Asset> asset = test::paper_strip().load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  ASSERT_EQ(asset->clips.size(), 1u);
+  const Clip& clip = asset->clips[0];
+  EXPECT_EQ(clip.name, "bend");
+  EXPECT_EQ(clip.duration, 1);
+  ASSERT_EQ(clip.channels.size(), 1u);
+  const Channel& bend = clip.channels[0];
+  EXPECT_EQ(asset->nodes[bend.node].name, "upper");
+  EXPECT_EQ(bend.path, Path::rotation);
+  EXPECT_EQ(bend.interpolation, Interpolation::linear);
+  EXPECT_EQ(bend.times, (std::vector<float>{0, 1}));
+  EXPECT_EQ(bend.values, (std::vector<float>{0, 0, 0, 1, 0, 0, 0.6f, 0.8f}));
+}
+
+TEST(Clips, HaveStepsAndSplines) {
+  GltfBuilder builder = test::paper_strip();
+  sampler(builder)["interpolation"] = "STEP";
+  EXPECT_EQ(builder.load()->clips[0].channels[0].interpolation, Interpolation::step);
+  sampler(builder)["interpolation"] = "CUBICSPLINE";
+  EXPECT_TRUE(refused(builder.load(), {"animation 0 \"bend\"", "node 2 \"upper\"", "accessor 6",
+                                       "has 2 elements, must have 6"}));
+  const std::vector<float> spline = {9, 9, 9, 9, 0, 0, 0, 1, 8, 8, 8, 8,
+                                     7, 7, 7, 7, 0, 0, 1, 0, 6, 6, 6, 6};
+  sampler(builder)["output"] = builder.add_accessor(spline, "VEC4");
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(asset->clips[0].channels[0].interpolation, Interpolation::cubic_spline);
+  EXPECT_EQ(asset->clips[0].channels[0].values, spline);
+}
+
+TEST(Clips, MoveAndScaleNodes) {
+  GltfBuilder builder = test::paper_strip();
+  sampler(builder)["output"] = builder.add_accessor(std::vector<float>{1, 2, 3, 4, 5, 6}, "VEC3");
+  for (const auto& [name, path] :
+       {std::pair{"translation", Path::translation}, std::pair{"scale", Path::scale}}) {
+    channel(builder)["target"]["path"] = name;
+    const Result<Asset> asset = builder.load();
+    ASSERT_TRUE(asset) << asset.error().message;
+    EXPECT_EQ(asset->clips[0].channels[0].path, path);
+    EXPECT_EQ(asset->clips[0].channels[0].values, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  }
+}
+
+TEST(Clips, ReadQuantisedRotations) {
+  GltfBuilder builder = test::paper_strip();
+  const std::vector<std::int8_t> bytes = {0, 0, 0, 127, 0, 0, 76, 102};
+  sampler(builder)["output"] = builder.add_accessor(bytes, "VEC4", true);
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  const std::vector<float>& values = asset->clips[0].channels[0].values;
+  EXPECT_EQ(values[3], 1);
+  EXPECT_NEAR(values[6], 0.6f, 0.01f);
+  EXPECT_NEAR(values[6] * values[6] + values[7] * values[7], 1, 1e-6f);
+  channel(builder)["target"]["path"] = "translation";
+  EXPECT_FALSE(builder.load());
+}
+
+TEST(Clips, MayBeUnnamedEmptyOrWithoutLength) {
+  GltfBuilder builder = test::paper_strip();
+  builder.document["animations"][0].erase("name");
+  builder.accessor(5)["count"] = 1;
+  builder.accessor(6)["count"] = 1;
+  builder.add("animations", {{"name", "empty"}});
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(asset->find_clip(""), &asset->clips[0]);
+  EXPECT_EQ(asset->clips[0].duration, 0);
+  EXPECT_EQ(asset->clips[0].channels.size(), 1u);
+  EXPECT_EQ(asset->find_clip("empty"), &asset->clips[1]);
+  EXPECT_TRUE(asset->clips[1].channels.empty());
+}
+
+TEST(Clips, PassOverMorphWeightsButLastAsLong) {
+  GltfBuilder builder = test::paper_strip();
+  channel(builder)["target"]["path"] = "weights";
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_TRUE(asset->clips[0].channels.empty());
+  EXPECT_EQ(asset->clips[0].duration, 1);
+  ASSERT_EQ(asset->warnings.size(), 1u);
+  EXPECT_NE(asset->warnings[0].find("1 animation channels are passed over"), std::string::npos);
+}
+
+TEST(Clips, PassOverChannelsWithoutANode) {
+  GltfBuilder builder = test::paper_strip();
+  channel(builder)["target"].erase("node");
+  EXPECT_TRUE(builder.load()->clips[0].channels.empty());
+}
+
+TEST(Clips, RefuseTimesThatDoNotAscend) {
+  const float kNan = std::numeric_limits<float>::quiet_NaN();
+  const std::pair<float, const char*> kCases[] = {
+      {0, "key 1 is not later"}, {-1, "key 1 is not later"}, {kNan, "element 1 is NaN"}};
+  for (const auto& c : kCases) {
+    GltfBuilder builder = test::paper_strip();
+    builder.set_value<float>(5, 1, c.first);
+    EXPECT_TRUE(refused(builder.load(), {"animation 0 \"bend\"", "accessor 5", c.second}));
+  }
+  GltfBuilder builder = test::paper_strip();
+  builder.set_value<float>(5, 0, -1);
+  EXPECT_TRUE(refused(builder.load(), {"accessor 5", "the first is negative"}));
+}
+
+TEST(Clips, RefuseSamplersWithoutKeys) {
+  GltfBuilder builder = test::paper_strip();
+  builder.accessor(5)["count"] = 0;
+  EXPECT_TRUE(refused(builder.load(), {"accessor 5", "there are none"}));
+}
+
+TEST(Clips, RefuseAnotherNumberOfValues) {
+  GltfBuilder builder = test::paper_strip();
+  builder.accessor(6)["count"] = 1;
+  EXPECT_TRUE(refused(builder.load(), {"accessor 6", "has 1 elements, must have 2"}));
+}
+
+TEST(Clips, RefuseRotationsThatAreNone) {
+  GltfBuilder builder = test::paper_strip();
+  builder.set_value<float>(6, 7, 0);
+  EXPECT_TRUE(refused(builder.load(), {"accessor 6", "key 1 is no unit quaternion"}));
+}
+
+TEST(Clips, RefuseTwoChannelsForOneProperty) {
+  GltfBuilder builder = test::paper_strip();
+  builder.document["animations"][0]["channels"].push_back(json(channel(builder)));
+  EXPECT_TRUE(refused(builder.load(), {"node 2 \"upper\"", "two channels"}));
+}
+
+TEST(Clips, RefuseToMoveANodeThatHasAMatrix) {
+  GltfBuilder builder = test::paper_strip();
+  builder.document["nodes"][2]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  EXPECT_TRUE(refused(builder.load(), {"animation 0 \"bend\"", "node 2 \"upper\"", "matrix"}));
+}
+
+TEST(Clips, RefuseKeysOutOfProportion) {
+  constexpr std::size_t kKeys = 20000, kChannels = 1000;
+  GltfBuilder builder = test::paper_strip();
+  std::vector<float> times(kKeys), values(4 * kKeys);
+  for (std::size_t i = 0; i < kKeys; ++i) {
+    times[i] = static_cast<float>(i);
+    values[4 * i + 3] = 1;
+  }
+  sampler(builder)["input"] = builder.add_accessor(times, "SCALAR");
+  sampler(builder)["output"] = builder.add_accessor(values, "VEC4");
+  json channels = json::array(), nodes = builder.document["nodes"];
+  for (std::size_t i = 0; i < kChannels; ++i) {
+    channels.push_back(
+        {{"sampler", 0}, {"target", {{"node", nodes.size()}, {"path", "rotation"}}}});
+    nodes.push_back(json::object());
+  }
+  for (int i = 0; i < 20; ++i) {
+    builder.add("animations", {{"channels", channels},
+                               {"samplers", builder.document["animations"][0]["samplers"]}});
+  }
+  builder.document["nodes"] = nodes;
+  EXPECT_TRUE(refused(builder.load(), {"accessor ", "keys", "out of proportion"}));
+}
+
+}  // namespace
+}  // namespace pelt::asset

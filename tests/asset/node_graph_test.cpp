@@ -1,0 +1,149 @@
+#include "asset/node_graph.hpp"
+
+#include "support/gltf_builder.hpp"
+
+namespace pelt::asset {
+namespace {
+
+using test::GltfBuilder;
+using test::json;
+using test::refused;
+
+/// A stone's document with these nodes besides the stone; node 0 stays "stone".
+GltfBuilder stone_with_nodes(const std::vector<json>& nodes, const json& roots) {
+  GltfBuilder builder = test::stone();
+  for (const json& node : nodes) builder.add("nodes", node);
+  builder.document["scenes"][0]["nodes"] = roots;
+  return builder;
+}
+
+std::vector<std::string> node_names(const Asset& asset) {
+  std::vector<std::string> names;
+  for (const Node& node : asset.nodes) names.push_back(node.name);
+  return names;
+}
+
+std::vector<std::uint32_t> parents(const Asset& asset) {
+  std::vector<std::uint32_t> all;
+  for (const Node& node : asset.nodes) all.push_back(node.parent);
+  return all;
+}
+
+using Names = std::vector<std::string>;
+using Parents = std::vector<std::uint32_t>;
+
+TEST(NodeGraph, IsDepthFirstThroughTheSceneAndThenTheRest) {
+  const GltfBuilder builder = stone_with_nodes({{{"name", "last"}},
+                                                {{"name", "middle"}, {"children", {0, 1}}},
+                                                {{"name", "root"}, {"children", {2, 4}}},
+                                                {{"name", "leaf"}},
+                                                {{"name", "elsewhere"}, {"children", {6}}},
+                                                {{"name", "below"}}},
+                                               {3});
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(node_names(*asset),
+            (Names{"root", "middle", "stone", "last", "leaf", "elsewhere", "below"}));
+  EXPECT_EQ(parents(*asset), (Parents{kNoParent, 0, 1, 1, 0, kNoParent, 5}));
+}
+
+TEST(NodeGraph, TakesTheSceneThatTheFileNames) {
+  GltfBuilder builder = test::stone();
+  builder.add("nodes", {{"name", "other"}, {"mesh", 0}});
+  builder.add("scenes", {{"nodes", {1}}});
+  builder.document["scene"] = 1;
+  EXPECT_EQ(builder.load()->parts.front().node, "other");
+  builder.document.erase("scene");
+  EXPECT_EQ(builder.load()->parts.front().node, "stone");
+}
+
+TEST(NodeGraph, WithoutScenesShowsAllRoots) {
+  GltfBuilder builder = stone_with_nodes({{{"name", "root"}, {"children", {0}}}}, {1});
+  builder.document.erase("scenes");
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(node_names(*asset), (Names{"root", "stone"}));
+}
+
+TEST(NodeGraph, RefusesTwoParents) {
+  const GltfBuilder builder = stone_with_nodes(
+      {{{"name", "one"}, {"children", {0}}}, {{"name", "two"}, {"children", {0}}}}, {1, 2});
+  EXPECT_TRUE(refused(builder.load(), {"node 0 \"stone\"", "node 1 \"one\"", "node 2 \"two\""}));
+}
+
+TEST(NodeGraph, RefusesAChildListedTwice) {
+  const GltfBuilder builder = stone_with_nodes({{{"name", "one"}, {"children", {0, 0}}}}, {1});
+  EXPECT_TRUE(refused(builder.load(), {"node 0 \"stone\" is a child of both"}));
+}
+
+TEST(NodeGraph, RefusesCycles) {
+  EXPECT_TRUE(refused(stone_with_nodes({{{"name", "self"}, {"children", {1}}}}, {0}).load(),
+                      {"node 1 \"self\"", "cycle"}));
+  EXPECT_TRUE(
+      refused(stone_with_nodes(
+                  {{{"name", "a"}, {"children", {2}}}, {{"name", "b"}, {"children", {1}}}}, {0})
+                  .load(),
+              {"node 1 \"a\"", "cycle"}));
+  EXPECT_TRUE(
+      refused(stone_with_nodes(
+                  {{{"name", "a"}, {"children", {2}}}, {{"name", "b"}, {"children", {1}}}}, {1})
+                  .load(),
+              {"node 1 \"a\"", "root of the scene and a child"}));
+}
+
+TEST(NodeGraph, RefusesARootListedTwice) {
+  EXPECT_TRUE(refused(stone_with_nodes({}, {0, 0}).load(), {"node 0 \"stone\"", "twice"}));
+}
+
+TEST(NodeGraph, TakesAChainOfAnyLength) {
+  constexpr std::uint32_t kLength = 100000;
+  GltfBuilder builder = test::stone();
+  builder.document["nodes"][0]["children"] = {1};
+  json nodes = builder.document["nodes"];
+  for (std::uint32_t i = 1; i < kLength; ++i) nodes.push_back({{"children", {i + 1}}});
+  nodes.push_back(json::object());
+  builder.document["nodes"] = nodes;
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  ASSERT_EQ(asset->nodes.size(), kLength + 1);
+  EXPECT_EQ(asset->nodes.back().parent, kLength - 1);
+}
+
+TEST(Nodes, KeepTheirTransforms) {
+  GltfBuilder builder = test::stone();
+  json& node = builder.document["nodes"][0];
+  node["translation"] = {1, 2, 3};
+  node["rotation"] = {0, 0.6, 0, 0.8};
+  node["scale"] = {2, -1, 0};
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  const Transform& local = asset->nodes[0].local;
+  EXPECT_FALSE(asset->nodes[0].has_matrix);
+  EXPECT_EQ(local.translation, (std::array<float, 3>{1, 2, 3}));
+  EXPECT_EQ(local.rotation, (std::array<float, 4>{0, 0.6f, 0, 0.8f}));
+  EXPECT_EQ(local.scale, (std::array<float, 3>{2, -1, 0}));
+}
+
+TEST(Nodes, NormaliseARotationThatIsSlightlyOff) {
+  GltfBuilder builder = test::stone();
+  builder.document["nodes"][0]["rotation"] = {0, 0, 0, 1.02};
+  EXPECT_EQ(builder.load()->nodes[0].local.rotation, (std::array<float, 4>{0, 0, 0, 1}));
+}
+
+TEST(Nodes, KeepTheirMatrices) {
+  GltfBuilder builder = test::stone();
+  json& matrix = builder.document["nodes"][0]["matrix"];
+  matrix = {1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0, 10, 11, 12, 1};
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_TRUE(asset->nodes[0].has_matrix);
+  EXPECT_EQ(asset->nodes[0].matrix.m,
+            (std::array<float, 16>{1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0, 10, 11, 12, 1}));
+  matrix[3] = 1e-9;
+  EXPECT_EQ(builder.load()->nodes[0].matrix.m[3], 0);
+  matrix[3] = 0.5;
+  EXPECT_TRUE(refused(builder.load(), {"nodes[0].matrix", "last row"}));
+}
+
+}  // namespace
+}  // namespace pelt::asset

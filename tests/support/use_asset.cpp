@@ -1,0 +1,39 @@
+#include "support/use_asset.hpp"
+
+#include <pelt/pelt.hpp>
+
+namespace pelt::test {
+
+namespace {
+
+bool pose_at(const asset::Asset& asset, const asset::Clip* clip, float seconds, Pose& pose) {
+  asset::SampleScratch scratch;
+  std::vector<Matrix4> palette(asset.joints.size());
+  asset::sample_palette(asset, clip, seconds, Matrix4{}, scratch, palette);
+  if (!pose.set_palette(palette)) return false;
+  std::vector<Vec3> posed(asset.rest_positions.size());
+  posed_vertices(pose, posed);
+  return true;
+}
+
+}  // namespace
+
+bool use_asset(const asset::Asset& asset) {
+  constexpr std::size_t kMostTriangles = 20000;  // so that fuzzing stays quick
+  if (asset.triangles.size() > kMostTriangles) return false;
+  const Result<SkinnedModel> model = build_model(asset.mesh());
+  if (!model) return false;
+  Pose pose(*model);
+  bool accepted = pose_at(asset, nullptr, 0, pose);
+  for (const asset::Clip& clip : asset.clips) {
+    accepted &= pose_at(asset, &clip, 0, pose);
+    accepted &= pose_at(asset, &clip, clip.duration / 3, pose);
+    accepted &= pose_at(asset, &clip, clip.duration, pose);
+  }
+  for (std::uint32_t triangle = 0; triangle < asset.triangles.size(); ++triangle) {
+    accepted &= asset.part_of(triangle).triangle_count > 0;
+  }
+  return accepted;
+}
+
+}  // namespace pelt::test
