@@ -1,0 +1,148 @@
+#include "figure_drawings.hpp"
+
+#include "figures.hpp"
+#include "svg.hpp"
+
+namespace pelt::test {
+namespace {
+
+constexpr const char* kStyle = R"(
+text{font:italic 15px Georgia,serif;fill:#222;text-anchor:middle}
+.sub{font-size:11px}
+.caption{font:13px Helvetica,Arial,sans-serif;fill:#555}
+.sphere,.corner{fill:none;stroke:#333;stroke-width:1.2}
+.corner{stroke:#1c6b4a;stroke-width:1.4}
+.loose{fill:#ececf1;stroke:#8a8a9a;stroke-width:1.2}
+.tight{fill:#cfe6da;stroke:#1c6b4a;stroke-width:1.4}
+.ghost{fill:none;stroke:#b5b5c0;stroke-dasharray:4 3}
+.bone{stroke-width:5;stroke-linecap:round;stroke:#d9cdb8}
+.path{stroke:#999;stroke-width:1}
+.weights{stroke:#222;stroke-width:2.2}
+.vertex{stroke:#fff;stroke-width:1}
+)";
+
+/// Between the colours of joint 1 and joint 2, by the weight of joint 1.
+std::string colour_of(double weight) {
+  const double a[3] = {200, 80, 20}, b[3] = {30, 80, 200};
+  // The weights of the figure are all near one half: spread them.
+  const double share = std::clamp(5 * (weight - 0.5) + 0.5, 0.0, 1.0);
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x",
+                static_cast<unsigned>(share * a[0] + (1 - share) * b[0]),
+                static_cast<unsigned>(share * a[1] + (1 - share) * b[1]),
+                static_cast<unsigned>(share * a[2] + (1 - share) * b[2]));
+  return text;
+}
+
+/// The two bones: in the reference posture nearly side by side, each turned by its joint.
+void draw_bones(Svg& svg, const Figure2& figure, bool animated) {
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double side = j == 0 ? -1 : 1;
+    const Vec3d tip(side * 0.35, 1.6, 0);
+    svg.line("bone", figure.pivot, animated ? figure.joints[j](tip) : tip);
+    const Vec3d at(side * 0.75, 1.75, 0);
+    svg.label(animated ? figure.joints[j](at) : at, "j", j == 0 ? "1" : "2");
+  }
+}
+
+void draw_reference(Svg& svg, const Figure2& figure) {
+  draw_bones(svg, figure, false);
+  svg.circle("sphere", figure.sphere);
+  svg.label({1.2, -0.65, 0}, "S");
+  const Vec3d offsets[3] = {{-0.3, 0.15, 0}, {-0.5, -0.3, 0}, {0.35, 0.15, 0}};
+  const char* numbers[3] = {"1", "2", "3"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    svg.dot("vertex", figure.vertices[i], colour_of(figure.weights[i][0]));
+    svg.label(figure.vertices[i] + offsets[i], "v", numbers[i]);
+  }
+}
+
+/// The posed vertices on the parts of their lines that the weights <low, high> allow.
+void draw_posed(Svg& svg, const Figure2& figure, double low, double high) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    svg.line("path", figure.image(0, i), figure.image(1, i));
+    svg.line("weights", figure.blended(i, low), figure.blended(i, high));
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    svg.dot("vertex", figure.posed(i), colour_of(figure.weights[i][0]));
+}
+
+void label_images(Svg& svg, const Figure2& figure) {
+  const char* numbers[2] = {"j1", "j2"};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double side = j == 0 ? -1 : 1;
+    svg.label(figure.joints[j](figure.sphere.centre) + Vec3d(side * 1.35, -0.65, 0), "C",
+              numbers[j], "S");
+  }
+}
+
+}  // namespace
+
+std::string draw_figure2() {
+  const Figure2 figure;
+  Svg svg(960, 275, "Bounding volumes by equations 2 and 4", kStyle);
+  svg.place(130, 115, 42);
+  draw_reference(svg, figure);
+  svg.caption({0, -3.35, 0}, "reference posture");
+
+  svg.place(420, 115, 42);
+  draw_bones(svg, figure, true);
+  svg.hull("loose", figure.images_of_sphere());
+  for (const Ball& ball : figure.images_of_sphere()) svg.circle("sphere", ball);
+  label_images(svg, figure);
+  draw_posed(svg, figure, 0, 1);
+  svg.label({0, -2.05, 0}, "BV", "1");
+  svg.caption({0, -3.35, 0}, "any weights: enclosing radius 2.5");
+
+  svg.place(770, 115, 42);
+  draw_bones(svg, figure, true);
+  for (const Ball& ball : figure.images_of_sphere()) svg.circle("ghost", ball);
+  label_images(svg, figure);
+  svg.hull("tight", figure.corners());
+  draw_posed(svg, figure, figure.intervals()[0].low, figure.intervals()[0].high);
+  svg.label({0, -2.05, 0}, "BV", "2");
+  svg.caption({0, -3.35, 0},
+              "weights within \xe2\x9f\xa8"
+              "0.4, 0.6\xe2\x9f\xa9: enclosing radius 1.3");
+  return std::move(svg).finish();
+}
+
+std::string draw_figure3() {
+  const Figure3 figure;
+  std::vector<Ball> around = figure.corners();
+  // Counter-clockwise: the cut's two ends stand in the place of S_1.
+  std::sort(around.begin(), around.end(), [](const Ball& a, const Ball& b) {
+    const auto angle = [](const Ball& ball) {
+      const Vec3d middle(0, 0.2, 0);
+      return std::atan2(ball.centre.y - middle.y, ball.centre.x - middle.x);
+    };
+    return angle(a) < angle(b);
+  });
+  const char* numbers[4] = {"1", "2", "3", "4"};
+
+  Svg svg(960, 340, "The generalised convex hull of three spheres", kStyle);
+  svg.place(240, 190, 40);
+  svg.hull("loose", figure.spheres);
+  svg.hull("tight", around);
+  for (std::size_t j = 0; j < 3; ++j) {
+    svg.circle("sphere", figure.spheres[j]);
+    svg.label(figure.spheres[j].centre - Vec3d(0, 0.12, 0), "S", numbers[j]);
+  }
+  svg.label({2.15, 2.2, 0}, "CH", "1");
+  svg.label({0, 0, 0}, "CH", "2");
+  svg.caption({0, -2.9, 0},
+              "weight of S\xe2\x82\x81 within \xe2\x9f\xa8"
+              "0, 0.6\xe2\x9f\xa9");
+
+  svg.place(720, 190, 40);
+  svg.hull("ghost", figure.spheres);
+  svg.hull("tight", around);
+  for (std::size_t a = 0; a < around.size(); ++a) {
+    svg.circle("corner", around[a]);
+    svg.label(around[a].centre - Vec3d(0, 0.12, 0), "R", numbers[a]);
+  }
+  svg.caption({0, -2.9, 0}, "the ordinary hull of four corner spheres");
+  return std::move(svg).finish();
+}
+
+}  // namespace pelt::test
