@@ -237,7 +237,7 @@ TEST(Refit, IsTighterThanThePlainBoundAndNotFarFromTheBest) {
   const SphereModel plain = build_sphere_model(mesh, BoundKind::plain);
   for (int i = 0; i < 5; ++i) {
     const auto palette =
-        test::checked_palette(mesh, bend_limb(random, 5, random.uniform(0.1, 0.3), {}));
+        test::checked_palette(mesh, bend_limb(random, 5, random.uniform(0.15, 0.3), {}));
     const auto ours = level_statistics(optimised.tree, refitted_radii(mesh, optimised, palette));
     const auto loose = level_statistics(plain.tree, refitted_radii(mesh, plain, palette));
     const auto best = level_statistics(optimised.tree, best_radii(mesh, optimised, palette));
@@ -247,7 +247,9 @@ TEST(Refit, IsTighterThanThePlainBoundAndNotFarFromTheBest) {
       EXPECT_LE(ours[level].mean_radius, 1.02 * loose[level].mean_radius);
     }
     const auto last = ours.size() - 1;
-    EXPECT_LT(ours[last].mean_radius, 0.8 * loose[last].mean_radius);
+    EXPECT_LT(ours[last].mean_radius, loose[last].mean_radius / 3);
+    std::printf("%.3f of the plain radius at the leaves\n",
+                ours[last].mean_radius / loose[last].mean_radius);
   }
 }
 

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Checks that what docs/algorithm.md names exists.
+
+    check_algorithm.py ROOT
+
+Every `path/of/a.file` and linked picture exists; in a table row, every `name` after a path stands as
+a whole word in that file, and of `Type::name` both parts; elsewhere a `name` stands in one of the
+files that the page names.
+"""
+
+import pathlib
+import re
+import sys
+
+CODE = re.compile(r"`([^`]+)`")
+PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
+
+
+def is_path(span):
+    return "/" in span
+
+
+def missing_names(span, texts):
+    """Parts of `Type::name` that are in none of the texts."""
+    return [part for part in span.split("::")
+            if not any(re.search(rf"\b{re.escape(part)}\b", text) for text in texts)]
+
+
+def check_line(number, line, files):
+    """Faults of one line; `files` maps each path that the page names to its text."""
+    spans = CODE.findall(line)
+    paths = [span for span in spans if is_path(span) and not span.endswith("/")]
+    in_table = line.startswith("|")
+    texts = [files[p] for p in paths if p in files] if in_table else list(files.values())
+    for span in spans:
+        if not is_path(span):
+            for part in missing_names(span, texts):
+                where = ", ".join(paths) if in_table else "any file of the page"
+                yield f"{number}: `{part}` is not in {where}"
+
+
+def check(root):
+    page = root / "docs" / "algorithm.md"
+    text = page.read_text()
+    paths = {span for span in CODE.findall(text) if is_path(span)}
+    paths |= {"docs/" + picture for picture in PICTURE.findall(text)}
+    faults = [f"`{path}` does not exist" for path in sorted(paths) if not (root / path).exists()]
+    files = {path: (root / path).read_text() for path in paths if (root / path).is_file()}
+    for number, line in enumerate(text.splitlines(), 1):
+        faults += check_line(number, line, files)
+    return len(paths), faults
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    count, faults = check(pathlib.Path(sys.argv[1]))
+    print(*faults, f"{count} paths checked, {len(faults)} faults", sep="\n")
+    sys.exit(bool(faults) or count == 0)
+
+
+if __name__ == "__main__":
+    main()
