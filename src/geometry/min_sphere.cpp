@@ -28,24 +28,21 @@ struct Support {
   std::size_t count = 0;
 };
 
-struct Candidate {
+/// A sphere and those of its points that determine it.
+struct SupportedSphere {
+  Support support;
   Vec3d centre;
   double squared_radius = 0;
 };
 
-/// A sphere and those of its points that determine it.
-struct Supported {
-  Support support;
-  Candidate sphere;
-};
-
 double squared_distance(const Vec3d& a, const Vec3d& b) { return squared_length(a - b); }
 
-/// The point of the affine hull of 0, u, v that is as far from each of them.
+/// The point of the plane of 0, u and v as far from 0 as from u and v. Here and below, a divisor is
+/// zero or at least 2^-596, so that even a useless quotient is no NaN.
 std::optional<Vec3d> circumcentre(const Vec3d& u, const Vec3d& v) {
   const Vec3d normal = cross(u, v);
   const double divisor = 2 * squared_length(normal);
-  if (!(divisor > 0)) return std::nullopt;
+  if (divisor == 0) return std::nullopt;
   const Vec3d across = squared_length(u) * v - squared_length(v) * u;
   return (1 / divisor) * cross(across, normal);
 }
@@ -88,9 +85,9 @@ Support choose(const Support& s, unsigned subset) {
 }
 
 /// The minimal sphere of a support's points, the last of which is on its boundary.
-Supported min_sphere_through_last(const Support& s) {
-  Supported best;
-  best.sphere.squared_radius = std::numeric_limits<double>::infinity();
+SupportedSphere min_sphere_through_last(const Support& s) {
+  SupportedSphere best;
+  best.squared_radius = std::numeric_limits<double>::infinity();
   const unsigned last = 1u << (s.count - 1);
   for (unsigned others = 0; others < last; ++others) {
     const Support chosen = choose(s, others | last);
@@ -98,7 +95,7 @@ Supported min_sphere_through_last(const Support& s) {
     const std::optional<Vec3d> centre = circumcentre(chosen);
     if (!centre) continue;
     const double squared_radius = farthest_squared_distance(*centre, s);
-    if (squared_radius < best.sphere.squared_radius) best = {chosen, {*centre, squared_radius}};
+    if (squared_radius < best.squared_radius) best = {chosen, *centre, squared_radius};
   }
   return best;
 }
@@ -116,19 +113,19 @@ Vec3d farthest_point(const Vec3d& centre, std::span<const Vec3> points) {
 /// The centre of the minimal sphere, up to rounding. The radius grows in every round, so no support
 /// comes twice and the loop ends.
 Vec3d min_sphere_centre(std::span<const Vec3> points) {
-  Supported current;
-  current.support.points[0] = current.sphere.centre = Vec3d(points[0]);
+  SupportedSphere current;
+  current.support.points[0] = current.centre = Vec3d(points[0]);
   current.support.count = 1;
   while (true) {
-    const Vec3d pivot = farthest_point(current.sphere.centre, points);
-    if (!(squared_distance(pivot, current.sphere.centre) > current.sphere.squared_radius)) break;
+    const Vec3d pivot = farthest_point(current.centre, points);
+    if (squared_distance(pivot, current.centre) <= current.squared_radius) break;
     Support grown = current.support;
     grown.points[grown.count++] = pivot;
-    const Supported next = min_sphere_through_last(grown);
-    if (!(next.sphere.squared_radius > current.sphere.squared_radius)) break;
+    const SupportedSphere next = min_sphere_through_last(grown);
+    if (next.squared_radius <= current.squared_radius) break;
     current = next;
   }
-  return current.sphere.centre;
+  return current.centre;
 }
 
 /// The sphere around `centre`, rounded to float, that encloses all points. The last line rounds up:

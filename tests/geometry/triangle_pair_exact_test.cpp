@@ -123,11 +123,11 @@ void compare_floats(float (*coordinate)(Random&), std::uint64_t seed, int pairs,
 }
 
 TEST(TrianglePairExact, AnyFiniteBitPattern) {
-  compare_floats(any_finite_float, 7, 100'000, {0.02, 0.9, 0.0001});
+  compare_floats(any_finite_float, 7, 60'000, {0.02, 0.9, 0.0001});
 }
 
 TEST(TrianglePairExact, FewFloatsOfAllMagnitudes) {
-  compare_floats(one_of_few_floats, 8, 100'000, {0.05, 0.9, 0.01});
+  compare_floats(one_of_few_floats, 8, 60'000, {0.05, 0.9, 0.01});
 }
 
 }  // namespace

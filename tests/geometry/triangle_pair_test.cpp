@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <ostream>
+#include <string>
 
 namespace pelt::test {
 namespace {
@@ -58,6 +60,8 @@ struct NamedPair {
   const char* name;
   TriangleCorners a, b;
   bool intersect;
+
+  friend void PrintTo(const NamedPair& pair, std::ostream* out) { *out << pair.name; }
 };
 
 constexpr TriangleCorners kFlat = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
