@@ -5,6 +5,7 @@
 #include "scenes/creature/motion.hpp"
 #include "scenes/creature/polygonise.hpp"
 #include "scenes/creature/remesh.hpp"
+#include "scenes/creature/skeleton.hpp"
 #include "scenes/creature/skin_weights.hpp"
 
 #include <cmath>

@@ -17,12 +17,12 @@ struct CreatureOptions {
 
 /// The sizes of the paper's characters (Kavan & Zara 2005, table 1).
 inline constexpr CreatureOptions kDwarf = {1664, 45, 3};
-inline constexpr CreatureOptions kMan = {8270, 27, 2};
+inline constexpr CreatureOptions kMan = {8270, 27, 6};
 inline constexpr CreatureOptions kCreature = {13590, 56, 1};
 
 /// Units per second at which the ground passes under the clip "walk", which walks on the spot: give
 /// an instance this velocity along its +z and its feet do not slide.
-inline constexpr double kWalkSpeed = 0.9;
+inline constexpr double kWalkSpeed = 0.75;
 
 /// A creature 1.8 units tall, y up, facing +z, feet on y = 0, with the clips "walk" and "idle",
 /// both loops. One closed surface of exactly the triangles asked for, up to four influences a

@@ -126,7 +126,7 @@ void Sculptor::sculpt_head() {
   cone(head_, on(-0.075, 0.215, 0.085), 0.026 * k, on(0.075, 0.215, 0.085), 0.026 * k, 0.05);
   for (double side : {1.0, -1.0}) {
     ball(head_, on(side * 0.085, 0.09, 0.04), 0.06 * k, 0.06);
-    ball(head_, on(side * 0.064, 0.165, 0.118), 0.040 * k, 0.012);
+    ball(head_, on(side * 0.064, 0.166, 0.124), 0.041 * k, 0.010);
   }
   spike(head_, on(0, 0.26, -0.06), unit({0, 1, -0.35}), 0.042 * k);
   spike(head_, on(0, 0.17, -0.14), unit({0, 0.5, -1}), 0.04 * k);
@@ -212,14 +212,14 @@ void Sculptor::sculpt_foot() {
 void Sculptor::sculpt_arm() {
   const double a = p_.arm, g = p_.girth;
   const Vec3d collar = at(chest_) + out(0.05, 0.125, 0.0);
-  const Vec3d shoulder = at(chest_) + out(0.165 * g + 0.03, 0.125, -0.01);
-  const Vec3d elbow = shoulder + 0.25 * a * unit(out(0.70, -0.70, -0.06));
-  const Vec3d wrist = elbow + 0.235 * a * unit(out(0.66, -0.72, 0.16));
+  const Vec3d shoulder = at(chest_) + out(0.165 * g + 0.038, 0.125, -0.01);
+  const Vec3d elbow = shoulder + 0.25 * a * unit(out(0.62, -0.77, -0.05));
+  const Vec3d wrist = elbow + 0.235 * a * unit(out(0.58, -0.79, 0.15));
   const std::uint32_t clavicle = side_joint("clavicle", chest_, collar);
   const std::uint32_t upper = side_joint("upper_arm", clavicle, shoulder);
   const std::uint32_t fore = side_joint("fore_arm", upper, elbow);
   hand_ = side_joint("hand", fore, wrist);
-  limb(0.06);
+  limb(0.09);
   cone(clavicle, collar, 0.07, shoulder, 0.07, 0.05);
   ball(upper, mix(shoulder, elbow, 0.08), 0.077, 0.05);
   cone(upper, shoulder, 0.068, elbow, 0.05, 0.04);
@@ -232,7 +232,7 @@ void Sculptor::sculpt_arm() {
 void Sculptor::sculpt_hand() {
   const double k = 1.15 * p_.hand;
   const Vec3d wrist = at(hand_);
-  const Vec3d along = unit(out(0.62, -0.77, 0.12));
+  const Vec3d along = unit(out(0.55, -0.82, 0.11));
   const Vec3d across = unit(Vec3d(0, 0.10, 1));
   const auto on = [&](double reach, double spread) {
     return wrist + k * (reach * along + spread * across);
@@ -284,36 +284,20 @@ void scale_to_height(BodyPlan& plan) {
   compute_bounds(plan.flesh);
 }
 
-/// Joints beyond the first twenty, in the order in which a richer skeleton gets them. The last
-/// stands alone, so that every count can be met.
-struct Addition {
-  const char* name;
-  bool on_both_sides;
-};
-constexpr Addition kAdditions[] = {
-    {"clavicle", true},  {"spine_2", false}, {"jaw", false},      {"tail_4", false},
-    {"ear_1", true},     {"thumb_1", true},  {"index_1", true},   {"middle_1", true},
-    {"little_1", true},  {"neck_2", false},  {"tail_6", false},   {"tail_2", false},
-    {"thumb_2", true},   {"index_2", true},  {"middle_2", true},  {"tail_3", false},
-    {"little_2", true},  {"tail_5", false},  {"toe_inner", true}, {"toe_middle", true},
-    {"toe_outer", true}, {"ear_2", true},    {"index_3", true},   {"middle_3", true},
-    {"little_3", true},  {"tail_7", false},  {"tail_8", false},
-};
-
 }  // namespace
 
 Proportions draw_proportions(std::uint32_t seed) {
   SplitMix64 random(seed);
   Proportions p;
-  p.leg = random.between(0.88, 1.10);
-  p.girth = random.between(0.92, 1.12);
-  p.head = random.between(0.88, 1.15);
-  p.snout = random.between(0.6, 1.3);
-  p.ear = random.between(0.7, 1.5);
-  p.arm = random.between(0.95, 1.12);
-  p.tail = random.between(0.7, 1.2);
-  p.hand = random.between(0.95, 1.2);
-  p.foot = random.between(0.95, 1.2);
+  p.leg = random.between(0.80, 1.15);
+  p.girth = random.between(0.90, 1.18);
+  p.head = random.between(0.82, 1.22);
+  p.snout = random.between(0.4, 1.5);
+  p.ear = random.between(0.6, 1.7);
+  p.arm = random.between(0.92, 1.15);
+  p.tail = random.between(0.6, 1.25);
+  p.hand = random.between(0.95, 1.25);
+  p.foot = random.between(0.92, 1.2);
   return p;
 }
 
@@ -329,29 +313,6 @@ std::uint32_t find_joint(const BodyPlan& plan, const std::string& name) {
   }
   PELT_ASSERT(false);
   return kNone;
-}
-
-std::vector<std::uint32_t> choose_joints(const BodyPlan& plan, std::uint32_t count) {
-  PELT_ASSERT(count >= kBaseJoints && count <= kPlanJoints);
-  std::vector<bool> kept(plan.joints.size(), true);
-  std::uint32_t room = count - kBaseJoints;
-  for (const Addition& addition : kAdditions) {
-    const std::string name = addition.name;
-    const std::uint32_t size = addition.on_both_sides ? 2 : 1;
-    const bool fits = size <= room;
-    if (fits) room -= size;
-    for (const std::string& n : addition.on_both_sides
-                                    ? std::vector<std::string>{name + "_l", name + "_r"}
-                                    : std::vector<std::string>{name}) {
-      kept[find_joint(plan, n)] = fits;
-    }
-  }
-  PELT_ASSERT(room == 0);
-  std::vector<std::uint32_t> stands_for(plan.joints.size());
-  for (std::uint32_t j = 0; j < plan.joints.size(); ++j) {
-    stands_for[j] = kept[j] ? j : stands_for[plan.joints[j].parent];
-  }
-  return stands_for;
 }
 
 }  // namespace pelt::scenes

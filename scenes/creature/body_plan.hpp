@@ -8,7 +8,6 @@
 
 namespace pelt::scenes {
 
-inline constexpr std::uint32_t kBaseJoints = 20;
 inline constexpr std::uint32_t kPlanJoints = 64;
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
@@ -37,10 +36,5 @@ BodyPlan make_body_plan(const Proportions& proportions);
 
 /// Index of the joint. Precondition: there is one of that name.
 std::uint32_t find_joint(const BodyPlan& plan, const std::string& name);
-
-/// A skeleton of `count` joints: for every plan joint the plan joint that stands for it, itself or
-/// its nearest ancestor that was kept. Left and right keep the same joints.
-/// Precondition: kBaseJoints <= count <= kPlanJoints.
-std::vector<std::uint32_t> choose_joints(const BodyPlan& plan, std::uint32_t count);
 
 }  // namespace pelt::scenes

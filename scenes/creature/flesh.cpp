@@ -108,7 +108,11 @@ Ball ball_around(const std::vector<Muscle>& muscles) {
 
 void compute_bounds(Flesh& flesh) {
   for (Limb& limb : flesh.limbs) {
-    for (Muscle& muscle : limb.muscles) muscle.bound = ball_around(muscle.shape);
+    PELT_ASSERT(limb.blend <= kLargestBlend);
+    for (Muscle& muscle : limb.muscles) {
+      PELT_ASSERT(muscle.blend <= kLargestBlend);
+      muscle.bound = ball_around(muscle.shape);
+    }
     limb.bound = ball_around(limb.muscles);
   }
 }

@@ -63,7 +63,7 @@ void curl_hand(const Side& side, double turns, Puppet& puppet) {
 /// The arm hangs from the shoulder, swung forwards by `swing` turns, the elbow bent by `elbow`.
 void hang_arm(const Side& side, double swing, double elbow, Puppet& puppet) {
   puppet.set("clavicle" + side.suffix, turn(kZ, -side.sign * 0.012) * turn(kX, -0.15 * swing));
-  puppet.set("upper_arm" + side.suffix, turn(kX, -0.85 * swing) * turn(kZ, -side.sign * 0.052));
+  puppet.set("upper_arm" + side.suffix, turn(kX, -0.85 * swing) * turn(kZ, -side.sign * 0.036));
   puppet.set("fore_arm" + side.suffix, turn(unit({1, side.sign * 0.5, 0}), -elbow));
   puppet.set("hand" + side.suffix, turn(kZ, -side.sign * 0.015));
   curl_hand(side, 0.045, puppet);
@@ -97,7 +97,7 @@ FootTarget walking_foot(double progress, double stride) {
     target.pitch = 0.095 + (-0.045 - 0.095) * smooth_step(t);
   }
   const double lift = std::max(0.0, target.pitch);
-  target.toe_bend = swing < 0 ? lift : lift * (1 - smooth_step(std::min(1.0, 2.5 * swing)));
+  target.toe_bend = swing < 0 ? lift : lift * (1 - smooth_step(swing));
   return target;
 }
 

@@ -43,12 +43,13 @@ Leg find_leg(const BodyPlan& plan, const std::string& side) {
           find_joint(plan, "foot" + side), find_joint(plan, "toes" + side)};
 }
 
-/// Where the ankle goes when the foot has turned about the point of the ground under its heel or
-/// under its ball.
+/// Where the ankle goes when the foot has turned about its ball, which the flat toes hold in place,
+/// or about the end of its heel on the ground.
 Vec3d ankle_place(const BodyPlan& plan, const Leg& leg, const FootTarget& target) {
   const Vec3d ankle = plan.joints[leg.foot].position;
-  Vec3d pivot = target.pitch > 0 ? plan.joints[leg.toes].position : ankle - Vec3d(0, 0, 0.06);
-  pivot.y = 0;
+  const Vec3d ball = plan.joints[leg.toes].position;
+  const Vec3d heel(ankle.x, 0, ankle.z - 0.55 * (ball.z - ankle.z));
+  const Vec3d pivot = target.pitch > 0 ? ball : heel;
   return pivot + rotate(about_x(target.pitch), ankle - pivot) + target.offset;
 }
 

@@ -3,13 +3,22 @@
 #include "base/assert.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace pelt::scenes {
 namespace {
 
-constexpr double kBlendPerThickness = 0.75;  // width of a joint's transition
-constexpr double kSiblingBlend = 0.25;       // of that between the children of a joint
+constexpr double kBlendPerThickness = 1.0;  // width of a joint's transition
+constexpr double kRounding = 0.5;           // of distances, per transition
+constexpr double kFar = 1e9;                // further than any muscle
+constexpr double kSiblingBlend = 0.35;      // of that between the children of a joint
+
+/// The smaller one, rounded off where they are nearer than `width`: a kink here would show as a
+/// crease in the posed skin.
+double smooth_min(double a, double b, double width) {
+  const double overlap = std::max(0.0, 1 - std::abs(a - b) / width);
+  return std::min(a, b) - overlap * overlap * overlap * width / 6;
+}
 
 /// 1 at 0, falling smoothly to 0 at `width`.
 double fade(double x, double width) {
@@ -64,24 +73,25 @@ SkinWeights::SkinWeights(const BodyPlan& plan, std::span<const std::uint32_t> st
 }
 
 VertexWeights SkinWeights::at(const Vec3d& point) {
-  measure_distances(point);
   const double width = kBlendPerThickness * sample_flesh(plan_.flesh, point).thickness;
+  measure_distances(point, kRounding * width);
   share_out(width);
   return four_largest(weight_);
 }
 
-void SkinWeights::measure_distances(const Vec3d& point) {
-  std::fill(own_.begin(), own_.end(), std::numeric_limits<double>::infinity());
+void SkinWeights::measure_distances(const Vec3d& point, double rounding) {
+  std::fill(own_.begin(), own_.end(), kFar);
   for (const Limb& limb : plan_.flesh.limbs) {
     for (const Muscle& muscle : limb.muscles) {
       double& own = own_[stands_for_[muscle.joint]];
-      own = std::min(own, muscle_distance(muscle, point));
+      own = smooth_min(own, muscle_distance(muscle, point), rounding);
     }
   }
   branch_ = own_;
   for (auto j = joints_.rbegin(); j != joints_.rend(); ++j) {
     if (parent_[*j] == kNone) continue;
-    branch_[parent_[*j]] = std::min(branch_[parent_[*j]], branch_[*j]);
+    double& parent = branch_[parent_[*j]];
+    parent = smooth_min(parent, branch_[*j], rounding);
   }
 }
 
@@ -95,7 +105,7 @@ void SkinWeights::share_out(double width) {
 }
 
 void SkinWeights::share_of(std::uint32_t joint, double width) {
-  double nearest_child = std::numeric_limits<double>::infinity();
+  double nearest_child = kFar;
   for (std::uint32_t child : children_[joint]) {
     nearest_child = std::min(nearest_child, branch_[child]);
   }

@@ -29,7 +29,7 @@ class SkinWeights {
   VertexWeights at(const Vec3d& point);
 
  private:
-  void measure_distances(const Vec3d& point);
+  void measure_distances(const Vec3d& point, double rounding);
   void share_out(double width);
   void share_of(std::uint32_t joint, double width);
 
