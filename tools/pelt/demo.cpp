@@ -33,21 +33,21 @@ picture of one frame, by POV-Ray).)";
 /// They walk at the speed of their feet, out of step, and pass with a touch of shoulders and arms.
 constexpr std::string_view kScene = R"({
   "models": {
-    "creature": {"creature": {"triangles": 60000, "joints": 56, "seed": 1}},
-    "man": {"creature": {"triangles": 60000, "joints": 56, "seed": 2}}
+    "azure": {"creature": {"triangles": 32000, "joints": 56, "seed": 1}},
+    "sand": {"creature": {"triangles": 32000, "joints": 56, "seed": 2}}
   },
   "frames": {"count": 90, "fps": 30},
   "instances": [
-    {"model": "creature", "clip": "walk", "start": 0.0,
-     "translation": [-0.17, 0, -1.35], "velocity": [0, 0, 0.9]},
-    {"model": "man", "clip": "walk", "start": 0.45,
-     "translation": [0.17, 0, 1.35], "rotation": [0, 1, 0, 0], "velocity": [0, 0, -0.9]}
+    {"model": "azure", "clip": "walk", "start": 0.0,
+     "translation": [-0.11, 0, -1.35], "velocity": [0, 0, 0.9]},
+    {"model": "sand", "clip": "walk", "start": 0.62,
+     "translation": [0.11, 0, 1.35], "rotation": [0, 1, 0, 0], "velocity": [0, 0, -0.9]}
   ]
 }
 )";
 
 /// The frame of still.png.
-constexpr std::uint32_t kStillFrame = 45;
+constexpr std::uint32_t kStillFrame = 40;
 
 Result<void> write_text(const fs::path& path, std::string_view text) {
   return write_file(path, std::as_bytes(std::span(text)));
@@ -101,10 +101,7 @@ void render(const fs::path& description, const fs::path& picture) {
                                             "+O" + picture.string(),
                                             "+W1280",
                                             "+H720",
-                                            "+A0.1",
-                                            "+AM2",
-                                            "+R3",
-                                            "+FN8",
+                                            "+A0.2",
                                             "-D",
                                             "-P",
                                             "+Q11"};

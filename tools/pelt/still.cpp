@@ -3,7 +3,10 @@
 #include "base/vec3.hpp"
 #include "tools/pelt/scene_glb.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace pelt::tools {
 namespace {
@@ -49,57 +52,82 @@ std::string mesh(const PosedInstance& instance, const std::vector<bool>& touchin
          ")}, texture {Glow}}\n" + faces(instance.triangles, touching) + "}\n";
 }
 
-/// The middle of the box around the triangles in contact; of all triangles where there is none.
-Vec3d middle_of_contact(std::span<const PosedInstance> instances,
+/// Where the ground is below the middle of the box around all instances.
+Vec3d middle(std::span<const PosedInstance> instances) {
+  Vec3 least = instances[0].positions[0], most = least;
+  for (const PosedInstance& instance : instances) {
+    for (const Vec3& p : instance.positions) {
+      least = {std::min(least.x, p.x), 0, std::min(least.z, p.z)};
+      most = {std::max(most.x, p.x), 0, std::max(most.z, p.z)};
+    }
+  }
+  return 0.5 * (Vec3d(least) + Vec3d(most));
+}
+
+/// Contacts light their surroundings: one small light in each cell of a grid that has any.
+std::string glow_lights(std::span<const PosedInstance> instances,
                         const std::vector<std::vector<bool>>& touching) {
-  Vec3d sum(0, 0, 0);
-  double count = 0;
+  constexpr double kCell = 0.09;
+  struct Sum {
+    Vec3d positions;
+    double count = 0;
+  };
+  std::map<std::array<int, 3>, Sum> cells;
+  const auto cell_of = [](double x) { return static_cast<int>(std::floor(x / kCell)); };
   for (std::size_t i = 0; i < instances.size(); ++i) {
     for (std::size_t t = 0; t < instances[i].triangles.size(); ++t) {
       if (!touching[i][t]) continue;
-      for (const std::uint32_t v : instances[i].triangles[t]) {
-        sum = sum + Vec3d(instances[i].positions[v]);
-        ++count;
-      }
+      const Vec3d p(instances[i].positions[instances[i].triangles[t][0]]);
+      Sum& sum = cells[{cell_of(p.x), cell_of(p.y), cell_of(p.z)}];
+      sum.positions = sum.positions + p;
+      ++sum.count;
     }
   }
-  return count > 0 ? (1 / count) * sum : Vec3d(0, 1, 0);
+  std::string text;
+  for (const auto& [cell, sum] : cells) {
+    text += "GlowLight(" + vector((1 / sum.count) * sum.positions) + ")\n";
+  }
+  return text;
 }
 
 constexpr const char* kStage = R"(#version 3.7;
 global_settings {
   assumed_gamma 1
-  radiosity {pretrace_start 0.08 pretrace_end 0.01 count 80 error_bound 0.7 recursion_limit 2 brightness 0.8}
+  radiosity {pretrace_start 0.08 pretrace_end 0.02 count 60 error_bound 0.9 recursion_limit 1 brightness 0.8}
 }
-background {rgb <0.80,0.83,0.87>}
-sky_sphere {pigment {gradient y color_map {[0 rgb <0.86,0.86,0.85>] [0.6 rgb <0.42,0.53,0.66>]}}}
+sky_sphere {pigment {gradient y color_map {[0 rgb <0.045,0.05,0.065>] [0.7 rgb <0.16,0.19,0.24>]}}}
+fog {fog_type 1 distance 12 rgb <0.045,0.05,0.065>}
+plane {y, 0 pigment {rgb <0.10,0.11,0.13>} finish {diffuse 0.8 specular 0.05 roughness 0.1}}
 #macro Skin(Colour)
-  pigment {Colour} finish {diffuse 0.75 specular 0.12 roughness 0.06 ambient 0}
+  pigment {Colour * 1.25} finish {diffuse 0.8 specular 0.16 roughness 0.05 ambient 0}
 #end
-#declare Glow = texture {pigment {rgb <1,0.30,0.06>} finish {emission 1.1 diffuse 0.3}}
+#declare Glow = texture {pigment {rgb <1,0.30,0.06>} finish {emission <1.5,0.5,0.1> diffuse 0.2}}
+#macro GlowLight(Place)
+  light_source {Place rgb <0.35,0.10,0.018> fade_distance 0.05 fade_power 2 shadowless}
+#end
 )";
 
-std::string lights(const Vec3d& target) {
-  return "light_source {" + vector(target + Vec3d(-3.5, 5, 3.5)) +
-         " rgb <1.05,0.98,0.88> area_light <1.6,0,0>, <0,0,1.6>, 7, 7 adaptive 2 jitter circular "
-         "orient}\n"
+/// Key, fill and rim.
+std::string lights(const Vec3d& ground) {
+  return "light_source {" + vector(ground + Vec3d(-4.2, 4.6, 1.2)) +
+         " rgb <1.7,1.6,1.4> area_light <1.6,0,0>, <0,0,1.6>, 9, 9 adaptive 1 circular orient}\n"
          "light_source {" +
-         vector(target + Vec3d(4, 2.5, 1.5)) +
-         " rgb <0.22,0.27,0.34> shadowless}\n"
-         "plane {y, 0 pigment {rgb <0.58,0.57,0.55>} finish {diffuse 0.8}}\n";
+         vector(ground + Vec3d(-2, 2, 5)) + " rgb <0.22,0.28,0.38> shadowless}\n" +
+         "light_source {" + vector(ground + Vec3d(4, 3.5, -1.5)) +
+         " rgb <0.55,0.65,0.85> shadowless}\n";
 }
 
-std::string camera(const Vec3d& target) {
-  return "camera {location " + vector(target + Vec3d(3.6, 0.45, 1.3)) + " look_at " +
-         vector(Vec3d(target.x, 0.93, target.z)) + " right x*16/9 angle 46}\n";
+std::string camera(const Vec3d& ground) {
+  return "camera {location " + vector(ground + Vec3d(-4.1, 1.5, 0.8)) + " look_at " +
+         vector(ground + Vec3d(0, 0.89, 0)) + " right x*16/9 angle 44}\n";
 }
 
 }  // namespace
 
 std::string describe_still(std::span<const PosedInstance> instances,
                            const std::vector<std::vector<bool>>& touching) {
-  const Vec3d target = middle_of_contact(instances, touching);
-  std::string text = kStage + camera(target) + lights(target);
+  const Vec3d ground = middle(instances);
+  std::string text = kStage + camera(ground) + lights(ground) + glow_lights(instances, touching);
   for (std::size_t i = 0; i < instances.size(); ++i) {
     text += mesh(instances[i], touching[i], skin_colour(i));
   }
