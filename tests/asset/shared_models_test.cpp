@@ -96,7 +96,8 @@ TEST_F(SharedModels, AreRefusedWhereWeightsDoNotSumToOne) {
   ASSERT_TRUE(asset) << asset.error().message;
   const Result<SkinnedModel> model = build_model(asset->mesh());
   ASSERT_FALSE(model);
-  EXPECT_NE(model.error().message.find("weights of vertex 541"), std::string::npos) << model.error().message;
+  EXPECT_NE(model.error().message.find("weights of vertex 541"), std::string::npos)
+      << model.error().message;
   EXPECT_NE(model.error().message.find("sum"), std::string::npos) << model.error().message;
   ModelOptions options;
   options.off_weights = OffWeights::renormalise;
