@@ -65,6 +65,8 @@ class Sculptor {
 
   Vec3d at(std::uint32_t joint) const { return plan_.joints[joint].position; }
 
+  double head_scale() const { return 1.18 * p_.head; }
+
   void sculpt_torso();
   void sculpt_head();
   void sculpt_tail();
@@ -79,7 +81,7 @@ class Sculptor {
   Proportions p_;
   BodyPlan plan_;
   double side_ = 1;
-  std::uint32_t hips_ = 0, chest_ = 0, head_ = 0, hand_ = 0, toes_ = 0;
+  std::uint32_t hips_ = 0, chest_ = 0, head_ = 0, foot_ = 0, hand_ = 0;
 };
 
 void Sculptor::sculpt_torso() {
@@ -107,7 +109,7 @@ void Sculptor::sculpt_torso() {
 }
 
 void Sculptor::sculpt_head() {
-  const double k = 1.18 * p_.head;
+  const double k = head_scale();
   const std::uint32_t neck_1 = joint("neck_1", chest_, at(chest_) + Vec3d(0, 0.17, 0));
   const std::uint32_t neck_2 = joint("neck_2", neck_1, at(neck_1) + Vec3d(0, 0.055, 0.025));
   head_ = joint("head", neck_2, at(neck_2) + Vec3d(0, 0.06, 0.03));
@@ -154,7 +156,7 @@ void Sculptor::sculpt_tail() {
 }
 
 void Sculptor::sculpt_ear() {
-  const double k = 1.18 * p_.head, length = 0.19 * p_.ear;
+  const double k = head_scale(), length = 0.19 * p_.ear;
   const Vec3d root = at(head_) + k * out(0.115, 0.215, -0.02);
   const Vec3d direction = unit(out(0.78, 0.55, -0.28));
   const Vec3d middle = root + 0.5 * length * direction;
@@ -173,8 +175,8 @@ void Sculptor::sculpt_leg() {
   const double h = at(hips_).y, g = p_.girth;
   const std::uint32_t thigh = side_joint("thigh", hips_, out(0.112 * g, h - 0.03, 0));
   const std::uint32_t shin = side_joint("shin", thigh, out(0.128 * g, 0.53 * h, 0.025));
-  const std::uint32_t foot = side_joint("foot", shin, out(0.135 * g, 0.085, -0.025));
-  const Vec3d hip = at(thigh), knee = at(shin), ankle = at(foot);
+  foot_ = side_joint("foot", shin, out(0.135 * g, 0.085, -0.025));
+  const Vec3d hip = at(thigh), knee = at(shin), ankle = at(foot_);
   limb(0.06);
   cone(thigh, hip, 0.118 * g, knee, 0.076 * g, 0.05);
   cone(thigh, mix(hip, knee, 0.15) + Vec3d(0, 0, 0.03), 0.10 * g, mix(hip, knee, 0.6), 0.085 * g,
@@ -186,15 +188,14 @@ void Sculptor::sculpt_leg() {
 
 void Sculptor::sculpt_foot() {
   const double k = 1.1 * p_.foot;
-  const std::uint32_t foot = static_cast<std::uint32_t>(plan_.joints.size() - 1);
-  const Vec3d ankle = at(foot);
+  const Vec3d ankle = at(foot_);
   const auto on = [&](double x, double y, double z) {
     return Vec3d(ankle.x, 0, ankle.z) + k * out(x, y, z);
   };
-  toes_ = side_joint("toes", foot, on(0.018, 0.04, 0.125));
-  cone(foot, ankle, 0.05, on(0, 0.045, -0.03), 0.052 * k, 0.04);
-  cone(foot, on(-0.012, 0.045, 0.0), 0.052 * k, on(-0.016, 0.036, 0.115), 0.046 * k, 0.04);
-  cone(foot, on(0.016, 0.045, 0.0), 0.05 * k, on(0.05, 0.034, 0.105), 0.044 * k, 0.04);
+  const std::uint32_t toes = side_joint("toes", foot_, on(0.018, 0.04, 0.125));
+  cone(foot_, ankle, 0.05, on(0, 0.045, -0.03), 0.052 * k, 0.04);
+  cone(foot_, on(-0.012, 0.045, 0.0), 0.052 * k, on(-0.016, 0.036, 0.115), 0.046 * k, 0.04);
+  cone(foot_, on(0.016, 0.045, 0.0), 0.05 * k, on(0.05, 0.034, 0.105), 0.044 * k, 0.04);
   const double spread[] = {-0.032, 0.02, 0.07};
   const double length[] = {0.085, 0.088, 0.07};
   const char* names[] = {"toe_inner", "toe_middle", "toe_outer"};
@@ -202,9 +203,9 @@ void Sculptor::sculpt_foot() {
     const double reach = 0.135 - 0.15 * spread[toe] * (toe == 2 ? 1.0 : 0.3);
     const Vec3d root = on(spread[toe], 0.034, reach - 0.02);
     const Vec3d tip = on(spread[toe] * 1.05, 0.031, reach - 0.02 + length[toe]);
-    const std::uint32_t joint = side_joint(names[toe], toes_, root);
+    const std::uint32_t joint = side_joint(names[toe], toes, root);
     limb(0.022);
-    cone(toes_, on(spread[toe] * 0.8, 0.036, 0.09), 0.036 * k, root, 0.034 * k, 0.02);
+    cone(toes, on(spread[toe] * 0.8, 0.036, 0.09), 0.036 * k, root, 0.034 * k, 0.02);
     cone(joint, root, 0.034 * k, tip, 0.0305 * k, 0.01);
   }
 }

@@ -117,8 +117,8 @@ void compute_bounds(Flesh& flesh) {
   }
 }
 
-// Some muscle, by guess the nearest, tells how far the body is at most. Whatever is further than
-// that by more than the widest fillet changes nothing.
+// Some muscle, by guess the nearest, tells how far the body is at most. No fillet reaches what is
+// further than that by more than the widest.
 FleshSample sample_flesh(const Flesh& flesh, const Vec3d& point) {
   const Limb& limb_near = likely_nearest(flesh.limbs, point);
   const Muscle& muscle_near = likely_nearest(limb_near.muscles, point);

@@ -11,8 +11,9 @@
 namespace pelt::scenes {
 namespace {
 
-constexpr double kWorstShape = 0.15;      // of triangles that collapses and flips may make
-constexpr double kLeastFacing = 0.3;      // cosine between a triangle and the surface under it
+constexpr double kWorstShape = 0.15;  // of triangles that collapses and flips may make
+constexpr double kLeastFacing = 0.3;  // cosine between a triangle and the surface under it
+constexpr double kLeastStrictness = 0.01;
 constexpr std::uint32_t kMaxValence = 9;  // of vertices that collapses make
 constexpr int kRelaxations = 3;
 
@@ -47,13 +48,13 @@ class Remesher {
   }
 
   RawMesh run(std::uint32_t triangle_count) {
-    while (mesh_.triangle_count() > triangle_count) {
+    while (mesh_.triangle_count() > triangle_count && strictness_ > kLeastStrictness) {
       const std::uint32_t aim = std::max(triangle_count, mesh_.triangle_count() / 2 / 2 * 2);
       collapse_to(aim);
       if (mesh_.triangle_count() > aim) strictness_ *= 0.7;
       relax();
-      PELT_ASSERT(strictness_ > 0.01);
     }
+    PELT_ASSERT(mesh_.triangle_count() == triangle_count);
     for (int i = 1; i < kRelaxations; ++i) relax();
     return compact();
   }
