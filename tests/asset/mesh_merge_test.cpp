@@ -67,7 +67,7 @@ TEST(MeshMerge, UnskinnedPartsRideOnTheirNodes) {
   ASSERT_EQ(asset->joints.size(), 4u);
   EXPECT_EQ(asset->joint_name(0), "stone");
   EXPECT_EQ(asset->joint_name(3), "pebble");
-  EXPECT_EQ(asset->joints[0].inverse_bind, Matrix4{});
+  EXPECT_EQ(asset->joints[0].inverse_bind.m[13], -1.5f) << "the inverse of its node's place";
   EXPECT_EQ(asset->joint_indices[0], 0);
   EXPECT_EQ(asset->weights[0], 1);
   EXPECT_EQ(asset->joint_indices.back(), 0);
