@@ -5,6 +5,8 @@
 #include "asset/quaternion.hpp"
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 namespace pelt::asset {
 
@@ -42,6 +44,36 @@ inline Affine operator*(const Affine& a, const Affine& b) {
     }
   }
   return result;
+}
+
+/// Nothing when the map flattens space, or nearly: its determinant is then rounding alone.
+inline std::optional<Affine> inverted(const Affine& m) {
+  const auto minor = [&](int a, int b, int c, int d) { return m[a] * m[d] - m[b] * m[c]; };
+  const double c0 = minor(4, 5, 7, 8), c1 = minor(7, 8, 1, 2), c2 = minor(1, 2, 4, 5);
+  const double determinant = m[0] * c0 + m[3] * c1 + m[6] * c2;
+  double size = 1;
+  for (int column = 0; column < 3; ++column) {
+    const double* v = m.data() + 3 * column;
+    size *= std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  if (!(std::fabs(determinant) > 1e-9 * size)) return std::nullopt;
+  Affine inverse = {c0,
+                    c1,
+                    c2,
+                    minor(6, 8, 3, 5),
+                    minor(0, 2, 6, 8),
+                    minor(3, 5, 0, 2),
+                    minor(3, 4, 6, 7),
+                    minor(6, 7, 0, 1),
+                    minor(0, 1, 3, 4),
+                    0,
+                    0,
+                    0};
+  for (double& entry : inverse) entry /= determinant;
+  for (int row = 0; row < 3; ++row) {
+    inverse[9 + row] = -(inverse[row] * m[9] + inverse[3 + row] * m[10] + inverse[6 + row] * m[11]);
+  }
+  return inverse;
 }
 
 /// T * R * S. A rotation that is not of norm 1 is taken as it is, as renderers do.

@@ -1,3 +1,4 @@
+#include "asset/assemble.hpp"
 #include "asset/clip_reader.hpp"
 #include "asset/container.hpp"
 #include "asset/file_bytes.hpp"
@@ -34,6 +35,7 @@ Result<Asset> read_asset(GltfDocument& document, Buffers& buffers, Budget& budge
   if (!clips) return clips.error();
   asset.clips = *std::move(clips);
   asset.nodes = take_nodes(*graph, document);
+  assemble(asset);
   return asset;
 }
 

@@ -46,7 +46,8 @@ struct Joint {
 struct Part {
   std::string node, mesh, material;  ///< names; empty where the file has none
   std::uint32_t first_triangle = 0, triangle_count = 0;
-  bool skinned = false;  ///< false: an unskinned mesh that rides on its node as on one joint
+  bool skinned = false;  ///< false: an unskinned mesh that rides on its node as on one joint; its
+                         ///< rest positions are where the default pose has them
 };
 
 enum class Path : std::uint8_t { translation, rotation, scale };
