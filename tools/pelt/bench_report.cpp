@@ -26,8 +26,9 @@ void print_head(std::ostream& out) {
 void print_row(const EngineFigures& figures, double fastest_us, std::ostream& out) {
   const Measurement& m = figures.measurement;
   out << std::left << std::setw(14) << figures.engine << std::right;
-  for (const double us :
-       {m.mean_us, m.mean_contact_us, m.p95_us, m.mean_update_us, m.mean_us - m.mean_update_us}) {
+  out << std::setw(kColumn) << fixed(m.mean_us, 1) << std::setw(kColumn)
+      << (m.frames_in_contact > 0 ? fixed(m.mean_contact_us, 1) : "-");
+  for (const double us : {m.p95_us, m.mean_update_us, m.mean_us - m.mean_update_us}) {
     out << std::setw(kColumn) << fixed(us, 1);
   }
   out << std::setw(kColumn) << fixed(m.mean_us / fastest_us, 2) << '\n';
@@ -46,12 +47,14 @@ void print_work(const EngineFigures& figures, std::ostream& out) {
 
 ordered_json engine_json(const EngineFigures& figures, const BenchSettings& settings) {
   const Measurement& m = figures.measurement;
+  const ordered_json in_contact =
+      m.frames_in_contact > 0 ? ordered_json(m.mean_contact_us) : ordered_json();
   return {{"engine", figures.engine},
           {"query", name_of(settings.question)},
           {"cache", name_of(settings.cache)},
           {"threads", 1},
           {"mean_us", m.mean_us},
-          {"mean_contact_us", m.mean_contact_us},
+          {"mean_contact_us", in_contact},
           {"p95_us", m.p95_us},
           {"mean_update_us", m.mean_update_us},
           {"hash", hex16(m.hash)},

@@ -2,6 +2,8 @@
 
 #include "tools/pelt/model_arguments.hpp"
 
+#include <algorithm>
+
 namespace pelt::tools {
 namespace {
 
@@ -61,10 +63,14 @@ std::string collider_name(const scenes::Scene& scene, const Collider& collider) 
 
 std::string part_name(const asset::Asset& asset, std::uint32_t part) {
   const asset::Part& p = asset.parts[part];
-  for (const std::string* name : {&p.node, &p.mesh, &p.material}) {
-    if (!name->empty()) return *name;
-  }
-  return "part " + std::to_string(part);
+  const auto shares_node = [&](const asset::Part& other) {
+    return &other != &p && other.node == p.node;
+  };
+  const bool alone = std::none_of(asset.parts.begin(), asset.parts.end(), shares_node);
+  const std::string node = p.node.empty() ? p.mesh : p.node;
+  if (alone && !node.empty()) return node;
+  const std::string material = p.material.empty() ? std::to_string(part) : p.material;
+  return (node.empty() ? "part" : node) + ":" + material;
 }
 
 }  // namespace pelt::tools

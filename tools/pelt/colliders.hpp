@@ -31,7 +31,8 @@ Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granula
 /// "knight 0", or "knight 0 Knight_Helmet" for a part.
 std::string collider_name(const scenes::Scene& scene, const Collider& collider);
 
-/// What names a part best: its node, else its mesh, else its material, else its number.
+/// The node of a part, or its mesh where the node has no name; "node:material" or "node:number"
+/// where several parts share that.
 std::string part_name(const asset::Asset& asset, std::uint32_t part);
 
 }  // namespace pelt::tools

@@ -54,12 +54,13 @@ ordered_json counters_json(const QueryStats& work) {
 
 void JsonlWriter::header(const scenes::Scene& scene, std::span<const Collider> colliders,
                          const CheckOptionsShown& options) {
-  ordered_json shown = {{"method", options.method},
-                        {"by", options.by},
-                        {"frames", {options.frames.begin, options.frames.end}},
-                        {"fps", scene.fps},
-                        {"max_contacts", nullptr},
-                        {"pairs", lists_ == TriangleLists::written}};
+  ordered_json shown = {
+      {"method", options.method},
+      {"by", options.by},
+      {"frames", {options.frames.begin, options.frames.end, options.frames.stride}},
+      {"fps", scene.fps},
+      {"max_contacts", nullptr},
+      {"pairs", lists_ == TriangleLists::written}};
   if (options.max_contacts) shown["max_contacts"] = *options.max_contacts;
   line({{"format", "pelt-check"},
         {"version", 1},

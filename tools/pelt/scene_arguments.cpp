@@ -74,7 +74,8 @@ Result<std::array<double, 3>> parse_position(const std::string& text) {
     good = parse_number(fields[i], position[i]) && std::fabs(position[i]) <= 1e12;
   }
   if (good) return position;
-  return bad_argument("--at", asset::quoted(text) + " is no position", "give x,y,z as in --at 0.5,0,-1");
+  return bad_argument("--at", asset::quoted(text) + " is no position",
+                      "give x,y,z as in --at 0.5,0,-1");
 }
 
 /// Around the y axis, which points up; positive turns +z towards +x.

@@ -1,0 +1,76 @@
+#pragma once
+
+/// What `pelt check` should answer, found without it: all pairs of triangles by the exact
+/// predicate.
+
+#include "bench/brute_force.hpp"
+#include "tools/pelt/posed_instances.hpp"
+#include "tools/run_program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace pelt::test {
+
+/// The lines of a pelt-check file.
+struct CheckFile {
+  nlohmann::json header, totals;
+  std::vector<nlohmann::json> frames;
+};
+
+inline CheckFile parse_check_file(const std::string& text) {
+  CheckFile file;
+  const std::vector<std::string> lines = lines_of(text);
+  EXPECT_GE(lines.size(), 2u);
+  for (const std::string& line : lines) file.frames.push_back(nlohmann::json::parse(line));
+  file.header = file.frames.front();
+  file.totals = file.frames.back();
+  file.frames.erase(file.frames.begin());
+  file.frames.pop_back();
+  return file;
+}
+
+/// Contacts of a range of triangles of one instance with one of another, as JSON.
+inline nlohmann::json brute_force_json(const tools::PosedInstance& a,
+                                       const tools::PosedInstance& b) {
+  std::vector<Contact> contacts;
+  bench::brute_force_collide(a.triangles, a.positions, b.triangles, b.positions, contacts,
+                             std::numeric_limits<std::uint32_t>::max());
+  nlohmann::json triangles = nlohmann::json::array();
+  for (const Contact& contact : contacts) {
+    triangles.push_back({contact.triangle_a, contact.triangle_b});
+  }
+  return triangles;
+}
+
+/// The hash as the documentation defines it, from the triangle lists of a file.
+inline std::string hash_of(const CheckFile& file) {
+  std::uint64_t state = 14695981039346656037u;
+  const auto add = [&](std::uint32_t value) {
+    for (int byte = 0; byte < 4; ++byte) {
+      state ^= value & 255;
+      state *= 1099511628211u;
+      value >>= 8;
+    }
+  };
+  for (const nlohmann::json& frame : file.frames) {
+    for (const nlohmann::json& pair : frame["pairs"]) {
+      for (const nlohmann::json& triangles : pair["triangles"]) {
+        add(frame["frame"]);
+        add(pair["a"]);
+        add(pair["b"]);
+        add(triangles[0]);
+        add(triangles[1]);
+      }
+    }
+  }
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state));
+  return text;
+}
+
+}  // namespace pelt::test

@@ -1,0 +1,171 @@
+/// What `pelt check` answers, against all pairs of triangles.
+
+#include "tools/answer.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+Result<scenes::Scene> load(const std::string& path) { return scenes::load_scene(path); }
+
+TEST(CheckAnswer, EqualsBruteForceInEveryFrame) {
+  const TestFolder folder;
+  const auto scene = load(write_walkers(folder));
+  ASSERT_TRUE(scene) << scene.error().message;
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--jsonl", "a.jsonl", "--pairs"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const CheckFile file = parse_check_file(read_text(folder / "a.jsonl"));
+  ASSERT_EQ(file.frames.size(), 12u);
+  std::uint64_t contacts = 0, frames_in_contact = 0;
+  for (std::uint32_t frame = 0; frame < 12; ++frame) {
+    const auto posed = tools::pose_instances(*scene, frame, {});
+    ASSERT_TRUE(posed);
+    const json expected = brute_force_json((*posed)[0], (*posed)[1]);
+    json line = {{"frame", frame}, {"time", frame / 6.0}, {"contacts", expected.size()}};
+    line["pairs"] = json::array();
+    if (!expected.empty()) {
+      line["pairs"].push_back(
+          {{"a", 0}, {"b", 1}, {"contacts", expected.size()}, {"triangles", expected}});
+    }
+    EXPECT_EQ(file.frames[frame], line);
+    contacts += expected.size();
+    frames_in_contact += !expected.empty();
+  }
+  // The scene has both kinds of frames, or the test would show little.
+  EXPECT_GT(frames_in_contact, 2u);
+  EXPECT_LT(frames_in_contact, 12u);
+  EXPECT_GT(contacts, 100u);
+  EXPECT_EQ(
+      file.totals["totals"],
+      json({{"frames", 12}, {"frames_in_contact", frames_in_contact}, {"contacts", contacts}}));
+  EXPECT_EQ(file.totals["hash"], hash_of(file));
+  EXPECT_NE(run.out.find(hash_of(file)), std::string::npos);
+}
+
+TEST(CheckAnswer, HeaderTellsInputsAndOptions) {
+  const TestFolder folder;
+  write_walkers(folder);
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--frames", "5:8", "--jsonl", "-"});
+  const json header = parse_check_file(run.out).header;
+  EXPECT_EQ(header["format"], "pelt-check");
+  EXPECT_EQ(header["version"], 1);
+  EXPECT_EQ(header["pelt"], "0.1.0");
+  EXPECT_EQ(header["inputs"][1]["path"], "creature:1200:45:2");
+  EXPECT_EQ(header["inputs"][1]["hash"].get<std::string>().size(), 16u);
+  EXPECT_EQ(header["instances"], json::parse(R"([{"index": 0, "model": "one", "triangles": 1000},
+                            {"index": 1, "model": "two", "triangles": 1200}])"));
+  EXPECT_EQ(header["options"]["frames"], json({5, 8, 1}));
+  EXPECT_EQ(header["options"]["method"], "paper");
+  EXPECT_EQ(header["options"]["by"], "instance");
+  EXPECT_EQ(header["options"]["max_contacts"], json());
+  EXPECT_EQ(header["options"]["pairs"], false);
+}
+
+TEST(CheckAnswer, IsTheSameByEveryMethod) {
+  const TestFolder folder;
+  write_walkers(folder);
+  std::vector<json> frames;
+  std::vector<json> counters;
+  for (const char* method : {"paper", "paper_eq2", "paper_eager", "paper_rigid", "brute"}) {
+    const Ended run =
+        run_pelt(folder, {"check", "scene.json", "--method", method, "--jsonl", "-", "--pairs"});
+    ASSERT_EQ(run.exit_code, 1) << method << run.err;
+    const CheckFile file = parse_check_file(run.out);
+    EXPECT_EQ(file.header["options"]["method"], method);
+    frames.push_back({file.frames, file.totals["hash"], file.totals["totals"]});
+    counters.push_back(file.totals["counters"]);
+    EXPECT_EQ(frames.back(), frames.front()) << method;
+  }
+  // Eager poses every vertex; on demand, far fewer are.
+  EXPECT_LT(counters[0]["posed_vertices"], counters[2]["posed_vertices"]);
+  EXPECT_GT(counters[2]["refits"], counters[0]["refits"]);
+  EXPECT_EQ(counters[4]["refits"], 0);
+}
+
+TEST(CheckAnswer, TwoRunsWriteTheSameBytes) {
+  const TestFolder folder;
+  write_walkers(folder);
+  for (const char* name : {"a", "b"}) run_pelt(folder, {"check", "scene.json", "--jsonl", name});
+  EXPECT_EQ(read_text(folder / "a"), read_text(folder / "b"));
+}
+
+TEST(CheckAnswer, LimitsCutShort) {
+  const TestFolder folder;
+  write_walkers(folder);
+  const Ended whole = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});
+  const std::vector<std::pair<std::vector<std::string>, std::uint64_t>> limits = {
+      {{"--first"}, 1}, {{"--max-contacts", "1"}, 1}, {{"--max-contacts", "7"}, 7}};
+  for (const auto& limit : limits) {
+    std::vector<std::string> arguments = {"check", "scene.json", "--jsonl", "-"};
+    arguments.insert(arguments.end(), limit.first.begin(), limit.first.end());
+    const Ended run = run_pelt(folder, arguments);
+    ASSERT_EQ(run.exit_code, 1) << run.err;
+    const CheckFile file = parse_check_file(run.out), all = parse_check_file(whole.out);
+    EXPECT_EQ(file.totals["hash"], json());
+    EXPECT_EQ(file.totals["cut_short"], true);
+    EXPECT_EQ(file.header["options"]["max_contacts"], limit.second);
+    for (std::size_t f = 0; f < file.frames.size(); ++f) {
+      const auto most = std::min(limit.second, all.frames[f]["contacts"].get<std::uint64_t>());
+      EXPECT_EQ(file.frames[f]["contacts"], most);
+    }
+  }
+}
+
+TEST(CheckAnswer, ByPartMeetsPartsOfOneInstance) {
+  const TestFolder folder;
+  const std::string strip = write_strip(folder, "strip.glb");
+  const Ended run =
+      run_pelt(folder, {"check", strip, strip, "--at", "0,0,0", "--at", "0.25,0.1,0.05", "--clip",
+                        "bend", "--fps", "4", "--by", "part", "--jsonl", "-", "--pairs"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const CheckFile file = parse_check_file(run.out);
+  EXPECT_EQ(file.header["instances"], json::parse(R"([
+    {"index": 0, "model": "strip", "triangles": 6, "instance": 0, "part": "paper", "first_triangle": 0},
+    {"index": 1, "model": "strip", "triangles": 2, "instance": 0, "part": "fan", "first_triangle": 6},
+    {"index": 2, "model": "strip", "triangles": 6, "instance": 1, "part": "paper", "first_triangle": 0},
+    {"index": 3, "model": "strip", "triangles": 2, "instance": 1, "part": "fan", "first_triangle": 6}])"));
+
+  const auto character = scenes::load_character(strip);
+  ASSERT_TRUE(character) << character.error().message;
+  scenes::Scene scene;
+  scene.fps = 4;
+  scene.characters.push_back(*character);
+  scene.instances.resize(2);
+  scene.instances[0].clip = "bend";
+  scene.instances[1].translation = {0.25, 0.1, 0.05};
+  bool met_within = false, met_between = false;
+  for (std::uint32_t frame = 0; frame < file.frames.size(); ++frame) {
+    const auto posed = tools::pose_instances(scene, frame, {});
+    ASSERT_TRUE(posed);
+    // The parts' triangles as models of their own; their numbers in answers go on counting.
+    std::vector<tools::PosedInstance> parts;
+    for (const tools::PosedInstance& instance : *posed) {
+      for (const auto& part : character->asset.parts) {
+        parts.push_back(instance);
+        parts.back().triangles =
+            instance.triangles.subspan(part.first_triangle, part.triangle_count);
+      }
+    }
+    json expected = json::array();
+    for (std::uint32_t a = 0; a < 4; ++a) {
+      for (std::uint32_t b = a + 1; b < 4; ++b) {
+        json triangles = brute_force_json(parts[a], parts[b]);
+        for (json& pair : triangles) {
+          pair = {pair[0].get<int>() + 6 * static_cast<int>(a % 2),
+                  pair[1].get<int>() + 6 * static_cast<int>(b % 2)};
+        }
+        if (triangles.empty()) continue;
+        (a / 2 == b / 2 ? met_within : met_between) = true;
+        expected.push_back(
+            {{"a", a}, {"b", b}, {"contacts", triangles.size()}, {"triangles", triangles}});
+      }
+    }
+    EXPECT_EQ(file.frames[frame]["pairs"], expected) << "frame " << frame;
+  }
+  EXPECT_TRUE(met_within);
+  EXPECT_TRUE(met_between);
+  EXPECT_EQ(file.totals["hash"], hash_of(file));
+}
+
+}  // namespace
+}  // namespace pelt::test

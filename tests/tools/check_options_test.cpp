@@ -1,0 +1,194 @@
+/// The options of `pelt check`, one by one.
+
+#include "tools/answer.hpp"
+#include "tools/test_scenes.hpp"
+
+#include <pelt/asset.hpp>
+
+namespace pelt::test {
+namespace {
+
+std::vector<json> frames_of(const Ended& run) { return parse_check_file(run.out).frames; }
+
+TEST(CheckOptions, ExitCodeTellsOfContact) {
+  const TestFolder folder;
+  write_walkers(folder);
+  EXPECT_EQ(run_pelt(folder, {"check", "scene.json", "--frames", "0:1"}).exit_code, 0);
+  EXPECT_EQ(run_pelt(folder, {"check", "scene.json", "--frames", "0:8"}).exit_code, 1);
+  EXPECT_EQ(run_pelt(folder, {"check", "none.json"}).exit_code, 2);
+}
+
+TEST(CheckOptions, StandardOutputIsForTheAnswerOrForPeople) {
+  const TestFolder folder;
+  write_walkers(folder);
+  const Ended words = run_pelt(folder, {"check", "scene.json", "--jsonl", "a.jsonl"});
+  EXPECT_NE(words.out.find("joints that touch"), std::string::npos);
+  EXPECT_EQ(words.err, "");
+  const Ended answer = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});
+  EXPECT_EQ(answer.out, read_text(folder / "a.jsonl"));
+  EXPECT_NE(answer.err.find("joints that touch"), std::string::npos);
+}
+
+TEST(CheckOptions, SummaryNamesFramesPartsAndJoints) {
+  const TestFolder folder;
+  const std::string strip = write_strip(folder, "strip.glb");
+  const Ended run = run_pelt(
+      folder, {"check", strip, strip, "--at", "0,0,0", "--at", "0.25,0,0.1", "--frames", "0:2"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  for (const char* words : {"2 instances, 16 triangles", "in 2 of 2 frames: 0-1",
+                            "frame 0 (0.000 s)", "parts that touch", "strip 0 paper", "strip 1 fan",
+                            "strip 0 lower", "median", "node pairs", "hash"}) {
+    EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+  }
+}
+
+TEST(CheckOptions, ModelsArePlacedAsASceneWouldPlaceThem) {
+  const TestFolder folder;
+  const std::string strip = write_strip(folder, "strip.glb");
+  write_text(folder / "scene.json", R"({
+    "models": {"strip": "strip.glb"},
+    "frames": {"count": 4, "fps": 8},
+    "instances": [
+      {"model": "strip", "clip": "bend", "start": 0.25, "scale": 1.25},
+      {"model": "strip", "clip": "", "start": -0.25, "translation": [0.5, -0.25, 0.125],
+       "rotation": [0, 1, 0, 0]},
+      {"model": "strip", "translation": [0, 0.5, 0]}
+    ]})");
+  const Ended scene = run_pelt(folder, {"check", "scene.json", "--jsonl", "-", "--pairs"});
+  const Ended models = run_pelt(
+      folder, {"check",    strip,     strip,     strip,     "--clip",  "bend",  "--clip",
+               "",         "--clip",  "-",       "--at",    "0,0,0",   "--at",  "0.5,-.25,.125",
+               "--at",     "0,0.5,0", "--start", "0.25",    "--start", "-0.25", "--turn",
+               "0",        "--turn",  "180",     "--scale", "1.25",    "--fps", "8",
+               "--frames", "0:4",     "--jsonl", "-",       "--pairs"});
+  ASSERT_EQ(scene.exit_code, 1) << scene.err;
+  ASSERT_EQ(models.exit_code, 1) << models.err;
+  EXPECT_EQ(frames_of(models), frames_of(scene));
+}
+
+TEST(CheckOptions, QuarterTurnLeadsFromZToX) {
+  const TestFolder folder;
+  const std::string strip = write_strip(folder, "strip.glb");
+  const Ended run =
+      run_pelt(folder, {"pose", strip, "--turn", "90", "--frame", "0", "-o", "a.glb"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto posed = asset::load_gltf(folder / "a.glb");
+  ASSERT_TRUE(posed);
+  // The fan's corner at (0.5, y, 1) goes to (1, y, -0.5).
+  bool found = false;
+  for (const Vec3& p : posed->rest_positions) {
+    found = found || (std::abs(p.x - 1) < 1e-6f && std::abs(p.z + 0.5f) < 1e-6f);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(CheckOptions, ModelsRunThroughTheirLongestClip) {
+  const TestFolder folder;
+  const std::string strip = write_strip(folder, "strip.glb");
+  const auto frame_count = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"check", strip, "--jsonl", "-"});
+    return frames_of(run_pelt(folder, arguments)).size();
+  };
+  EXPECT_EQ(frame_count({}), 1u);
+  EXPECT_EQ(frame_count({"--clip", "bend"}), 30u);
+  EXPECT_EQ(frame_count({"--clip", "bend", "--fps", "12.5"}), 13u);
+  EXPECT_EQ(frame_count({"--clip", "bend", "--frames", "95:100"}), 5u);
+}
+
+TEST(CheckOptions, FramesKeepTheirNumbersAndTimes) {
+  const TestFolder folder;
+  write_walkers(folder);
+  const auto all = frames_of(run_pelt(folder, {"check", "scene.json", "--jsonl", "-", "--pairs"}));
+  const auto some = frames_of(
+      run_pelt(folder, {"check", "scene.json", "--frames", "2:12:3", "--jsonl", "-", "--pairs"}));
+  ASSERT_EQ(some.size(), 4u);
+  for (std::size_t i = 0; i < some.size(); ++i) EXPECT_EQ(some[i], all[2 + 3 * i]);
+}
+
+TEST(CheckOptions, FpsStretchesAScene) {
+  const TestFolder folder;
+  write_walkers(folder);
+  const auto at_6 = frames_of(run_pelt(folder, {"check", "scene.json", "--jsonl", "-"}));
+  const auto at_3 =
+      frames_of(run_pelt(folder, {"check", "scene.json", "--fps", "3", "--jsonl", "-"}));
+  EXPECT_EQ(at_3[3]["time"], at_6[6]["time"]);
+  EXPECT_EQ(at_3[3]["pairs"], at_6[6]["pairs"]);
+  EXPECT_NE(at_3[3]["pairs"], at_6[3]["pairs"]);
+}
+
+TEST(CheckOptions, PartsCanBeLeftOut) {
+  const TestFolder folder;
+  const std::string strip = write_strip(folder, "strip.glb");
+  const auto triangles = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"check", strip, "--jsonl", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return parse_check_file(run_pelt(folder, arguments).out).header["instances"][0]["triangles"];
+  };
+  EXPECT_EQ(triangles({}), 8);
+  EXPECT_EQ(triangles({"--no-unskinned"}), 6);
+  EXPECT_EQ(triangles({"--exclude", "fan"}), 6);
+  EXPECT_EQ(triangles({"--exclude", "paper"}), 2);
+}
+
+TEST(CheckOptions, WeightsAreRenormalisedOnDemand) {
+  const TestFolder folder;
+  GltfBuilder builder = strip_with_fan();
+  builder.set_value(3, 0, 1.5f);
+  write_bytes(folder / "off.glb", builder.glb());
+  const Ended refused = run_pelt(folder, {"check", "off.glb"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("off.glb: weights of vertex 0 sum to 1.5"), std::string::npos)
+      << refused.err;
+  EXPECT_NE(refused.err.find("--renormalise"), std::string::npos);
+  EXPECT_EQ(run_pelt(folder, {"check", "off.glb", "--renormalise"}).exit_code, 0);
+}
+
+/// Triangles of the material "contact" in a file that --glb wrote.
+std::size_t glowing(const std::string& path) {
+  const auto asset = asset::load_gltf(path);
+  EXPECT_TRUE(asset) << asset.error().message;
+  std::size_t count = 0;
+  for (const asset::Part& part : asset->parts) {
+    if (part.material == "contact") count += part.triangle_count;
+  }
+  return count;
+}
+
+std::size_t distinct_triangles(const json& frame) {
+  std::set<std::pair<int, int>> distinct;  // instance, triangle
+  for (const json& triangles : frame["pairs"][0]["triangles"]) {
+    distinct.insert({0, triangles[0]});
+    distinct.insert({1, triangles[1]});
+  }
+  return distinct.size();
+}
+
+TEST(CheckOptions, GlbShowsTheWorstFrameOrTheChosenOne) {
+  const TestFolder folder;
+  write_walkers(folder);
+  const Ended worst =
+      run_pelt(folder, {"check", "scene.json", "--glb", "worst.glb", "--jsonl", "-", "--pairs"});
+  ASSERT_EQ(worst.exit_code, 1) << worst.err;
+  const std::vector<json> frames = frames_of(worst);
+  const auto fewer = [](const json& a, const json& b) { return a["contacts"] < b["contacts"]; };
+  const json& most = *std::max_element(frames.begin(), frames.end(), fewer);
+  EXPECT_EQ(glowing(folder / "worst.glb"), distinct_triangles(most));
+
+  const auto in_contact = [](const json& frame) { return frame["contacts"] > 0; };
+  const json& first = *std::find_if(frames.begin(), frames.end(), in_contact);
+  ASSERT_NE(first, most);
+  const std::string number = std::to_string(first["frame"].get<int>());
+  run_pelt(folder, {"check", "scene.json", "--glb", "first.glb", "--glb-frame", number});
+  EXPECT_EQ(glowing(folder / "first.glb"), distinct_triangles(first));
+}
+
+TEST(CheckOptions, GlbWithoutContactShowsTheFirstFrame) {
+  const TestFolder folder;
+  write_walkers(folder);
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--frames", "0:1", "--glb", "a.glb"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(glowing(folder / "a.glb"), 0u);
+}
+
+}  // namespace
+}  // namespace pelt::test

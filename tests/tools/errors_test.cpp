@@ -1,0 +1,99 @@
+/// Bad input and arguments: exit code 2, nothing on standard output, and one line on standard error
+/// that names the thing and the remedy.
+
+#include "tools/run_program.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+struct Refusal {
+  std::vector<std::string> arguments;
+  std::vector<std::string> words;  ///< in the message
+};
+
+class Refused : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(Refused, WithAMessage) {
+  const TestFolder folder;
+  write_walkers(folder);
+  write_strip(folder, "strip.glb");
+  write_text(folder / "broken.glb", "no glTF");
+  write_text(folder / "broken.json", "{");
+  write_text(folder / "no_model.json", R"({"models": {"a": "none.glb"}, "instances": []})");
+  const Ended run = run_pelt(folder, GetParam().arguments);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
+  EXPECT_EQ(run.err.rfind("pelt: error: ", 0), 0u) << run.err;
+  for (const std::string& word : GetParam().words) {
+    EXPECT_NE(run.err.find(word), std::string::npos) << word << " is not in: " << run.err;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, Refused,
+    ::testing::Values(Refusal{{"check", "none.json"}, {"none.json", "no such file"}},
+                      Refusal{{"check", "none.glb"}, {"none.glb", "no such file"}},
+                      Refusal{{"check", "broken.glb"}, {"broken.glb: "}},
+                      Refusal{{"check", "broken.json"}, {"broken.json: the JSON text"}},
+                      Refusal{{"check", "no_model.json"}, {"no_model.json: models.a: none.glb"}},
+                      Refusal{{"check", "."}, {".: "}},
+                      Refusal{{"check", "scene.json", "--jsonl", "no/folder/a"},
+                              {"no/folder/a: cannot be written"}},
+                      Refusal{{"info", "none.glb"}, {"none.glb"}},
+                      Refusal{{"pose", "scene.json", "--frame", "0", "-o", "no/folder/a"},
+                              {"no/folder/a"}},
+                      Refusal{{"demo", "-o", "scene.json/x"}, {"scene.json/x", "-o"}},
+                      Refusal{{"bench", "none.json"}, {"none.json"}}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Placing, Refused,
+    ::testing::Values(
+        Refusal{{"check", "scene.json", "strip.glb"}, {"scene.json", "one scene file alone"}},
+        Refusal{{"check", "scene.json", "--clip", "walk"}, {"--clip", "edit scene.json"}},
+        Refusal{{"check", "strip.glb", "--clip", "a", "--clip", "b"},
+                {"--clip", "2 times for 1 model"}},
+        Refusal{{"check", "strip.glb", "--at", "0,0,0", "--at", "0,0,0"}, {"--at", "2 times"}},
+        Refusal{{"check", "strip.glb", "--clip", "bnd"},
+                {"--clip", "\"bnd\"", "did you mean \"bend\"?"}},
+        Refusal{{"check", "strip.glb", "--at", "1,2"}, {"--at", "\"1,2\"", "x,y,z"}},
+        Refusal{{"check", "strip.glb", "--at", "1,2,inf"}, {"--at", "x,y,z"}},
+        Refusal{{"check", "strip.glb", "--scale", "0"}, {"--scale", "above 0"}},
+        Refusal{{"check", "strip.glb", "--scale", "-1"}, {"--scale"}},
+        Refusal{{"check", "strip.glb", "--scale", "nan"}, {"--scale"}},
+        Refusal{{"check", "strip.glb", "--turn", "left"}, {"--turn", "left"}},
+        Refusal{{"check", "strip.glb", "--turn", "1e300"}, {"--turn"}},
+        Refusal{{"check", "strip.glb", "--fps", "0"}, {"--fps", "above 0"}}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Options, Refused,
+    ::testing::Values(
+        Refusal{{"check"}, {"INPUT", "--help"}}, Refusal{{}, {"--help"}},
+        Refusal{{"chek", "scene.json"}, {"--help"}},
+        Refusal{{"check", "scene.json", "--fast"}, {"--fast"}},
+        Refusal{{"check", "scene.json", "--frames", "9:4"}, {"--frames", "9:4"}},
+        Refusal{{"check", "scene.json", "--frames", "0:13"},
+                {"--frames", "0:13", "has frames 0:12"}},
+        Refusal{{"check", "strip.glb", "--frames", "0:1000001"}, {"--frames", "0:1000001"}},
+        Refusal{{"check", "scene.json", "--method", "papr"},
+                {"--method", "did you mean \"paper\"?"}},
+        Refusal{{"check", "scene.json", "--method", "magic"}, {"--method", "\"paper_eager\""}},
+        Refusal{{"check", "scene.json", "--by", "joint"}, {"--by", "instance or part"}},
+        Refusal{{"check", "scene.json", "--max-contacts", "0"}, {"--max-contacts", "1 or more"}},
+        Refusal{{"check", "scene.json", "--max-contacts", "-3"}, {"--max-contacts"}},
+        Refusal{{"check", "scene.json", "--first", "--max-contacts", "3"}, {"--first"}},
+        Refusal{{"check", "scene.json", "--glb-frame", "3"}, {"--glb-frame", "--glb FILE"}},
+        Refusal{{"check", "scene.json", "--frames", "0:9:4", "--glb", "a.glb", "--glb-frame", "3"},
+                {"--glb-frame", "3 is not checked"}},
+        Refusal{{"pose", "scene.json", "-o", "a.glb"}, {"--frame"}},
+        Refusal{{"pose", "scene.json", "--frame", "3"}, {"--output"}},
+        Refusal{{"pose", "scene.json", "--frame", "12", "-o", "a.glb"},
+                {"--frame: 12 is beyond the last frame", "12 frames"}},
+        Refusal{{"bench", "scene.json", "--methods", "paper,quick"}, {"--methods", "\"quick\""}},
+        Refusal{{"bench", "scene.json", "--cache", "warm"}, {"--cache", "hot or cold"}},
+        Refusal{{"bench", "scene.json", "--repeat", "0"}, {"--repeat", "1 or more"}},
+        Refusal{{"bench", "scene.json", "--frames", "0:13"}, {"--frames", "has frames 0:12"}}));
+
+}  // namespace
+}  // namespace pelt::test

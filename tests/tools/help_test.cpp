@@ -1,0 +1,99 @@
+/// --help, its examples, and the manual page.
+
+#include "tools/test_scenes.hpp"
+
+#include <regex>
+
+namespace pelt::test {
+namespace {
+
+constexpr const char* kVerbs[] = {"check", "info", "pose", "demo", "bench"};
+
+TEST(Help, NamesEveryVerb) {
+  const TestFolder folder;
+  const Ended run = run_pelt(folder, {"--help"});
+  EXPECT_EQ(run.exit_code, 0);
+  for (const char* verb : kVerbs) EXPECT_NE(run.out.find(verb), std::string::npos) << verb;
+}
+
+TEST(Help, TellsTheVersion) {
+  const TestFolder folder;
+  const Ended run = run_pelt(folder, {"--version"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, "pelt 0.1.0\n");
+}
+
+/// A strip whose clips have the names that the examples use.
+void write_character(const TestFolder& folder, const std::string& name) {
+  GltfBuilder builder = strip_with_fan();
+  builder.document["animations"][0]["name"] = "Walk";
+  builder.document["animations"][1]["name"] = "Attack";
+  write_bytes(folder / name, builder.glb());
+}
+
+/// The lines after "Examples:" that call pelt.
+std::vector<std::string> examples_of(const std::string& help) {
+  std::vector<std::string> examples;
+  for (const std::string& line : lines_of(help.substr(help.find("Examples:")))) {
+    if (line.rfind("  pelt ", 0) == 0) examples.push_back(line.substr(7));
+  }
+  return examples;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word && word != ">";) words.push_back(word);
+  return words;
+}
+
+class HelpExamples : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(HelpExamples, Run) {
+  const TestFolder folder;
+  const std::string verb = GetParam();
+  const Ended help = run_pelt(folder, {verb, "--help"});
+  ASSERT_EQ(help.exit_code, 0);
+  // The frames that the examples name, and some in contact among them.
+  std::string scene = kWalkersScene;
+  scene.replace(scene.find("\"count\": 12, \"fps\": 6"), 21, "\"count\": 60, \"fps\": 30");
+  write_text(folder / "scene.json", scene);
+  write_character(folder, "knight.glb");
+  write_character(folder, "barbarian.glb");
+  const std::vector<std::string> examples = examples_of(help.out);
+  EXPECT_GE(examples.size(), 2u);
+  for (const std::string& example : examples) {
+    const Ended run = run_pelt(folder, words_of(example), "/nonexistent");
+    EXPECT_TRUE(run.exit_code == 0 || (verb == "check" && run.exit_code == 1))
+        << "pelt " << example << " ended with " << run.exit_code << "\n"
+        << run.err;
+  }
+}
+
+// `demo` has a test of its own: what it does takes long.
+INSTANTIATE_TEST_SUITE_P(Verbs, HelpExamples, ::testing::Values("check", "info", "pose", "bench"));
+
+TEST(Manual, HasEveryVerbAndOption) {
+  const TestFolder folder;
+  std::string page = read_text(std::string(PELT_DOCS_DIR) + "/pelt.1");
+  page = std::regex_replace(page, std::regex("\\\\-"), "-");
+  const std::regex option("--[a-z][a-z-]+");
+  for (const char* verb : kVerbs) {
+    const std::string help = run_pelt(folder, {verb, "--help"}).out;
+    EXPECT_NE(page.find(std::string(".SS ") + verb + "\n"), std::string::npos) << verb;
+    for (std::sregex_iterator match(help.begin(), help.end(), option), end; match != end; ++match) {
+      EXPECT_NE(page.find(match->str()), std::string::npos) << verb << " " << match->str();
+    }
+  }
+}
+
+TEST(Manual, IsWithoutFault) {
+  const std::string page = std::string(PELT_DOCS_DIR) + "/pelt.1";
+  const Ended run = run_program(".", {"groff", "-ww", "-man", "-z", "-Tutf8", page});
+  if (run.exit_code == 127) GTEST_SKIP() << "groff is not installed";
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+}
+
+}  // namespace
+}  // namespace pelt::test

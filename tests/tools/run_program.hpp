@@ -1,0 +1,44 @@
+#pragma once
+
+/// Running of real programs, above all the command under test.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pelt::test {
+
+struct Ended {
+  int exit_code = -1;  ///< -1: it did not end by itself
+  std::string out, err;
+};
+
+/// A folder for one test, empty at its begin and gone at its end.
+class TestFolder {
+ public:
+  TestFolder();
+  ~TestFolder();
+  TestFolder(const TestFolder&) = delete;
+  TestFolder& operator=(const TestFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Runs a program found on PATH, in `folder`; `search_path` replaces PATH unless it is empty.
+Ended run_program(const std::filesystem::path& folder, const std::vector<std::string>& words,
+                  const std::string& search_path = "");
+
+/// Runs the command with these arguments.
+Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& arguments,
+               const std::string& search_path = "");
+
+std::string read_text(const std::filesystem::path& path);
+std::vector<std::string> lines_of(const std::string& text);
+
+}  // namespace pelt::test

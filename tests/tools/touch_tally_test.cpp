@@ -1,0 +1,72 @@
+#include "tools/pelt/touch_tally.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelt::tools {
+namespace {
+
+/// Three triangles: the first follows joint "arm" most, by the sum over its vertices although no
+/// single vertex says so; the others follow "leg". The last is a part of its own.
+asset::Asset three_triangles() {
+  asset::Asset asset;
+  asset.rest_positions.resize(9, Vec3{0, 0, 0});
+  asset.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+  asset.influences_per_vertex = 2;
+  for (int v = 0; v < 9; ++v) asset.joint_indices.insert(asset.joint_indices.end(), {0, 1});
+  asset.weights = {0.4f, 0.6f, 0.9f, 0.1f, 0.4f, 0.6f, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
+  asset.nodes.resize(2);
+  asset.nodes[0].name = "arm";
+  asset.nodes[1].name = "leg";
+  asset.joints.resize(2);
+  asset.joints[1].node = 1;
+  asset.parts.resize(2);
+  asset.parts[0].node = "body";
+  asset.parts[0].triangle_count = 2;
+  asset.parts[1].node = "boot";
+  asset.parts[1].first_triangle = 2;
+  asset.parts[1].triangle_count = 1;
+  return asset;
+}
+
+scenes::Scene two_of(asset::Asset asset) {
+  scenes::Scene scene;
+  scene.characters.push_back({"man", "man.glb", 0, std::move(asset)});
+  scene.instances.resize(2);
+  return scene;
+}
+
+TEST(TouchTally, CountsByDominantJointAndPart) {
+  const scenes::Scene scene = two_of(three_triangles());
+  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  FrameContacts found;
+  found.contacts = {{0, 0}, {0, 2}, {1, 2}, {2, 1}};
+  found.pairs = {{0, 1, 0, 4}};
+  TouchTally tally(scene, *colliders);
+  tally.add(found);
+
+  const std::vector<TouchTally::Row> joints = tally.joints(10);
+  ASSERT_EQ(joints.size(), 3u);
+  EXPECT_EQ(joints[0].a, "man 0 leg");
+  EXPECT_EQ(joints[0].b, "man 1 leg");
+  EXPECT_EQ(joints[0].contacts, 2u);
+  EXPECT_EQ(joints[1].a, "man 0 arm");
+
+  const std::vector<TouchTally::Row> parts = tally.parts(2);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].a, "man 0 body");
+  EXPECT_EQ(parts[0].b, "man 1 boot");
+  EXPECT_EQ(parts[0].contacts, 2u);
+}
+
+TEST(PartName, TellsPartsOfOneNodeApart) {
+  asset::Asset asset = three_triangles();
+  EXPECT_EQ(part_name(asset, 1), "boot");
+  asset.parts[1].node = "body";
+  asset.parts[1].material = "leather";
+  EXPECT_EQ(part_name(asset, 0), "body:0");
+  EXPECT_EQ(part_name(asset, 1), "body:leather");
+}
+
+}  // namespace
+}  // namespace pelt::tools
