@@ -12,7 +12,7 @@ json figures(const TestFolder& folder, std::vector<std::string> options) {
 
 TEST(Bench, WritesFiguresOfEveryMethod) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const json file = figures(
       folder, {"--methods", "paper,paper_eq2,paper_eager,paper_rigid", "--frames", "2:11:2"});
   EXPECT_EQ(file["format"], "pelt-bench");
@@ -37,7 +37,7 @@ TEST(Bench, WritesFiguresOfEveryMethod) {
 
 TEST(Bench, HashIsThatOfCheck) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const json file = figures(folder, {"--methods", "paper"});
   const Ended check = run_pelt(folder, {"check", "scene.json"});
   EXPECT_NE(check.out.find(file["scenes"][0]["engines"][0]["hash"].get<std::string>()),
@@ -46,7 +46,7 @@ TEST(Bench, HashIsThatOfCheck) {
 
 TEST(Bench, FirstAsksLess) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const json all = figures(folder, {"--methods", "paper"});
   const json first = figures(folder, {"--methods", "paper_eager,paper", "--first"});
   const json& engines = first["scenes"][0]["engines"];
@@ -59,7 +59,7 @@ TEST(Bench, FirstAsksLess) {
 
 TEST(Bench, ColdCacheAndFramesWithoutContact) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const json file = figures(folder, {"--methods", "paper", "--cache", "cold", "--frames", "0:1"});
   const json& engine = file["scenes"][0]["engines"][0];
   EXPECT_EQ(engine["cache"], "cold");
@@ -68,7 +68,7 @@ TEST(Bench, ColdCacheAndFramesWithoutContact) {
 
 TEST(Bench, PrintsATableForEachScene) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const Ended run =
       run_pelt(folder, {"bench", "scene.json", "scene.json", "--repeat", "1", "--frames", "5:6"});
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -10,7 +10,7 @@ Result<scenes::Scene> load(const std::string& path) { return scenes::load_scene(
 
 TEST(CheckAnswer, EqualsBruteForceInEveryFrame) {
   const TestFolder folder;
-  const auto scene = load(write_walkers(folder));
+  const auto scene = load(write_limbs(folder));
   ASSERT_TRUE(scene) << scene.error().message;
   const Ended run = run_pelt(folder, {"check", "scene.json", "--jsonl", "a.jsonl", "--pairs"});
   ASSERT_EQ(run.exit_code, 1) << run.err;
@@ -44,16 +44,16 @@ TEST(CheckAnswer, EqualsBruteForceInEveryFrame) {
 
 TEST(CheckAnswer, HeaderTellsInputsAndOptions) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const Ended run = run_pelt(folder, {"check", "scene.json", "--frames", "5:8", "--jsonl", "-"});
   const json header = parse_check_file(run.out).header;
   EXPECT_EQ(header["format"], "pelt-check");
   EXPECT_EQ(header["version"], 1);
   EXPECT_EQ(header["pelt"], "0.1.0");
-  EXPECT_EQ(header["inputs"][1]["path"], "creature:1200:45:2");
+  EXPECT_EQ(header["inputs"][1]["path"], "two.glb");
   EXPECT_EQ(header["inputs"][1]["hash"].get<std::string>().size(), 16u);
-  EXPECT_EQ(header["instances"], json::parse(R"([{"index": 0, "model": "one", "triangles": 1000},
-                            {"index": 1, "model": "two", "triangles": 1200}])"));
+  EXPECT_EQ(header["instances"], json::parse(R"([{"index": 0, "model": "one", "triangles": 1148},
+                            {"index": 1, "model": "two", "triangles": 956}])"));
   EXPECT_EQ(header["options"]["frames"], json({5, 8, 1}));
   EXPECT_EQ(header["options"]["method"], "paper");
   EXPECT_EQ(header["options"]["by"], "instance");
@@ -63,7 +63,7 @@ TEST(CheckAnswer, HeaderTellsInputsAndOptions) {
 
 TEST(CheckAnswer, IsTheSameByEveryMethod) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   std::vector<json> frames;
   std::vector<json> counters;
   for (const char* method : {"paper", "paper_eq2", "paper_eager", "paper_rigid", "brute"}) {
@@ -84,14 +84,14 @@ TEST(CheckAnswer, IsTheSameByEveryMethod) {
 
 TEST(CheckAnswer, TwoRunsWriteTheSameBytes) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   for (const char* name : {"a", "b"}) run_pelt(folder, {"check", "scene.json", "--jsonl", name});
   EXPECT_EQ(read_text(folder / "a"), read_text(folder / "b"));
 }
 
 TEST(CheckAnswer, LimitsCutShort) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const Ended whole = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});
   const std::vector<std::pair<std::vector<std::string>, std::uint64_t>> limits = {
       {{"--first"}, 1}, {{"--max-contacts", "1"}, 1}, {{"--max-contacts", "7"}, 7}};

@@ -12,7 +12,7 @@ std::vector<json> frames_of(const Ended& run) { return parse_check_file(run.out)
 
 TEST(CheckOptions, ExitCodeTellsOfContact) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   EXPECT_EQ(run_pelt(folder, {"check", "scene.json", "--frames", "0:1"}).exit_code, 0);
   EXPECT_EQ(run_pelt(folder, {"check", "scene.json", "--frames", "0:8"}).exit_code, 1);
   EXPECT_EQ(run_pelt(folder, {"check", "none.json"}).exit_code, 2);
@@ -20,7 +20,7 @@ TEST(CheckOptions, ExitCodeTellsOfContact) {
 
 TEST(CheckOptions, StandardOutputIsForTheAnswerOrForPeople) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const Ended words = run_pelt(folder, {"check", "scene.json", "--jsonl", "a.jsonl"});
   EXPECT_NE(words.out.find("joints that touch"), std::string::npos);
   EXPECT_EQ(words.err, "");
@@ -97,7 +97,7 @@ TEST(CheckOptions, ModelsRunThroughTheirLongestClip) {
 
 TEST(CheckOptions, FramesKeepTheirNumbersAndTimes) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const auto all = frames_of(run_pelt(folder, {"check", "scene.json", "--jsonl", "-", "--pairs"}));
   const auto some = frames_of(
       run_pelt(folder, {"check", "scene.json", "--frames", "2:12:3", "--jsonl", "-", "--pairs"}));
@@ -107,7 +107,7 @@ TEST(CheckOptions, FramesKeepTheirNumbersAndTimes) {
 
 TEST(CheckOptions, FpsStretchesAScene) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const auto at_6 = frames_of(run_pelt(folder, {"check", "scene.json", "--jsonl", "-"}));
   const auto at_3 =
       frames_of(run_pelt(folder, {"check", "scene.json", "--fps", "3", "--jsonl", "-"}));
@@ -165,7 +165,7 @@ std::size_t distinct_triangles(const json& frame) {
 
 TEST(CheckOptions, GlbShowsTheWorstFrameOrTheChosenOne) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const Ended worst =
       run_pelt(folder, {"check", "scene.json", "--glb", "worst.glb", "--jsonl", "-", "--pairs"});
   ASSERT_EQ(worst.exit_code, 1) << worst.err;
@@ -184,7 +184,7 @@ TEST(CheckOptions, GlbShowsTheWorstFrameOrTheChosenOne) {
 
 TEST(CheckOptions, GlbWithoutContactShowsTheFirstFrame) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   const Ended run = run_pelt(folder, {"check", "scene.json", "--frames", "0:1", "--glb", "a.glb"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(glowing(folder / "a.glb"), 0u);

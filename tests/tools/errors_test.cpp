@@ -16,7 +16,7 @@ class Refused : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(Refused, WithAMessage) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   write_strip(folder, "strip.glb");
   write_text(folder / "broken.glb", "no glTF");
   write_text(folder / "broken.json", "{");

@@ -55,8 +55,9 @@ TEST_P(HelpExamples, Run) {
   const Ended help = run_pelt(folder, {verb, "--help"});
   ASSERT_EQ(help.exit_code, 0);
   // The frames that the examples name, and some in contact among them.
-  std::string scene = kWalkersScene;
+  std::string scene = kLimbsScene;
   scene.replace(scene.find("\"count\": 12, \"fps\": 6"), 21, "\"count\": 60, \"fps\": 30");
+  write_limbs(folder);
   write_text(folder / "scene.json", scene);
   write_character(folder, "knight.glb");
   write_character(folder, "barbarian.glb");

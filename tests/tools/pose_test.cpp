@@ -26,7 +26,7 @@ std::vector<Vec3> posed_by_library(const scenes::Scene& scene, std::uint32_t ins
 
 TEST(PoseVerb, WritesTheBitsThatAreCollided) {
   const TestFolder folder;
-  const auto scene = scenes::load_scene(write_walkers(folder));
+  const auto scene = scenes::load_scene(write_limbs(folder));
   ASSERT_TRUE(scene) << scene.error().message;
   const Ended run = run_pelt(folder, {"pose", "scene.json", "--frame", "5", "-o", "a.glb"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -42,7 +42,7 @@ TEST(PoseVerb, WritesTheBitsThatAreCollided) {
 
 TEST(PoseVerb, WritesOneRootNodeForEachInstanceInOrder) {
   const TestFolder folder;
-  write_walkers(folder);
+  write_limbs(folder);
   run_pelt(folder, {"pose", "scene.json", "--frame", "0", "-o", "a.glb"});
   const GlbFile file(read_text(folder / "a.glb"));
   const json& document = file.document;

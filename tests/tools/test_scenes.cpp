@@ -1,8 +1,55 @@
 #include "tools/test_scenes.hpp"
 
+#include "support/skinned_shapes.hpp"
+
 #include <fstream>
 
 namespace pelt::test {
+namespace {
+
+void add_limb_mesh(const Shape& limb, GltfBuilder& builder) {
+  std::vector<std::uint32_t> indices;
+  std::vector<float> positions;
+  for (const Triangle& t : limb.triangles) indices.insert(indices.end(), t.begin(), t.end());
+  for (const Vec3& p : limb.rest_positions) positions.insert(positions.end(), {p.x, p.y, p.z});
+  const json attributes = {{"POSITION", builder.add_accessor(positions, "VEC3")},
+                           {"JOINTS_0", builder.add_accessor(limb.joints, "VEC4")},
+                           {"WEIGHTS_0", builder.add_accessor(limb.weights, "VEC4")}};
+  const std::size_t index_accessor = builder.add_accessor(indices, "SCALAR");
+  const json primitive = {{"attributes", attributes}, {"indices", index_accessor}};
+  builder.add("meshes", {{"primitives", {primitive}}});
+}
+
+/// Nodes 0 to count - 1, each the child of the one before, evenly from y = 0 to y = 1.
+void add_joint_chain(std::uint32_t count, GltfBuilder& builder) {
+  const float step = 1.0f / static_cast<float>(count - 1);
+  std::vector<float> inverse_binds;
+  json joints = json::array();
+  for (std::uint32_t j = 0; j < count; ++j) {
+    const float y = step * static_cast<float>(j);
+    inverse_binds.insert(inverse_binds.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -y, 0, 1});
+    json node = {{"name", "joint " + std::to_string(j)}};
+    if (j > 0) node["translation"] = {0, step, 0};
+    if (j + 1 < count) node["children"] = {j + 1};
+    joints.push_back(builder.add("nodes", node));
+  }
+  builder.add("skins", {{"joints", joints},
+                        {"inverseBindMatrices", builder.add_accessor(inverse_binds, "MAT4")}});
+}
+
+/// Every joint but the first turns around x and back.
+void add_sway(std::uint32_t count, GltfBuilder& builder) {
+  const std::vector<float> quaternions = {0, 0, 0, 1, 0.28f, 0, 0, 0.96f, 0, 0, 0, 1};
+  const std::size_t times = builder.add_accessor(std::vector<float>{0, 0.5f, 1}, "SCALAR");
+  const json sampler = {{"input", times}, {"output", builder.add_accessor(quaternions, "VEC4")}};
+  json channels = json::array();
+  for (std::uint32_t j = 1; j < count; ++j) {
+    channels.push_back({{"sampler", 0}, {"target", {{"node", j}, {"path", "rotation"}}}});
+  }
+  builder.add("animations", {{"name", "sway"}, {"channels", channels}, {"samplers", {sampler}}});
+}
+
+}  // namespace
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
@@ -14,8 +61,22 @@ void write_bytes(const std::filesystem::path& path, const std::vector<std::byte>
              static_cast<std::streamsize>(bytes.size()));
 }
 
-std::string write_walkers(const TestFolder& folder) {
-  write_text(folder / "scene.json", kWalkersScene);
+std::vector<std::byte> swaying_limb(std::uint32_t sides) {
+  constexpr std::uint32_t kJoints = 4;
+  const Shape limb = make_limb(24, sides, kJoints);
+  GltfBuilder builder;
+  add_limb_mesh(limb, builder);
+  add_joint_chain(kJoints, builder);
+  add_sway(kJoints, builder);
+  builder.add("nodes", {{"name", "limb"}, {"mesh", 0}, {"skin", 0}});
+  builder.add("scenes", {{"nodes", {0, kJoints}}});
+  return builder.glb();
+}
+
+std::string write_limbs(const TestFolder& folder) {
+  write_bytes(folder / "one.glb", swaying_limb(24));
+  write_bytes(folder / "two.glb", swaying_limb(20));
+  write_text(folder / "scene.json", kLimbsScene);
   return folder / "scene.json";
 }
 
