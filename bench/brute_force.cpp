@@ -12,35 +12,43 @@ struct Box {
   Vec3 low, high;
 };
 
-using Corners = detail::TriangleCorners;
+struct PosedTriangle {
+  detail::TriangleCorners corners;
+  Box box;
+  std::uint32_t triangle;
+};
 
-std::vector<Corners> posed_triangles(std::span<const Triangle> triangles,
-                                     std::span<const Vec3> positions) {
-  std::vector<Corners> corners;
-  corners.reserve(triangles.size());
-  for (const Triangle& t : triangles)
-    corners.push_back({positions[t[0]], positions[t[1]], positions[t[2]]});
-  return corners;
+Vec3 low(const Vec3& a, const Vec3& b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
 }
 
-Box box_of(const Corners& c) {
-  return {{std::min({c[0].x, c[1].x, c[2].x}), std::min({c[0].y, c[1].y, c[2].y}),
-           std::min({c[0].z, c[1].z, c[2].z})},
-          {std::max({c[0].x, c[1].x, c[2].x}), std::max({c[0].y, c[1].y, c[2].y}),
-           std::max({c[0].z, c[1].z, c[2].z})}};
+Vec3 high(const Vec3& a, const Vec3& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
-std::vector<Box> boxes_of(std::span<const Corners> triangles) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (const Corners& corners : triangles) boxes.push_back(box_of(corners));
-  return boxes;
+Box box_of(std::span<const Vec3> points) {
+  Box box = {points[0], points[0]};
+  for (const Vec3& p : points) box = {low(box.low, p), high(box.high, p)};
+  return box;
 }
 
 /// Without branches: this is asked of all pairs.
 bool boxes_meet(const Box& a, const Box& b) {
   return (a.low.x <= b.high.x) & (b.low.x <= a.high.x) & (a.low.y <= b.high.y) &
          (b.low.y <= a.high.y) & (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
+}
+
+/// The triangles whose boxes meet `where`: no other can touch anything that lies in it.
+std::vector<PosedTriangle> triangles_in(const Box& where, std::span<const Triangle> triangles,
+                                        std::span<const Vec3> positions) {
+  std::vector<PosedTriangle> found;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const Triangle& v = triangles[t];
+    const detail::TriangleCorners corners = {positions[v[0]], positions[v[1]], positions[v[2]]};
+    const Box box = box_of(corners);
+    if (boxes_meet(box, where)) found.push_back({corners, box, t});
+  }
+  return found;
 }
 
 }  // namespace
@@ -60,21 +68,20 @@ QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
                                std::span<const Triangle> triangles_b,
                                std::span<const Vec3> positions_b, std::vector<Contact>& contacts,
                                std::uint32_t max_contacts) {
-  const std::vector<Corners> a = posed_triangles(triangles_a, positions_a);
-  const std::vector<Corners> b = posed_triangles(triangles_b, positions_b);
-  const std::vector<Box> boxes_a = boxes_of(a), boxes_b = boxes_of(b);
+  const auto all_a = triangles_in(box_of(positions_b), triangles_a, positions_a);
+  const auto all_b = triangles_in(box_of(positions_a), triangles_b, positions_b);
   QueryStats stats;
   std::uint32_t found = 0;
-  for (std::uint32_t i = 0; i < a.size(); ++i)
-    for (std::uint32_t j = 0; j < b.size(); ++j) {
-      if (!boxes_meet(boxes_a[i], boxes_b[j])) continue;
+  for (const PosedTriangle& a : all_a)
+    for (const PosedTriangle& b : all_b) {
+      if (!boxes_meet(a.box, b.box)) continue;
       if (found == max_contacts) {
         stats.cut_short = true;
         return stats;
       }
       ++stats.triangle_pairs;
-      if (!detail::triangles_intersect(a[i], b[j])) continue;
-      contacts.push_back(Contact{i, j});
+      if (!detail::triangles_intersect(a.corners, b.corners)) continue;
+      contacts.push_back(Contact{a.triangle, b.triangle});
       ++found;
     }
   return stats;

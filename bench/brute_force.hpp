@@ -1,7 +1,8 @@
 #pragma once
 
 /// The oracle: every triangle of one body against every triangle of the other, by the same exact
-/// predicate. Knows no tree.
+/// predicate. Knows no tree; only what lies outside the other body's box, or whose own boxes do not
+/// meet, is passed over.
 
 #include "base/scratch.hpp"
 #include "model/skinned_mesh.hpp"
