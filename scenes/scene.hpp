@@ -44,8 +44,8 @@ struct Scene {
 };
 
 inline constexpr std::uint32_t kMaxFrames = 1'000'000;
-inline constexpr double kMaxFps = 1e6;
-inline constexpr double kMaxScale = 1e6;
+inline constexpr double kMinFps = 1e-6, kMaxFps = 1e6;
+inline constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
 
 /// Reads the JSON scene format (docs/scenes.md); paths in it are relative to its folder. Unknown
 /// keys, wrong types, missing clips and bad characters are refused with the path inside the file.

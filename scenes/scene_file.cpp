@@ -21,7 +21,6 @@ using Problem = StrictObject::Problem;
 constexpr double kMaxNumber = 1e12;  // far beyond any use, near enough to keep arithmetic finite
 constexpr Range kAnyNumber = {-kMaxNumber, kMaxNumber};
 constexpr Range kAnyCount = {0, std::numeric_limits<std::uint32_t>::max()};
-constexpr double kSmallestPositive = std::numeric_limits<float>::min();
 
 CreatureOptions read_creature(const StrictObject& object) {
   const CreatureOptions defaults;
@@ -89,7 +88,7 @@ Instance read_instance(const StrictObject& object, std::span<const SceneFile::Mo
   instance.translation = read_vector(object, "translation", instance.translation);
   instance.rotation = read_vector(object, "rotation", instance.rotation);
   require_unit_length(object, instance.rotation);
-  instance.scale = object.number("scale", instance.scale, {kSmallestPositive, kMaxScale});
+  instance.scale = object.number("scale", instance.scale, {kMinScale, kMaxScale});
   instance.velocity = read_vector(object, "velocity", instance.velocity);
   return instance;
 }
@@ -115,7 +114,7 @@ Result<SceneFile> parse_scene(std::string_view text) {
   scene.models = read_models(file, problem);
   const StrictObject frames = file.object("frames", kFramesKeys);
   scene.frame_count = frames.count("count", scene.frame_count, {1, kMaxFrames});
-  scene.fps = frames.number("fps", scene.fps, {kSmallestPositive, kMaxFps});
+  scene.fps = frames.number("fps", scene.fps, {kMinFps, kMaxFps});
   scene.instances = read_instances(file, scene.models);
   if (problem) return asset::malformed(*problem);
   return scene;

@@ -21,7 +21,7 @@ const json& empty_object() {
 
 std::string shown(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
+  std::snprintf(text, sizeof text, "%.12g", value);
   return text;
 }
 

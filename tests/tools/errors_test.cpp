@@ -59,12 +59,12 @@ INSTANTIATE_TEST_SUITE_P(
                 {"--clip", "\"bnd\"", "did you mean \"bend\"?"}},
         Refusal{{"check", "strip.glb", "--at", "1,2"}, {"--at", "\"1,2\"", "x,y,z"}},
         Refusal{{"check", "strip.glb", "--at", "1,2,inf"}, {"--at", "x,y,z"}},
-        Refusal{{"check", "strip.glb", "--scale", "0"}, {"--scale", "above 0"}},
+        Refusal{{"check", "strip.glb", "--scale", "0"}, {"--scale", "1e-6"}},
         Refusal{{"check", "strip.glb", "--scale", "-1"}, {"--scale"}},
         Refusal{{"check", "strip.glb", "--scale", "nan"}, {"--scale"}},
         Refusal{{"check", "strip.glb", "--turn", "left"}, {"--turn", "left"}},
         Refusal{{"check", "strip.glb", "--turn", "1e300"}, {"--turn"}},
-        Refusal{{"check", "strip.glb", "--fps", "0"}, {"--fps", "above 0"}}));
+        Refusal{{"check", "strip.glb", "--fps", "0"}, {"--fps", "1e-6"}}));
 
 INSTANTIATE_TEST_SUITE_P(
     Options, Refused,

@@ -33,29 +33,13 @@ TEST_P(SharedScenes, HaveTheSameAnswerByEveryMethod) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SharedScenes,
                          ::testing::Values(SharedScene{"two_walkers.json", "117:118"},
                                            SharedScene{"walk_through.json", "50:51"},
-                                           SharedScene{"duel.json", "12:13"}),
+                                           SharedScene{"duel.json", "12:13"},
+                                           SharedScene{"zoo.json", "20:21"},
+                                           SharedScene{"crowd50.json", "20:21"}),
                          [](const auto& scene) {
                            const std::string name = scene.param.name;
                            return name.substr(0, name.find('.'));
                          });
-
-/// Too many bodies for all pairs of triangles; the paper's methods only.
-TEST(SharedScenesOfMany, HaveTheSameAnswerByThePapersMethods) {
-  for (const char* name : {"zoo.json", "crowd50.json"}) {
-    const std::string path = std::string(PELT_SHARED_DIR) + "/scenes/" + name;
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
-    const TestFolder folder;
-    std::vector<json> answers;
-    for (const char* method : {"paper", "paper_eager"}) {
-      const Ended run = run_pelt(
-          folder, {"check", path, "--method", method, "--frames", "20:21", "--jsonl", "-"});
-      ASSERT_EQ(run.exit_code, 1) << method << run.err;
-      const CheckFile file = parse_check_file(run.out);
-      answers.push_back({file.frames, file.totals["hash"]});
-      EXPECT_EQ(answers.back(), answers.front()) << name << " " << method;
-    }
-  }
-}
 
 }  // namespace
 }  // namespace pelt::test

@@ -96,8 +96,8 @@ Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
   if (clip != kNoClip) instance.clip = clip;
   instance.start = nth(arguments.starts, i, 0.0);
   instance.scale = nth(arguments.scales, i, 1.0);
-  if (!(instance.scale > 0 && instance.scale <= scenes::kMaxScale)) {
-    return bad_argument("--scale", "is out of range", "give a number above 0, at most 1e6");
+  if (!(instance.scale >= scenes::kMinScale && instance.scale <= scenes::kMaxScale)) {
+    return bad_argument("--scale", "is out of range", "give a number from 1e-6 to 1e6");
   }
   const double degrees = nth(arguments.turns, i, 0.0);
   if (!(std::fabs(degrees) <= 1e9 && std::fabs(instance.start) <= 1e12)) {
@@ -189,8 +189,8 @@ void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
 }
 
 Result<Scene> open_scene(const SceneArguments& arguments) {
-  if (arguments.fps && !(*arguments.fps > 0 && *arguments.fps <= scenes::kMaxFps)) {
-    return bad_argument("--fps", "is out of range", "give a number above 0, at most 1e6");
+  if (arguments.fps && !(*arguments.fps >= scenes::kMinFps && *arguments.fps <= scenes::kMaxFps)) {
+    return bad_argument("--fps", "is out of range", "give a number from 1e-6 to 1e6");
   }
   return asks_for_scene(arguments) ? scene_of_file(arguments) : scene_of_models(arguments);
 }

@@ -1,0 +1,176 @@
+#include "scenes/scene_file.hpp"
+
+#include "scenes/scene_keys.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <set>
+
+namespace pelt::scenes {
+namespace {
+
+TEST(SceneFile, ReadsEveryKey) {
+  const Result<SceneFile> file = parse_scene(R"({
+    "$schema": "scene.schema.json",
+    "models": {"b": {"creature": {"triangles": 8270, "joints": 27, "seed": 5}}, "a": "x/a.glb"},
+    "frames": {"count": 7, "fps": 12.5},
+    "instances": [
+      {"model": "b", "clip": "", "start": 0.25, "speed": -2, "translation": [1, 2, 3],
+       "rotation": [0, 0.6, 0, 0.8], "scale": 0.5, "velocity": [0, 0, -1]},
+      {"model": "a", "clip": null}
+    ]})");
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_EQ(file->models.size(), 2u);
+  EXPECT_EQ(std::get<std::string>(file->models[0].source), "x/a.glb");
+  const auto& creature = std::get<CreatureOptions>(file->models[1].source);
+  EXPECT_EQ(creature.triangles, 8270u);
+  EXPECT_EQ(creature.joints, 27u);
+  EXPECT_EQ(creature.seed, 5u);
+  EXPECT_EQ(file->frame_count, 7u);
+  EXPECT_EQ(file->fps, 12.5);
+  const Instance& first = file->instances.at(0);
+  EXPECT_EQ(first.character, 1u);
+  EXPECT_EQ(first.clip, "");
+  EXPECT_EQ(first.start, 0.25);
+  EXPECT_EQ(first.speed, -2);
+  EXPECT_EQ(first.translation, (std::array<double, 3>{1, 2, 3}));
+  EXPECT_EQ(first.rotation, (std::array<double, 4>{0, 0.6, 0, 0.8}));
+  EXPECT_EQ(first.scale, 0.5);
+  EXPECT_EQ(first.velocity, (std::array<double, 3>{0, 0, -1}));
+  const Instance& second = file->instances.at(1);
+  EXPECT_EQ(second.character, 0u);
+  EXPECT_EQ(second.clip, std::nullopt);
+  EXPECT_EQ(second.speed, 1);
+  EXPECT_EQ(second.scale, 1);
+}
+
+struct Refusal {
+  const char* text;
+  const char* message;  ///< its begin
+};
+
+class RefusedScene : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(RefusedScene, NamesThePlace) {
+  const Result<SceneFile> file = parse_scene(GetParam().text);
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().message.substr(0, std::string(GetParam().message).size()),
+            GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Outside, RefusedScene,
+    ::testing::Values(
+        Refusal{"", "the JSON text"}, Refusal{"{\"models\": ", "the JSON text"},
+        Refusal{"[]", "expected an object, found an array"}, Refusal{"{}", "models: is missing"},
+        Refusal{R"({"models": {"a": "a"}})", "instances: is missing"},
+        Refusal{R"({"models": []})", "models: expected an object, found an array"},
+        Refusal{R"({"models": {}})", "models: expected at least one member, found none"},
+        Refusal{R"({"models": {"a": 3}})", "models.a: expected an object, found a number"},
+        Refusal{R"({"models": {"a": {}}})", "models.a.creature: is missing"},
+        Refusal{R"({"models": {"a": {"creature": {"seed": -1}}}})",
+                "models.a.creature.seed: expected 0 to 4294967295, found -1"},
+        Refusal{R"({"models": {"a": {"creature": {"joints": 56.5}}}})",
+                "models.a.creature.joints: expected a whole number, found 56.5"},
+        Refusal{R"({"models": {"a": {"creature": {"triangle": 1}}}})",
+                "models.a.creature: unknown key \"triangle\", did you mean \"triangles\"?"},
+        Refusal{R"({"models": {"a": "a"}, "frames": 3, "instances": []})",
+                "frames: expected an object, found a number"},
+        Refusal{R"({"models": {"a": "a"}, "frames": {"count": 0}, "instances": []})",
+                "frames.count: expected 1 to 1000000, found 0"},
+        Refusal{R"({"models": {"a": "a"}, "frames": {"count": "3"}, "instances": []})",
+                "frames.count: expected a number, found a string"},
+        Refusal{R"({"models": {"a": "a"}, "frames": {"fps": 0}, "instances": []})",
+                "frames.fps: expected 1e-06 to 1000000, found 0"},
+        Refusal{R"({"models": {"a": "a"}, "instances": {}})",
+                "instances: expected an array, found an object"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [], "camera": 1})",
+                "unknown key \"camera\", expected one of \"$schema\", \"models\""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Instances, RefusedScene,
+    ::testing::Values(
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a"}, 3]})",
+                "instances[1]: expected an object, found a number"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{}]})", "instances[0].model: is missing"},
+        Refusal{R"({"models": {"knight": "a"}, "instances": [{"model": "knigth"}]})",
+                "instances[0].model: \"knigth\" is not in \"models\", did you mean \"knight\"?"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "clp": "walk"}]})",
+                "instances[0]: unknown key \"clp\", did you mean \"clip\"?"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "clip": 1}]})",
+                "instances[0].clip: expected a string, found a number"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "start": true}]})",
+                "instances[0].start: expected a number, found true or false"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "rotation": [0, 0, 1]}]})",
+                "instances[0].rotation: expected 4 numbers, found 3"},
+        Refusal{
+            R"({"models": {"a": "a"}, "instances": [{"model": "a", "rotation": [0, 0, 0, 1.1]}]})",
+            "instances[0].rotation: expected a unit quaternion x y z w, found one of length 1.1"},
+        Refusal{
+            R"({"models": {"a": "a"}, "instances": [{"model": "a", "rotation": [0, 0, 0, 0]}]})",
+            "instances[0].rotation: expected a unit quaternion"},
+        Refusal{
+            R"({"models": {"a": "a"}, "instances": [{"model": "a", "translation": [0, "0", 0]}]})",
+            "instances[0].translation: expected 3 numbers, found a string among them"},
+        Refusal{
+            R"({"models": {"a": "a"}, "instances": [{"model": "a", "velocity": [0, 1e300, 0]}]})",
+            "instances[0].velocity: expected numbers within 1e12"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "scale": 0}]})",
+                "instances[0].scale: "},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "scale": -1}]})",
+                "instances[0].scale: "},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "scale": [1, 1, 1]}]})",
+                "instances[0].scale: expected a number, found an array"}));
+
+std::set<std::string> keys_of(const nlohmann::json& object) {
+  std::set<std::string> keys;
+  for (auto member = object["properties"].begin(); member != object["properties"].end(); ++member) {
+    keys.insert(member.key());
+  }
+  EXPECT_EQ(object["additionalProperties"], false);
+  return keys;
+}
+
+template <std::size_t N>
+std::set<std::string> set_of(const std::array<std::string_view, N>& keys) {
+  return {keys.begin(), keys.end()};
+}
+
+TEST(SceneSchema, HasTheKeysOfTheReader) {
+  std::ifstream file(PELT_DOCS_DIR "/scene.schema.json");
+  const auto schema = nlohmann::json::parse(file);
+  const auto& model = schema["properties"]["models"]["additionalProperties"]["oneOf"][1];
+  EXPECT_EQ(keys_of(schema), set_of(kSceneKeys));
+  EXPECT_EQ(keys_of(model), set_of(kModelKeys));
+  EXPECT_EQ(keys_of(schema["$defs"]["frames"]), set_of(kFramesKeys));
+  EXPECT_EQ(keys_of(schema["$defs"]["creature"]), set_of(kCreatureKeys));
+  EXPECT_EQ(keys_of(schema["$defs"]["instance"]), set_of(kInstanceKeys));
+}
+
+TEST(SceneSchema, HasTheDefaultsOfTheReader) {
+  std::ifstream stream(PELT_DOCS_DIR "/scene.schema.json");
+  const auto schema = nlohmann::json::parse(stream);
+  const Result<SceneFile> file =
+      parse_scene(R"({"models": {"a": {"creature": {}}}, "instances": [{"model": "a"}]})");
+  ASSERT_TRUE(file) << file.error().message;
+  const auto& frames = schema["$defs"]["frames"]["properties"];
+  EXPECT_EQ(frames["count"]["default"], file->frame_count);
+  EXPECT_EQ(frames["fps"]["default"], file->fps);
+  const auto& creature = schema["$defs"]["creature"]["properties"];
+  const auto& options = std::get<CreatureOptions>(file->models[0].source);
+  EXPECT_EQ(creature["triangles"]["default"], options.triangles);
+  EXPECT_EQ(creature["joints"]["default"], options.joints);
+  EXPECT_EQ(creature["seed"]["default"], options.seed);
+  const auto& instance = schema["$defs"]["instance"]["properties"];
+  EXPECT_EQ(instance["start"]["default"], file->instances[0].start);
+  EXPECT_EQ(instance["speed"]["default"], file->instances[0].speed);
+  EXPECT_EQ(instance["scale"]["default"], file->instances[0].scale);
+  EXPECT_EQ(instance["translation"]["default"], file->instances[0].translation);
+  EXPECT_EQ(instance["rotation"]["default"], file->instances[0].rotation);
+  EXPECT_EQ(instance["velocity"]["default"], file->instances[0].velocity);
+}
+
+}  // namespace
+}  // namespace pelt::scenes

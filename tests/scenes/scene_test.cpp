@@ -1,0 +1,162 @@
+#include "scenes/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+
+namespace pelt::scenes {
+namespace {
+
+/// One joint that moves along x by one unit a second through a clip of `duration` seconds.
+asset::Asset sliding_point(float duration) {
+  asset::Asset asset;
+  asset.nodes.resize(1);
+  asset.nodes[0].local.translation = {7, 0, 0};
+  asset.joints.resize(1);
+  asset::Clip clip;
+  clip.name = "slide";
+  clip.duration = duration;
+  clip.channels.resize(1);
+  clip.channels[0].interpolation = asset::Interpolation::linear;
+  clip.channels[0].times = duration > 0 ? std::vector<float>{0, duration} : std::vector<float>{0};
+  clip.channels[0].values = {0, 0, 0};
+  if (duration > 0) clip.channels[0].values.insert(clip.channels[0].values.end(), {duration, 0, 0});
+  asset.clips = {clip, clip};
+  asset.clips[1].name = "";
+  return asset;
+}
+
+Scene scene_of(asset::Asset asset, const Instance& instance) {
+  Scene scene;
+  scene.characters.push_back({"point", "point.glb", 0, std::move(asset)});
+  scene.instances = {instance};
+  scene.frame_count = 1000;
+  scene.fps = 4;
+  return scene;
+}
+
+Matrix4 palette_at(const Scene& scene, std::uint32_t frame) {
+  asset::SampleScratch scratch;
+  Matrix4 palette;
+  instance_palette(scene, 0, frame, scratch, std::span(&palette, 1));
+  return palette;
+}
+
+float x_at(const Scene& scene, std::uint32_t frame) { return palette_at(scene, frame).m[12]; }
+
+Instance playing(const char* clip, double start, double speed) {
+  Instance instance;
+  instance.clip = clip;
+  instance.start = start;
+  instance.speed = speed;
+  return instance;
+}
+
+TEST(ClipTime, IsStartPlusSpeedTimesTimeModuloDuration) {
+  const Scene scene = scene_of(sliding_point(2), playing("slide", 0.5, 1.5));
+  EXPECT_EQ(frame_time(scene, 3), 0.75);
+  EXPECT_EQ(x_at(scene, 0), 0.5f);
+  EXPECT_EQ(x_at(scene, 2), 1.25f);
+  EXPECT_EQ(x_at(scene, 4), 0.0f);  // 2 seconds: the loop is half-open
+  EXPECT_EQ(x_at(scene, 8), 1.5f);
+}
+
+TEST(ClipTime, RunsBackwardsThroughZero) {
+  const Scene scene = scene_of(sliding_point(2), playing("slide", 0.25, -1));
+  EXPECT_EQ(x_at(scene, 0), 0.25f);
+  EXPECT_EQ(x_at(scene, 1), 0.0f);
+  EXPECT_EQ(x_at(scene, 2), 1.75f);
+  EXPECT_EQ(x_at(scene, 9), 0.0f);
+}
+
+TEST(ClipTime, StaysBelowTheDurationHoweverSmallTheRest) {
+  const Scene scene = scene_of(sliding_point(2), playing("slide", -1e-20, 0));
+  EXPECT_EQ(x_at(scene, 0), 0.0f);
+}
+
+TEST(ClipTime, OfAClipWithoutDurationIsZero) {
+  const Scene scene = scene_of(sliding_point(0), playing("slide", 3, 1));
+  EXPECT_EQ(x_at(scene, 5), 0.0f);
+}
+
+TEST(ClipTime, WithoutClipTheNodesStandInTheirDefaultPose) {
+  EXPECT_EQ(x_at(scene_of(sliding_point(2), {}), 3), 7.0f);
+  EXPECT_EQ(x_at(scene_of(sliding_point(2), playing("", 0, 1)), 3), 0.75f);
+}
+
+TEST(Placement, TurnsThenMoves) {
+  Instance instance;
+  instance.translation = {1, 2, 3};
+  instance.rotation = {0, 0.6, 0, 0.8};
+  instance.scale = 2;
+  instance.velocity = {0, 4, 0};
+  const Matrix4 m = palette_at(scene_of(sliding_point(2), instance), 2);
+  // The node stands at (7, 0, 0); cosine 0.28 and sine 0.96 of the turn around y; t = 0.5.
+  EXPECT_FLOAT_EQ(m.m[0], 2 * 0.28f);
+  EXPECT_FLOAT_EQ(m.m[2], -2 * 0.96f);
+  EXPECT_FLOAT_EQ(m.m[5], 2);
+  EXPECT_FLOAT_EQ(m.m[12], 1 + 14 * 0.28f);
+  EXPECT_FLOAT_EQ(m.m[13], 4);
+  EXPECT_FLOAT_EQ(m.m[14], 3 - 14 * 0.96f);
+  EXPECT_EQ(m.m[15], 1);
+}
+
+TEST(Placement, NormalisesTheRotation) {
+  Instance instance;
+  instance.rotation = {0, 0.6, 0, 0.8};
+  const Matrix4 unit = palette_at(scene_of(sliding_point(2), instance), 0);
+  for (double& number : instance.rotation) number *= 1.0005;
+  const Matrix4 longer = palette_at(scene_of(sliding_point(2), instance), 0);
+  for (int i = 0; i < 16; ++i) EXPECT_NEAR(unit.m[i], longer.m[i], 1e-6f) << i;
+}
+
+TEST(CheckClip, NamesTheClipsThatExist) {
+  EXPECT_TRUE(check_clip(scene_of(sliding_point(2), playing("slide", 0, 1)), 0));
+  EXPECT_TRUE(check_clip(scene_of(sliding_point(2), playing("", 0, 1)), 0));
+  const auto near = check_clip(scene_of(sliding_point(2), playing("slid", 0, 1)), 0);
+  ASSERT_FALSE(near);
+  EXPECT_EQ(near.error().message, "\"point\" has no clip \"slid\", did you mean \"slide\"?");
+  const auto far = check_clip(scene_of(sliding_point(2), playing("walk", 0, 1)), 0);
+  ASSERT_FALSE(far);
+  EXPECT_EQ(far.error().message, "\"point\" has no clip \"walk\", expected one of \"slide\", \"\"");
+  asset::Asset still = sliding_point(2);
+  still.clips.clear();
+  const auto none = check_clip(scene_of(still, playing("walk", 0, 1)), 0);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message, "\"point\" has no clip \"walk\", it has none");
+}
+
+TEST(LoadScene, GeneratesCreatures) {
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / "pelt_scene_test.json";
+  std::ofstream(path) << R"({
+    "models": {"imp": {"creature": {"triangles": 1000, "joints": 24, "seed": 3}}},
+    "instances": [{"model": "imp", "clip": "walk"}]})";
+  const Result<Scene> scene = load_scene(path);
+  std::filesystem::remove(path);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->name, "pelt_scene_test.json");
+  ASSERT_EQ(scene->characters.size(), 1u);
+  EXPECT_EQ(scene->characters[0].name, "imp");
+  EXPECT_EQ(scene->characters[0].source, "creature:1000:24:3");
+  EXPECT_EQ(scene->characters[0].asset.triangles.size(), 1000u);
+}
+
+TEST(LoadScene, ReadsTheSharedOnes) {
+  const std::filesystem::path folder = std::filesystem::path(PELT_SHARED_DIR) / "scenes";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
+  const std::pair<const char*, std::size_t> scenes[] = {{"two_walkers.json", 2},
+                                                        {"walk_through.json", 2},
+                                                        {"crowd50.json", 50},
+                                                        {"duel.json", 2},
+                                                        {"zoo.json", 15}};
+  for (const auto& [name, instances] : scenes) {
+    const Result<Scene> scene = load_scene(folder / name);
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene->instances.size(), instances);
+  }
+}
+
+}  // namespace
+}  // namespace pelt::scenes
