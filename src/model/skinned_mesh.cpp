@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 namespace pelt::detail {
@@ -35,12 +36,15 @@ Problem check_sizes(const SkinnedMeshView& view) {
   if (view.influences_per_vertex == 0) return invalid("influences_per_vertex is 0");
   if (view.joint_count == 0 || view.joint_count > 65536)
     return invalid("joint_count is %u, expected 1 to 65536", view.joint_count);
-  const std::size_t expected = view.rest_positions.size() * view.influences_per_vertex;
+  const std::uint64_t expected =
+      std::uint64_t{view.rest_positions.size()} * view.influences_per_vertex;
+  if (expected > 0xFFFFFFFF)
+    return invalid("rest_positions x influences_per_vertex is more than 2^32 - 1");
   if (view.joints.size() != expected || view.weights.size() != expected)
     return invalid(
         "joints has %zu and weights has %zu elements, expected %zu "
         "(rest_positions x influences_per_vertex)",
-        view.joints.size(), view.weights.size(), expected);
+        view.joints.size(), view.weights.size(), static_cast<std::size_t>(expected));
   return std::nullopt;
 }
 
@@ -102,7 +106,8 @@ Problem normalise_weights(std::span<Influence> influences, std::size_t vertex,
                           const ModelOptions& options, BuildReport& report) {
   double sum = 0;
   for (const Influence& influence : influences) sum += static_cast<double>(influence.weight);
-  if (sum == 0) return invalid("weights of vertex %zu sum to 0, expected 1", vertex);
+  if (!(sum > 0 && std::isfinite(sum)))  // floats of one joint may have summed to infinity
+    return invalid("weights of vertex %zu sum to %g, expected 1", vertex, sum);
   const double error = std::fabs(sum - 1);
   if (error > kMaxWeightSumError && options.off_weights == OffWeights::refuse)
     return invalid(

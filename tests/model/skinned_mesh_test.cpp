@@ -85,6 +85,15 @@ TEST(SkinnedMesh, RefusesOrRenormalisesWhatIsFarFromOne) {
   EXPECT_EQ(report.renormalised_vertices, 1u);
 }
 
+TEST(SkinnedMesh, RefusesASumThatOverflows) {
+  Shape shape = one_triangle();
+  shape.joints[0] = shape.joints[1] = 0;
+  shape.weights[0] = shape.weights[1] = std::numeric_limits<float>::max();
+  const auto model = build_model(shape.view(), {.off_weights = OffWeights::renormalise});
+  ASSERT_FALSE(model);
+  EXPECT_EQ(model.error().message, "weights of vertex 0 sum to inf, expected 1");
+}
+
 TEST(SkinnedMesh, TheLimitIsTwoToTheMinusSeven) {
   Shape shape = one_triangle();
   shape.weights[2] = 1 + 0x1p-7f;
@@ -127,6 +136,8 @@ TEST(SkinnedMesh, NamesArrayIndexAndValueOfWhatItRefuses) {
   EXPECT_EQ(refuse([](Shape& s) { s.triangles.clear(); }),
             "triangles is empty: there is nothing to collide");
   EXPECT_EQ(refuse([](Shape& s) { s.influences_per_vertex = 0; }), "influences_per_vertex is 0");
+  EXPECT_EQ(refuse([](Shape& s) { s.influences_per_vertex = 0xFFFFFFFF; }),
+            "rest_positions x influences_per_vertex is more than 2^32 - 1");
   EXPECT_EQ(refuse([](Shape& s) { s.joint_count = 0; }), "joint_count is 0, expected 1 to 65536");
   EXPECT_EQ(refuse([](Shape&) {}), "accepted");
 }
