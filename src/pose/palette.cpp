@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 
 namespace pelt::detail {
 namespace {
@@ -51,9 +52,12 @@ Error describe(const float* m, std::size_t joint) {
 
 }  // namespace
 
+/// A mesh counts as no smaller than 2^-60: what throws it no further than kMaxCoordinate then has
+/// no element beyond 2^120, and no blend of such matrices overflows.
 Palette::Palette(std::uint32_t joint_count, float rest_radius)
-    : joints_(joint_count), rest_radius_(rest_radius) {
-  reach_ = std::nextafter(static_cast<float>(joint_reach(joints_[0].m.data(), rest_radius)),
+    : joints_(joint_count), rest_radius_(std::max(rest_radius, 0x1p-60f)) {
+  const double radius = static_cast<double>(rest_radius_);
+  reach_ = std::nextafter(static_cast<float>(joint_reach(joints_[0].m.data(), radius)),
                           std::numeric_limits<float>::infinity());
 }
 

@@ -49,6 +49,20 @@ TEST(SetPalette, RefusesWithTheElementAndLeavesThePoseAsItWas) {
   EXPECT_EQ(before, after);
 }
 
+TEST(SetPalette, NoBlendOverflowsHoweverSmallTheMesh) {
+  test::Shape speck = test::make_limb(8, 6, 3);
+  for (Vec3& p : speck.rest_positions) p = {0x1p-90f * p.x, 0x1p-90f * p.y, 0x1p-90f * p.z};
+  Pose pose(*build_model(speck.view()));
+  std::vector<Matrix4> palette(3);
+  for (Matrix4& joint : palette) joint.m[0] = std::numeric_limits<float>::max();
+  EXPECT_EQ(refusal(pose, palette), "palette[0] can move a vertex beyond 2^60 units");
+  for (Matrix4& joint : palette) joint.m[0] = 0x1p119f;
+  ASSERT_EQ(refusal(pose, palette), "accepted");
+  std::vector<Vec3> posed(speck.rest_positions.size());
+  posed_vertices(pose, posed);
+  for (const Vec3& v : posed) EXPECT_TRUE(std::isfinite(v.x));
+}
+
 TEST(SetPalette, TakesEngineArraysAsTheyAre) {
   Pose by_matrices = make_pose(), by_floats = make_pose();
   Random random(4);
