@@ -148,27 +148,4 @@ Sphere min_sphere(std::span<const Vec3> points) {
   return enclose(min_sphere_centre(points), points);
 }
 
-Sphere ball_of_triangle(const TriangleCorners& corners) {
-  const Vec3d a(corners[0]), b(corners[1]), c(corners[2]);
-  const Vec3d ab = b - a, ac = c - a, bc = c - b;
-  const double ab2 = squared_length(ab), ac2 = squared_length(ac);
-  const double cos_a = dot(ab, ac), cos_b = -dot(ab, bc), cos_c = dot(ac, bc);
-  const double sin_a2 = squared_length(cross(ab, ac));
-
-  // centre = a + s ab + t ac: the middle of the side across from a corner without an acute angle,
-  // or else the circumcentre. A needle with its point at a, too thin for that, is as good as a
-  // segment.
-  double s = 0.5, t = 0;
-  if (cos_a <= 0) {
-    t = 0.5;
-  } else if (cos_b <= 0) {
-    s = 0, t = 0.5;
-  } else if (cos_c > 0 && sin_a2 > 0x1p-80 * ab2 * ac2) {
-    const double scale = 0.5 / sin_a2;
-    s = scale * ac2 * cos_b;
-    t = scale * ab2 * cos_c;
-  }
-  return enclose(a + s * ab + t * ac, corners);
-}
-
 }  // namespace pelt::detail

@@ -17,7 +17,6 @@
 namespace pelt::test {
 namespace {
 
-using detail::ball_of_triangle;
 using detail::min_sphere;
 using detail::Sphere;
 using detail::TriangleCorners;
@@ -284,26 +283,8 @@ TEST(MinSphere, IsTheSameEveryTime) {
   EXPECT_EQ(first.radius, second.radius);
 }
 
-constexpr double kBallSlack = 1e-5;
-
-void expect_minimal_balls(IntegerPair (*make)(Random&), std::uint64_t seed) {
-  std::cout << "seed " << seed << "\n";
-  Random random(seed);
-  for (int i = 0; i < 3'000 && !testing::Test::HasFatalFailure(); ++i) {
-    const int exponent = std::array{-149, -24, 36}[random() % 3];
-    const TriangleCorners corners = scaled(make(random).a, exponent);
-    SCOPED_TRACE("triangle " + std::to_string(i) + ": " + to_text(corners));
-    expect_minimal(ball_of_triangle(corners), corners, kBallSlack);
-  }
-}
-
-TEST(BallOfTriangle, IsMinimalAnywhere) { expect_minimal_balls(anywhere, 61); }
-TEST(BallOfTriangle, IsMinimalOnGrid) { expect_minimal_balls(on_grid, 62); }
-TEST(BallOfTriangle, IsMinimalOfCollapsed) { expect_minimal_balls(collapsed, 63); }
-TEST(BallOfTriangle, IsMinimalOfSheared) { expect_minimal_balls(sheared_grid, 64); }
-
 /// One corner farther than the others' distance can be told in double.
-TEST(BallOfTriangle, IsMinimalOfFarPoints) {
+TEST(MinSphere, IsMinimalOfFarPoints) {
   constexpr std::uint64_t kSeed = 65;
   std::cout << "seed " << kSeed << "\n";
   Random random(kSeed);
@@ -313,19 +294,18 @@ TEST(BallOfTriangle, IsMinimalOfFarPoints) {
     corners[0] = scaled(uniform_corners(random, -3, 3), 36)[0];
     std::swap(corners[0], corners[random() % 3]);
     SCOPED_TRACE(to_text(corners));
-    expect_minimal(ball_of_triangle(corners), corners, kBallSlack);
+    expect_minimal(min_sphere(corners), corners, kMinSphereSlack);
   }
 }
 
 /// An acute needle whose two long sides are equal in double.
-TEST(BallOfTriangle, IsMinimalOfNeedles) {
+TEST(MinSphere, IsMinimalOfNeedles) {
   for (const float width : {0x1p-149f, 0x1p-100f, 0x1p-40f, 0x1p-20f, 0x1p-6f, 1.0f}) {
     for (const float length : {1.0f, 0x1p20f, 0x1p60f}) {
       const Vec3 tip = {length, 0, 0}, left = {0, width, 0}, right = {0, -width, 0};
       const TriangleCorners turns[] = {{tip, left, right}, {left, right, tip}, {right, tip, left}};
       for (const TriangleCorners& corners : turns) {
         SCOPED_TRACE(to_text(corners));
-        expect_minimal(ball_of_triangle(corners), corners, kBallSlack);
         expect_minimal(min_sphere(corners), corners, kMinSphereSlack);
       }
     }
