@@ -14,8 +14,6 @@ import sys
 
 FLOORS = ["include/pelt", "src/base", "src/geometry", "src/model", "src/pose", "paper",
           "src/query", "asset", "scenes", "bench", "tools", "tests"]
-# A palette is a checked array and nothing of a pose: the model's own engine may speak of it.
-SUNK = {"src/pose/palette.hpp": "src/model"}
 
 MAY_INCLUDE_PAPER = ("paper", "bench", "tools", "tests")
 MAY_INCLUDE_ONLY = {
@@ -31,8 +29,6 @@ INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 def floor_of(path):
     """The name of the floor on which a file stands, or None."""
-    if path in SUNK:
-        return SUNK[path]
     return next((f for f in [*FLOORS, "examples"] if path.startswith(f + "/")), None)
 
 

@@ -6,11 +6,12 @@
 #include <pelt/collide.hpp>
 
 #include "model/skinned_mesh.hpp"
-#include "pose/palette.hpp"
 
 #include <memory>
 
 namespace pelt::detail {
+
+class Palette;
 
 /// What is prepared once for a mesh.
 struct Engine;
