@@ -10,9 +10,9 @@ namespace {
 
 using Value = std::array<double, 4>;
 
-enum Part { in_tangent, value, out_tangent };
+enum KeyPart { in_tangent, value, out_tangent };
 
-Value key_part(const Channel& channel, std::size_t key, Part part) {
+Value key_part(const Channel& channel, std::size_t key, KeyPart part) {
   const std::size_t size = value_size(channel.path);
   const bool cubic = channel.interpolation == Interpolation::cubic_spline;
   const std::size_t first = size * (cubic ? 3 * key + part : key);
