@@ -52,10 +52,6 @@ RawMesh make_surface(const Flesh& flesh, std::uint32_t triangle_count) {
   return remesh(flesh, std::move(raw), triangle_count / 2 * 2);
 }
 
-Vec3 to_float(const Vec3d& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 /// Nodes for the kept joints, under a root node; returns the node of each plan joint.
 std::vector<std::uint32_t> add_skeleton(const BodyPlan& plan,
                                         const std::vector<std::uint32_t>& stands_for,

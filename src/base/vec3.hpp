@@ -20,6 +20,11 @@ inline Vec3d operator*(double s, const Vec3d& v) { return {s * v.x, s * v.y, s *
 inline double dot(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline double squared_length(const Vec3d& v) { return dot(v, v); }
 
+/// Each coordinate to the nearest float.
+inline Vec3 to_float(const Vec3d& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
 inline Vec3d cross(const Vec3d& a, const Vec3d& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

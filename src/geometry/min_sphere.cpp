@@ -132,8 +132,7 @@ Vec3d min_sphere_centre(std::span<const Vec3> points) {
 /// 2^-23 covers the rounding to a normal float, 2^-24, and that of the distance, less than 2^-50;
 /// 2^-149 covers the rounding to a subnormal one.
 Sphere enclose(const Vec3d& centre, std::span<const Vec3> points) {
-  const Vec3 rounded = {static_cast<float>(centre.x), static_cast<float>(centre.y),
-                        static_cast<float>(centre.z)};
+  const Vec3 rounded = to_float(centre);
   double farthest = 0;
   for (const Vec3& p : points) {
     farthest = std::max(farthest, squared_distance(Vec3d(p), Vec3d(rounded)));
