@@ -18,6 +18,7 @@ const Clip* Asset::find_clip(std::string_view name) const {
 }
 
 const std::string& Asset::joint_name(std::uint32_t joint) const {
+  PELT_ASSERT(joint < joints.size());
   return nodes[joints[joint].node].name;
 }
 

@@ -4,6 +4,7 @@
 /// from the file to the palette uses only + - * / and square roots in a fixed order (sines by own
 /// polynomials), so that the same file gives the same bits on every platform.
 
+#include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
 #include <pelt/result.hpp>
 
@@ -74,24 +75,24 @@ struct Clip {
 /// Triangles are numbered in scene order (nodes depth-first, primitives in order, degenerate ones
 /// kept).
 struct Asset {
-  std::vector<Vec3> rest_positions;          // [V]
-  std::vector<Triangle> triangles;           // [T]
-  std::uint32_t influences_per_vertex = 1;   // K
-  std::vector<std::uint16_t> joint_indices;  // [V][K], into `joints`
-  std::vector<float> weights;                // [V][K]
-  std::vector<Joint> joints;                 // [J]
-  std::vector<Node> nodes;                   // parents first
-  std::vector<Part> parts;                   // in order of first_triangle, covering all triangles
+  std::vector<Vec3> rest_positions;          ///< [V] see Part::skinned for their frame
+  std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
+  std::uint32_t influences_per_vertex = 1;   ///< K
+  std::vector<std::uint16_t> joint_indices;  ///< [V][K] into `joints`
+  std::vector<float> weights;                ///< [V][K] 0 where unused
+  std::vector<Joint> joints;                 ///< [J] in the order of the joint palette
+  std::vector<Node> nodes;                   ///< parents first
+  std::vector<Part> parts;                   ///< in order of first_triangle, covering all triangles
   std::vector<Clip> clips;
-  std::vector<std::string> warnings;  // what the file has and Pelt passed over
+  std::vector<std::string> warnings;  ///< what the file has and Pelt passed over
 
   /// For `build_model`; borrows from this asset.
   SkinnedMeshView mesh() const;
 
-  /// The first clip of that name ("" finds an unnamed clip), or null.
+  /// The first clip of that name ("" finds an unnamed clip), or null. Borrowed from this asset.
   const Clip* find_clip(std::string_view name) const;
 
-  /// Name of joint `joint`'s node.
+  /// Name of joint `joint`'s node; may be empty. Precondition: joint < J.
   const std::string& joint_name(std::uint32_t joint) const;
 
   /// The part that has the triangle. Precondition: triangle < T.
@@ -135,7 +136,7 @@ struct SampleScratch {
 /// Writes the joint palette at `seconds` of `clip`: keys outside the clip's range are clamped
 /// (loop by passing a time modulo `duration`); null: the default node pose. `placement` stands
 /// before everything, as the instance's world matrix. Precondition: `palette` has J elements.
-/// O(nodes + channels * log keys).
+/// O(nodes + J + channels * log keys); allocates nothing after the first call of an asset.
 void sample_palette(const Asset& asset, const Clip* clip, float seconds, const Matrix4& placement,
                     SampleScratch& scratch, std::span<Matrix4> palette);
 

@@ -16,7 +16,8 @@ struct Pose;
 /// `set_palette`, and a query refits what it visits.
 ///
 /// A new pose has identity matrices, that is, the rest positions. Queries write the bounds that
-/// they refit into the pose, so one thread at a time may query a pose. Movable, not copyable.
+/// they refit into the pose, so one thread at a time may query a pose. Movable, not copyable; one
+/// that has been moved from may only be assigned to or destroyed.
 class Pose {
  public:
   /// Allocates all the memory that the pose will ever need, O(T).
@@ -32,7 +33,8 @@ class Pose {
   /// allocation. Precondition: `palette` has `model().joint_count()` matrices.
   ///
   /// Refuses, and leaves the pose as it was, when an element is not finite, a last row is not
-  /// 0 0 0 1 (a row-major matrix, most likely), or a vertex could land beyond 2^60 units.
+  /// 0 0 0 1 (a row-major matrix, most likely), or a vertex could land beyond 2^60 units (a mesh
+  /// within 2^-60 units of the origin counts as that large). The message names the joint.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
   /// The same from 16 floats a joint, as engines keep them.
@@ -48,7 +50,8 @@ class Pose {
 
 /// Writes every posed vertex: the very float32 positions that queries collide, linear blend
 /// skinning of the rest positions (Kavan & Zara 2005, eq. 1). Precondition: `out` has
-/// `vertex_count()` elements. O(V) and not needed for any query.
+/// `vertex_count()` elements. O(V times influences), allocates nothing, and is not needed for any
+/// query.
 void posed_vertices(const Pose& pose, std::span<Vec3> out);
 
 }  // namespace pelt
