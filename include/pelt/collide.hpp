@@ -2,6 +2,7 @@
 
 #include <pelt/pose.hpp>
 
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <memory>
