@@ -5,8 +5,8 @@
 #include "scenes/nearest_name.hpp"
 #include "tools/pelt/bench_report.hpp"
 #include "tools/pelt/commands.hpp"
-#include "tools/pelt/glb_writer.hpp"
 #include "tools/pelt/model_arguments.hpp"
+#include "tools/pelt/output.hpp"
 #include "tools/pelt/progress.hpp"
 #include "tools/pelt/text.hpp"
 

@@ -1,7 +1,6 @@
 #include "tools/pelt/check_scene.hpp"
 
 #include "asset/message.hpp"
-#include "tools/pelt/glb_writer.hpp"
 #include "tools/pelt/scene_glb.hpp"
 #include "tools/pelt/summary.hpp"
 
@@ -20,7 +19,7 @@ class JsonlOutput {
     const bool standard = path == kStandardOutput;
     if (!standard) file_.open(path, std::ios::binary);
     stream_ = standard ? &std::cout : &file_;
-    if (!*stream_) return unwritable();
+    if (!*stream_) return unwritable(path_);
     writer_.emplace(*stream_, lists);
     return {};
   }
@@ -31,16 +30,10 @@ class JsonlOutput {
   Result<void> close() {
     if (stream_ == nullptr) return {};
     stream_->flush();
-    return *stream_ ? Result<void>() : unwritable();
+    return *stream_ ? Result<void>() : unwritable(path_);
   }
 
  private:
-  Error unwritable() const {
-    return {ErrorCode::unreadable_file, path_ +
-                                            ": cannot be written: see that its folder exists "
-                                            "and that the disk has room"};
-  }
-
   std::string path_;
   std::ofstream file_;
   std::ostream* stream_ = nullptr;

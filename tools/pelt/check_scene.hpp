@@ -4,14 +4,12 @@
 /// printed. Also what `pelt demo` runs.
 
 #include "tools/pelt/check_run.hpp"
+#include "tools/pelt/output.hpp"
 
 #include <ostream>
 #include <string>
 
 namespace pelt::tools {
-
-/// Names standard output where a file is asked for.
-inline constexpr const char* kStandardOutput = "-";
 
 struct CheckOutputs {
   std::string jsonl;  ///< file, kStandardOutput or "" for none

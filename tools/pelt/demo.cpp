@@ -2,7 +2,7 @@
 
 #include "tools/pelt/check_scene.hpp"
 #include "tools/pelt/commands.hpp"
-#include "tools/pelt/glb_writer.hpp"
+#include "tools/pelt/output.hpp"
 #include "tools/pelt/run_program.hpp"
 #include "tools/pelt/scene_glb.hpp"
 #include "tools/pelt/still.hpp"

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <fstream>
 
 namespace pelt::tools {
 namespace {
@@ -137,17 +136,6 @@ std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
   append_u32(file, 12 + chunks.size());
   file.insert(file.end(), chunks.begin(), chunks.end());
   return file;
-}
-
-Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (file) return {};
-  return Error{ErrorCode::unreadable_file, path.string() +
-                                               ": cannot be written: see that its "
-                                               "folder exists and that the disk has room"};
 }
 
 }  // namespace pelt::tools

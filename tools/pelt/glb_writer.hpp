@@ -3,11 +3,9 @@
 /// Writing of .glb files: meshes without skins or textures, each on a root node of its own.
 
 #include <pelt/mesh.hpp>
-#include <pelt/result.hpp>
 
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,7 +33,5 @@ struct GlbMesh {
 /// A binary glTF 2.0 file; node i is mesh i, without a transform.
 std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
                                 std::span<const GlbMaterial> materials);
-
-Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 }  // namespace pelt::tools

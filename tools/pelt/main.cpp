@@ -4,6 +4,7 @@
 #include <pelt/version.hpp>
 
 #include "tools/pelt/commands.hpp"
+#include "tools/pelt/output.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -24,10 +25,17 @@ int refuse(const std::string& message) {
   return code(ExitCode::bad_input);
 }
 
+/// No exit code of success where what was to be printed is lost.
+int finish(ExitCode exit) {
+  const pelt::Result<void> printed = pelt::tools::flush_standard_output();
+  return printed ? code(exit) : refuse(printed.error().message);
+}
+
 /// --help and --version end the parse as "errors" with code 0.
 int end_of_parse(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
-  return refuse(std::string(error.what()) + ": see pelt --help");
+  if (error.get_exit_code() != 0) return refuse(std::string(error.what()) + ": see pelt --help");
+  app.exit(error);
+  return finish(ExitCode::success);
 }
 
 int run(int argc, char** argv) {
@@ -48,12 +56,13 @@ int run(int argc, char** argv) {
     return end_of_parse(app, error);
   }
   const pelt::Result<ExitCode> exit = command();
-  return exit ? code(*exit) : refuse(exit.error().message);
+  return exit ? finish(*exit) : refuse(exit.error().message);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  pelt::tools::reserve_standard_streams();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

@@ -1,7 +1,7 @@
 /// `pelt pose`: the characters of one frame, as they were collided, as a .glb file.
 
 #include "tools/pelt/commands.hpp"
-#include "tools/pelt/glb_writer.hpp"
+#include "tools/pelt/output.hpp"
 #include "tools/pelt/scene_arguments.hpp"
 #include "tools/pelt/scene_glb.hpp"
 #include "tools/pelt/text.hpp"

@@ -1,0 +1,51 @@
+/// What was to be written and cannot be never passes for a success.
+
+#include "tools/pelt/output.hpp"
+
+#include "tools/run_program.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+TEST(Output, FileThatCannotBeWrittenIsNamed) {
+  const auto written = tools::write_file("no/such/folder/a.glb", {});
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().message.find("no/such/folder/a.glb"), std::string::npos);
+}
+
+Ended run_in_shell(const TestFolder& folder, const std::string& rest) {
+  return run_program(folder.path(), {"sh", "-c", "'" PELT_COMMAND "' " + rest});
+}
+
+class LostOutput : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(LostOutput, IsAnError) {
+  const TestFolder folder;
+  write_limbs(folder);
+  write_strip(folder, "strip.glb");
+  for (const std::string nowhere : {" > /dev/full", " >&-"}) {
+    const Ended run = run_in_shell(folder, GetParam() + nowhere);
+    EXPECT_EQ(run.exit_code, 2) << nowhere;
+    EXPECT_NE(run.err.find("standard output: cannot be written"), std::string::npos) << run.err;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Verbs, LostOutput,
+                         ::testing::Values("check scene.json", "check strip.glb",
+                                           "check strip.glb --jsonl -", "info strip.glb",
+                                           "info strip.glb --json",
+                                           "bench scene.json --frames 0:1 --repeat 1", "--help",
+                                           "check --help", "--version"));
+
+TEST(Output, FileDoesNotTakeThePlaceOfAClosedStream) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const Ended whole = run_in_shell(folder, "check strip.glb --jsonl whole");
+  EXPECT_EQ(whole.exit_code, 0);
+  run_in_shell(folder, "check strip.glb --jsonl closed <&- >&- 2>&-");
+  EXPECT_EQ(read_text(folder / "closed"), read_text(folder / "whole"));
+}
+
+}  // namespace
+}  // namespace pelt::test

@@ -1,0 +1,29 @@
+#pragma once
+
+/// What the command writes, and what it says where that cannot be written.
+
+#include <pelt/result.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace pelt::tools {
+
+/// Names standard output where a file is asked for.
+inline constexpr const char* kStandardOutput = "-";
+
+/// `name` as the user gave it: a path or kStandardOutput.
+Error unwritable(const std::string& name);
+
+Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Fails where any of what went to std::cout since the start is lost.
+Result<void> flush_standard_output();
+
+/// Opens those of the three standard streams that are closed, without a way to write to them, so
+/// that no file opened later takes their place and receives what is printed.
+void reserve_standard_streams();
+
+}  // namespace pelt::tools
