@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
     Options, Refused,
     ::testing::Values(
         Refusal{{"check"}, {"INPUT", "--help"}}, Refusal{{}, {"--help"}},
-        Refusal{{"chek", "scene.json"}, {"--help"}},
+        Refusal{{"chek", "scene.json"}, {"\"chek\" is no verb", "\"check\"", "--help"}},
         Refusal{{"check", "scene.json", "--fast"}, {"--fast"}},
         Refusal{{"check", "scene.json", "--frames", "9:4"}, {"--frames", "9:4"}},
         Refusal{{"check", "scene.json", "--frames", "0:13"},

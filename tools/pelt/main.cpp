@@ -3,6 +3,8 @@
 
 #include <pelt/version.hpp>
 
+#include "asset/message.hpp"
+#include "scenes/nearest_name.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/output.hpp"
 
@@ -31,9 +33,22 @@ int finish(ExitCode exit) {
   return printed ? code(exit) : refuse(printed.error().message);
 }
 
+/// CLI11 says of an unknown verb only that some verb is required.
+std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> unread = app.remaining();
+  if (!app.get_subcommands().empty() || unread.empty()) return error.what();
+  const std::vector<const CLI::App*> verbs =
+      app.get_subcommands([](const CLI::App*) { return true; });
+  std::vector<std::string> names;
+  for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return pelt::asset::quoted(unread[0]) + " is no verb" +
+         pelt::scenes::suggestion(unread[0], known);
+}
+
 /// --help and --version end the parse as "errors" with code 0.
 int end_of_parse(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() != 0) return refuse(std::string(error.what()) + ": see pelt --help");
+  if (error.get_exit_code() != 0) return refuse(words_for(app, error) + ": see pelt --help");
   app.exit(error);
   return finish(ExitCode::success);
 }
