@@ -42,6 +42,20 @@ TEST(CheckOptions, SummaryNamesFramesPartsAndJoints) {
   }
 }
 
+TEST(CheckOptions, SummarySaysWhereThereIsNothingToTouch) {
+  const TestFolder folder;
+  const std::string strip = write_strip(folder, "strip.glb");
+  const std::string note = "nothing to touch";
+  const Ended alone = run_pelt(folder, {"check", strip});
+  EXPECT_EQ(alone.exit_code, 0);
+  EXPECT_NE(alone.out.find(note + "; --by part"), std::string::npos) << alone.out;
+  const Ended parts = run_pelt(folder, {"check", strip, "--by", "part"});
+  EXPECT_EQ(parts.out.find(note), std::string::npos) << parts.out;
+  const Ended two = run_pelt(folder, {"check", strip, strip, "--at", "0,0,0", "--at", "9,0,0"});
+  EXPECT_EQ(two.exit_code, 0);
+  EXPECT_EQ(two.out.find(note), std::string::npos) << two.out;
+}
+
 TEST(CheckOptions, ModelsArePlacedAsASceneWouldPlaceThem) {
   const TestFolder folder;
   const std::string strip = write_strip(folder, "strip.glb");

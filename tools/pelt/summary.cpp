@@ -73,6 +73,15 @@ bool has_many_parts(const scenes::Scene& scene) {
   return false;
 }
 
+/// Whoever forgot the other model should not read "none" as good news.
+void print_too_few(const scenes::Scene& scene, const CheckSettings& settings, std::ostream& out) {
+  const bool parts = settings.granularity == Granularity::part;
+  label(out, "note") << "fewer than two " << (parts ? "parts" : "instances")
+                     << ", so there is nothing to touch";
+  if (!parts && has_many_parts(scene)) out << "; --by part checks the parts with each other";
+  out << '\n';
+}
+
 void print_touching(const scenes::Scene& scene, const CheckReport& report, const TouchTally& tally,
                     std::ostream& out) {
   const std::uint64_t contacts = report.totals.contacts;
@@ -105,6 +114,7 @@ void print_summary(const scenes::Scene& scene, std::span<const Collider> collide
   if (parts) out << ", " << counted(colliders.size(), "part");
   out << ", " << with_commas(triangle_count(colliders)) << " triangles\n";
   label(out, "method") << bench::name_of(settings.method) << '\n';
+  if (colliders.size() < 2) print_too_few(scene, settings, out);
   print_contacts(scene, settings, report, out);
   print_touching(scene, report, tally, out);
   print_work(report, out);
