@@ -30,11 +30,12 @@ class Pose {
 
   /// Takes the joint palette: matrix j maps the rest positions that joint j moves into the frame
   /// shared by all poses of a query (`instance x joint x inverse bind`). Copies it; O(J), no
-  /// allocation. Precondition: `palette` has `model().joint_count()` matrices.
+  /// allocation.
   ///
-  /// Refuses, and leaves the pose as it was, when an element is not finite, a last row is not
-  /// 0 0 0 1 (a row-major matrix, most likely), or a vertex could land beyond 2^60 units (a mesh
-  /// within 2^-60 units of the origin counts as that large). The message names the joint.
+  /// Refuses, and leaves the pose as it was, when there are not `model().joint_count()` matrices,
+  /// an element is not finite, a last row is not 0 0 0 1 (a row-major matrix, most likely), or a
+  /// vertex could land beyond 2^60 units (a mesh within 2^-60 units of the origin counts as that
+  /// large). The message names the joint.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
   /// The same from 16 floats a joint, as engines keep them.

@@ -1,6 +1,5 @@
 #include "pose/palette.hpp"
 
-#include "base/assert.hpp"
 #include "model/skinned_mesh.hpp"
 
 #include <algorithm>
@@ -50,6 +49,14 @@ Error describe(const float* m, std::size_t joint) {
   return {ErrorCode::invalid_argument, text};
 }
 
+Error wrong_size(std::size_t floats, std::size_t joints) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the palette has %zu floats, expected %zu: 16 for each of the model's %zu joints",
+                floats, 16 * joints, joints);
+  return {ErrorCode::invalid_argument, text};
+}
+
 }  // namespace
 
 /// A mesh counts as no smaller than 2^-60: what throws it no further than kMaxCoordinate then has
@@ -62,7 +69,7 @@ Palette::Palette(std::uint32_t joint_count, float rest_radius)
 }
 
 Result<void> Palette::set(std::span<const float> floats) {
-  PELT_ASSERT(floats.size() == joints_.size() * 16);
+  if (floats.size() != joints_.size() * 16) return wrong_size(floats.size(), joints_.size());
   double reach = 0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const float* m = floats.data() + 16 * j;

@@ -45,6 +45,11 @@ TEST(SetPalette, RefusesWithTheElementAndLeavesThePoseAsItWas) {
   EXPECT_EQ(refuse(2, 5, std::numeric_limits<float>::max()),
             "palette[2] can move a vertex beyond 2^60 units");
 
+  EXPECT_EQ(refusal(pose, test::make_palette(random, 2, test::Motion::rigid, 1)),
+            "the palette has 32 floats, expected 48: 16 for each of the model's 3 joints");
+  EXPECT_EQ(refusal(pose, {}),
+            "the palette has 0 floats, expected 48: 16 for each of the model's 3 joints");
+
   posed_vertices(pose, after);
   EXPECT_EQ(before, after);
 }
