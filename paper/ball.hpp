@@ -31,4 +31,27 @@ inline bool balls_meet(const Float4& a, const Float4& b) {
   return squared_distance(a, b) <= radii * radii;
 }
 
+/// Four balls side by side: lane i is of ball i.
+struct Balls4 {
+  Float4 x, y, z, radius;
+};
+
+inline Balls4 balls_side_by_side(Float4 b0, Float4 b1, Float4 b2, Float4 b3) {
+  detail::transpose(b0, b1, b2, b3);
+  return {b0, b1, b2, b3};
+}
+
+/// The bits of squared_distance in each lane.
+inline Float4 squared_distances(const Balls4& balls, const Float4& centre) {
+  const Float4 x = balls.x - Float4(centre[0]), y = balls.y - Float4(centre[1]);
+  const Float4 z = balls.z - Float4(centre[2]);
+  return (x * x + y * y) + z * z;
+}
+
+/// Positive in the lanes of those balls that do not meet `other`, as balls_meet says.
+inline Float4 gaps_between(const Balls4& balls, const Float4& other) {
+  const Float4 radii = balls.radius + Float4(other[3]);
+  return squared_distances(balls, other) - radii * radii;
+}
+
 }  // namespace pelt::paper

@@ -4,14 +4,17 @@
 /// together; where two spheres overlap, the children of the larger one are tested against the
 /// other, down to pairs of leaves, whose triangles are tested exactly.
 ///
-/// A side answers three questions: `tree()`, `sphere(node)` and `corners(leaf)`. The paper's method
-/// refits inside `sphere(node)`, that is, just prior to the sphere test; its rivals look it up.
+/// A side answers three questions: `tree()`, `sphere(node)` and `corners(leaf)`. `refresh(first,
+/// end)` tells it which nodes' spheres are asked for next: there the paper's method refits, that
+/// is, just prior to the sphere test; its rivals have done so before.
 
 #include "base/scratch.hpp"
 #include "geometry/triangle_pair.hpp"
 #include "paper/ball.hpp"
 #include "paper/sphere_tree.hpp"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace pelt::paper {
@@ -30,6 +33,8 @@ class Descent {
     ++stats_.node_pairs;
     make_room(1);
     stack_[0] = {0, 0};
+    a_.refresh(0, 1);
+    b_.refresh(0, 1);
     waiting_ = balls_meet(a_.sphere(0), b_.sphere(0));
     while (waiting_ > 0 && left_ > 0) {
       const auto [node_a, node_b] = stack_[--waiting_];
@@ -63,9 +68,17 @@ class Descent {
     stats_.node_pairs += parent.child_count;
     make_room(parent.child_count);
     const std::uint32_t end = parent.first_child + parent.child_count;
-    for (std::uint32_t child = parent.first_child; child < end; ++child) {
-      stack_[waiting_] = make_pair(child);
-      waiting_ += balls_meet(side.sphere(child), other);
+    side.refresh(parent.first_child, end);
+    for (std::uint32_t first = parent.first_child; first < end; first += 4) {
+      const auto sphere = [&](std::uint32_t i) {
+        return side.sphere(std::min(first + i, end - 1));
+      };
+      const Float4 gaps =
+          gaps_between(balls_side_by_side(sphere(0), sphere(1), sphere(2), sphere(3)), other);
+      for (std::uint32_t i = 0; i < std::min(end - first, 4u); ++i) {
+        stack_[waiting_] = make_pair(first + i);
+        waiting_ += gaps[static_cast<int>(i)] <= 0;
+      }
     }
   }
 

@@ -1,11 +1,15 @@
 #include "paper/on_demand.hpp"
 
+#include "paper/leaf_order.hpp"
+
 namespace pelt::paper {
 
 SphereModel build_sphere_model(const SkinnedMesh& mesh, BoundKind kind, float collapse_ratio) {
   SphereModel model;
   model.tree = build_sphere_tree(mesh.rest_positions, mesh.triangles, collapse_ratio);
   model.bounds = build_weight_bounds(mesh, model.tree, kind);
+  model.records = RefitRecords(model.tree, model.bounds);
+  model.leaf_mesh = in_leaf_order(mesh, model.tree);
   return model;
 }
 

@@ -16,7 +16,7 @@ SphereModel build_sphere_model(const SkinnedMesh& mesh, BoundKind kind = BoundKi
 class OnDemandBody {
  public:
   OnDemandBody(const SkinnedMesh& mesh, const SphereModel& model)
-      : model_(model), refit_(model, mesh.joint_count), triangles_(mesh, model.tree) {}
+      : model_(model), refit_(model, mesh.joint_count), triangles_(model.leaf_mesh) {}
 
   /// The palette has changed.
   void invalidate() {
@@ -30,7 +30,15 @@ class OnDemandBody {
     Side(OnDemandBody& body, const Palette& palette) : body_(body), palette_(palette) {}
 
     const SphereTree& tree() const { return body_.model_.tree; }
-    Float4 sphere(std::uint32_t node) { return body_.refit_.sphere(node, palette_); }
+    void refresh(std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t n = first; n < end; ++n)
+        if (body_.refit_.is_stale(n)) {
+          body_.triangles_.prefetch(tree().nodes[n]);
+          body_.refit_.refit(n, palette_);
+        }
+    }
+    /// Precondition: refreshed since the palette changed.
+    const Float4& sphere(std::uint32_t node) const { return body_.refit_.spheres()[node]; }
     const TriangleCorners& corners(const Node& leaf) {
       return body_.triangles_.corners(leaf, palette_);
     }

@@ -18,7 +18,8 @@ class PosedSide {
       : tree_(tree), spheres_(spheres), triangles_(triangles), positions_(positions) {}
 
   const SphereTree& tree() const { return tree_; }
-  Float4 sphere(std::uint32_t node) const { return spheres_[node]; }
+  void refresh(std::uint32_t, std::uint32_t) const {}
+  const Float4& sphere(std::uint32_t node) const { return spheres_[node]; }
   TriangleCorners corners(const Node& leaf) const {
     const Triangle& v = triangles_[tree_.triangle_of_leaf(leaf)];
     return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};

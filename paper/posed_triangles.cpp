@@ -4,11 +4,8 @@
 
 namespace pelt::paper {
 
-PosedTriangles::PosedTriangles(const SkinnedMesh& mesh, const SphereTree& tree)
-    : mesh_(&mesh),
-      tree_(&tree),
-      vertices_(mesh.vertex_count()),
-      triangles_(mesh.triangle_count()) {}
+PosedTriangles::PosedTriangles(const SkinnedMesh& mesh)
+    : mesh_(&mesh), vertices_(mesh.vertex_count()), triangles_(mesh.triangle_count()) {}
 
 void PosedTriangles::invalidate() {
   if (++stamp_ != 0) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/triangle_pair.hpp"
+#include "paper/prefetch.hpp"
 #include "paper/sphere_tree.hpp"
 #include "pose/skin.hpp"
 
@@ -12,11 +13,12 @@ using detail::Palette;
 using detail::TriangleCorners;
 
 /// The posed triangles of one pose, in the order of a sphere tree's leaves, where triangles that
-/// are asked for together stand together. Vertices are skinned when a triangle first needs them and
-/// then, like the triangles, kept until the palette changes.
+/// are asked for together stand together; so do those of the mesh (leaf_order.hpp). Vertices are
+/// skinned when a triangle first needs them and then, like the triangles, kept until the palette
+/// changes.
 class PosedTriangles {
  public:
-  PosedTriangles(const SkinnedMesh& mesh, const SphereTree& tree);
+  explicit PosedTriangles(const SkinnedMesh& mesh_in_leaf_order);
 
   /// The palette has changed. O(1).
   void invalidate();
@@ -24,10 +26,16 @@ class PosedTriangles {
   const TriangleCorners& corners(const Node& leaf, const Palette& palette) {
     Stamped<TriangleCorners>& posed = triangles_[leaf.first_triangle];
     if (posed.stamp != stamp_) {
-      const Triangle& v = mesh_->triangles[tree_->triangle_of_leaf(leaf)];
+      const Triangle& v = mesh_->triangles[leaf.first_triangle];
       posed = {{vertex(v[0], palette), vertex(v[1], palette), vertex(v[2], palette)}, stamp_};
     }
     return posed.value;
+  }
+
+  /// To be called some time before corners().
+  void prefetch(const Node& node) const {
+    paper::prefetch(&triangles_[node.first_triangle]);
+    paper::prefetch(&mesh_->triangles[node.first_triangle]);
   }
 
   /// Vertices skinned so far.
@@ -50,7 +58,6 @@ class PosedTriangles {
   }
 
   const SkinnedMesh* mesh_;
-  const SphereTree* tree_;
   std::uint64_t posed_vertices_ = 0;
   std::uint32_t stamp_ = 1;
   std::vector<Stamped<Vec3>> vertices_;              // [V]

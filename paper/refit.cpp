@@ -1,5 +1,7 @@
 #include "paper/refit.hpp"
 
+#include "paper/prefetch.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,34 +44,35 @@ double largest_row_sum(const Symmetric3& g) {
 
 double largest_diagonal(const Symmetric3& g) { return std::max({g[0][0], g[1][1], g[2][2]}); }
 
-/// R_a = sum_j r_aj S_j for each of a joint set's corners; returns the end of `r`. The number of
-/// joints is a constant where it is small, as it mostly is.
+/// Writes R_a = sum_j r_aj S_j for each of a joint set's corners, adds them to `sum` and returns
+/// the end of `r`. The number of joints is a constant where it is small, as it mostly is.
 template <std::uint32_t Joints>
-Float4* blend(const Float4* s, std::uint32_t joint_count, const float* weight,
-              std::uint32_t corner_count, Float4* r) {
-  const std::uint32_t n = Joints > 0 ? Joints : joint_count;
-  for (Float4* const end = r + corner_count; r < end; ++r, weight += n) {
+Float4* blend(const Float4* s, const RecordedSet& set, Float4* r, Float4& sum) {
+  const std::uint32_t n = Joints > 0 ? Joints : set.joint_count;
+  const float* weight = set.corners;
+  Float4 total = sum;
+  for (Float4* const end = r + set.corner_count; r < end; ++r, weight += n) {
     Float4 blended = weight[0] * s[0];
     for (std::uint32_t j = 1; j < n; ++j) blended = blended + weight[j] * s[j];
     *r = blended;
+    total = total + blended;
   }
+  sum = total;
   return r;
 }
 
-Float4* blend_set(std::span<const Float4> s, const float* weight, std::uint32_t corner_count,
-                  Float4* r) {
-  const auto n = static_cast<std::uint32_t>(s.size());
-  switch (n) {
+Float4* blend_set(const Float4* s, const RecordedSet& set, Float4* r, Float4& sum) {
+  switch (set.joint_count) {
     case 1:
-      return blend<1>(s.data(), n, weight, corner_count, r);
+      return blend<1>(s, set, r, sum);
     case 2:
-      return blend<2>(s.data(), n, weight, corner_count, r);
+      return blend<2>(s, set, r, sum);
     case 3:
-      return blend<3>(s.data(), n, weight, corner_count, r);
+      return blend<3>(s, set, r, sum);
     case 4:
-      return blend<4>(s.data(), n, weight, corner_count, r);
+      return blend<4>(s, set, r, sum);
     default:
-      return blend<0>(s.data(), n, weight, corner_count, r);
+      return blend<0>(s, set, r, sum);
   }
 }
 
@@ -118,31 +121,39 @@ void Refit::take_palette(const Palette& palette) {
   palette_stamp_ = stamp_;
 }
 
+/// What the descent reads if it opens this node; half of the refits are of nodes that it does open.
+void Refit::prefetch_children(const RefitRecord& record) const {
+  model_->records.prefetch_children(record);
+  prefetch(&node_stamp_[record.first_child]);
+  prefetch(&spheres_[record.first_child]);
+  prefetch(&model_->tree.nodes[record.first_child]);
+  prefetch(&model_->tree.nodes[record.first_child] + 1);
+}
+
 /// Eq. 5: the spheres S_j = C_j S of each joint set, blended by each of its corners.
-std::span<const Float4> Refit::blend_corners(std::uint32_t node) {
-  const WeightBounds& bounds = model_->bounds;
-  const Vec3& c = model_->tree.nodes[node].rest.centre;
+Refit::CornerSpheres Refit::blend_corners(RefitRecords::Reader& reader) {
+  const Vec3& c = reader.record.rest.centre;
   const Float4 x(c.x), y(c.y), z(c.z);
   Float4* const s = joint_spheres_.data();
   Float4* r = corner_spheres_.data();
-  for (const JointSet& set : bounds.sets_of(node)) {
-    const std::uint16_t* joint = bounds.joints.data() + set.first_joint;
+  Float4 sum(0.0f);
+  for (std::uint32_t i = 0; i < reader.record.set_count; ++i) {
+    const RecordedSet set = reader.next_set();
     for (std::uint32_t j = 0; j < set.joint_count; ++j) {
-      const Float4* column = joints_[joint[j]].columns;
+      const Float4* column = joints_[RefitRecords::as_number(set.joints[j])].columns;
       s[j] = (x * column[0] + z * column[2]) + (y * column[1] + column[3]);
     }
-    r = blend_set({s, set.joint_count}, bounds.corners.data() + set.first_corner, set.corner_count,
-                  r);
+    r = blend_set(s, set, r, sum);
   }
-  return {corner_spheres_.data(), r};
+  return {{corner_spheres_.data(), r}, sum};
 }
 
 /// The paper's approximate enclosing sphere: around the average of the corner spheres' centres.
 void Refit::refit(std::uint32_t node, const Palette& palette) {
   if (palette_stamp_ != stamp_) take_palette(palette);
-  const std::span<const Float4> corners = blend_corners(node);
-  Float4 sum = corners[0];
-  for (const Float4& r : corners.subspan(1)) sum = sum + r;
+  RefitRecords::Reader reader = model_->records.of(node);
+  prefetch_children(reader.record);
+  const auto [corners, sum] = blend_corners(reader);
   const Float4 centre = (1 / static_cast<float>(corners.size())) * sum;
 
   float squared_reach = 0, stretch = 0;
@@ -150,8 +161,8 @@ void Refit::refit(std::uint32_t node, const Palette& palette) {
     squared_reach = std::max(squared_reach, squared_distance(r, centre));
     stretch = std::max(stretch, r[3]);
   }
-  const float rest_radius = model_->tree.nodes[node].rest.radius;
-  spheres_[node] = make_ball(centre, std::sqrt(squared_reach) + rest_radius * stretch + margin_);
+  const float radius = std::sqrt(squared_reach) + reader.record.rest.radius * stretch + margin_;
+  spheres_[node] = make_ball(centre, radius);
   node_stamp_[node] = stamp_;
   ++refits_;
 }

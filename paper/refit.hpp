@@ -19,6 +19,7 @@
 /// is larger than their sum; make_ball covers the norms and sums of the last lines.
 
 #include "paper/ball.hpp"
+#include "paper/refit_records.hpp"
 #include "paper/weight_bounds.hpp"
 #include "pose/palette.hpp"
 
@@ -37,6 +38,8 @@ float stretch_bound(const Matrix4& joint);
 struct SphereModel {
   SphereTree tree;
   WeightBounds bounds;
+  RefitRecords records;   // of both
+  SkinnedMesh leaf_mesh;  // in the order of the leaves
 };
 
 /// The spheres of one pose, refitted when first asked for and then kept until the palette changes.
@@ -47,25 +50,39 @@ class Refit {
   /// The palette has changed: all spheres are stale. O(1).
   void invalidate();
 
+  bool is_stale(std::uint32_t node) const { return node_stamp_[node] != stamp_; }
+
   /// Lanes x, y, z: centre; lane 3: radius. The same bits in whatever order nodes are asked for.
   Float4 sphere(std::uint32_t node, const Palette& palette) {
-    if (node_stamp_[node] != stamp_) refit(node, palette);
+    if (is_stale(node)) refit(node, palette);
     return spheres_[node];
   }
+
+  /// By node; those of stale nodes mean nothing.
+  std::span<const Float4> spheres() const { return spheres_; }
+
+  /// Precondition: the node is stale.
+  void refit(std::uint32_t node, const Palette& palette);
 
   /// Refits so far.
   std::uint64_t refits() const { return refits_; }
 
  private:
-  void refit(std::uint32_t node, const Palette& palette);
-  void take_palette(const Palette& palette);
-  std::span<const Float4> blend_corners(std::uint32_t node);
+  /// R_1 ... R_m of a node.
+  struct CornerSpheres {
+    std::span<const Float4> spheres;
+    Float4 sum;
+  };
 
   /// A joint matrix with the stretch bound in its last row, so that one product gives C_j c and
   /// s_j.
   struct alignas(64) Joint {
     Float4 columns[4];
   };
+
+  void take_palette(const Palette& palette);
+  void prefetch_children(const RefitRecord& record) const;
+  CornerSpheres blend_corners(RefitRecords::Reader& reader);
 
   const SphereModel* model_;
   std::vector<Joint> joints_;
