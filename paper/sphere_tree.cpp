@@ -138,6 +138,7 @@ SphereTree collapse(const SphereTree& binary, float ratio) {
   for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
     children.clear();
     const Node& node = binary.nodes[origin[n]];
+    if (node.is_leaf()) continue;
     surviving_children(binary, node, node.rest.radius, ratio, children);
     tree.nodes[n].first_child = static_cast<std::uint32_t>(tree.nodes.size());
     tree.nodes[n].child_count = static_cast<std::uint32_t>(children.size());

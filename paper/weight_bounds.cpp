@@ -31,6 +31,9 @@ VertexJointSets distinct_joint_sets(const SkinnedMesh& mesh) {
   return result;
 }
 
+/// The most weights that the corners of a model may take: 16 MiB and 2 KiB for each triangle.
+constexpr std::size_t kCornerWeights = std::size_t{1} << 22, kCornerWeightsPerTriangle = 512;
+
 class Builder {
  public:
   Builder(const SkinnedMesh& mesh, const SphereTree& tree)
@@ -38,6 +41,7 @@ class Builder {
         tree_(tree),
         vertex_sets_(distinct_joint_sets(mesh)),
         seen_in_(mesh.vertex_count(), 0),
+        most_corner_weights_(kCornerWeights + kCornerWeightsPerTriangle * mesh.triangle_count()),
         intervals_(vertex_sets_.sets.size()) {
     for (const JointList& joints : vertex_sets_.sets) {
       first_joint_.push_back(static_cast<std::uint32_t>(bounds_.joints.size()));
@@ -46,15 +50,15 @@ class Builder {
   }
 
   WeightBounds build(BoundKind kind) && {
-    if (kind == BoundKind::plain) prepare_single_joints();
+    prepare_single_joints();
     bounds_.set_begin.push_back(0);
     for (const Node& node : tree_.nodes) {
       collect_intervals(node);
-      if (kind == BoundKind::plain) append_single_joints();
-      for (const std::uint32_t set : sets_of_node_) {
-        if (kind == BoundKind::optimised) append_set(set);
-        intervals_[set].clear();
-      }
+      if (kind == BoundKind::optimised && corners_fit())
+        for (const std::uint32_t set : sets_of_node_) append_set(set);
+      else
+        append_single_joints();
+      for (const std::uint32_t set : sets_of_node_) intervals_[set].clear();
       finish_node();
     }
     return std::move(bounds_);
@@ -86,6 +90,18 @@ class Builder {
     for (const auto& influence : influences) sum += static_cast<double>(influence.weight);
     for (std::size_t i = 0; i < influences.size(); ++i)
       intervals[i].include(static_cast<double>(influences[i].weight) / sum);
+  }
+
+  /// Whether there is memory for the corners of the node at hand. Real characters take a twentieth
+  /// of it; a file that was made to take more gets the bound of eq. 2, which needs no corners.
+  bool corners_fit() const {
+    constexpr std::size_t kMostCornersOfFewJoints = 280;
+    std::size_t most = 0;
+    for (const std::uint32_t set : sets_of_node_) {
+      const std::size_t n = intervals_[set].size();
+      most += n * (n > kMaxEnumeratedJoints ? n : kMostCornersOfFewJoints);
+    }
+    return bounds_.corners.size() + most <= most_corner_weights_;
   }
 
   void append_set(std::uint32_t set) {
@@ -135,6 +151,7 @@ class Builder {
   std::uint32_t first_single_joint_ = 0;
   std::vector<std::uint32_t> seen_in_;  // by vertex: the last node that took it
   std::uint32_t stamp_ = 0;
+  std::size_t most_corner_weights_;
   std::vector<std::vector<WeightInterval>> intervals_;  // by distinct joint set; of this node
   std::vector<std::uint32_t> sets_of_node_;
   std::vector<double> corners_;

@@ -98,7 +98,8 @@ TEST(WeightBounds, ATriangleWhoseVerticesShareNoJointHasThreeSets) {
   EXPECT_EQ(joints_of(bounds, bounds.sets_of(0)[0]), (Joints{0, 1}));
   EXPECT_EQ(joints_of(bounds, bounds.sets_of(0)[1]), (Joints{2, 3}));
   EXPECT_EQ(joints_of(bounds, bounds.sets_of(0)[2]), (Joints{4}));
-  EXPECT_EQ(bounds.corners, (std::vector<float>{0.25f, 0.75f, 0.5f, 0.5f, 1}));
+  EXPECT_EQ(bounds.corners, (std::vector<float>{1, 0.25f, 0.75f, 0.5f, 0.5f, 1}))
+      << "the first stands for all joints that are alone";
 }
 
 TEST(WeightBounds, ManyJointsHaveAsManyCorners) {
@@ -129,6 +130,19 @@ TEST(WeightBounds, PlainOnesHaveEachJointOnceWithWeightOne) {
     ASSERT_EQ(found, expected);
     ASSERT_EQ(bounds.sets_of(n).size(), expected.size());
   });
+}
+
+TEST(WeightBounds, WhatIsMadeToTakeMemoryGetsThePlainBound) {
+  Random random(4);
+  const test::Shape shape = test::make_soup(random, 300, 600, 512, test::Weights::random);
+  BuildReport report;
+  const SkinnedMesh mesh = *detail::make_skinned_mesh(shape.view(), {}, report);
+  const SphereTree tree = build_sphere_tree(mesh.rest_positions, mesh.triangles);
+  const WeightBounds bounds = build_weight_bounds(mesh, tree, BoundKind::optimised);
+  EXPECT_LT(bounds.corners.size(), 5u << 20) << "all corners would be 100 times as many";
+  EXPECT_GT(bounds.corners.size(), 1u << 20) << "the memory there is is used";
+  const auto last = static_cast<std::uint32_t>(tree.nodes.size() - 1);
+  for (const JointSet& set : bounds.sets_of(last)) EXPECT_EQ(set.joint_count, 1u);
 }
 
 }  // namespace
