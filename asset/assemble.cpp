@@ -53,7 +53,7 @@ void assemble(Asset& asset) {
     if (!used_by_riding[j] || used_by_skins[j]) continue;
     const Affine global = scratch.globals[asset.joints[j].node];
     const std::optional<Affine> inverse = inverted(global);
-    if (!inverse) continue;
+    if (!inverse || global == affine_of(Matrix4{})) continue;
     placement[j] = global;
     asset.joints[j].inverse_bind = matrix_of(*inverse);
   }

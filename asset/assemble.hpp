@@ -9,7 +9,7 @@ namespace pelt::asset {
 /// rounding. But the rest pose is now the assembled character, with the sword in the hand and not
 /// inside the shield, and a bounding volume tree built over it fits.
 ///
-/// Parts on a node whose default matrix cannot be inverted stay as they are.
+/// Parts on a node whose default matrix is the identity, or cannot be inverted, stay as they are.
 void assemble(Asset& asset);
 
 }  // namespace pelt::asset
