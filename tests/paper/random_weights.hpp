@@ -51,7 +51,7 @@ inline std::vector<double> random_weights_within(Random& random,
   }
   const auto count = static_cast<std::uint32_t>(intervals.size());
   const auto give = [&](std::size_t j, double share) {
-    const double part = std::clamp(share * left, 0.0, intervals[j].high - weights[j]);
+    const double part = std::max(0.0, std::min(share * left, intervals[j].high - weights[j]));
     weights[j] += part;
     left -= part;
   };
