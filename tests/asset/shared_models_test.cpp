@@ -44,7 +44,7 @@ constexpr Expected kExpected[] = {
 class SharedModels : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(kModels)) GTEST_SKIP() << "there is no folder " << kModels;
+    if (!fs::exists(PELT_SHARED_DIR)) GTEST_SKIP() << PELT_SHARED_DIR << " is not there";
   }
 };
 

@@ -12,7 +12,7 @@ if [ ! -d "$here/node_modules/three" ]; then
 fi
 for model in "$@"; do
   if [ ! -e "$model" ]; then
-    echo "SKIPPED: there is no $model"
+    echo "SKIPPED: $model is not there"
     exit 77
   fi
 done
