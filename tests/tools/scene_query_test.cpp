@@ -1,11 +1,26 @@
 #include "tools/pelt/scene_query.hpp"
 
 #include "tools/pelt/contact_hash.hpp"
+#include "tools/pelt/posed_instances.hpp"
 
 #include <gtest/gtest.h>
 
 namespace pelt::tools {
 namespace {
+
+TEST(PoseInstances, RefuseWhatNoGlbCanHold) {
+  scenes::Scene scene;
+  scene.name = "crowd.json";
+  scene.characters.resize(1);
+  scene.characters[0].asset.rest_positions.resize(1000000);
+  scene.instances.resize(200);
+  const Result<std::vector<PosedInstance>> posed = pose_instances(scene, 0, {});
+  ASSERT_FALSE(posed);
+  EXPECT_EQ(
+      posed.error().message,
+      "crowd.json: its posed characters take 4577 MiB, more than a .glb can hold: make scenes "
+      "of fewer instances");
+}
 
 /// Two small creatures that walk through each other.
 scenes::Scene walkers() {

@@ -30,7 +30,8 @@ Writes scene.json (then try `pelt check pelt-demo/scene.json`), contacts.jsonl (
 triangle pair of every frame), contacts.glb (the worst frame, for any glTF viewer) and still.png (the
 picture of one frame, by POV-Ray).)";
 
-/// They walk at the speed of their feet (1.2 kWalkSpeed), out of step, and pass with a touch of shoulders and arms.
+/// They walk at the speed of their feet (1.2 kWalkSpeed), out of step, and pass with a touch of
+/// shoulders and arms.
 constexpr std::string_view kScene = R"({
   "models": {
     "azure": {"creature": {"triangles": 32000, "joints": 56, "seed": 1}},

@@ -15,6 +15,20 @@ namespace {
 
 using detail::Vec3d;
 
+/// What the instances take in a .glb, positions, normals and indices: its sizes are 32 bits wide.
+Result<void> check_glb_size(const scenes::Scene& scene) {
+  constexpr std::uint64_t kMost = 0xF0000000;
+  std::uint64_t bytes = 0;
+  for (const scenes::Instance& instance : scene.instances) {
+    const asset::Asset& asset = scene.characters[instance.character].asset;
+    bytes += 24 * asset.rest_positions.size() + 12 * asset.triangles.size();
+  }
+  if (bytes <= kMost) return {};
+  return Error{ErrorCode::unsupported,
+               scene.name + ": its posed characters take " + std::to_string(bytes >> 20) +
+                   " MiB, more than a .glb can hold: make scenes of fewer instances"};
+}
+
 Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
                                                const ModelOptions& options) {
   std::vector<SkinnedModel> models;
@@ -58,6 +72,7 @@ Vec3 unit(const Vec3d& v) {
 
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
                                                   const ModelOptions& options) {
+  if (const Result<void> fits = check_glb_size(scene); !fits) return fits.error();
   const Result<std::vector<SkinnedModel>> models = build_models(scene, options);
   if (!models) return models.error();
   asset::SampleScratch scratch;

@@ -18,7 +18,7 @@ struct PosedInstance {
   std::span<const Triangle> triangles;  ///< borrowed from the scene's asset
 };
 
-/// `scene` must outlive the result.
+/// `scene` must outlive the result. Refuses what no .glb could hold.
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
                                                   const ModelOptions& options);
 
