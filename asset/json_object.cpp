@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace pelt::asset {
 
@@ -237,22 +236,8 @@ Result<json> parse_json(std::string_view text) {
   if (nesting_depth(text) > kDeepest) {
     return malformed("the JSON text is nested more than " + std::to_string(kDeepest) + " deep");
   }
-  std::vector<std::set<std::string>> open_objects;
-  std::optional<std::string> twice;
-  const auto note_keys = [&](int, json::parse_event_t event, const json& parsed) {
-    if (event == json::parse_event_t::object_start) open_objects.emplace_back();
-    if (event == json::parse_event_t::object_end) open_objects.pop_back();
-    if (event == json::parse_event_t::key) {
-      const std::string key = parsed.get<std::string>();
-      if (!open_objects.back().insert(key).second) twice = key;
-    }
-    return true;
-  };
   try {
-    json parsed = json::parse(text, note_keys);
-    if (!twice) return parsed;
-    return malformed("the key " + asset::quoted(*twice) +
-                     " stands twice in one object: keep one of them");
+    return json::parse(text);
   } catch (const json::exception& error) {
     return malformed("the JSON text is wrong: " + plain_words(error));
   }
