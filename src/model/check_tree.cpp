@@ -1,0 +1,282 @@
+#include "model/check_tree.hpp"
+
+#include "model/clusters.hpp"
+#include "model/unpack.hpp"
+#include "model/weld.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+namespace pelt::detail {
+namespace {
+
+/// What dividing weights by their sum may leave, and more: a rounding for each influence, none of
+/// which is larger than 2^-24 of its weight.
+constexpr double kMaxWeightSumError = 0x1p-22;
+
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+using Problem = std::string;  // empty: none
+
+Problem problem(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
+Problem problem(const char* format, ...) {
+  char text[256];
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+class TreeCheck {
+ public:
+  explicit TreeCheck(const Tree& tree) : tree_(tree) {}
+
+  /// Each check may rely on what those before it found sound.
+  Problem run() {
+    for (const auto check :
+         {&TreeCheck::check_sizes, &TreeCheck::check_influence_begin, &TreeCheck::check_vertices,
+          &TreeCheck::check_nodes, &TreeCheck::check_clusters, &TreeCheck::check_pools,
+          &TreeCheck::check_triangle_ids, &TreeCheck::check_vertex_places,
+          &TreeCheck::check_welding})
+      if (Problem found = (this->*check)(); !found.empty()) return found;
+    return {};
+  }
+
+ private:
+  Problem check_sizes();
+  Problem check_influence_begin();
+  Problem check_vertices();
+  Problem check_influences(std::size_t vertex);
+  Problem check_nodes();
+  Problem check_clusters();
+  Problem check_pools();
+  Problem check_cluster(std::uint32_t c);
+  Problem check_triangle_ids();
+  Problem check_vertex_places();
+  Problem check_welding();
+
+  std::uint32_t influence_count(std::uint32_t p) const {
+    return tree_.influence_begin[p + 1] - tree_.influence_begin[p];
+  }
+
+  const Tree& tree_;
+  std::size_t pooled_ = 0;  // vertices in pools
+  // By vertex of one pool: the last cluster that has it in cluster_vertices, and in corners.
+  std::vector<std::uint32_t> named_by_, used_by_;
+};
+
+Problem TreeCheck::check_sizes() {
+  const std::size_t vertices = tree_.rest_positions.size();
+  if (tree_.nodes.empty() || tree_.triangle_ids.empty())
+    return problem("nodes or triangle_ids is empty");
+  for (const std::size_t size :
+       {vertices, tree_.joints.size(), tree_.triangle_ids.size(), tree_.cluster_vertices.size(),
+        tree_.clusters.size(), tree_.nodes.size(), tree_.vertex_places.size()})
+    if (size >= kNone) return problem("an array has %zu elements", size);
+  if (tree_.influence_begin.size() != vertices + 1)
+    return problem("influence_begin has %zu elements for %zu rest_positions",
+                   tree_.influence_begin.size(), vertices);
+  if (tree_.weights.size() != tree_.joints.size())
+    return problem("weights has %zu elements for %zu joints", tree_.weights.size(),
+                   tree_.joints.size());
+  if (tree_.corners.size() != tree_.triangle_ids.size())
+    return problem("corners has %zu elements for %zu triangle_ids", tree_.corners.size(),
+                   tree_.triangle_ids.size());
+  if (tree_.joint_count == 0 || tree_.joint_count > 65536)
+    return problem("joint_count is %u, expected 1 to 65536", tree_.joint_count);
+  return {};
+}
+
+Problem TreeCheck::check_influence_begin() {
+  const auto& begin = tree_.influence_begin;
+  if (begin.front() != 0) return problem("influence_begin[0] is %u, expected 0", begin.front());
+  for (std::size_t p = 0; p + 1 < begin.size(); ++p)
+    if (begin[p] >= begin[p + 1]) return problem("rest_positions[%zu] has no influences", p);
+  if (begin.back() != tree_.joints.size())
+    return problem("influence_begin ends at %u, but there are %zu joints", begin.back(),
+                   tree_.joints.size());
+  return {};
+}
+
+Problem TreeCheck::check_vertices() {
+  Vec3 largest;
+  for (std::size_t p = 0; p < tree_.rest_positions.size(); ++p) {
+    const Vec3& v = tree_.rest_positions[p];
+    for (const float c : {v.x, v.y, v.z})
+      if (!(std::fabs(c) <= kMaxCoordinate))  // also true for NaN
+        return problem("rest_positions[%zu] has the coordinate %g", p, static_cast<double>(c));
+    largest = {std::max(largest.x, std::fabs(v.x)), std::max(largest.y, std::fabs(v.y)),
+               std::max(largest.z, std::fabs(v.z))};
+    if (Problem found = check_influences(p); !found.empty()) return found;
+  }
+  const double extent = double{largest.x} + double{largest.y} + double{largest.z};
+  if (!(double{tree_.rest_extent} >= extent && tree_.rest_extent <= 4 * kMaxCoordinate))
+    return problem("rest_extent is %g, but rest_positions reach %g",
+                   static_cast<double>(tree_.rest_extent), extent);
+  return {};
+}
+
+Problem TreeCheck::check_influences(std::size_t vertex) {
+  const std::uint32_t begin = tree_.influence_begin[vertex];
+  const std::uint32_t end = tree_.influence_begin[vertex + 1];
+  double sum = 0;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    if (tree_.joints[i] >= tree_.joint_count)
+      return problem("joints[%u] is %u, but joint_count is %u", i, tree_.joints[i],
+                     tree_.joint_count);
+    if (i > begin && tree_.joints[i] <= tree_.joints[i - 1])
+      return problem("joints[%u] of vertex %zu does not ascend", i, vertex);
+    if (!(tree_.weights[i] > 0))
+      return problem("weights[%u] is %g", i, static_cast<double>(tree_.weights[i]));
+    sum += double{tree_.weights[i]};
+  }
+  if (!(std::fabs(sum - 1) <= kMaxWeightSumError) || (end - begin == 1 && sum != 1))
+    return problem("weights of vertex %zu sum to %.9g", vertex, sum);
+  return {};
+}
+
+/// Everything that nodes name follows what the node before it named: so each child, cluster and
+/// vertex belongs to one node.
+Problem TreeCheck::check_nodes() {
+  std::size_t children = 1, clusters = 0, vertices = 0;
+  std::vector<std::uint32_t> depths(tree_.nodes.size(), 1);
+  for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
+    const Node& node = tree_.nodes[n];
+    const std::uint32_t slots = std::uint32_t{node.cluster_count} + node.child_count;
+    if (slots == 0 || slots > kMaxSlots) return problem("nodes[%zu] has %u slots", n, slots);
+    if (n == children) return problem("nodes[%zu] is nobody's child", n);
+    if (node.first_child != children)
+      return problem("nodes[%zu].first_child is %u, expected %zu", n, node.first_child, children);
+    if (node.first_cluster != clusters)
+      return problem("nodes[%zu].first_cluster is %u, expected %zu", n, node.first_cluster,
+                     clusters);
+    if (node.first_vertex != vertices)
+      return problem("nodes[%zu].first_vertex is %u, expected %zu", n, node.first_vertex, vertices);
+    if (depths[n] > kMaxClusterTreeDepth) return problem("nodes[%zu] is too deep", n);
+    if (children + node.child_count > tree_.nodes.size())
+      return problem("nodes[%zu] has children beyond the last node", n);
+    std::fill_n(depths.begin() + children, node.child_count, depths[n] + 1);
+    children += node.child_count;
+    clusters += node.cluster_count;
+    vertices += node.vertex_count;
+  }
+  if (clusters != tree_.clusters.size())
+    return problem("nodes have %zu clusters of %zu", clusters, tree_.clusters.size());
+  if (vertices > tree_.rest_positions.size())
+    return problem("pools have %zu vertices, more than rest_positions", vertices);
+  pooled_ = vertices;
+  return {};
+}
+
+Problem TreeCheck::check_clusters() {
+  std::size_t triangles = 0, vertices = 0;
+  for (std::size_t c = 0; c < tree_.clusters.size(); ++c) {
+    const Cluster& cluster = tree_.clusters[c];
+    if (cluster.triangle_count == 0 || cluster.triangle_count > kMaxClusterTriangles)
+      return problem("clusters[%zu] has %u triangles", c, cluster.triangle_count);
+    if (cluster.first_triangle != triangles)
+      return problem("clusters[%zu].first_triangle is %u, expected %zu", c, cluster.first_triangle,
+                     triangles);
+    if (cluster.first_vertex != vertices)
+      return problem("clusters[%zu].first_vertex is %u, expected %zu", c, cluster.first_vertex,
+                     vertices);
+    triangles += cluster.triangle_count;
+    vertices += cluster.vertex_count;
+  }
+  if (triangles != tree_.triangle_ids.size())
+    return problem("clusters have %zu triangles of %zu", triangles, tree_.triangle_ids.size());
+  if (vertices != tree_.cluster_vertices.size())
+    return problem("clusters have %zu vertices of %zu", vertices, tree_.cluster_vertices.size());
+  return {};
+}
+
+Problem TreeCheck::check_pools() {
+  for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
+    const Node& node = tree_.nodes[n];
+    named_by_.assign(node.vertex_count, kNone);
+    used_by_.assign(node.vertex_count, kNone);
+    for (std::uint32_t c = 0; c < node.cluster_count; ++c)
+      if (Problem found = check_cluster(node.first_cluster + c); !found.empty()) return found;
+    if (std::find(used_by_.begin(), used_by_.end(), kNone) != used_by_.end())
+      return problem("a vertex in the pool of nodes[%zu] has no triangle", n);
+    for (std::uint32_t p = node.first_vertex + 1; p < node.first_vertex + node.vertex_count; ++p)
+      if (influence_count(p) < influence_count(p - 1))
+        return problem("rest_positions[%u] has fewer influences than the one before it", p);
+  }
+  return {};
+}
+
+/// Corners lie in the pool, and `cluster_vertices` are these corners, each named once.
+Problem TreeCheck::check_cluster(std::uint32_t c) {
+  const Cluster& cluster = tree_.clusters[c];
+  for (std::uint32_t i = 0; i < cluster.vertex_count; ++i) {
+    const std::uint16_t vertex = tree_.cluster_vertices[cluster.first_vertex + i];
+    if (vertex >= named_by_.size() || std::exchange(named_by_[vertex], c) == c)
+      return problem("cluster_vertices[%u] is %u, twice or not in the pool",
+                     cluster.first_vertex + i, vertex);
+  }
+  std::uint32_t used = 0;
+  for (std::uint32_t i = 0; i < cluster.triangle_count; ++i)
+    for (const std::uint16_t corner : tree_.corners[cluster.first_triangle + i]) {
+      if (corner >= named_by_.size() || named_by_[corner] != c)
+        return problem("corners[%u] has %u, which is none of its cluster_vertices",
+                       cluster.first_triangle + i, corner);
+      used += std::exchange(used_by_[corner], c) != c;
+    }
+  if (used != cluster.vertex_count)
+    return problem("clusters[%u] has %u vertices, but %u corners", c, cluster.vertex_count, used);
+  return {};
+}
+
+Problem TreeCheck::check_triangle_ids() {
+  std::vector<bool> seen(tree_.triangle_ids.size(), false);
+  for (std::size_t t = 0; t < seen.size(); ++t) {
+    const std::uint32_t id = tree_.triangle_ids[t];
+    if (id >= seen.size()) return problem("triangle_ids[%zu] is %u of %zu", t, id, seen.size());
+    if (seen[id]) return problem("triangle_ids[%zu] is %u, which has been before", t, id);
+    seen[id] = true;
+  }
+  return {};
+}
+
+Problem TreeCheck::check_vertex_places() {
+  for (std::size_t v = 0; v < tree_.vertex_places.size(); ++v)
+    if (tree_.vertex_places[v] >= tree_.rest_positions.size())
+      return problem("vertex_places[%zu] is %u, but there are %zu rest_positions", v,
+                     tree_.vertex_places[v], tree_.rest_positions.size());
+  return {};
+}
+
+/// No two vertices of a pool, and none that has no triangle and any other, are alike; and each is
+/// like one of the caller's.
+Problem TreeCheck::check_welding() {
+  const std::vector<std::uint32_t> welded = weld_vertices(unpack_vertices(tree_));
+  std::vector<std::uint32_t> last_pool(welded.size(), kNone);
+  for (std::uint32_t n = 0; n < tree_.nodes.size(); ++n)
+    for (std::uint32_t i = 0; i < tree_.nodes[n].vertex_count; ++i) {
+      const std::uint32_t p = tree_.nodes[n].first_vertex + i;
+      if (last_pool[welded[p]] == n)
+        return problem("rest_positions[%u] is in the pool of nodes[%u] twice", p, n);
+      last_pool[welded[p]] = n;
+    }
+  for (std::size_t p = pooled_; p < welded.size(); ++p)
+    if (welded[p] != p) return problem("rest_positions[%zu] of no pool is there twice", p);
+
+  std::vector<bool> known(welded.size(), false);
+  for (const std::uint32_t place : tree_.vertex_places) known[welded[place]] = true;
+  for (std::size_t p = 0; p < welded.size(); ++p)
+    if (!known[welded[p]]) return problem("rest_positions[%zu] is none of the caller's", p);
+  return {};
+}
+
+}  // namespace
+
+std::string check_tree(const Tree& tree) { return TreeCheck(tree).run(); }
+
+}  // namespace pelt::detail

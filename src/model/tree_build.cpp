@@ -1,0 +1,155 @@
+#include "model/tree_build.hpp"
+
+#include "base/assert.hpp"
+#include "model/clusters.hpp"
+#include "model/weld.hpp"
+#include "model/wide_nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pelt::detail {
+namespace {
+
+constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
+
+std::uint32_t size32(std::size_t size) {
+  PELT_ASSERT(size < kNowhere);
+  return static_cast<std::uint32_t>(size);
+}
+
+/// Writes the arrays of a tree, node after node.
+class TreeWriter {
+ public:
+  TreeWriter(const SkinnedMesh& mesh, const ClusterTree& clusters)
+      : mesh_(mesh),
+        clusters_(clusters),
+        welded_(weld_vertices(mesh)),
+        last_node_(mesh.vertex_count(), kNowhere),
+        places_(mesh.vertex_count(), kNowhere) {
+    tree_.joint_count = mesh.joint_count;
+    tree_.rest_extent = mesh.rest_extent;
+    tree_.influence_begin.push_back(0);
+  }
+
+  Tree write(const std::vector<WideNode>& nodes) && {
+    for (const WideNode& node : nodes) write_node(node);
+    write_vertex_places();
+    shrink();
+    return std::move(tree_);
+  }
+
+ private:
+  void write_node(const WideNode& wide) {
+    const std::span slots(wide.slots.data(), wide.cluster_count);
+    fill_pool(slots);
+    Node node;
+    node.first_vertex = size32(tree_.rest_positions.size());
+    node.first_cluster = size32(tree_.clusters.size());
+    node.first_child = wide.first_child;
+    node.vertex_count = static_cast<std::uint16_t>(pool_.size());
+    node.cluster_count = wide.cluster_count;
+    node.child_count = wide.child_count;
+    for (const std::uint32_t v : pool_) write_vertex(v);
+    for (const std::uint32_t slot : slots) write_cluster(slot, node.first_vertex);
+    tree_.nodes.push_back(node);
+  }
+
+  std::span<const std::uint32_t> triangles_of(std::uint32_t cluster) const {
+    const ClusterTreeNode& node = clusters_.nodes[cluster];
+    return {clusters_.triangle_order.data() + node.first, node.count};
+  }
+
+  /// The welded vertices of these clusters, each once, those with few influences first.
+  void fill_pool(std::span<const std::uint32_t> clusters) {
+    const std::uint32_t this_node = size32(tree_.nodes.size());
+    pool_.clear();
+    for (const std::uint32_t cluster : clusters)
+      for (const std::uint32_t t : triangles_of(cluster))
+        for (const std::uint32_t corner : mesh_.triangles[t]) {
+          const std::uint32_t v = welded_[corner];
+          if (std::exchange(last_node_[v], this_node) != this_node) pool_.push_back(v);
+        }
+    std::stable_sort(pool_.begin(), pool_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return mesh_.influences_of(a).size() < mesh_.influences_of(b).size();
+    });
+  }
+
+  void write_vertex(std::uint32_t v) {
+    places_[v] = size32(tree_.rest_positions.size());
+    tree_.rest_positions.push_back(mesh_.rest_positions[v]);
+    for (const Influence& influence : mesh_.influences_of(v)) {
+      tree_.joints.push_back(static_cast<std::uint16_t>(influence.joint));
+      tree_.weights.push_back(influence.weight);
+    }
+    tree_.influence_begin.push_back(size32(tree_.joints.size()));
+  }
+
+  void write_cluster(std::uint32_t slot, std::uint32_t first_vertex) {
+    const auto triangles = triangles_of(slot);
+    Cluster cluster;
+    cluster.first_triangle = size32(tree_.triangle_ids.size());
+    cluster.first_vertex = size32(tree_.cluster_vertices.size());
+    named_.clear();
+    for (const std::uint32_t t : triangles) {
+      const auto corners = corners_in_pool(mesh_.triangles[t], first_vertex);
+      tree_.corners.push_back(corners);
+      tree_.triangle_ids.push_back(t);
+      named_.insert(named_.end(), corners.begin(), corners.end());
+    }
+    std::sort(named_.begin(), named_.end());
+    named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
+    tree_.cluster_vertices.insert(tree_.cluster_vertices.end(), named_.begin(), named_.end());
+    cluster.triangle_count = static_cast<std::uint8_t>(triangles.size());
+    cluster.vertex_count = static_cast<std::uint8_t>(named_.size());
+    tree_.clusters.push_back(cluster);
+  }
+
+  std::array<std::uint16_t, 3> corners_in_pool(const Triangle& triangle,
+                                               std::uint32_t first_vertex) const {
+    std::array<std::uint16_t, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = static_cast<std::uint16_t>(places_[welded_[triangle[k]]] - first_vertex);
+    return corners;
+  }
+
+  /// Where each vertex lies; those that no triangle uses are written now.
+  void write_vertex_places() {
+    tree_.vertex_places.reserve(welded_.size());
+    for (const std::uint32_t v : welded_) {
+      if (places_[v] == kNowhere) write_vertex(v);
+      tree_.vertex_places.push_back(places_[v]);
+    }
+  }
+
+  void shrink() {
+    tree_.rest_positions.shrink_to_fit();
+    tree_.influence_begin.shrink_to_fit();
+    tree_.joints.shrink_to_fit();
+    tree_.weights.shrink_to_fit();
+    tree_.corners.shrink_to_fit();
+    tree_.triangle_ids.shrink_to_fit();
+    tree_.cluster_vertices.shrink_to_fit();
+    tree_.clusters.shrink_to_fit();
+    tree_.nodes.shrink_to_fit();
+  }
+
+  const SkinnedMesh& mesh_;
+  const ClusterTree& clusters_;
+  std::vector<std::uint32_t> welded_;
+  std::vector<std::uint32_t> last_node_;  // by welded vertex: the last node with it in its pool
+  std::vector<std::uint32_t> places_;     // by welded vertex: where it was written last
+  std::vector<std::uint32_t> pool_;       // the welded vertices of one node
+  std::vector<std::uint16_t> named_;      // the corners of one cluster
+  Tree tree_;
+};
+
+}  // namespace
+
+Tree build_tree(const SkinnedMesh& mesh, std::span<const std::vector<Vec3>> samples) {
+  const ClusterTree clusters = build_cluster_tree(TriangleBoxes(mesh.triangles, samples));
+  return TreeWriter(mesh, clusters).write(collapse(clusters));
+}
+
+}  // namespace pelt::detail

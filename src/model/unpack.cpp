@@ -1,0 +1,60 @@
+#include "model/unpack.hpp"
+
+#include "model/weld.hpp"
+
+namespace pelt::detail {
+namespace {
+
+void append_vertex(const SkinnedMesh& from, std::uint32_t v, SkinnedMesh& to) {
+  to.rest_positions.push_back(from.rest_positions[v]);
+  const auto influences = from.influences_of(v);
+  to.influences.insert(to.influences.end(), influences.begin(), influences.end());
+  to.influence_begin.push_back(static_cast<std::uint32_t>(to.influences.size()));
+}
+
+/// For each vertex of the tree [P] the caller's number.
+std::vector<std::uint32_t> callers_numbers(const Tree& tree, const SkinnedMesh& vertices) {
+  const std::vector<std::uint32_t> welded = weld_vertices(vertices);
+  std::vector<std::uint32_t> numbers(welded.size());  // at first only where welded[p] == p
+  for (std::uint32_t v = tree.vertex_count(); v-- > 0;) numbers[welded[tree.vertex_places[v]]] = v;
+  for (std::size_t p = 0; p < welded.size(); ++p) numbers[p] = numbers[welded[p]];
+  return numbers;
+}
+
+}  // namespace
+
+SkinnedMesh unpack_vertices(const Tree& tree) {
+  SkinnedMesh mesh;
+  mesh.rest_positions = tree.rest_positions;
+  mesh.influence_begin = tree.influence_begin;
+  mesh.influences.reserve(tree.joints.size());
+  for (std::size_t i = 0; i < tree.joints.size(); ++i)
+    mesh.influences.push_back({tree.joints[i], tree.weights[i]});
+  mesh.joint_count = tree.joint_count;
+  mesh.rest_extent = tree.rest_extent;
+  return mesh;
+}
+
+SkinnedMesh unpack_mesh(const Tree& tree) {
+  const SkinnedMesh vertices = unpack_vertices(tree);
+  SkinnedMesh mesh;
+  mesh.joint_count = tree.joint_count;
+  mesh.rest_extent = tree.rest_extent;
+  mesh.influence_begin.push_back(0);
+  for (const std::uint32_t place : tree.vertex_places) append_vertex(vertices, place, mesh);
+
+  const std::vector<std::uint32_t> numbers = callers_numbers(tree, vertices);
+  mesh.triangles.resize(tree.triangle_count());
+  for (const Node& node : tree.nodes)
+    for (std::uint32_t c = 0; c < node.cluster_count; ++c) {
+      const Cluster& cluster = tree.clusters[node.first_cluster + c];
+      for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
+        const std::uint32_t t = cluster.first_triangle + i;
+        for (std::size_t k = 0; k < 3; ++k)
+          mesh.triangles[tree.triangle_ids[t]][k] = numbers[node.first_vertex + tree.corners[t][k]];
+      }
+    }
+  return mesh;
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,186 @@
+#include "model/clusters.hpp"
+
+#include "meshes.hpp"
+#include "model/tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelt::detail {
+namespace {
+
+using test::Random;
+using test::Shape;
+using Samples = std::vector<std::vector<Vec3>>;
+
+ClusterTree build(const std::vector<Triangle>& triangles, const Samples& samples) {
+  return build_cluster_tree(TriangleBoxes(triangles, samples));
+}
+
+ClusterTree build(const Shape& shape) { return build(shape.triangles, {shape.rest_positions}); }
+
+/// Small triangles at these places.
+Shape triangles_at(const std::vector<Vec3>& places, float size = 0.01f) {
+  Shape shape;
+  for (const Vec3& p : places) {
+    const auto v = static_cast<std::uint32_t>(shape.rest_positions.size());
+    shape.rest_positions.push_back(p);
+    shape.rest_positions.push_back({p.x + size, p.y, p.z});
+    shape.rest_positions.push_back({p.x, p.y + size, p.z + size});
+    shape.triangles.push_back({v, v + 1, v + 2});
+  }
+  return shape;
+}
+
+double area_of(const std::vector<Triangle>& triangles, std::span<const std::uint32_t> set,
+               const std::vector<Vec3>& positions) {
+  double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+  for (const std::uint32_t t : set)
+    for (const std::uint32_t v : triangles[t]) {
+      const double p[3] = {positions[v].x, positions[v].y, positions[v].z};
+      for (int a = 0; a < 3; ++a)
+        low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
+    }
+  const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+  return x * y + y * z + z * x;
+}
+
+/// Everything that the header promises; returns the number of clusters.
+std::uint32_t expect_sound(const ClusterTree& tree, const std::vector<Triangle>& triangles,
+                           const Samples& samples) {
+  std::vector<std::uint32_t> sorted = tree.triangle_order;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted.size(), triangles.size());
+  for (std::uint32_t t = 0; t < sorted.size(); ++t) EXPECT_EQ(sorted[t], t);
+
+  std::uint32_t clusters = 0, next_child = 1;
+  std::vector<std::uint32_t> depths(tree.nodes.size(), 1);
+  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
+    const ClusterTreeNode& node = tree.nodes[n];
+    const std::span set(tree.triangle_order.data() + node.first, node.count);
+    double area = 0;
+    for (const auto& positions : samples) area += area_of(triangles, set, positions);
+    area /= static_cast<double>(samples.size());
+    EXPECT_NEAR(node.area, area, 1e-5 * area);
+    EXPECT_GT(node.count, 0u);
+    EXPECT_LE(depths[n], kMaxClusterTreeDepth);
+    if (node.is_cluster()) {
+      EXPECT_LE(node.count, kMaxClusterTriangles);
+      ++clusters;
+      continue;
+    }
+    EXPECT_GT(node.count, kMaxClusterTriangles) << "what fits a cluster is one";
+    EXPECT_EQ(node.left_child, next_child);
+    next_child += 2;
+    const ClusterTreeNode &left = tree.nodes[node.left_child], &right = (&left)[1];
+    EXPECT_EQ(left.first, node.first);
+    EXPECT_EQ(right.first, left.first + left.count);
+    EXPECT_EQ(left.count + right.count, node.count);
+    depths[node.left_child] = depths[node.left_child + 1] = depths[n] + 1;
+  }
+  EXPECT_EQ(next_child, tree.nodes.size());
+  return clusters;
+}
+
+std::uint32_t expect_sound(const Shape& shape) {
+  return expect_sound(build(shape), shape.triangles, {shape.rest_positions});
+}
+
+TEST(Clusters, FewTrianglesAreOneCluster) {
+  Random random(72);
+  for (std::uint32_t count : {1u, 2u, 15u, 16u})
+    EXPECT_EQ(expect_sound(test::make_soup(random, count, 2, 2, test::Weights::random)), 1u);
+  EXPECT_EQ(expect_sound(test::make_soup(random, 17, 2, 2, test::Weights::random)), 2u);
+}
+
+TEST(Clusters, AreWellFilledOnASkin) {
+  for (std::uint32_t rings : {20u, 41u, 77u, 150u}) {
+    const Shape limb = test::make_limb(rings, 24, 6);
+    const double fill = static_cast<double>(limb.triangles.size()) / expect_sound(limb);
+    EXPECT_GT(fill, 13) << rings;
+  }
+}
+
+TEST(Clusters, AnySoupIsDivided) {
+  Random random(73);
+  for (std::uint32_t count : {18u, 100u, 255u, 256u, 257u, 1000u, 5000u})
+    expect_sound(test::make_soup(random, count, 4, 3, test::Weights::random));
+}
+
+TEST(Clusters, TrianglesInOnePlaceAreDividedByCount) {
+  for (std::uint32_t count : {17u, 256u, 257u, 3000u}) {
+    const Shape shape = triangles_at(std::vector<Vec3>(count, Vec3{1, 2, 3}));
+    EXPECT_EQ(expect_sound(shape), (count + 15) / 16) << "all clusters full";
+  }
+}
+
+TEST(Clusters, TrianglesWithoutAreaAreDivided) {
+  std::vector<Vec3> places;
+  for (int i = 0; i < 2000; ++i) places.push_back({static_cast<float>(i), 0, 0});
+  EXPECT_EQ(expect_sound(triangles_at(places, 0)), 125u) << "points on a line";
+  EXPECT_EQ(expect_sound(triangles_at(std::vector<Vec3>(2000, Vec3{}), 0)), 125u) << "one point";
+}
+
+TEST(Clusters, CutsBetweenTwoClumps) {
+  Random random(74);
+  std::vector<Vec3> places;
+  for (int i = 0; i < 320; ++i) {
+    Vec3 p = random.point(1);
+    if (i % 5 == 0) p.y += 100;
+    places.push_back(p);
+  }
+  const Shape shape = triangles_at(places);
+  const ClusterTree tree = build(shape);
+  EXPECT_EQ(tree.nodes[1].count, 256u);
+  EXPECT_EQ(tree.nodes[2].count, 64u);
+}
+
+/// Each cut of such a set takes little away.
+TEST(Clusters, PlacesThatGrowByPowersStayWithinTheDepth) {
+  std::vector<Vec3> places;
+  for (int copy = 0; copy < 40; ++copy)
+    for (int e = -60; e < 60; ++e) {
+      const float x = std::ldexp(1.0f, e);
+      places.push_back({x, copy % 2 ? x : -x, copy % 3 ? 0 : x});
+    }
+  expect_sound(triangles_at(places, 0x1p-80f));
+}
+
+TEST(Clusters, TheLargestCoordinatesDoNotOverflow) {
+  Random random(75);
+  Shape shape = test::make_soup(random, 600, 3, 2, test::Weights::random);
+  for (Vec3& p : shape.rest_positions) {
+    const auto far = [](float c) { return c < 0 ? -0x1p60f : 0x1p60f; };
+    p = {far(p.x), far(p.y), far(p.z)};
+  }
+  expect_sound(shape);
+}
+
+TEST(Clusters, KeepApartWhatMovesApart) {
+  Random random(76);
+  std::vector<Vec3> places;
+  for (int i = 0; i < 512; ++i) places.push_back(random.point(1));
+  const Shape shape = triangles_at(places);
+  const auto leaves = [](std::uint32_t t) { return t % 2 == 1; };
+  std::vector<Vec3> moved = shape.rest_positions;
+  for (std::uint32_t t = 0; t < 512; ++t)
+    if (leaves(t))
+      for (const std::uint32_t v : shape.triangles[t]) moved[v].x += 1000;
+
+  const auto mixed_clusters = [&](const Samples& samples) {
+    const ClusterTree tree = build(shape.triangles, samples);
+    expect_sound(tree, shape.triangles, samples);
+    int mixed = 0;
+    for (const ClusterTreeNode& node : tree.nodes) {
+      const auto first = tree.triangle_order.begin() + node.first;
+      const auto leaving = std::count_if(first, first + node.count, leaves);
+      mixed += node.is_cluster() && leaving > 0 && leaving < node.count;
+    }
+    return mixed;
+  };
+  EXPECT_GT(mixed_clusters({shape.rest_positions}), 25);
+  EXPECT_EQ(mixed_clusters({shape.rest_positions, moved}), 0);
+}
+
+}  // namespace
+}  // namespace pelt::detail

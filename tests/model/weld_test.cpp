@@ -1,0 +1,89 @@
+#include "model/weld.hpp"
+
+#include "meshes.hpp"
+
+#include <cstring>
+
+namespace pelt::detail {
+namespace {
+
+using test::Random;
+using test::Shape;
+
+/// Four vertices of two influences, all alike.
+Shape four_alike() {
+  Shape shape;
+  shape.rest_positions.assign(4, {1, 2, 3});
+  shape.triangles = {{0, 1, 2}, {1, 2, 3}};
+  shape.influences_per_vertex = 2;
+  shape.joints = {0, 1, 0, 1, 0, 1, 0, 1};
+  shape.weights = {0.25f, 0.75f, 0.25f, 0.75f, 0.25f, 0.75f, 0.25f, 0.75f};
+  shape.joint_count = 3;
+  return shape;
+}
+
+using Numbers = std::vector<std::uint32_t>;
+
+Numbers weld(const Shape& shape) { return weld_vertices(test::mesh_of(shape)); }
+
+TEST(Weld, TheLowestNumberStandsForAll) { EXPECT_EQ(weld(four_alike()), (Numbers{0, 0, 0, 0})); }
+
+TEST(Weld, KeepsWhatDiffersInOnePosition) {
+  Shape shape = four_alike();
+  shape.rest_positions[1].z = 4;
+  EXPECT_EQ(weld(shape), (Numbers{0, 1, 0, 0}));
+}
+
+TEST(Weld, KeepsZerosOfDifferentSign) {
+  Shape shape = four_alike();
+  for (Vec3& p : shape.rest_positions) p.x = 0;
+  shape.rest_positions[2].x = -0.0f;
+  EXPECT_EQ(weld(shape), (Numbers{0, 0, 2, 0})) << "they may be posed to other bits";
+}
+
+TEST(Weld, KeepsWhatDiffersInJointsOrWeights) {
+  Shape shape = four_alike();
+  shape.joints[3] = 2;
+  shape.weights[4] = 0.5f, shape.weights[5] = 0.5f;
+  EXPECT_EQ(weld(shape), (Numbers{0, 1, 2, 0}));
+}
+
+TEST(Weld, KeepsAPrefixOfLongerInfluences) {
+  Shape shape = four_alike();
+  shape.weights[0] = 1, shape.weights[1] = 0;
+  EXPECT_EQ(weld(shape), (Numbers{0, 1, 1, 1}));
+}
+
+TEST(Weld, IgnoresTheOrderInWhichAFileNamesJoints) {
+  Shape shape = four_alike();
+  std::swap(shape.joints[4], shape.joints[5]);
+  std::swap(shape.weights[4], shape.weights[5]);
+  EXPECT_EQ(weld(shape), (Numbers{0, 0, 0, 0}));
+}
+
+bool same_vertex(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  const auto of_a = mesh.influences_of(a), of_b = mesh.influences_of(b);
+  return of_a.size() == of_b.size() &&
+         std::memcmp(of_a.data(), of_b.data(), of_a.size_bytes()) == 0 &&
+         std::memcmp(&mesh.rest_positions[a], &mesh.rest_positions[b], sizeof(Vec3)) == 0;
+}
+
+TEST(Weld, IsWhatComparingAllPairsFinds) {
+  Random random(71);
+  Shape shape = test::make_soup(random, 120, 5, 3, test::Weights::adversarial);
+  test::split_at_seams(shape, random, 0.5);
+  const SkinnedMesh mesh = test::mesh_of(shape);
+  const Numbers welded = weld_vertices(mesh);
+  std::uint32_t alike = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    std::uint32_t lowest = 0;
+    while (!same_vertex(mesh, lowest, v)) ++lowest;
+    ASSERT_EQ(welded[v], lowest) << v;
+    alike += lowest != v;
+  }
+  EXPECT_GT(alike, 100u);
+  EXPECT_LT(alike, mesh.vertex_count() - 50);
+}
+
+}  // namespace
+}  // namespace pelt::detail
