@@ -1,0 +1,140 @@
+/// Eight triangle pairs at once in float32, decided only where rounding cannot have changed a sign.
+///
+/// Ten determinants. With the origin in corner a0 a pair is five vectors: u = a1 - a0, v = a0 - a2
+/// and w_j = b_j - a0. All that the exact test asks (triangle_pair.cpp) are sums of the ten
+/// determinants of three of these. With m_j = w_j x w_{j+1}, indices modulo 3,
+///   b_j over a's plane:  h_j = (v x u) . w_j,
+///   a0 over b's plane:   o = -w_0 . m_1,
+///   a1 and a2:           o + sum_j u . m_j  and  o - sum_j v . m_j,  as b's normal is sum_j m_j,
+///   orient3d of an edge of a and edge j of b, b_j to b_{j+1}:  u . m_j for a0 to a1, v . m_j for
+///   a2 to a0 and, since the three edges of a add up to h_{j+1} - h_j, that less both for a1 to a2.
+///
+/// Intervals. Let no corner be on the other's plane and neither triangle in front of it or behind
+/// it. Then going round either one, one edge leads down through the other's plane, from its front
+/// to its back, and one up. Seen against n1 with n2 pointing up, D = n1 x n2 points left, and a
+/// triangle that turns counter-clockwise goes down on its left: along D the first triangle's
+/// interval on the planes' common line ends at its down edge and, by n2 x n1 = -D, the second's
+/// begins at its down edge. orient3d of two down edges, or two up edges, is positive if the
+/// second's crossing comes after the first's (proof in triangle_pair.cpp). So they intersect if it
+/// is negative for the down edges and positive for the up edges, and are apart if either is
+/// certainly the other way.
+///
+/// Rounding. Let e = 2^-24, and X, Y, Z the largest computed |x|, |y|, |z| of the five vectors.
+/// Each determinant is a sum of six products, each at most V = XYZ. A product gathers at most 8
+/// relative errors e: three differences, two multiplications, three sums; so the determinant is
+/// wrong by at most 6 * 8.1 e V < 49 e V. Of four determinants, none above 6.1 V, the three partial
+/// sums are below 13 V, 19 V and 25 V, which makes 4 * 49 e V + 57 e V = 253 e V at most; 256 e V =
+/// 2^-16 V covers that and the rounding of V itself.
+///   Underflow: sums have none. A product is wrong by at most 2^-150 more, and that is at most
+/// multiplied by one difference, which is at most 2^61. Of the nine products of a determinant six
+/// are so multiplied: less than 7 * 2^-89, and four determinants less than 2^-84.
+///   Overflow: cross products are below 2^124. Where 64 V is finite no other value exceeds 25 V;
+/// where it is not, the bound is infinite or NaN, no comparison with it holds, and the lane remains
+/// undecided.
+#include "geometry/triangle_triage.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+namespace {
+
+constexpr unsigned kAllLanes = 0xFF;
+
+Points8 operator-(const Points8& p, const Points8& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+
+Points8 cross(const Points8& p, const Points8& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+
+Float8 dot(const Points8& p, const Points8& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+
+/// A value for each corner of a triangle, or for each edge: edge i leads from corner i to the next.
+using Three = Float8[3];
+
+Float8 lowest(const Three& v) { return min(min(v[0], v[1]), v[2]); }
+Float8 highest(const Three& v) { return max(max(v[0], v[1]), v[2]); }
+Float8 sum(const Three& v) { return v[0] + v[1] + v[2]; }
+
+/// A choice of one edge in each lane.
+struct Edge {
+  Mask8 is_first, is_second;
+
+  Float8 of(const Three& values) const {
+    return select(is_first, values[0], select(is_second, values[1], values[2]));
+  }
+};
+
+Float8 largest(const Float8& u, const Float8& v, const Float8& w0, const Float8& w1,
+               const Float8& w2) {
+  return max(max(max(abs(u), abs(v)), max(abs(w0), abs(w1))), abs(w2));
+}
+
+/// Tells which signs are certain, of a determinant or a sum of up to four.
+class Certainty {
+ public:
+  Certainty(const Points8& u, const Points8& v, const Points8 (&w)[3]) {
+    const Float8 x = largest(u.x, v.x, w[0].x, w[1].x, w[2].x);
+    const Float8 y = largest(u.y, v.y, w[0].y, w[1].y, w[2].y);
+    const Float8 z = largest(u.z, v.z, w[0].z, w[1].z, w[2].z);
+    error_ = Float8(64.0f) * x * y * z * Float8(0x1p-22f) + Float8(0x1p-84f);
+    minus_error_ = Float8(0.0f) - error_;
+  }
+
+  Mask8 positive(const Float8& value) const { return error_ < value; }
+  Mask8 negative(const Float8& value) const { return value < minus_error_; }
+
+  Mask8 all_one_sign(const Three& v) const { return positive(lowest(v)) | negative(highest(v)); }
+  Mask8 all_some_sign(const Three& v) const {
+    return positive(lowest({abs(v[0]), abs(v[1]), abs(v[2])}));
+  }
+
+  Edge edge_down(const Three& heights) const {
+    return {positive(heights[0]) & negative(heights[1]),
+            positive(heights[1]) & negative(heights[2])};
+  }
+  Edge edge_up(const Three& heights) const {
+    return {negative(heights[0]) & positive(heights[1]),
+            negative(heights[1]) & positive(heights[2])};
+  }
+
+ private:
+  Float8 error_, minus_error_;
+};
+
+}  // namespace
+
+Triage triage(const TrianglePairs8& pairs) {
+  const Points8& origin = pairs.a[0];
+  const Points8 u = pairs.a[1] - origin, v = origin - pairs.a[2];
+  const Points8 w[3] = {pairs.b[0] - origin, pairs.b[1] - origin, pairs.b[2] - origin};
+  const Certainty certainly(u, v, w);
+
+  const Points8 normal = cross(v, u);
+  const Three heights_b = {dot(normal, w[0]), dot(normal, w[1]), dot(normal, w[2])};
+  const Mask8 b_aside = certainly.all_one_sign(heights_b);
+  if (b_aside.bits() == kAllLanes) return {kAllLanes, 0};
+
+  const Points8 m[3] = {cross(w[0], w[1]), cross(w[1], w[2]), cross(w[2], w[0])};
+  const Three along_u = {dot(u, m[0]), dot(u, m[1]), dot(u, m[2])};
+  const Three along_v = {dot(v, m[0]), dot(v, m[1]), dot(v, m[2])};
+  const Float8 o = Float8(0.0f) - dot(w[0], m[1]);
+  const Three heights_a = {o, o + sum(along_u), o - sum(along_v)};
+  const unsigned aside = (b_aside | certainly.all_one_sign(heights_a)).bits();
+  const Mask8 all_known = certainly.all_some_sign(heights_a) & certainly.all_some_sign(heights_b);
+  const unsigned crossing = all_known.bits() & ~aside;
+  if (crossing == 0) return {aside, 0};
+
+  const Three along_all = {heights_b[1] - heights_b[0], heights_b[2] - heights_b[1],
+                           heights_b[0] - heights_b[2]};
+  const auto order = [&](const Edge& edge_a, const Edge& edge_b) {
+    const Float8 on_u = edge_b.of(along_u), on_v = edge_b.of(along_v);
+    return edge_a.of({on_u, edge_b.of(along_all) - on_u - on_v, on_v});
+  };
+  const Float8 down = order(certainly.edge_down(heights_a), certainly.edge_down(heights_b));
+  const Float8 up = order(certainly.edge_up(heights_a), certainly.edge_up(heights_b));
+  const unsigned overlap = (certainly.negative(down) & certainly.positive(up)).bits();
+  const unsigned disjoint = (certainly.positive(down) | certainly.negative(up)).bits();
+  return {aside | (crossing & disjoint), crossing & overlap};
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
