@@ -123,27 +123,35 @@ TEST(Clusters, TrianglesWithoutAreaAreDivided) {
 
 TEST(Clusters, CutsBetweenTwoClumps) {
   Random random(74);
-  std::vector<Vec3> places;
-  for (int i = 0; i < 320; ++i) {
-    Vec3 p = random.point(1);
-    if (i % 5 == 0) p.y += 100;
-    places.push_back(p);
+  for (const std::uint32_t count : {240u, 320u}) {  // cut between triangles, and between bins
+    std::vector<Vec3> places;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      Vec3 p = random.point(1);
+      if (i % 5 == 0) p.y += 100;
+      places.push_back(p);
+    }
+    const ClusterTree tree = build(triangles_at(places));
+    EXPECT_EQ(tree.nodes[1].count, count * 4 / 5);
+    const auto right = tree.triangle_order.begin() + tree.nodes[2].first;
+    EXPECT_TRUE(std::all_of(right, right + count / 5, [](std::uint32_t t) { return t % 5 == 0; }));
   }
-  const Shape shape = triangles_at(places);
-  const ClusterTree tree = build(shape);
-  EXPECT_EQ(tree.nodes[1].count, 256u);
-  EXPECT_EQ(tree.nodes[2].count, 64u);
 }
 
-/// Each cut of such a set takes little away.
-TEST(Clusters, PlacesThatGrowByPowersStayWithinTheDepth) {
-  std::vector<Vec3> places;
-  for (int copy = 0; copy < 40; ++copy)
-    for (int e = -60; e < 60; ++e) {
-      const float x = std::ldexp(1.0f, e);
-      places.push_back({x, copy % 2 ? x : -x, copy % 3 ? 0 : x});
-    }
-  expect_sound(triangles_at(places, 0x1p-80f));
+/// Along each axis places that shrink by powers, and all others at the origin: the best cut takes
+/// away a single triangle, again and again.
+TEST(Clusters, StayWithinTheDepth) {
+  std::vector<Vec3> places(400, Vec3{});
+  float at = 0x1p50f;
+  for (int i = 0; i < 36; ++i, at /= 20) {
+    places.push_back({at, 0, 0});
+    places.push_back({0, at, 0});
+    places.push_back({0, 0, at});
+  }
+  const Shape shape = triangles_at(places, 0x1p-110f);
+  expect_sound(shape);
+  const ClusterTree tree = build(shape);
+  const auto single = [](const ClusterTreeNode& node) { return node.count == 1; };
+  EXPECT_GT(std::count_if(tree.nodes.begin(), tree.nodes.end(), single), 50);
 }
 
 TEST(Clusters, TheLargestCoordinatesDoNotOverflow) {
