@@ -1,7 +1,7 @@
 #include "bench/brute_force.hpp"
 
 #include "geometry/triangle_pair.hpp"
-#include "pose/skin.hpp"
+#include "skin/skin.hpp"
 
 #include <algorithm>
 
@@ -87,7 +87,7 @@ QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
   return stats;
 }
 
-QueryStats collide(const BruteForceBody& a, const BruteForceBody& b, detail::Scratch&,
+QueryStats collide(const BruteForceBody& a, const BruteForceBody& b, paper::Scratch&,
                    std::vector<Contact>& contacts, std::uint32_t max_contacts) {
   return brute_force_collide(a.triangles(), a.positions(), b.triangles(), b.positions(), contacts,
                              max_contacts);

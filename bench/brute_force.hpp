@@ -4,9 +4,9 @@
 /// predicate. Knows no tree; only what lies outside the other body's box, or whose own boxes do not
 /// meet, is passed over.
 
-#include "base/scratch.hpp"
-#include "model/skinned_mesh.hpp"
-#include "pose/palette.hpp"
+#include "paper/scratch.hpp"
+#include "skin/palette.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <pelt/collide.hpp>
 
@@ -37,7 +37,7 @@ QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
                                std::span<const Vec3> positions_b, std::vector<Contact>& contacts,
                                std::uint32_t max_contacts);
 
-QueryStats collide(const BruteForceBody& a, const BruteForceBody& b, detail::Scratch& scratch,
+QueryStats collide(const BruteForceBody& a, const BruteForceBody& b, paper::Scratch& scratch,
                    std::vector<Contact>& contacts, std::uint32_t max_contacts);
 
 }  // namespace pelt::bench

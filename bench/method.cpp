@@ -2,10 +2,11 @@
 
 #include "base/assert.hpp"
 #include "bench/brute_force.hpp"
+#include "model/model.hpp"
+#include "model/unpack.hpp"
 #include "paper/eager.hpp"
 #include "paper/on_demand.hpp"
 #include "paper/rigid.hpp"
-#include "pose/pose.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,11 +17,10 @@ namespace {
 
 using detail::Palette;
 using detail::SkinnedMesh;
-
-const SkinnedMesh& mesh_of(const SkinnedModel& model) { return model.detail().mesh; }
+using detail::unpack_mesh;
 
 /// The library as its users call it.
-class PublicMethod final : public Method {
+class OnDemandMethod final : public Method {
  public:
   void add(const SkinnedModel& model) override { poses_.emplace_back(model); }
 
@@ -46,12 +46,11 @@ template <typename Traits>
 class BodyMethod final : public Method {
  public:
   void add(const SkinnedModel& model) override {
-    models_.push_back(model);
-    const SkinnedMesh& mesh = mesh_of(model);
-    auto& prepared = prepared_[&mesh];
-    if (!prepared) prepared = std::make_unique<typename Traits::Prepared>(Traits::prepare(mesh));
-    palettes_.emplace_back(mesh.joint_count, mesh.rest_radius);
-    bodies_.push_back(Traits::make_body(mesh, *prepared));
+    auto& prepared = prepared_[&model.detail()];
+    if (!prepared) prepared = std::make_unique<PreparedModel>(model);
+    const SkinnedMesh& mesh = prepared->mesh;
+    palettes_.emplace_back(mesh.joint_count, mesh.rest_extent);
+    bodies_.push_back(Traits::make_body(mesh, prepared->prepared));
     update_work_ += Traits::update(*bodies_.back(), palettes_.back());
   }
 
@@ -73,20 +72,29 @@ class BodyMethod final : public Method {
   QueryStats update_work() const override { return update_work_; }
 
  private:
-  std::vector<SkinnedModel> models_;  // keep the meshes alive
-  std::map<const SkinnedMesh*, std::unique_ptr<typename Traits::Prepared>> prepared_;
+  struct PreparedModel {
+    explicit PreparedModel(const SkinnedModel& m)
+        : model(m), mesh(unpack_mesh(m.detail().tree)), prepared(Traits::prepare(mesh)) {}
+
+    SkinnedModel model;
+    SkinnedMesh mesh;
+    typename Traits::Prepared prepared;
+  };
+
+  std::map<const detail::Model*, std::unique_ptr<PreparedModel>> prepared_;
   std::vector<Palette> palettes_;
   std::vector<std::unique_ptr<typename Traits::Body>> bodies_;
-  detail::Scratch scratch_;
+  paper::Scratch scratch_;
   QueryStats update_work_;
 };
 
-struct Eq2Traits {
+template <paper::BoundKind kBound>
+struct PaperTraits {
   using Prepared = paper::SphereModel;
   using Body = paper::OnDemandBody;
 
   static Prepared prepare(const SkinnedMesh& mesh) {
-    return paper::build_sphere_model(mesh, paper::BoundKind::plain);
+    return paper::build_sphere_model(mesh, kBound);
   }
   static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const Prepared& model) {
     return std::make_unique<Body>(mesh, model);
@@ -96,7 +104,7 @@ struct Eq2Traits {
     return {};
   }
   static QueryStats collide(Body& a, const Palette& palette_a, Body& b, const Palette& palette_b,
-                            detail::Scratch& scratch, std::vector<Contact>& contacts,
+                            paper::Scratch& scratch, std::vector<Contact>& contacts,
                             std::uint32_t max_contacts) {
     return paper::collide(a, palette_a, b, palette_b, scratch, contacts, max_contacts);
   }
@@ -110,14 +118,14 @@ struct UpdatedTraits {
 
   static QueryStats update(Body& body, const Palette& palette) { return body.update(palette); }
   static QueryStats collide(Body& a, const Palette&, Body& b, const Palette&,
-                            detail::Scratch& scratch, std::vector<Contact>& contacts,
+                            paper::Scratch& scratch, std::vector<Contact>& contacts,
                             std::uint32_t max_contacts) {
     using paper::collide;
     return collide(a, b, scratch, contacts, max_contacts);
   }
 };
 
-struct EagerTraits : UpdatedTraits<paper::EagerBody, paper::SphereTree> {
+struct PaperEagerTraits : UpdatedTraits<paper::EagerBody, paper::SphereTree> {
   static Prepared prepare(const SkinnedMesh& mesh) {
     return paper::build_sphere_tree(mesh.rest_positions, mesh.triangles);
   }
@@ -136,8 +144,8 @@ struct UnpreparedTraits : UpdatedTraits<Body, Nothing> {
   }
 };
 
-constexpr std::array<std::string_view, 5> kNames = {"paper", "paper_eq2", "paper_eager",
-                                                    "paper_rigid", "brute"};
+constexpr std::array<std::string_view, 6> kNames = {"on_demand",   "paper",       "paper_eq2",
+                                                    "paper_eager", "paper_rigid", "brute"};
 
 }  // namespace
 
@@ -153,12 +161,14 @@ std::optional<MethodKind> find_method(std::string_view name) {
 
 std::unique_ptr<Method> make_method(MethodKind kind) {
   switch (kind) {
+    case MethodKind::on_demand:
+      return std::make_unique<OnDemandMethod>();
     case MethodKind::paper:
-      return std::make_unique<PublicMethod>();
+      return std::make_unique<BodyMethod<PaperTraits<paper::BoundKind::optimised>>>();
     case MethodKind::paper_eq2:
-      return std::make_unique<BodyMethod<Eq2Traits>>();
+      return std::make_unique<BodyMethod<PaperTraits<paper::BoundKind::plain>>>();
     case MethodKind::paper_eager:
-      return std::make_unique<BodyMethod<EagerTraits>>();
+      return std::make_unique<BodyMethod<PaperEagerTraits>>();
     case MethodKind::paper_rigid:
       return std::make_unique<BodyMethod<UnpreparedTraits<paper::RigidBody>>>();
     case MethodKind::brute:

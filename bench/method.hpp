@@ -15,7 +15,8 @@
 namespace pelt::bench {
 
 enum class MethodKind {
-  paper,        ///< Kavan & Zara 2005: sphere tree refitted on demand; behind the public functions
+  on_demand,    ///< the public functions: wide tree, nodes opened on demand
+  paper,        ///< Kavan & Zara 2005: sphere tree refitted on demand
   paper_eq2,    ///< the same with the un-optimised bound of their eq. 2
   paper_eager,  ///< the paper's rival: all vertices skinned, the same tree refitted bottom-up
   paper_rigid,  ///< a sphere tree built afresh over the posed mesh: what a rigid body would cost

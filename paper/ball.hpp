@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/float4.hpp"
-#include "geometry/sphere.hpp"
+#include "paper/sphere.hpp"
 
 namespace pelt::paper {
 
@@ -15,7 +15,7 @@ inline Float4 make_ball(const Float4& centre, float radius) {
   return {centre[0], centre[1], centre[2], radius * (1 + 0x1p-20f) + 0x1p-60f};
 }
 
-inline Float4 make_ball(const detail::Sphere& sphere) {
+inline Float4 make_ball(const Sphere& sphere) {
   return make_ball({sphere.centre.x, sphere.centre.y, sphere.centre.z, 0}, sphere.radius);
 }
 

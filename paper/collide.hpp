@@ -8,18 +8,18 @@
 /// end)` tells it which nodes' spheres are asked for next: there the paper's method refits, that
 /// is, just prior to the sphere test; its rivals have done so before.
 
-#include "base/scratch.hpp"
 #include "geometry/triangle_pair.hpp"
 #include "paper/ball.hpp"
+#include "paper/scratch.hpp"
 #include "paper/sphere_tree.hpp"
+
+#include <pelt/collide.hpp>
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
 namespace pelt::paper {
-
-using detail::Scratch;
 
 template <class SideA, class SideB>
 class Descent {

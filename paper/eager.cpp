@@ -2,7 +2,7 @@
 
 #include "paper/collide.hpp"
 #include "paper/triangle_balls.hpp"
-#include "pose/skin.hpp"
+#include "skin/skin.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,16 +3,17 @@
 /// The paper's rival (van den Bergen 1997; "bottom-up" in its section 5): after every change all
 /// vertices are skinned and all spheres of the same tree refitted, leaves first.
 
-#include "base/scratch.hpp"
 #include "paper/posed_side.hpp"
-#include "pose/palette.hpp"
+#include "paper/scratch.hpp"
+#include "skin/palette.hpp"
+
+#include <pelt/collide.hpp>
 
 #include <vector>
 
 namespace pelt::paper {
 
 using detail::Palette;
-using detail::Scratch;
 
 class EagerBody {
  public:

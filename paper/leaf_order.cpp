@@ -17,7 +17,7 @@ void append_vertex(const SkinnedMesh& from, std::uint32_t v, SkinnedMesh& to) {
 SkinnedMesh in_leaf_order(const SkinnedMesh& mesh, const SphereTree& tree) {
   SkinnedMesh ordered;
   ordered.joint_count = mesh.joint_count;
-  ordered.rest_radius = mesh.rest_radius;
+  ordered.rest_extent = mesh.rest_extent;
   ordered.influence_begin.push_back(0);
   std::vector<std::uint32_t> new_number(mesh.vertex_count(), kNew);
   for (const std::uint32_t t : tree.triangle_order) {

@@ -3,7 +3,7 @@
 #include "geometry/triangle_pair.hpp"
 #include "paper/prefetch.hpp"
 #include "paper/sphere_tree.hpp"
-#include "pose/skin.hpp"
+#include "skin/skin.hpp"
 
 #include <vector>
 

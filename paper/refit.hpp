@@ -21,7 +21,7 @@
 #include "paper/ball.hpp"
 #include "paper/refit_records.hpp"
 #include "paper/weight_bounds.hpp"
-#include "pose/palette.hpp"
+#include "skin/palette.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "paper/rigid.hpp"
 
 #include "paper/collide.hpp"
-#include "pose/skin.hpp"
+#include "skin/skin.hpp"
 
 namespace pelt::paper {
 

@@ -3,16 +3,17 @@
 /// What the paper compares itself with in section 5: rigid body detection, a brand new sphere tree
 /// built over the posed mesh. Its query is the yardstick; its build is counted apart.
 
-#include "base/scratch.hpp"
 #include "paper/posed_side.hpp"
-#include "pose/palette.hpp"
+#include "paper/scratch.hpp"
+#include "skin/palette.hpp"
+
+#include <pelt/collide.hpp>
 
 #include <vector>
 
 namespace pelt::paper {
 
 using detail::Palette;
-using detail::Scratch;
 
 class RigidBody {
  public:

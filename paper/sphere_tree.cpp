@@ -1,6 +1,6 @@
 #include "paper/sphere_tree.hpp"
 
-#include "geometry/min_sphere.hpp"
+#include "paper/min_sphere.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ class BinaryBuilder {
         seen_in_[v] = stamp_;
         points_.push_back(positions_[v]);
       }
-    return detail::min_sphere(points_);
+    return min_sphere(points_);
   }
 
   /// Quinlan 1994: cut the box around the centroids across its longest axis, at their mean.

@@ -7,8 +7,8 @@
 /// nearly as large as its parent's tells little, so it is taken out and its children go to the
 /// parent.
 
-#include "geometry/sphere.hpp"
-#include "model/skinned_mesh.hpp"
+#include "paper/sphere.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <cstdint>
 #include <span>
@@ -17,7 +17,6 @@
 namespace pelt::paper {
 
 using detail::SkinnedMesh;
-using detail::Sphere;
 
 /// Children of a node stand side by side; a leaf has none and exactly one triangle.
 struct Node {

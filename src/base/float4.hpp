@@ -1,12 +1,19 @@
 #pragma once
 
-/// Four floats worked on side by side: the one place with vector instructions. The scalar twin
-/// (PELT_SCALAR) does the same operations in the same order, so both give the same bits.
+/// Four floats worked on side by side. The scalar twin (PELT_SCALAR) does the same operations in
+/// the same order, so both give the same bits.
+
+#include "base/target.hpp"
 
 #include <cmath>
 #include <cstring>
 
+#if defined(__SSE2__) && !defined(PELT_SCALAR)
+#include <emmintrin.h>
+#endif
+
 namespace pelt::detail {
+inline namespace PELT_TARGET {
 
 #ifdef PELT_SCALAR
 
@@ -31,29 +38,95 @@ inline Lanes operator-(const Lanes& a, const Lanes& b) {
 inline Lanes operator*(const Lanes& a, const Lanes& b) {
   return each_lane(a, b, [](float x, float y) { return x * y; });
 }
+inline Lanes operator/(const Lanes& a, const Lanes& b) {
+  return each_lane(a, b, [](float x, float y) { return x / y; });
+}
 inline Lanes lower(const Lanes& a, const Lanes& b) {
   return each_lane(a, b, [](float x, float y) { return x < y ? x : y; });
 }
 inline Lanes higher(const Lanes& a, const Lanes& b) {
   return each_lane(a, b, [](float x, float y) { return x > y ? x : y; });
 }
-inline Lanes operator/(const Lanes& a, const Lanes& b) {
-  return each_lane(a, b, [](float x, float y) { return x / y; });
-}
-inline Lanes if_positive(const Lanes& x, const Lanes& yes, const Lanes& no) {
-  return {{x[0] > 0 ? yes[0] : no[0], x[1] > 0 ? yes[1] : no[1], x[2] > 0 ? yes[2] : no[2],
-           x[3] > 0 ? yes[3] : no[3]}};
+inline Lanes magnitude(const Lanes& a) {
+  return {{std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2]), std::fabs(a[3])}};
 }
 inline Lanes make_lanes(float x, float y, float z, float w) { return {{x, y, z, w}}; }
+
+/// A yes or no for each lane.
+struct Mask4 {
+  bool lane[4];
+
+  unsigned bits() const {
+    return unsigned{lane[0]} | unsigned{lane[1]} << 1 | unsigned{lane[2]} << 2 |
+           unsigned{lane[3]} << 3;
+  }
+};
+
+inline Mask4 less(const Lanes& a, const Lanes& b) {
+  return {{a[0] < b[0], a[1] < b[1], a[2] < b[2], a[3] < b[3]}};
+}
+inline Mask4 less_equal(const Lanes& a, const Lanes& b) {
+  return {{a[0] <= b[0], a[1] <= b[1], a[2] <= b[2], a[3] <= b[3]}};
+}
+
+template <typename Operation>
+Mask4 each_yes(const Mask4& a, const Mask4& b, Operation operation) {
+  return {{operation(a.lane[0], b.lane[0]), operation(a.lane[1], b.lane[1]),
+           operation(a.lane[2], b.lane[2]), operation(a.lane[3], b.lane[3])}};
+}
+
+inline Mask4 operator&(const Mask4& a, const Mask4& b) {
+  return each_yes(a, b, [](bool x, bool y) { return x && y; });
+}
+inline Mask4 operator|(const Mask4& a, const Mask4& b) {
+  return each_yes(a, b, [](bool x, bool y) { return x || y; });
+}
+inline Mask4 operator^(const Mask4& a, const Mask4& b) {
+  return each_yes(a, b, [](bool x, bool y) { return x != y; });
+}
+inline Lanes choose(const Mask4& mask, const Lanes& yes, const Lanes& no) {
+  return {{mask.lane[0] ? yes[0] : no[0], mask.lane[1] ? yes[1] : no[1],
+           mask.lane[2] ? yes[2] : no[2], mask.lane[3] ? yes[3] : no[3]}};
+}
 
 #else
 
 using Lanes = float __attribute__((vector_size(16)));
+using Yes = int __attribute__((vector_size(16)));
 
+inline Lanes make_lanes(float x, float y, float z, float w) { return Lanes{x, y, z, w}; }
+inline Lanes magnitude(Lanes a) { return Lanes(Yes(a) & 0x7FFFFFFF); }
+
+#ifdef __SSE2__
+// Compilers do not find these two instructions by themselves: they see to NaN and to signed zeros.
+inline Lanes lower(Lanes a, Lanes b) { return _mm_min_ps(a, b); }
+inline Lanes higher(Lanes a, Lanes b) { return _mm_max_ps(a, b); }
+#else
 inline Lanes lower(Lanes a, Lanes b) { return a < b ? a : b; }
 inline Lanes higher(Lanes a, Lanes b) { return a > b ? a : b; }
-inline Lanes if_positive(Lanes x, Lanes yes, Lanes no) { return x > 0 ? yes : no; }
-inline Lanes make_lanes(float x, float y, float z, float w) { return Lanes{x, y, z, w}; }
+#endif
+
+struct Mask4 {
+  Yes lanes;
+
+  unsigned bits() const {
+#ifdef __SSE2__
+    return static_cast<unsigned>(_mm_movemask_ps(Lanes(lanes)));
+#else
+    const Yes bit = lanes & Yes{1, 2, 4, 8};
+    return static_cast<unsigned>(bit[0] | bit[1] | bit[2] | bit[3]);
+#endif
+  }
+};
+
+inline Mask4 less(Lanes a, Lanes b) { return {a < b}; }
+inline Mask4 less_equal(Lanes a, Lanes b) { return {a <= b}; }
+inline Mask4 operator&(Mask4 a, Mask4 b) { return {a.lanes & b.lanes}; }
+inline Mask4 operator|(Mask4 a, Mask4 b) { return {a.lanes | b.lanes}; }
+inline Mask4 operator^(Mask4 a, Mask4 b) { return {a.lanes ^ b.lanes}; }
+inline Lanes choose(Mask4 mask, Lanes yes, Lanes no) {
+  return Lanes((mask.lanes & Yes(yes)) | (~mask.lanes & Yes(no)));
+}
 
 #endif
 
@@ -71,18 +144,24 @@ struct Float4 {
 inline Float4 operator+(const Float4& a, const Float4& b) { return Float4(a.lanes + b.lanes); }
 inline Float4 operator-(const Float4& a, const Float4& b) { return Float4(a.lanes - b.lanes); }
 inline Float4 operator*(const Float4& a, const Float4& b) { return Float4(a.lanes * b.lanes); }
+inline Float4 operator/(const Float4& a, const Float4& b) { return Float4(a.lanes / b.lanes); }
 inline Float4 operator*(float s, const Float4& v) { return Float4(s) * v; }
 inline Float4 min(const Float4& a, const Float4& b) { return Float4(lower(a.lanes, b.lanes)); }
 inline Float4 max(const Float4& a, const Float4& b) { return Float4(higher(a.lanes, b.lanes)); }
-
-inline Float4 operator/(const Float4& a, const Float4& b) { return Float4(a.lanes / b.lanes); }
+inline Float4 abs(const Float4& a) { return Float4(magnitude(a.lanes)); }
 inline Float4 sqrt(const Float4& v) {
   return {std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
 }
 
+inline Mask4 operator<(const Float4& a, const Float4& b) { return less(a.lanes, b.lanes); }
+inline Mask4 operator<=(const Float4& a, const Float4& b) { return less_equal(a.lanes, b.lanes); }
+inline Float4 select(const Mask4& mask, const Float4& yes, const Float4& no) {
+  return Float4(choose(mask, yes.lanes, no.lanes));
+}
+
 /// In each lane `yes` where x > 0, otherwise (NaN too) `no`.
 inline Float4 if_positive(const Float4& x, const Float4& yes, const Float4& no) {
-  return Float4(if_positive(x.lanes, yes.lanes, no.lanes));
+  return select(Float4(0.0f) < x, yes, no);
 }
 
 /// Any four floats, aligned or not.
@@ -92,6 +171,8 @@ inline Float4 load4(const float* p) {
   return v;
 }
 
+inline void store4(float* p, const Float4& v) { std::memcpy(p, &v.lanes, sizeof v.lanes); }
+
 /// Rows to columns.
 inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   const Float4 x(a[0], b[0], c[0], d[0]), y(a[1], b[1], c[1], d[1]);
@@ -99,4 +180,5 @@ inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   a = x, b = y, c = z, d = w;
 }
 
+}  // namespace PELT_TARGET
 }  // namespace pelt::detail

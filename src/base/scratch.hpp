@@ -1,17 +1,25 @@
 #pragma once
 
+#include "base/stack.hpp"
+
 #include <pelt/collide.hpp>
 
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace pelt::detail {
 
+/// Two opened nodes, and the slots of each that are still to be compared with the other's.
+struct SlotPair {
+  std::uint32_t node_a, slots_a, node_b, slots_b;
+};
+
+extern template class Stack<SlotPair>;
+extern template class Stack<Contact>;
+
 /// Memory lent to queries; every user clears what it takes.
 struct Scratch {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> node_pairs;
-  std::vector<Contact> contacts;
+  Stack<SlotPair> slot_pairs;
+  Stack<Contact> found;
 };
 
 }  // namespace pelt::detail

@@ -1,22 +1,66 @@
 #include "model/model.hpp"
 
+#include "model/tree_build.hpp"
+#include "skin/sample_poses.hpp"
+#include "skin/skin.hpp"
+
 #include <utility>
 
 namespace pelt {
+namespace {
+
+using detail::Palette;
+using detail::SkinnedMesh;
+
+/// The caller's sample poses, or an error that names the one that is no palette.
+Result<std::vector<Palette>> take_sample_poses(const SkinnedMesh& mesh,
+                                               std::span<const Matrix4> matrices) {
+  const std::size_t joints = mesh.joint_count;
+  if (matrices.size() % joints != 0)
+    return Error{ErrorCode::invalid_argument, "sample_palettes has " +
+                                                  std::to_string(matrices.size()) +
+                                                  " matrices, expected a multiple of the model's " +
+                                                  std::to_string(joints) + " joints"};
+  std::vector<Palette> palettes(matrices.size() / joints,
+                                Palette(mesh.joint_count, mesh.rest_extent));
+  for (std::size_t s = 0; s < palettes.size(); ++s) {
+    const Result<void> taken = palettes[s].set({matrices[s * joints].m.data(), 16 * joints});
+    if (!taken)
+      return Error{taken.error().code,
+                   "sample_palettes, pose " + std::to_string(s) + ": " + taken.error().message};
+  }
+  return palettes;
+}
+
+/// Rest positions first, then those of the sample poses.
+std::vector<std::vector<Vec3>> sample_positions(const SkinnedMesh& mesh,
+                                                std::span<const Palette> palettes) {
+  std::vector<std::vector<Vec3>> positions = {mesh.rest_positions};
+  for (const Palette& palette : palettes) {
+    positions.emplace_back(mesh.vertex_count());
+    detail::posed_vertices(mesh, palette, positions.back());
+  }
+  return positions;
+}
+
+}  // namespace
 
 SkinnedModel::SkinnedModel(std::shared_ptr<const detail::Model> model) : model_(std::move(model)) {}
 
-std::uint32_t SkinnedModel::vertex_count() const { return model_->mesh.vertex_count(); }
-std::uint32_t SkinnedModel::triangle_count() const { return model_->mesh.triangle_count(); }
-std::uint32_t SkinnedModel::joint_count() const { return model_->mesh.joint_count; }
+std::uint32_t SkinnedModel::vertex_count() const { return model_->tree.vertex_count(); }
+std::uint32_t SkinnedModel::triangle_count() const { return model_->tree.triangle_count(); }
+std::uint32_t SkinnedModel::joint_count() const { return model_->tree.joint_count; }
 const BuildReport& SkinnedModel::report() const { return model_->report; }
 
-Result<SkinnedModel> build_model(const SkinnedMeshView& mesh, const ModelOptions& options) {
+Result<SkinnedModel> build_model(const SkinnedMeshView& view, const ModelOptions& options) {
   auto model = std::make_shared<detail::Model>();
-  Result<detail::SkinnedMesh> skinned = detail::make_skinned_mesh(mesh, options, model->report);
-  if (!skinned) return skinned.error();
-  model->mesh = *std::move(skinned);
-  model->engine = detail::build_engine(model->mesh);
+  Result<SkinnedMesh> mesh = detail::make_skinned_mesh(view, options, model->report);
+  if (!mesh) return mesh.error();
+  Result<std::vector<Palette>> samples = take_sample_poses(*mesh, options.sample_palettes);
+  if (!samples) return samples.error();
+  model->tree = detail::build_tree(*mesh, sample_positions(*mesh, *samples));
+  if (samples->empty()) *samples = detail::invent_sample_poses(*mesh);
+  model->bounds = detail::fit_node_bounds(model->tree, *samples);
   return SkinnedModel(std::move(model));
 }
 

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "model/engine.hpp"
-#include "model/skinned_mesh.hpp"
+#include <pelt/model.hpp>
 
-#include <memory>
+#include "model/node_bounds.hpp"
+#include "model/tree.hpp"
 
 namespace pelt::detail {
 
 /// What a SkinnedModel shares between its copies.
 struct Model {
-  SkinnedMesh mesh;
+  Tree tree;
+  NodeBounds bounds;
   BuildReport report;
-  std::shared_ptr<const Engine> engine;
 };
 
 }  // namespace pelt::detail

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/skinned_mesh.hpp"
 #include "model/tree.hpp"
+#include "skin/skinned_mesh.hpp"
 
 namespace pelt::detail {
 

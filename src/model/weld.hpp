@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/skinned_mesh.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <cstdint>
 #include <vector>

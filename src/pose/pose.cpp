@@ -1,17 +1,18 @@
 #include "pose/pose.hpp"
 
-#include "pose/skin.hpp"
+#include "base/assert.hpp"
+#include "pose/wide_code.hpp"
 
 #include <utility>
 
 namespace pelt {
 
 Pose::Pose(SkinnedModel model) {
-  const detail::Model& data = model.detail();
-  detail::Palette palette(data.mesh.joint_count, data.mesh.rest_radius);
-  auto engine_pose = detail::make_engine_pose(*data.engine);
+  const detail::Tree& tree = model.detail().tree;
+  detail::Palette palette(tree.joint_count, tree.rest_extent);
+  detail::OpenedNodes opened(static_cast<std::uint32_t>(tree.nodes.size()));
   pose_ = std::make_unique<detail::Pose>(
-      detail::Pose{std::move(model), std::move(palette), std::move(engine_pose)});
+      detail::Pose{std::move(model), std::move(palette), std::move(opened), detail::Arena()});
 }
 
 Pose::Pose(Pose&&) noexcept = default;
@@ -26,13 +27,15 @@ Result<void> Pose::set_palette(std::span<const Matrix4> palette) {
 
 Result<void> Pose::set_palette(std::span<const float> palette) {
   Result<void> taken = pose_->palette.set(palette);
-  if (taken) detail::invalidate(*pose_->engine_pose);
+  if (taken) pose_->close_all();
   return taken;
 }
 
 void posed_vertices(const Pose& pose, std::span<Vec3> out) {
   const detail::Pose& data = pose.detail();
-  detail::posed_vertices(data.model.detail().mesh, data.palette, out);
+  const detail::Tree& tree = data.model.detail().tree;
+  PELT_ASSERT(out.size() == tree.vertex_count());
+  detail::wide_code().pose_vertices(tree, data.palette, out);
 }
 
 }  // namespace pelt

@@ -3,16 +3,26 @@
 #include <pelt/pose.hpp>
 
 #include "model/model.hpp"
-#include "pose/palette.hpp"
+#include "pose/posed_tree.hpp"
 
 namespace pelt::detail {
 
 struct Pose {
   SkinnedModel model;
   Palette palette;
-  EnginePoseHandle engine_pose;
+  OpenedNodes opened;
+  Arena arena;
 
-  EngineSide side() { return {model.detail().mesh, palette, *model.detail().engine, *engine_pose}; }
+  PosedTree posed_tree() {
+    const Model& data = model.detail();
+    return {data.tree, data.bounds, palette, opened, arena};
+  }
+
+  /// The palette has changed.
+  void close_all() {
+    opened.clear();
+    arena.clear();
+  }
 };
 
 }  // namespace pelt::detail

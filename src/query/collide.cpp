@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "base/scratch.hpp"
 #include "pose/pose.hpp"
+#include "pose/wide_code.hpp"
 
 #include <algorithm>
 
@@ -25,18 +26,19 @@ Scratch::~Scratch() = default;
 QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
                    const CollideOptions& options) {
   PELT_ASSERT(&a != &b);
-  const auto first = static_cast<std::ptrdiff_t>(contacts.size());
-  const QueryStats stats = detail::engine_collide(a.detail().side(), b.detail().side(),
-                                                  scratch.detail(), contacts, options.max_contacts);
-  std::sort(contacts.begin() + first, contacts.end());
+  detail::Stack<Contact>& found = scratch.detail().found;
+  const QueryStats stats = detail::wide_code().collide_trees(
+      a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), options.max_contacts);
+  std::sort(found.begin(), found.end());
+  contacts.insert(contacts.end(), found.begin(), found.end());
   return stats;
 }
 
 bool intersects(Pose& a, Pose& b, Scratch& scratch) {
-  std::vector<Contact>& contacts = scratch.detail().contacts;
-  contacts.clear();
-  collide(a, b, scratch, contacts, {.max_contacts = 1});
-  return !contacts.empty();
+  PELT_ASSERT(&a != &b);
+  detail::wide_code().collide_trees(a.detail().posed_tree(), b.detail().posed_tree(),
+                                    scratch.detail(), 1);
+  return !scratch.detail().found.empty();
 }
 
 }  // namespace pelt

@@ -2,7 +2,7 @@
 
 /// Checked meshes, made from the shapes of tests/support.
 
-#include "model/skinned_mesh.hpp"
+#include "skin/skinned_mesh.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "model/check_tree.hpp"
 #include "model/unpack.hpp"
 #include "model/weld.hpp"
-#include "pose/skin.hpp"
+#include "skin/skin.hpp"
 
 #include <pelt/asset.hpp>
 

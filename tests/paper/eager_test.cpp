@@ -1,6 +1,6 @@
 #include "paper/eager.hpp"
 
-#include "geometry/min_sphere.hpp"
+#include "paper/min_sphere.hpp"
 #include "paper/on_demand.hpp"
 #include "posed_mesh.hpp"
 
@@ -48,8 +48,7 @@ TEST(Eager, SpheresEncloseTheirPosedVerticesAndLeavesTightly) {
           ASSERT_LE(test::relative_reach(sphere, point), 1) << "node " << n;
         if (!tree.nodes[n].is_leaf()) continue;
         const double rounding = 0x1p-20 * static_cast<double>(palette.reach());
-        ASSERT_LE(sphere[3],
-                  1.01 * static_cast<double>(detail::min_sphere(points).radius) + rounding);
+        ASSERT_LE(sphere[3], 1.01 * static_cast<double>(min_sphere(points).radius) + rounding);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "bench/method.hpp"
 
 #include "model/model.hpp"
+#include "model/unpack.hpp"
 #include "paper/on_demand.hpp"
 #include "support/skinned_shapes.hpp"
 
@@ -23,7 +24,8 @@ using Contacts = std::vector<Contact>;
 using Joints = std::vector<Matrix4>;
 
 constexpr std::uint32_t kJoints = 5;
-constexpr MethodKind kKinds[] = {MethodKind::paper, MethodKind::paper_eq2, MethodKind::paper_eager,
+constexpr MethodKind kKinds[] = {MethodKind::on_demand,   MethodKind::paper,
+                                 MethodKind::paper_eq2,   MethodKind::paper_eager,
                                  MethodKind::paper_rigid, MethodKind::brute};
 
 SkinnedModel model_of(const Shape& shape) {
@@ -33,7 +35,7 @@ SkinnedModel model_of(const Shape& shape) {
 }
 
 std::uint64_t node_count(const SkinnedModel& model) {
-  return paper::build_sphere_model(model.detail().mesh).tree.nodes.size();
+  return paper::build_sphere_model(detail::unpack_mesh(model.detail().tree)).tree.nodes.size();
 }
 
 /// Two posed bodies and what a method says of them.

@@ -5,7 +5,7 @@
 
 #include "base/vec3.hpp"
 #include "paper/refit.hpp"
-#include "pose/skin.hpp"
+#include "skin/skin.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ inline detail::SkinnedMesh checked_mesh(const Shape& shape) {
 
 inline detail::Palette checked_palette(const detail::SkinnedMesh& mesh,
                                        const std::vector<Matrix4>& joints) {
-  detail::Palette palette(mesh.joint_count, mesh.rest_radius);
+  detail::Palette palette(mesh.joint_count, mesh.rest_extent);
   const Result<void> taken = palette.set({joints[0].m.data(), 16 * joints.size()});
   EXPECT_TRUE(taken);
   return palette;

@@ -1,6 +1,6 @@
 #include "paper/refit.hpp"
 
-#include "geometry/min_sphere.hpp"
+#include "paper/min_sphere.hpp"
 #include "paper/on_demand.hpp"
 #include "posed_mesh.hpp"
 
@@ -225,7 +225,7 @@ std::vector<float> best_radii(const SkinnedMesh& mesh, const SphereModel& model,
     std::vector<Vec3> points;
     for (const std::uint32_t v : test::vertices_below(mesh, model.tree, node))
       points.push_back(positions[v]);
-    radii.push_back(detail::min_sphere(points).radius);
+    radii.push_back(min_sphere(points).radius);
   }
   return radii;
 }

@@ -1,4 +1,4 @@
-#include "model/skinned_mesh.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include "model/model.hpp"
 #include "support/skinned_shapes.hpp"
@@ -49,8 +49,8 @@ TEST(SkinnedMesh, KeepsNumbersAndDropsZeroWeights) {
   EXPECT_EQ(mesh.influences_of(1)[0].weight, 1.0f);
   EXPECT_EQ(mesh.influences_of(2)[0].joint, 0u) << "joints ascend";
   EXPECT_EQ(report.renormalised_vertices, 0u);
-  EXPECT_GE(mesh.rest_radius, 1.0f);
-  EXPECT_LT(mesh.rest_radius, 1.0001f);
+  EXPECT_GE(mesh.rest_extent, 2.0f);
+  EXPECT_LT(mesh.rest_extent, 2.0001f);
 }
 
 TEST(SkinnedMesh, SumsAJointNamedTwice) {

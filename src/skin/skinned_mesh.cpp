@@ -1,4 +1,4 @@
-#include "model/skinned_mesh.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -149,14 +149,13 @@ std::uint32_t count_degenerate(const SkinnedMesh& mesh) {
   return count;
 }
 
-float enclosing_radius(std::span<const Vec3> points) {
-  double squared = 0;
-  for (const Vec3& p : points) {
-    const double x = p.x, y = p.y, z = p.z;
-    squared = std::max(squared, x * x + y * y + z * z);
-  }
-  return std::nextafter(static_cast<float>(std::sqrt(squared)),
-                        std::numeric_limits<float>::infinity());
+float rest_extent(std::span<const Vec3> points) {
+  Vec3 largest;
+  for (const Vec3& p : points)
+    largest = {std::max(largest.x, std::fabs(p.x)), std::max(largest.y, std::fabs(p.y)),
+               std::max(largest.z, std::fabs(p.z))};
+  const double sum = double{largest.x} + double{largest.y} + double{largest.z};
+  return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
 }
 
 }  // namespace
@@ -172,7 +171,7 @@ Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOp
   mesh.rest_positions.assign(view.rest_positions.begin(), view.rest_positions.end());
   mesh.triangles.assign(view.triangles.begin(), view.triangles.end());
   mesh.joint_count = view.joint_count;
-  mesh.rest_radius = enclosing_radius(mesh.rest_positions);
+  mesh.rest_extent = rest_extent(mesh.rest_positions);
   if (Problem problem = take_influences(view, options, mesh, report)) return *problem;
   report.degenerate_triangles = count_degenerate(mesh);
   return mesh;

@@ -1,5 +1,6 @@
-#include "pose/skin.hpp"
+#include "skin/skin.hpp"
 
+#include "model/unpack.hpp"
 #include "pose/pose.hpp"
 #include "support/skinned_shapes.hpp"
 
@@ -18,14 +19,17 @@ using test::Weights;
 
 struct Posed {
   SkinnedModel model;
+  SkinnedMesh unpacked;
   Pose pose;
 
   Posed(const test::Shape& shape, const std::vector<Matrix4>& palette)
-      : model(*build_model(shape.view())), pose(model) {
+      : model(*build_model(shape.view())),
+        unpacked(detail::unpack_mesh(model.detail().tree)),
+        pose(model) {
     EXPECT_TRUE(pose.set_palette(palette));
   }
 
-  const SkinnedMesh& mesh() const { return model.detail().mesh; }
+  const SkinnedMesh& mesh() const { return unpacked; }
   const Palette& palette() const { return pose.detail().palette; }
 };
 

@@ -1,4 +1,4 @@
-#include "pose/palette.hpp"
+#include "skin/palette.hpp"
 
 #include "pose/pose.hpp"
 #include "support/skinned_shapes.hpp"

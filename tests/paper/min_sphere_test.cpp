@@ -1,7 +1,7 @@
-#include "geometry/min_sphere.hpp"
+#include "paper/min_sphere.hpp"
 
 #include "base/vec3.hpp"
-#include "triangle_cases.hpp"
+#include "geometry/triangle_cases.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -17,9 +17,9 @@
 namespace pelt::test {
 namespace {
 
-using detail::min_sphere;
-using detail::Sphere;
 using detail::TriangleCorners;
+using paper::min_sphere;
+using paper::Sphere;
 
 using Rational3 = std::array<mpq_class, 3>;
 

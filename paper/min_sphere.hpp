@@ -1,10 +1,10 @@
 #pragma once
 
-#include "geometry/sphere.hpp"
+#include "paper/sphere.hpp"
 
 #include <span>
 
-namespace pelt::detail {
+namespace pelt::paper {
 
 /// The minimal enclosing sphere of points, for the rest pose's sphere tree (Kavan & Zara 2005,
 /// section 3.1). It encloses them exactly: whatever rounding did to the centre, the radius is
@@ -12,4 +12,4 @@ namespace pelt::detail {
 /// passes over the points. Precondition: `points` is not empty, coordinates are at most 2^60.
 Sphere min_sphere(std::span<const Vec3> points);
 
-}  // namespace pelt::detail
+}  // namespace pelt::paper

@@ -1,4 +1,4 @@
-#include "pose/skin.hpp"
+#include "skin/skin.hpp"
 
 #include "base/assert.hpp"
 

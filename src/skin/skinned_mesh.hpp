@@ -23,7 +23,7 @@ struct SkinnedMesh {
   std::vector<std::uint32_t> influence_begin;  // [V + 1], into influences
   std::vector<Influence> influences;
   std::uint32_t joint_count = 0;
-  float rest_radius = 0;  // no rest position is further from the origin
+  float rest_extent = 0;  // sum over the axes of the largest coordinate
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(rest_positions.size()); }
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size()); }

@@ -13,8 +13,8 @@ namespace pelt::detail {
 /// kMaxCoordinate, so that no query meets NaN or infinity.
 class Palette {
  public:
-  /// Identity matrices. No rest position is further than `rest_radius` from the origin.
-  Palette(std::uint32_t joint_count, float rest_radius);
+  /// Identity matrices, for a mesh of that `rest_extent`.
+  Palette(std::uint32_t joint_count, float rest_extent);
 
   /// Takes `floats`, 16 for each joint, or says what is wrong with them and changes nothing.
   Result<void> set(std::span<const float> floats);
@@ -22,15 +22,18 @@ class Palette {
   std::span<const Matrix4> joints() const { return joints_; }
   const Matrix4& operator[](std::uint32_t joint) const { return joints_[joint]; }
 
-  /// G of the rounding analysis: max over joints of |A_j|_F R + |t_j| with R the rest radius. No
-  /// vertex is posed further from the origin, and float32 rounding of posed vertices and bounds is
-  /// a small multiple of 2^-24 G.
-  float reach() const { return reach_; }
+  /// M of the rounding analyses: for every joint and every point v of the mesh's rest box,
+  /// sum_b |A_ab| |v_b| + |t_a| <= M. No coordinate of a posed vertex is larger, and float32
+  /// rounding of posed vertices and bounds is a small multiple of 2^-24 M.
+  float extent() const { return extent_; }
+
+  /// No vertex is posed further from the origin.
+  float reach() const { return extent_ * 1.7320510f; }
 
  private:
   std::vector<Matrix4> joints_;
-  float rest_radius_;
-  float reach_;
+  float rest_extent_;
+  float extent_;
 };
 
 }  // namespace pelt::detail

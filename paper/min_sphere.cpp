@@ -7,7 +7,7 @@
 /// The centre sought is the one whose distance to its farthest point is least, so candidates are
 /// compared by just that: no tolerance is needed, and a circumcentre that is far off because its
 /// points are nearly dependent merely loses.
-#include "geometry/min_sphere.hpp"
+#include "paper/min_sphere.hpp"
 
 #include "base/assert.hpp"
 #include "base/vec3.hpp"
@@ -19,8 +19,14 @@
 #include <limits>
 #include <optional>
 
-namespace pelt::detail {
+namespace pelt::paper {
 namespace {
+
+using detail::cross;
+using detail::dot;
+using detail::squared_length;
+using detail::to_float;
+using detail::Vec3d;
 
 /// Points on the boundary of a sphere, at most four, and a fifth while it is being enlarged.
 struct Support {
@@ -147,4 +153,4 @@ Sphere min_sphere(std::span<const Vec3> points) {
   return enclose(min_sphere_centre(points), points);
 }
 
-}  // namespace pelt::detail
+}  // namespace pelt::paper

@@ -2,11 +2,11 @@
 
 #include <pelt/math.hpp>
 
-namespace pelt::detail {
+namespace pelt::paper {
 
 struct Sphere {
   Vec3 centre;
   float radius = 0;
 };
 
-}  // namespace pelt::detail
+}  // namespace pelt::paper

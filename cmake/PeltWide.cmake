@@ -1,0 +1,28 @@
+# The targets that the hot code is compiled for (src/base/target.hpp), and their compiler flags.
+set(PELT_WIDE_TARGETS scalar)
+set(PELT_WIDE_FLAGS_scalar -DPELT_TARGET=scalar -DPELT_SCALAR)
+if(NOT PELT_SCALAR)
+  list(APPEND PELT_WIDE_TARGETS simd128)
+  set(PELT_WIDE_FLAGS_simd128 -DPELT_TARGET=simd128)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND PELT_WIDE_FLAGS_simd128 -msse4.1)
+    list(APPEND PELT_WIDE_TARGETS avx2)
+    set(PELT_WIDE_FLAGS_avx2 -DPELT_TARGET=avx2 -DPELT_TARGET_AVX2 -mavx2)
+  endif()
+endif()
+
+# pelt_wide_sources(LIBRARY sources...): adds to a library what is compiled for every target. The
+# library is told by PELT_HAS_SIMD128 and PELT_HAS_AVX2 which there are beside the scalar one.
+function(pelt_wide_sources library)
+  foreach(target IN LISTS PELT_WIDE_TARGETS)
+    set(objects ${library}_${target})
+    add_library(${objects} OBJECT ${ARGN})
+    pelt_target(${objects})
+    target_compile_options(${objects} PRIVATE ${PELT_WIDE_FLAGS_${target}})
+    target_include_directories(${objects}
+      PRIVATE $<TARGET_PROPERTY:${library},INCLUDE_DIRECTORIES>)
+    target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
+    string(TOUPPER ${target} name)
+    target_compile_definitions(${library} PRIVATE PELT_HAS_${name})
+  endforeach()
+endfunction()

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+namespace pelt {
+
+/// The instructions that queries use. All targets give the same answers, to the bit, and do the
+/// same work; they differ in speed.
+enum class Target {
+  scalar,   ///< no vector instructions
+  simd128,  ///< four floats at once: SSE4.1, NEON or WASM SIMD, whichever the library was built for
+  avx2,     ///< eight floats at once
+};
+
+/// "scalar", "simd128" or "avx2".
+const char* name_of(Target target);
+
+/// The targets that this build has and this machine can run, slowest first.
+std::span<const Target> available_targets();
+
+/// What queries use: the fastest available target, unless `set_active_target` chose another.
+Target active_target();
+
+/// Makes all queries from now on use `target`; false, and nothing changes, if it is not available.
+/// For measurements and tests. Not while another thread runs a query.
+bool set_active_target(Target target);
+
+}  // namespace pelt

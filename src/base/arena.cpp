@@ -1,0 +1,44 @@
+#include "base/arena.hpp"
+
+#include <algorithm>
+#include <new>
+
+namespace pelt::detail {
+namespace {
+
+constexpr std::size_t kFirstBlock = std::size_t{1} << 13, kLargestBlock = std::size_t{1} << 18;
+
+}  // namespace
+
+void Arena::Release::operator()(std::byte* memory) const {
+  ::operator delete (memory, std::align_val_t{kAlignment});
+}
+
+std::size_t Arena::capacity() const {
+  std::size_t bytes = 0;
+  for (const Block& block : blocks_) bytes += block.size;
+  return bytes;
+}
+
+void Arena::reserve(std::size_t bytes) {
+  const std::size_t held = capacity();
+  if (bytes > held) add_block(bytes - held);
+}
+
+/// Blocks grow with what is held, so that there are few, up to a size at which the unused end of
+/// one is no loss.
+void Arena::next_block(std::size_t bytes) {
+  while (block_ < blocks_.size() && blocks_[block_].size < bytes) ++block_;
+  if (block_ == blocks_.size())
+    add_block(std::max(bytes, std::clamp(capacity(), kFirstBlock, kLargestBlock)));
+  next_ = blocks_[block_].memory.get();
+  left_ = blocks_[block_].size;
+  ++block_;
+}
+
+void Arena::add_block(std::size_t bytes) {
+  void* memory = ::operator new (bytes, std::align_val_t{kAlignment});
+  blocks_.push_back({std::unique_ptr<std::byte, Release>(static_cast<std::byte*>(memory)), bytes});
+}
+
+}  // namespace pelt::detail

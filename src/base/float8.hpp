@@ -1,0 +1,149 @@
+#pragma once
+
+/// Eight floats worked on side by side, in three spellings of the same operations: one register of
+/// eight (AVX2), two of four, or plain floats. None of them fuses a multiplication with an
+/// addition, so all give the same bits.
+
+#include "base/float4.hpp"
+#include "base/target.hpp"
+
+#if defined(PELT_TARGET_AVX2)
+#include <immintrin.h>
+#endif
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+#if defined(PELT_TARGET_AVX2)
+
+struct Float8 {
+  __m256 lanes;
+
+  Float8() = default;
+  explicit Float8(__m256 l) : lanes(l) {}
+  explicit Float8(float s) : lanes(_mm256_set1_ps(s)) {}
+  Float8(const Float4& low, const Float4& high) : lanes(_mm256_set_m128(high.lanes, low.lanes)) {}
+
+  Float4 low() const { return Float4(_mm256_castps256_ps128(lanes)); }
+  Float4 high() const { return Float4(_mm256_extractf128_ps(lanes, 1)); }
+  void store(float* p) const { _mm256_storeu_ps(p, lanes); }
+};
+
+/// A yes or no for each lane.
+struct Mask8 {
+  __m256 lanes;
+
+  unsigned bits() const { return static_cast<unsigned>(_mm256_movemask_ps(lanes)); }
+};
+
+inline Float8 load8(const float* p) { return Float8(_mm256_loadu_ps(p)); }
+
+inline Float8 operator+(Float8 a, Float8 b) { return Float8(_mm256_add_ps(a.lanes, b.lanes)); }
+inline Float8 operator-(Float8 a, Float8 b) { return Float8(_mm256_sub_ps(a.lanes, b.lanes)); }
+inline Float8 operator*(Float8 a, Float8 b) { return Float8(_mm256_mul_ps(a.lanes, b.lanes)); }
+inline Float8 min(Float8 a, Float8 b) { return Float8(_mm256_min_ps(a.lanes, b.lanes)); }
+inline Float8 max(Float8 a, Float8 b) { return Float8(_mm256_max_ps(a.lanes, b.lanes)); }
+inline Float8 abs(Float8 a) { return Float8(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.lanes)); }
+inline Mask8 operator<=(Float8 a, Float8 b) {
+  return {_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LE_OQ)};
+}
+inline Mask8 operator<(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LT_OQ)}; }
+inline Mask8 operator&(Mask8 a, Mask8 b) { return {_mm256_and_ps(a.lanes, b.lanes)}; }
+inline Mask8 operator|(Mask8 a, Mask8 b) { return {_mm256_or_ps(a.lanes, b.lanes)}; }
+inline Mask8 operator^(Mask8 a, Mask8 b) { return {_mm256_xor_ps(a.lanes, b.lanes)}; }
+inline Float8 select(Mask8 mask, Float8 yes, Float8 no) {
+  return Float8(_mm256_blendv_ps(no.lanes, yes.lanes, mask.lanes));
+}
+
+#else
+
+/// Two fours; in a scalar build each four is four plain floats.
+struct Float8 {
+  Float4 four[2];
+
+  Float8() = default;
+  explicit Float8(float s) : four{Float4(s), Float4(s)} {}
+  Float8(const Float4& low, const Float4& high) : four{low, high} {}
+
+  Float4 low() const { return four[0]; }
+  Float4 high() const { return four[1]; }
+  void store(float* p) const { store4(p, four[0]), store4(p + 4, four[1]); }
+};
+
+struct Mask8 {
+  Mask4 four[2];
+
+  unsigned bits() const { return four[0].bits() | four[1].bits() << 4; }
+};
+
+inline Float8 load8(const float* p) { return {load4(p), load4(p + 4)}; }
+
+inline Float8 operator+(const Float8& a, const Float8& b) {
+  return {a.four[0] + b.four[0], a.four[1] + b.four[1]};
+}
+inline Float8 operator-(const Float8& a, const Float8& b) {
+  return {a.four[0] - b.four[0], a.four[1] - b.four[1]};
+}
+inline Float8 operator*(const Float8& a, const Float8& b) {
+  return {a.four[0] * b.four[0], a.four[1] * b.four[1]};
+}
+inline Float8 min(const Float8& a, const Float8& b) {
+  return {min(a.four[0], b.four[0]), min(a.four[1], b.four[1])};
+}
+inline Float8 max(const Float8& a, const Float8& b) {
+  return {max(a.four[0], b.four[0]), max(a.four[1], b.four[1])};
+}
+inline Float8 abs(const Float8& a) { return {abs(a.four[0]), abs(a.four[1])}; }
+inline Mask8 operator<=(const Float8& a, const Float8& b) {
+  return {{a.four[0] <= b.four[0], a.four[1] <= b.four[1]}};
+}
+inline Mask8 operator<(const Float8& a, const Float8& b) {
+  return {{a.four[0] < b.four[0], a.four[1] < b.four[1]}};
+}
+inline Mask8 operator&(const Mask8& a, const Mask8& b) {
+  return {{a.four[0] & b.four[0], a.four[1] & b.four[1]}};
+}
+inline Mask8 operator|(const Mask8& a, const Mask8& b) {
+  return {{a.four[0] | b.four[0], a.four[1] | b.four[1]}};
+}
+inline Mask8 operator^(const Mask8& a, const Mask8& b) {
+  return {{a.four[0] ^ b.four[0], a.four[1] ^ b.four[1]}};
+}
+inline Float8 select(const Mask8& mask, const Float8& yes, const Float8& no) {
+  return {select(mask.four[0], yes.four[0], no.four[0]),
+          select(mask.four[1], yes.four[1], no.four[1])};
+}
+
+#endif
+
+/// [a a a a b b b b]: the factors of two columns of a matrix that stand side by side.
+inline Float8 pair8(float a, float b) { return {Float4(a), Float4(b)}; }
+
+/// The sum of both halves: where each half holds a column's share of a point, the point.
+inline Float4 fold(const Float8& v) { return v.low() + v.high(); }
+
+/// Eight points, four floats each, turned into their coordinates: lane i of `x` is point i's.
+struct Points8 {
+  Float8 x, y, z;
+};
+
+inline Points8 transpose8(const Float4& p0, const Float4& p1, const Float4& p2, const Float4& p3,
+                          const Float4& p4, const Float4& p5, const Float4& p6, const Float4& p7) {
+#if defined(PELT_TARGET_AVX2)
+  const __m256 a = Float8(p0, p4).lanes, b = Float8(p1, p5).lanes;
+  const __m256 c = Float8(p2, p6).lanes, d = Float8(p3, p7).lanes;
+  const __m256 ab_xy = _mm256_unpacklo_ps(a, b), cd_xy = _mm256_unpacklo_ps(c, d);
+  const __m256 ab_z = _mm256_unpackhi_ps(a, b), cd_z = _mm256_unpackhi_ps(c, d);
+  return {Float8(_mm256_shuffle_ps(ab_xy, cd_xy, 0x44)),
+          Float8(_mm256_shuffle_ps(ab_xy, cd_xy, 0xEE)),
+          Float8(_mm256_shuffle_ps(ab_z, cd_z, 0x44))};
+#else
+  Float4 a = p0, b = p1, c = p2, d = p3, e = p4, f = p5, g = p6, h = p7;
+  transpose(a, b, c, d);
+  transpose(e, f, g, h);
+  return {{a, e}, {b, f}, {c, g}};
+#endif
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

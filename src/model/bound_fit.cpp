@@ -1,0 +1,163 @@
+#include "model/bound_fit.hpp"
+
+#include "geometry/symmetric3.hpp"
+
+#include <array>
+
+namespace pelt::detail {
+namespace {
+
+constexpr double kUnit = 0x1p-24;  // u of the rounding analysis
+
+Vec3d to_vec3d(const float* v) { return Vec3d(Vec3{v[0], v[1], v[2]}); }
+
+Vec3d magnitude(const Vec3d& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
+
+void store(const Vec3d& v, float* out) {
+  const Vec3 rounded = to_float(v);
+  out[0] = rounded.x, out[1] = rounded.y, out[2] = rounded.z;
+}
+
+/// The box along the principal axes of the offsets. Rounding of the axes is far below the millionth
+/// of the extents by which the box grows.
+void fit_axes(std::span<const Vec3d> offsets, RestShape& shape) {
+  Symmetric3 squares;
+  for (const Vec3d& x : offsets) squares.add_square(x);
+  const std::array<Vec3d, 3> axes = eigenvectors(squares);
+  Intervals3 along;
+  for (const Vec3d& x : offsets) along.include({dot(axes[0], x), dot(axes[1], x), dot(axes[2], x)});
+  const Vec3d middle = along.middle();
+  store(middle.x * axes[0] + middle.y * axes[1] + middle.z * axes[2], shape.axes_centre);
+  const double slack = 1e-6 * std::sqrt(squared_length(to_vec3d(shape.half)));
+  store((along.x.reach(middle.x) + slack) * axes[0], shape.axes[0]);
+  store((along.y.reach(middle.y) + slack) * axes[1], shape.axes[1]);
+  store((along.z.reach(middle.z) + slack) * axes[2], shape.axes[2]);
+}
+
+/// Least squares over the node's vertices: each weight as an affine function of x. The slope is
+/// damped across a flat patch, where the vertices say little about it.
+class WeightFit {
+ public:
+  WeightFit(const NodeVertices& vertices, std::span<const Vec3d> offsets)
+      : mean_(vertices.joints().size()), covariance_(vertices.joints().size()) {
+    const double share = 1 / static_cast<double>(offsets.size());
+    for (const Vec3d& x : offsets) centroid_ = centroid_ + share * x;
+    for (const Vec3d& x : offsets) spread_.add_square(x - centroid_);
+    const double damping = 1e-4 * (spread_.xx + spread_.yy + spread_.zz) + 1e-300;
+    spread_.xx += damping, spread_.yy += damping, spread_.zz += damping;
+    for (std::size_t k = 0; k < offsets.size(); ++k)
+      vertices.each_weight(vertices.places()[k], [&](std::uint32_t i, double weight) {
+        mean_[i] += share * weight;
+        covariance_[i] = covariance_[i] + weight * (offsets[k] - centroid_);
+      });
+  }
+
+  /// The slope and the value at x = 0 of joint i's weight.
+  void store_line(std::size_t i, JointFit& fit) const {
+    const Vec3d gradient = solve(spread_, covariance_[i]);
+    store(gradient, fit.gradient);
+    fit.mean = static_cast<float>(mean_[i] - dot(gradient, centroid_));
+  }
+
+ private:
+  Vec3d centroid_;
+  Symmetric3 spread_;
+  std::vector<double> mean_;
+  std::vector<Vec3d> covariance_;
+};
+
+/// What the line leaves of one joint's weights.
+struct Residual {
+  Interval rest;              // of r_j
+  Intervals3 moment;          // of (w_j - m_j) x
+  double largest_offset = 0;  // of |w_j - m_j|
+
+  void include(const JointFit& fit, double weight, const Vec3d& x) {
+    const double offset = weight - static_cast<double>(fit.mean);
+    rest.include(offset - dot(to_vec3d(fit.gradient), x));
+    moment.include(offset * x);
+    largest_offset = std::max(largest_offset, std::fabs(offset));
+  }
+};
+
+std::vector<Residual> residuals(const NodeVertices& vertices, std::span<const Vec3d> offsets,
+                                std::span<const JointFit> fits) {
+  std::vector<Residual> found(fits.size());
+  std::vector<double> weights(fits.size());
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    std::fill(weights.begin(), weights.end(), 0.0);
+    vertices.each_weight(vertices.places()[k],
+                         [&](std::uint32_t i, double weight) { weights[i] = weight; });
+    for (std::size_t i = 0; i < fits.size(); ++i) found[i].include(fits[i], weights[i], offsets[k]);
+  }
+  return found;
+}
+
+/// The margin of node_bounds.hpp.
+float affine_margin(const AffineFit& fit, std::span<const Residual> residuals,
+                    const WeightRounding& rounding) {
+  double means = 0, sum = 0, terms = 0;
+  for (std::size_t i = 0; i < fit.joints.size(); ++i) {
+    const JointFit& joint = fit.joints[i];
+    sum += static_cast<double>(joint.mean);
+    means += std::fabs(static_cast<double>(joint.mean));
+    terms += dot(magnitude(to_vec3d(joint.gradient)), to_vec3d(fit.shape.half)) +
+             static_cast<double>(joint.rest) + 2 * residuals[i].largest_offset;
+  }
+  const double n = static_cast<double>(fit.joints.size());
+  const double sum_error = rounding.sum_error + std::fabs(sum - 1);
+  return rounded_up(2 * ((rounding.influences + 5) * kUnit + sum_error * (1 + means) +
+                         2 * (n + 10) * kUnit * (means + (1 + means) * terms)));
+}
+
+}  // namespace
+
+WeightRounding weight_rounding(const Tree& tree) {
+  WeightRounding rounding;
+  for (std::size_t v = 0; v < tree.rest_positions.size(); ++v) {
+    const std::uint32_t begin = tree.influence_begin[v], end = tree.influence_begin[v + 1];
+    double sum = 0;
+    for (std::uint32_t i = begin; i < end; ++i) sum += static_cast<double>(tree.weights[i]);
+    rounding.influences = std::max(rounding.influences, static_cast<double>(end - begin));
+    rounding.sum_error = std::max(rounding.sum_error, std::fabs(sum - 1));
+  }
+  return rounding;
+}
+
+JointBoxesFit fit_joint_boxes(const NodeVertices& vertices, const WeightRounding& rounding) {
+  std::vector<Intervals3> extents(vertices.joints().size());
+  for (const std::uint32_t place : vertices.places())
+    vertices.each_weight(
+        place, [&](std::uint32_t i, double) { extents[i].include(vertices.position(place)); });
+  JointBoxesFit fit;
+  fit.boxes.resize(extents.size(), JointBox{});
+  for (std::size_t i = 0; i < extents.size(); ++i)
+    extents[i].store(fit.boxes[i].centre, fit.boxes[i].half);
+  fit.margin = rounded_up(2 * ((rounding.influences + 24) * kUnit + rounding.sum_error));
+  return fit;
+}
+
+AffineFit fit_affine(const NodeVertices& vertices, const WeightRounding& rounding) {
+  AffineFit fit{};
+  Intervals3 box;
+  for (const std::uint32_t place : vertices.places()) box.include(vertices.position(place));
+  box.store(fit.shape.centre, fit.shape.half);
+  std::vector<Vec3d> offsets;
+  offsets.reserve(vertices.places().size());
+  for (const std::uint32_t place : vertices.places())
+    offsets.push_back(vertices.position(place) - to_vec3d(fit.shape.centre));
+  fit_axes(offsets, fit.shape);
+
+  fit.joints.resize(vertices.joints().size(), JointFit{});
+  const WeightFit lines(vertices, offsets);
+  for (std::size_t i = 0; i < fit.joints.size(); ++i) lines.store_line(i, fit.joints[i]);
+  const std::vector<Residual> left = residuals(vertices, offsets, fit.joints);
+  for (std::size_t i = 0; i < fit.joints.size(); ++i) {
+    fit.joints[i].rest = rounded_up(left[i].rest.reach(0));
+    left[i].moment.store(fit.joints[i].shift, fit.joints[i].spread);
+  }
+  fit.margin = affine_margin(fit, left, rounding);
+  return fit;
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,104 @@
+#include "model/node_bounds.hpp"
+
+#include "model/bound_fit.hpp"
+#include "model/node_box.hpp"
+
+namespace pelt::detail {
+namespace {
+
+/// Nodes that more joints move than this get joint boxes without a try: their weights are far from
+/// affine, and the fit would take long.
+constexpr std::size_t kMaxFittedJoints = 32;
+
+/// An affine bound has to be smaller than joint boxes by this factor, because it costs more.
+constexpr double kAffineAdvantage = 0.95;
+
+double half_area(const Box4& box) {
+  const Float4 size = box.high - box.low;
+  const double x = size[0], y = size[1], z = size[2];
+  return x * y + y * z + z * x;
+}
+
+NodeBound add_joint_boxes(const JointBoxesFit& fit, std::span<const std::uint16_t> joints,
+                          NodeBounds& bounds) {
+  NodeBound bound{.kind = BoundKind::joint_boxes,
+                  .joint_count = static_cast<std::uint16_t>(joints.size()),
+                  .first_joint = static_cast<std::uint32_t>(bounds.joints.size()),
+                  .first_record = static_cast<std::uint32_t>(bounds.joint_boxes.size()),
+                  .shape = 0,
+                  .margin = fit.margin};
+  bounds.joints.insert(bounds.joints.end(), joints.begin(), joints.end());
+  bounds.joint_boxes.insert(bounds.joint_boxes.end(), fit.boxes.begin(), fit.boxes.end());
+  return bound;
+}
+
+NodeBound add_affine(const AffineFit& fit, std::span<const std::uint16_t> joints,
+                     NodeBounds& bounds) {
+  NodeBound bound{.kind = BoundKind::affine,
+                  .joint_count = static_cast<std::uint16_t>(joints.size()),
+                  .first_joint = static_cast<std::uint32_t>(bounds.joints.size()),
+                  .first_record = static_cast<std::uint32_t>(bounds.fits.size()),
+                  .shape = static_cast<std::uint32_t>(bounds.shapes.size()),
+                  .margin = fit.margin};
+  bounds.joints.insert(bounds.joints.end(), joints.begin(), joints.end());
+  bounds.fits.insert(bounds.fits.end(), fit.joints.begin(), fit.joints.end());
+  bounds.shapes.push_back(fit.shape);
+  return bound;
+}
+
+bool is_affine_better(const NodeVertices& vertices, const JointBoxesFit& boxes,
+                      const AffineFit& affine, std::span<const Palette> samples) {
+  NodeBounds both;
+  both.nodes = {add_joint_boxes(boxes, vertices.joints(), both),
+                add_affine(affine, vertices.joints(), both)};
+  double boxes_area = 0, affine_area = 0;
+  for (const Palette& palette : samples) {
+    boxes_area += half_area(node_box(both, 0, palette));
+    affine_area += half_area(node_box(both, 1, palette));
+  }
+  return affine_area < kAffineAdvantage * boxes_area;
+}
+
+NodeBound fit_node(const NodeVertices& vertices, const WeightRounding& rounding,
+                   std::span<const Palette> samples, NodeBounds& bounds) {
+  const JointBoxesFit boxes = fit_joint_boxes(vertices, rounding);
+  if (vertices.joints().size() > kMaxFittedJoints)
+    return add_joint_boxes(boxes, vertices.joints(), bounds);
+  const AffineFit affine = fit_affine(vertices, rounding);
+  return is_affine_better(vertices, boxes, affine, samples)
+             ? add_affine(affine, vertices.joints(), bounds)
+             : add_joint_boxes(boxes, vertices.joints(), bounds);
+}
+
+/// Calls `visit(node, places)` for every node with the places of all vertices below it. Children
+/// are visited before their parents.
+template <typename Visit>
+void each_subtree(const Tree& tree, const Visit& visit) {
+  std::vector<std::vector<std::uint32_t>> places(tree.nodes.size());
+  for (auto n = static_cast<std::uint32_t>(tree.nodes.size()); n-- > 0;) {
+    const Node& node = tree.nodes[n];
+    std::vector<std::uint32_t>& below = places[n];
+    for (std::uint32_t v = 0; v < node.vertex_count; ++v) below.push_back(node.first_vertex + v);
+    for (std::uint32_t c = node.first_child; c < node.first_child + node.child_count; ++c) {
+      below.insert(below.end(), places[c].begin(), places[c].end());
+      places[c] = {};
+    }
+    visit(n, std::span<const std::uint32_t>(below));
+  }
+}
+
+}  // namespace
+
+NodeBounds fit_node_bounds(const Tree& tree, std::span<const Palette> samples) {
+  NodeBounds bounds;
+  bounds.nodes.resize(tree.nodes.size());
+  const WeightRounding rounding = weight_rounding(tree);
+  NodeVertices vertices(tree);
+  each_subtree(tree, [&](std::uint32_t node, std::span<const std::uint32_t> places) {
+    vertices.assign(places);
+    bounds.nodes[node] = fit_node(vertices, rounding, samples, bounds);
+  });
+  return bounds;
+}
+
+}  // namespace pelt::detail

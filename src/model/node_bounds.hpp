@@ -1,0 +1,87 @@
+#pragma once
+
+/// What a node's bound needs of the rest pose. Two kinds of bound are known, and each node has the
+/// one that was smaller on sample poses; `pose/node_box.hpp` computes the boxes.
+///
+/// Notation: a vertex v of the node is posed to v' = sum_j w_j C_j v~ with v~ = (v, 1). The rest
+/// box of the node's vertices has the centre c and the half extents e, and x = v - c.
+///
+/// Joint boxes, near the root where there are many joints. v' is a convex combination of the C_j v~
+/// with w_j > 0, so it lies in the box around the images of the joints' own rest boxes, those of
+/// the vertices that they move (Kavan & Zara 2005, eq. 2, with boxes and a body for each joint).
+///
+/// Affine, below. Approximate each weight by an affine function of the place,
+///     w_j = m_j + g_j.x + r_j,       |r_j| <= R_j,
+/// and let B = sum m_j C_j, D_j = C_j - B, t_j = D_j c~. If the m_j sum to one, then exactly
+///     v' = B c~ + A x + sum_j D_j (w_j - m_j) x + sum_j r_j t_j,    A = B + sum_j t_j g_j^T,
+/// where D_j and A act on x by their linear parts. With (w_j - m_j) x within s_j +- S_j on each
+/// axis
+///     centre        B c~ + sum_j D_j s_j
+///     half extents  |A x| + sum_j |D_j| S_j + sum_j R_j |t_j|
+/// and |A x| is bounded twice, by the rest box and by a box along the axes of the rest vertices;
+/// the intersection of both counts. This is the paper's bound carried to first order: the weights'
+/// slope is followed instead of enclosed, and a node whose weights are affine has no excess at all.
+///
+/// Rounding. With u = 2^-24 and M the palette's extent, sum_b |A_ab| |v_b| + |t_a| <= M for every
+/// joint and every point of the mesh's rest box. A float32 posed vertex of K influences is within
+/// (K + 5) u M of the real one, and weights that sum to 1 + e move it by another e M. In the affine
+/// bound, B c~ gathers (n + 5) u W M of error with n joints and W = sum |m_j|; t_j and D_j x are at
+/// most (1 + W) M and 2 (1 + W) M and gather (n + 6) u of that, scaled by |g_j.x| + R_j and
+/// |w_j - m_j|; the sums over joints and the half extents, which are made of the same terms, add n
+/// + 3 u of it. `margin` is twice the sum of all that in units of M, and more than enough:
+///     (K + 5) u + e (1 + W) + 2 (n + 10) u (W + (1 + W) sum_j (|g_j|.e + R_j + 2 max |w_j -
+///     m_j|)).
+
+#include "model/tree.hpp"
+#include "skin/palette.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pelt::detail {
+
+/// Where one joint's own rest vertices lie in a node. Fourth components are zero.
+struct JointBox {
+  float centre[4], half[4];
+};
+
+/// The rest shape of an affine bound. Fourth components are zero.
+struct RestShape {
+  float centre[4];       ///< c
+  float half[4];         ///< e
+  float axes_centre[4];  ///< of the box along the axes, relative to c
+  float axes[3][4];      ///< its half extents as vectors
+};
+
+/// One joint of an affine bound.
+struct JointFit {
+  float gradient[3], mean;  ///< g_j, m_j
+  float shift[3], rest;     ///< s_j, R_j
+  float spread[4];          ///< S_j, 0
+};
+
+enum class BoundKind : std::uint8_t { joint_boxes, affine };
+
+struct NodeBound {
+  BoundKind kind = BoundKind::joint_boxes;
+  std::uint16_t joint_count = 0;
+  std::uint32_t first_joint = 0;   ///< into joints
+  std::uint32_t first_record = 0;  ///< into joint_boxes, or into fits
+  std::uint32_t shape = 0;         ///< into shapes, if affine
+  float margin = 0;                ///< in units of the palette's extent
+};
+
+struct NodeBounds {
+  std::vector<NodeBound> nodes;  // [N], one for each node of the tree
+  std::vector<std::uint16_t> joints;
+  std::vector<JointBox> joint_boxes;
+  std::vector<RestShape> shapes;
+  std::vector<JointFit> fits;
+};
+
+/// Fits both kinds to every node and keeps the one that was smaller on the sample poses. Bounds
+/// hold in any pose. O(P log P) for P vertices in pools.
+NodeBounds fit_node_bounds(const Tree& tree, std::span<const Palette> samples);
+
+}  // namespace pelt::detail

@@ -1,0 +1,88 @@
+#pragma once
+
+/// What the fitting of bounds asks about the vertices below a node, in double.
+
+#include "base/vec3.hpp"
+#include "model/tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace pelt::detail {
+
+inline float rounded_up(double value) {
+  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
+
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double middle() const { return (low + high) / 2; }
+
+  /// The largest distance from `value` in the interval.
+  double reach(double value) const { return std::max(high - value, value - low); }
+};
+
+struct Intervals3 {
+  Interval x, y, z;
+
+  void include(const Vec3d& p) { x.include(p.x), y.include(p.y), z.include(p.z); }
+  Vec3d middle() const { return {x.middle(), y.middle(), z.middle()}; }
+
+  /// Rounds the middle to float and the half extents up, so that they enclose the intervals.
+  void store(float* centre, float* half) const {
+    const Interval* axes[] = {&x, &y, &z};
+    for (int a = 0; a < 3; ++a) {
+      centre[a] = static_cast<float>(axes[a]->middle());
+      half[a] = rounded_up(axes[a]->reach(static_cast<double>(centre[a])));
+    }
+  }
+};
+
+/// The vertices of all pools below a node, and the joints that move them.
+class NodeVertices {
+ public:
+  explicit NodeVertices(const Tree& tree) : tree_(tree), number_(tree.joint_count) {}
+
+  /// Takes another node's vertices, named by their places in the pools.
+  void assign(std::span<const std::uint32_t> places) {
+    places_ = places;
+    joints_.clear();
+    for (const std::uint32_t place : places)
+      for (std::uint32_t i = tree_.influence_begin[place]; i < tree_.influence_begin[place + 1];
+           ++i)
+        joints_.push_back(tree_.joints[i]);
+    std::sort(joints_.begin(), joints_.end());
+    joints_.erase(std::unique(joints_.begin(), joints_.end()), joints_.end());
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+      number_[joints_[i]] = static_cast<std::uint32_t>(i);
+  }
+
+  std::span<const std::uint32_t> places() const { return places_; }
+  std::span<const std::uint16_t> joints() const { return joints_; }  ///< ascending
+  Vec3d position(std::uint32_t place) const { return Vec3d(tree_.rest_positions[place]); }
+
+  /// Calls `visit(i, weight)` for each influence, whose joint is joints()[i].
+  template <typename Visit>
+  void each_weight(std::uint32_t place, const Visit& visit) const {
+    for (std::uint32_t i = tree_.influence_begin[place]; i < tree_.influence_begin[place + 1]; ++i)
+      visit(number_[tree_.joints[i]], static_cast<double>(tree_.weights[i]));
+  }
+
+ private:
+  const Tree& tree_;
+  std::span<const std::uint32_t> places_;
+  std::vector<std::uint16_t> joints_;
+  std::vector<std::uint32_t> number_;  // by joint; of those in joints_
+};
+
+}  // namespace pelt::detail

@@ -1,0 +1,160 @@
+#include "pose/open_node.hpp"
+
+#include "model/node_box.hpp"
+#include "skin/skin.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+namespace {
+
+Float4 posed_place(const Tree& tree, const Matrix4* palette, std::uint32_t place) {
+  const std::uint32_t begin = tree.influence_begin[place];
+  const std::uint16_t* joints = tree.joints.data() + begin;
+  const float* weights = tree.weights.data() + begin;
+  return posed_vertex4(
+      tree.rest_positions[place], tree.influence_begin[place + 1] - begin,
+      [=](std::uint32_t i) {
+        return Influence{joints[i], weights[i]};
+      },
+      palette);
+}
+
+/// An unpublished node with its pool posed.
+OpenedNode* pose_pool(const PosedTree& posed, const Node& node) {
+  OpenedNode* opened = posed.arena.allocate<OpenedNode>();
+  auto* positions =
+      reinterpret_cast<float*>(posed.arena.allocate(node.vertex_count * sizeof(Float4)));
+  const Matrix4* palette = posed.palette.joints().data();
+  for (std::uint32_t v = 0; v < node.vertex_count; ++v)
+    store4(positions + 4 * v, posed_place(posed.tree, palette, node.first_vertex + v));
+  opened->positions = positions;
+  return opened;
+}
+
+Box4 empty_box() { return {Float4(HUGE_VALF), Float4(-HUGE_VALF)}; }
+
+Box4 cluster_box(const Tree& tree, const Cluster& cluster, const float* positions) {
+  const std::uint16_t* vertex = tree.cluster_vertices.data() + cluster.first_vertex;
+  Float4 low = load4(positions + 4 * vertex[0]), high = low;
+  for (std::uint32_t i = 1; i < cluster.vertex_count; ++i) {
+    const Float4 position = load4(positions + 4 * vertex[i]);
+    low = min(low, position);
+    high = max(high, position);
+  }
+  return {low, high};
+}
+
+void store_lanes(float (*rows)[kMaxSlots], const Points8& lanes) {
+  lanes.x.store(rows[0]);
+  lanes.y.store(rows[1]);
+  lanes.z.store(rows[2]);
+}
+
+/// Slot boxes: exact ones of the clusters, and whatever `child_box` says of the children.
+template <typename ChildBox>
+void box_slots(const Tree& tree, const Node& node, OpenedNode& opened, const ChildBox& child_box) {
+  Box4 box[kMaxSlots], all = empty_box();
+  std::uint32_t slot = 0;
+  for (; slot < node.cluster_count; ++slot)
+    box[slot] = cluster_box(tree, tree.clusters[node.first_cluster + slot], opened.positions);
+  for (std::uint32_t child = 0; child < node.child_count; ++child, ++slot)
+    box[slot] = child_box(node.first_child + child);
+  for (std::uint32_t i = 0; i < slot; ++i) all = unite(all, box[i]);
+  for (; slot < kMaxSlots; ++slot) box[slot] = empty_box();
+  store4(opened.all_low, all.low);
+  store4(opened.all_high, all.high);
+  store_lanes(opened.low, transpose8(box[0].low, box[1].low, box[2].low, box[3].low, box[4].low,
+                                     box[5].low, box[6].low, box[7].low));
+  store_lanes(opened.high, transpose8(box[0].high, box[1].high, box[2].high, box[3].high,
+                                      box[4].high, box[5].high, box[6].high, box[7].high));
+}
+
+Box4 triangle_box(const Tree& tree, const float* positions, std::uint32_t triangle) {
+  const std::array<std::uint16_t, 3>& corner = tree.corners[triangle];
+  const Float4 a = load4(positions + 4 * corner[0]), b = load4(positions + 4 * corner[1]);
+  const Float4 c = load4(positions + 4 * corner[2]);
+  return {min(min(a, b), c), max(max(a, b), c)};
+}
+
+}  // namespace
+
+const RootBox& root_box(const PosedTree& posed, QueryStats& work) {
+  RootBox& root = posed.opened.root_box;
+  if (root.known) return root;
+  const Box4 box = node_box(posed.bounds, 0, posed.palette);
+  store4(root.low, box.low);
+  store4(root.high, box.high);
+  root.known = true;
+  ++work.refits;
+  return root;
+}
+
+const OpenedNode& open_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
+  if (const OpenedNode* known = posed.opened[index]) return *known;
+  const Node& node = posed.tree.nodes[index];
+  OpenedNode* opened = pose_pool(posed, node);
+  box_slots(posed.tree, node, *opened,
+            [&](std::uint32_t child) { return node_box(posed.bounds, child, posed.palette); });
+  const OpenedNode* first = posed.opened.publish(index, opened);
+  if (first == opened) {
+    work.refits += node.cluster_count + node.child_count;
+    work.posed_vertices += node.vertex_count;
+  }
+  return *first;
+}
+
+const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
+                                    const OpenedNode& opened, std::uint32_t slot) {
+  auto& known = const_cast<std::atomic<TriangleBoxes*>&>(opened.triangles[slot]);
+  if (const TriangleBoxes* boxes = known.load(std::memory_order_acquire)) return *boxes;
+  const Cluster& cluster = posed.tree.clusters[node.first_cluster + slot];
+  auto* boxes = posed.arena.allocate<TriangleBoxes>();
+  for (std::uint32_t group = 0; group < kMaxClusterTriangles; group += 8) {
+    Box4 box[8];
+    for (std::uint32_t i = 0; i < 8; ++i)
+      box[i] = group + i < cluster.triangle_count
+                   ? triangle_box(posed.tree, opened.positions, cluster.first_triangle + group + i)
+                   : empty_box();
+    const Points8 low = transpose8(box[0].low, box[1].low, box[2].low, box[3].low, box[4].low,
+                                   box[5].low, box[6].low, box[7].low);
+    const Points8 high = transpose8(box[0].high, box[1].high, box[2].high, box[3].high, box[4].high,
+                                    box[5].high, box[6].high, box[7].high);
+    low.x.store(boxes->low[0] + group), high.x.store(boxes->high[0] + group);
+    low.y.store(boxes->low[1] + group), high.y.store(boxes->high[1] + group);
+    low.z.store(boxes->low[2] + group), high.z.store(boxes->high[2] + group);
+  }
+  TriangleBoxes* first = nullptr;
+  return known.compare_exchange_strong(first, boxes, std::memory_order_acq_rel) ? *boxes : *first;
+}
+
+QueryStats open_all(const PosedTree& posed) {
+  QueryStats work;
+  for (std::uint32_t node = 0; node < posed.tree.nodes.size(); ++node) open_node(posed, node, work);
+  return work;
+}
+
+QueryStats open_all_exactly(const PosedTree& posed) {
+  QueryStats work;
+  for (auto index = static_cast<std::uint32_t>(posed.tree.nodes.size()); index-- > 0;) {
+    const Node& node = posed.tree.nodes[index];
+    OpenedNode* opened = pose_pool(posed, node);
+    box_slots(posed.tree, node, *opened, [&](std::uint32_t child) {
+      const OpenedNode& below = *posed.opened[child];
+      return Box4{load4(below.all_low), load4(below.all_high)};
+    });
+    posed.opened.publish(index, opened);
+    work.refits += node.cluster_count + node.child_count;
+    work.posed_vertices += node.vertex_count;
+  }
+  return work;
+}
+
+void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out) {
+  for (std::uint32_t v = 0; v < tree.vertex_count(); ++v) {
+    const Float4 p = posed_place(tree, palette.joints().data(), tree.vertex_places[v]);
+    out[v] = {p[0], p[1], p[2]};
+  }
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

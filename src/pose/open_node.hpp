@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/target.hpp"
+#include "pose/posed_tree.hpp"
+
+#include <span>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// A box around the whole instance, from the joint palette alone.
+const RootBox& root_box(const PosedTree& posed, QueryStats& work);
+
+/// The node, opened if it was not; counts the work in `work`.
+const OpenedNode& open_node(const PosedTree& posed, std::uint32_t node, QueryStats& work);
+
+/// The boxes of a cluster's triangles. Precondition: `opened` is the opened `node`.
+const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
+                                    const OpenedNode& opened, std::uint32_t slot);
+
+/// Opens every node that is not open.
+QueryStats open_all(const PosedTree& posed);
+
+/// Opens every node bottom-up, so that every box is the exact one of the posed vertices below: what
+/// an engine without refit on demand does.
+QueryStats open_all_exactly(const PosedTree& posed);
+
+/// Poses all vertices, in the caller's order.
+void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out);
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

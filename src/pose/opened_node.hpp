@@ -1,0 +1,65 @@
+#pragma once
+
+/// What a query has computed of a node in the current pose: its vertices and the boxes of its
+/// slots. Written once for each palette, by whoever needs it first, and then only read.
+
+#include "base/arena.hpp"
+#include "model/tree.hpp"
+#include "skin/palette.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace pelt::detail {
+
+/// Boxes of the triangles of a cluster, side by side. Lanes beyond the last triangle are empty.
+struct alignas(32) TriangleBoxes {
+  float low[3][kMaxClusterTriangles], high[3][kMaxClusterTriangles];
+};
+
+struct alignas(64) OpenedNode {
+  float low[3][kMaxSlots], high[3][kMaxSlots];  ///< of the slots; lanes without a slot are empty
+  float all_low[4], all_high[4];                ///< the box around them
+  const float* positions;                       ///< of the pool, four floats a vertex
+  std::atomic<TriangleBoxes*> triangles[kMaxSlots];  ///< of the clusters, once asked for
+};
+
+/// A box around all vertices, once asked for.
+struct RootBox {
+  bool known = false;
+  float low[4], high[4];
+};
+
+/// The opened nodes of one pose.
+class OpenedNodes {
+ public:
+  explicit OpenedNodes(std::uint32_t node_count) : nodes_(node_count) {}
+
+  /// The palette has changed: none is open.
+  void clear() {
+    root_box.known = false;
+    for (std::atomic<OpenedNode*>& node : nodes_) node.store(nullptr, std::memory_order_relaxed);
+  }
+
+  /// Null if the node has not been opened.
+  const OpenedNode* operator[](std::uint32_t node) const {
+    return nodes_[node].load(std::memory_order_acquire);
+  }
+
+  /// Makes `opened` known, unless another thread was faster; returns the one that counts.
+  const OpenedNode* publish(std::uint32_t node, OpenedNode* opened) {
+    OpenedNode* first = nullptr;
+    const bool was_first = nodes_[node].compare_exchange_strong(
+        first, opened, std::memory_order_acq_rel, std::memory_order_acquire);
+    return was_first ? opened : first;
+  }
+
+  /// Not to be asked for by two threads at once, unlike the nodes.
+  RootBox root_box;
+
+ private:
+  std::vector<std::atomic<OpenedNode*>> nodes_;
+};
+
+}  // namespace pelt::detail

@@ -1,0 +1,24 @@
+#pragma once
+
+/// One instance as queries see it, and the one thing that they do to it: open a node. That poses
+/// the node's vertices, takes the exact boxes of its clusters from them and the bounds of its child
+/// nodes from the joint palette (Kavan & Zara 2005, section 4.2, "refit on demand").
+
+#include "model/node_bounds.hpp"
+#include "model/tree.hpp"
+#include "pose/opened_node.hpp"
+#include "skin/palette.hpp"
+
+#include <pelt/collide.hpp>
+
+namespace pelt::detail {
+
+struct PosedTree {
+  const Tree& tree;
+  const NodeBounds& bounds;
+  const Palette& palette;
+  OpenedNodes& opened;
+  Arena& arena;  ///< where this thread's opened nodes lie
+};
+
+}  // namespace pelt::detail

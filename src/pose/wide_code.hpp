@@ -1,0 +1,25 @@
+#pragma once
+
+/// The functions that exist once for each target, and the choice between them.
+
+#include "base/scratch.hpp"
+#include "pose/posed_tree.hpp"
+
+#include <pelt/target.hpp>
+
+#include <span>
+
+namespace pelt::detail {
+
+struct WideCode {
+  void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
+  QueryStats (*open_all)(const PosedTree& posed);
+  QueryStats (*open_all_exactly)(const PosedTree& posed);
+  QueryStats (*collide_trees)(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                              std::uint32_t max_contacts);
+};
+
+/// Those of the active target.
+const WideCode& wide_code();
+
+}  // namespace pelt::detail

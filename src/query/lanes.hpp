@@ -1,0 +1,53 @@
+#pragma once
+
+/// Boxes side by side, and the lanes that a test leaves.
+
+#include "base/float8.hpp"
+
+#include <bit>
+#include <cstddef>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// The set bits of a mask, lowest first.
+class SetBits {
+ public:
+  explicit SetBits(unsigned mask) : mask_(mask) {}
+
+  explicit operator bool() const { return mask_ != 0; }
+  unsigned operator*() const { return static_cast<unsigned>(std::countr_zero(mask_)); }
+  void operator++() { mask_ &= mask_ - 1; }
+
+ private:
+  unsigned mask_;
+};
+
+/// One box, each bound in all eight lanes.
+struct Box8 {
+  Float8 low[3], high[3];
+};
+
+template <std::size_t kCount>
+inline Box8 lane_box(const float (&low)[3][kCount], const float (&high)[3][kCount], unsigned lane) {
+  return {{Float8(low[0][lane]), Float8(low[1][lane]), Float8(low[2][lane])},
+          {Float8(high[0][lane]), Float8(high[1][lane]), Float8(high[2][lane])}};
+}
+
+inline Box8 point_box(const float (&low)[4], const float (&high)[4]) {
+  return {{Float8(low[0]), Float8(low[1]), Float8(low[2])},
+          {Float8(high[0]), Float8(high[1]), Float8(high[2])}};
+}
+
+/// Which of the eight boxes from lane `first` on overlap `box`, one bit each. Touching counts.
+template <std::size_t kCount>
+inline unsigned overlapping(const float (&low)[3][kCount], const float (&high)[3][kCount],
+                            unsigned first, const Box8& box) {
+  const Mask8 x = (load8(low[0] + first) <= box.high[0]) & (box.low[0] <= load8(high[0] + first));
+  const Mask8 y = (load8(low[1] + first) <= box.high[1]) & (box.low[1] <= load8(high[1] + first));
+  const Mask8 z = (load8(low[2] + first) <= box.high[2]) & (box.low[2] <= load8(high[2] + first));
+  return (x & y & z).bits();
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "base/scratch.hpp"
+#include "base/target.hpp"
+#include "pose/posed_tree.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// Leaves in `scratch.found` at most `max_contacts` pairs of triangles that intersect, in no
+/// particular order.
+QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                         std::uint32_t max_contacts);
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

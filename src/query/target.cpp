@@ -1,0 +1,103 @@
+#include <pelt/target.hpp>
+
+#include "base/assert.hpp"
+#include "pose/wide_code.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace pelt {
+namespace detail {
+
+namespace scalar {
+extern const WideCode kWideCode;
+}
+#ifdef PELT_HAS_SIMD128
+namespace simd128 {
+extern const WideCode kWideCode;
+}
+#endif
+#ifdef PELT_HAS_AVX2
+namespace avx2 {
+extern const WideCode kWideCode;
+}
+#endif
+
+namespace {
+
+struct Built {
+  Target target;
+  const WideCode* code;
+  bool (*runs_here)();
+};
+
+constexpr Built kBuilt[] = {
+    {Target::scalar, &scalar::kWideCode, [] { return true; }},
+#ifdef PELT_HAS_SIMD128
+#ifdef __x86_64__
+    {Target::simd128, &simd128::kWideCode, [] { return __builtin_cpu_supports("sse4.1") != 0; }},
+#else
+    {Target::simd128, &simd128::kWideCode, [] { return true; }},
+#endif
+#endif
+#ifdef PELT_HAS_AVX2
+    {Target::avx2, &avx2::kWideCode, [] { return __builtin_cpu_supports("avx2") != 0; }},
+#endif
+};
+
+const Built& fastest() {
+  const Built* best = kBuilt;
+  for (const Built& built : kBuilt)
+    if (built.runs_here()) best = &built;
+  return *best;
+}
+
+std::atomic<const Built*>& active() {
+  static std::atomic<const Built*> built = &fastest();
+  return built;
+}
+
+}  // namespace
+
+const WideCode& wide_code() { return *active().load(std::memory_order_relaxed)->code; }
+
+}  // namespace detail
+
+const char* name_of(Target target) {
+  switch (target) {
+    case Target::scalar:
+      return "scalar";
+    case Target::simd128:
+      return "simd128";
+    case Target::avx2:
+      return "avx2";
+  }
+  PELT_ASSERT(false);
+  return "";
+}
+
+std::span<const Target> available_targets() {
+  static const std::vector<Target> available = [] {
+    std::vector<Target> found;
+    for (const detail::Built& built : detail::kBuilt)
+      if (built.runs_here()) found.push_back(built.target);
+    return found;
+  }();
+  return available;
+}
+
+Target active_target() { return detail::active().load()->target; }
+
+bool set_active_target(Target target) {
+  for (const detail::Built& built : detail::kBuilt)
+    if (built.target == target && built.runs_here()) {
+      detail::active().store(&built);
+      return true;
+    }
+  return false;
+}
+
+}  // namespace pelt

@@ -1,0 +1,16 @@
+/// Compiled once for each target, like all that it names.
+
+#include "pose/wide_code.hpp"
+
+#include "pose/open_node.hpp"
+#include "query/pair_traversal.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+extern const WideCode kWideCode;
+
+const WideCode kWideCode = {pose_vertices, open_all, open_all_exactly, collide_trees};
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,77 @@
+#include "skin/sample_poses.hpp"
+
+#include "base/vec3.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace pelt::detail {
+namespace {
+
+constexpr std::uint32_t kPoseCount = 4;
+
+/// Knuth's 64-bit linear congruential generator: this needs no better one.
+class Noise {
+ public:
+  /// In [-1, 1).
+  double next() {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state_ >> 11) * 0x1p-52 - 1;
+  }
+
+ private:
+  std::uint64_t state_ = 1;
+};
+
+/// The mean place of the vertices that each joint moves, weighted.
+std::vector<Vec3d> joint_middles(const SkinnedMesh& mesh) {
+  std::vector<Vec3d> middles(mesh.joint_count);
+  std::vector<double> weights(mesh.joint_count);
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+    for (const Influence& influence : mesh.influences_of(v)) {
+      const double weight = static_cast<double>(influence.weight);
+      middles[influence.joint] = middles[influence.joint] + weight * Vec3d(mesh.rest_positions[v]);
+      weights[influence.joint] += weight;
+    }
+  for (std::uint32_t j = 0; j < mesh.joint_count; ++j)
+    if (weights[j] > 0) middles[j] = (1 / weights[j]) * middles[j];
+  return middles;
+}
+
+/// The turn by the unit quaternion along (1, x, y, z) about `middle`.
+Matrix4 turn_about(const Vec3d& middle, double x, double y, double z) {
+  const double s = 2 / (1 + x * x + y * y + z * z);
+  const Vec3d columns[] = {{1 - s * (y * y + z * z), s * (x * y + z), s * (x * z - y)},
+                           {s * (x * y - z), 1 - s * (x * x + z * z), s * (y * z + x)},
+                           {s * (x * z + y), s * (y * z - x), 1 - s * (x * x + y * y)}};
+  const Vec3d moved = middle.x * columns[0] + middle.y * columns[1] + middle.z * columns[2];
+  const Vec3d all[] = {columns[0], columns[1], columns[2], middle - moved};
+  Matrix4 matrix;
+  for (int column = 0; column < 4; ++column) {
+    const Vec3 v = to_float(all[column]);
+    matrix.m[4 * column] = v.x, matrix.m[4 * column + 1] = v.y, matrix.m[4 * column + 2] = v.z;
+  }
+  return matrix;
+}
+
+}  // namespace
+
+std::vector<Palette> invent_sample_poses(const SkinnedMesh& mesh) {
+  constexpr double kLargestTangent = 0.24;  // of half an angle, for each axis: 45 degrees in all
+  const std::vector<Vec3d> middles = joint_middles(mesh);
+  std::vector<Palette> poses(kPoseCount, Palette(mesh.joint_count, mesh.rest_extent));
+  std::vector<Matrix4> matrices(mesh.joint_count);
+  Noise noise;
+  for (Palette& pose : poses) {
+    for (std::uint32_t j = 0; j < mesh.joint_count; ++j) {
+      const double x = noise.next(), y = noise.next(), z = noise.next();
+      matrices[j] =
+          turn_about(middles[j], kLargestTangent * x, kLargestTangent * y, kLargestTangent * z);
+    }
+    // A mesh near the limit of coordinates may be turned beyond it; the pose is then the rest pose.
+    (void)pose.set({matrices[0].m.data(), 16 * matrices.size()});
+  }
+  return poses;
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,68 @@
+#pragma once
+
+/// The definition of a posed vertex. Every query, baseline, export and test poses vertices by the
+/// functions of this file, and "exact" means: exact on what they return.
+///
+/// Linear blend skinning (Kavan & Zara 2005, eq. 1), v' = sum_k w_k C_jk v, evaluated in float32
+/// without fused operations, influences in ascending order of their joints:
+///
+///     B    = w_1 C_j1 + w_2 C_j2 + ...            entry by entry, summed from the left
+///     v'_a = (B_a0 x + B_a2 z) + (B_a1 y + B_a3)  for a = x, y, z
+///
+/// Two columns of B stand side by side in one Float8: that is why x goes with z and y with the
+/// translation. A vertex with a single influence has weight 1 exactly, so B = C_j: the one-joint
+/// special case.
+
+#include "base/float8.hpp"
+#include "skin/palette.hpp"
+#include "skin/skinned_mesh.hpp"
+
+#include <span>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// The posed vertex of the influences `influence(0)` to `influence(count - 1)`. Lanes x, y, z; lane
+/// 3 is meaningless.
+template <typename InfluenceAt>
+inline Float4 posed_vertex4(const Vec3& rest, std::uint32_t count, const InfluenceAt& influence,
+                            const Matrix4* palette) {
+  const Influence first = influence(0);
+  const float* m = palette[first.joint].m.data();
+  Float8 xy = Float8(first.weight) * load8(m), zt = Float8(first.weight) * load8(m + 8);
+  for (std::uint32_t i = 1; i < count; ++i) {
+    const Influence next = influence(i);
+    m = palette[next.joint].m.data();
+    xy = xy + Float8(next.weight) * load8(m);
+    zt = zt + Float8(next.weight) * load8(m + 8);
+  }
+  return fold(pair8(rest.x, rest.y) * xy + pair8(rest.z, 1) * zt);
+}
+
+inline Float4 posed_vertex4(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {
+  const Influence* influences = &mesh.influences[mesh.influence_begin[vertex]];
+  const std::uint32_t count = mesh.influence_begin[vertex + 1] - mesh.influence_begin[vertex];
+  return posed_vertex4(
+      mesh.rest_positions[vertex], count, [=](std::uint32_t i) { return influences[i]; },
+      palette.joints().data());
+}
+
+inline Vec3 posed_vertex(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {
+  const Float4 p = posed_vertex4(mesh, palette, vertex);
+  return {p[0], p[1], p[2]};
+}
+
+}  // namespace PELT_TARGET
+
+/// Poses all vertices. Precondition: `out` has one element for each vertex.
+void posed_vertices(const SkinnedMesh& mesh, const Palette& palette, std::span<Vec3> out);
+
+}  // namespace pelt::detail
+
+namespace pelt::scalar {
+
+/// The definition above, spelled out float by float; the wide code must match its bits.
+Vec3 posed_vertex(const detail::SkinnedMesh& mesh, const detail::Palette& palette,
+                  std::uint32_t vertex);
+
+}  // namespace pelt::scalar
