@@ -7,16 +7,39 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-Float4 posed_place(const Tree& tree, const Matrix4* palette, std::uint32_t place) {
+/// Poses the vertex at `place` of the pools, which has `count` influences.
+inline Float4 posed_place(const Tree& tree, const Matrix4* palette, std::uint32_t place,
+                          std::uint32_t count) {
   const std::uint32_t begin = tree.influence_begin[place];
   const std::uint16_t* joints = tree.joints.data() + begin;
   const float* weights = tree.weights.data() + begin;
   return posed_vertex4(
-      tree.rest_positions[place], tree.influence_begin[place + 1] - begin,
-      [=](std::uint32_t i) {
-        return Influence{joints[i], weights[i]};
-      },
-      palette);
+      tree.rest_positions[place], count,
+      [=](std::uint32_t i) { return Influence{joints[i], weights[i]}; }, palette);
+}
+
+/// Poses the pool's vertices from `place` on as long as they have kCount influences, and returns the
+/// place behind them: a loop over influences whose length is known needs no branch.
+template <std::uint32_t kCount>
+std::uint32_t pose_run(const Tree& tree, const Matrix4* palette, std::uint32_t place,
+                       std::uint32_t end, float*& out) {
+  while (place < end && tree.influence_begin[place + 1] - tree.influence_begin[place] == kCount) {
+    store4(out, posed_place(tree, palette, place++, kCount));
+    out += 4;
+  }
+  return place;
+}
+
+/// Pools are sorted by the number of influences.
+void pose_places(const Tree& tree, const Matrix4* palette, std::uint32_t place, std::uint32_t end,
+                 float* out) {
+  place = pose_run<1>(tree, palette, place, end, out);
+  place = pose_run<2>(tree, palette, place, end, out);
+  place = pose_run<3>(tree, palette, place, end, out);
+  place = pose_run<4>(tree, palette, place, end, out);
+  for (; place < end; ++place, out += 4)
+    store4(out, posed_place(tree, palette, place,
+                            tree.influence_begin[place + 1] - tree.influence_begin[place]));
 }
 
 /// An unpublished node with its pool posed.
@@ -24,9 +47,8 @@ OpenedNode* pose_pool(const PosedTree& posed, const Node& node) {
   OpenedNode* opened = posed.arena.allocate<OpenedNode>();
   auto* positions =
       reinterpret_cast<float*>(posed.arena.allocate(node.vertex_count * sizeof(Float4)));
-  const Matrix4* palette = posed.palette.joints().data();
-  for (std::uint32_t v = 0; v < node.vertex_count; ++v)
-    store4(positions + 4 * v, posed_place(posed.tree, palette, node.first_vertex + v));
+  pose_places(posed.tree, posed.palette.joints().data(), node.first_vertex,
+              node.first_vertex + node.vertex_count, positions);
   opened->positions = positions;
   return opened;
 }
@@ -151,7 +173,9 @@ QueryStats open_all_exactly(const PosedTree& posed) {
 
 void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out) {
   for (std::uint32_t v = 0; v < tree.vertex_count(); ++v) {
-    const Float4 p = posed_place(tree, palette.joints().data(), tree.vertex_places[v]);
+    const std::uint32_t place = tree.vertex_places[v];
+    const std::uint32_t count = tree.influence_begin[place + 1] - tree.influence_begin[place];
+    const Float4 p = posed_place(tree, palette.joints().data(), place, count);
     out[v] = {p[0], p[1], p[2]};
   }
 }

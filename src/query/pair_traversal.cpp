@@ -68,7 +68,8 @@ class PairTraversal {
   bool is_full() const { return scratch_.found.size() >= max_contacts_; }
 
   void cut() {
-    work_.cut_short = !scratch_.slot_pairs.empty() || scratch_.found.size() > max_contacts_;
+    work_.cut_short =
+        is_unfinished_ || !scratch_.slot_pairs.empty() || scratch_.found.size() > max_contacts_;
     scratch_.found.shrink(max_contacts_);
   }
 
@@ -94,8 +95,10 @@ class PairTraversal {
         descend_a(node_a.first_child + *slot - node_a.cluster_count, pair.node_b, near_b);
         continue;
       }
-      for (SetBits other(near_b & clusters_of(node_b)); other; ++other)
-        test(PosedCluster{a_, node_a, opened_a, *slot}, {b_, node_b, opened_b, *other});
+      for (SetBits other(near_b & clusters_of(node_b)); other; ++other) {
+        test({a_, node_a, opened_a, *slot}, {b_, node_b, opened_b, *other});
+        if (is_full()) return void(is_unfinished_ = true);
+      }
       for (SetBits other(near_b & ~clusters_of(node_b)); other; ++other)
         slots_of_child_b[*other] |= 1u << *slot;
     }
@@ -125,6 +128,7 @@ class PairTraversal {
   std::uint32_t max_contacts_;
   QueryStats work_;
   TrianglePairs triangles_;
+  bool is_unfinished_ = false;  // a visit ended early
 };
 
 }  // namespace
