@@ -3,6 +3,7 @@
 /// Exact collision detection for skinned characters: a SkinnedModel is built once, a Pose moves it,
 /// a query asks two Poses, Contacts come out.
 
+#include <pelt/check.hpp>
 #include <pelt/collide.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>

@@ -15,6 +15,7 @@ struct WideCode {
   void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
   QueryStats (*open_all)(const PosedTree& posed);
   QueryStats (*open_all_exactly)(const PosedTree& posed);
+  void (*open_fully)(const PosedTree& posed);
   QueryStats (*collide_trees)(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                               std::uint32_t max_contacts);
 };

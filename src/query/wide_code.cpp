@@ -2,6 +2,7 @@
 
 #include "pose/wide_code.hpp"
 
+#include "pose/open_fully.hpp"
 #include "pose/open_node.hpp"
 #include "query/pair_traversal.hpp"
 
@@ -10,7 +11,7 @@ inline namespace PELT_TARGET {
 
 extern const WideCode kWideCode;
 
-const WideCode kWideCode = {pose_vertices, open_all, open_all_exactly, collide_trees};
+const WideCode kWideCode = {pose_vertices, open_all, open_all_exactly, open_fully, collide_trees};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail
