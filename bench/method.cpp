@@ -2,6 +2,8 @@
 
 #include "base/assert.hpp"
 #include "bench/brute_force.hpp"
+#include "bench/eager_engine.hpp"
+#include "bench/rigid_engine.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
 #include "paper/eager.hpp"
@@ -60,6 +62,8 @@ class BodyMethod final : public Method {
     return taken;
   }
 
+  bool update_counts() const override { return Traits::kUpdateCounts; }
+
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      const CollideOptions& options) override {
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
@@ -92,6 +96,7 @@ template <paper::BoundKind kBound>
 struct PaperTraits {
   using Prepared = paper::SphereModel;
   using Body = paper::OnDemandBody;
+  static constexpr bool kUpdateCounts = true;
 
   static Prepared prepare(const SkinnedMesh& mesh) {
     return paper::build_sphere_model(mesh, kBound);
@@ -115,6 +120,7 @@ template <typename Body_, typename Prepared_>
 struct UpdatedTraits {
   using Prepared = Prepared_;
   using Body = Body_;
+  static constexpr bool kUpdateCounts = true;
 
   static QueryStats update(Body& body, const Palette& palette) { return body.update(palette); }
   static QueryStats collide(Body& a, const Palette&, Body& b, const Palette&,
@@ -144,8 +150,12 @@ struct UnpreparedTraits : UpdatedTraits<Body, Nothing> {
   }
 };
 
-constexpr std::array<std::string_view, 6> kNames = {"on_demand",   "paper",       "paper_eq2",
-                                                    "paper_eager", "paper_rigid", "brute"};
+struct PaperRigidTraits : UnpreparedTraits<paper::RigidBody> {
+  static constexpr bool kUpdateCounts = false;
+};
+
+constexpr std::array<std::string_view, 8> kNames = {
+    "on_demand", "eager", "rigid", "paper", "paper_eq2", "paper_eager", "paper_rigid", "brute"};
 
 }  // namespace
 
@@ -163,6 +173,10 @@ std::unique_ptr<Method> make_method(MethodKind kind) {
   switch (kind) {
     case MethodKind::on_demand:
       return std::make_unique<OnDemandMethod>();
+    case MethodKind::eager:
+      return make_eager_method();
+    case MethodKind::rigid:
+      return make_rigid_method();
     case MethodKind::paper:
       return std::make_unique<BodyMethod<PaperTraits<paper::BoundKind::optimised>>>();
     case MethodKind::paper_eq2:
@@ -170,7 +184,7 @@ std::unique_ptr<Method> make_method(MethodKind kind) {
     case MethodKind::paper_eager:
       return std::make_unique<BodyMethod<PaperEagerTraits>>();
     case MethodKind::paper_rigid:
-      return std::make_unique<BodyMethod<UnpreparedTraits<paper::RigidBody>>>();
+      return std::make_unique<BodyMethod<PaperRigidTraits>>();
     case MethodKind::brute:
       return std::make_unique<BodyMethod<UnpreparedTraits<BruteForceBody>>>();
   }

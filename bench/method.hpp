@@ -16,10 +16,12 @@ namespace pelt::bench {
 
 enum class MethodKind {
   on_demand,    ///< the public functions: wide tree, nodes opened on demand
+  eager,        ///< the same tree and query; all vertices skinned, all boxes exact, bottom-up
+  rigid,        ///< the same built afresh over the posed mesh: what a rigid body would cost
   paper,        ///< Kavan & Zara 2005: sphere tree refitted on demand
   paper_eq2,    ///< the same with the un-optimised bound of their eq. 2
   paper_eager,  ///< the paper's rival: all vertices skinned, the same tree refitted bottom-up
-  paper_rigid,  ///< a sphere tree built afresh over the posed mesh: what a rigid body would cost
+  paper_rigid,  ///< a sphere tree built afresh over the posed mesh
   brute,        ///< every triangle of one against every triangle of the other
 };
 
@@ -38,6 +40,10 @@ class Method {
 
   /// Gives body `body` its joint palette, and does what the method does before it can answer.
   virtual Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) = 0;
+
+  /// Whether set_palette is part of what the method costs. Not of those that stand for rigid
+  /// bodies, which have no palettes.
+  virtual bool update_counts() const { return true; }
 
   /// Appends the contacts of two bodies, ascending; see pelt::collide.
   virtual QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,

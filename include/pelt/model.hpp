@@ -3,6 +3,7 @@
 #include <pelt/mesh.hpp>
 #include <pelt/result.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -45,6 +46,9 @@ class SkinnedModel {
   std::uint32_t triangle_count() const;
   std::uint32_t joint_count() const;
   const BuildReport& report() const;
+
+  /// What the model takes in memory, shared by all copies: vertices, triangles, tree and bounds.
+  std::size_t memory_bytes() const;
 
   /// For Pelt's own files.
   explicit SkinnedModel(std::shared_ptr<const detail::Model> model);

@@ -52,6 +52,19 @@ std::uint32_t SkinnedModel::triangle_count() const { return model_->tree.triangl
 std::uint32_t SkinnedModel::joint_count() const { return model_->tree.joint_count; }
 const BuildReport& SkinnedModel::report() const { return model_->report; }
 
+std::size_t SkinnedModel::memory_bytes() const {
+  const auto bytes = [](const auto&... arrays) {
+    return ((arrays.capacity() * sizeof(arrays[0])) + ...);
+  };
+  const detail::Tree& tree = model_->tree;
+  const detail::NodeBounds& bounds = model_->bounds;
+  return sizeof(detail::Model) +
+         bytes(tree.rest_positions, tree.influence_begin, tree.joints, tree.weights, tree.corners,
+               tree.triangle_ids, tree.cluster_vertices, tree.clusters, tree.nodes,
+               tree.vertex_places) +
+         bytes(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits);
+}
+
 Result<SkinnedModel> build_model(const SkinnedMeshView& view, const ModelOptions& options) {
   auto model = std::make_shared<detail::Model>();
   Result<SkinnedMesh> mesh = detail::make_skinned_mesh(view, options, model->report);

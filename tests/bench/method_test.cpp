@@ -24,9 +24,9 @@ using Contacts = std::vector<Contact>;
 using Joints = std::vector<Matrix4>;
 
 constexpr std::uint32_t kJoints = 5;
-constexpr MethodKind kKinds[] = {MethodKind::on_demand,   MethodKind::paper,
-                                 MethodKind::paper_eq2,   MethodKind::paper_eager,
-                                 MethodKind::paper_rigid, MethodKind::brute};
+constexpr MethodKind kKinds[] = {
+    MethodKind::on_demand, MethodKind::eager,       MethodKind::rigid,       MethodKind::paper,
+    MethodKind::paper_eq2, MethodKind::paper_eager, MethodKind::paper_rigid, MethodKind::brute};
 
 SkinnedModel model_of(const Shape& shape) {
   auto model = build_model(shape.view());
@@ -259,6 +259,44 @@ TEST(Methods, RivalsPoseEveryVertexAndOnlyTheEagerOneRefits) {
       EXPECT_EQ(query.posed_vertices + query.refits, 0u) << name_of(kind);
       EXPECT_EQ(query.node_pairs == 0, kind == MethodKind::brute) << name_of(kind);
     }
+}
+
+std::uint64_t slot_count(const SkinnedModel& model) {
+  const detail::Tree& tree = model.detail().tree;
+  return tree.clusters.size() + tree.nodes.size() - 1;
+}
+
+TEST(Methods, EagerOpensAllInItsUpdate) {
+  Random random(11);
+  for (const Scene& scene : {separated_scene(random), crossing_scene(random)}) {
+    const auto method = method_with(MethodKind::eager, scene);
+    const QueryStats update = work_of_palettes(*method, scene);
+    const SkinnedModel &a = scene.models[0], &b = scene.models[1];
+    EXPECT_EQ(update.refits, slot_count(a) + slot_count(b));
+    EXPECT_GE(update.posed_vertices, a.vertex_count() + b.vertex_count());
+    Contacts contacts;
+    const QueryStats query = method->collide(0, 1, contacts, {});
+    EXPECT_EQ(query.posed_vertices + query.refits, 0u);
+    EXPECT_GT(query.node_pairs, 0u);
+  }
+}
+
+TEST(Methods, RigidBodiesDoNoWorkButQueries) {
+  Random random(12);
+  const Scene scene = crossing_scene(random);
+  const auto method = method_with(MethodKind::rigid, scene);
+  Contacts contacts;
+  const QueryStats query = method->collide(0, 1, contacts, {});
+  EXPECT_FALSE(contacts.empty());
+  EXPECT_EQ(query.posed_vertices + query.refits, 0u);
+  EXPECT_EQ(method->update_work().posed_vertices, 0u);
+}
+
+TEST(Methods, UpdatesCountUnlessBodiesAreRigid) {
+  for (const MethodKind kind : kKinds) {
+    const bool is_rigid = kind == MethodKind::rigid || kind == MethodKind::paper_rigid;
+    EXPECT_EQ(make_method(kind)->update_counts(), !is_rigid) << name_of(kind);
+  }
 }
 
 TEST(Methods, TighterSpheresTestFewerPairs) {

@@ -1,0 +1,43 @@
+#include "bench/exact_pose.hpp"
+
+#include "pose/wide_code.hpp"
+
+#include <algorithm>
+
+namespace pelt::bench {
+
+ExactPose::ExactPose(const detail::Tree& tree)
+    : tree_(tree),
+      palette_(tree.joint_count, tree.rest_extent),
+      opened_(static_cast<std::uint32_t>(tree.nodes.size())) {}
+
+Result<void> ExactPose::set_palette(std::span<const Matrix4> palette) {
+  Result<void> taken =
+      palette_.set({palette.empty() ? nullptr : palette[0].m.data(), palette.size() * 16});
+  if (!taken) return taken;
+  opened_.clear();
+  arena_.clear();
+  return taken;
+}
+
+QueryStats ExactPose::open_all() {
+  const QueryStats work = detail::wide_code().open_all_exactly(posed_tree());
+  const detail::OpenedNode& root = *opened_[0];
+  std::copy_n(root.all_low, 4, opened_.root_box.low);
+  std::copy_n(root.all_high, 4, opened_.root_box.high);
+  opened_.root_box.known = true;
+  return work;
+}
+
+detail::PosedTree ExactPose::posed_tree() { return {tree_, no_bounds_, palette_, opened_, arena_}; }
+
+QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
+                   std::vector<Contact>& contacts, const CollideOptions& options) {
+  const QueryStats work = detail::wide_code().collide_trees(a.posed_tree(), b.posed_tree(), scratch,
+                                                            options.max_contacts);
+  std::sort(scratch.found.begin(), scratch.found.end());
+  contacts.insert(contacts.end(), scratch.found.begin(), scratch.found.end());
+  return work;
+}
+
+}  // namespace pelt::bench

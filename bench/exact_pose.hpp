@@ -1,0 +1,42 @@
+#pragma once
+
+/// A pose whose nodes are all open, with exact boxes: what engines without refit on demand have.
+
+#include "base/scratch.hpp"
+#include "pose/posed_tree.hpp"
+
+#include <span>
+#include <vector>
+
+namespace pelt::bench {
+
+class ExactPose {
+ public:
+  /// The rest pose, with nothing open yet. `tree` must outlive this.
+  explicit ExactPose(const detail::Tree& tree);
+
+  /// Takes a joint palette, or refuses it and stays as it was. Nothing is open after it.
+  Result<void> set_palette(std::span<const Matrix4> palette);
+
+  /// Skins all vertices and takes the exact boxes bottom-up, that of the root included, so that
+  /// queries compute no bound.
+  QueryStats open_all();
+
+ private:
+  friend QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
+                            std::vector<Contact>& contacts, const CollideOptions& options);
+
+  detail::PosedTree posed_tree();
+
+  const detail::Tree& tree_;
+  detail::NodeBounds no_bounds_;
+  detail::Palette palette_;
+  detail::OpenedNodes opened_;
+  detail::Arena arena_;
+};
+
+/// Appends the contacts, ascending. Precondition: all is open in both.
+QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
+                   std::vector<Contact>& contacts, const CollideOptions& options);
+
+}  // namespace pelt::bench
