@@ -3,31 +3,25 @@
 
 #include "asset/message.hpp"
 #include "scenes/nearest_name.hpp"
-#include "tools/pelt/bench_report.hpp"
+#include "tools/pelt/bench_scene.hpp"
 #include "tools/pelt/commands.hpp"
-#include "tools/pelt/model_arguments.hpp"
 #include "tools/pelt/output.hpp"
-#include "tools/pelt/progress.hpp"
+#include "tools/pelt/simd_argument.hpp"
 #include "tools/pelt/text.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <chrono>
+#include <array>
 #include <iostream>
 
 namespace pelt::tools {
 namespace {
 
-using bench::MethodKind;
-
-/// The public functions: what the other methods' answers are compared with.
-constexpr MethodKind kReference = MethodKind::paper;
-
 struct Arguments {
   std::vector<std::string> scenes;
-  std::string json, frames, cache = "hot";
-  std::string methods = "paper,paper_eq2,paper_eager";
-  bool first = false;
+  std::string methods = "paper,paper_eager,eager,on_demand,rigid";
+  std::string queries = "all,first", caches = "hot,cold";
+  std::string json, frames, simd;
   std::uint32_t repetitions = 9;
   ModelArguments models;
 };
@@ -35,160 +29,129 @@ struct Arguments {
 constexpr const char* kFooter = R"(
 Examples:
   pelt bench scene.json
-  pelt bench scene.json --first --methods paper,paper_eager
-  pelt bench scene.json --frames 0:60:20 --cache cold --json figures.json
+  pelt bench scene.json --methods on_demand,eager --queries first --caches hot
+  pelt bench scene.json --frames 0:60:20 --repeat 15 --json figures.json
 
 Each repetition of a frame first runs the frame before it, untimed; then the clock runs while the
 palettes are set and all pairs are asked. The median of the repetitions stands for the frame; shown
 are the mean over all frames, over those in contact, and what 95 % of the frames do not exceed.
-"update" is the part before the queries: for paper_eager skinning and refit. Sampling of the clips
-is not timed. One thread.)";
+"update" is the part before the queries: for eager and paper_eager skinning and boxes or spheres.
+Sampling of the clips is not timed, nor is the building of the rigid trees, which stand for what the
+same query costs rigid bodies. "vs paper" and "vs eager": how many times faster than these; "of
+rigid": how many times the cost of it. With cold caches 64 MB are read before the clock starts, and
+at most 30 frames are measured, evenly over all. Methods take turns at every frame. One thread.)";
 
-struct Choice {
-  std::vector<MethodKind> methods;
-  BenchSettings settings;
-};
+constexpr std::array kQuestions = {Question::all, Question::first};
+constexpr std::array kCaches = {Cache::hot, Cache::cold};
 
-Result<std::vector<MethodKind>> parse_methods(const std::string& text) {
-  std::vector<MethodKind> methods;
+/// The values that a list like "hot,cold" names; `names` has those of all `values`.
+template <typename T>
+Result<std::vector<T>> parse_list(const char* option, const std::string& text,
+                                  std::span<const T> values,
+                                  std::span<const std::string_view> names) {
+  std::vector<T> parsed;
   for (const std::string_view name : split(text, ',')) {
-    const auto method = bench::find_method(name);
-    if (!method) {
-      return Error{ErrorCode::invalid_argument,
-                   "--methods: there is no " + asset::quoted(name) +
-                       scenes::suggestion(name, bench::method_names())};
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+      return Error{ErrorCode::invalid_argument, std::string(option) + ": there is no " +
+                                                    asset::quoted(name) +
+                                                    scenes::suggestion(name, names)};
     }
-    methods.push_back(*method);
+    const T value = values[static_cast<std::size_t>(found - names.begin())];
+    if (std::find(parsed.begin(), parsed.end(), value) == parsed.end()) parsed.push_back(value);
   }
-  return methods;
+  return parsed;
 }
 
-Result<Choice> choose(const Arguments& arguments) {
-  Choice choice;
-  const auto methods = parse_methods(arguments.methods);
-  if (!methods) return methods.error();
-  choice.methods = *methods;
-  if (arguments.first) choice.settings.question = Question::first;
-  if (arguments.cache != "hot" && arguments.cache != "cold") {
-    return bad_argument("--cache", "there is no " + asset::quoted(arguments.cache),
-                        "give hot or cold");
+template <typename T, std::size_t kCount>
+Result<std::vector<T>> parse_list(const char* option, const std::string& text,
+                                  const std::array<T, kCount>& values) {
+  std::array<std::string_view, kCount> names;
+  for (std::size_t i = 0; i < kCount; ++i) names[i] = name_of(values[i]);
+  return parse_list<T>(option, text, values, names);
+}
+
+Result<std::vector<Engine>> parse_methods(const std::string& text) {
+  std::vector<bench::MethodKind> all;
+  for (const std::string_view name : bench::method_names()) {
+    all.push_back(*bench::find_method(name));
   }
-  if (arguments.cache == "cold") choice.settings.cache = Cache::cold;
+  const auto methods = parse_list<bench::MethodKind>("--methods", text, all, bench::method_names());
+  if (!methods) return methods.error();
+  std::vector<Engine> engines;
+  for (const bench::MethodKind method : *methods) engines.push_back(engine_of(method));
+  return engines;
+}
+
+Result<BenchSettings> choose(const Arguments& arguments) {
+  BenchSettings settings;
+  const auto engines = parse_methods(arguments.methods);
+  if (!engines) return engines.error();
+  settings.engines = *engines;
+  const auto questions = parse_list("--queries", arguments.queries, kQuestions);
+  if (!questions) return questions.error();
+  settings.questions = *questions;
+  const auto caches = parse_list("--caches", arguments.caches, kCaches);
+  if (!caches) return caches.error();
+  settings.caches = *caches;
   if (arguments.repetitions == 0) {
     return bad_argument("--repeat", "0 repetitions measure nothing", "give 1 or more");
   }
-  choice.settings.repetitions = arguments.repetitions;
-  if (arguments.frames.empty()) return choice;
+  settings.repetitions = arguments.repetitions;
+  settings.models = arguments.models;
+  if (arguments.frames.empty()) return settings;
   const auto frames = parse_frame_range(arguments.frames);
   if (!frames) return frames.error();
-  choice.settings.frames = *frames;
-  return choice;
+  settings.frames = *frames;
+  return settings;
 }
 
-/// A scene ready to be measured.
-struct Subject {
-  scenes::Scene scene;
-  std::vector<Collider> colliders;
-  FrameRange frames;
-  double build_seconds = 0;
-};
-
-Result<Subject> prepare(const std::string& path, const Arguments& arguments,
-                        const BenchSettings& settings) {
-  Result<scenes::Scene> scene = scenes::load_scene(path, arguments.models.gltf_options());
+Result<ExitCode> bench_file(const std::string& path, const BenchSettings& settings,
+                            std::vector<SceneFigures>& figures) {
+  const auto scene = scenes::load_scene(path, settings.models.gltf_options());
   if (!scene) return scene.error();
-  const FrameRange frames = settings.frames.value_or(FrameRange{0, scene->frame_count});
-  if (frames.end > scene->frame_count) {
-    return bad_argument("--frames", arguments.frames + " goes beyond the last frame",
-                        scene->name + " has frames 0:" + std::to_string(scene->frame_count));
-  }
-  const auto begin = std::chrono::steady_clock::now();
-  auto colliders = make_colliders(*scene, Granularity::instance, arguments.models.model_options());
-  if (!colliders) return colliders.error();
-  const std::chrono::duration<double> build = std::chrono::steady_clock::now() - begin;
-  return Subject{std::move(*scene), std::move(*colliders), frames, build.count()};
-}
-
-struct Answers {
-  std::uint64_t reference_hash = 0;
-  std::vector<EngineFigures> engines;  ///< without times
-};
-
-Result<Answers> answer(const Subject& subject, const Choice& choice) {
-  const auto answer_by = [&](MethodKind method) {
-    return answer_once(subject.scene, subject.colliders, method, subject.frames,
-                       choice.settings.question);
-  };
-  const Result<Measurement> reference = answer_by(kReference);
-  if (!reference) return reference.error();
-  Answers answers{reference->hash, {}};
-  for (const MethodKind method : choice.methods) {
-    const Result<Measurement> found = method == kReference ? reference : answer_by(method);
-    if (!found) return found.error();
-    answers.engines.push_back({std::string(bench::name_of(method)), *found});
-  }
-  return answers;
-}
-
-/// Whether all methods found the same contacts; tells which did not.
-bool agree(const Subject& subject, const Answers& answers) {
-  for (const EngineFigures& engine : answers.engines) {
-    if (engine.measurement.hash == answers.reference_hash) continue;
-    std::cerr << "pelt: internal error: " << subject.scene.name << ": " << engine.engine
-              << " gives the hash " << hex16(engine.measurement.hash) << ", "
-              << bench::name_of(kReference) << " gives " << hex16(answers.reference_hash)
-              << ": please report this with the scene\n";
-    return false;
-  }
-  return true;
-}
-
-Result<void> measure_all(const Subject& subject, const Choice& choice,
-                         std::vector<EngineFigures>& engines) {
-  Progress progress(subject.frames.frames().size() * choice.methods.size());
-  for (std::size_t m = 0; m < choice.methods.size(); ++m) {
-    const auto measured = measure(
-        subject.scene, subject.colliders, choice.methods[m], subject.frames, choice.settings,
-        [&] { progress.advance(); }, engines[m].measurement);
-    if (!measured) return measured.error();
-  }
-  return {};
-}
-
-/// Appends to `scenes` unless the methods disagree.
-Result<ExitCode> bench_scene(const std::string& path, const Arguments& arguments,
-                             const Choice& choice, std::vector<SceneFigures>& scenes) {
-  const Result<Subject> subject = prepare(path, arguments, choice.settings);
-  if (!subject) return subject.error();
-  Result<Answers> answers = answer(*subject, choice);
-  if (!answers) return answers.error();
-  if (!agree(*subject, *answers)) return ExitCode::internal;
-  const auto measured = measure_all(*subject, choice, answers->engines);
-  if (!measured) return measured.error();
-  SceneFigures& figures = scenes.emplace_back();
-  figures.scene = subject->scene.name;
-  figures.build_seconds = subject->build_seconds;
-  figures.engines = std::move(answers->engines);
-  for (const Collider& collider : subject->colliders) {
-    figures.triangles += collider.model.triangle_count();
-  }
-  print_figures(figures, choice.settings, std::cout);
-  return ExitCode::success;
+  const Result<ExitCode> exit = bench_scene(*scene, settings, figures, std::cerr);
+  if (exit && *exit == ExitCode::success) print_figures(figures.back(), std::cout);
+  return exit;
 }
 
 Result<ExitCode> bench_scenes(const Arguments& arguments) {
-  const Result<Choice> choice = choose(arguments);
-  if (!choice) return choice.error();
-  std::vector<SceneFigures> scenes;
+  if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
+  const Result<BenchSettings> settings = choose(arguments);
+  if (!settings) return settings.error();
+  print_machine(std::cout);
+  std::vector<SceneFigures> figures;
   for (const std::string& path : arguments.scenes) {
-    const Result<ExitCode> exit = bench_scene(path, arguments, *choice, scenes);
+    const Result<ExitCode> exit = bench_file(path, *settings, figures);
     if (!exit || *exit != ExitCode::success) return exit;
   }
   if (arguments.json.empty()) return ExitCode::success;
-  const std::string text = figures_json(scenes, choice->settings).dump(2) + "\n";
+  const std::string text = figures_json(figures).dump(2) + "\n";
   const auto written = write_file(arguments.json, std::as_bytes(std::span(text)));
   if (!written) return written.error();
   return ExitCode::success;
+}
+
+void add_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("SCENE", arguments.scenes, "Scene files")->required();
+  verb.add_option("--methods", arguments.methods, "Methods, with commas between them")
+      ->type_name("A,B")
+      ->capture_default_str();
+  verb.add_option("--queries", arguments.queries,
+                  "all: every contact; first: only whether each pair touches")
+      ->type_name("all,first")
+      ->capture_default_str();
+  verb.add_option("--caches", arguments.caches, "hot: as the frame before left them; cold: emptied")
+      ->type_name("hot,cold")
+      ->capture_default_str();
+  verb.add_option("--repeat", arguments.repetitions, "Repetitions of each frame")
+      ->type_name("N")
+      ->capture_default_str();
+  verb.add_option("--frames", arguments.frames, "Frames A to B - 1, each S-th of them")
+      ->type_name("A:B[:S]");
+  verb.add_option("--json", arguments.json, "Write the figures")->type_name("FILE");
+  add_simd_option(verb, arguments.simd);
+  add_model_options(verb, arguments.models);
 }
 
 }  // namespace
@@ -196,23 +159,7 @@ Result<ExitCode> bench_scenes(const Arguments& arguments) {
 void add_bench(CLI::App& app, Command& chosen) {
   CLI::App* verb = app.add_subcommand("bench", "Measure every method on scenes");
   const auto arguments = std::make_shared<Arguments>();
-  verb->add_option("SCENE", arguments->scenes, "Scene files")->required();
-  verb->add_option(
-          "--methods", arguments->methods,
-          "Methods, with commas between them; paper_rigid builds trees in every repetition")
-      ->type_name("A,B")
-      ->capture_default_str();
-  verb->add_flag("--first", arguments->first, "Ask only whether each pair touches");
-  verb->add_option("--cache", arguments->cache, "cold: 64 MB are read before the clock starts")
-      ->type_name("hot|cold")
-      ->capture_default_str();
-  verb->add_option("--repeat", arguments->repetitions, "Repetitions of each frame")
-      ->type_name("N")
-      ->capture_default_str();
-  verb->add_option("--frames", arguments->frames, "Frames A to B - 1, each S-th of them")
-      ->type_name("A:B[:S]");
-  verb->add_option("--json", arguments->json, "Write the figures")->type_name("FILE");
-  add_model_options(*verb, arguments->models);
+  add_options(*verb, *arguments);
   verb->footer(kFooter);
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return bench_scenes(*arguments); }; });

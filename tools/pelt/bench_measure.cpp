@@ -16,10 +16,8 @@ double microseconds(Clock::duration duration) {
   return std::chrono::duration<double, std::micro>(duration).count();
 }
 
-CollideOptions options_for(Question question) {
-  CollideOptions options;
-  if (question == Question::first) options.max_contacts = 1;
-  return options;
+Error in_frame(std::uint32_t frame, const Error& error) {
+  return asset::prefixed("frame " + std::to_string(frame), error);
 }
 
 /// Which contact is found first is unspecified, so the hash is over who touches whom.
@@ -47,22 +45,59 @@ class CacheFlush {
   volatile std::uint64_t sum_ = 0;
 };
 
-/// One method with a scene to run it on.
-class Bench {
+/// An engine with the colliders of a scene.
+class Runner {
  public:
-  Bench(std::span<const Collider> colliders, bench::MethodKind method, Question question)
-      : query_(colliders, method), options_(options_for(question)) {}
+  Runner(std::span<const Collider> colliders, const Engine& engine)
+      : query_(colliders, engine.make()) {}
 
   Result<void> pose(const Palettes& palettes) { return query_.set_palettes(palettes); }
-  void ask() { query_.collide(options_, found_); }
+  bool update_counts() const { return query_.update_counts(); }
+
+  void ask(Question question) {
+    CollideOptions options;
+    if (question == Question::first) options.max_contacts = 1;
+    query_.collide(options, found_);
+  }
 
   const FrameContacts& found() const { return found_; }
   QueryStats work() const { return query_.work(); }
 
  private:
   SceneQuery query_;
-  CollideOptions options_;
   FrameContacts found_;
+};
+
+QueryStats difference(QueryStats after, const QueryStats& before) {
+  after.node_pairs -= before.node_pairs;
+  after.refits -= before.refits;
+  after.posed_vertices -= before.posed_vertices;
+  after.triangle_pairs -= before.triangle_pairs;
+  return after;
+}
+
+/// An answer while frames are added.
+struct AnswerSoFar {
+  void add(std::uint32_t frame, std::size_t collider_count, const FrameContacts& found) {
+    contacts.add(frame, found);
+    add_hits(frame, collider_count, found, hits);
+    frames_in_contact += !found.contacts.empty();
+  }
+
+  Answer to(Question question) const {
+    const bool all = question == Question::all;
+    return {all ? contacts.value() : hits.value(), work, frames_in_contact};
+  }
+
+  ContactHash contacts;
+  detail::Fnv1a64 hits;
+  QueryStats work;
+  std::uint64_t frames_in_contact = 0;
+};
+
+/// A frame and the one before it.
+struct FramePair {
+  Palettes before, now;
 };
 
 struct FrameTime {
@@ -70,24 +105,30 @@ struct FrameTime {
 };
 
 /// One repetition: the frame before untimed, then this one.
-Result<FrameTime> repeat_once(Bench& bench, const Palettes& before, const Palettes& now,
-                              CacheFlush* flush) {
-  if (const auto posed = bench.pose(before); !posed) return posed.error();
-  bench.ask();
-  if (flush != nullptr) flush->run();
+Result<FrameTime> repeat_once(Runner& runner, const FramePair& frame, const Variant& variant,
+                              CacheFlush& flush) {
+  const bool update_counts = runner.update_counts();
+  if (const auto posed = runner.pose(frame.before); !posed) return posed.error();
+  runner.ask(variant.question);
+  if (!update_counts) {
+    if (const auto posed = runner.pose(frame.now); !posed) return posed.error();
+  }
+  if (variant.cache == Cache::cold) flush.run();
   const Clock::time_point begin = Clock::now();
-  if (const auto posed = bench.pose(now); !posed) return posed.error();
+  if (update_counts) {
+    if (const auto posed = runner.pose(frame.now); !posed) return posed.error();
+  }
   const Clock::time_point posed_at = Clock::now();
-  bench.ask();
+  runner.ask(variant.question);
   const Clock::time_point end = Clock::now();
   return FrameTime{microseconds(end - begin), microseconds(posed_at - begin)};
 }
 
-Result<FrameTime> median_time(Bench& bench, const Palettes& before, const Palettes& now,
-                              std::uint32_t repetitions, CacheFlush* flush) {
+Result<FrameTime> median_time(Runner& runner, const FramePair& frame, const Variant& variant,
+                              std::uint32_t repetitions, CacheFlush& flush) {
   std::vector<double> all, update;
   for (std::uint32_t r = 0; r < repetitions; ++r) {
-    const Result<FrameTime> time = repeat_once(bench, before, now, flush);
+    const Result<FrameTime> time = repeat_once(runner, frame, variant, flush);
     if (!time) return time.error();
     all.push_back(time->all_us);
     update.push_back(time->update_us);
@@ -95,58 +136,119 @@ Result<FrameTime> median_time(Bench& bench, const Palettes& before, const Palett
   return FrameTime{median(all), median(update)};
 }
 
-}  // namespace
-
-Result<Measurement> answer_once(const scenes::Scene& scene, std::span<const Collider> colliders,
-                                bench::MethodKind method, const FrameRange& frames,
-                                Question question) {
-  Bench bench(colliders, method, question);
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  ContactHash contacts;
-  detail::Fnv1a64 hits;
-  Measurement measurement;
-  for (const std::uint32_t frame : frames.frames()) {
-    sample_palettes(scene, frame, scratch, palettes);
-    const auto posed = bench.pose(palettes);
-    if (!posed) return asset::prefixed("frame " + std::to_string(frame), posed.error());
-    bench.ask();
-    contacts.add(frame, bench.found());
-    add_hits(frame, colliders.size(), bench.found(), hits);
-    ++measurement.frames;
-    measurement.frames_in_contact += !bench.found().contacts.empty();
+/// The frames of one variant of one engine, one after the other.
+class Series {
+ public:
+  void add(const FrameTime& time, bool is_in_contact) {
+    all_.push_back(time.all_us);
+    update_.push_back(time.update_us);
+    if (is_in_contact) in_contact_.push_back(time.all_us);
   }
-  measurement.hash = question == Question::all ? contacts.value() : hits.value();
-  measurement.work = bench.work();
-  return measurement;
+
+  Times times() const {
+    return {mean(all_),    mean(in_contact_), percentile(all_, 0.95),
+            mean(update_), all_.size(),       in_contact_.size()};
+  }
+
+ private:
+  std::vector<double> all_, update_, in_contact_;
+};
+
+bool is_passed_over(std::size_t index, std::size_t frame_count, const Variant& variant) {
+  const std::size_t stride = (frame_count + kMostColdFrames - 1) / kMostColdFrames;
+  return variant.cache == Cache::cold && index % stride != 0;
 }
 
-Result<void> measure(const scenes::Scene& scene, std::span<const Collider> colliders,
-                     bench::MethodKind method, const FrameRange& frames,
-                     const BenchSettings& settings, const std::function<void()>& advance,
-                     Measurement& measurement) {
-  Bench bench(colliders, method, settings.question);
-  std::optional<CacheFlush> flush;
-  if (settings.cache == Cache::cold) flush.emplace();
-  asset::SampleScratch scratch;
-  Palettes before, now;
-  std::vector<double> all, in_contact, update;
-  for (const std::uint32_t frame : frames.frames()) {
-    sample_palettes(scene, std::max(frame, 1u) - 1, scratch, before);
-    sample_palettes(scene, frame, scratch, now);
-    const Result<FrameTime> time =
-        median_time(bench, before, now, settings.repetitions, flush ? &*flush : nullptr);
-    if (!time) return asset::prefixed("frame " + std::to_string(frame), time.error());
-    all.push_back(time->all_us);
-    update.push_back(time->update_us);
-    if (!bench.found().contacts.empty()) in_contact.push_back(time->all_us);
-    advance();
+/// All engines on all frames.
+class Measurement {
+ public:
+  Measurement(const Subject& subject, std::span<const Engine> engines,
+              std::span<const Variant> variants, std::uint32_t repetitions)
+      : subject_(subject), variants_(variants), repetitions_(repetitions) {
+    for (const Engine& engine : engines) runners_.emplace_back(subject.colliders, engine);
+    series_.assign(engines.size(), std::vector<Series>(variants.size()));
   }
-  measurement.mean_us = mean(all);
-  measurement.mean_contact_us = mean(in_contact);
-  measurement.p95_us = percentile(all, 0.95);
-  measurement.mean_update_us = mean(update);
-  return {};
+
+  Result<void> run(const std::function<void()>& advance) {
+    for (std::size_t i = 0; i < subject_.frames.size(); ++i) {
+      const std::uint32_t frame = subject_.frames[i];
+      sample_palettes(subject_.scene, std::max(frame, 1u) - 1, scratch_, frame_.before);
+      sample_palettes(subject_.scene, frame, scratch_, frame_.now);
+      for (std::size_t engine = 0; engine < runners_.size(); ++engine) {
+        if (const auto done = measure_frame(i, engine); !done) return in_frame(frame, done.error());
+        advance();
+      }
+    }
+    return {};
+  }
+
+  std::vector<std::vector<Times>> times() const {
+    std::vector<std::vector<Times>> times;
+    for (const std::vector<Series>& engine : series_) {
+      times.emplace_back();
+      for (const Series& series : engine) times.back().push_back(series.times());
+    }
+    return times;
+  }
+
+ private:
+  Result<void> measure_frame(std::size_t index, std::size_t engine) {
+    Runner& runner = runners_[engine];
+    for (std::size_t v = 0; v < variants_.size(); ++v) {
+      if (is_passed_over(index, subject_.frames.size(), variants_[v])) continue;
+      const Result<FrameTime> time =
+          median_time(runner, frame_, variants_[v], repetitions_, flush_);
+      if (!time) return time.error();
+      series_[engine][v].add(*time, !runner.found().contacts.empty());
+    }
+    return {};
+  }
+
+  const Subject& subject_;
+  std::span<const Variant> variants_;
+  std::uint32_t repetitions_;
+  std::vector<Runner> runners_;
+  std::vector<std::vector<Series>> series_;
+  CacheFlush flush_;
+  asset::SampleScratch scratch_;
+  FramePair frame_;
+};
+
+}  // namespace
+
+Engine engine_of(bench::MethodKind method) {
+  return {std::string(bench::name_of(method)), [method] { return bench::make_method(method); }};
+}
+
+Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
+                                   std::span<const Question> questions) {
+  Runner runner(subject.colliders, engine);
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  std::vector<AnswerSoFar> answers(questions.size());
+  for (const std::uint32_t frame : subject.frames) {
+    sample_palettes(subject.scene, frame, scratch, palettes);
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      const QueryStats before = runner.work();
+      if (const auto posed = runner.pose(palettes); !posed) return in_frame(frame, posed.error());
+      runner.ask(questions[q]);
+      answers[q].work += difference(runner.work(), before);
+      answers[q].add(frame, subject.colliders.size(), runner.found());
+    }
+  }
+  std::vector<Answer> result;
+  for (std::size_t q = 0; q < questions.size(); ++q) result.push_back(answers[q].to(questions[q]));
+  return result;
+}
+
+Result<std::vector<std::vector<Times>>> measure(const Subject& subject,
+                                                std::span<const Engine> engines,
+                                                std::span<const Variant> variants,
+                                                std::uint32_t repetitions,
+                                                const std::function<void()>& advance) {
+  Measurement measurement(subject, engines, variants, repetitions);
+  if (const auto done = measurement.run(advance); !done) return done.error();
+  return measurement.times();
 }
 
 }  // namespace pelt::tools

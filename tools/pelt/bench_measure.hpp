@@ -1,17 +1,17 @@
 #pragma once
 
-/// How `pelt bench` measures one method on one scene.
+/// How `pelt bench` asks and measures engines on one scene.
 ///
 /// Each repetition of a frame first poses and queries the frame before it, untimed, so that the
 /// timed part meets the state that an animation leaves, not its own; then the timed part takes the
 /// new palettes and queries all pairs. The median of the repetitions stands for the frame. Sampling
-/// of the clips is not timed. One thread.
+/// of the clips is not timed, nor are the palettes of engines whose update does not count. Engines
+/// take turns at every frame, so that all meet the same moods of the machine. One thread.
 
-#include "tools/pelt/frame_range.hpp"
 #include "tools/pelt/scene_query.hpp"
 
 #include <functional>
-#include <optional>
+#include <string>
 
 namespace pelt::tools {
 
@@ -25,33 +25,56 @@ enum class Cache {
   cold,  ///< 64 MB are read between the untimed and the timed part
 };
 
-struct BenchSettings {
+/// What is measured of an engine.
+struct Variant {
   Question question = Question::all;
   Cache cache = Cache::hot;
-  std::uint32_t repetitions = 9;
-  std::optional<FrameRange> frames;  ///< nothing: all of the scene
+  std::uint32_t threads = 1;
 };
 
-struct Measurement {
-  std::uint64_t hash = 0;      ///< of all contacts; for Question::first over u32 frame, a, b, hit
-  QueryStats work;             ///< of posing and querying each frame once
-  double mean_us = 0;          ///< microseconds a frame over all frames ...
+struct Engine {
+  std::string name;
+  std::function<std::unique_ptr<bench::Method>()> make;
+};
+
+Engine engine_of(bench::MethodKind method);
+
+/// What is run. Borrows.
+struct Subject {
+  const scenes::Scene& scene;
+  std::span<const Collider> colliders;
+  std::span<const std::uint32_t> frames;
+};
+
+/// What an engine says to one question, each frame asked once.
+struct Answer {
+  std::uint64_t hash = 0;  ///< of all contacts; for Question::first over u32 frame, a, b, hit
+  QueryStats work;         ///< of posing and querying
+  std::uint64_t frames_in_contact = 0;
+};
+
+/// The answers [questions].
+Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
+                                   std::span<const Question> questions);
+
+/// Microseconds a frame.
+struct Times {
+  double mean_us = 0;          ///< over all frames ...
   double mean_contact_us = 0;  ///< ... over those in contact, 0 where there is none ...
   double p95_us = 0;           ///< ... and what 95 % of all frames do not exceed
   double mean_update_us = 0;   ///< the share of mean_us before the queries: palettes, and for eager
-                               ///< methods skinning and refit
-  std::uint64_t frames = 0, frames_in_contact = 0;
+                               ///< engines skinning and boxes
+  std::size_t frames = 0, frames_in_contact = 0;
 };
 
-/// The answer alone, each frame once: hash, work and counts of frames.
-Result<Measurement> answer_once(const scenes::Scene& scene, std::span<const Collider> colliders,
-                                bench::MethodKind method, const FrameRange& frames,
-                                Question question);
+/// With cold caches no more frames than this are measured, evenly over all.
+inline constexpr std::size_t kMostColdFrames = 30;
 
-/// Adds the times to what `answer_once` found. `advance` is called after each frame.
-Result<void> measure(const scenes::Scene& scene, std::span<const Collider> colliders,
-                     bench::MethodKind method, const FrameRange& frames,
-                     const BenchSettings& settings, const std::function<void()>& advance,
-                     Measurement& measurement);
+/// The times [engines][variants]. `advance` is called after each frame of an engine.
+Result<std::vector<std::vector<Times>>> measure(const Subject& subject,
+                                                std::span<const Engine> engines,
+                                                std::span<const Variant> variants,
+                                                std::uint32_t repetitions,
+                                                const std::function<void()>& advance);
 
 }  // namespace pelt::tools

@@ -1,73 +1,127 @@
 #include "tools/pelt/bench_report.hpp"
 
-#include <pelt/version.hpp>
-
-#include "tools/pelt/jsonl.hpp"
 #include "tools/pelt/machine.hpp"
 #include "tools/pelt/text.hpp"
 
+#include <algorithm>
 #include <iomanip>
 
 namespace pelt::tools {
 namespace {
 
-using nlohmann::ordered_json;
+constexpr int kName = 14, kColumn = 12, kWorkColumn = 16;
 
-constexpr int kColumn = 12;
+bool is_same(const Variant& a, const Variant& b) {
+  return a.question == b.question && a.cache == b.cache && a.threads == b.threads;
+}
 
-void print_head(std::ostream& out) {
-  out << std::left << std::setw(14) << "method" << std::right;
-  for (const char* head : {"mean us", "in contact", "95 %", "update", "query", "x slower"}) {
+/// The mean time of an engine in a variant, or null.
+const double* mean_of(const SceneFigures& scene, const std::string& engine,
+                      const Variant& variant) {
+  for (const Figures& figures : scene.figures)
+    if (figures.engine == engine && is_same(figures.variant, variant))
+      return &figures.times.mean_us;
+  return nullptr;
+}
+
+std::string ratio(const double* dividend, const double* divisor) {
+  return dividend && divisor ? fixed(*dividend / *divisor, 2) : "-";
+}
+
+void print_name(const std::string& name, std::ostream& out) {
+  out << std::left << std::setw(kName) << name << std::right;
+}
+
+void print_scene(const SceneFigures& scene, std::ostream& out) {
+  const double bytes = static_cast<double>(scene.models.bytes);
+  const double triangles = static_cast<double>(scene.models.triangles);
+  out << scene.scene << ": " << with_commas(scene.triangles) << " triangles, "
+      << counted(scene.frames, "frame") << " of which "
+      << with_commas(scene.figures[0].answer.frames_in_contact) << " in contact\n"
+      << "models: " << with_commas(scene.models.triangles) << " triangles, built in "
+      << fixed(scene.models.build_seconds, 3) << " s, " << fixed(bytes / triangles, 1)
+      << " bytes a triangle\n";
+}
+
+/// The unit, and what stands close to it.
+void print_skinning(const SceneFigures& scene, std::ostream& out) {
+  const Skinning& skinning = scene.skinning;
+  out << "all " << with_commas(skinning.vertices)
+      << " vertices skinned: " << fixed(skinning.mean_us, 1) << " us a frame, "
+      << fixed(skinning.ns_per_vertex(), 2) << " ns a vertex";
+  for (const char* engine : {"paper", "eager"}) {
+    const double* mean = mean_of(scene, engine, scene.figures[0].variant);
+    if (mean) out << "; " << engine << " " << ratio(mean, &skinning.mean_us) << " times that";
+  }
+  out << "\n\n";
+}
+
+void print_head(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
+  const Variant& variant = figures.variant;
+  out << "query " << name_of(variant.question) << ", cache " << name_of(variant.cache) << ", "
+      << counted(variant.threads, "thread") << ", median of " << scene.repetitions;
+  if (figures.times.frames < scene.frames)
+    out << ", " << counted(figures.times.frames, "frame") << " of " << with_commas(scene.frames);
+  out << "; hash " << hex16(figures.answer.hash) << " by every method\n";
+  print_name("method", out);
+  for (const char* head :
+       {"mean us", "in contact", "95 %", "update", "query", "vs paper", "vs eager", "of rigid"})
     out << std::setw(kColumn) << head;
+  out << '\n';
+}
+
+void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
+  const Times& times = figures.times;
+  const auto mean_by = [&](const char* engine) { return mean_of(scene, engine, figures.variant); };
+  print_name(figures.engine, out);
+  for (const std::string& cell :
+       {fixed(times.mean_us, 1),
+        times.frames_in_contact > 0 ? fixed(times.mean_contact_us, 1) : "-", fixed(times.p95_us, 1),
+        fixed(times.mean_update_us, 1), fixed(times.mean_us - times.mean_update_us, 1),
+        ratio(mean_by("paper"), &times.mean_us), ratio(mean_by("eager"), &times.mean_us),
+        ratio(&times.mean_us, mean_by("rigid"))})
+    out << std::setw(kColumn) << cell;
+  out << '\n';
+}
+
+void print_tables(const SceneFigures& scene, std::ostream& out) {
+  const Figures* before = nullptr;
+  for (const Figures& figures : scene.figures) {
+    if (before == nullptr || !is_same(before->variant, figures.variant)) {
+      if (before != nullptr) out << '\n';
+      print_head(scene, figures, out);
+    }
+    print_row(scene, figures, out);
+    before = &figures;
   }
   out << '\n';
 }
 
-void print_row(const EngineFigures& figures, double fastest_us, std::ostream& out) {
-  const Measurement& m = figures.measurement;
-  out << std::left << std::setw(14) << figures.engine << std::right;
-  out << std::setw(kColumn) << fixed(m.mean_us, 1) << std::setw(kColumn)
-      << (m.frames_in_contact > 0 ? fixed(m.mean_contact_us, 1) : "-");
-  for (const double us : {m.p95_us, m.mean_update_us, m.mean_us - m.mean_update_us}) {
-    out << std::setw(kColumn) << fixed(us, 1);
-  }
-  out << std::setw(kColumn) << fixed(m.mean_us / fastest_us, 2) << '\n';
-}
-
-void print_work(const EngineFigures& figures, std::ostream& out) {
-  const QueryStats& work = figures.measurement.work;
-  out << std::left << std::setw(14) << figures.engine << std::right;
+void print_work(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
+  const QueryStats& work = figures.answer.work;
+  print_name(figures.engine, out);
+  out << std::setw(8) << name_of(figures.variant.question);
   for (const std::uint64_t count :
        {work.node_pairs, work.refits, work.posed_vertices, work.triangle_pairs}) {
-    const double frames = static_cast<double>(figures.measurement.frames);
-    out << std::setw(16) << fixed(static_cast<double>(count) / frames, 1);
+    const double mean = static_cast<double>(count) / static_cast<double>(scene.frames);
+    out << std::setw(kWorkColumn) << fixed(mean, 1);
   }
   out << '\n';
 }
 
-ordered_json engine_json(const EngineFigures& figures, const BenchSettings& settings) {
-  const Measurement& m = figures.measurement;
-  const ordered_json in_contact =
-      m.frames_in_contact > 0 ? ordered_json(m.mean_contact_us) : ordered_json();
-  return {{"engine", figures.engine},
-          {"query", name_of(settings.question)},
-          {"cache", name_of(settings.cache)},
-          {"threads", 1},
-          {"mean_us", m.mean_us},
-          {"mean_contact_us", in_contact},
-          {"p95_us", m.p95_us},
-          {"mean_update_us", m.mean_update_us},
-          {"hash", hex16(m.hash)},
-          {"counters", counters_json(m.work)}};
-}
-
-ordered_json machine_json() {
-  const Machine machine = this_machine();
-  return {{"cpu", machine.cpu},
-          {"cores", machine.cores},
-          {"compiler", machine.compiler},
-          {"build", machine.build},
-          {"pelt", PELT_VERSION}};
+/// Work does not depend on caches, so each question is shown once.
+void print_all_work(const SceneFigures& scene, std::ostream& out) {
+  print_name("work a frame", out);
+  out << std::setw(8) << "query";
+  for (const char* head : {"node pairs", "refits", "posed vertices", "triangle pairs"})
+    out << std::setw(kWorkColumn) << head;
+  out << '\n';
+  for (const Figures& figures : scene.figures) {
+    const Variant first_of_question = {figures.variant.question, scene.figures[0].variant.cache,
+                                       scene.figures[0].variant.threads};
+    if (is_same(figures.variant, first_of_question)) print_work(scene, figures, out);
+  }
+  out << '\n';
 }
 
 }  // namespace
@@ -76,45 +130,17 @@ const char* name_of(Question question) { return question == Question::all ? "all
 
 const char* name_of(Cache cache) { return cache == Cache::hot ? "hot" : "cold"; }
 
-void print_figures(const SceneFigures& figures, const BenchSettings& settings, std::ostream& out) {
-  const Measurement& any = figures.engines[0].measurement;
-  double fastest_us = any.mean_us;
-  for (const EngineFigures& engine : figures.engines) {
-    fastest_us = std::min(fastest_us, engine.measurement.mean_us);
-  }
-  out << figures.scene << ": " << with_commas(figures.triangles) << " triangles, "
-      << counted(any.frames, "frame") << " of which " << with_commas(any.frames_in_contact)
-      << " in contact, built in " << fixed(figures.build_seconds, 3) << " s\n"
-      << "query " << name_of(settings.question) << ", cache " << name_of(settings.cache)
-      << ", 1 thread, median of " << settings.repetitions << "; hash " << hex16(any.hash)
-      << " by every method\n\n";
-  print_head(out);
-  for (const EngineFigures& engine : figures.engines) print_row(engine, fastest_us, out);
-  out << "\nwork a frame" << std::right << std::setw(18) << "node pairs" << std::setw(16)
-      << "refits" << std::setw(16) << "posed vertices" << std::setw(16) << "triangle pairs" << '\n';
-  for (const EngineFigures& engine : figures.engines) print_work(engine, out);
-  out << '\n';
+void print_machine(std::ostream& out) {
+  const Machine machine = this_machine();
+  out << machine.cpu << ", " << machine.target << ", " << machine.compiler << ", " << machine.build
+      << "\n\n";
 }
 
-ordered_json figures_json(const std::vector<SceneFigures>& scenes, const BenchSettings& settings) {
-  ordered_json all = ordered_json::array();
-  for (const SceneFigures& figures : scenes) {
-    ordered_json engines = ordered_json::array();
-    for (const EngineFigures& engine : figures.engines) {
-      engines.push_back(engine_json(engine, settings));
-    }
-    const Measurement& any = figures.engines[0].measurement;
-    all.push_back({{"scene", figures.scene},
-                   {"frames", any.frames},
-                   {"frames_in_contact", any.frames_in_contact},
-                   {"build_seconds", figures.build_seconds},
-                   {"engines", std::move(engines)}});
-  }
-  return {{"format", "pelt-bench"},
-          {"version", 1},
-          {"machine", machine_json()},
-          {"repetitions", settings.repetitions},
-          {"scenes", std::move(all)}};
+void print_figures(const SceneFigures& scene, std::ostream& out) {
+  print_scene(scene, out);
+  print_skinning(scene, out);
+  print_tables(scene, out);
+  print_all_work(scene, out);
 }
 
 }  // namespace pelt::tools

@@ -2,7 +2,7 @@
 
 /// The figures of `pelt bench` for people and for programs.
 
-#include "tools/pelt/bench_measure.hpp"
+#include "tools/pelt/bench_skinning.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,24 +12,38 @@
 
 namespace pelt::tools {
 
-struct EngineFigures {
-  std::string engine;  ///< name of the method
-  Measurement measurement;
+/// One variant of one engine.
+struct Figures {
+  std::string engine;
+  Variant variant;
+  Answer answer;
+  Times times;
+};
+
+/// The models of a scene, each once.
+struct ModelFigures {
+  std::uint64_t triangles = 0, bytes = 0;
+  double build_seconds = 0;
 };
 
 struct SceneFigures {
   std::string scene;
   std::uint64_t triangles = 0;  ///< of all instances
-  double build_seconds = 0;     ///< build_model of all characters
-  std::vector<EngineFigures> engines;
+  std::uint64_t frames = 0;
+  std::uint32_t repetitions = 0;
+  ModelFigures models;
+  Skinning skinning;
+  std::vector<Figures> figures;  ///< not empty; the engines of a variant one after the other
 };
 
 const char* name_of(Question question);
 const char* name_of(Cache cache);
 
-void print_figures(const SceneFigures& figures, const BenchSettings& settings, std::ostream& out);
+/// Where the figures that follow are measured.
+void print_machine(std::ostream& out);
 
-nlohmann::ordered_json figures_json(const std::vector<SceneFigures>& scenes,
-                                    const BenchSettings& settings);
+void print_figures(const SceneFigures& scene, std::ostream& out);
+
+nlohmann::ordered_json figures_json(const std::vector<SceneFigures>& scenes);
 
 }  // namespace pelt::tools

@@ -5,6 +5,7 @@
 #include "tools/pelt/check_scene.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/scene_arguments.hpp"
+#include "tools/pelt/simd_argument.hpp"
 #include "tools/pelt/text.hpp"
 
 #include <CLI/CLI.hpp>
@@ -16,10 +17,10 @@ namespace {
 
 struct Arguments {
   SceneArguments scene;
-  std::string frames, by = "instance", method = "paper";
+  std::string frames, by = "instance", method = "on_demand";
   bool first = false, pairs = false;
   std::optional<std::uint32_t> max_contacts, glb_frame;
-  std::string jsonl, glb;
+  std::string jsonl, glb, simd;
 };
 
 constexpr const char* kFooter = R"(
@@ -93,6 +94,7 @@ Result<CheckSettings> choose_settings(const Arguments& arguments, scenes::Scene&
 }
 
 Result<ExitCode> check(const Arguments& arguments) {
+  if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
   Result<scenes::Scene> scene = open_scene(arguments.scene);
   if (!scene) return scene.error();
   const Result<CheckSettings> settings = choose_settings(arguments, *scene);
@@ -103,7 +105,7 @@ Result<ExitCode> check(const Arguments& arguments) {
   outputs.lists = arguments.pairs ? TriangleLists::written : TriangleLists::left_out;
   std::ostream& words = arguments.jsonl == kStandardOutput ? std::cerr : std::cout;
   const Result<CheckReport> report =
-      check_scene(*scene, *settings, arguments.scene.models.model_options(), outputs, words);
+      check_scene(*scene, *settings, arguments.scene.models, outputs, words);
   if (!report) return report.error();
   return report->totals.contacts > 0 ? ExitCode::contact : ExitCode::success;
 }
@@ -128,6 +130,7 @@ void add_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--method", arguments.method, "One of " + listed(bench::method_names()))
       ->type_name("NAME")
       ->capture_default_str();
+  add_simd_option(verb, arguments.simd);
   CLI::Option* first = verb.add_flag("--first", arguments.first,
                                      "Stop at the first contact of each pair in each frame");
   verb.add_option("--max-contacts", arguments.max_contacts,

@@ -12,7 +12,7 @@
 namespace pelt::tools {
 
 struct CheckSettings {
-  bench::MethodKind method = bench::MethodKind::paper;
+  bench::MethodKind method = bench::MethodKind::on_demand;
   Granularity granularity = Granularity::instance;
   std::optional<std::uint32_t> max_contacts;  ///< of a pair of colliders in a frame
   FrameRange frames;

@@ -42,8 +42,8 @@ class JsonlOutput {
 
 Result<void> write_contacts_glb(const std::string& path, const scenes::Scene& scene,
                                 std::span<const Collider> colliders, const CheckReport::Kept& kept,
-                                const ModelOptions& options) {
-  const auto posed = pose_instances(scene, kept.frame, options);
+                                const ModelArguments& models) {
+  const auto posed = pose_instances(scene, kept.frame, models);
   if (!posed) return posed.error();
   return write_file(path, contacts_glb(*posed, touching_triangles(*posed, colliders, kept.found)));
 }
@@ -59,9 +59,9 @@ void write_header(const scenes::Scene& scene, std::span<const Collider> collider
 }  // namespace
 
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
-                                const ModelOptions& options, const CheckOutputs& outputs,
+                                const ModelArguments& models, const CheckOutputs& outputs,
                                 std::ostream& words) {
-  const auto colliders = make_colliders(scene, settings.granularity, options);
+  const auto colliders = make_colliders(scene, settings.granularity, models);
   if (!colliders) return colliders.error();
   JsonlOutput jsonl;
   if (const auto opened = jsonl.open(outputs.jsonl, outputs.lists); !opened) return opened.error();
@@ -71,7 +71,7 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
   if (!report) return asset::prefixed(scene.name, report.error());
   if (const auto closed = jsonl.close(); !closed) return closed.error();
   if (!outputs.glb.empty()) {
-    const auto written = write_contacts_glb(outputs.glb, scene, *colliders, report->kept, options);
+    const auto written = write_contacts_glb(outputs.glb, scene, *colliders, report->kept, models);
     if (!written) return written.error();
   }
   print_summary(scene, *colliders, settings, *report, tally, words);

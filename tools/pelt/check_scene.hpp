@@ -19,7 +19,7 @@ struct CheckOutputs {
 
 /// The summary goes to `words`.
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
-                                const ModelOptions& options, const CheckOutputs& outputs,
+                                const ModelArguments& models, const CheckOutputs& outputs,
                                 std::ostream& words);
 
 }  // namespace pelt::tools

@@ -1,6 +1,6 @@
 #include "tools/pelt/colliders.hpp"
 
-#include "tools/pelt/model_arguments.hpp"
+#include "tools/pelt/clip_samples.hpp"
 
 #include <algorithm>
 
@@ -10,13 +10,16 @@ namespace {
 using scenes::Character;
 
 /// What is shared by all instances of a character: a collider for each part, or one for all.
-Result<std::vector<Collider>> prototypes(const Character& character, Granularity granularity,
-                                         const ModelOptions& options) {
+Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32_t index,
+                                         Granularity granularity, const ModelArguments& arguments) {
+  const Character& character = scene.characters[index];
+  const std::vector<Matrix4> samples =
+      clip_samples(character.asset, played_clips(scene, index), arguments.samples);
   const SkinnedMeshView whole = character.asset.mesh();
   std::vector<Collider> colliders;
   const auto add = [&](const SkinnedMeshView& mesh, std::optional<std::uint32_t> part,
                        std::uint32_t first_triangle) -> Result<void> {
-    Result<SkinnedModel> model = build_named_model(character.source, mesh, options);
+    Result<SkinnedModel> model = build_named_model(character.source, mesh, arguments, samples);
     if (!model) return model.error();
     colliders.push_back({0, part, first_triangle, std::move(*model)});
     return {};
@@ -38,10 +41,10 @@ Result<std::vector<Collider>> prototypes(const Character& character, Granularity
 }  // namespace
 
 Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
-                                             const ModelOptions& options) {
+                                             const ModelArguments& arguments) {
   std::vector<std::vector<Collider>> by_character;
-  for (const Character& character : scene.characters) {
-    Result<std::vector<Collider>> made = prototypes(character, granularity, options);
+  for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
+    Result<std::vector<Collider>> made = prototypes(scene, c, granularity, arguments);
     if (!made) return made.error();
     by_character.push_back(std::move(*made));
   }

@@ -5,6 +5,7 @@
 #include <pelt/model.hpp>
 
 #include "scenes/scene.hpp"
+#include "tools/pelt/model_arguments.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -24,9 +25,10 @@ struct Collider {
   SkinnedModel model;
 };
 
-/// In order of instances, then parts; parts without triangles are left out.
+/// In order of instances, then parts; parts without triangles are left out. Models are prepared for
+/// the clips that the scene plays.
 Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
-                                             const ModelOptions& options);
+                                             const ModelArguments& arguments);
 
 /// "knight 0", or "knight 0 Knight_Helmet" for a part.
 std::string collider_name(const scenes::Scene& scene, const Collider& collider);

@@ -83,7 +83,7 @@ Result<std::string> still_of(const scenes::Scene& scene, std::uint32_t frame) {
   asset::SampleScratch scratch;
   Palettes palettes;
   sample_palettes(scene, frame, scratch, palettes);
-  SceneQuery query(*colliders, bench::MethodKind::paper);
+  SceneQuery query(*colliders, bench::MethodKind::on_demand);
   if (const auto set = query.set_palettes(palettes); !set) return set.error();
   FrameContacts found;
   query.collide({}, found);

@@ -1,6 +1,7 @@
 /// `pelt info`: what a model file holds.
 
 #include "scenes/scene.hpp"
+#include "tools/pelt/clip_samples.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/model_arguments.hpp"
 #include "tools/pelt/text.hpp"
@@ -85,6 +86,7 @@ ordered_json describe(const scenes::Character& character, const SkinnedModel& mo
           {"distinct_positions", distinct_positions(asset)},
           {"triangles", model.triangle_count()},
           {"degenerate_triangles", report.degenerate_triangles},
+          {"prepared_bytes", model.memory_bytes()},
           {"influences_per_vertex", most_influences(asset)},
           {"renormalised_vertices", report.renormalised_vertices},
           {"merged_influences", report.merged_influences},
@@ -110,6 +112,7 @@ void print_counts(const ordered_json& info) {
   print_line("weights", number("renormalised_vertices"),
              " vertices renormalised, " + number("merged_influences") + " influences merged");
   print_line("joints", with_commas(info["joints"].size()));
+  print_line("prepared", number("prepared_bytes"), " bytes");
 }
 
 void print_clips(const asset::Asset& asset) {
@@ -140,14 +143,17 @@ Result<ExitCode> info(const Arguments& arguments) {
   const Result<scenes::Character> character =
       scenes::load_character(arguments.model, arguments.models.gltf_options());
   if (!character) return character.error();
-  const Result<SkinnedModel> model = build_named_model(character->source, character->asset.mesh(),
-                                                       arguments.models.model_options());
+  const asset::Asset& asset = character->asset;
+  const std::uint32_t samples = arguments.models.samples;
+  const Result<SkinnedModel> model =
+      build_named_model(character->source, asset.mesh(), arguments.models,
+                        clip_samples(asset, first_clips(asset, samples), samples));
   if (!model) return model.error();
   const ordered_json description = describe(*character, *model);
   if (arguments.json) {
     std::cout << description.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
   } else {
-    print(description, character->asset);
+    print(description, asset);
   }
   return ExitCode::success;
 }

@@ -1,5 +1,7 @@
 #include "tools/pelt/machine.hpp"
 
+#include <pelt/target.hpp>
+
 #include <fstream>
 #include <thread>
 
@@ -33,7 +35,8 @@ constexpr const char* kAsserts = "asserts";
 }  // namespace
 
 Machine this_machine() {
-  return {cpu_name(), compiler_name(), kAsserts, std::thread::hardware_concurrency()};
+  return {cpu_name(), compiler_name(), kAsserts, name_of(active_target()),
+          std::thread::hardware_concurrency()};
 }
 
 }  // namespace pelt::tools

@@ -7,6 +7,7 @@ namespace pelt::tools {
 /// Where figures were measured, and with what build.
 struct Machine {
   std::string cpu, compiler, build;
+  std::string target;  ///< of queries, see pelt/target.hpp
   unsigned cores = 0;
 };
 

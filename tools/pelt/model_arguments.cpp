@@ -11,12 +11,6 @@ asset::GltfOptions ModelArguments::gltf_options() const {
   return options;
 }
 
-ModelOptions ModelArguments::model_options() const {
-  ModelOptions options;
-  if (renormalise) options.off_weights = OffWeights::renormalise;
-  return options;
-}
-
 void add_model_options(CLI::App& verb, ModelArguments& arguments) {
   verb.add_flag("--no-unskinned", arguments.no_unskinned,
                 "Leave out meshes without a skin (weapons, armour)");
@@ -26,11 +20,22 @@ void add_model_options(CLI::App& verb, ModelArguments& arguments) {
       ->allow_extra_args(false);
   verb.add_flag("--renormalise", arguments.renormalise,
                 "Accept weights that do not sum to 1: divide them by their sum, as renderers do");
+  verb.add_option("--samples", arguments.samples,
+                  "Poses taken from a character's clips to prepare it for; 0: build faster, answer "
+                  "more slowly")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
 }
 
 Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
-                                       const ModelOptions& options) {
+                                       const ModelArguments& arguments,
+                                       std::span<const Matrix4> sample_palettes) {
+  ModelOptions options;
+  if (arguments.renormalise) options.off_weights = OffWeights::renormalise;
+  options.sample_palettes = sample_palettes;
   Result<SkinnedModel> model = build_model(mesh, options);
+  if (!model && !sample_palettes.empty()) return build_named_model(source, mesh, arguments);
   if (model) return model;
   std::string message = source + ": " + model.error().message;
   const std::string in_code = "off_weights = OffWeights::renormalise";

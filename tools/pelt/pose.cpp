@@ -37,7 +37,7 @@ Result<ExitCode> pose(const Arguments& arguments) {
                         scene->name + " has " + counted(scene->frame_count, "frame"));
   }
   const auto posed =
-      pose_instances(*scene, arguments.frame, arguments.scene.models.model_options());
+      pose_instances(*scene, arguments.frame, arguments.scene.models);
   if (!posed) return posed.error();
   const auto written = write_file(arguments.output, posed_glb(*posed));
   if (!written) return written.error();

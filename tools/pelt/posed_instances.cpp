@@ -4,7 +4,6 @@
 
 #include "asset/message.hpp"
 #include "base/vec3.hpp"
-#include "tools/pelt/model_arguments.hpp"
 #include "tools/pelt/scene_query.hpp"
 
 #include <cmath>
@@ -29,12 +28,13 @@ Result<void> check_glb_size(const scenes::Scene& scene) {
                    " MiB, more than a .glb can hold: make scenes of fewer instances"};
 }
 
+/// Without sample poses: nothing is asked of these models but posed vertices.
 Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
-                                               const ModelOptions& options) {
+                                               const ModelArguments& arguments) {
   std::vector<SkinnedModel> models;
   for (const scenes::Character& character : scene.characters) {
     Result<SkinnedModel> model =
-        build_named_model(character.source, character.asset.mesh(), options);
+        build_named_model(character.source, character.asset.mesh(), arguments);
     if (!model) return model.error();
     models.push_back(std::move(*model));
   }
@@ -71,9 +71,9 @@ Vec3 unit(const Vec3d& v) {
 }  // namespace
 
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
-                                                  const ModelOptions& options) {
+                                                  const ModelArguments& arguments) {
   if (const Result<void> fits = check_glb_size(scene); !fits) return fits.error();
-  const Result<std::vector<SkinnedModel>> models = build_models(scene, options);
+  const Result<std::vector<SkinnedModel>> models = build_models(scene, arguments);
   if (!models) return models.error();
   asset::SampleScratch scratch;
   Palettes palettes;

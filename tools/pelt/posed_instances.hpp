@@ -5,6 +5,7 @@
 #include <pelt/model.hpp>
 
 #include "scenes/scene.hpp"
+#include "tools/pelt/model_arguments.hpp"
 
 #include <cstdint>
 #include <string>
@@ -20,7 +21,7 @@ struct PosedInstance {
 
 /// `scene` must outlive the result. Refuses what no .glb could hold.
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
-                                                  const ModelOptions& options);
+                                                  const ModelArguments& arguments);
 
 /// Unit normals for smooth shading: triangles weigh by their area, and vertices at the same place
 /// share one normal, so that seams of the texture do not show.

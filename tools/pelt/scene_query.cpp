@@ -14,7 +14,10 @@ void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::Sam
 }
 
 SceneQuery::SceneQuery(std::span<const Collider> colliders, bench::MethodKind method)
-    : colliders_(colliders), method_(bench::make_method(method)) {
+    : SceneQuery(colliders, bench::make_method(method)) {}
+
+SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method)
+    : colliders_(colliders), method_(std::move(method)) {
   for (const Collider& collider : colliders_) method_->add(collider.model);
 }
 

@@ -38,9 +38,13 @@ class SceneQuery {
  public:
   /// `colliders` must outlive the query.
   SceneQuery(std::span<const Collider> colliders, bench::MethodKind method);
+  SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method);
 
   /// Poses all colliders. The message of an error names the instance.
   Result<void> set_palettes(const Palettes& palettes);
+
+  /// See bench::Method::update_counts.
+  bool update_counts() const { return method_->update_counts(); }
 
   /// Replaces `found` by the contacts of every pair of colliders.
   void collide(const CollideOptions& options, FrameContacts& found);

@@ -1,0 +1,67 @@
+#include <pelt/version.hpp>
+
+#include "tools/pelt/bench_report.hpp"
+#include "tools/pelt/jsonl.hpp"
+#include "tools/pelt/machine.hpp"
+#include "tools/pelt/text.hpp"
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json machine_json() {
+  const Machine machine = this_machine();
+  return {{"cpu", machine.cpu},           {"cores", machine.cores}, {"target", machine.target},
+          {"compiler", machine.compiler}, {"build", machine.build}, {"pelt", PELT_VERSION}};
+}
+
+ordered_json engine_json(const Figures& figures) {
+  const Times& times = figures.times;
+  const ordered_json in_contact =
+      times.frames_in_contact > 0 ? ordered_json(times.mean_contact_us) : ordered_json();
+  return {{"engine", figures.engine},
+          {"query", name_of(figures.variant.question)},
+          {"cache", name_of(figures.variant.cache)},
+          {"threads", figures.variant.threads},
+          {"frames", times.frames},
+          {"mean_us", times.mean_us},
+          {"mean_contact_us", in_contact},
+          {"p95_us", times.p95_us},
+          {"mean_update_us", times.mean_update_us},
+          {"hash", hex16(figures.answer.hash)},
+          {"counters", counters_json(figures.answer.work)}};
+}
+
+ordered_json scene_json(const SceneFigures& scene) {
+  ordered_json engines = ordered_json::array();
+  for (const Figures& figures : scene.figures) engines.push_back(engine_json(figures));
+  const ModelFigures& models = scene.models;
+  const Skinning& skinning = scene.skinning;
+  return {{"scene", scene.scene},
+          {"frames", scene.frames},
+          {"frames_in_contact", scene.figures[0].answer.frames_in_contact},
+          {"repetitions", scene.repetitions},
+          {"models",
+           {{"triangles", models.triangles},
+            {"bytes", models.bytes},
+            {"build_seconds", models.build_seconds}}},
+          {"skinning",
+           {{"vertices", skinning.vertices},
+            {"mean_us", skinning.mean_us},
+            {"ns_per_vertex", skinning.ns_per_vertex()}}},
+          {"engines", std::move(engines)}};
+}
+
+}  // namespace
+
+ordered_json figures_json(const std::vector<SceneFigures>& scenes) {
+  ordered_json all = ordered_json::array();
+  for (const SceneFigures& scene : scenes) all.push_back(scene_json(scene));
+  return {{"format", "pelt-bench"},
+          {"version", 1},
+          {"machine", machine_json()},
+          {"scenes", std::move(all)}};
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,54 @@
+#include "tools/pelt/bench_skinning.hpp"
+
+#include <pelt/pose.hpp>
+
+#include "tools/pelt/statistics.hpp"
+
+#include <chrono>
+
+namespace pelt::tools {
+namespace {
+
+/// An instance and where its posed vertices go.
+struct Skinned {
+  explicit Skinned(const Collider& collider)
+      : instance(collider.instance),
+        pose(collider.model),
+        positions(collider.model.vertex_count()) {}
+
+  std::uint32_t instance;
+  Pose pose;
+  std::vector<Vec3> positions;
+};
+
+double time_us(std::vector<Skinned>& all) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (Skinned& skinned : all) posed_vertices(skinned.pose, skinned.positions);
+  const auto end = std::chrono::steady_clock::now();
+  return std::chrono::duration<double, std::micro>(end - begin).count();
+}
+
+}  // namespace
+
+Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetitions) {
+  std::vector<Skinned> all(subject.colliders.begin(), subject.colliders.end());
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  std::vector<double> frames;
+  for (const std::uint32_t frame : subject.frames) {
+    sample_palettes(subject.scene, frame, scratch, palettes);
+    for (Skinned& skinned : all) {
+      const auto posed = skinned.pose.set_palette(palettes[skinned.instance]);
+      if (!posed) return posed.error();
+    }
+    std::vector<double> times;
+    for (std::uint32_t r = 0; r < repetitions; ++r) times.push_back(time_us(all));
+    frames.push_back(median(times));
+  }
+  Skinning skinning;
+  skinning.mean_us = mean(frames);
+  for (const Skinned& skinned : all) skinning.vertices += skinned.positions.size();
+  return skinning;
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <pelt/result.hpp>
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace pelt::tools {
+
+/// Adds --simd, whose value goes to `name`.
+void add_simd_option(CLI::App& verb, std::string& name);
+
+/// Lets queries use the instructions of that name; "" leaves the choice to the library.
+Result<void> choose_simd(const std::string& name);
+
+}  // namespace pelt::tools
