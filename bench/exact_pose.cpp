@@ -7,17 +7,20 @@
 namespace pelt::bench {
 
 ExactPose::ExactPose(const detail::Tree& tree)
-    : tree_(tree),
-      palette_(tree.joint_count, tree.rest_extent),
-      opened_(static_cast<std::uint32_t>(tree.nodes.size())) {}
+    : tree_(tree), palette_(tree.joint_count, tree.rest_extent) {
+  close_all();
+}
 
 Result<void> ExactPose::set_palette(std::span<const Matrix4> palette) {
   Result<void> taken =
       palette_.set({palette.empty() ? nullptr : palette[0].m.data(), palette.size() * 16});
-  if (!taken) return taken;
-  opened_.clear();
-  arena_.clear();
+  if (taken) close_all();
   return taken;
+}
+
+void ExactPose::close_all() {
+  arena_.clear();
+  opened_ = detail::OpenedNodes(static_cast<std::uint32_t>(tree_.nodes.size()), arena_);
 }
 
 QueryStats ExactPose::open_all() {

@@ -26,13 +26,14 @@ class ExactPose {
   friend QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
                             std::vector<Contact>& contacts, const CollideOptions& options);
 
+  void close_all();
   detail::PosedTree posed_tree();
 
   const detail::Tree& tree_;
   detail::NodeBounds no_bounds_;
   detail::Palette palette_;
-  detail::OpenedNodes opened_;
   detail::Arena arena_;
+  detail::OpenedNodes opened_;
 };
 
 /// Appends the contacts, ascending. Precondition: all is open in both.

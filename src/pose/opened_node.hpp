@@ -9,7 +9,7 @@
 
 #include <atomic>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace pelt::detail {
 
@@ -31,16 +31,20 @@ struct RootBox {
   float low[4], high[4];
 };
 
-/// The opened nodes of one pose.
+/// The opened nodes of one pose: a table that lies in an arena, as they do, and dies with them.
 class OpenedNodes {
  public:
-  explicit OpenedNodes(std::uint32_t node_count) : nodes_(node_count) {}
+  OpenedNodes() = default;
 
-  /// The palette has changed: none is open.
-  void clear() {
-    root_box.known = false;
-    for (std::atomic<OpenedNode*>& node : nodes_) node.store(nullptr, std::memory_order_relaxed);
+  /// None of `node_count` nodes is open. Valid until `arena` is cleared.
+  OpenedNodes(std::uint32_t node_count, Arena& arena)
+      : nodes_(reinterpret_cast<std::atomic<OpenedNode*>*>(
+            arena.allocate(node_count * sizeof(std::atomic<OpenedNode*>)))) {
+    std::uninitialized_value_construct_n(nodes_, node_count);
   }
+
+  /// Whether there is a table.
+  explicit operator bool() const { return nodes_ != nullptr; }
 
   /// Null if the node has not been opened.
   const OpenedNode* operator[](std::uint32_t node) const {
@@ -59,7 +63,7 @@ class OpenedNodes {
   RootBox root_box;
 
  private:
-  std::vector<std::atomic<OpenedNode*>> nodes_;
+  std::atomic<OpenedNode*>* nodes_ = nullptr;
 };
 
 }  // namespace pelt::detail

@@ -7,14 +7,7 @@
 
 namespace pelt {
 
-Pose::Pose(SkinnedModel model) {
-  const detail::Tree& tree = model.detail().tree;
-  detail::Palette palette(tree.joint_count, tree.rest_extent);
-  detail::OpenedNodes opened(static_cast<std::uint32_t>(tree.nodes.size()));
-  pose_ = std::make_unique<detail::Pose>(
-      detail::Pose{std::move(model), std::move(palette), std::move(opened), detail::Arena()});
-}
-
+Pose::Pose(SkinnedModel model) : pose_(std::make_unique<detail::Pose>(std::move(model))) {}
 Pose::Pose(Pose&&) noexcept = default;
 Pose& Pose::operator=(Pose&&) noexcept = default;
 Pose::~Pose() = default;

@@ -5,13 +5,21 @@
 #include "model/model.hpp"
 #include "pose/posed_tree.hpp"
 
+#include <utility>
+
 namespace pelt::detail {
 
 struct Pose {
+  explicit Pose(SkinnedModel m)
+      : model(std::move(m)),
+        palette(model.detail().tree.joint_count, model.detail().tree.rest_extent) {
+    close_all();
+  }
+
   SkinnedModel model;
   Palette palette;
-  OpenedNodes opened;
   Arena arena;
+  OpenedNodes opened;
 
   PosedTree posed_tree() {
     const Model& data = model.detail();
@@ -20,8 +28,8 @@ struct Pose {
 
   /// The palette has changed.
   void close_all() {
-    opened.clear();
     arena.clear();
+    opened = OpenedNodes(static_cast<std::uint32_t>(model.detail().tree.nodes.size()), arena);
   }
 };
 
