@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -20,30 +18,17 @@ constexpr double kMaxWeightSumError = 0x1p-22;
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-using Problem = std::string;  // empty: none
-
-Problem problem(const char* format, ...) __attribute__((format(printf, 1, 2)));
-
-Problem problem(const char* format, ...) {
-  char text[256];
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
-
-class TreeCheck {
+class StructureCheck {
  public:
-  explicit TreeCheck(const Tree& tree) : tree_(tree) {}
+  explicit StructureCheck(const Tree& tree) : tree_(tree) {}
 
   /// Each check may rely on what those before it found sound.
   Problem run() {
     for (const auto check :
-         {&TreeCheck::check_sizes, &TreeCheck::check_influence_begin, &TreeCheck::check_vertices,
-          &TreeCheck::check_nodes, &TreeCheck::check_clusters, &TreeCheck::check_pools,
-          &TreeCheck::check_triangle_ids, &TreeCheck::check_vertex_places,
-          &TreeCheck::check_welding})
+         {&StructureCheck::check_sizes, &StructureCheck::check_influence_begin,
+          &StructureCheck::check_vertices, &StructureCheck::check_nodes,
+          &StructureCheck::check_clusters, &StructureCheck::check_pools,
+          &StructureCheck::check_triangle_ids, &StructureCheck::check_vertex_places})
       if (Problem found = (this->*check)(); !found.empty()) return found;
     return {};
   }
@@ -59,19 +44,17 @@ class TreeCheck {
   Problem check_cluster(std::uint32_t c);
   Problem check_triangle_ids();
   Problem check_vertex_places();
-  Problem check_welding();
 
   std::uint32_t influence_count(std::uint32_t p) const {
     return tree_.influence_begin[p + 1] - tree_.influence_begin[p];
   }
 
   const Tree& tree_;
-  std::size_t pooled_ = 0;  // vertices in pools
   // By vertex of one pool: the last cluster that has it in cluster_vertices, and in corners.
   std::vector<std::uint32_t> named_by_, used_by_;
 };
 
-Problem TreeCheck::check_sizes() {
+Problem StructureCheck::check_sizes() {
   const std::size_t vertices = tree_.rest_positions.size();
   if (tree_.nodes.empty() || tree_.triangle_ids.empty())
     return problem("nodes or triangle_ids is empty");
@@ -93,7 +76,7 @@ Problem TreeCheck::check_sizes() {
   return {};
 }
 
-Problem TreeCheck::check_influence_begin() {
+Problem StructureCheck::check_influence_begin() {
   const auto& begin = tree_.influence_begin;
   if (begin.front() != 0) return problem("influence_begin[0] is %u, expected 0", begin.front());
   for (std::size_t p = 0; p + 1 < begin.size(); ++p)
@@ -104,7 +87,7 @@ Problem TreeCheck::check_influence_begin() {
   return {};
 }
 
-Problem TreeCheck::check_vertices() {
+Problem StructureCheck::check_vertices() {
   Vec3 largest;
   for (std::size_t p = 0; p < tree_.rest_positions.size(); ++p) {
     const Vec3& v = tree_.rest_positions[p];
@@ -122,7 +105,7 @@ Problem TreeCheck::check_vertices() {
   return {};
 }
 
-Problem TreeCheck::check_influences(std::size_t vertex) {
+Problem StructureCheck::check_influences(std::size_t vertex) {
   const std::uint32_t begin = tree_.influence_begin[vertex];
   const std::uint32_t end = tree_.influence_begin[vertex + 1];
   double sum = 0;
@@ -143,7 +126,7 @@ Problem TreeCheck::check_influences(std::size_t vertex) {
 
 /// Everything that nodes name follows what the node before it named: so each child, cluster and
 /// vertex belongs to one node.
-Problem TreeCheck::check_nodes() {
+Problem StructureCheck::check_nodes() {
   std::size_t children = 1, clusters = 0, vertices = 0;
   std::vector<std::uint32_t> depths(tree_.nodes.size(), 1);
   for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
@@ -170,11 +153,10 @@ Problem TreeCheck::check_nodes() {
     return problem("nodes have %zu clusters of %zu", clusters, tree_.clusters.size());
   if (vertices > tree_.rest_positions.size())
     return problem("pools have %zu vertices, more than rest_positions", vertices);
-  pooled_ = vertices;
   return {};
 }
 
-Problem TreeCheck::check_clusters() {
+Problem StructureCheck::check_clusters() {
   std::size_t triangles = 0, vertices = 0;
   for (std::size_t c = 0; c < tree_.clusters.size(); ++c) {
     const Cluster& cluster = tree_.clusters[c];
@@ -196,7 +178,7 @@ Problem TreeCheck::check_clusters() {
   return {};
 }
 
-Problem TreeCheck::check_pools() {
+Problem StructureCheck::check_pools() {
   for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
     const Node& node = tree_.nodes[n];
     named_by_.assign(node.vertex_count, kNone);
@@ -213,7 +195,7 @@ Problem TreeCheck::check_pools() {
 }
 
 /// Corners lie in the pool, and `cluster_vertices` are these corners, each named once.
-Problem TreeCheck::check_cluster(std::uint32_t c) {
+Problem StructureCheck::check_cluster(std::uint32_t c) {
   const Cluster& cluster = tree_.clusters[c];
   for (std::uint32_t i = 0; i < cluster.vertex_count; ++i) {
     const std::uint16_t vertex = tree_.cluster_vertices[cluster.first_vertex + i];
@@ -234,7 +216,7 @@ Problem TreeCheck::check_cluster(std::uint32_t c) {
   return {};
 }
 
-Problem TreeCheck::check_triangle_ids() {
+Problem StructureCheck::check_triangle_ids() {
   std::vector<bool> seen(tree_.triangle_ids.size(), false);
   for (std::size_t t = 0; t < seen.size(); ++t) {
     const std::uint32_t id = tree_.triangle_ids[t];
@@ -245,7 +227,7 @@ Problem TreeCheck::check_triangle_ids() {
   return {};
 }
 
-Problem TreeCheck::check_vertex_places() {
+Problem StructureCheck::check_vertex_places() {
   for (std::size_t v = 0; v < tree_.vertex_places.size(); ++v)
     if (tree_.vertex_places[v] >= tree_.rest_positions.size())
       return problem("vertex_places[%zu] is %u, but there are %zu rest_positions", v,
@@ -253,23 +235,28 @@ Problem TreeCheck::check_vertex_places() {
   return {};
 }
 
+/// The vertices of pools [0, end) and those that no triangle uses lie one after the other.
+std::size_t end_of_pools(const Tree& tree) {
+  return std::size_t{tree.nodes.back().first_vertex} + tree.nodes.back().vertex_count;
+}
+
 /// No two vertices of a pool, and none that has no triangle and any other, are alike; and each is
 /// like one of the caller's.
-Problem TreeCheck::check_welding() {
-  const std::vector<std::uint32_t> welded = weld_vertices(unpack_vertices(tree_));
+Problem check_welding(const Tree& tree) {
+  const std::vector<std::uint32_t> welded = weld_vertices(unpack_vertices(tree));
   std::vector<std::uint32_t> last_pool(welded.size(), kNone);
-  for (std::uint32_t n = 0; n < tree_.nodes.size(); ++n)
-    for (std::uint32_t i = 0; i < tree_.nodes[n].vertex_count; ++i) {
-      const std::uint32_t p = tree_.nodes[n].first_vertex + i;
+  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n)
+    for (std::uint32_t i = 0; i < tree.nodes[n].vertex_count; ++i) {
+      const std::uint32_t p = tree.nodes[n].first_vertex + i;
       if (last_pool[welded[p]] == n)
         return problem("rest_positions[%u] is in the pool of nodes[%u] twice", p, n);
       last_pool[welded[p]] = n;
     }
-  for (std::size_t p = pooled_; p < welded.size(); ++p)
+  for (std::size_t p = end_of_pools(tree); p < welded.size(); ++p)
     if (welded[p] != p) return problem("rest_positions[%zu] of no pool is there twice", p);
 
   std::vector<bool> known(welded.size(), false);
-  for (const std::uint32_t place : tree_.vertex_places) known[welded[place]] = true;
+  for (const std::uint32_t place : tree.vertex_places) known[welded[place]] = true;
   for (std::size_t p = 0; p < welded.size(); ++p)
     if (!known[welded[p]]) return problem("rest_positions[%zu] is none of the caller's", p);
   return {};
@@ -277,6 +264,11 @@ Problem TreeCheck::check_welding() {
 
 }  // namespace
 
-std::string check_tree(const Tree& tree) { return TreeCheck(tree).run(); }
+Problem check_structure(const Tree& tree) { return StructureCheck(tree).run(); }
+
+Problem check_tree(const Tree& tree) {
+  const Problem found = check_structure(tree);
+  return found.empty() ? check_welding(tree) : found;
+}
 
 }  // namespace pelt::detail

@@ -1,6 +1,7 @@
 #include "model/node_bounds.hpp"
 
 #include "model/bound_fit.hpp"
+#include "model/check_node_bounds.hpp"
 #include "model/node_box.hpp"
 
 namespace pelt::detail {
@@ -22,6 +23,7 @@ double half_area(const Box4& box) {
 NodeBound add_joint_boxes(const JointBoxesFit& fit, std::span<const std::uint16_t> joints,
                           NodeBounds& bounds) {
   NodeBound bound{.kind = BoundKind::joint_boxes,
+                  .unused = 0,
                   .joint_count = static_cast<std::uint16_t>(joints.size()),
                   .first_joint = static_cast<std::uint32_t>(bounds.joints.size()),
                   .first_record = static_cast<std::uint32_t>(bounds.joint_boxes.size()),
@@ -35,6 +37,7 @@ NodeBound add_joint_boxes(const JointBoxesFit& fit, std::span<const std::uint16_
 NodeBound add_affine(const AffineFit& fit, std::span<const std::uint16_t> joints,
                      NodeBounds& bounds) {
   NodeBound bound{.kind = BoundKind::affine,
+                  .unused = 0,
                   .joint_count = static_cast<std::uint16_t>(joints.size()),
                   .first_joint = static_cast<std::uint32_t>(bounds.joints.size()),
                   .first_record = static_cast<std::uint32_t>(bounds.fits.size()),
@@ -65,7 +68,8 @@ NodeBound fit_node(const NodeVertices& vertices, const WeightRounding& rounding,
   if (vertices.joints().size() > kMaxFittedJoints)
     return add_joint_boxes(boxes, vertices.joints(), bounds);
   const AffineFit affine = fit_affine(vertices, rounding);
-  return is_affine_better(vertices, boxes, affine, samples)
+  const bool is_finite = stays_finite(affine.joints, affine.margin, vertices.rest_extent());
+  return is_finite && is_affine_better(vertices, boxes, affine, samples)
              ? add_affine(affine, vertices.joints(), bounds)
              : add_joint_boxes(boxes, vertices.joints(), bounds);
 }

@@ -65,6 +65,7 @@ enum class BoundKind : std::uint8_t { joint_boxes, affine };
 
 struct NodeBound {
   BoundKind kind = BoundKind::joint_boxes;
+  std::uint8_t unused = 0;  ///< so that every byte of a file has a value
   std::uint16_t joint_count = 0;
   std::uint32_t first_joint = 0;   ///< into joints
   std::uint32_t first_record = 0;  ///< into joint_boxes, or into fits

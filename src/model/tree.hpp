@@ -24,6 +24,7 @@ struct Cluster {
   std::uint32_t first_vertex = 0;    ///< into Tree::cluster_vertices
   std::uint8_t triangle_count = 0;   ///< 1 to kMaxClusterTriangles
   std::uint8_t vertex_count = 0;     ///< different corners of these triangles
+  std::uint16_t unused = 0;          ///< so that every byte of a file has a value
 };
 
 struct Node {

@@ -1,0 +1,151 @@
+#include "model/check_node_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace pelt::detail {
+namespace {
+
+/// Times the palette's extent, at most 2^60, this is finite.
+constexpr float kMaxMargin = 0x1p28f;
+
+double mesh_size(float rest_extent) { return std::max(double{rest_extent}, 0x1p-60); }
+
+double sum_of_magnitudes(const float* v) {
+  return std::fabs(double{v[0]}) + std::fabs(double{v[1]}) + std::fabs(double{v[2]});
+}
+
+/// The comparisons are false for NaN.
+bool is_vector_within(const float (&v)[4], double limit) {
+  return std::fabs(v[0]) <= limit && std::fabs(v[1]) <= limit && std::fabs(v[2]) <= limit &&
+         v[3] == 0;
+}
+
+bool is_half_within(const float (&v)[4], double limit) {
+  return is_vector_within(v, limit) && v[0] >= 0 && v[1] >= 0 && v[2] >= 0;
+}
+
+class BoundsCheck {
+ public:
+  BoundsCheck(const NodeBounds& bounds, const Tree& tree)
+      : bounds_(bounds), tree_(tree), reach_(4 * mesh_size(tree.rest_extent)) {}
+
+  /// Each check may rely on what those before it found sound.
+  Problem run() {
+    for (const auto check :
+         {&BoundsCheck::check_nodes, &BoundsCheck::check_joints, &BoundsCheck::check_joint_boxes,
+          &BoundsCheck::check_shapes, &BoundsCheck::check_fits})
+      if (Problem found = (this->*check)(); !found.empty()) return found;
+    return {};
+  }
+
+ private:
+  Problem check_nodes();
+  Problem check_node(std::size_t n);
+  Problem check_joints();
+  Problem check_joint_boxes();
+  Problem check_shapes();
+  Problem check_fits();
+
+  const NodeBounds& bounds_;
+  const Tree& tree_;
+  double reach_;  // nothing of a shape lies further from the origin
+};
+
+/// Every element of every array belongs to one node, as far as their numbers tell: so the work of
+/// evaluating all nodes is in proportion to the arrays.
+Problem BoundsCheck::check_nodes() {
+  if (bounds_.nodes.size() != tree_.nodes.size())
+    return problem("bounds has %zu nodes, but the tree %zu", bounds_.nodes.size(),
+                   tree_.nodes.size());
+  std::size_t joints = 0, boxes = 0, shapes = 0, fits = 0;
+  for (std::size_t n = 0; n < bounds_.nodes.size(); ++n) {
+    if (Problem found = check_node(n); !found.empty()) return found;
+    const NodeBound& bound = bounds_.nodes[n];
+    const bool is_affine = bound.kind == BoundKind::affine;
+    joints += bound.joint_count;
+    (is_affine ? fits : boxes) += bound.joint_count;
+    shapes += is_affine;
+  }
+  if (joints != bounds_.joints.size() || boxes != bounds_.joint_boxes.size() ||
+      shapes != bounds_.shapes.size() || fits != bounds_.fits.size())
+    return problem(
+        "bounds.nodes have %zu joints of %zu, %zu joint_boxes of %zu, %zu shapes of %zu, %zu fits "
+        "of %zu",
+        joints, bounds_.joints.size(), boxes, bounds_.joint_boxes.size(), shapes,
+        bounds_.shapes.size(), fits, bounds_.fits.size());
+  return {};
+}
+
+Problem BoundsCheck::check_node(std::size_t n) {
+  const NodeBound& bound = bounds_.nodes[n];
+  if (bound.kind != BoundKind::joint_boxes && bound.kind != BoundKind::affine)
+    return problem("bounds.nodes[%zu].kind is %u", n, static_cast<unsigned>(bound.kind));
+  if (bound.joint_count == 0) return problem("bounds.nodes[%zu] has no joints", n);
+  const bool is_affine = bound.kind == BoundKind::affine;
+  const std::size_t records = is_affine ? bounds_.fits.size() : bounds_.joint_boxes.size();
+  if (std::size_t{bound.first_joint} + bound.joint_count > bounds_.joints.size() ||
+      std::size_t{bound.first_record} + bound.joint_count > records ||
+      (is_affine && bound.shape >= bounds_.shapes.size()))
+    return problem("bounds.nodes[%zu] reaches beyond the end of an array", n);
+  if (!(bound.margin >= 0 && bound.margin <= kMaxMargin))
+    return problem("bounds.nodes[%zu].margin is %g", n, static_cast<double>(bound.margin));
+  if (is_affine && !stays_finite({bounds_.fits.data() + bound.first_record, bound.joint_count},
+                                 bound.margin, tree_.rest_extent))
+    return problem("bounds.nodes[%zu] can become infinite", n);
+  return {};
+}
+
+Problem BoundsCheck::check_joints() {
+  for (std::size_t i = 0; i < bounds_.joints.size(); ++i)
+    if (bounds_.joints[i] >= tree_.joint_count)
+      return problem("bounds.joints[%zu] is %u, but joint_count is %u", i, bounds_.joints[i],
+                     tree_.joint_count);
+  return {};
+}
+
+Problem BoundsCheck::check_joint_boxes() {
+  for (std::size_t i = 0; i < bounds_.joint_boxes.size(); ++i)
+    if (const JointBox& box = bounds_.joint_boxes[i];
+        !is_vector_within(box.centre, reach_) || !is_half_within(box.half, reach_))
+      return problem("bounds.joint_boxes[%zu] is no box in the mesh", i);
+  return {};
+}
+
+Problem BoundsCheck::check_shapes() {
+  for (std::size_t i = 0; i < bounds_.shapes.size(); ++i)
+    if (const RestShape& shape = bounds_.shapes[i];
+        !is_vector_within(shape.centre, reach_) || !is_half_within(shape.half, reach_) ||
+        !is_vector_within(shape.axes_centre, reach_) || !is_vector_within(shape.axes[0], reach_) ||
+        !is_vector_within(shape.axes[1], reach_) || !is_vector_within(shape.axes[2], reach_))
+      return problem("bounds.shapes[%zu] is no shape in the mesh", i);
+  return {};
+}
+
+/// Their sizes have been judged by stays_finite.
+Problem BoundsCheck::check_fits() {
+  for (std::size_t i = 0; i < bounds_.fits.size(); ++i)
+    if (const JointFit& fit = bounds_.fits[i];
+        !(fit.rest >= 0) || !is_half_within(fit.spread, HUGE_VAL))
+      return problem("bounds.fits[%zu] has a negative half extent", i);
+  return {};
+}
+
+}  // namespace
+
+Problem check_node_bounds(const NodeBounds& bounds, const Tree& tree) {
+  return BoundsCheck(bounds, tree).run();
+}
+
+bool stays_finite(std::span<const JointFit> fits, float margin, float rest_extent) {
+  const double mesh = mesh_size(rest_extent);
+  double q = 0;
+  for (const JointFit& fit : fits)
+    q += std::fabs(double{fit.mean}) + mesh * sum_of_magnitudes(fit.gradient) +
+         std::fabs(double{fit.rest}) +
+         (sum_of_magnitudes(fit.shift) + sum_of_magnitudes(fit.spread)) / mesh;
+  return (1 + q) * (1 + q) <= 0x1p56 * std::min(1.0, mesh) && margin <= kMaxMargin;
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,100 @@
+#include <pelt/prepared.hpp>
+
+#include "model/check_node_bounds.hpp"
+#include "model/check_tree.hpp"
+#include "model/prepared_format.hpp"
+#include "model/problem.hpp"
+
+#include <cstring>
+
+namespace pelt {
+namespace {
+
+using detail::PreparedHeader;
+using detail::Problem;
+using detail::problem;
+
+Error refusal(ErrorCode code, const Problem& found) {
+  return {code, "the prepared model " + found + ": prepare the model again"};
+}
+
+Error malformed(const Problem& found) { return refusal(ErrorCode::malformed_file, found); }
+
+PreparedHeader read_header(std::span<const std::byte> file) {
+  PreparedHeader header;
+  std::memcpy(&header, file.data(), sizeof header);
+  return header;
+}
+
+/// Of another machine or another Pelt.
+Problem find_foreign(const PreparedHeader& header) {
+  if (header.byte_order == detail::kForeignMark)
+    return problem("was prepared on a machine with the other byte order");
+  if (header.version != detail::kPreparedVersion)
+    return problem("was written by version %u of the format, this library reads version %u",
+                   header.version, detail::kPreparedVersion);
+  return {};
+}
+
+/// Each check may rely on those before it.
+Problem find_damage(std::span<const std::byte> file, const PreparedHeader& header) {
+  if (header.byte_order != detail::kByteOrderMark)
+    return problem("has the byte order mark %08x, expected %08x", header.byte_order,
+                   detail::kByteOrderMark);
+  if (header.file_size != file.size())
+    return problem("has %zu bytes, but its header says %llu", file.size(),
+                   static_cast<unsigned long long>(header.file_size));
+  const std::uint64_t sum = detail::checksum_of(file);
+  if (header.checksum != sum)
+    return problem("is damaged: its bytes have the checksum %016llx, but its header says %016llx",
+                   static_cast<unsigned long long>(sum),
+                   static_cast<unsigned long long>(header.checksum));
+  const std::uint64_t needed = detail::file_size_of(header.counts);
+  if (needed != file.size())
+    return problem("has %zu bytes, but its arrays take %llu", file.size(),
+                   static_cast<unsigned long long>(needed));
+  return {};
+}
+
+/// Precondition: find_damage found nothing.
+detail::Model read_model(std::span<const std::byte> file, const PreparedHeader& header) {
+  detail::Model model;
+  model.tree.joint_count = header.joint_count;
+  model.tree.rest_extent = header.rest_extent;
+  model.report = header.report;
+  std::size_t next = 0, end = sizeof header;
+  detail::each_array(model, [&]<typename T>(std::vector<T>& array) {
+    array.resize(header.counts[next++]);
+    const std::size_t begin = detail::next_array(end);
+    end = begin + array.size() * sizeof(T);
+    if (!array.empty()) std::memcpy(array.data(), &file[begin], end - begin);
+  });
+  return model;
+}
+
+}  // namespace
+
+bool is_prepared_model(std::span<const std::byte> file) {
+  const auto& magic = detail::kPreparedMagic;
+  return file.size() >= magic.size() && std::memcmp(file.data(), magic.data(), magic.size()) == 0;
+}
+
+Result<SkinnedModel> load_model(std::span<const std::byte> file) {
+  if (!is_prepared_model(file))
+    return Error{ErrorCode::malformed_file,
+                 "the file is no prepared model: `pelt prepare` and save_model() write them"};
+  if (file.size() < sizeof(PreparedHeader))
+    return malformed(problem("has %zu bytes, less than its header", file.size()));
+  const PreparedHeader header = read_header(file);
+  if (const Problem found = find_foreign(header); !found.empty())
+    return refusal(ErrorCode::unsupported, found);
+  if (const Problem found = find_damage(file, header); !found.empty()) return malformed(found);
+
+  auto model = std::make_shared<detail::Model>(read_model(file, header));
+  Problem found = detail::check_structure(model->tree);
+  if (found.empty()) found = detail::check_node_bounds(model->bounds, model->tree);
+  if (!found.empty()) return malformed("is malformed, " + found);
+  return SkinnedModel(std::move(model));
+}
+
+}  // namespace pelt

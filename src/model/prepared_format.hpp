@@ -1,0 +1,89 @@
+#pragma once
+
+/// The layout of a prepared model in a file: a header, then the arrays of the model as they are in
+/// memory, each from a multiple of 16 on, gaps filled with zeros. docs/prepared-format.md has the
+/// table of fields; whoever changes one of them, or what an array means, raises the version.
+///
+/// Numbers are in the order of the machine that wrote them, which is little-endian wherever Pelt
+/// runs today. A file of the other order is refused, and prepared again where it is needed: that is
+/// simpler than code for swapping that no machine at hand would ever run.
+
+#include "base/checksum.hpp"
+#include "model/model.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+namespace pelt::detail {
+
+/// Not text in any encoding, and changed by whoever takes it for text (as the head of a PNG file).
+inline constexpr std::array<unsigned char, 8> kPreparedMagic = {0x8B, 'P',  'E',  'L',
+                                                                'T',  '\r', '\n', 0x1A};
+inline constexpr std::uint32_t kPreparedVersion = 1;
+inline constexpr std::uint32_t kByteOrderMark = 0x01020304, kForeignMark = 0x04030201;
+inline constexpr std::size_t kPreparedArrays = 15;
+
+struct PreparedHeader {
+  std::array<unsigned char, 8> magic = kPreparedMagic;
+  std::uint32_t version = kPreparedVersion;
+  std::uint32_t byte_order = kByteOrderMark;
+  std::uint64_t file_size = 0;  ///< bytes, this header included
+  std::uint64_t checksum = 0;   ///< of all that follows it
+
+  std::uint32_t joint_count = 0;
+  float rest_extent = 0;
+  BuildReport report;
+  std::array<std::uint32_t, kPreparedArrays> counts = {};  ///< elements of the arrays, in order
+};
+
+static_assert(sizeof(PreparedHeader) == 112 && std::is_trivially_copyable_v<PreparedHeader>);
+
+/// Calls `visit(array)` for each array of a model, in the order of the file.
+template <typename AnyModel, typename Visit>
+void each_array(AnyModel& model, Visit&& visit) {
+  visit(model.tree.rest_positions);
+  visit(model.tree.influence_begin);
+  visit(model.tree.joints);
+  visit(model.tree.weights);
+  visit(model.tree.corners);
+  visit(model.tree.triangle_ids);
+  visit(model.tree.cluster_vertices);
+  visit(model.tree.clusters);
+  visit(model.tree.nodes);
+  visit(model.tree.vertex_places);
+  visit(model.bounds.nodes);
+  visit(model.bounds.joints);
+  visit(model.bounds.joint_boxes);
+  visit(model.bounds.shapes);
+  visit(model.bounds.fits);
+}
+
+// What stands in the arrays, without any byte that is not a value's.
+static_assert(sizeof(Cluster) == 12 && std::has_unique_object_representations_v<Cluster>);
+static_assert(sizeof(Node) == 16 && std::has_unique_object_representations_v<Node>);
+static_assert(sizeof(NodeBound) == 20 && sizeof(JointBox) == 32 && sizeof(RestShape) == 96 &&
+              sizeof(JointFit) == 48);
+
+/// Where the array after one that ends at `end` begins.
+inline std::uint64_t next_array(std::uint64_t end) { return (end + 15) / 16 * 16; }
+
+/// Bytes of a file with these numbers of elements.
+inline std::uint64_t file_size_of(const std::array<std::uint32_t, kPreparedArrays>& counts) {
+  std::uint64_t end = sizeof(PreparedHeader);
+  std::size_t next = 0;
+  const Model model;  // for the types of its arrays
+  each_array(model, [&]<typename T>(const std::vector<T>&) {
+    end = next_array(end) + counts[next++] * std::uint64_t{sizeof(T)};
+  });
+  return end;
+}
+
+/// Precondition: the file is not shorter than its header.
+inline std::uint64_t checksum_of(std::span<const std::byte> file) {
+  return Checksum::of(file.subspan(offsetof(PreparedHeader, joint_count)));
+}
+
+}  // namespace pelt::detail
