@@ -13,7 +13,7 @@ import re
 import sys
 
 FLOORS = ["include/pelt", "src/base", "src/geometry", "src/skin", "paper", "src/model", "src/pose",
-          "src/query", "asset", "scenes", "bench", "tools", "tests"]
+          "src/query", "src/crowd", "asset", "scenes", "bench", "tools", "tests"]
 
 MAY_INCLUDE_PAPER = ("paper", "bench", "tools", "tests")
 MAY_INCLUDE_ONLY = {
@@ -22,7 +22,7 @@ MAY_INCLUDE_ONLY = {
     "examples": {"include/pelt"},
 }
 STANDARD_LIBRARY_ONLY = ("include/pelt", "src/geometry", "src/skin", "src/model", "src/pose",
-                         "src/query", "paper", "examples")
+                         "src/query", "src/crowd", "paper", "examples")
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

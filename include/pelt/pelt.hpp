@@ -5,6 +5,7 @@
 
 #include <pelt/check.hpp>
 #include <pelt/collide.hpp>
+#include <pelt/crowd.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
 #include <pelt/model.hpp>

@@ -20,6 +20,12 @@ std::size_t Arena::capacity() const {
   return bytes;
 }
 
+std::size_t Arena::used() const {
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < block_; ++i) bytes += blocks_[i].size;
+  return bytes - left_;
+}
+
 void Arena::reserve(std::size_t bytes) {
   const std::size_t held = capacity();
   if (bytes > held) add_block(bytes - held);

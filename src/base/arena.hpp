@@ -40,6 +40,9 @@ class Arena {
   /// All memory held, handed out or not.
   std::size_t capacity() const;
 
+  /// Memory handed out since `clear`, with what is lost between the pieces.
+  std::size_t used() const;
+
   /// Makes room so that pieces of `bytes` together need no allocation after the next `clear`.
   void reserve(std::size_t bytes);
 

@@ -6,7 +6,12 @@ namespace pelt::detail {
 
 template <typename T>
 void Stack<T>::grow() {
-  const std::size_t capacity = std::max<std::size_t>(64, 2 * capacity_);
+  reserve(std::max<std::size_t>(64, 2 * capacity_));
+}
+
+template <typename T>
+void Stack<T>::reserve(std::size_t capacity) {
+  if (capacity <= capacity_) return;
   std::unique_ptr<T[]> items(new T[capacity]);
   std::copy_n(items_.get(), size_, items.get());
   items_ = std::move(items);

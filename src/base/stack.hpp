@@ -16,6 +16,7 @@ class Stack {
  public:
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
   void clear() { size_ = 0; }
   void shrink(std::size_t size) { size_ = size < size_ ? size : size_; }
   T* begin() { return items_.get(); }
@@ -28,6 +29,9 @@ class Stack {
 
   /// Precondition: not empty.
   T pop() { return items_[--size_]; }
+
+  /// Makes room for that many items in all.
+  void reserve(std::size_t capacity);
 
  private:
   void grow();

@@ -12,6 +12,7 @@
 namespace pelt::detail {
 
 struct WideCode {
+  RootBox (*instance_box)(const NodeBounds& bounds, const Palette& palette);
   void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
   QueryStats (*open_all)(const PosedTree& posed);
   QueryStats (*open_all_exactly)(const PosedTree& posed);

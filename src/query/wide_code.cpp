@@ -2,6 +2,7 @@
 
 #include "pose/wide_code.hpp"
 
+#include "pose/instance_box.hpp"
 #include "pose/open_fully.hpp"
 #include "pose/open_node.hpp"
 #include "query/pair_traversal.hpp"
@@ -11,7 +12,8 @@ inline namespace PELT_TARGET {
 
 extern const WideCode kWideCode;
 
-const WideCode kWideCode = {pose_vertices, open_all, open_all_exactly, open_fully, collide_trees};
+const WideCode kWideCode = {instance_box,     pose_vertices, open_all,
+                            open_all_exactly, open_fully,    collide_trees};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

@@ -1,0 +1,71 @@
+#include "base/workers.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+namespace pelt::detail {
+
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+
+Workers::~Workers() = default;
+void Workers::run(std::uint32_t, const Job& job) { job(0); }
+std::uint32_t Workers::available() { return 1; }
+
+#else
+
+Workers::~Workers() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+  }
+  has_job_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void Workers::run(std::uint32_t count, const Job& job) {
+  if (count > 1) start(count);
+  count = std::min(count, static_cast<std::uint32_t>(threads_.size()) + 1);
+  if (count <= 1) return job(0);
+  {
+    const std::lock_guard lock(mutex_);
+    job_ = &job;
+    ++job_number_;
+    called_ = count;
+    running_ = count - 1;
+  }
+  has_job_.notify_all();
+  job(0);
+  std::unique_lock lock(mutex_);
+  is_done_.wait(lock, [&] { return running_ == 0; });
+}
+
+std::uint32_t Workers::available() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+/// A system that has no more threads to give says so by an exception.
+void Workers::start(std::uint32_t count) {
+  try {
+    while (threads_.size() + 1 < count) {
+      const auto worker = static_cast<std::uint32_t>(threads_.size()) + 1;
+      threads_.emplace_back([this, worker] { wait_for_jobs(worker); });
+    }
+  } catch (const std::system_error&) {
+  }
+}
+
+void Workers::wait_for_jobs(std::uint32_t worker) {
+  std::unique_lock lock(mutex_);
+  for (std::uint64_t done = 0;;) {
+    has_job_.wait(lock, [&] { return is_ending_ || (job_number_ != done && worker < called_); });
+    if (is_ending_) return;
+    done = job_number_;
+    const Job& job = *job_;
+    lock.unlock();
+    job(worker);
+    lock.lock();
+    if (--running_ == 0) is_done_.notify_one();
+  }
+}
+
+#endif
+
+}  // namespace pelt::detail

@@ -1,0 +1,68 @@
+#include <pelt/crowd.hpp>
+
+#include "crowd/crowd_query.hpp"
+#include "crowd/instances.hpp"
+
+namespace pelt {
+namespace detail {
+
+struct Crowd {
+  CrowdInstances instances;
+  CrowdQuery query;
+};
+
+}  // namespace detail
+
+Crowd::Crowd() : crowd_(std::make_unique<detail::Crowd>()) {}
+Crowd::Crowd(Crowd&&) noexcept = default;
+Crowd& Crowd::operator=(Crowd&&) noexcept = default;
+Crowd::~Crowd() = default;
+
+std::uint32_t Crowd::add(const SkinnedModel& model, const CrowdGroups& groups) {
+  return crowd_->instances.add(model, groups);
+}
+
+void Crowd::remove(std::uint32_t instance) {
+  crowd_->query.forget(instance);
+  crowd_->instances.remove(instance);
+}
+
+std::uint32_t Crowd::size() const { return crowd_->instances.count(); }
+
+const SkinnedModel& Crowd::model(std::uint32_t instance) const {
+  return crowd_->instances[instance].model;
+}
+
+void Crowd::set_groups(std::uint32_t instance, const CrowdGroups& groups) {
+  crowd_->instances[instance].groups = groups;
+}
+
+Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const Matrix4> palette) {
+  return set_palette(instance,
+                     {palette.empty() ? nullptr : palette[0].m.data(), palette.size() * 16});
+}
+
+Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const float> palette) {
+  return crowd_->instances.set_palette(instance, palette);
+}
+
+CrowdStats Crowd::collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options) {
+  const CrowdStats stats = crowd_->query.run(crowd_->instances, options, options.max_contacts);
+  for (const auto& [instances, touching] : crowd_->query.touching())
+    for (const Contact& contact : touching)
+      contacts.push_back(
+          {instances.instance_a, instances.instance_b, contact.triangle_a, contact.triangle_b});
+  return stats;
+}
+
+CrowdStats Crowd::touching(std::vector<CrowdPair>& pairs, const CrowdOptions& options) {
+  CrowdStats stats = crowd_->query.run(crowd_->instances, options, 1);
+  for (const detail::TouchingPair& touching : crowd_->query.touching())
+    pairs.push_back(touching.instances);
+  stats.work.cut_short = false;
+  return stats;
+}
+
+std::size_t Crowd::memory() const { return crowd_->instances.memory() + crowd_->query.memory(); }
+
+}  // namespace pelt

@@ -1,0 +1,56 @@
+#include "crowd/instances.hpp"
+
+#include "base/assert.hpp"
+#include "pose/wide_code.hpp"
+
+namespace pelt::detail {
+namespace {
+
+void take_box(CrowdInstance& instance) {
+  instance.box = wide_code().instance_box(instance.model.detail().bounds, instance.palette);
+  instance.has_moved = true;
+}
+
+}  // namespace
+
+std::uint32_t CrowdInstances::add(const SkinnedModel& model, const CrowdGroups& groups) {
+  if (free_.empty()) {
+    free_.push_back(end());
+    slots_.emplace_back();
+  }
+  const std::uint32_t number = free_.back();
+  free_.pop_back();
+  take_box(slots_[number].emplace(model, groups));
+  ++count_;
+  return number;
+}
+
+void CrowdInstances::remove(std::uint32_t number) {
+  PELT_ASSERT(number < end() && has(number));
+  slots_[number].reset();
+  free_.push_back(number);
+  --count_;
+}
+
+CrowdInstance& CrowdInstances::operator[](std::uint32_t number) {
+  PELT_ASSERT(number < end() && has(number));
+  return *slots_[number];
+}
+
+/// The box is taken at once because the palette is in the caches now, and because that is done by
+/// as many threads as the caller sets palettes on.
+Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const float> palette) {
+  CrowdInstance& instance = (*this)[number];
+  Result<void> taken = instance.palette.set(palette);
+  if (taken) take_box(instance);
+  return taken;
+}
+
+std::size_t CrowdInstances::memory() const {
+  std::size_t bytes = slots_.capacity() * sizeof(slots_[0]) + free_.capacity() * sizeof(free_[0]);
+  for (const std::optional<CrowdInstance>& slot : slots_)
+    if (slot) bytes += slot->palette.joints().size_bytes();
+  return bytes;
+}
+
+}  // namespace pelt::detail

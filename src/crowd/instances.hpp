@@ -1,0 +1,63 @@
+#pragma once
+
+#include <pelt/crowd.hpp>
+
+#include "model/model.hpp"
+#include "pose/posed_tree.hpp"
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace pelt::detail {
+
+struct CrowdInstance {
+  CrowdInstance(SkinnedModel m, const CrowdGroups& g)
+      : model(std::move(m)),
+        groups(g),
+        palette(model.detail().tree.joint_count, model.detail().tree.rest_extent) {}
+
+  /// As the thread sees it whose arena this is.
+  PosedTree posed_tree(Arena& arena) {
+    return {model.detail().tree, model.detail().bounds, palette, opened, arena};
+  }
+
+  SkinnedModel model;
+  CrowdGroups groups;
+  Palette palette;
+  RootBox box;            // of the palette
+  bool has_moved = true;  // since the last query
+  bool may_open = false;  // a query of this frame got near it, and `opened` has room
+  OpenedNodes opened;
+};
+
+/// The instances of a crowd by their numbers, of which some may be free.
+class CrowdInstances {
+ public:
+  std::uint32_t add(const SkinnedModel& model, const CrowdGroups& groups);
+  void remove(std::uint32_t number);
+
+  /// Those that there are.
+  std::uint32_t count() const { return count_; }
+
+  /// One more than the highest number that was ever given.
+  std::uint32_t end() const { return static_cast<std::uint32_t>(slots_.size()); }
+
+  bool has(std::uint32_t number) const { return slots_[number].has_value(); }
+
+  /// Precondition: the crowd has that instance.
+  CrowdInstance& operator[](std::uint32_t number);
+
+  /// Several threads may do so for different instances.
+  Result<void> set_palette(std::uint32_t number, std::span<const float> palette);
+
+  std::size_t memory() const;
+
+ private:
+  std::vector<std::optional<CrowdInstance>> slots_;
+  std::vector<std::uint32_t> free_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace pelt::detail
