@@ -1,0 +1,157 @@
+#include "model/check_node_bounds.hpp"
+
+#include "model/model.hpp"
+#include "model/node_box.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pelt::detail {
+namespace {
+
+using test::Motion;
+using test::Random;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+Model sound_model() { return build_model(test::make_limb(40, 12, 5).view())->detail(); }
+
+NodeBound& first_of(NodeBounds& bounds, BoundKind kind) {
+  return *std::find_if(bounds.nodes.begin(), bounds.nodes.end(),
+                       [=](const NodeBound& bound) { return bound.kind == kind; });
+}
+
+struct Breach {
+  const char* words;  ///< of the message
+  void (*commit)(NodeBounds&);
+};
+
+const Breach kBreaches[] = {
+    {"but the tree", [](NodeBounds& b) { b.nodes.pop_back(); }},
+    {"kind is 2", [](NodeBounds& b) { b.nodes[1].kind = static_cast<BoundKind>(2); }},
+    {"has no joints", [](NodeBounds& b) { b.nodes[1].joint_count = 0; }},
+    {"beyond the end", [](NodeBounds& b) { b.nodes[1].joint_count = 0xFFFF; }},
+    {"beyond the end", [](NodeBounds& b) { b.nodes[1].first_joint = 0xFFFFFFFF; }},
+    {"beyond the end", [](NodeBounds& b) { b.nodes[1].first_record = 0xFFFFFFFF; }},
+    {"beyond the end",
+     [](NodeBounds& b) {
+       first_of(b, BoundKind::affine).shape = static_cast<std::uint32_t>(b.shapes.size());
+     }},
+    {"margin is nan", [](NodeBounds& b) { b.nodes[1].margin = kNan; }},
+    {"margin is -1", [](NodeBounds& b) { b.nodes[1].margin = -1; }},
+    {"margin is 1e+30", [](NodeBounds& b) { b.nodes[1].margin = 1e30f; }},
+    {"joints of", [](NodeBounds& b) { b.joints.push_back(0); }},
+    {"joints of",  // nodes that share their joints would multiply the work
+     [](NodeBounds& b) { b.nodes.front() = b.nodes.back(); }},
+    {"joint_boxes of", [](NodeBounds& b) { b.joint_boxes.push_back({}); }},
+    {"shapes of", [](NodeBounds& b) { b.shapes.push_back({}); }},
+    {"fits of", [](NodeBounds& b) { b.fits.push_back({}); }},
+
+    {"joints[0] is 5, but joint_count is 5", [](NodeBounds& b) { b.joints[0] = 5; }},
+    {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].centre[1] = kNan; }},
+    {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].centre[0] = 1e9f; }},
+    {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].centre[3] = 1; }},
+    {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].half[2] = -0.1f; }},
+    {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].half[2] = HUGE_VALF; }},
+    {"shapes[0] is no shape", [](NodeBounds& b) { b.shapes[0].centre[0] = kNan; }},
+    {"shapes[0] is no shape", [](NodeBounds& b) { b.shapes[0].half[0] = -1; }},
+    {"shapes[0] is no shape", [](NodeBounds& b) { b.shapes[0].axes_centre[1] = 1e9f; }},
+    {"shapes[0] is no shape", [](NodeBounds& b) { b.shapes[0].axes[2][2] = kNan; }},
+    {"fits[0] has a negative half extent", [](NodeBounds& b) { b.fits[0].rest = -0.1f; }},
+    {"fits[0] has a negative half extent", [](NodeBounds& b) { b.fits[0].spread[1] = -0.1f; }},
+    {"fits[0] has a negative half extent", [](NodeBounds& b) { b.fits[0].spread[3] = 1; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].mean = kNan; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].mean = 1e9f; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].gradient[1] = -HUGE_VALF; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].rest = 1e30f; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].shift[2] = kNan; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].spread[0] = 3e38f; }},
+    {"can become infinite",
+     [](NodeBounds& b) { b.fits[0].shift[0] = 1e30f, b.fits[0].spread[0] = -1e30f; }},
+};
+
+TEST(CheckNodeBounds, FindsNothingInSoundBounds) {
+  Random random(303);
+  int affine = 0;
+  for (const auto weights : {test::Weights::one_joint, test::Weights::adversarial})
+    for (const double scale : {1e-30, 1e-18, 1e-3, 1.0, 1e6, 1e15}) {
+      test::Shape shape = test::make_soup(random, 200, 6, 4, weights);
+      const test::Shape limb = test::make_limb(20, 8, 3);
+      if (random.chance(0.5)) shape = limb;
+      for (Vec3& p : shape.rest_positions) {
+        const auto s = static_cast<float>(scale);
+        p = {p.x * s, p.y * s, p.z * s};
+      }
+      const SkinnedModel model = *build_model(shape.view());
+      EXPECT_EQ(check_node_bounds(model.detail().bounds, model.detail().tree), "") << scale;
+      affine += !model.detail().bounds.fits.empty();
+    }
+  EXPECT_GT(affine, 2);
+}
+
+TEST(CheckNodeBounds, FindsEveryBreach) {
+  const Model sound = sound_model();
+  ASSERT_FALSE(sound.bounds.fits.empty());
+  ASSERT_FALSE(sound.bounds.joint_boxes.empty());
+  for (const Breach& breach : kBreaches) {
+    NodeBounds bounds = sound.bounds;
+    breach.commit(bounds);
+    const Problem found = check_node_bounds(bounds, sound.tree);
+    EXPECT_NE(found.find(breach.words), std::string::npos)
+        << "expected: " << breach.words << "\nfound:    " << found;
+  }
+}
+
+bool is_finite(const Box4& box) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(box.low[axis]) || !std::isfinite(box.high[axis])) return false;
+  return true;
+}
+
+/// Palettes of the largest elements that Palette takes, on bounds of random numbers at the limits.
+TEST(CheckNodeBounds, WhatPassesIsFiniteOnEveryPalette) {
+  Random random(304);
+  const Model sound = sound_model();
+  int passed = 0, affine = 0;
+  for (int round = 0; round < 4000; ++round) {
+    Model model = sound;
+    const double scale = std::ldexp(1.0, static_cast<int>(random.index(110)) - 50);
+    model.tree.rest_extent = static_cast<float>(scale);
+    for (JointBox& box : model.bounds.joint_boxes) box = {};
+    for (RestShape& shape : model.bounds.shapes) {
+      shape = {};
+      for (float* v : {shape.centre, shape.half, shape.axes_centre, shape.axes[0]})
+        std::fill_n(v, 3, static_cast<float>(4 * scale));
+    }
+    const double q = std::ldexp(1.0, static_cast<int>(random.index(32)));
+    for (JointFit& fit : model.bounds.fits) {
+      const auto size = [&](double unit) { return static_cast<float>(unit * q * random.unit()); };
+      fit = {};
+      fit.mean = size(1), fit.gradient[0] = -size(1 / scale), fit.rest = size(1);
+      fit.shift[1] = size(scale), fit.spread[2] = size(scale);
+    }
+    if (!check_node_bounds(model.bounds, model.tree).empty()) continue;
+    ++passed;
+    Palette palette(model.tree.joint_count, model.tree.rest_extent);
+    std::vector<Matrix4> joints(model.tree.joint_count);
+    for (Matrix4& joint : joints) {
+      for (const int e : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+        joint.m[e] = (random.chance(0.5) ? 1 : -1) * static_cast<float>(0x1.FFp58 / scale);
+      joint.m[12] = joint.m[13] = joint.m[14] = 0x1p59f;
+    }
+    ASSERT_TRUE(palette.set({joints[0].m.data(), 16 * joints.size()}));
+    for (std::uint32_t n = 0; n < model.bounds.nodes.size(); ++n) {
+      ASSERT_TRUE(is_finite(node_box(model.bounds, n, palette))) << "round " << round;
+      affine += model.bounds.nodes[n].kind == BoundKind::affine;
+    }
+  }
+  EXPECT_GT(passed, 300);
+  EXPECT_GT(affine, 300);
+}
+
+}  // namespace
+}  // namespace pelt::detail

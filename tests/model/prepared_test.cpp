@@ -1,0 +1,184 @@
+#include <pelt/prepared.hpp>
+
+#include "support/prepared_file.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <pelt/pelt.hpp>
+#include <pelt/target.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace pelt {
+namespace {
+
+using test::Bytes;
+using test::Motion;
+using test::Random;
+using test::Shape;
+using test::Weights;
+
+SkinnedModel limb() { return *build_model(test::make_limb(40, 12, 5).view()); }
+
+std::string refusal_of(const Bytes& file) {
+  const Result<SkinnedModel> model = load_model(file);
+  return model ? "accepted" : model.error().message;
+}
+
+void expect_words(const Bytes& file, const char* words) {
+  EXPECT_NE(refusal_of(file).find(words), std::string::npos)
+      << "expected: " << words << "\nfound:    " << refusal_of(file);
+}
+
+/// What two poses answer, and the work of it.
+auto answers(Pose& a, Pose& b) {
+  Scratch scratch;
+  std::vector<Contact> contacts;
+  const QueryStats work = collide(a, b, scratch, contacts);
+  std::vector<Vec3> posed(a.model().vertex_count());
+  posed_vertices(a, posed);
+  return std::tuple(contacts, posed, work.node_pairs, work.refits, work.posed_vertices,
+                    work.triangle_pairs);
+}
+
+void expect_equal_answers(const Shape& shape, Motion motion, Random& random, int& touching) {
+  const SkinnedModel built = *build_model(shape.view());
+  const Result<SkinnedModel> loaded = load_model(save_model(built));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  Pose a(built), b(built), loaded_a(*loaded), loaded_b(*loaded);
+  for (int round = 0; round < 5; ++round) {
+    const auto palette_a = test::make_palette(random, shape.joint_count, motion, 0.5);
+    const auto palette_b = test::make_palette(random, shape.joint_count, motion, 0.5);
+    for (Pose* pose : {&a, &loaded_a}) ASSERT_TRUE(pose->set_palette(palette_a));
+    for (Pose* pose : {&b, &loaded_b}) ASSERT_TRUE(pose->set_palette(palette_b));
+    const auto expected = answers(a, b);
+    EXPECT_EQ(answers(loaded_a, loaded_b), expected);
+    touching += !std::get<0>(expected).empty();
+  }
+}
+
+TEST(Prepared, AnswersAsTheModelThatWasBuilt) {
+  const Target before = active_target();
+  Random random(300);
+  int touching = 0;
+  for (const Target target : available_targets()) {
+    set_active_target(target);
+    for (const Motion motion : {Motion::rigid, Motion::affine, Motion::far_away}) {
+      expect_equal_answers(test::make_limb(40, 12, 5), motion, random, touching);
+      expect_equal_answers(test::make_soup(random, 300, 7, 4, Weights::random), motion, random,
+                           touching);
+      expect_equal_answers(test::make_soup(random, 1, 1, 1, Weights::one_joint), motion, random,
+                           touching);
+    }
+  }
+  set_active_target(before);
+  EXPECT_GT(touching, 20);
+}
+
+TEST(Prepared, KeepsTheReport) {
+  Shape shape = test::make_limb(5, 4, 2);
+  shape.triangles.push_back({3, 3, 4});
+  const SkinnedModel loaded = *load_model(save_model(*build_model(shape.view())));
+  EXPECT_EQ(loaded.report().degenerate_triangles, 1u);
+  EXPECT_EQ(loaded.vertex_count(), shape.rest_positions.size());
+  EXPECT_EQ(loaded.triangle_count(), shape.triangles.size());
+  EXPECT_EQ(loaded.joint_count(), 2u);
+}
+
+TEST(Prepared, TheSameModelGivesTheSameBytes) {
+  const Bytes file = save_model(limb());
+  EXPECT_EQ(save_model(limb()), file);
+  EXPECT_EQ(save_model(*load_model(file)), file);
+}
+
+/// The bytes may lie anywhere, as in a file mapped into memory.
+TEST(Prepared, LoadsFromOddAddresses) {
+  Bytes file = save_model(limb());
+  file.insert(file.begin(), std::byte{0});
+  EXPECT_TRUE(load_model(std::span(file).subspan(1)));
+}
+
+struct Forgery {
+  const char* words;  ///< of the message
+  void (*commit)(detail::PreparedHeader&);
+};
+
+const Forgery kForgeries[] = {
+    {"is no prepared model", [](detail::PreparedHeader& h) { h.magic[0] = 'P'; }},
+    {"is no prepared model", [](detail::PreparedHeader& h) { h.magic[7] = 0; }},
+    {"written by version 3 of the format, this library reads version 1: prepare the model again",
+     [](detail::PreparedHeader& h) { h.version = 3; }},
+    {"version 0 of the format", [](detail::PreparedHeader& h) { h.version = 0; }},
+    {"the other byte order", [](detail::PreparedHeader& h) { h.byte_order = 0x04030201; }},
+    {"byte order mark 01020305", [](detail::PreparedHeader& h) { ++h.byte_order; }},
+    {"but its header says 1", [](detail::PreparedHeader& h) { h.file_size = 1; }},
+    {"but its header says 18446744073709551615",
+     [](detail::PreparedHeader& h) { h.file_size = UINT64_MAX; }},
+    {"is damaged", [](detail::PreparedHeader& h) { ++h.checksum; }},
+    {"is damaged", [](detail::PreparedHeader& h) { ++h.joint_count; }},
+};
+
+TEST(Prepared, NamesWhatIsWrongWithTheHeader) {
+  for (const Forgery& forgery : kForgeries) {
+    Bytes file = save_model(limb());
+    detail::PreparedHeader header = test::header_of(file);
+    forgery.commit(header);
+    test::put_header(header, file);
+    expect_words(file, forgery.words);
+  }
+}
+
+const Forgery kMendedForgeries[] = {
+    {"joint_count is 0", [](detail::PreparedHeader& h) { h.joint_count = 0; }},
+    {"joint_count is 65537", [](detail::PreparedHeader& h) { h.joint_count = 65537; }},
+    {"but joint_count is 1", [](detail::PreparedHeader& h) { h.joint_count = 1; }},
+    {"rest_extent is 0", [](detail::PreparedHeader& h) { h.rest_extent = 0; }},
+    {"rest_extent is inf", [](detail::PreparedHeader& h) { h.rest_extent = HUGE_VALF; }},
+    {"its arrays take", [](detail::PreparedHeader& h) { h.counts[0] = UINT32_MAX; }},
+    {"its arrays take", [](detail::PreparedHeader& h) { h.counts.fill(UINT32_MAX); }},
+    {"its arrays take", [](detail::PreparedHeader& h) { h.counts[14] -= 1; }},
+};
+
+TEST(Prepared, NamesWhatAForgerHasDoneToTheHeader) {
+  for (const Forgery& forgery : kMendedForgeries) {
+    Bytes file = save_model(limb());
+    detail::PreparedHeader header = test::header_of(file);
+    forgery.commit(header);
+    test::put_header(header, file);
+    test::mend(file);
+    expect_words(file, forgery.words);
+  }
+}
+
+TEST(Prepared, TellsOtherVersionsFromDamage) {
+  Bytes file = save_model(limb());
+  detail::PreparedHeader header = test::header_of(file);
+  header.version = 2;
+  test::put_header(header, file);
+  EXPECT_EQ(load_model(file).error().code, ErrorCode::unsupported);
+  file = save_model(limb());
+  file.back() ^= std::byte{1};
+  EXPECT_EQ(load_model(file).error().code, ErrorCode::malformed_file);
+}
+
+TEST(Prepared, NamesTheArrayAndTheIndex) {
+  const SkinnedModel model = limb();
+  Bytes file = save_model(model);
+  const std::size_t triangle_ids = test::array_places(model.detail())[5];
+  file[triangle_ids + 4 * 7 + 3] = std::byte{0xFF};
+  test::mend(file);
+  expect_words(file, "the prepared model is malformed, triangle_ids[7] is 42");
+}
+
+TEST(Prepared, KnowsItsFilesByTheirBegin) {
+  const Bytes file = save_model(limb());
+  EXPECT_TRUE(is_prepared_model(file));
+  EXPECT_TRUE(is_prepared_model(std::span(file).first(8)));
+  EXPECT_FALSE(is_prepared_model(std::span(file).first(7)));
+  EXPECT_FALSE(is_prepared_model({}));
+}
+
+}  // namespace
+}  // namespace pelt

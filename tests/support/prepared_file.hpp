@@ -1,0 +1,48 @@
+#pragma once
+
+/// Prepared models, broken on purpose.
+
+#include "model/prepared_format.hpp"
+
+#include <pelt/prepared.hpp>
+
+#include <cstring>
+#include <vector>
+
+namespace pelt::test {
+
+using Bytes = std::vector<std::byte>;
+
+inline detail::PreparedHeader header_of(const Bytes& file) {
+  detail::PreparedHeader header;
+  std::memcpy(&header, file.data(), sizeof header);
+  return header;
+}
+
+inline void put_header(const detail::PreparedHeader& header, Bytes& file) {
+  std::memcpy(file.data(), &header, sizeof header);
+}
+
+/// Makes checksum and size right again, as a forger would. Nothing for what is shorter than the
+/// header.
+inline void mend(Bytes& file) {
+  if (file.size() < sizeof(detail::PreparedHeader)) return;
+  detail::PreparedHeader header = header_of(file);
+  header.file_size = file.size();
+  header.checksum = detail::checksum_of(file);
+  put_header(header, file);
+}
+
+/// Where the bytes of each array of `model` begin in its file, and those past the last end.
+inline std::vector<std::size_t> array_places(const detail::Model& model) {
+  std::vector<std::size_t> places;
+  std::size_t end = sizeof(detail::PreparedHeader);
+  detail::each_array(model, [&]<typename T>(const std::vector<T>& array) {
+    places.push_back(detail::next_array(end));
+    end = places.back() + array.size() * sizeof(T);
+  });
+  places.push_back(end);
+  return places;
+}
+
+}  // namespace pelt::test

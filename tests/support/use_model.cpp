@@ -1,0 +1,54 @@
+#include "support/use_model.hpp"
+
+#include <pelt/check.hpp>
+#include <pelt/pelt.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace pelt::test {
+namespace {
+
+/// Not by GoogleTest, so that fuzzers can use it.
+void require(bool condition, const char* words) {
+  if (condition) return;
+  std::fputs(words, stderr);
+  std::abort();
+}
+
+/// The joints at even places stay, the others go a little way.
+std::vector<Matrix4> spread_palette(const SkinnedModel& model, float step) {
+  std::vector<Matrix4> palette(model.joint_count());
+  for (std::size_t j = 1; j < palette.size(); j += 2) palette[j].m[12] = step;
+  return palette;
+}
+
+void require_finite(const Pose& pose) {
+  std::vector<Vec3> positions(pose.model().vertex_count());
+  posed_vertices(pose, positions);
+  for (const Vec3& p : positions)
+    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "not finite\n");
+}
+
+}  // namespace
+
+bool use_model(const SkinnedModel& model) {
+  Pose a(model), b(model);
+  if (!a.set_palette(spread_palette(model, 0.1f))) return false;
+  if (!b.set_palette(spread_palette(model, -0.2f))) return false;
+  require_finite(a);
+  require_finite(b);
+  static_cast<void>(check_bounds(a));  // opens every node; forged bounds may well be wrong
+  Scratch scratch;
+  std::vector<Contact> contacts;
+  collide(a, b, scratch, contacts, {.max_contacts = 100'000});
+  for (const Contact& contact : contacts)
+    require(
+        contact.triangle_a < model.triangle_count() && contact.triangle_b < model.triangle_count(),
+        "no such triangle\n");
+  return true;
+}
+
+}  // namespace pelt::test
