@@ -19,7 +19,7 @@ extern template class Stack<Contact>;
 /// Memory lent to queries; every user clears what it takes.
 struct Scratch {
   Stack<SlotPair> slot_pairs;
-  Stack<Contact> found;
+  Stack<Contact> found, sorting;
 };
 
 }  // namespace pelt::detail

@@ -1,6 +1,7 @@
 #include "crowd/crowd_query.hpp"
 
 #include "pose/wide_code.hpp"
+#include "query/sort_contacts.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -109,7 +110,7 @@ void CrowdQuery::collide_pair(CrowdInstances& instances, const CrowdPair& pair, 
   worker.work += wide_code().collide_trees(a, b, worker.scratch, max_contacts);
   Stack<Contact>& found = worker.scratch.found;
   if (found.empty()) return;
-  std::sort(found.begin(), found.end());
+  sort_contacts(found, worker.scratch.sorting);
   auto* kept = reinterpret_cast<Contact*>(worker.contacts.allocate(found.size() * sizeof(Contact)));
   std::uninitialized_copy(found.begin(), found.end(), kept);
   worker.touching.push_back({pair, {kept, found.size()}});

@@ -7,63 +7,88 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// Poses the vertex at `place` of the pools, which has `count` influences.
-inline Float4 posed_place(const Tree& tree, const Matrix4* palette, std::uint32_t place,
-                          std::uint32_t count) {
-  const std::uint32_t begin = tree.influence_begin[place];
-  const std::uint16_t* joints = tree.joints.data() + begin;
-  const float* weights = tree.weights.data() + begin;
-  return posed_vertex4(
-      tree.rest_positions[place], count,
-      [=](std::uint32_t i) { return Influence{joints[i], weights[i]}; }, palette);
-}
+/// Where the tree's vertices lie, in plain pointers: the compiler would else load those of the
+/// vectors again after each store.
+struct Places {
+  explicit Places(const Tree& tree)
+      : rest(tree.rest_positions.data()),
+        influence_begin(tree.influence_begin.data()),
+        joints(tree.joints.data()),
+        weights(tree.weights.data()) {}
 
-/// Poses the pool's vertices from `place` on as long as they have kCount influences, and returns the
-/// place behind them: a loop over influences whose length is known needs no branch.
-template <std::uint32_t kCount>
-std::uint32_t pose_run(const Tree& tree, const Matrix4* palette, std::uint32_t place,
-                       std::uint32_t end, float*& out) {
-  while (place < end && tree.influence_begin[place + 1] - tree.influence_begin[place] == kCount) {
-    store4(out, posed_place(tree, palette, place++, kCount));
-    out += 4;
+  std::uint32_t influence_count(std::uint32_t place) const {
+    return influence_begin[place + 1] - influence_begin[place];
   }
+
+  /// Poses the vertex at `place`, which has `count` influences.
+  [[gnu::always_inline]] Float4 pose(std::uint32_t place, std::uint32_t count,
+                                     const Matrix4* palette) const {
+    const std::uint32_t begin = influence_begin[place];
+    const std::uint16_t* joint = joints + begin;
+    const float* weight = weights + begin;
+    return posed_vertex4(
+        rest[place], count,
+        [=](std::uint32_t i) {
+          return Influence{joint[i], weight[i]};
+        },
+        palette);
+  }
+
+  const Vec3* rest;
+  const std::uint32_t* influence_begin;
+  const std::uint16_t* joints;
+  const float* weights;
+};
+
+/// Poses the vertices from `place` on as long as they have kCount influences, and returns the place
+/// behind them: a loop over influences whose length is known needs no branch.
+template <std::uint32_t kCount>
+std::uint32_t pose_run(const Places& places, const Matrix4* palette, std::uint32_t place,
+                       std::uint32_t end, float*& out) {
+  for (; place < end && places.influence_count(place) == kCount; ++place, out += 4)
+    store4(out, places.pose(place, kCount, palette));
   return place;
 }
 
-/// Pools are sorted by the number of influences.
-void pose_places(const Tree& tree, const Matrix4* palette, std::uint32_t place, std::uint32_t end,
-                 float* out) {
-  place = pose_run<1>(tree, palette, place, end, out);
-  place = pose_run<2>(tree, palette, place, end, out);
-  place = pose_run<3>(tree, palette, place, end, out);
-  place = pose_run<4>(tree, palette, place, end, out);
+/// Poses a pool; pools are sorted by the number of influences.
+void pose_pool(const Tree& tree, const Matrix4* palette, std::uint32_t place, std::uint32_t end,
+               float* out) {
+  const Places places(tree);
+  place = pose_run<1>(places, palette, place, end, out);
+  place = pose_run<2>(places, palette, place, end, out);
+  place = pose_run<3>(places, palette, place, end, out);
+  place = pose_run<4>(places, palette, place, end, out);
   for (; place < end; ++place, out += 4)
-    store4(out, posed_place(tree, palette, place,
-                            tree.influence_begin[place + 1] - tree.influence_begin[place]));
+    store4(out, places.pose(place, places.influence_count(place), palette));
 }
 
 /// An unpublished node with its pool posed.
-OpenedNode* pose_pool(const PosedTree& posed, const Node& node) {
+OpenedNode* begin_node(const PosedTree& posed, const Node& node) {
   OpenedNode* opened = posed.arena.allocate<OpenedNode>();
   auto* positions =
       reinterpret_cast<float*>(posed.arena.allocate(node.vertex_count * sizeof(Float4)));
-  pose_places(posed.tree, posed.palette.joints().data(), node.first_vertex,
-              node.first_vertex + node.vertex_count, positions);
+  pose_pool(posed.tree, posed.palette.joints().data(), node.first_vertex,
+            node.first_vertex + node.vertex_count, positions);
   opened->positions = positions;
   return opened;
 }
 
 Box4 empty_box() { return {Float4(HUGE_VALF), Float4(-HUGE_VALF)}; }
 
+/// By fours: a loop that is left after two, three or four rounds is easier to predict than one
+/// after nine to thirteen. The last vertex may count several times.
 Box4 cluster_box(const Tree& tree, const Cluster& cluster, const float* positions) {
   const std::uint16_t* vertex = tree.cluster_vertices.data() + cluster.first_vertex;
-  Float4 low = load4(positions + 4 * vertex[0]), high = low;
-  for (std::uint32_t i = 1; i < cluster.vertex_count; ++i) {
-    const Float4 position = load4(positions + 4 * vertex[i]);
-    low = min(low, position);
-    high = max(high, position);
+  const std::uint32_t last = cluster.vertex_count - 1u;
+  const auto position = [&](std::uint32_t i) {
+    return load4(positions + 4 * vertex[i < last ? i : last]);
+  };
+  Box4 box = {position(0), position(0)};
+  for (std::uint32_t i = 0; i <= last; i += 4) {
+    const Float4 a = position(i), b = position(i + 1), c = position(i + 2), d = position(i + 3);
+    box = unite(box, {min(min(a, b), min(c, d)), max(max(a, b), max(c, d))});
   }
-  return {low, high};
+  return box;
 }
 
 void store_lanes(float (*rows)[kMaxSlots], const Points8& lanes) {
@@ -114,7 +139,7 @@ const RootBox& root_box(const PosedTree& posed, QueryStats& work) {
 const OpenedNode& open_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
   if (const OpenedNode* known = posed.opened[index]) return *known;
   const Node& node = posed.tree.nodes[index];
-  OpenedNode* opened = pose_pool(posed, node);
+  OpenedNode* opened = begin_node(posed, node);
   box_slots(posed.tree, node, *opened,
             [&](std::uint32_t child) { return node_box(posed.bounds, child, posed.palette); });
   const OpenedNode* first = posed.opened.publish(index, opened);
@@ -159,7 +184,7 @@ QueryStats open_all_exactly(const PosedTree& posed) {
   QueryStats work;
   for (auto index = static_cast<std::uint32_t>(posed.tree.nodes.size()); index-- > 0;) {
     const Node& node = posed.tree.nodes[index];
-    OpenedNode* opened = pose_pool(posed, node);
+    OpenedNode* opened = begin_node(posed, node);
     box_slots(posed.tree, node, *opened, [&](std::uint32_t child) {
       const OpenedNode& below = *posed.opened[child];
       return Box4{load4(below.all_low), load4(below.all_high)};
@@ -172,10 +197,11 @@ QueryStats open_all_exactly(const PosedTree& posed) {
 }
 
 void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out) {
+  const Places places(tree);
+  const Matrix4* matrices = palette.joints().data();
   for (std::uint32_t v = 0; v < tree.vertex_count(); ++v) {
     const std::uint32_t place = tree.vertex_places[v];
-    const std::uint32_t count = tree.influence_begin[place + 1] - tree.influence_begin[place];
-    const Float4 p = posed_place(tree, palette.joints().data(), place, count);
+    const Float4 p = places.pose(place, places.influence_count(place), matrices);
     out[v] = {p[0], p[1], p[2]};
   }
 }

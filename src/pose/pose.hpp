@@ -12,9 +12,7 @@ namespace pelt::detail {
 struct Pose {
   explicit Pose(SkinnedModel m)
       : model(std::move(m)),
-        palette(model.detail().tree.joint_count, model.detail().tree.rest_extent) {
-    close_all();
-  }
+        palette(model.detail().tree.joint_count, model.detail().tree.rest_extent) {}
 
   SkinnedModel model;
   Palette palette;
@@ -29,7 +27,7 @@ struct Pose {
   /// The palette has changed.
   void close_all() {
     arena.clear();
-    opened = OpenedNodes(static_cast<std::uint32_t>(model.detail().tree.nodes.size()), arena);
+    opened = OpenedNodes();
   }
 };
 

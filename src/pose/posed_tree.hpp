@@ -21,4 +21,8 @@ struct PosedTree {
   Arena& arena;  ///< where this thread's opened nodes lie
 };
 
+/// Makes the table of opened nodes if there is none yet, which instances that are far from all
+/// others never need. Not by two threads at once.
+void make_table(const PosedTree& posed);
+
 }  // namespace pelt::detail

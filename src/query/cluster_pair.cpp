@@ -9,11 +9,35 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// Which of the 16 triangles' boxes overlap `box`, one bit each.
-unsigned overlapping(const TriangleBoxes& boxes, const Box8& box) {
-  return overlapping(boxes.low, boxes.high, 0, box) | overlapping(boxes.low, boxes.high, 8, box)
-                                                          << 8;
-}
+/// The triangles of a cluster, by their numbers in it.
+class ClusterTriangles {
+ public:
+  explicit ClusterTriangles(const PosedCluster& c)
+      : boxes_(triangle_boxes(c.posed, c.node, c.opened, c.slot)),
+        first_(c.posed.tree.clusters[c.node.first_cluster + c.slot].first_triangle),
+        positions_(c.opened.positions),
+        corners_(c.posed.tree.corners.data()->data() + 3 * first_),
+        ids_(c.posed.tree.triangle_ids.data() + first_) {}
+
+  PosedTriangle operator[](unsigned triangle) const {
+    return {positions_, corners_ + 3 * triangle, ids_ + triangle};
+  }
+
+  Box8 box(unsigned triangle) const { return lane_box(boxes_.low, boxes_.high, triangle); }
+
+  /// Those of `candidates` whose boxes overlap `box`, one bit each.
+  unsigned overlapping(unsigned candidates, const Box8& box) const {
+    return candidates & (detail::overlapping(boxes_.low, boxes_.high, 0, box) |
+                         detail::overlapping(boxes_.low, boxes_.high, 8, box) << 8);
+  }
+
+ private:
+  const TriangleBoxes& boxes_;
+  std::uint32_t first_;
+  const float* positions_;
+  const std::uint16_t* corners_;
+  const std::uint32_t* ids_;
+};
 
 Box8 intersection(const PosedCluster& a, const PosedCluster& b) {
   const Box8 box_a = lane_box(a.opened.low, a.opened.high, a.slot);
@@ -26,68 +50,57 @@ Box8 intersection(const PosedCluster& a, const PosedCluster& b) {
   return both;
 }
 
-TriangleCorners corners(const float* const (&corner)[3]) {
-  TriangleCorners triangle;
-  for (int i = 0; i < 3; ++i) triangle[i] = {corner[i][0], corner[i][1], corner[i][2]};
-  return triangle;
+TriangleCorners corners(const PosedTriangle& triangle) {
+  TriangleCorners corners;
+  for (int i = 0; i < 3; ++i) {
+    const float* p = triangle.corner(i);
+    corners[i] = {p[0], p[1], p[2]};
+  }
+  return corners;
 }
+
+Points8 corners8(const PosedTriangle (&triangles)[8], int i) {
+  const auto at = [&](int lane) { return load4(triangles[lane].corner(i)); };
+  return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
+}
+
+constexpr unsigned kAllTriangles = (1u << kMaxClusterTriangles) - 1;
 
 }  // namespace
 
 void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b) {
-  const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
-  const TriangleBoxes& boxes_b = triangle_boxes(b.posed, b.node, b.opened, b.slot);
+  const ClusterTriangles triangles_a(a), triangles_b(b);
   const Box8 both = intersection(a, b);
-  const unsigned near_a = overlapping(boxes_a, both);
-  if (near_a == 0) return;
-  const unsigned near_b = overlapping(boxes_b, both);
-  if (near_b == 0) return;
+  const unsigned near_a = triangles_a.overlapping(kAllTriangles, both);
+  const unsigned near_b = triangles_b.overlapping(kAllTriangles, both);
+  if (near_a == 0 || near_b == 0) return;
   if (std::popcount(near_a) <= std::popcount(near_b)) {
     for (SetBits i(near_a); i; ++i)
-      for (SetBits k(near_b & overlapping(boxes_b, lane_box(boxes_a.low, boxes_a.high, *i))); k;
-           ++k)
-        keep(a, *i, b, *k);
+      for (SetBits k(triangles_b.overlapping(near_b, triangles_a.box(*i))); k; ++k)
+        keep(triangles_a[*i], triangles_b[*k]);
   } else {
     for (SetBits k(near_b); k; ++k)
-      for (SetBits i(near_a & overlapping(boxes_a, lane_box(boxes_b.low, boxes_b.high, *k))); i;
-           ++i)
-        keep(a, *i, b, *k);
+      for (SetBits i(triangles_a.overlapping(near_a, triangles_b.box(*k))); i; ++i)
+        keep(triangles_a[*i], triangles_b[*k]);
   }
-}
-
-void TrianglePairs::keep(const PosedCluster& a, std::uint32_t triangle_a, const PosedCluster& b,
-                         std::uint32_t triangle_b) {
-  const std::uint32_t index_a = a.cluster().first_triangle + triangle_a;
-  const std::uint32_t index_b = b.cluster().first_triangle + triangle_b;
-  const std::array<std::uint16_t, 3>& corners_a = a.posed.tree.corners[index_a];
-  const std::array<std::uint16_t, 3>& corners_b = b.posed.tree.corners[index_b];
-  Candidate& candidate = kept_[kept_count_++];
-  for (int i = 0; i < 3; ++i) {
-    candidate.a[i] = a.opened.positions + 4 * corners_a[i];
-    candidate.b[i] = b.opened.positions + 4 * corners_b[i];
-  }
-  candidate.ids = {a.posed.tree.triangle_ids[index_a], b.posed.tree.triangle_ids[index_b]};
-  if (kept_count_ == 8) flush();
 }
 
 void TrianglePairs::flush() {
   if (kept_count_ == 0) return;
-  for (std::uint32_t lane = kept_count_; lane < 8; ++lane) kept_[lane] = kept_[0];
-  TrianglePairs8 pairs;
-  const auto gather = [&](const float*(Candidate::*corners)[3], int i) {
-    const auto at = [&](int lane) { return load4((kept_[lane].*corners)[i]); };
-    return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
-  };
-  for (int i = 0; i < 3; ++i) {
-    pairs.a[i] = gather(&Candidate::a, i);
-    pairs.b[i] = gather(&Candidate::b, i);
+  for (std::uint32_t lane = kept_count_; lane < 8; ++lane) {
+    kept_a_[lane] = kept_a_[0];
+    kept_b_[lane] = kept_b_[0];
   }
-  const unsigned real = (1u << kept_count_) - 1;
+  TrianglePairs8 pairs;
+  for (int i = 0; i < 3; ++i) {
+    pairs.a[i] = corners8(kept_a_, i);
+    pairs.b[i] = corners8(kept_b_, i);
+  }
+  const unsigned kept = (1u << kept_count_) - 1;
   const Triage verdict = triage(pairs);
-  for (SetBits lane(real & verdict.intersecting); lane; ++lane) contacts_.push(kept_[*lane].ids);
-  for (SetBits lane(real & ~(verdict.intersecting | verdict.apart)); lane; ++lane)
-    if (triangles_intersect(corners(kept_[*lane].a), corners(kept_[*lane].b)))
-      contacts_.push(kept_[*lane].ids);
+  for (SetBits lane(kept & verdict.intersecting); lane; ++lane) report(*lane);
+  for (SetBits lane(kept & ~(verdict.intersecting | verdict.apart)); lane; ++lane)
+    if (triangles_intersect(corners(kept_a_[*lane]), corners(kept_b_[*lane]))) report(*lane);
   work_.triangle_pairs += kept_count_;
   kept_count_ = 0;
 }

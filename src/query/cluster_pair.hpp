@@ -19,8 +19,15 @@ struct PosedCluster {
   const Node& node;
   const OpenedNode& opened;
   std::uint32_t slot;
+};
 
-  const Cluster& cluster() const { return posed.tree.clusters[node.first_cluster + slot]; }
+/// Where one triangle of an opened node is found.
+struct PosedTriangle {
+  const float* positions;        ///< of the node's pool
+  const std::uint16_t* corners;  ///< three places in it
+  const std::uint32_t* id;       ///< the caller's number
+
+  const float* corner(int i) const { return positions + 4 * corners[i]; }
 };
 
 inline namespace PELT_TARGET {
@@ -36,18 +43,17 @@ class TrianglePairs {
   void flush();
 
  private:
-  struct Candidate {
-    const float* a[3];
-    const float* b[3];
-    Contact ids;
-  };
+  void keep(const PosedTriangle& a, const PosedTriangle& b) {
+    kept_a_[kept_count_] = a;
+    kept_b_[kept_count_] = b;
+    if (++kept_count_ == 8) flush();
+  }
 
-  void keep(const PosedCluster& a, std::uint32_t triangle_a, const PosedCluster& b,
-            std::uint32_t triangle_b);
+  void report(unsigned lane) { contacts_.push(Contact{*kept_a_[lane].id, *kept_b_[lane].id}); }
 
   Stack<Contact>& contacts_;
   QueryStats& work_;
-  Candidate kept_[8];
+  PosedTriangle kept_a_[8], kept_b_[8];
   std::uint32_t kept_count_ = 0;
 };
 

@@ -4,8 +4,7 @@
 #include "base/scratch.hpp"
 #include "pose/pose.hpp"
 #include "pose/wide_code.hpp"
-
-#include <algorithm>
+#include "query/sort_contacts.hpp"
 
 namespace pelt {
 
@@ -29,7 +28,7 @@ QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& con
   detail::Stack<Contact>& found = scratch.detail().found;
   const QueryStats stats = detail::wide_code().collide_trees(
       a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), options.max_contacts);
-  std::sort(found.begin(), found.end());
+  detail::sort_contacts(found, scratch.detail().sorting);
   contacts.insert(contacts.end(), found.begin(), found.end());
   return stats;
 }

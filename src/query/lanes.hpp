@@ -29,20 +29,22 @@ struct Box8 {
 };
 
 template <std::size_t kCount>
-inline Box8 lane_box(const float (&low)[3][kCount], const float (&high)[3][kCount], unsigned lane) {
+[[gnu::always_inline]] inline Box8 lane_box(const float (&low)[3][kCount],
+                                            const float (&high)[3][kCount], unsigned lane) {
   return {{Float8(low[0][lane]), Float8(low[1][lane]), Float8(low[2][lane])},
           {Float8(high[0][lane]), Float8(high[1][lane]), Float8(high[2][lane])}};
 }
 
-inline Box8 point_box(const float (&low)[4], const float (&high)[4]) {
+[[gnu::always_inline]] inline Box8 point_box(const float (&low)[4], const float (&high)[4]) {
   return {{Float8(low[0]), Float8(low[1]), Float8(low[2])},
           {Float8(high[0]), Float8(high[1]), Float8(high[2])}};
 }
 
 /// Which of the eight boxes from lane `first` on overlap `box`, one bit each. Touching counts.
 template <std::size_t kCount>
-inline unsigned overlapping(const float (&low)[3][kCount], const float (&high)[3][kCount],
-                            unsigned first, const Box8& box) {
+[[gnu::always_inline]] inline unsigned overlapping(const float (&low)[3][kCount],
+                                                   const float (&high)[3][kCount], unsigned first,
+                                                   const Box8& box) {
   const Mask8 x = (load8(low[0] + first) <= box.high[0]) & (box.low[0] <= load8(high[0] + first));
   const Mask8 y = (load8(low[1] + first) <= box.high[1]) & (box.low[1] <= load8(high[1] + first));
   const Mask8 z = (load8(low[2] + first) <= box.high[2]) & (box.low[2] <= load8(high[2] + first));

@@ -45,7 +45,10 @@ class PairTraversal {
   QueryStats run() {
     scratch_.found.clear();
     scratch_.slot_pairs.clear();
-    if (roots_overlap()) push({0, kAllSlots, 0, kAllSlots});
+    if (!roots_overlap()) return work_;
+    make_table(a_);
+    make_table(b_);
+    push({0, kAllSlots, 0, kAllSlots});
     while (!scratch_.slot_pairs.empty() && !is_full()) visit(scratch_.slot_pairs.pop());
     triangles_.flush();
     if (is_full()) cut();

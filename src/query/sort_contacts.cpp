@@ -1,0 +1,60 @@
+#include "query/sort_contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace pelt::detail {
+namespace {
+
+/// Fewer are sorted by comparing; a radix sort has its counters to clear.
+constexpr std::size_t kFewContacts = 48;
+
+constexpr int kDigitBits = 8;
+
+using Counts = std::array<std::uint32_t, std::size_t{1} << kDigitBits>;
+
+/// One stable pass by the digit of `number` that begins at bit `shift`.
+void sort_by_digit(std::span<const Contact> from, std::span<Contact> to,
+                   std::uint32_t Contact::*number, int shift) {
+  const auto digit = [&](const Contact& contact) {
+    return contact.*number >> shift & (Counts().size() - 1);
+  };
+  Counts position = {};
+  for (const Contact& contact : from) ++position[digit(contact)];
+  std::uint32_t begin = 0;
+  for (std::uint32_t& p : position) {
+    const std::uint32_t count = p;
+    p = begin;
+    begin += count;
+  }
+  for (const Contact& contact : from) to[position[digit(contact)]++] = contact;
+}
+
+}  // namespace
+
+/// Digits from the least to the most significant one, those of `triangle_b` first.
+void sort_contacts(Stack<Contact>& contacts, Stack<Contact>& buffer) {
+  if (contacts.size() < kFewContacts) {
+    std::sort(contacts.begin(), contacts.end());
+    return;
+  }
+  Contact all;  // the bits in use
+  for (const Contact& contact : contacts) {
+    all.triangle_a |= contact.triangle_a;
+    all.triangle_b |= contact.triangle_b;
+  }
+  buffer.reserve(contacts.size());
+  std::span<Contact> from(contacts.begin(), contacts.size()), to(buffer.begin(), contacts.size());
+  for (auto number : {&Contact::triangle_b, &Contact::triangle_a})
+    for (int shift = 0; shift < std::bit_width(all.*number); shift += kDigitBits) {
+      sort_by_digit(from, to, number, shift);
+      std::swap(from, to);
+    }
+  if (from.data() != contacts.begin()) std::copy(from.begin(), from.end(), contacts.begin());
+}
+
+}  // namespace pelt::detail
