@@ -9,6 +9,10 @@ namespace {
 
 constexpr double kUnit = 0x1p-24;  // u of the rounding analysis
 
+/// A steeper line, or one whose values sum to more, is not used: the proof of node_bounds.hpp has
+/// no overflow within these.
+constexpr double kMaxSlope = 0x1p40, kMaxMeans = 32;
+
 Vec3d to_vec3d(const float* v) { return Vec3d(Vec3{v[0], v[1], v[2]}); }
 
 Vec3d magnitude(const Vec3d& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
@@ -39,31 +43,48 @@ void fit_axes(std::span<const Vec3d> offsets, RestShape& shape) {
 class WeightFit {
  public:
   WeightFit(const NodeVertices& vertices, std::span<const Vec3d> offsets)
-      : mean_(vertices.joints().size()), covariance_(vertices.joints().size()) {
+      : mean_(vertices.joints().size()), gradient_(vertices.joints().size()) {
     const double share = 1 / static_cast<double>(offsets.size());
     for (const Vec3d& x : offsets) centroid_ = centroid_ + share * x;
     for (const Vec3d& x : offsets) spread_.add_square(x - centroid_);
     const double damping = 1e-4 * (spread_.xx + spread_.yy + spread_.zz) + 1e-300;
     spread_.xx += damping, spread_.yy += damping, spread_.zz += damping;
+    std::vector<Vec3d> covariance(mean_.size());
     for (std::size_t k = 0; k < offsets.size(); ++k)
       vertices.each_weight(vertices.places()[k], [&](std::uint32_t i, double weight) {
         mean_[i] += share * weight;
-        covariance_[i] = covariance_[i] + weight * (offsets[k] - centroid_);
+        covariance[i] = covariance[i] + weight * (offsets[k] - centroid_);
       });
+    for (std::size_t i = 0; i < covariance.size(); ++i)
+      gradient_[i] = solve(spread_, covariance[i]);
+    if (!is_tame()) std::fill(gradient_.begin(), gradient_.end(), Vec3d());
   }
 
   /// The slope and the value at x = 0 of joint i's weight.
   void store_line(std::size_t i, JointFit& fit) const {
-    const Vec3d gradient = solve(spread_, covariance_[i]);
-    store(gradient, fit.gradient);
-    fit.mean = static_cast<float>(mean_[i] - dot(gradient, centroid_));
+    store(gradient_[i], fit.gradient);
+    fit.mean = static_cast<float>(value_at_centre(i));
   }
 
  private:
+  double value_at_centre(std::size_t i) const { return mean_[i] - dot(gradient_[i], centroid_); }
+
+  /// Whether no palette makes the bound overflow. Nodes of one point or hardly more have slopes
+  /// that are not even numbers.
+  bool is_tame() const {
+    double values = 0, steepest = 0;
+    for (std::size_t i = 0; i < mean_.size(); ++i) {
+      const Vec3d slope = magnitude(gradient_[i]);
+      values += std::fabs(value_at_centre(i));  // NaN if a slope is
+      steepest = std::max({steepest, slope.x, slope.y, slope.z});
+    }
+    return values <= kMaxMeans && steepest <= kMaxSlope;
+  }
+
   Vec3d centroid_;
   Symmetric3 spread_;
   std::vector<double> mean_;
-  std::vector<Vec3d> covariance_;
+  std::vector<Vec3d> gradient_;
 };
 
 /// What the line leaves of one joint's weights.
@@ -93,27 +114,43 @@ std::vector<Residual> residuals(const NodeVertices& vertices, std::span<const Ve
   return found;
 }
 
+/// How far the two boxes of a rest shape reach from its centre on each axis.
+Vec3d reach(const RestShape& shape) {
+  Vec3d along_axes = magnitude(to_vec3d(shape.axes_centre));
+  for (const auto& axis : shape.axes) along_axes = along_axes + magnitude(to_vec3d(axis));
+  const Vec3d half = to_vec3d(shape.half);
+  return {std::max(half.x, along_axes.x), std::max(half.y, along_axes.y),
+          std::max(half.z, along_axes.z)};
+}
+
+/// Terms of second order.
+constexpr double kSecondOrder = 1 + 0x1p-6;
+
 /// The margin of node_bounds.hpp.
 float affine_margin(const AffineFit& fit, std::span<const Residual> residuals,
                     const WeightRounding& rounding) {
-  double means = 0, sum = 0, terms = 0;
+  const Vec3d y = reach(fit.shape);
+  double sum = 0, means = 0, terms = 0;
   for (std::size_t i = 0; i < fit.joints.size(); ++i) {
     const JointFit& joint = fit.joints[i];
     sum += static_cast<double>(joint.mean);
     means += std::fabs(static_cast<double>(joint.mean));
-    terms += dot(magnitude(to_vec3d(joint.gradient)), to_vec3d(fit.shape.half)) +
-             static_cast<double>(joint.rest) + 2 * residuals[i].largest_offset;
+    terms += dot(magnitude(to_vec3d(joint.gradient)), y) + static_cast<double>(joint.rest) +
+             residuals[i].largest_offset;
   }
   const double n = static_cast<double>(fit.joints.size());
+  const double stretch = std::max(1.0, (y.x + y.y + y.z) / rounding.rest_extent);
   const double sum_error = rounding.sum_error + std::fabs(sum - 1);
-  return rounded_up(2 * ((rounding.influences + 5) * kUnit + sum_error * (1 + means) +
-                         2 * (n + 10) * kUnit * (means + (1 + means) * terms)));
+  return rounded_up(kSecondOrder *
+                    ((rounding.influences + 5) * kUnit + sum_error * means +
+                     (3 * n + 20) * kUnit * (stretch * means + (1 + means) * terms)));
 }
 
 }  // namespace
 
 WeightRounding weight_rounding(const Tree& tree) {
   WeightRounding rounding;
+  rounding.rest_extent = static_cast<double>(tree.rest_extent);
   for (std::size_t v = 0; v < tree.rest_positions.size(); ++v) {
     const std::uint32_t begin = tree.influence_begin[v], end = tree.influence_begin[v + 1];
     double sum = 0;
@@ -133,7 +170,7 @@ JointBoxesFit fit_joint_boxes(const NodeVertices& vertices, const WeightRounding
   fit.boxes.resize(extents.size(), JointBox{});
   for (std::size_t i = 0; i < extents.size(); ++i)
     extents[i].store(fit.boxes[i].centre, fit.boxes[i].half);
-  fit.margin = rounded_up(2 * ((rounding.influences + 24) * kUnit + rounding.sum_error));
+  fit.margin = rounded_up(kSecondOrder * ((rounding.influences + 12) * kUnit + rounding.sum_error));
   return fit;
 }
 

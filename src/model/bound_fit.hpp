@@ -13,6 +13,7 @@ namespace pelt::detail {
 struct WeightRounding {
   double influences = 0;  ///< the most of one vertex
   double sum_error = 0;   ///< the furthest that a vertex's weights sum from 1
+  double rest_extent = 0;
 };
 
 WeightRounding weight_rounding(const Tree& tree);

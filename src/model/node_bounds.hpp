@@ -23,14 +23,29 @@
 /// slope is followed instead of enclosed, and a node whose weights are affine has no excess at all.
 ///
 /// Rounding. With u = 2^-24 and M the palette's extent, sum_b |A_ab| |v_b| + |t_a| <= M for every
-/// joint and every point of the mesh's rest box. A float32 posed vertex of K influences is within
-/// (K + 5) u M of the real one, and weights that sum to 1 + e move it by another e M. In the affine
-/// bound, B c~ gathers (n + 5) u W M of error with n joints and W = sum |m_j|; t_j and D_j x are at
-/// most (1 + W) M and 2 (1 + W) M and gather (n + 6) u of that, scaled by |g_j.x| + R_j and
-/// |w_j - m_j|; the sums over joints and the half extents, which are made of the same terms, add n
-/// + 3 u of it. `margin` is twice the sum of all that in units of M, and more than enough:
-///     (K + 5) u + e (1 + W) + 2 (n + 10) u (W + (1 + W) sum_j (|g_j|.e + R_j + 2 max |w_j -
-///     m_j|)).
+/// joint and every v whose coordinates sum to no more than the mesh's rest extent. Errors are
+/// counted to first order; a 64th of the sum on top covers the rest. A float32 posed vertex of K
+/// influences is within (K + 5) u M of the real one.
+///
+/// Joint boxes: weights that sum to 1 + e move a vertex by e M. A centre and a half extent,
+/// together at most M, go through three roundings each, corners and margins add two. So the margin
+/// is, in units of M,
+///     (K + 12) u + e.
+/// Affine: let n joints have W = sum |m_j|. The float32 B differs from sum m_j C_j by n u W M on
+/// any point. Take it for B, as the identity above holds for any B; it leaves (e + e') B v~ over
+/// when the weights sum to 1 + e and the means to 1 - e'. Then |t_j| and |D_j x| are at most
+/// (1 + W) M. The sums over joints, with the products before and after them, take (n + 3) u W M in
+/// B c~. In B x they take n + 10, and L times that, because the box along the axes reaches out of
+/// the rest box, to y_b on axis b: L = max(1, sum y_b / rest extent). In the terms of t_j and D_j
+/// they take at most 2 n + 17. Corners and margins add four. So the margin is
+///     (K + 5) u + (e + e') W
+///         + (3 n + 20) u (L W + (1 + W) sum_j (|g_j|.y + R_j + max |w_j - m_j|)),
+/// and the rounding of the fit itself, in double, is far below.
+///
+/// Nothing overflows, as elements are at most 2^120, M is at most 2^61, and fits have W <= 32 and
+/// slopes within 2^40. M is at least 2^-100 times the rest extent, so that products of matrices
+/// which underflow (by 2^-150 each) are nothing beside u M; those of translations or in the last
+/// steps are nothing beside 2^-120, which every margin has on top.
 
 #include "model/tree.hpp"
 #include "skin/palette.hpp"

@@ -12,6 +12,10 @@
 namespace pelt::detail {
 namespace {
 
+/// Linear parts count as no smaller, so that what underflows in products with them is far below the
+/// rounding of M.
+constexpr double kLeastLinear = 0x1p-100;
+
 /// What a scan of joint matrices finds.
 struct Scan {
   float linear = 0, translation = 0;  ///< largest elements
@@ -19,7 +23,8 @@ struct Scan {
 
   /// M of the joints scanned, rounded up; not finite when an element is not or nearly overflows.
   float extent(float rest_extent) const {
-    const double sum = double{linear} * double{rest_extent} + double{translation};
+    const double sum =
+        std::max(double{linear}, kLeastLinear) * double{rest_extent} + double{translation};
     return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
   }
 };

@@ -24,7 +24,8 @@ class Palette {
 
   /// M of the rounding analyses: for every joint and every point v of the mesh's rest box,
   /// sum_b |A_ab| |v_b| + |t_a| <= M. No coordinate of a posed vertex is larger, and float32
-  /// rounding of posed vertices and bounds is a small multiple of 2^-24 M.
+  /// rounding of posed vertices and bounds is a small multiple of 2^-24 M. Never so small that what
+  /// underflows counts beside that.
   float extent() const { return extent_; }
 
   /// No vertex is posed further from the origin.

@@ -1,0 +1,16 @@
+/// Compiled once for each target, so that the test itself runs on any machine.
+#include "compiled_node_box.hpp"
+
+#include "model/node_box.hpp"
+
+namespace pelt::test {
+namespace PELT_TARGET {
+
+PlainBox compiled_node_box(const detail::NodeBounds& bounds, std::uint32_t node,
+                           const detail::Palette& palette) {
+  const detail::Box4 box = detail::node_box(bounds, node, palette);
+  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::test

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "model/node_bounds.hpp"
+#include "skin/palette.hpp"
+
+#include <pelt/target.hpp>
+
+namespace pelt::test {
+
+/// Corners of a box.
+struct PlainBox {
+  float low[3], high[3];
+
+  friend bool operator==(const PlainBox&, const PlainBox&) = default;
+};
+
+using NodeBoxFunction = PlainBox(const detail::NodeBounds& bounds, std::uint32_t node,
+                                 const detail::Palette& palette);
+
+/// detail::node_box as compiled for each target.
+namespace avx2 {
+NodeBoxFunction compiled_node_box;
+}
+namespace simd128 {
+NodeBoxFunction compiled_node_box;
+}
+namespace scalar {
+NodeBoxFunction compiled_node_box;
+}
+
+struct CompiledNodeBox {
+  Target target;
+  NodeBoxFunction* node_box;
+};
+
+inline constexpr CompiledNodeBox kCompiledNodeBoxes[] = {
+    {Target::scalar, scalar::compiled_node_box},
+#ifdef PELT_HAS_SIMD128
+    {Target::simd128, simd128::compiled_node_box},
+#endif
+#ifdef PELT_HAS_AVX2
+    {Target::avx2, avx2::compiled_node_box},
+#endif
+};
+
+}  // namespace pelt::test
