@@ -54,6 +54,103 @@ TEST(SetPalette, RefusesWithTheElementAndLeavesThePoseAsItWas) {
   EXPECT_EQ(before, after);
 }
 
+TEST(SetPalette, FindsEveryElementThatIsNotFiniteWhateverStandsBesideIt) {
+  Pose pose = make_pose();
+  Random random(6);
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const float value : {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity})
+    for (std::size_t joint = 0; joint < 3; ++joint)
+      for (std::size_t element = 0; element < 16; ++element) {
+        auto bad = test::make_palette(random, 3, test::Motion::affine, 1e6);
+        bad[joint].m[element] = value;
+        const std::string expected = "palette[" + std::to_string(joint) + "] has the element ";
+        const std::string row_and_column =
+            " at row " + std::to_string(element % 4) + ", column " + std::to_string(element / 4);
+        const std::string message = refusal(pose, bad);
+        EXPECT_EQ(message.find(expected), 0u) << message;
+        EXPECT_NE(message.find(row_and_column), std::string::npos) << message;
+      }
+}
+
+TEST(SetPalette, FindsEveryLastRowThatIsNot0001) {
+  Pose pose = make_pose();
+  Random random(7);
+  for (std::size_t joint = 0; joint < 3; ++joint)
+    for (const std::size_t element : {3u, 7u, 11u, 15u})
+      for (const float value : {-1.0f, std::nextafter(1.0f, 0.0f), 1e-45f, -1e-45f, 1e30f, 3e38f}) {
+        auto bad = test::make_palette(random, 3, test::Motion::rigid, 1);
+        bad[joint].m[element] = value;
+        EXPECT_EQ(
+            refusal(pose, bad).find("palette[" + std::to_string(joint) + "] has the last row"), 0u);
+      }
+  auto good = test::make_palette(random, 3, test::Motion::rigid, 1);
+  for (const std::size_t element : {3u, 7u, 11u}) good[1].m[element] = -0.0f;
+  EXPECT_EQ(refusal(pose, good), "accepted");
+}
+
+TEST(SetPalette, RefusesFiniteElementsWhoseSumsOverflow) {
+  Pose pose = make_pose();
+  const float largest = std::numeric_limits<float>::max();
+  for (std::size_t joint = 0; joint < 3; ++joint)
+    for (const std::size_t row : {0u, 1u, 2u}) {
+      std::vector<Matrix4> bad(3);
+      for (const std::size_t column : {0u, 4u, 8u, 12u}) bad[joint].m[column + row] = -largest;
+      EXPECT_EQ(refusal(pose, bad),
+                "palette[" + std::to_string(joint) + "] can move a vertex beyond 2^60 units");
+    }
+}
+
+TEST(SetPalette, NamesTheFirstJointThatIsBad) {
+  Pose pose = make_pose();
+  std::vector<Matrix4> bad(3);
+  bad[2].m[0] = std::numeric_limits<float>::quiet_NaN();
+  bad[1].m[3] = 1;
+  EXPECT_EQ(refusal(pose, bad).find("palette[1] has the last row 1 0 0 1"), 0u);
+}
+
+/// One joint's linear part and another's translation are both near the limit: no vertex goes beyond
+/// it, though the extent of all together does.
+TEST(SetPalette, MeasuresJointByJointWhatTheyCanDo) {
+  Pose pose = make_pose();
+  std::vector<Matrix4> palette(3);
+  palette[0].m[0] = 0x1p59f;
+  palette[2].m[12] = 0x1.8p59f;
+  ASSERT_EQ(refusal(pose, palette), "accepted");
+  std::vector<Vec3> posed(pose.model().vertex_count());
+  posed_vertices(pose, posed);
+  for (const Vec3& v : posed) EXPECT_LE(std::fabs(v.x), 0x1p60f);
+  palette[0].m[12] = 0x1.8p59f;
+  EXPECT_EQ(refusal(pose, palette), "palette[0] can move a vertex beyond 2^60 units");
+}
+
+TEST(Palette, ExtentIsThatOfTheLargestElements) {
+  Random random(8);
+  for (const std::uint32_t joints : {1u, 2u, 7u, 130u})
+    for (int round = 0; round < 20; ++round) {
+      const auto matrices = test::make_palette(random, joints, test::Motion::affine, 10);
+      double linear = 0, translation = 0;
+      for (const Matrix4& joint : matrices)
+        for (std::size_t e = 0; e < 16; ++e) {
+          double& largest = e < 12 ? linear : translation;
+          if (e % 4 != 3) largest = std::max(largest, std::fabs(static_cast<double>(joint.m[e])));
+        }
+      detail::Palette palette(joints, 3);
+      ASSERT_TRUE(palette.set({matrices[0].m.data(), 16 * matrices.size()}));
+      const double extent = linear * 3 + translation;
+      EXPECT_GT(static_cast<double>(palette.extent()), extent);
+      EXPECT_LT(static_cast<double>(palette.extent()), extent * (1 + 0x1p-22));
+    }
+}
+
+TEST(Palette, ExtentIsFarAboveWhatUnderflows) {
+  detail::Palette palette(1, 0x1p60f);
+  Matrix4 joint;
+  joint.m = {};
+  joint.m[15] = 1;
+  ASSERT_TRUE(palette.set(joint.m));
+  EXPECT_GE(palette.extent(), 0x1p-40f) << "linear parts count as 2^-100 at least";
+}
+
 TEST(SetPalette, NoBlendOverflowsHoweverSmallTheMesh) {
   test::Shape speck = test::make_limb(8, 6, 3);
   for (Vec3& p : speck.rest_positions) p = {0x1p-90f * p.x, 0x1p-90f * p.y, 0x1p-90f * p.z};
