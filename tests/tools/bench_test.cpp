@@ -1,5 +1,7 @@
 #include "tools/test_scenes.hpp"
 
+#include <set>
+
 namespace pelt::test {
 namespace {
 
@@ -14,7 +16,8 @@ TEST(Bench, WritesFiguresOfEveryMethod) {
   const TestFolder folder;
   write_limbs(folder);
   const json file = figures(
-      folder, {"--methods", "paper,paper_eq2,paper_eager,paper_rigid", "--frames", "2:11:2"});
+      folder, {"--methods", "paper,paper_eq2,paper_eager,paper_rigid,on_demand,eager,rigid,brute",
+               "--queries", "all", "--caches", "hot", "--frames", "2:11:2"});
   EXPECT_EQ(file["format"], "pelt-bench");
   EXPECT_EQ(file["version"], 1);
   EXPECT_TRUE(file["machine"].contains("cpu"));
@@ -22,11 +25,14 @@ TEST(Bench, WritesFiguresOfEveryMethod) {
   EXPECT_EQ(scene["scene"], "scene.json");
   EXPECT_EQ(scene["frames"], 5);
   EXPECT_GT(scene["frames_in_contact"], 0);
-  ASSERT_EQ(scene["engines"].size(), 4u);
+  EXPECT_GT(scene["skinning"]["ns_per_vertex"], 0);
+  EXPECT_GT(scene["models"]["bytes"], scene["models"]["triangles"]);
+  ASSERT_EQ(scene["engines"].size(), 8u);
   for (const json& engine : scene["engines"]) {
     EXPECT_EQ(engine["query"], "all");
     EXPECT_EQ(engine["cache"], "hot");
     EXPECT_EQ(engine["threads"], 1);
+    EXPECT_EQ(engine["frames"], 5);
     EXPECT_GT(engine["mean_us"], engine["mean_update_us"]);
     EXPECT_GT(engine["mean_contact_us"], 0);
     EXPECT_GE(engine["p95_us"], engine["mean_update_us"]);
@@ -35,10 +41,24 @@ TEST(Bench, WritesFiguresOfEveryMethod) {
   EXPECT_EQ(scene["engines"][2]["engine"], "paper_eager");
 }
 
+TEST(Bench, TakesFiveMethodsTwoQueriesAndTwoCachesUnlessTold) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const json file = figures(folder, {});
+  const json& engines = file["scenes"][0]["engines"];
+  ASSERT_EQ(engines.size(), 20u);
+  std::set<json> different;
+  for (const json& engine : engines)
+    different.insert(json::array({engine["engine"], engine["query"], engine["cache"]}));
+  EXPECT_EQ(different.size(), 20u);
+  for (const char* name : {"paper", "paper_eager", "eager", "on_demand", "rigid"})
+    EXPECT_EQ(different.count(json::array({name, "first", "cold"})), 1u) << name;
+}
+
 TEST(Bench, HashIsThatOfCheck) {
   const TestFolder folder;
   write_limbs(folder);
-  const json file = figures(folder, {"--methods", "paper"});
+  const json file = figures(folder, {"--methods", "on_demand"});
   const Ended check = run_pelt(folder, {"check", "scene.json"});
   EXPECT_NE(check.out.find(file["scenes"][0]["engines"][0]["hash"].get<std::string>()),
             std::string::npos);
@@ -47,35 +67,44 @@ TEST(Bench, HashIsThatOfCheck) {
 TEST(Bench, FirstAsksLess) {
   const TestFolder folder;
   write_limbs(folder);
-  const json all = figures(folder, {"--methods", "paper"});
-  const json first = figures(folder, {"--methods", "paper_eager,paper", "--first"});
-  const json& engines = first["scenes"][0]["engines"];
-  EXPECT_EQ(engines[1]["query"], "first");
-  EXPECT_EQ(engines[0]["hash"], engines[1]["hash"]);
-  EXPECT_NE(engines[1]["hash"], all["scenes"][0]["engines"][0]["hash"]);
-  EXPECT_LT(engines[1]["counters"]["triangle_pairs"],
-            all["scenes"][0]["engines"][0]["counters"]["triangle_pairs"]);
+  const json file = figures(folder, {"--methods", "paper,eager", "--caches", "hot"});
+  const json& engines = file["scenes"][0]["engines"];
+  for (const int e : {0, 1}) {
+    const json &all = engines[e], &first = engines[e + 2];
+    EXPECT_EQ(all["engine"], first["engine"]);
+    EXPECT_EQ(first["query"], "first");
+    EXPECT_EQ(first["hash"], engines[2]["hash"]);
+    EXPECT_NE(first["hash"], all["hash"]);
+    EXPECT_LT(first["counters"]["triangle_pairs"], all["counters"]["triangle_pairs"]);
+  }
 }
 
-TEST(Bench, ColdCacheAndFramesWithoutContact) {
+TEST(Bench, FramesWithoutContactHaveNoMean) {
   const TestFolder folder;
   write_limbs(folder);
-  const json file = figures(folder, {"--methods", "paper", "--cache", "cold", "--frames", "0:1"});
+  const json file = figures(folder, {"--methods", "paper", "--caches", "cold", "--frames", "0:1"});
   const json& engine = file["scenes"][0]["engines"][0];
   EXPECT_EQ(engine["cache"], "cold");
   EXPECT_EQ(engine["mean_contact_us"], json());
 }
 
-TEST(Bench, PrintsATableForEachScene) {
+TEST(Bench, PrintsTablesForEachScene) {
   const TestFolder folder;
   write_limbs(folder);
   const Ended run =
       run_pelt(folder, {"bench", "scene.json", "scene.json", "--repeat", "1", "--frames", "5:6"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const std::vector<std::string> lines = lines_of(run.out);
-  const auto starts = [](const std::string& line) { return line.rfind("scene.json: ", 0) == 0; };
-  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), starts), 2);
-  for (const char* words : {"paper_eager", "in contact", "update", "posed vertices", "by every"}) {
+  const auto count = [&](const std::string& begin) {
+    return std::count_if(lines.begin(), lines.end(),
+                         [&](const std::string& line) { return line.rfind(begin, 0) == 0; });
+  };
+  EXPECT_EQ(count("scene.json: "), 2);
+  EXPECT_EQ(count("query "), 8);
+  EXPECT_EQ(count("on_demand "), 12);  // four tables of times and two lines of work for each scene
+  EXPECT_EQ(count("all "), 2);         // vertices skinned
+  for (const char* words : {"in contact", "update", "posed vertices", "by every", "vs paper",
+                            "vs eager", "of rigid", "bytes a triangle", "ns a vertex"}) {
     EXPECT_NE(run.out.find(words), std::string::npos) << words;
   }
 }

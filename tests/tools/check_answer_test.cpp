@@ -3,6 +3,8 @@
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
 
+#include <map>
+
 namespace pelt::test {
 namespace {
 
@@ -55,7 +57,7 @@ TEST(CheckAnswer, HeaderTellsInputsAndOptions) {
   EXPECT_EQ(header["instances"], json::parse(R"([{"index": 0, "model": "one", "triangles": 1148},
                             {"index": 1, "model": "two", "triangles": 956}])"));
   EXPECT_EQ(header["options"]["frames"], json({5, 8, 1}));
-  EXPECT_EQ(header["options"]["method"], "paper");
+  EXPECT_EQ(header["options"]["method"], "on_demand");
   EXPECT_EQ(header["options"]["by"], "instance");
   EXPECT_EQ(header["options"]["max_contacts"], json());
   EXPECT_EQ(header["options"]["pairs"], false);
@@ -65,21 +67,27 @@ TEST(CheckAnswer, IsTheSameByEveryMethod) {
   const TestFolder folder;
   write_limbs(folder);
   std::vector<json> frames;
-  std::vector<json> counters;
-  for (const char* method : {"paper", "paper_eq2", "paper_eager", "paper_rigid", "brute"}) {
+  std::map<std::string, json> counters;
+  for (const std::string_view name : bench::method_names()) {
+    const std::string method(name);
     const Ended run =
         run_pelt(folder, {"check", "scene.json", "--method", method, "--jsonl", "-", "--pairs"});
     ASSERT_EQ(run.exit_code, 1) << method << run.err;
     const CheckFile file = parse_check_file(run.out);
     EXPECT_EQ(file.header["options"]["method"], method);
     frames.push_back({file.frames, file.totals["hash"], file.totals["totals"]});
-    counters.push_back(file.totals["counters"]);
+    counters[method] = file.totals["counters"];
     EXPECT_EQ(frames.back(), frames.front()) << method;
   }
   // Eager poses every vertex; on demand, far fewer are.
-  EXPECT_LT(counters[0]["posed_vertices"], counters[2]["posed_vertices"]);
-  EXPECT_GT(counters[2]["refits"], counters[0]["refits"]);
-  EXPECT_EQ(counters[4]["refits"], 0);
+  for (const std::string prefix : {"", "paper_"}) {
+    const json& lazy = counters[prefix.empty() ? "on_demand" : "paper"];
+    const json& eager = counters[prefix + "eager"];
+    EXPECT_LT(lazy["posed_vertices"], eager["posed_vertices"]) << prefix;
+    EXPECT_LT(lazy["refits"], eager["refits"]) << prefix;
+    EXPECT_EQ(counters[prefix + "rigid"]["refits"], 0) << prefix;
+  }
+  EXPECT_EQ(counters["brute"]["refits"], 0);
 }
 
 TEST(CheckAnswer, TwoRunsWriteTheSameBytes) {

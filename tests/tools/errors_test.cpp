@@ -79,6 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"check", "scene.json", "--method", "papr"},
                 {"--method", "did you mean \"paper\"?"}},
         Refusal{{"check", "scene.json", "--method", "magic"}, {"--method", "\"paper_eager\""}},
+        Refusal{{"check", "scene.json", "--simd", "mmx"}, {"--simd", "\"mmx\"", "scalar"}},
+        Refusal{{"check", "scene.json", "--samples", "-1"}, {"--samples"}},
         Refusal{{"check", "scene.json", "--by", "joint"}, {"--by", "instance or part"}},
         Refusal{{"check", "scene.json", "--max-contacts", "0"}, {"--max-contacts", "1 or more"}},
         Refusal{{"check", "scene.json", "--max-contacts", "-3"}, {"--max-contacts"}},
@@ -91,7 +93,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"pose", "scene.json", "--frame", "12", "-o", "a.glb"},
                 {"--frame: 12 is beyond the last frame", "12 frames"}},
         Refusal{{"bench", "scene.json", "--methods", "paper,quick"}, {"--methods", "\"quick\""}},
-        Refusal{{"bench", "scene.json", "--cache", "warm"}, {"--cache", "hot or cold"}},
+        Refusal{{"bench", "scene.json", "--caches", "warm"}, {"--caches", "\"warm\"", "\"cold\""}},
+        Refusal{{"bench", "scene.json", "--queries", "al"}, {"--queries", "\"all\""}},
+        Refusal{{"bench", "scene.json", "--simd", "sse9"}, {"--simd", "\"sse9\"", "scalar"}},
         Refusal{{"bench", "scene.json", "--repeat", "0"}, {"--repeat", "1 or more"}},
         Refusal{{"bench", "scene.json", "--frames", "0:13"}, {"--frames", "has frames 0:12"}}));
 

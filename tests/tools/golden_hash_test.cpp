@@ -31,7 +31,8 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, GoldenHash,
     ::testing::Values(Golden{"approaching", "110:120", 365, "8ed0d7896ec497d0"},
                       Golden{"passing_through", "30:90:20", 1728, "8544fb62786a6f33"},
-                      Golden{"crowd", "10:11", 5382, "b446516afc6427fc"}),
+                      Golden{"crowd", "10:11", 5382, "b446516afc6427fc"},
+                      Golden{"pile", "0:30:15", 26471, "2e9d2a0a5ac3029e"}),
     [](const auto& golden) { return std::string(golden.param.scene); });
 
 }  // namespace

@@ -18,16 +18,7 @@ TEST_P(SharedScenes, HaveTheSameAnswerByEveryMethod) {
   const std::string path = std::string(PELT_SHARED_DIR) + "/scenes/" + GetParam().name;
   if (!std::filesystem::exists(PELT_SHARED_DIR)) GTEST_SKIP() << PELT_SHARED_DIR << " is not there";
   const TestFolder folder;
-  std::vector<json> answers;
-  for (const char* method : {"paper", "paper_eq2", "paper_eager", "paper_rigid", "brute"}) {
-    const Ended run = run_pelt(folder, {"check", path, "--method", method, "--frames",
-                                        GetParam().frames, "--jsonl", "-", "--pairs"});
-    ASSERT_EQ(run.exit_code, 1) << method << run.err;
-    const CheckFile file = parse_check_file(run.out);
-    EXPECT_GT(file.totals["totals"]["contacts"], 0);
-    answers.push_back({file.frames, file.totals["hash"]});
-    EXPECT_EQ(answers.back(), answers.front()) << method;
-  }
+  expect_one_answer(folder, path, GetParam().frames);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SharedScenes,

@@ -111,7 +111,9 @@ Result<ExitCode> bench_file(const std::string& path, const BenchSettings& settin
   const auto scene = scenes::load_scene(path, settings.models.gltf_options());
   if (!scene) return scene.error();
   const Result<ExitCode> exit = bench_scene(*scene, settings, figures, std::cerr);
-  if (exit && *exit == ExitCode::success) print_figures(figures.back(), std::cout);
+  if (!exit || *exit != ExitCode::success) return exit;
+  if (figures.size() == 1) print_machine(std::cout);
+  print_figures(figures.back(), std::cout);
   return exit;
 }
 
@@ -119,7 +121,6 @@ Result<ExitCode> bench_scenes(const Arguments& arguments) {
   if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
   const Result<BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
-  print_machine(std::cout);
   std::vector<SceneFigures> figures;
   for (const std::string& path : arguments.scenes) {
     const Result<ExitCode> exit = bench_file(path, *settings, figures);

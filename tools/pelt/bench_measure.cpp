@@ -3,18 +3,12 @@
 #include "asset/message.hpp"
 #include "tools/pelt/contact_hash.hpp"
 #include "tools/pelt/statistics.hpp"
+#include "tools/pelt/stopwatch.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 namespace pelt::tools {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double microseconds(Clock::duration duration) {
-  return std::chrono::duration<double, std::micro>(duration).count();
-}
 
 Error in_frame(std::uint32_t frame, const Error& error) {
   return asset::prefixed("frame " + std::to_string(frame), error);
@@ -114,14 +108,14 @@ Result<FrameTime> repeat_once(Runner& runner, const FramePair& frame, const Vari
     if (const auto posed = runner.pose(frame.now); !posed) return posed.error();
   }
   if (variant.cache == Cache::cold) flush.run();
-  const Clock::time_point begin = Clock::now();
+  Stopwatch watch;
   if (update_counts) {
     if (const auto posed = runner.pose(frame.now); !posed) return posed.error();
   }
-  const Clock::time_point posed_at = Clock::now();
+  watch.lap();
   runner.ask(variant.question);
-  const Clock::time_point end = Clock::now();
-  return FrameTime{microseconds(end - begin), microseconds(posed_at - begin)};
+  watch.stop();
+  return FrameTime{watch.microseconds(), watch.lap_microseconds()};
 }
 
 Result<FrameTime> median_time(Runner& runner, const FramePair& frame, const Variant& variant,

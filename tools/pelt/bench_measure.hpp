@@ -6,7 +6,8 @@
 /// timed part meets the state that an animation leaves, not its own; then the timed part takes the
 /// new palettes and queries all pairs. The median of the repetitions stands for the frame. Sampling
 /// of the clips is not timed, nor are the palettes of engines whose update does not count. Engines
-/// take turns at every frame, so that all meet the same moods of the machine. One thread.
+/// take turns at every frame, so that all meet the same moods of the machine, and time in which the
+/// system runs other programs is not counted (stopwatch.hpp). One thread.
 
 #include "tools/pelt/scene_query.hpp"
 

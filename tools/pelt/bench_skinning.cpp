@@ -3,8 +3,7 @@
 #include <pelt/pose.hpp>
 
 #include "tools/pelt/statistics.hpp"
-
-#include <chrono>
+#include "tools/pelt/stopwatch.hpp"
 
 namespace pelt::tools {
 namespace {
@@ -22,10 +21,10 @@ struct Skinned {
 };
 
 double time_us(std::vector<Skinned>& all) {
-  const auto begin = std::chrono::steady_clock::now();
+  Stopwatch watch;
   for (Skinned& skinned : all) posed_vertices(skinned.pose, skinned.positions);
-  const auto end = std::chrono::steady_clock::now();
-  return std::chrono::duration<double, std::micro>(end - begin).count();
+  watch.stop();
+  return watch.microseconds();
 }
 
 }  // namespace

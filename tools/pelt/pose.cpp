@@ -36,8 +36,7 @@ Result<ExitCode> pose(const Arguments& arguments) {
     return bad_argument("--frame", std::to_string(arguments.frame) + " is beyond the last frame",
                         scene->name + " has " + counted(scene->frame_count, "frame"));
   }
-  const auto posed =
-      pose_instances(*scene, arguments.frame, arguments.scene.models);
+  const auto posed = pose_instances(*scene, arguments.frame, arguments.scene.models);
   if (!posed) return posed.error();
   const auto written = write_file(arguments.output, posed_glb(*posed));
   if (!written) return written.error();

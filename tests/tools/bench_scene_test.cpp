@@ -1,0 +1,141 @@
+/// The core of `pelt bench`, with engines that the command does not have.
+
+#include "tools/pelt/bench_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace pelt::tools {
+namespace {
+
+/// A method that loses the last contact of every tenth question that has several, or of every one.
+class Forgetful final : public bench::Method {
+ public:
+  explicit Forgetful(int every) : every_(every) {}
+
+  void add(const SkinnedModel& model) override { method_->add(model); }
+  Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
+    return method_->set_palette(body, palette);
+  }
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     const CollideOptions& options) override {
+    const std::size_t before = contacts.size();
+    const QueryStats work = method_->collide(a, b, contacts, options);
+    if (contacts.size() > before && ++asked_ % every_ == 0) contacts.pop_back();
+    return work;
+  }
+  QueryStats update_work() const override { return method_->update_work(); }
+
+ private:
+  std::unique_ptr<bench::Method> method_ = bench::make_method(bench::MethodKind::on_demand);
+  int every_, asked_ = 0;
+};
+
+Engine forgetful(int every) {
+  return {"forgetful", [every] { return std::make_unique<Forgetful>(every); }};
+}
+
+/// Two small creatures that walk through each other.
+scenes::Scene walkers() {
+  scenes::Scene scene;
+  scene.name = "walkers";
+  Result<scenes::Character> character = scenes::generate_character({1000, 24, 1});
+  EXPECT_TRUE(character);
+  scene.characters.push_back(std::move(*character));
+  scene.fps = 12;
+  scene.frame_count = 40;
+  scene.instances.resize(2);
+  for (const int i : {0, 1}) {
+    scene.instances[i].clip = "walk";
+    scene.instances[i].translation = {0.05 * i, 0, i == 0 ? -1.4 : 1.4};
+    scene.instances[i].rotation = {0, double(i), 0, double(1 - i)};
+    scene.instances[i].velocity = {0, 0, i == 0 ? 0.9 : -0.9};
+  }
+  return scene;
+}
+
+BenchSettings settings_with(std::vector<Engine> engines) {
+  BenchSettings settings;
+  settings.engines = std::move(engines);
+  settings.questions = {Question::all};
+  settings.caches = {Cache::hot};
+  settings.repetitions = 1;
+  return settings;
+}
+
+TEST(BenchScene, RefusesAnEngineThatForgetsOneContact) {
+  for (const int every : {1, 10}) {
+    std::vector<SceneFigures> figures;
+    std::ostringstream errors;
+    const Result<ExitCode> exit = bench_scene(
+        walkers(), settings_with({engine_of(bench::MethodKind::on_demand), forgetful(every)}),
+        figures, errors);
+    ASSERT_TRUE(exit);
+    EXPECT_EQ(*exit, ExitCode::internal);
+    EXPECT_TRUE(figures.empty());
+    EXPECT_EQ(errors.str().find("pelt: internal error: walkers: forgetful gives the hash "), 0u)
+        << errors.str();
+  }
+}
+
+TEST(BenchScene, RefusesAnEngineThatDeniesThatAPairTouches) {
+  BenchSettings settings = settings_with({forgetful(10)});
+  settings.questions = {Question::first};
+  std::vector<SceneFigures> figures;
+  std::ostringstream errors;
+  const Result<ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
+  ASSERT_TRUE(exit);
+  EXPECT_EQ(*exit, ExitCode::internal);
+  EXPECT_TRUE(figures.empty());
+}
+
+TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {
+  BenchSettings settings = settings_with({});
+  for (const auto method : {bench::MethodKind::paper, bench::MethodKind::eager,
+                            bench::MethodKind::on_demand, bench::MethodKind::rigid}) {
+    settings.engines.push_back(engine_of(method));
+  }
+  settings.questions = {Question::all, Question::first};
+  settings.caches = {Cache::hot, Cache::cold};
+  std::vector<SceneFigures> figures;
+  std::ostringstream errors;
+  const Result<ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
+  ASSERT_TRUE(exit);
+  ASSERT_EQ(*exit, ExitCode::success) << errors.str();
+  const SceneFigures& scene = figures.at(0);
+  EXPECT_EQ(scene.triangles, 2000u);
+  EXPECT_EQ(scene.models.triangles, 1000u);
+  EXPECT_GT(scene.models.bytes, 1000u);
+  EXPECT_GT(scene.skinning.ns_per_vertex(), 0);
+  ASSERT_EQ(scene.figures.size(), 16u);
+  for (std::size_t i = 0; i < 16; ++i) {
+    const Figures& one = scene.figures[i];
+    EXPECT_EQ(one.engine, settings.engines[i % 4].name);
+    EXPECT_EQ(one.variant.question, i < 8 ? Question::all : Question::first);
+    EXPECT_EQ(one.variant.cache, i / 4 % 2 == 0 ? Cache::hot : Cache::cold);
+    EXPECT_EQ(one.answer.hash, scene.figures[i < 8 ? 0 : 8].answer.hash);
+    EXPECT_EQ(one.times.frames, one.variant.cache == Cache::hot ? 40u : 20u);
+    EXPECT_GT(one.answer.frames_in_contact, 0u);
+    EXPECT_LT(one.answer.frames_in_contact, 40u);
+    EXPECT_GT(one.times.mean_us, 0);
+  }
+  EXPECT_NE(scene.figures[0].answer.hash, scene.figures[8].answer.hash);
+}
+
+/// What bodies do in their update is not charged to rigid ones, nor shown as their work.
+TEST(BenchScene, UpdatesOfRigidBodiesCostNothing) {
+  const auto settings =
+      settings_with({engine_of(bench::MethodKind::eager), engine_of(bench::MethodKind::rigid)});
+  std::vector<SceneFigures> figures;
+  std::ostringstream errors;
+  const Result<ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
+  ASSERT_TRUE(exit);
+  const Figures &eager = figures.at(0).figures.at(0), &rigid = figures[0].figures.at(1);
+  EXPECT_GT(eager.answer.work.posed_vertices, 0u);
+  EXPECT_EQ(rigid.answer.work.posed_vertices + rigid.answer.work.refits, 0u);
+  EXPECT_LE(rigid.times.mean_update_us, rigid.times.mean_us);
+}
+
+}  // namespace
+}  // namespace pelt::tools

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+namespace pelt::tools {
+
+/// Measures what one thread does on a machine that others use too: time in which the system runs
+/// something else in its place is not counted. Two clocks run, wall time and the thread's processor
+/// time, and the lesser counts: the first has the pauses, the second the time that it takes to read
+/// it, which is more than some queries take.
+class Stopwatch {
+ public:
+  Stopwatch() : processor_begin_(processor_us()), begin_(Clock::now()), lap_(begin_) {}
+
+  /// Ends the first part.
+  void lap() { lap_ = Clock::now(); }
+
+  void stop() {
+    end_ = Clock::now();
+    processor_us_ = processor_us() - processor_begin_;
+  }
+
+  /// Both parts.
+  double microseconds() const { return std::min(wall_us(end_), processor_us_); }
+
+  /// The first part.
+  double lap_microseconds() const {
+    const double all = wall_us(end_);
+    return all > 0 ? microseconds() * (wall_us(lap_) / all) : 0;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static double processor_us() {
+    std::timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
+  }
+
+  double wall_us(Clock::time_point end) const {
+    return std::chrono::duration<double, std::micro>(end - begin_).count();
+  }
+
+  double processor_begin_, processor_us_ = 0;
+  Clock::time_point begin_, lap_, end_;
+};
+
+}  // namespace pelt::tools
