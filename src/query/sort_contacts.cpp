@@ -50,7 +50,8 @@ void sort_contacts(Stack<Contact>& contacts, Stack<Contact>& buffer) {
   buffer.reserve(contacts.size());
   std::span<Contact> from(contacts.begin(), contacts.size()), to(buffer.begin(), contacts.size());
   for (auto number : {&Contact::triangle_b, &Contact::triangle_a})
-    for (int shift = 0; shift < std::bit_width(all.*number); shift += kDigitBits) {
+    for (int shift = 0; shift < static_cast<int>(std::bit_width(all.*number));
+         shift += kDigitBits) {
       sort_by_digit(from, to, number, shift);
       std::swap(from, to);
     }
