@@ -43,7 +43,8 @@ class Arena {
   /// Memory handed out since `clear`, with what is lost between the pieces.
   std::size_t used() const;
 
-  /// Makes room so that pieces of `bytes` together need no allocation after the next `clear`.
+  /// Makes the capacity `bytes` at least. Pieces leave the ends of blocks unused, so that those of
+  /// `bytes` together may take a little more.
   void reserve(std::size_t bytes);
 
  private:

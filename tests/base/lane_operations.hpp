@@ -1,0 +1,38 @@
+#pragma once
+
+#include <pelt/target.hpp>
+
+namespace pelt::test {
+
+/// What the operations of base/float8.hpp make of two rows of eight floats. Masks are a bit for
+/// each lane.
+struct LaneResults {
+  float sum[8], difference[8], product[8], product_and_sum[8], least[8], most[8], size[8];
+  unsigned less, less_equal, both, either, one_of_both;
+  float chosen[8];  ///< a's where it is less, otherwise b's
+  float repeated[8], paired[8], low[4], high[4], joined[8], folded[4];
+};
+
+/// Points 0 to 7, four floats each, as their coordinates.
+struct TurnedPoints {
+  float x[8], y[8], z[8];
+};
+
+using LaneOperations = LaneResults(const float* a, const float* b);
+using TurnPoints = TurnedPoints(const float* points);
+
+/// The operations as compiled for each target. Any address will do.
+namespace avx2 {
+LaneOperations lane_operations;
+TurnPoints turn_points;
+}  // namespace avx2
+namespace simd128 {
+LaneOperations lane_operations;
+TurnPoints turn_points;
+}  // namespace simd128
+namespace scalar {
+LaneOperations lane_operations;
+TurnPoints turn_points;
+}  // namespace scalar
+
+}  // namespace pelt::test
