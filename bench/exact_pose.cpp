@@ -1,6 +1,7 @@
 #include "bench/exact_pose.hpp"
 
 #include "pose/wide_code.hpp"
+#include "query/sort_contacts.hpp"
 
 #include <algorithm>
 
@@ -38,7 +39,7 @@ QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
                    std::vector<Contact>& contacts, const CollideOptions& options) {
   const QueryStats work = detail::wide_code().collide_trees(a.posed_tree(), b.posed_tree(), scratch,
                                                             options.max_contacts);
-  std::sort(scratch.found.begin(), scratch.found.end());
+  detail::sort_contacts(scratch.found, scratch.sorting);
   contacts.insert(contacts.end(), scratch.found.begin(), scratch.found.end());
   return work;
 }
