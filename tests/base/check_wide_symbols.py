@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+"""Wide code defines nothing that the linker could take for another target's.
+
+    check_wide_symbols.py NM TARGET OBJECTS...     names the offenders, exits with 1 if there are any
+    check_wide_symbols.py --skip REASON            exits with 77
+
+A function that is not inlined and does not stand in the target's namespace (of std::vector, say) is
+a symbol of which the linker keeps one copy for the whole program: perhaps the one with instructions
+that the machine does not have.
+"""
+
+import subprocess
+import sys
+
+
+def shared_symbols(nm, target, file):
+    """The symbols visible outside the object file that do not name the target's namespace."""
+    command = [nm, "--demangle", "--defined-only", file]
+    listing = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    for line in listing.splitlines():
+        _, kind, name = line.split(maxsplit=2)
+        if (kind.isupper() or kind == "u") and f"::{target}::" not in name:
+            yield name
+
+
+def main(arguments):
+    if arguments[0] == "--skip":
+        print(f"skipped: {arguments[1]}")
+        return 77
+    nm, target, *files = arguments
+    if not files:
+        sys.exit("no object files")
+    offenders = [f"{file}: {name}" for file in files for name in shared_symbols(nm, target, file)]
+    print("\n".join(offenders) or f"{len(files)} files of {target} share nothing")
+    return 1 if offenders else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
