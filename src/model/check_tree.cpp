@@ -169,7 +169,7 @@ Problem StructureCheck::check_clusters() {
       return problem("clusters[%zu].first_vertex is %u, expected %zu", c, cluster.first_vertex,
                      vertices);
     triangles += cluster.triangle_count;
-    vertices += cluster.vertex_count;
+    vertices += cluster.listed_vertex_count();
   }
   if (triangles != tree_.triangle_ids.size())
     return problem("clusters have %zu triangles of %zu", triangles, tree_.triangle_ids.size());
@@ -203,6 +203,10 @@ Problem StructureCheck::check_cluster(std::uint32_t c) {
       return problem("cluster_vertices[%u] is %u, twice or not in the pool",
                      cluster.first_vertex + i, vertex);
   }
+  for (std::uint32_t i = cluster.vertex_count; i < cluster.listed_vertex_count(); ++i)
+    if (tree_.cluster_vertices[cluster.first_vertex + i] !=
+        tree_.cluster_vertices[cluster.first_vertex + cluster.vertex_count - 1])
+      return problem("cluster_vertices[%u] does not repeat the last one", cluster.first_vertex + i);
   std::uint32_t used = 0;
   for (std::uint32_t i = 0; i < cluster.triangle_count; ++i)
     for (const std::uint16_t corner : tree_.corners[cluster.first_triangle + i]) {

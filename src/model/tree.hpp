@@ -19,12 +19,20 @@ namespace pelt::detail {
 inline constexpr std::uint32_t kMaxClusterTriangles = 16;
 inline constexpr std::uint32_t kMaxSlots = 8;
 
+/// Lists of a cluster's vertices are filled up to a multiple of this.
+inline constexpr std::uint32_t kVertexGroup = 4;
+
 struct Cluster {
   std::uint32_t first_triangle = 0;  ///< into Tree::corners and Tree::triangle_ids
   std::uint32_t first_vertex = 0;    ///< into Tree::cluster_vertices
   std::uint8_t triangle_count = 0;   ///< 1 to kMaxClusterTriangles
   std::uint8_t vertex_count = 0;     ///< different corners of these triangles
   std::uint16_t unused = 0;          ///< so that every byte of a file has a value
+
+  /// With those that fill the list up.
+  std::uint32_t listed_vertex_count() const {
+    return (vertex_count + kVertexGroup - 1) / kVertexGroup * kVertexGroup;
+  }
 };
 
 struct Node {
@@ -47,7 +55,10 @@ struct Tree {
   std::vector<std::array<std::uint16_t, 3>> corners;  // [T] in the pool of the cluster's node
   std::vector<std::uint32_t> triangle_ids;            // [T] the caller's number
 
-  std::vector<std::uint16_t> cluster_vertices;  // the corners of each cluster, each named once
+  // The corners of each cluster in its pool, each named once and the last one again until the list
+  // is full: loops over it then take few different numbers of steps, which branches predict.
+  std::vector<std::uint16_t> cluster_vertices;
+
   std::vector<Cluster> clusters;
   std::vector<Node> nodes;
 

@@ -100,9 +100,10 @@ class TreeWriter {
     }
     std::sort(named_.begin(), named_.end());
     named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
-    tree_.cluster_vertices.insert(tree_.cluster_vertices.end(), named_.begin(), named_.end());
     cluster.triangle_count = static_cast<std::uint8_t>(triangles.size());
     cluster.vertex_count = static_cast<std::uint8_t>(named_.size());
+    named_.resize(cluster.listed_vertex_count(), named_.back());
+    tree_.cluster_vertices.insert(tree_.cluster_vertices.end(), named_.begin(), named_.end());
     tree_.clusters.push_back(cluster);
   }
 

@@ -16,7 +16,7 @@
 namespace pelt::detail {
 
 /// The fixed cost of opening a node, in slots.
-inline constexpr double kNodeCost = 4;
+inline constexpr double kNodeCost = 8;
 
 /// Its slots name nodes of the cluster tree: first its clusters, then those whose wide nodes are
 /// its children, numbered consecutively from `first_child`.

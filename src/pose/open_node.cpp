@@ -75,17 +75,13 @@ OpenedNode* begin_node(const PosedTree& posed, const Node& node) {
 
 Box4 empty_box() { return {Float4(HUGE_VALF), Float4(-HUGE_VALF)}; }
 
-/// By fours: a loop that is left after two, three or four rounds is easier to predict than one
-/// after nine to thirteen. The last vertex may count several times.
 Box4 cluster_box(const Tree& tree, const Cluster& cluster, const float* positions) {
   const std::uint16_t* vertex = tree.cluster_vertices.data() + cluster.first_vertex;
-  const std::uint32_t last = cluster.vertex_count - 1u;
-  const auto position = [&](std::uint32_t i) {
-    return load4(positions + 4 * vertex[i < last ? i : last]);
-  };
+  const std::uint16_t* end = vertex + cluster.listed_vertex_count();
+  const auto position = [&](int i) { return load4(positions + 4 * vertex[i]); };
   Box4 box = {position(0), position(0)};
-  for (std::uint32_t i = 0; i <= last; i += 4) {
-    const Float4 a = position(i), b = position(i + 1), c = position(i + 2), d = position(i + 3);
+  for (; vertex != end; vertex += kVertexGroup) {
+    const Float4 a = position(0), b = position(1), c = position(2), d = position(3);
     box = unite(box, {min(min(a, b), min(c, d)), max(max(a, b), max(c, d))});
   }
   return box;
@@ -116,10 +112,9 @@ void box_slots(const Tree& tree, const Node& node, OpenedNode& opened, const Chi
                                       box[4].high, box[5].high, box[6].high, box[7].high));
 }
 
-Box4 triangle_box(const Tree& tree, const float* positions, std::uint32_t triangle) {
-  const std::array<std::uint16_t, 3>& corner = tree.corners[triangle];
-  const Float4 a = load4(positions + 4 * corner[0]), b = load4(positions + 4 * corner[1]);
-  const Float4 c = load4(positions + 4 * corner[2]);
+Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
+  const Float4 a = load4(positions + 4 * corners[0]), b = load4(positions + 4 * corners[1]);
+  const Float4 c = load4(positions + 4 * corners[2]);
   return {min(min(a, b), c), max(max(a, b), c)};
 }
 
@@ -156,19 +151,19 @@ const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
   if (const TriangleBoxes* boxes = known.load(std::memory_order_acquire)) return *boxes;
   const Cluster& cluster = posed.tree.clusters[node.first_cluster + slot];
   auto* boxes = posed.arena.allocate<TriangleBoxes>();
-  for (std::uint32_t group = 0; group < kMaxClusterTriangles; group += 8) {
+  const std::uint16_t* corners = posed.tree.corners[cluster.first_triangle].data();
+  const std::uint32_t last = cluster.triangle_count - 1u;
+  for (std::uint32_t first = 0; first < kMaxClusterTriangles; first += 8) {
     Box4 box[8];
     for (std::uint32_t i = 0; i < 8; ++i)
-      box[i] = group + i < cluster.triangle_count
-                   ? triangle_box(posed.tree, opened.positions, cluster.first_triangle + group + i)
-                   : empty_box();
+      box[i] = triangle_box(opened.positions, corners + 3 * (first + i < last ? first + i : last));
     const Points8 low = transpose8(box[0].low, box[1].low, box[2].low, box[3].low, box[4].low,
                                    box[5].low, box[6].low, box[7].low);
     const Points8 high = transpose8(box[0].high, box[1].high, box[2].high, box[3].high, box[4].high,
                                     box[5].high, box[6].high, box[7].high);
-    low.x.store(boxes->low[0] + group), high.x.store(boxes->high[0] + group);
-    low.y.store(boxes->low[1] + group), high.y.store(boxes->high[1] + group);
-    low.z.store(boxes->low[2] + group), high.z.store(boxes->high[2] + group);
+    low.x.store(boxes->low[0] + first), high.x.store(boxes->high[0] + first);
+    low.y.store(boxes->low[1] + first), high.y.store(boxes->high[1] + first);
+    low.z.store(boxes->low[2] + first), high.z.store(boxes->high[2] + first);
   }
   TriangleBoxes* first = nullptr;
   return known.compare_exchange_strong(first, boxes, std::memory_order_acq_rel) ? *boxes : *first;

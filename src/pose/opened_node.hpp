@@ -13,7 +13,7 @@
 
 namespace pelt::detail {
 
-/// Boxes of the triangles of a cluster, side by side. Lanes beyond the last triangle are empty.
+/// Boxes of the triangles of a cluster, side by side. Lanes beyond the last triangle repeat it.
 struct alignas(32) TriangleBoxes {
   float low[3][kMaxClusterTriangles], high[3][kMaxClusterTriangles];
 };

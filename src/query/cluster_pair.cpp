@@ -14,10 +14,13 @@ class ClusterTriangles {
  public:
   explicit ClusterTriangles(const PosedCluster& c)
       : boxes_(triangle_boxes(c.posed, c.node, c.opened, c.slot)),
-        first_(c.posed.tree.clusters[c.node.first_cluster + c.slot].first_triangle),
+        cluster_(c.posed.tree.clusters[c.node.first_cluster + c.slot]),
         positions_(c.opened.positions),
-        corners_(c.posed.tree.corners.data()->data() + 3 * first_),
-        ids_(c.posed.tree.triangle_ids.data() + first_) {}
+        corners_(c.posed.tree.corners[cluster_.first_triangle].data()),
+        ids_(c.posed.tree.triangle_ids.data() + cluster_.first_triangle) {}
+
+  /// One bit for each.
+  unsigned all() const { return (1u << cluster_.triangle_count) - 1; }
 
   PosedTriangle operator[](unsigned triangle) const {
     return {positions_, corners_ + 3 * triangle, ids_ + triangle};
@@ -33,7 +36,7 @@ class ClusterTriangles {
 
  private:
   const TriangleBoxes& boxes_;
-  std::uint32_t first_;
+  const Cluster& cluster_;
   const float* positions_;
   const std::uint16_t* corners_;
   const std::uint32_t* ids_;
@@ -64,15 +67,13 @@ Points8 corners8(const PosedTriangle (&triangles)[8], int i) {
   return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
 }
 
-constexpr unsigned kAllTriangles = (1u << kMaxClusterTriangles) - 1;
-
 }  // namespace
 
 void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b) {
   const ClusterTriangles triangles_a(a), triangles_b(b);
   const Box8 both = intersection(a, b);
-  const unsigned near_a = triangles_a.overlapping(kAllTriangles, both);
-  const unsigned near_b = triangles_b.overlapping(kAllTriangles, both);
+  const unsigned near_a = triangles_a.overlapping(triangles_a.all(), both);
+  const unsigned near_b = triangles_b.overlapping(triangles_b.all(), both);
   if (near_a == 0 || near_b == 0) return;
   if (std::popcount(near_a) <= std::popcount(near_b)) {
     for (SetBits i(near_a); i; ++i)
