@@ -133,18 +133,20 @@ CrowdStats CrowdQuery::gather() {
 /// Which worker does which pairs is a matter of chance, and so would be who runs out of room.
 void CrowdQuery::even_out() {
   if (worker_count_ == 1) return;
-  std::size_t nodes = 0, contacts = 0, slot_pairs = 0, found = 0;
+  std::size_t nodes = 0, contacts = 0, slot_pairs = 0, found = 0, sorting = 0;
   for (Worker& worker : workers_) {
     nodes += worker.nodes.used();
     contacts += worker.contacts.used();
     slot_pairs = std::max(slot_pairs, worker.scratch.slot_pairs.capacity());
     found = std::max(found, worker.scratch.found.capacity());
+    sorting = std::max(sorting, worker.scratch.sorting.capacity());
   }
   for (std::uint32_t w = 0; w < worker_count_; ++w) {
     detail::even_out(workers_[w].nodes, nodes);
     detail::even_out(workers_[w].contacts, contacts);
     workers_[w].scratch.slot_pairs.reserve(slot_pairs);
     workers_[w].scratch.found.reserve(found);
+    workers_[w].scratch.sorting.reserve(sorting);
     workers_[w].touching.reserve(touching_.size());
   }
 }
@@ -154,10 +156,11 @@ std::size_t CrowdQuery::memory() const {
                       near_.capacity() * sizeof(near_[0]) +
                       touching_.capacity() * sizeof(TouchingPair);
   for (const Worker& worker : workers_)
-    bytes += worker.nodes.capacity() + worker.contacts.capacity() +
-             worker.touching.capacity() * sizeof(TouchingPair) +
-             worker.scratch.slot_pairs.capacity() * sizeof(SlotPair) +
-             worker.scratch.found.capacity() * sizeof(Contact);
+    bytes +=
+        worker.nodes.capacity() + worker.contacts.capacity() +
+        worker.touching.capacity() * sizeof(TouchingPair) +
+        worker.scratch.slot_pairs.capacity() * sizeof(SlotPair) +
+        (worker.scratch.found.capacity() + worker.scratch.sorting.capacity()) * sizeof(Contact);
   return bytes;
 }
 
