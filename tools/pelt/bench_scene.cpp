@@ -1,9 +1,9 @@
 #include "tools/pelt/bench_scene.hpp"
 
 #include "tools/pelt/progress.hpp"
+#include "tools/pelt/stopwatch.hpp"
 #include "tools/pelt/text.hpp"
 
-#include <chrono>
 #include <set>
 
 namespace pelt::tools {
@@ -26,13 +26,13 @@ struct Prepared {
 };
 
 Result<Prepared> prepare(const scenes::Scene& scene, const ModelArguments& arguments) {
-  const auto begin = std::chrono::steady_clock::now();
+  Stopwatch watch;
   auto colliders = make_colliders(scene, Granularity::instance, arguments);
   if (!colliders) return colliders.error();
-  const std::chrono::duration<double> build = std::chrono::steady_clock::now() - begin;
+  watch.stop();
   Prepared prepared;
   prepared.colliders = std::move(*colliders);
-  prepared.models.build_seconds = build.count();
+  prepared.models.build_seconds = watch.microseconds() * 1e-6;
   std::set<const detail::Model*> counted;
   for (const Collider& collider : prepared.colliders) {
     if (!counted.insert(&collider.model.detail()).second) continue;
