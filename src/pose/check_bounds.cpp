@@ -79,6 +79,7 @@ class BoundsCheck {
     node_ = 0;
     const detail::RootBox& root = opened.root_box;
     if (root.known) expect(box_of(root.low, root.high), below_[0], "the root", 0);
+    if (!opened) return problem_;  // no query has come near
     for (; node_ < tree_.nodes.size() && problem_.empty(); ++node_)
       if (const OpenedNode* node = opened[node_]) check(*node);
     return problem_;
@@ -150,7 +151,9 @@ std::string check_bounds(const Pose& pose) {
 
   Pose fresh(data.model);
   fresh.detail().palette = data.palette;
-  detail::wide_code().open_fully(fresh.detail().posed_tree());
+  const detail::PosedTree posed_tree = fresh.detail().posed_tree();
+  make_table(posed_tree);
+  detail::wide_code().open_fully(posed_tree);
   return check.run(fresh.detail().opened);
 }
 

@@ -7,7 +7,7 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 
 /// Computes every bound that a query could ask for: the box around the root, all nodes, the boxes
-/// of all triangles.
+/// of all triangles. Precondition: there is a table of opened nodes.
 void open_fully(const PosedTree& posed);
 
 }  // namespace PELT_TARGET
