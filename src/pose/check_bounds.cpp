@@ -151,14 +151,9 @@ std::string check_bounds(const Pose& pose) {
 
   Pose fresh(data.model);
   fresh.detail().palette = data.palette;
-<<<<<<< /tmp/pelt/bounds_work
-  detail::make_table(fresh.detail().posed_tree());
-  detail::wide_code().open_fully(fresh.detail().posed_tree());
-=======
   const detail::PosedTree posed_tree = fresh.detail().posed_tree();
   make_table(posed_tree);
   detail::wide_code().open_fully(posed_tree);
->>>>>>> /tmp/pelt/bounds_new
   return check.run(fresh.detail().opened);
 }
 
