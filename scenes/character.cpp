@@ -1,3 +1,5 @@
+#include <pelt/prepared.hpp>
+
 #include "asset/file_bytes.hpp"
 #include "asset/message.hpp"
 #include "base/hash.hpp"
@@ -5,6 +7,10 @@
 
 namespace pelt::scenes {
 namespace {
+
+constexpr const char* kPrepared =
+    "is a prepared model, which has no skeleton and no clips: name the glTF file that it was "
+    "prepared from";
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
   detail::Fnv1a64 hash;
@@ -18,6 +24,8 @@ Result<Character> load_character(const std::filesystem::path& path,
                                  const asset::GltfOptions& options) {
   const Result<std::vector<std::byte>> file = asset::read_file(path);
   if (!file) return file.error();
+  if (is_prepared_model(*file))
+    return asset::prefixed(path.string(), asset::unsupported(kPrepared));
   // A path without a folder is beside the working directory, and "" would mean: no external files.
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   Result<asset::Asset> asset = asset::load_gltf(*file, folder, options);

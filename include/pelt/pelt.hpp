@@ -10,5 +10,6 @@
 #include <pelt/mesh.hpp>
 #include <pelt/model.hpp>
 #include <pelt/pose.hpp>
+#include <pelt/prepared.hpp>
 #include <pelt/result.hpp>
 #include <pelt/version.hpp>

@@ -7,7 +7,7 @@
 namespace pelt::test {
 namespace {
 
-constexpr const char* kVerbs[] = {"check", "info", "pose", "demo", "bench"};
+constexpr const char* kVerbs[] = {"check", "info", "prepare", "pose", "demo", "bench"};
 
 TEST(Help, NamesEveryVerb) {
   const TestFolder folder;
@@ -72,7 +72,8 @@ TEST_P(HelpExamples, Run) {
 }
 
 // `demo` has a test of its own: what it does takes long.
-INSTANTIATE_TEST_SUITE_P(Verbs, HelpExamples, ::testing::Values("check", "info", "pose", "bench"));
+INSTANTIATE_TEST_SUITE_P(Verbs, HelpExamples,
+                         ::testing::Values("check", "info", "prepare", "pose", "bench"));
 
 TEST(Manual, HasEveryVerbAndOption) {
   const TestFolder folder;

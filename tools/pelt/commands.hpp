@@ -13,6 +13,7 @@ namespace pelt::tools {
 
 void add_check(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
+void add_prepare(CLI::App& app, Command& chosen);
 void add_pose(CLI::App& app, Command& chosen);
 void add_demo(CLI::App& app, Command& chosen);
 void add_bench(CLI::App& app, Command& chosen);

@@ -4,6 +4,8 @@
 #include "tools/pelt/clip_samples.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/model_arguments.hpp"
+#include "tools/pelt/prepared_file.hpp"
+#include "tools/pelt/prepared_info.hpp"
 #include "tools/pelt/text.hpp"
 
 #include <CLI/CLI.hpp>
@@ -140,6 +142,12 @@ void print(const ordered_json& info, const asset::Asset& asset) {
 }
 
 Result<ExitCode> info(const Arguments& arguments) {
+  if (is_prepared_file(arguments.model)) {
+    const auto printed =
+        print_prepared_info(arguments.model, arguments.json ? InfoStyle::json : InfoStyle::text);
+    if (!printed) return printed.error();
+    return ExitCode::success;
+  }
   const Result<scenes::Character> character =
       scenes::load_character(arguments.model, arguments.models.gltf_options());
   if (!character) return character.error();
@@ -163,7 +171,8 @@ Result<ExitCode> info(const Arguments& arguments) {
 void add_info(CLI::App& app, Command& chosen) {
   CLI::App* verb = app.add_subcommand("info", "Tell what a model file holds");
   const auto arguments = std::make_shared<Arguments>();
-  verb->add_option("MODEL", arguments->model, "A glTF file, .glb or .gltf")->required();
+  verb->add_option("MODEL", arguments->model, "A glTF file, .glb or .gltf, or a prepared model")
+      ->required();
   verb->add_flag("--json", arguments->json, "Print JSON");
   add_model_options(*verb, arguments->models);
   verb->footer(kFooter);

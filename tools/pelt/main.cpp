@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   pelt::tools::Command command;
   pelt::tools::add_check(app, command);
   pelt::tools::add_info(app, command);
+  pelt::tools::add_prepare(app, command);
   pelt::tools::add_pose(app, command);
   pelt::tools::add_demo(app, command);
   pelt::tools::add_bench(app, command);

@@ -1,0 +1,92 @@
+#include "tools/test_scenes.hpp"
+
+#include <pelt/prepared.hpp>
+
+namespace pelt::test {
+namespace {
+
+std::vector<std::byte> bytes_of(const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(Prepare, WritesWhatTheLibraryLoads) {
+  const TestFolder folder;
+  write_bytes(folder / "limb.glb", swaying_limb(20));
+  const Ended run = run_pelt(folder, {"prepare", "limb.glb", "-o", "limb.pelt"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const char* words : {"limb.glb: ", " triangles", "6 poses of 1 clip",
+                            "limb.pelt: ", " bytes", "build", " times faster"})
+    EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+  const auto file = bytes_of(read_text(folder / "limb.pelt"));
+  const Result<SkinnedModel> model = load_model(file);
+  ASSERT_TRUE(model) << model.error().message;
+  const json info = json::parse(run_pelt(folder, {"info", "limb.glb", "--json"}).out);
+  EXPECT_EQ(model->triangle_count(), info["triangles"]);
+  EXPECT_EQ(model->vertex_count(), info["vertices"]);
+}
+
+TEST(Prepare, WritesTheSameBytesAgain) {
+  const TestFolder folder;
+  write_bytes(folder / "limb.glb", swaying_limb(20));
+  for (const char* name : {"one.pelt", "two.pelt"})
+    ASSERT_EQ(run_pelt(folder, {"prepare", "limb.glb", "-o", name}).exit_code, 0);
+  EXPECT_EQ(read_text(folder / "one.pelt"), read_text(folder / "two.pelt"));
+}
+
+TEST(Prepare, InfoTellsWhatIsInIt) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  ASSERT_EQ(run_pelt(folder, {"prepare", "strip.glb", "-o", "strip.pelt"}).exit_code, 0);
+  const Ended run = run_pelt(folder, {"info", "strip.pelt", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  json info = json::parse(run.out);
+  EXPECT_EQ(info["hash"].get<std::string>().size(), 16u);
+  EXPECT_EQ(info["prepared"]["bytes"], read_text(folder / "strip.pelt").size());
+  info.erase("hash");
+  info["prepared"].erase("bytes");
+  EXPECT_EQ(info, json::parse(R"({
+    "format": "pelt-info", "version": 1, "model": "strip.pelt", "prepared": {"version": 1},
+    "vertices": 12, "triangles": 8, "degenerate_triangles": 0, "influences_per_vertex": 2,
+    "renormalised_vertices": 0, "merged_influences": 0, "joint_count": 3,
+    "nodes": 1, "clusters": 1})"));
+  const Ended told = run_pelt(folder, {"info", "strip.pelt"});
+  EXPECT_NE(told.out.find("version 1 of the format"), std::string::npos) << told.out;
+}
+
+TEST(Prepare, RefusesWhatIsDamaged) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  ASSERT_EQ(run_pelt(folder, {"prepare", "strip.glb", "-o", "strip.pelt"}).exit_code, 0);
+  std::string text = read_text(folder / "strip.pelt");
+  text.back() ^= 1;
+  write_text(folder / "strip.pelt", text);
+  const Ended run = run_pelt(folder, {"info", "strip.pelt"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("strip.pelt: the prepared model is damaged"), std::string::npos)
+      << run.err;
+}
+
+TEST(Prepare, WhereASkeletonIsNeededTheFileIsRefusedWithAdvice) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  ASSERT_EQ(run_pelt(folder, {"prepare", "strip.glb", "-o", "strip.pelt"}).exit_code, 0);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"check", "strip.pelt"},
+        std::vector<std::string>{"prepare", "strip.pelt", "-o", "again.pelt"}}) {
+    const Ended run = run_pelt(folder, arguments);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find("strip.pelt: is a prepared model"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Prepare, NamesWhatItCannotWrite) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const Ended run = run_pelt(folder, {"prepare", "strip.glb", "-o", "no/folder/a.pelt"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("no/folder/a.pelt: cannot be written"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace pelt::test
