@@ -1,6 +1,6 @@
 #include "bench/exact_pose.hpp"
 
-#include "pose/wide_code.hpp"
+#include "base/wide_code.hpp"
 #include "query/sort_contacts.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "crowd/crowd_query.hpp"
 
-#include "pose/wide_code.hpp"
+#include "base/wide_code.hpp"
 #include "query/sort_contacts.hpp"
 
 #include <algorithm>

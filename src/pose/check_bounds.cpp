@@ -2,7 +2,7 @@
 
 #include "model/unpack.hpp"
 #include "pose/pose.hpp"
-#include "pose/wide_code.hpp"
+#include "base/wide_code.hpp"
 #include "skin/skin.hpp"
 
 #include <algorithm>

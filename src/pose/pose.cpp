@@ -1,7 +1,7 @@
 #include "pose/pose.hpp"
 
 #include "base/assert.hpp"
-#include "pose/wide_code.hpp"
+#include "base/wide_code.hpp"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 #include "base/assert.hpp"
 #include "base/scratch.hpp"
 #include "pose/pose.hpp"
-#include "pose/wide_code.hpp"
+#include "base/wide_code.hpp"
 #include "query/sort_contacts.hpp"
 
 namespace pelt {

@@ -1,7 +1,7 @@
 #include <pelt/target.hpp>
 
 #include "base/assert.hpp"
-#include "pose/wide_code.hpp"
+#include "base/wide_code.hpp"
 
 #include <algorithm>
 #include <array>

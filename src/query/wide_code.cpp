@@ -1,19 +1,20 @@
 /// Compiled once for each target, like all that it names.
 
-#include "pose/wide_code.hpp"
+#include "base/wide_code.hpp"
 
 #include "pose/instance_box.hpp"
 #include "pose/open_fully.hpp"
 #include "pose/open_node.hpp"
 #include "query/pair_traversal.hpp"
+#include "skin/palette_scan.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
 extern const WideCode kWideCode;
 
-const WideCode kWideCode = {instance_box,     pose_vertices, open_all,
-                            open_all_exactly, open_fully,    collide_trees};
+const WideCode kWideCode = {scan_palette,     instance_box, pose_vertices, open_all,
+                            open_all_exactly, open_fully,   collide_trees};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

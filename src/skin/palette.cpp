@@ -1,6 +1,7 @@
 #include "skin/palette.hpp"
 
-#include "base/float4.hpp"
+#include "base/wide_code.hpp"
+#include "skin/palette_scan.hpp"
 #include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
@@ -16,36 +17,11 @@ namespace {
 /// rounding of M.
 constexpr double kLeastLinear = 0x1p-100;
 
-/// What a scan of joint matrices finds.
-struct Scan {
-  float linear = 0, translation = 0;  ///< largest elements
-  bool affine = true;                 ///< last rows are 0 0 0 1, and all elements are finite
-
-  /// M of the joints scanned, rounded up; not finite when an element is not or nearly overflows.
-  float extent(float rest_extent) const {
-    const double sum =
-        std::max(double{linear}, kLeastLinear) * double{rest_extent} + double{translation};
-    return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
-  }
-};
-
-float largest_coordinate(const Float4& v) { return std::max(std::max(v[0], v[1]), v[2]); }
-
-Scan scan(std::span<const float> floats) {
-  const Float4 last_column(0, 0, 0, 1);
-  Float4 linear(0.0f), translation(0.0f), last_row(0.0f), poison(0.0f);
-  for (const float* m = floats.data(); m != floats.data() + floats.size(); m += 16) {
-    const Float4 x = load4(m), y = load4(m + 4), z = load4(m + 8), t = load4(m + 12);
-    const Float4 ax = abs(x), ay = abs(y), az = abs(z);
-    const Float4 sum = (ax + ay) + (az + abs(t - last_column));
-    linear = max(max(linear, ax), max(ay, az));
-    translation = max(translation, abs(t));
-    last_row = max(last_row, sum);
-    poison = poison + (sum - sum);  // NaN from the first element on that is not finite
-  }
-  const float poisoned = poison[0] + poison[1] + poison[2] + poison[3];
-  return {largest_coordinate(linear), largest_coordinate(translation),
-          last_row[3] == 0 && poisoned == 0};
+/// M of the joints scanned, rounded up; not finite when an element is not or nearly overflows.
+float extent_of(const PaletteScan& scan, float rest_extent) {
+  const double sum =
+      std::max(double{scan.linear}, kLeastLinear) * double{rest_extent} + double{scan.translation};
+  return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
 }
 
 bool has_affine_last_row(const float* m) {
@@ -85,20 +61,21 @@ Error wrong_size(std::size_t floats, std::size_t joints) {
 /// no element beyond 2^120, and no blend of such matrices overflows.
 Palette::Palette(std::uint32_t joint_count, float rest_extent)
     : joints_(joint_count), rest_extent_(std::max(rest_extent, 0x1p-60f)) {
-  extent_ = Scan{.linear = 1}.extent(rest_extent_);
+  extent_ = extent_of({.linear = 1}, rest_extent_);
 }
 
 Result<void> Palette::set(std::span<const float> floats) {
   if (floats.size() != joints_.size() * 16) return wrong_size(floats.size(), joints_.size());
-  const auto is_good = [&](const Scan& found) {
-    return found.affine && found.extent(rest_extent_) <= kMaxCoordinate;
+  const auto is_good = [&](const PaletteScan& scan) {
+    return scan.is_affine && extent_of(scan, rest_extent_) <= kMaxCoordinate;
   };
-  const Scan all = scan(floats);
-  if (!is_good(all))
+  const PaletteScan scan = wide_code().scan_palette(floats.data(), joints_.size());
+  if (!is_good(scan))
     for (std::size_t j = 0; j < joints_.size(); ++j)
-      if (!is_good(scan(floats.subspan(16 * j, 16)))) return describe(&floats[16 * j], j);
+      if (!is_good(wide_code().scan_palette(&floats[16 * j], 1)))
+        return describe(&floats[16 * j], j);
   std::memcpy(joints_.data()->m.data(), floats.data(), floats.size_bytes());
-  extent_ = all.extent(rest_extent_);
+  extent_ = extent_of(scan, rest_extent_);
   return {};
 }
 

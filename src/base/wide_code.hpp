@@ -1,17 +1,27 @@
 #pragma once
 
-/// The functions that exist once for each target, and the choice between them.
+/// The functions that exist once for each target, and the choice between them. The floors above
+/// declare what they do; this one only knows their names.
 
-#include "base/scratch.hpp"
-#include "pose/posed_tree.hpp"
-
+#include <pelt/collide.hpp>
 #include <pelt/target.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace pelt::detail {
 
+class Palette;
+struct NodeBounds;
+struct PaletteScan;
+struct PosedTree;
+struct RootBox;
+struct Scratch;
+struct Tree;
+
 struct WideCode {
+  PaletteScan (*scan_palette)(const float* floats, std::size_t joint_count);
   RootBox (*instance_box)(const NodeBounds& bounds, const Palette& palette);
   void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
   QueryStats (*open_all)(const PosedTree& posed);
