@@ -1,0 +1,15 @@
+/// libFuzzer's way into load_model and what comes after it, with the checksum mended so that it
+/// hides nothing. Begin with the files that prepared_seeds writes: prepared_fuzz seeds/
+
+#include "support/prepared_file.hpp"
+#include "support/use_model.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr std::uint32_t kMostTriangles = 20000;  // so that fuzzing stays quick
+  const auto bytes = std::as_bytes(std::span(data, size));
+  pelt::test::Bytes file(bytes.begin(), bytes.end());
+  pelt::test::mend(file);
+  const pelt::Result<pelt::SkinnedModel> model = pelt::load_model(file);
+  if (model && model->triangle_count() <= kMostTriangles) pelt::test::use_model(*model);
+  return 0;
+}
