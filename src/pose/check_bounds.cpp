@@ -1,8 +1,8 @@
 #include <pelt/check.hpp>
 
+#include "base/wide_code.hpp"
 #include "model/unpack.hpp"
 #include "pose/pose.hpp"
-#include "base/wide_code.hpp"
 #include "skin/skin.hpp"
 
 #include <algorithm>

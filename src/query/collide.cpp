@@ -2,8 +2,8 @@
 
 #include "base/assert.hpp"
 #include "base/scratch.hpp"
-#include "pose/pose.hpp"
 #include "base/wide_code.hpp"
+#include "pose/pose.hpp"
 #include "query/sort_contacts.hpp"
 
 namespace pelt {

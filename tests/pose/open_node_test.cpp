@@ -1,8 +1,8 @@
 /// Opening nodes, on every target: the same bits, the same work.
 
+#include "base/wide_code.hpp"
 #include "model/unpack.hpp"
 #include "pose/pose.hpp"
-#include "base/wide_code.hpp"
 #include "skin/skin.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"

@@ -16,7 +16,7 @@ asset::Asset slider() {
     asset::Channel channel;
     channel.times = {0, duration};
     channel.values = {0, 0, 0, duration, 0, 0};
-    asset.clips.push_back({std::to_string(asset.clips.size()), duration, {channel}});
+    asset.clips.push_back({std::string(asset.clips.size(), 'a'), duration, {channel}});
   }
   return asset;
 }
