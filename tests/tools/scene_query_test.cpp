@@ -70,6 +70,54 @@ TEST(SceneQuery, CreaturesCollideAlikeByEveryMethod) {
   }
 }
 
+TEST(SceneQuery, PartsOfOneInstanceCollideAlikeAsACrowdAndPairByPair) {
+  const scenes::Scene scene = walkers();
+  auto colliders = make_colliders(scene, Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  colliders->push_back(colliders->front());
+  colliders->back().first_triangle = 1000;
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  sample_palettes(scene, 6, scratch, palettes);
+  SceneQuery crowd(*colliders, bench::MethodKind::on_demand);
+  SceneQuery pairs(*colliders, bench::make_method(bench::MethodKind::on_demand));
+  for (const std::uint32_t max_contacts : {UINT32_MAX, 3u}) {
+    FrameContacts by_crowd, by_pairs;
+    ASSERT_TRUE(crowd.set_palettes(palettes));
+    ASSERT_TRUE(pairs.set_palettes(palettes));
+    crowd.collide({.max_contacts = max_contacts}, by_crowd);
+    pairs.collide({.max_contacts = max_contacts}, by_pairs);
+    EXPECT_EQ(by_crowd.contacts, by_pairs.contacts);
+    ASSERT_EQ(by_crowd.pairs.size(), by_pairs.pairs.size());
+    EXPECT_EQ(by_crowd.pairs.size(), 3u);
+    for (std::size_t i = 0; i < by_pairs.pairs.size(); ++i) {
+      EXPECT_EQ(by_crowd.pairs[i].a, by_pairs.pairs[i].a);
+      EXPECT_EQ(by_crowd.pairs[i].b, by_pairs.pairs[i].b);
+      EXPECT_EQ(by_crowd.pairs[i].begin, by_pairs.pairs[i].begin);
+      EXPECT_EQ(by_crowd.pairs[i].end, by_pairs.pairs[i].end);
+    }
+  }
+}
+
+TEST(SceneQuery, AsksACrowdNotEveryPairOfIt) {
+  scenes::Scene scene = walkers();
+  scene.instances.resize(2000);
+  for (std::uint32_t i = 0; i < 2000; ++i)
+    scene.instances[i].translation = {3.0 * (i % 50), 0, 3.0 * (i / 50)};
+  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  sample_palettes(scene, 0, scratch, palettes);
+  SceneQuery query(*colliders, bench::MethodKind::on_demand);
+  ASSERT_TRUE(query.set_palettes(palettes));
+  FrameContacts found;
+  query.collide({}, found);
+  EXPECT_TRUE(found.pairs.empty());
+  EXPECT_LT(query.work().node_pairs, 2000u);
+  EXPECT_EQ(query.work().refits, 2000u);
+}
+
 TEST(SceneQuery, RefusedPaletteNamesItsInstance) {
   const scenes::Scene scene = walkers();
   const auto colliders = make_colliders(scene, Granularity::instance, {});

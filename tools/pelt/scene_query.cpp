@@ -14,7 +14,15 @@ void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::Sam
 }
 
 SceneQuery::SceneQuery(std::span<const Collider> colliders, bench::MethodKind method)
-    : SceneQuery(colliders, bench::make_method(method)) {}
+    : colliders_(colliders) {
+  if (method == bench::MethodKind::on_demand) {
+    crowd_.emplace();
+    for (const Collider& collider : colliders_) crowd_->add(collider.model);
+  } else {
+    method_ = bench::make_method(method);
+    for (const Collider& collider : colliders_) method_->add(collider.model);
+  }
+}
 
 SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method)
     : colliders_(colliders), method_(std::move(method)) {
@@ -24,7 +32,7 @@ SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<benc
 Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
   for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
     const std::uint32_t instance = colliders_[c].instance;
-    const Result<void> posed = method_->set_palette(c, palettes[instance]);
+    const Result<void> posed = set_palette(c, palettes[instance]);
     if (!posed) {
       return asset::prefixed("instances[" + std::to_string(instance) + "]", posed.error());
     }
@@ -32,11 +40,31 @@ Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
   return {};
 }
 
+Result<void> SceneQuery::set_palette(std::uint32_t collider, std::span<const Matrix4> palette) {
+  return crowd_ ? crowd_->set_palette(collider, palette) : method_->set_palette(collider, palette);
+}
+
 void SceneQuery::collide(const CollideOptions& options, FrameContacts& found) {
   found.pairs.clear();
   found.contacts.clear();
+  if (crowd_) return collide_crowd(options, found);
   for (std::uint32_t a = 0; a < colliders_.size(); ++a) {
     for (std::uint32_t b = a + 1; b < colliders_.size(); ++b) collide_pair(a, b, options, found);
+  }
+}
+
+void SceneQuery::collide_crowd(const CollideOptions& options, FrameContacts& found) {
+  CrowdOptions crowd_options;
+  crowd_options.max_contacts = options.max_contacts;
+  crowd_contacts_.clear();
+  query_work_ += crowd_->collide(crowd_contacts_, crowd_options).work;
+  for (const auto& [a, b, triangle_a, triangle_b] : crowd_contacts_) {
+    const std::size_t end = found.contacts.size();
+    if (found.pairs.empty() || found.pairs.back().a != a || found.pairs.back().b != b)
+      found.pairs.push_back({a, b, end, end});
+    found.pairs.back().end = end + 1;
+    found.contacts.push_back(
+        {triangle_a + colliders_[a].first_triangle, triangle_b + colliders_[b].first_triangle});
   }
 }
 
@@ -54,7 +82,7 @@ void SceneQuery::collide_pair(std::uint32_t a, std::uint32_t b, const CollideOpt
 
 QueryStats SceneQuery::work() const {
   QueryStats work = query_work_;
-  work += method_->update_work();
+  if (method_) work += method_->update_work();
   return work;
 }
 

@@ -2,10 +2,13 @@
 
 /// One frame of a scene asked for its contacts: palettes sampled, bodies posed, every pair queried.
 
+#include <pelt/crowd.hpp>
+
 #include "bench/method.hpp"
 #include "tools/pelt/colliders.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,15 +39,18 @@ struct FrameContacts {
 
 class SceneQuery {
  public:
-  /// `colliders` must outlive the query.
+  /// `colliders` must outlive the query. On demand they are asked as a crowd, on all cores, and by
+  /// other methods pair by pair.
   SceneQuery(std::span<const Collider> colliders, bench::MethodKind method);
+
+  /// Pair by pair.
   SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method);
 
   /// Poses all colliders. The message of an error names the instance.
   Result<void> set_palettes(const Palettes& palettes);
 
   /// See bench::Method::update_counts.
-  bool update_counts() const { return method_->update_counts(); }
+  bool update_counts() const { return crowd_ || method_->update_counts(); }
 
   /// Replaces `found` by the contacts of every pair of colliders.
   void collide(const CollideOptions& options, FrameContacts& found);
@@ -53,11 +59,15 @@ class SceneQuery {
   QueryStats work() const;
 
  private:
+  Result<void> set_palette(std::uint32_t collider, std::span<const Matrix4> palette);
+  void collide_crowd(const CollideOptions& options, FrameContacts& found);
   void collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
                     FrameContacts& found);
 
   std::span<const Collider> colliders_;
+  std::optional<Crowd> crowd_;  // or else
   std::unique_ptr<bench::Method> method_;
+  std::vector<CrowdContact> crowd_contacts_;
   QueryStats query_work_;
 };
 
