@@ -16,7 +16,7 @@ asset::Asset slider() {
     asset::Channel channel;
     channel.times = {0, duration};
     channel.values = {0, 0, 0, duration, 0, 0};
-    asset.clips.push_back({std::string(asset.clips.size(), 'a'), duration, {channel}});
+    asset.clips.push_back({std::to_string(asset.clips.size()), duration, {channel}});
   }
   return asset;
 }
@@ -51,11 +51,11 @@ TEST(ClipSamples, ComeFromThePlayedClipsOfTheCharacter) {
   scene.characters.push_back({"a", "a.glb", 0, slider()});
   scene.characters.push_back({"b", "b.glb", 0, slider()});
   scene.instances.resize(5);
-  scene.instances[0].clip = "1";
+  scene.instances[0].clip = std::string("1");
   scene.instances[1].character = 1;
-  scene.instances[1].clip = "0";
-  scene.instances[2].clip = "1";
-  scene.instances[3].clip = "0";
+  scene.instances[1].clip = std::string("0");
+  scene.instances[2].clip = std::string("1");
+  scene.instances[3].clip = std::string("0");
   const auto clip = [&](std::size_t c, std::size_t i) {
     return &scene.characters[c].asset.clips[i];
   };
