@@ -8,9 +8,12 @@
 
 namespace pelt::detail {
 
-/// Two opened nodes, and the slots of each that are still to be compared with the other's.
+/// Two nodes whose boxes overlap as far as is known, and the slots of each that are still to be
+/// compared with the other's.
 struct SlotPair {
   std::uint32_t node_a, slots_a, node_b, slots_b;
+  bool b_is_parent = false;  // a is a child of the node that overlapped b, b has yet to follow
+  float depth = 0;           // how far the boxes overlap
 };
 
 extern template class Stack<SlotPair>;

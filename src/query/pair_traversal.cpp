@@ -25,12 +25,29 @@ bool overlap(const OpenedNode& a, const OpenedNode& b) {
   return overlap(a.all_low, a.all_high, b.all_low, b.all_high);
 }
 
+/// How far one would have to be moved along an axis to part a slot's box from the other node.
+float depth(const OpenedNode& a, unsigned slot, const OpenedNode& b) {
+  float least = HUGE_VALF;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float left = a.high[axis][slot] - b.all_low[axis];
+    const float right = b.all_high[axis] - a.low[axis][slot];
+    const float smaller = left < right ? left : right;
+    least = smaller < least ? smaller : least;
+  }
+  return least;
+}
+
 /// The slots of an opened node whose boxes overlap `box`.
 unsigned slots_in(const OpenedNode& opened, const Box8& box) {
   return overlapping(opened.low, opened.high, 0, box);
 }
 
 unsigned clusters_of(const Node& node) { return (1u << node.cluster_count) - 1; }
+
+/// The child in a slot that is none of a cluster.
+std::uint32_t child(const Node& node, unsigned slot) {
+  return node.first_child + slot - node.cluster_count;
+}
 
 class PairTraversal {
  public:
@@ -40,16 +57,26 @@ class PairTraversal {
         b_(b),
         scratch_(scratch),
         max_contacts_(max_contacts),
+        pairs_(scratch.slot_pairs),
         triangles_(scratch.found, work_) {}
 
   QueryStats run() {
+    pairs_.clear();
     scratch_.found.clear();
-    scratch_.slot_pairs.clear();
     if (!roots_overlap()) return work_;
     make_table(a_);
     make_table(b_);
-    push({0, kAllSlots, 0, kAllSlots});
-    while (!scratch_.slot_pairs.empty() && !is_full()) visit(scratch_.slot_pairs.pop());
+    pairs_.push({0, kAllSlots, 0, kAllSlots});
+    while (!pairs_.empty() && !is_full()) {
+      const SlotPair pair = pairs_.pop();
+      const std::size_t before = pairs_.size();
+      if (pair.b_is_parent) {
+        descend_b(pair);
+      } else {
+        compare(pair);
+      }
+      if (is_impatient()) put_deepest_last(before);
+    }
     triangles_.flush();
     if (is_full()) cut();
     return work_;
@@ -65,28 +92,34 @@ class PairTraversal {
     return overlap(root_a.low, root_a.high, root_b.low, root_b.high);
   }
 
-  /// Whether to test candidates at once instead of collecting eight.
+  /// Whether so few contacts are wanted that it pays to look where they are likely first, and to
+  /// test candidates at once instead of collecting eight.
   bool is_impatient() const { return max_contacts_ - scratch_.found.size() < 8; }
 
   bool is_full() const { return scratch_.found.size() >= max_contacts_; }
 
   void cut() {
-    work_.cut_short =
-        is_unfinished_ || !scratch_.slot_pairs.empty() || scratch_.found.size() > max_contacts_;
+    work_.cut_short = is_unfinished_ || !pairs_.empty() || scratch_.found.size() > max_contacts_;
     scratch_.found.shrink(max_contacts_);
   }
 
-  /// Keeps the pair unless the opened nodes are apart.
-  void push(const SlotPair& pair) {
-    ++work_.node_pairs;
-    if (overlap(open_a(pair.node_a), open_b(pair.node_b))) scratch_.slot_pairs.push(pair);
+  /// Sorts the pairs from `first` on by depth: the next one to be popped is the deepest.
+  void put_deepest_last(std::size_t first) {
+    SlotPair* const begin = pairs_.begin() + first;
+    for (SlotPair* pair = begin; pair < pairs_.end(); ++pair) {
+      const SlotPair moved = *pair;
+      SlotPair* place = pair;
+      for (; place > begin && moved.depth < place[-1].depth; --place) *place = place[-1];
+      *place = moved;
+    }
   }
 
-  /// The slots of two opened nodes against each other.
-  void visit(const SlotPair& pair) {
+  /// The slots of two nodes against each other.
+  void compare(const SlotPair& pair) {
+    ++work_.node_pairs;
     const OpenedNode &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
-    const Node& node_b = b_.tree.nodes[pair.node_b];
-    const Node& node_a = a_.tree.nodes[pair.node_a];
+    if (!overlap(opened_a, opened_b)) return;
+    const Node &node_a = a_.tree.nodes[pair.node_a], &node_b = b_.tree.nodes[pair.node_b];
     const unsigned near_a =
         pair.slots_a & slots_in(opened_a, point_box(opened_b.all_low, opened_b.all_high));
     unsigned slots_of_child_b[kMaxSlots] = {};  // clusters of a that each child of b overlaps
@@ -95,7 +128,8 @@ class PairTraversal {
           pair.slots_b & slots_in(opened_b, lane_box(opened_a.low, opened_a.high, *slot));
       if (near_b == 0) continue;
       if (*slot >= node_a.cluster_count) {
-        descend_a(node_a.first_child + *slot - node_a.cluster_count, pair.node_b, near_b);
+        pairs_.push({child(node_a, *slot), kAllSlots, pair.node_b, near_b, true,
+                     depth(opened_a, *slot, opened_b)});
         continue;
       }
       for (SetBits other(near_b & clusters_of(node_b)); other; ++other) {
@@ -105,9 +139,24 @@ class PairTraversal {
       for (SetBits other(near_b & ~clusters_of(node_b)); other; ++other)
         slots_of_child_b[*other] |= 1u << *slot;
     }
-    for (std::uint32_t child = 0; child < node_b.child_count; ++child)
-      if (const unsigned slots = slots_of_child_b[node_b.cluster_count + child])
-        push({pair.node_a, slots, node_b.first_child + child, kAllSlots});
+    for (std::uint32_t slot = node_b.cluster_count; slot < kMaxSlots; ++slot)
+      if (const unsigned slots_a = slots_of_child_b[slot])
+        pairs_.push({pair.node_a, slots_a, child(node_b, slot), kAllSlots, false,
+                     depth(opened_b, slot, opened_a)});
+  }
+
+  /// A child of a's node against those slots of b's node that its bound overlaps: now that it is
+  /// opened, fewer may be left.
+  void descend_b(const SlotPair& pair) {
+    const OpenedNode &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
+    const Node& node_b = b_.tree.nodes[pair.node_b];
+    const unsigned slots_b =
+        pair.slots_b & slots_in(opened_b, point_box(opened_a.all_low, opened_a.all_high));
+    if (const unsigned clusters = slots_b & clusters_of(node_b))
+      pairs_.push({pair.node_a, kAllSlots, pair.node_b, clusters, false, pair.depth});
+    for (SetBits slot(slots_b & ~clusters_of(node_b)); slot; ++slot)
+      pairs_.push({pair.node_a, kAllSlots, child(node_b, *slot), kAllSlots, false,
+                   depth(opened_b, *slot, opened_a)});
   }
 
   void test(const PosedCluster& a, const PosedCluster& b) {
@@ -115,20 +164,10 @@ class PairTraversal {
     if (is_impatient()) triangles_.flush();
   }
 
-  /// A child of a's node against those slots of b's node that its bound overlaps.
-  void descend_a(std::uint32_t child_a, std::uint32_t index_b, unsigned slots_b) {
-    const OpenedNode &opened_a = open_a(child_a), &opened_b = open_b(index_b);
-    const Node& node_b = b_.tree.nodes[index_b];
-    slots_b &= slots_in(opened_b, point_box(opened_a.all_low, opened_a.all_high));
-    if (const unsigned clusters = slots_b & clusters_of(node_b))
-      push({child_a, kAllSlots, index_b, clusters});
-    for (SetBits slot(slots_b & ~clusters_of(node_b)); slot; ++slot)
-      push({child_a, kAllSlots, node_b.first_child + *slot - node_b.cluster_count, kAllSlots});
-  }
-
   const PosedTree &a_, &b_;
   Scratch& scratch_;
   std::uint32_t max_contacts_;
+  Stack<SlotPair>& pairs_;  // the one on top is next
   QueryStats work_;
   TrianglePairs triangles_;
   bool is_unfinished_ = false;  // a visit ended early
