@@ -61,7 +61,8 @@ struct CrowdStats {
 
 /// Many instances of a few models, asked all at once which of them touch: up to tens of thousands.
 /// An instance costs its joint palette and a few words; what a query opens of it lies in memory
-/// that is shared by all and used anew in each frame.
+/// that is shared by all, and used anew as soon as the pairs of instances that hang together are
+/// through.
 ///
 /// A frame is `set_palette` for the instances that have moved, then a query. Instances have numbers
 /// from 0 on. One thread at a time may use a crowd, but for `set_palette`. Movable, not copyable.

@@ -22,10 +22,7 @@ std::uint32_t Crowd::add(const SkinnedModel& model, const CrowdGroups& groups) {
   return crowd_->instances.add(model, groups);
 }
 
-void Crowd::remove(std::uint32_t instance) {
-  crowd_->query.forget(instance);
-  crowd_->instances.remove(instance);
-}
+void Crowd::remove(std::uint32_t instance) { crowd_->instances.remove(instance); }
 
 std::uint32_t Crowd::size() const { return crowd_->instances.count(); }
 

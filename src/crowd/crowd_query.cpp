@@ -14,6 +14,20 @@ bool agree(const CrowdGroups& a, const CrowdGroups& b) {
   return (a.member_of & b.collides_with) != 0 && (b.member_of & a.collides_with) != 0;
 }
 
+/// Does the same to both instances of each pair.
+template <typename Action>
+void for_both(CrowdInstances& instances, std::span<const CrowdPair> pairs, const Action& action) {
+  for (const CrowdPair& pair : pairs) {
+    action(instances[pair.instance_a]);
+    action(instances[pair.instance_b]);
+  }
+}
+
+/// Palettes were set a long time ago, as caches count, and joints are read in no order.
+void prefetch_palette(const CrowdInstance& instance) {
+  for (const Matrix4& joint : instance.palette.joints()) __builtin_prefetch(&joint);
+}
+
 /// Room for as much again as was used by all workers together, so that any of them can do the work
 /// of all in a frame like this one. Memory that is not used is not touched, and so costs none.
 void even_out(Arena& arena, std::size_t used) {
@@ -27,10 +41,10 @@ CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& option
   const std::uint64_t moved = box_instances(instances);
   sweep_.find_pairs(pairs_);
   filter_pairs(instances, options);
-  if (moved > 0) close_all(instances);
+  groups_.form(pairs_, instances.end());
   start_workers(options.threads);
-  make_room(instances);
-  collide_pairs(instances, max_contacts);
+  share_out();
+  collide(instances, max_contacts);
   CrowdStats stats = gather();
   stats.work.refits += moved;
   even_out();
@@ -44,7 +58,7 @@ std::uint64_t CrowdQuery::box_instances(CrowdInstances& instances) {
   for (std::uint32_t number = 0; number < instances.end(); ++number) {
     if (!instances.has(number)) continue;
     CrowdInstance& instance = instances[number];
-    sweep_.add(number, instance.box);
+    sweep_.add(number, instance.box());
     moved += instance.has_moved;
     instance.has_moved = false;
   }
@@ -59,61 +73,76 @@ void CrowdQuery::filter_pairs(CrowdInstances& instances, const CrowdOptions& opt
   });
 }
 
-/// Nodes lie in the workers' arenas without regard to their instances, so all are closed as soon as
-/// one instance has moved.
-void CrowdQuery::close_all(CrowdInstances& instances) {
-  for (const std::uint32_t number : near_) instances[number].may_open = false;
-  near_.clear();
-  for (Worker& worker : workers_) worker.nodes.clear();
-}
-
-void CrowdQuery::make_room(CrowdInstances& instances) {
-  const auto make_room_for = [&](std::uint32_t number) {
-    CrowdInstance& instance = instances[number];
-    if (instance.may_open) return;
-    instance.may_open = true;
-    near_.push_back(number);
-    const auto nodes = static_cast<std::uint32_t>(instance.model.detail().tree.nodes.size());
-    instance.opened = OpenedNodes(nodes, workers_[0].nodes);
-    instance.opened.root_box = instance.box;
-  };
-  for (const CrowdPair& pair : pairs_) {
-    make_room_for(pair.instance_a);
-    make_room_for(pair.instance_b);
-  }
-}
-
 void CrowdQuery::start_workers(std::uint32_t threads) {
   if (threads == 0) threads = Workers::available();
   worker_count_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(pairs_.size(), 1, threads));
   if (workers_.size() < worker_count_) workers_.resize(worker_count_);
   for (Worker& worker : workers_) {
+    worker.shared_nodes.clear();
     worker.contacts.clear();
+    worker.most_nodes = 0;
     worker.touching.clear();
     worker.work = {};
   }
 }
 
-void CrowdQuery::collide_pairs(CrowdInstances& instances, std::uint32_t max_contacts) {
-  shares_.deal(static_cast<std::uint32_t>(pairs_.size()), worker_count_);
-  const auto job = [&](std::uint32_t worker) {
-    while (const auto pair = shares_.take(worker))
-      collide_pair(instances, pairs_[*pair], workers_[worker], max_contacts);
-  };
-  threads_.run(worker_count_, std::ref(job));
+/// A group counts as large if it is a good part of what each worker has to do.
+void CrowdQuery::share_out() {
+  const std::size_t large = worker_count_ == 1 ? pairs_.size() : pairs_.size() / worker_count_ / 8;
+  shared_pairs_.clear();
+  small_groups_.clear();
+  for (std::uint32_t g = 0; g < groups_.count(); ++g) {
+    const std::span<const CrowdPair> group = groups_[g];
+    if (group.size() <= large)
+      small_groups_.push_back(g);
+    else
+      shared_pairs_.insert(shared_pairs_.end(), group.begin(), group.end());
+  }
+  pair_shares_.deal(static_cast<std::uint32_t>(shared_pairs_.size()), worker_count_);
+  group_shares_.deal(static_cast<std::uint32_t>(small_groups_.size()), worker_count_);
 }
 
-void CrowdQuery::collide_pair(CrowdInstances& instances, const CrowdPair& pair, Worker& worker,
-                              std::uint32_t max_contacts) {
-  const PosedTree a = instances[pair.instance_a].posed_tree(worker.nodes);
-  const PosedTree b = instances[pair.instance_b].posed_tree(worker.nodes);
-  worker.work += wide_code().collide_trees(a, b, worker.scratch, max_contacts);
-  Stack<Contact>& found = worker.scratch.found;
+void CrowdQuery::collide(CrowdInstances& instances, std::uint32_t max_contacts) {
+  for_both(instances, shared_pairs_, [this](CrowdInstance& instance) {
+    make_table(instance.posed_tree(workers_[0].shared_nodes));
+  });
+  const auto job = [&](std::uint32_t number) {
+    Worker& worker = workers_[number];
+    while (const auto pair = pair_shares_.take(number))
+      worker.collide_pair(instances, shared_pairs_[*pair], worker.shared_nodes, max_contacts);
+    const auto take_group = [&] {
+      const auto group = group_shares_.take(number);
+      return group ? groups_[small_groups_[*group]] : std::span<const CrowdPair>();
+    };
+    for (auto group = take_group(), next = group; !group.empty(); group = next) {
+      next = take_group();
+      for_both(instances, next, prefetch_palette);
+      worker.collide_group(instances, group, max_contacts);
+    }
+  };
+  threads_.run(worker_count_, std::ref(job));
+  for_both(instances, shared_pairs_, [](CrowdInstance& instance) { instance.close(); });
+}
+
+void CrowdQuery::Worker::collide_group(CrowdInstances& instances, std::span<const CrowdPair> group,
+                                       std::uint32_t max_contacts) {
+  for (const CrowdPair& pair : group) collide_pair(instances, pair, nodes, max_contacts);
+  for_both(instances, group, [](CrowdInstance& instance) { instance.close(); });
+  most_nodes = std::max(most_nodes, nodes.used());
+  nodes.clear();
+}
+
+void CrowdQuery::Worker::collide_pair(CrowdInstances& instances, const CrowdPair& pair,
+                                      Arena& arena, std::uint32_t max_contacts) {
+  const PosedTree a = instances[pair.instance_a].posed_tree(arena);
+  const PosedTree b = instances[pair.instance_b].posed_tree(arena);
+  work += wide_code().collide_trees(a, b, scratch, max_contacts);
+  Stack<Contact>& found = scratch.found;
   if (found.empty()) return;
-  sort_contacts(found, worker.scratch.sorting);
-  auto* kept = reinterpret_cast<Contact*>(worker.contacts.allocate(found.size() * sizeof(Contact)));
+  sort_contacts(found, scratch.sorting);
+  auto* kept = reinterpret_cast<Contact*>(contacts.allocate(found.size() * sizeof(Contact)));
   std::uninitialized_copy(found.begin(), found.end(), kept);
-  worker.touching.push_back({pair, {kept, found.size()}});
+  touching.push_back({pair, {kept, found.size()}});
 }
 
 CrowdStats CrowdQuery::gather() {
@@ -133,35 +162,42 @@ CrowdStats CrowdQuery::gather() {
 /// Which worker does which pairs is a matter of chance, and so would be who runs out of room.
 void CrowdQuery::even_out() {
   if (worker_count_ == 1) return;
-  std::size_t nodes = 0, contacts = 0, slot_pairs = 0, found = 0, sorting = 0;
+  std::size_t shared_nodes = 0, nodes = 0, contacts = 0;
+  std::size_t slot_pairs = 0, found = 0, sorting = 0;
   for (Worker& worker : workers_) {
-    nodes += worker.nodes.used();
+    shared_nodes += worker.shared_nodes.used();
+    nodes = std::max(nodes, worker.most_nodes);
     contacts += worker.contacts.used();
     slot_pairs = std::max(slot_pairs, worker.scratch.slot_pairs.capacity());
     found = std::max(found, worker.scratch.found.capacity());
     sorting = std::max(sorting, worker.scratch.sorting.capacity());
   }
   for (std::uint32_t w = 0; w < worker_count_; ++w) {
-    detail::even_out(workers_[w].nodes, nodes);
-    detail::even_out(workers_[w].contacts, contacts);
-    workers_[w].scratch.slot_pairs.reserve(slot_pairs);
-    workers_[w].scratch.found.reserve(found);
-    workers_[w].scratch.sorting.reserve(sorting);
-    workers_[w].touching.reserve(touching_.size());
+    Worker& worker = workers_[w];
+    detail::even_out(worker.shared_nodes, shared_nodes);
+    detail::even_out(worker.nodes, nodes);
+    detail::even_out(worker.contacts, contacts);
+    worker.scratch.slot_pairs.reserve(slot_pairs);
+    worker.scratch.found.reserve(found);
+    worker.scratch.sorting.reserve(sorting);
+    worker.touching.reserve(touching_.size());
   }
 }
 
 std::size_t CrowdQuery::memory() const {
-  std::size_t bytes = sweep_.memory() + pairs_.capacity() * sizeof(CrowdPair) +
-                      near_.capacity() * sizeof(near_[0]) +
+  std::size_t bytes = sweep_.memory() + groups_.memory() +
+                      (pairs_.capacity() + shared_pairs_.capacity()) * sizeof(CrowdPair) +
+                      small_groups_.capacity() * sizeof(std::uint32_t) +
                       touching_.capacity() * sizeof(TouchingPair);
-  for (const Worker& worker : workers_)
-    bytes +=
-        worker.nodes.capacity() + worker.contacts.capacity() +
-        worker.touching.capacity() * sizeof(TouchingPair) +
-        worker.scratch.slot_pairs.capacity() * sizeof(SlotPair) +
-        (worker.scratch.found.capacity() + worker.scratch.sorting.capacity()) * sizeof(Contact);
+  for (const Worker& worker : workers_) bytes += worker.memory();
   return bytes;
+}
+
+std::size_t CrowdQuery::Worker::memory() const {
+  return nodes.capacity() + shared_nodes.capacity() + contacts.capacity() +
+         touching.capacity() * sizeof(TouchingPair) +
+         scratch.slot_pairs.capacity() * sizeof(SlotPair) +
+         (scratch.found.capacity() + scratch.sorting.capacity()) * sizeof(Contact);
 }
 
 }  // namespace pelt::detail

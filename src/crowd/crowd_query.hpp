@@ -1,8 +1,9 @@
 #pragma once
 
 /// How a crowd is asked. A query runs in passes, each over all instances or pairs: boxes that
-/// overlap (sweep.hpp), the filters, room for what will be opened, and at last the descents, which
-/// several threads share pair by pair.
+/// overlap (sweep.hpp), the filters, groups without common instances (pair_groups.hpp), and at last
+/// the descents. A worker does a whole group by itself; where a group is so large that others would
+/// wait for it, they share its pairs.
 ///
 /// Answers and stats are those of one thread. A descent depends on the two palettes alone: a node
 /// is opened to the same bits by whoever needs it, and counted by the one who published it. What
@@ -14,6 +15,7 @@
 #include "base/work_shares.hpp"
 #include "base/workers.hpp"
 #include "crowd/instances.hpp"
+#include "crowd/pair_groups.hpp"
 #include "crowd/sweep.hpp"
 
 #include <span>
@@ -36,39 +38,43 @@ class CrowdQuery {
   /// What the last run found, ascending. Valid until the next one.
   std::span<const TouchingPair> touching() const { return touching_; }
 
-  /// Must be told before an instance is removed.
-  void forget(std::uint32_t instance) { std::erase(near_, instance); }
-
   std::size_t memory() const;
 
  private:
   /// What one thread needs for itself.
   struct alignas(64) Worker {
-    Arena nodes;     // of this frame: until instances move
-    Arena contacts;  // of this query
+    Arena nodes;                 // of the group that it does by itself
+    Arena shared_nodes;          // of groups whose pairs are shared, for all to use
+    Arena contacts;              // of this query
+    std::size_t most_nodes = 0;  // bytes that a group of this query took
     std::vector<TouchingPair> touching;
     Scratch scratch;
     QueryStats work;
+
+    void collide_group(CrowdInstances& instances, std::span<const CrowdPair> group,
+                       std::uint32_t max_contacts);
+    void collide_pair(CrowdInstances& instances, const CrowdPair& pair, Arena& arena,
+                      std::uint32_t max_contacts);
+    std::size_t memory() const;
   };
 
   std::uint64_t box_instances(CrowdInstances& instances);
   void filter_pairs(CrowdInstances& instances, const CrowdOptions& options);
-  void close_all(CrowdInstances& instances);
-  void make_room(CrowdInstances& instances);
   void start_workers(std::uint32_t threads);
-  void collide_pairs(CrowdInstances& instances, std::uint32_t max_contacts);
-  static void collide_pair(CrowdInstances& instances, const CrowdPair& pair, Worker& worker,
-                           std::uint32_t max_contacts);
+  void share_out();
+  void collide(CrowdInstances& instances, std::uint32_t max_contacts);
   CrowdStats gather();
   void even_out();
 
   Sweep sweep_;
-  std::vector<CrowdPair> pairs_;     // to be asked, neighbours in space together
-  std::vector<std::uint32_t> near_;  // instances that may be open, each once
+  std::vector<CrowdPair> pairs_;             // to be asked
+  PairGroups groups_;                        // of them
+  std::vector<CrowdPair> shared_pairs_;      // of the large groups
+  std::vector<std::uint32_t> small_groups_;  // the others
+  WorkShares pair_shares_, group_shares_;    // of those two
   std::vector<Worker> workers_;
   std::uint32_t worker_count_ = 1;  // of this query
   std::vector<TouchingPair> touching_;
-  WorkShares shares_;
   Workers threads_;
 };
 

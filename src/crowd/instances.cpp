@@ -7,7 +7,8 @@ namespace pelt::detail {
 namespace {
 
 void take_box(CrowdInstance& instance) {
-  instance.box = wide_code().instance_box(instance.model.detail().bounds, instance.palette);
+  instance.opened.root_box =
+      wide_code().instance_box(instance.model.detail().bounds, instance.palette);
   instance.has_moved = true;
 }
 

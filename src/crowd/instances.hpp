@@ -23,13 +23,20 @@ struct CrowdInstance {
     return {model.detail().tree, model.detail().bounds, palette, opened, arena};
   }
 
+  const RootBox& box() const { return opened.root_box; }
+
+  /// Forgets all of the palette but its box.
+  void close() {
+    const RootBox root_box = box();
+    opened = OpenedNodes();
+    opened.root_box = root_box;
+  }
+
   SkinnedModel model;
   CrowdGroups groups;
   Palette palette;
-  RootBox box;            // of the palette
+  OpenedNodes opened;     // closed between queries, but for the box
   bool has_moved = true;  // since the last query
-  bool may_open = false;  // a query of this frame got near it, and `opened` has room
-  OpenedNodes opened;
 };
 
 /// The instances of a crowd by their numbers, of which some may be free.

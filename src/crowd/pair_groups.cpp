@@ -1,0 +1,54 @@
+#include "crowd/pair_groups.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pelt::detail {
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+}  // namespace
+
+/// Groups in the order of their first pairs, by counting sort.
+void PairGroups::form(std::span<const CrowdPair> pairs, std::uint32_t instance_end) {
+  leaders_.resize(instance_end);
+  std::iota(leaders_.begin(), leaders_.end(), 0u);
+  for (const CrowdPair& pair : pairs) unite(pair);
+
+  group_of_.assign(instance_end, kNone);
+  begins_.assign(1, 0);
+  for (const CrowdPair& pair : pairs) {
+    std::uint32_t& group = group_of_[leader_of(pair.instance_a)];
+    if (group == kNone) {
+      group = count();
+      begins_.push_back(0);
+    }
+    ++begins_[group + 1];
+  }
+  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+
+  pairs_.resize(pairs.size());
+  for (const CrowdPair& pair : pairs)
+    pairs_[begins_[group_of_[leader_of(pair.instance_a)]]++] = pair;
+  std::copy_backward(begins_.begin(), begins_.end() - 1, begins_.end());
+  begins_[0] = 0;
+}
+
+std::uint32_t PairGroups::leader_of(std::uint32_t instance) {
+  while (leaders_[instance] != instance)
+    instance = leaders_[instance] = leaders_[leaders_[instance]];
+  return instance;
+}
+
+void PairGroups::unite(const CrowdPair& pair) {
+  const std::uint32_t a = leader_of(pair.instance_a), b = leader_of(pair.instance_b);
+  leaders_[std::max(a, b)] = std::min(a, b);
+}
+
+std::size_t PairGroups::memory() const {
+  return (leaders_.capacity() + group_of_.capacity() + begins_.capacity()) * sizeof(std::uint32_t) +
+         pairs_.capacity() * sizeof(CrowdPair);
+}
+
+}  // namespace pelt::detail
