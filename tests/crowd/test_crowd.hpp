@@ -1,0 +1,122 @@
+#pragma once
+
+/// A crowd to test with, and the same instances one by one.
+
+#include <pelt/crowd.hpp>
+
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace pelt::test {
+
+inline constexpr std::uint32_t kThreadCounts[] = {1, 2, 3, 8};
+
+/// Instances of several models with their poses, as a crowd and one by one.
+struct TestCrowd {
+  explicit TestCrowd(std::vector<Shape> shapes) {
+    for (const Shape& shape : shapes) models.push_back(*build_model(shape.view()));
+  }
+
+  std::uint32_t add(std::uint32_t model, const CrowdGroups& groups = {}) {
+    const std::uint32_t instance = crowd.add(models[model], groups);
+    if (instance == poses.size()) {
+      poses.emplace_back(models[model]);
+      all_groups.push_back(groups);
+      present.push_back(true);
+    } else {
+      poses[instance] = Pose(models[model]);
+      all_groups[instance] = groups;
+      present[instance] = true;
+    }
+    return instance;
+  }
+
+  void remove(std::uint32_t instance) {
+    crowd.remove(instance);
+    present[instance] = false;
+  }
+
+  void move(std::uint32_t instance, const std::vector<Matrix4>& palette) {
+    ASSERT_TRUE(crowd.set_palette(instance, palette));
+    ASSERT_TRUE(poses[instance].set_palette(palette));
+  }
+
+  bool may_touch(std::uint32_t a, std::uint32_t b) const {
+    return (all_groups[a].member_of & all_groups[b].collides_with) != 0 &&
+           (all_groups[b].member_of & all_groups[a].collides_with) != 0;
+  }
+
+  /// Every pair asked by itself.
+  std::vector<CrowdContact> expected(const CrowdOptions& options = {}) {
+    std::vector<CrowdContact> all;
+    Scratch scratch;
+    for (std::uint32_t a = 0; a < poses.size(); ++a)
+      for (std::uint32_t b = a + 1; b < poses.size(); ++b) {
+        if (!present[a] || !present[b] || !may_touch(a, b)) continue;
+        if (options.filter && !options.filter(a, b)) continue;
+        std::vector<Contact> contacts;
+        pelt::collide(poses[a], poses[b], scratch, contacts, {options.max_contacts});
+        for (const Contact& c : contacts) all.push_back({a, b, c.triangle_a, c.triangle_b});
+      }
+    return all;
+  }
+
+  std::vector<CrowdContact> contacts(const CrowdOptions& options = {}) {
+    std::vector<CrowdContact> found;
+    crowd.collide(found, options);
+    return found;
+  }
+
+  std::vector<SkinnedModel> models;
+  Crowd crowd;
+  std::vector<Pose> poses;
+  std::vector<CrowdGroups> all_groups;
+  std::vector<bool> present;
+};
+
+inline std::vector<CrowdPair> pairs_of(const std::vector<CrowdContact>& contacts) {
+  std::vector<CrowdPair> pairs;
+  for (const CrowdContact& c : contacts) pairs.push_back({c.instance_a, c.instance_b});
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+/// Limbs of two models and a soup, and room for them.
+inline std::vector<Shape> mixed_shapes(Random& random) {
+  return {make_limb(12, 8, 3), make_limb(20, 6, 5), make_soup(random, 60, 4, 3, Weights::random)};
+}
+
+inline std::vector<Matrix4> palette_for(Random& random, std::uint32_t model, double room) {
+  if (model == 2) {
+    std::vector<Matrix4> palette = make_palette(random, 4, Motion::affine, 0.3);
+    const Vec3 place = random.point(room);
+    for (Matrix4& m : palette) m.m[12] += place.x, m.m[13] += place.y, m.m[14] += place.z;
+    return palette;
+  }
+  return bend_limb(random, model == 0 ? 3 : 5, random.uniform(-0.6, 0.6), random.point(room));
+}
+
+inline TestCrowd make_mixed_crowd(Random& random, std::uint32_t count, double room) {
+  TestCrowd crowd(mixed_shapes(random));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t model = random.index(3);
+    const std::uint32_t instance = crowd.add(model);
+    crowd.move(instance, palette_for(random, model, room));
+  }
+  return crowd;
+}
+
+inline std::uint32_t model_of(const TestCrowd& crowd, std::uint32_t instance) {
+  const auto found =
+      std::find_if(crowd.models.begin(), crowd.models.end(), [&](const SkinnedModel& model) {
+        return &model.detail() == &crowd.crowd.model(instance).detail();
+      });
+  return static_cast<std::uint32_t>(found - crowd.models.begin());
+}
+
+}  // namespace pelt::test
