@@ -194,12 +194,13 @@ Problem StructureCheck::check_pools() {
   return {};
 }
 
-/// Corners lie in the pool, and `cluster_vertices` are these corners, each named once.
+/// Corners are offsets of vertices in the pool, and `cluster_vertices` are these, each named once.
 Problem StructureCheck::check_cluster(std::uint32_t c) {
   const Cluster& cluster = tree_.clusters[c];
   for (std::uint32_t i = 0; i < cluster.vertex_count; ++i) {
     const std::uint16_t vertex = tree_.cluster_vertices[cluster.first_vertex + i];
-    if (vertex >= named_by_.size() || std::exchange(named_by_[vertex], c) == c)
+    if (vertex % kFloatsPerVertex != 0 || vertex >= kFloatsPerVertex * named_by_.size() ||
+        std::exchange(named_by_[vertex / kFloatsPerVertex], c) == c)
       return problem("cluster_vertices[%u] is %u, twice or not in the pool",
                      cluster.first_vertex + i, vertex);
   }
@@ -210,10 +211,11 @@ Problem StructureCheck::check_cluster(std::uint32_t c) {
   std::uint32_t used = 0;
   for (std::uint32_t i = 0; i < cluster.triangle_count; ++i)
     for (const std::uint16_t corner : tree_.corners[cluster.first_triangle + i]) {
-      if (corner >= named_by_.size() || named_by_[corner] != c)
+      if (corner % kFloatsPerVertex != 0 || corner >= kFloatsPerVertex * named_by_.size() ||
+          named_by_[corner / kFloatsPerVertex] != c)
         return problem("corners[%u] has %u, which is none of its cluster_vertices",
                        cluster.first_triangle + i, corner);
-      used += std::exchange(used_by_[corner], c) != c;
+      used += std::exchange(used_by_[corner / kFloatsPerVertex], c) != c;
     }
   if (used != cluster.vertex_count)
     return problem("clusters[%u] has %u vertices, but %u corners", c, cluster.vertex_count, used);

@@ -19,6 +19,10 @@ namespace pelt::detail {
 inline constexpr std::uint32_t kMaxClusterTriangles = 16;
 inline constexpr std::uint32_t kMaxSlots = 8;
 
+/// A posed vertex takes so many floats. Corners are offsets in floats, not numbers of vertices: the
+/// loops over them then need no multiplication.
+inline constexpr std::uint32_t kFloatsPerVertex = 4;
+
 /// Lists of a cluster's vertices are filled up to a multiple of this.
 inline constexpr std::uint32_t kVertexGroup = 4;
 
@@ -52,11 +56,11 @@ struct Tree {
   std::vector<float> weights;                  // of the influences, positive
 
   // Triangles [T] in the order of the clusters.
-  std::vector<std::array<std::uint16_t, 3>> corners;  // [T] in the pool of the cluster's node
+  std::vector<std::array<std::uint16_t, 3>> corners;  // [T] offsets in the posed pool
   std::vector<std::uint32_t> triangle_ids;            // [T] the caller's number
 
-  // The corners of each cluster in its pool, each named once and the last one again until the list
-  // is full: loops over it then take few different numbers of steps, which branches predict.
+  // The corners of each cluster, each offset once and the last one again until the list is full:
+  // loops over it then take few different numbers of steps, which branches predict.
   std::vector<std::uint16_t> cluster_vertices;
 
   std::vector<Cluster> clusters;

@@ -111,7 +111,8 @@ class TreeWriter {
                                                std::uint32_t first_vertex) const {
     std::array<std::uint16_t, 3> corners;
     for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = static_cast<std::uint16_t>(places_[welded_[triangle[k]]] - first_vertex);
+      corners[k] = static_cast<std::uint16_t>(kFloatsPerVertex *
+                                              (places_[welded_[triangle[k]]] - first_vertex));
     return corners;
   }
 

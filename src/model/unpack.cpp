@@ -51,7 +51,8 @@ SkinnedMesh unpack_mesh(const Tree& tree) {
       for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
         const std::uint32_t t = cluster.first_triangle + i;
         for (std::size_t k = 0; k < 3; ++k)
-          mesh.triangles[tree.triangle_ids[t]][k] = numbers[node.first_vertex + tree.corners[t][k]];
+          mesh.triangles[tree.triangle_ids[t]][k] =
+              numbers[node.first_vertex + tree.corners[t][k] / kFloatsPerVertex];
       }
     }
   return mesh;

@@ -123,7 +123,7 @@ class BoundsCheck {
     for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
       Box exact;
       for (const std::uint16_t corner : tree_.corners[cluster.first_triangle + i])
-        exact.include(posed_[node.first_vertex + corner]);
+        exact.include(posed_[node.first_vertex + corner / detail::kFloatsPerVertex]);
       if (boxes)
         expect(lane(boxes->low, boxes->high, i), exact, "triangle",
                tree_.triangle_ids[cluster.first_triangle + i]);

@@ -45,7 +45,7 @@ struct Places {
 template <std::uint32_t kCount>
 std::uint32_t pose_run(const Places& places, const Matrix4* palette, std::uint32_t place,
                        std::uint32_t end, float*& out) {
-  for (; place < end && places.influence_count(place) == kCount; ++place, out += 4)
+  for (; place < end && places.influence_count(place) == kCount; ++place, out += kFloatsPerVertex)
     store4(out, places.pose(place, kCount, palette));
   return place;
 }
@@ -58,15 +58,15 @@ void pose_pool(const Tree& tree, const Matrix4* palette, std::uint32_t place, st
   place = pose_run<2>(places, palette, place, end, out);
   place = pose_run<3>(places, palette, place, end, out);
   place = pose_run<4>(places, palette, place, end, out);
-  for (; place < end; ++place, out += 4)
+  for (; place < end; ++place, out += kFloatsPerVertex)
     store4(out, places.pose(place, places.influence_count(place), palette));
 }
 
 /// An unpublished node with its pool posed.
 OpenedNode* begin_node(const PosedTree& posed, const Node& node) {
   OpenedNode* opened = posed.arena.allocate<OpenedNode>();
-  auto* positions =
-      reinterpret_cast<float*>(posed.arena.allocate(node.vertex_count * sizeof(Float4)));
+  auto* positions = reinterpret_cast<float*>(
+      posed.arena.allocate(node.vertex_count * kFloatsPerVertex * sizeof(float)));
   pose_pool(posed.tree, posed.palette.joints().data(), node.first_vertex,
             node.first_vertex + node.vertex_count, positions);
   opened->positions = positions;
@@ -78,7 +78,7 @@ Box4 empty_box() { return {Float4(HUGE_VALF), Float4(-HUGE_VALF)}; }
 Box4 cluster_box(const Tree& tree, const Cluster& cluster, const float* positions) {
   const std::uint16_t* vertex = tree.cluster_vertices.data() + cluster.first_vertex;
   const std::uint16_t* end = vertex + cluster.listed_vertex_count();
-  const auto position = [&](int i) { return load4(positions + 4 * vertex[i]); };
+  const auto position = [&](int i) { return load4(positions + vertex[i]); };
   Box4 box = {position(0), position(0)};
   for (; vertex != end; vertex += kVertexGroup) {
     const Float4 a = position(0), b = position(1), c = position(2), d = position(3);
@@ -113,8 +113,8 @@ void box_slots(const Tree& tree, const Node& node, OpenedNode& opened, const Chi
 }
 
 Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
-  const Float4 a = load4(positions + 4 * corners[0]), b = load4(positions + 4 * corners[1]);
-  const Float4 c = load4(positions + 4 * corners[2]);
+  const Float4 a = load4(positions + corners[0]), b = load4(positions + corners[1]);
+  const Float4 c = load4(positions + corners[2]);
   return {min(min(a, b), c), max(max(a, b), c)};
 }
 

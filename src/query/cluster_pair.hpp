@@ -24,10 +24,10 @@ struct PosedCluster {
 /// Where one triangle of an opened node is found.
 struct PosedTriangle {
   const float* positions;        ///< of the node's pool
-  const std::uint16_t* corners;  ///< three places in it
+  const std::uint16_t* corners;  ///< three offsets in it
   const std::uint32_t* id;       ///< the caller's number
 
-  const float* corner(int i) const { return positions + 4 * corners[i]; }
+  const float* corner(int i) const { return positions + corners[i]; }
 };
 
 inline namespace PELT_TARGET {

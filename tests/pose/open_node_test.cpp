@@ -155,7 +155,7 @@ Box lane(const float (&low)[3][kCount], const float (&high)[3][kCount], std::siz
 Box triangle_box(const Tree& tree, const OpenedNode& opened, std::uint32_t triangle) {
   Box box = kEmpty;
   for (const std::uint16_t corner : tree.corners[triangle]) {
-    const float* p = opened.positions + 4 * corner;
+    const float* p = opened.positions + corner;
     include(box, {{{p[0], p[1], p[2]}, {p[0], p[1], p[2]}}});
   }
   return box;
