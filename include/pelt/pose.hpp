@@ -20,7 +20,8 @@ struct Pose;
 /// that has been moved from may only be assigned to or destroyed.
 class Pose {
  public:
-  /// Allocates all the memory that the pose will ever need, O(T).
+  /// Allocates the joint palette, O(J). Queries allocate what they open until they have opened as
+  /// much as in any frame before.
   explicit Pose(SkinnedModel model);
   Pose(Pose&&) noexcept;
   Pose& operator=(Pose&&) noexcept;

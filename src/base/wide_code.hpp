@@ -24,9 +24,8 @@ struct WideCode {
   PaletteScan (*scan_palette)(const float* floats, std::size_t joint_count);
   RootBox (*instance_box)(const NodeBounds& bounds, const Palette& palette);
   void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
-  QueryStats (*open_all)(const PosedTree& posed);
   QueryStats (*open_all_exactly)(const PosedTree& posed);
-  void (*open_fully)(const PosedTree& posed);
+  QueryStats (*open_fully)(const PosedTree& posed);
   QueryStats (*collide_trees)(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                               std::uint32_t max_contacts);
 };

@@ -1,15 +1,13 @@
 #include "model/problem.hpp"
 
-#include <cstdarg>
-#include <cstdio>
+#include "base/format.hpp"
 
 namespace pelt::detail {
 
 Problem problem(const char* format, ...) {
-  char text[256];
   std::va_list arguments;
   va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
+  std::string text = formatted(format, arguments);
   va_end(arguments);
   return text;
 }

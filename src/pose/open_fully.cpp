@@ -5,7 +5,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-void open_fully(const PosedTree& posed) {
+QueryStats open_fully(const PosedTree& posed) {
   QueryStats work;
   root_box(posed, work);
   for (std::uint32_t index = 0; index < posed.tree.nodes.size(); ++index) {
@@ -14,6 +14,7 @@ void open_fully(const PosedTree& posed) {
     for (std::uint32_t slot = 0; slot < node.cluster_count; ++slot)
       triangle_boxes(posed, node, opened, slot);
   }
+  return work;
 }
 
 }  // namespace PELT_TARGET

@@ -7,8 +7,8 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 
 /// Computes every bound that a query could ask for: the box around the root, all nodes, the boxes
-/// of all triangles. Precondition: there is a table of opened nodes.
-void open_fully(const PosedTree& posed);
+/// of all triangles. Returns the work. Precondition: there is a table of opened nodes.
+QueryStats open_fully(const PosedTree& posed);
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

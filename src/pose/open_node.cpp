@@ -1,6 +1,7 @@
 #include "pose/open_node.hpp"
 
 #include "model/node_box.hpp"
+#include "pose/instance_box.hpp"
 #include "skin/skin.hpp"
 
 namespace pelt::detail {
@@ -87,10 +88,21 @@ Box4 cluster_box(const Tree& tree, const Cluster& cluster, const float* position
   return box;
 }
 
-void store_lanes(float (*rows)[kMaxSlots], const Points8& lanes) {
-  lanes.x.store(rows[0]);
-  lanes.y.store(rows[1]);
-  lanes.z.store(rows[2]);
+/// Writes eight boxes side by side, from lane `first` on.
+template <std::size_t kCount>
+void store_boxes(const Box4 (&box)[8], float (&low)[3][kCount], float (&high)[3][kCount],
+                 std::uint32_t first) {
+  const auto store = [first](const Points8& lanes, float(&rows)[3][kCount]) {
+    lanes.x.store(rows[0] + first);
+    lanes.y.store(rows[1] + first);
+    lanes.z.store(rows[2] + first);
+  };
+  store(transpose8(box[0].low, box[1].low, box[2].low, box[3].low, box[4].low, box[5].low,
+                   box[6].low, box[7].low),
+        low);
+  store(transpose8(box[0].high, box[1].high, box[2].high, box[3].high, box[4].high, box[5].high,
+                   box[6].high, box[7].high),
+        high);
 }
 
 /// Slot boxes: exact ones of the clusters, and whatever `child_box` says of the children.
@@ -106,10 +118,7 @@ void box_slots(const Tree& tree, const Node& node, OpenedNode& opened, const Chi
   for (; slot < kMaxSlots; ++slot) box[slot] = empty_box();
   store4(opened.all_low, all.low);
   store4(opened.all_high, all.high);
-  store_lanes(opened.low, transpose8(box[0].low, box[1].low, box[2].low, box[3].low, box[4].low,
-                                     box[5].low, box[6].low, box[7].low));
-  store_lanes(opened.high, transpose8(box[0].high, box[1].high, box[2].high, box[3].high,
-                                      box[4].high, box[5].high, box[6].high, box[7].high));
+  store_boxes(box, opened.low, opened.high, 0);
 }
 
 Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
@@ -123,12 +132,8 @@ Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
 const RootBox& root_box(const PosedTree& posed, QueryStats& work) {
   RootBox& root = posed.opened.root_box;
   if (root.known) return root;
-  const Box4 box = node_box(posed.bounds, 0, posed.palette);
-  store4(root.low, box.low);
-  store4(root.high, box.high);
-  root.known = true;
   ++work.refits;
-  return root;
+  return root = instance_box(posed.bounds, posed.palette);
 }
 
 const OpenedNode& open_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
@@ -147,7 +152,7 @@ const OpenedNode& open_node(const PosedTree& posed, std::uint32_t index, QuerySt
 
 const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
                                     const OpenedNode& opened, std::uint32_t slot) {
-  auto& known = const_cast<std::atomic<TriangleBoxes*>&>(opened.triangles[slot]);
+  std::atomic<TriangleBoxes*>& known = opened.triangles[slot];
   if (const TriangleBoxes* boxes = known.load(std::memory_order_acquire)) return *boxes;
   const Cluster& cluster = posed.tree.clusters[node.first_cluster + slot];
   auto* boxes = posed.arena.allocate<TriangleBoxes>();
@@ -157,22 +162,10 @@ const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
     Box4 box[8];
     for (std::uint32_t i = 0; i < 8; ++i)
       box[i] = triangle_box(opened.positions, corners + 3 * (first + i < last ? first + i : last));
-    const Points8 low = transpose8(box[0].low, box[1].low, box[2].low, box[3].low, box[4].low,
-                                   box[5].low, box[6].low, box[7].low);
-    const Points8 high = transpose8(box[0].high, box[1].high, box[2].high, box[3].high, box[4].high,
-                                    box[5].high, box[6].high, box[7].high);
-    low.x.store(boxes->low[0] + first), high.x.store(boxes->high[0] + first);
-    low.y.store(boxes->low[1] + first), high.y.store(boxes->high[1] + first);
-    low.z.store(boxes->low[2] + first), high.z.store(boxes->high[2] + first);
+    store_boxes(box, boxes->low, boxes->high, first);
   }
   TriangleBoxes* first = nullptr;
   return known.compare_exchange_strong(first, boxes, std::memory_order_acq_rel) ? *boxes : *first;
-}
-
-QueryStats open_all(const PosedTree& posed) {
-  QueryStats work;
-  for (std::uint32_t node = 0; node < posed.tree.nodes.size(); ++node) open_node(posed, node, work);
-  return work;
 }
 
 QueryStats open_all_exactly(const PosedTree& posed) {

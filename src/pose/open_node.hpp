@@ -18,9 +18,6 @@ const OpenedNode& open_node(const PosedTree& posed, std::uint32_t node, QuerySta
 const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
                                     const OpenedNode& opened, std::uint32_t slot);
 
-/// Opens every node that is not open.
-QueryStats open_all(const PosedTree& posed);
-
 /// Opens every node bottom-up, so that every box is the exact one of the posed vertices below: what
 /// an engine without refit on demand does.
 QueryStats open_all_exactly(const PosedTree& posed);

@@ -22,7 +22,7 @@ struct alignas(64) OpenedNode {
   float low[3][kMaxSlots], high[3][kMaxSlots];  ///< of the slots; lanes without a slot are empty
   float all_low[4], all_high[4];                ///< the box around them
   const float* positions;                       ///< of the pool, four floats a vertex
-  std::atomic<TriangleBoxes*> triangles[kMaxSlots];  ///< of the clusters, once asked for
+  mutable std::atomic<TriangleBoxes*> triangles[kMaxSlots];  ///< of the clusters, once asked for
 };
 
 /// A box around all vertices, once asked for.

@@ -13,7 +13,7 @@ inline namespace PELT_TARGET {
 
 extern const WideCode kWideCode;
 
-const WideCode kWideCode = {scan_palette,     instance_box, pose_vertices, open_all,
+const WideCode kWideCode = {scan_palette,     instance_box, pose_vertices,
                             open_all_exactly, open_fully,   collide_trees};
 
 }  // namespace PELT_TARGET

@@ -1,11 +1,14 @@
 #include "skin/skinned_mesh.hpp"
 
+#include "base/format.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
-#include <cstdio>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace pelt::detail {
 namespace {
@@ -19,12 +22,11 @@ constexpr double kWeightSumNoise = 0x1p-16;
 Error invalid(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 Error invalid(const char* format, ...) {
-  char text[256];
   std::va_list arguments;
   va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
+  std::string text = formatted(format, arguments);
   va_end(arguments);
-  return {ErrorCode::invalid_argument, text};
+  return {ErrorCode::invalid_argument, std::move(text)};
 }
 
 using Problem = std::optional<Error>;

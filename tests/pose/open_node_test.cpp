@@ -75,13 +75,7 @@ using Opening = QueryStats (*)(const detail::PosedTree&);
 
 QueryStats open_fully(const detail::PosedTree& posed) {
   make_table(posed);
-  detail::wide_code().open_fully(posed);
-  return {};
-}
-
-QueryStats open_all(const detail::PosedTree& posed) {
-  make_table(posed);
-  return detail::wide_code().open_all(posed);
+  return detail::wide_code().open_fully(posed);
 }
 
 QueryStats open_all_exactly(const detail::PosedTree& posed) {
@@ -92,7 +86,7 @@ QueryStats open_all_exactly(const detail::PosedTree& posed) {
 TEST(OpenNode, AllTargetsGiveTheSameBitsByTheSameWork) {
   Random random(70);
   for_all_poses(random, [](Pose pose, const std::vector<Matrix4>& palette) {
-    for (const Opening open : {open_all, open_all_exactly, open_fully}) {
+    for (const Opening open : {open_fully, open_all_exactly}) {
       Bits expected;
       QueryStats expected_work;
       test::on_each_target([&](Target target) {
@@ -119,7 +113,7 @@ TEST(OpenNode, PoolsHaveTheBitsOfTheDefinition) {
     const detail::SkinnedMesh vertices = unpack_vertices(tree);
     test::on_each_target([&](Target) {
       ASSERT_TRUE(pose.set_palette(palette));
-      open_all(pose.detail().posed_tree());
+      open_fully(pose.detail().posed_tree());
       for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
         const Node& node = tree.nodes[n];
         for (std::uint32_t v = 0; v < node.vertex_count; ++v, ++compared) {
