@@ -1,46 +1,11 @@
 #include "query/cluster_pair.hpp"
 
-#include "geometry/triangle_pair.hpp"
-#include "geometry/triangle_triage.hpp"
 #include "pose/open_node.hpp"
 #include "query/lanes.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
-
-/// The triangles of a cluster, by their numbers in it.
-class ClusterTriangles {
- public:
-  explicit ClusterTriangles(const PosedCluster& c)
-      : boxes_(triangle_boxes(c.posed, c.node, c.opened, c.slot)),
-        cluster_(c.posed.tree.clusters[c.node.first_cluster + c.slot]),
-        positions_(c.opened.positions),
-        corners_(c.posed.tree.corners[cluster_.first_triangle].data()),
-        ids_(c.posed.tree.triangle_ids.data() + cluster_.first_triangle) {}
-
-  /// One bit for each.
-  unsigned all() const { return (1u << cluster_.triangle_count) - 1; }
-
-  PosedTriangle operator[](unsigned triangle) const {
-    return {positions_, corners_ + 3 * triangle, ids_ + triangle};
-  }
-
-  Box8 box(unsigned triangle) const { return lane_box(boxes_.low, boxes_.high, triangle); }
-
-  /// Those of `candidates` whose boxes overlap `box`, one bit each.
-  unsigned overlapping(unsigned candidates, const Box8& box) const {
-    return candidates & (detail::overlapping(boxes_.low, boxes_.high, 0, box) |
-                         detail::overlapping(boxes_.low, boxes_.high, 8, box) << 8);
-  }
-
- private:
-  const TriangleBoxes& boxes_;
-  const Cluster& cluster_;
-  const float* positions_;
-  const std::uint16_t* corners_;
-  const std::uint32_t* ids_;
-};
 
 Box8 intersection(const PosedCluster& a, const PosedCluster& b) {
   const Box8 box_a = lane_box(a.opened.low, a.opened.high, a.slot);
@@ -53,57 +18,101 @@ Box8 intersection(const PosedCluster& a, const PosedCluster& b) {
   return both;
 }
 
-TriangleCorners corners(const PosedTriangle& triangle) {
-  TriangleCorners corners;
-  for (int i = 0; i < 3; ++i) {
-    const float* p = triangle.corner(i);
-    corners[i] = {p[0], p[1], p[2]};
-  }
-  return corners;
+/// Those of `candidates` whose boxes overlap `box`, one bit each.
+unsigned overlapping(unsigned candidates, const TriangleBoxes& boxes, const Box8& box) {
+  return candidates & (overlapping(boxes.low, boxes.high, 0, box) |
+                       overlapping(boxes.low, boxes.high, 8, box) << 8);
 }
 
-Points8 corners8(const PosedTriangle (&triangles)[8], int i) {
-  const auto at = [&](int lane) { return load4(triangles[lane].corner(i)); };
-  return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
+/// The triangles of a cluster whose boxes overlap `box`, one bit each.
+unsigned triangles_in(const Cluster& cluster, const TriangleBoxes& boxes, const Box8& box) {
+  return overlapping((1u << cluster.triangle_count) - 1, boxes, box);
+}
+
+RowLanes overlapping_pairs(unsigned near_rows, const TriangleBoxes& rows, unsigned near_lanes,
+                           const TriangleBoxes& lanes) {
+  RowLanes pairs;
+  for (SetBits row(near_rows); row; ++row)
+    pairs.add(*row, overlapping(near_lanes, lanes, lane_box(rows.low, rows.high, *row)));
+  return pairs;
 }
 
 }  // namespace
 
 void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b) {
-  const ClusterTriangles triangles_a(a), triangles_b(b);
+  const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
+  const TriangleBoxes& boxes_b = triangle_boxes(b.posed, b.node, b.opened, b.slot);
   const Box8 both = intersection(a, b);
-  const unsigned near_a = triangles_a.overlapping(triangles_a.all(), both);
-  const unsigned near_b = triangles_b.overlapping(triangles_b.all(), both);
+  const unsigned near_a = triangles_in(a.cluster(), boxes_a, both);
+  const unsigned near_b = triangles_in(b.cluster(), boxes_b, both);
   if (near_a == 0 || near_b == 0) return;
   if (std::popcount(near_a) <= std::popcount(near_b)) {
-    for (SetBits i(near_a); i; ++i)
-      for (SetBits k(triangles_b.overlapping(near_b, triangles_a.box(*i))); k; ++k)
-        keep(triangles_a[*i], triangles_b[*k]);
+    keep(overlapping_pairs(near_a, boxes_a, near_b, boxes_b), a, a_, b, b_);
   } else {
-    for (SetBits k(near_b); k; ++k)
-      for (SetBits i(triangles_a.overlapping(near_a, triangles_b.box(*k))); i; ++i)
-        keep(triangles_a[*i], triangles_b[*k]);
+    keep(overlapping_pairs(near_b, boxes_b, near_a, boxes_a), b, b_, a, a_);
+  }
+  test_full_batches();
+}
+
+void TrianglePairs::keep(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
+                         const PosedCluster& lane_cluster, Side& lanes) {
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    rows.triangle[count_ + i] = row_cluster.cluster().first_triangle + pairs.row(i);
+    rows.positions[count_ + i] = row_cluster.opened.positions;
+    lanes.triangle[count_ + i] = lane_cluster.cluster().first_triangle + pairs.lane(i);
+    lanes.positions[count_ + i] = lane_cluster.opened.positions;
+  }
+  count_ += pairs.size();
+}
+
+void TrianglePairs::test_full_batches() {
+  if (count_ < kBatch) return;
+  std::uint32_t first = 0;
+  for (; first + kBatch <= count_; first += kBatch) test(first, kBatch);
+  count_ -= first;
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    a_.copy(first + i, i);
+    b_.copy(first + i, i);
   }
 }
 
 void TrianglePairs::flush() {
-  if (kept_count_ == 0) return;
-  for (std::uint32_t lane = kept_count_; lane < 8; ++lane) {
-    kept_a_[lane] = kept_a_[0];
-    kept_b_[lane] = kept_b_[0];
+  if (count_ == 0) return;
+  for (std::uint32_t i = count_; i < kBatch; ++i) {
+    a_.copy(0, i);
+    b_.copy(0, i);
   }
+  test(0, count_);
+  count_ = 0;
+}
+
+void TrianglePairs::test(std::uint32_t first, std::uint32_t count) {
   TrianglePairs8 pairs;
-  for (int i = 0; i < 3; ++i) {
-    pairs.a[i] = corners8(kept_a_, i);
-    pairs.b[i] = corners8(kept_b_, i);
-  }
-  const unsigned kept = (1u << kept_count_) - 1;
+  a_.corners8(first, pairs.a);
+  b_.corners8(first, pairs.b);
+  const unsigned kept = (1u << count) - 1;
   const Triage verdict = triage(pairs);
-  for (SetBits lane(kept & verdict.intersecting); lane; ++lane) report(*lane);
+  for (SetBits lane(kept & verdict.intersecting); lane; ++lane) report(first + *lane);
   for (SetBits lane(kept & ~(verdict.intersecting | verdict.apart)); lane; ++lane)
-    if (triangles_intersect(corners(kept_a_[*lane]), corners(kept_b_[*lane]))) report(*lane);
-  work_.triangle_pairs += kept_count_;
-  kept_count_ = 0;
+    if (triangles_intersect(a_.corners(first + *lane), b_.corners(first + *lane)))
+      report(first + *lane);
+  work_.triangle_pairs += count;
+}
+
+TriangleCorners TrianglePairs::Side::corners(std::uint32_t i) const {
+  TriangleCorners corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float* p = corner(i, k);
+    corners[k] = {p[0], p[1], p[2]};
+  }
+  return corners;
+}
+
+void TrianglePairs::Side::corners8(std::uint32_t first, Points8 (&corners)[3]) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = [&](std::uint32_t lane) { return load4(corner(first + lane, k)); };
+    corners[k] = transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
+  }
 }
 
 }  // namespace PELT_TARGET

@@ -1,13 +1,16 @@
 #pragma once
 
 /// Two clusters whose boxes overlap: which of their triangles touch. Triangles that leave the
-/// intersection of the two boxes cannot; the boxes of the others are tested one against eight; what
-/// is left waits until there are eight pairs for the certified float test (triangle_triage.hpp).
-/// The few lanes that it leaves undecided go to the exact predicate.
+/// intersection of the two boxes cannot; the boxes of the others are tested one against sixteen;
+/// what is left waits until there are eight pairs for the certified float test
+/// (triangle_triage.hpp). The few lanes that it leaves undecided go to the exact predicate.
 
 #include "base/stack.hpp"
 #include "base/target.hpp"
+#include "geometry/triangle_pair.hpp"
+#include "geometry/triangle_triage.hpp"
 #include "pose/posed_tree.hpp"
+#include "query/row_lanes.hpp"
 
 #include <cstdint>
 
@@ -19,22 +22,16 @@ struct PosedCluster {
   const Node& node;
   const OpenedNode& opened;
   std::uint32_t slot;
-};
 
-/// Where one triangle of an opened node is found.
-struct PosedTriangle {
-  const float* positions;        ///< of the node's pool
-  const std::uint16_t* corners;  ///< three offsets in it
-  const std::uint32_t* id;       ///< the caller's number
-
-  const float* corner(int i) const { return positions + corners[i]; }
+  const Cluster& cluster() const { return posed.tree.clusters[node.first_cluster + slot]; }
 };
 
 inline namespace PELT_TARGET {
 
 class TrianglePairs {
  public:
-  TrianglePairs(Stack<Contact>& contacts, QueryStats& work) : contacts_(contacts), work_(work) {}
+  TrianglePairs(const Tree& tree_a, const Tree& tree_b, Stack<Contact>& contacts, QueryStats& work)
+      : a_(tree_a), b_(tree_b), contacts_(contacts), work_(work) {}
 
   /// Tests, or keeps for the next test, all triangles of two clusters whose boxes overlap.
   void add(const PosedCluster& a, const PosedCluster& b);
@@ -43,18 +40,40 @@ class TrianglePairs {
   void flush();
 
  private:
-  void keep(const PosedTriangle& a, const PosedTriangle& b) {
-    kept_a_[kept_count_] = a;
-    kept_b_[kept_count_] = b;
-    if (++kept_count_ == 8) flush();
-  }
+  static constexpr std::uint32_t kBatch = 8;
+  static constexpr std::uint32_t kRoom = kBatch + kMaxClusterTriangles * kMaxClusterTriangles;
 
-  void report(unsigned lane) { contacts_.push(Contact{*kept_a_[lane].id, *kept_b_[lane].id}); }
+  /// The triangles of one side of the pairs that wait.
+  struct Side {
+    explicit Side(const Tree& t) : tree(t) {}
 
+    const float* corner(std::uint32_t i, std::size_t k) const {
+      return positions[i] + tree.corners[triangle[i]][k];
+    }
+    TriangleCorners corners(std::uint32_t i) const;
+    void corners8(std::uint32_t first, Points8 (&corners)[3]) const;
+    std::uint32_t id(std::uint32_t i) const { return tree.triangle_ids[triangle[i]]; }
+
+    void copy(std::uint32_t from, std::uint32_t to) {
+      triangle[to] = triangle[from];
+      positions[to] = positions[from];
+    }
+
+    const Tree& tree;
+    std::uint32_t triangle[kRoom];  ///< into Tree::corners
+    const float* positions[kRoom];  ///< of the pool that its corners lie in
+  };
+
+  void keep(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
+            const PosedCluster& lane_cluster, Side& lanes);
+  void test_full_batches();
+  void test(std::uint32_t first, std::uint32_t count);
+  void report(std::uint32_t i) { contacts_.push(Contact{a_.id(i), b_.id(i)}); }
+
+  Side a_, b_;
+  std::uint32_t count_ = 0;
   Stack<Contact>& contacts_;
   QueryStats& work_;
-  PosedTriangle kept_a_[8], kept_b_[8];
-  std::uint32_t kept_count_ = 0;
 };
 
 }  // namespace PELT_TARGET

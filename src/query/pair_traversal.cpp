@@ -58,7 +58,7 @@ class PairTraversal {
         scratch_(scratch),
         max_contacts_(max_contacts),
         pairs_(scratch.slot_pairs),
-        triangles_(scratch.found, work_) {}
+        triangles_(a.tree, b.tree, scratch.found, work_) {}
 
   QueryStats run() {
     pairs_.clear();
