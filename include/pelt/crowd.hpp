@@ -94,7 +94,13 @@ class Crowd {
   Result<void> set_palette(std::uint32_t instance, std::span<const float> palette);
 
   /// Appends all contacts of all pairs of instances, in ascending order; exact as `collide` of two
-  /// poses. Allocates nothing once it is warm, but for the first query with more threads.
+  /// poses.
+  ///
+  /// Allocates when there are more pairs, more contacts or more to open than in any query before,
+  /// and for the first query with more threads; a frame that is like earlier ones allocates
+  /// nothing, whichever thread does what. There is no `reserve`: it would have to make room for all
+  /// that all instances could open, once for each thread. Who must never allocate asks reserved
+  /// poses.
   CrowdStats collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options = {});
 
   /// Appends the pairs of instances that touch, in ascending order: cheaper, for a pair is done

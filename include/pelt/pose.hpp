@@ -20,8 +20,8 @@ struct Pose;
 /// that has been moved from may only be assigned to or destroyed.
 class Pose {
  public:
-  /// Allocates the joint palette, O(J). Queries allocate what they open until they have opened as
-  /// much as in any frame before.
+  /// Allocates the joint palette, O(J). Queries allocate when they open more than in any frame
+  /// before; `reserve` forestalls that.
   explicit Pose(SkinnedModel model);
   Pose(Pose&&) noexcept;
   Pose& operator=(Pose&&) noexcept;
@@ -41,6 +41,14 @@ class Pose {
 
   /// The same from 16 floats a joint, as engines keep them.
   Result<void> set_palette(std::span<const float> palette);
+
+  /// Takes at once all the memory that queries could ever want of this pose: none then allocates
+  /// for it, whatever it visits. For those who must not allocate within a frame, once and before
+  /// the first; the scratch has a `reserve` of its own.
+  ///
+  /// The pose holds 40 to 46 bytes a triangle from then on (1.1 MB for a character of 26,756), of
+  /// which a query touches what it opens. What has been opened in the current palette is forgotten.
+  void reserve();
 
   /// For Pelt's own files.
   detail::Pose& detail() { return *pose_; }

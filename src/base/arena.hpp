@@ -13,9 +13,14 @@ class Arena {
   /// Every piece begins on a multiple of this.
   static constexpr std::size_t kAlignment = 64;
 
+  /// What a piece of `bytes` takes.
+  static constexpr std::size_t size_of_piece(std::size_t bytes) {
+    return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+  }
+
   /// Uninitialised memory, valid until `clear`.
   std::byte* allocate(std::size_t bytes) {
-    bytes = (bytes + kAlignment - 1) / kAlignment * kAlignment;
+    bytes = size_of_piece(bytes);
     if (bytes > left_) next_block(bytes);
     std::byte* piece = next_;
     next_ += bytes;
@@ -44,7 +49,8 @@ class Arena {
   std::size_t used() const;
 
   /// Makes the capacity `bytes` at least. Pieces leave the ends of blocks unused, so that those of
-  /// `bytes` together may take a little more.
+  /// `bytes` together may take a little more, but for an arena that had no memory before: its first
+  /// block has room for just these.
   void reserve(std::size_t bytes);
 
  private:

@@ -24,6 +24,8 @@ Result<void> Pose::set_palette(std::span<const float> palette) {
   return taken;
 }
 
+void Pose::reserve() { pose_->reserve(); }
+
 void posed_vertices(const Pose& pose, std::span<Vec3> out) {
   const detail::Pose& data = pose.detail();
   const detail::Tree& tree = data.model.detail().tree;

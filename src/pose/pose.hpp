@@ -29,6 +29,13 @@ struct Pose {
     arena.clear();
     opened = OpenedNodes();
   }
+
+  /// One block, because pieces would leave the ends of several unused.
+  void reserve() {
+    close_all();
+    arena = Arena();
+    arena.reserve(bytes_to_open(model.detail().tree));
+  }
 };
 
 }  // namespace pelt::detail

@@ -11,6 +11,8 @@
 
 #include <pelt/collide.hpp>
 
+#include <cstddef>
+
 namespace pelt::detail {
 
 struct PosedTree {
@@ -24,5 +26,8 @@ struct PosedTree {
 /// Makes the table of opened nodes if there is none yet, which instances that are far from all
 /// others never need. Not by two threads at once.
 void make_table(const PosedTree& posed);
+
+/// What the table and everything that can be opened take of one thread's arena.
+std::size_t bytes_to_open(const Tree& tree);
 
 }  // namespace pelt::detail

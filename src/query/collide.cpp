@@ -17,11 +17,6 @@ QueryStats& QueryStats::operator+=(const QueryStats& other) {
   return *this;
 }
 
-Scratch::Scratch() : scratch_(std::make_unique<detail::Scratch>()) {}
-Scratch::Scratch(Scratch&&) noexcept = default;
-Scratch& Scratch::operator=(Scratch&&) noexcept = default;
-Scratch::~Scratch() = default;
-
 QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
                    const CollideOptions& options) {
   PELT_ASSERT(&a != &b);

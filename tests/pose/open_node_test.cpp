@@ -130,6 +130,26 @@ TEST(OpenNode, PoolsHaveTheBitsOfTheDefinition) {
   EXPECT_GT(compared, 20'000u);
 }
 
+TEST(OpenNode, AReservedPoseHasRoomForAllNodesAndNoMore) {
+  Random random(74);
+  std::size_t bytes = 0;
+  for_all_poses(random, [&](Pose pose, const std::vector<Matrix4>& palette) {
+    test::on_each_target([&](Target) {
+      pose.reserve();
+      const detail::Arena& arena = pose.detail().arena;
+      const std::size_t reserved = arena.capacity();
+      for (int round = 0; round < 2; ++round) {
+        ASSERT_TRUE(pose.set_palette(palette));
+        open_fully(pose.detail().posed_tree());
+        EXPECT_EQ(arena.used(), reserved);
+        EXPECT_EQ(arena.capacity(), reserved);
+      }
+      bytes += reserved;
+    });
+  });
+  EXPECT_GT(bytes, 100'000u);
+}
+
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr Box kEmpty = {{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}}};
 

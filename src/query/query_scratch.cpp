@@ -1,0 +1,33 @@
+/// How much memory a query can want. A descent takes one step for each level of the second tree,
+/// and at most two for each of the first: to a child, and on from there with the same node of the
+/// second. A step replaces a pair by at most as many as the two nodes have slots.
+
+#include <pelt/collide.hpp>
+
+#include "base/scratch.hpp"
+#include "model/clusters.hpp"
+#include "model/tree.hpp"
+
+namespace pelt {
+namespace {
+
+constexpr std::size_t kMostSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;
+
+/// A query that is told to stop looks at its count between pairs of clusters; up to seven pairs of
+/// triangles may have been waiting before.
+constexpr std::size_t kMostBeyond = detail::kMaxClusterTriangles * detail::kMaxClusterTriangles + 7;
+
+}  // namespace
+
+Scratch::Scratch() : scratch_(std::make_unique<detail::Scratch>()) {}
+Scratch::Scratch(Scratch&&) noexcept = default;
+Scratch& Scratch::operator=(Scratch&&) noexcept = default;
+Scratch::~Scratch() = default;
+
+void Scratch::reserve(std::size_t contacts) {
+  scratch_->slot_pairs.reserve(kMostSlotPairs);
+  scratch_->found.reserve(contacts + kMostBeyond);
+  scratch_->sorting.reserve(contacts);
+}
+
+}  // namespace pelt
