@@ -33,7 +33,9 @@ class Forgetful final : public bench::Method {
 };
 
 Engine forgetful(int every) {
-  return {"forgetful", [every] { return std::make_unique<Forgetful>(every); }};
+  return {"forgetful", [every](std::span<const Collider> colliders) {
+            return SceneQuery(colliders, std::make_unique<Forgetful>(every));
+          }};
 }
 
 /// Two small creatures that walk through each other.
@@ -88,6 +90,20 @@ TEST(BenchScene, RefusesAnEngineThatDeniesThatAPairTouches) {
   ASSERT_TRUE(exit);
   EXPECT_EQ(*exit, ExitCode::internal);
   EXPECT_TRUE(figures.empty());
+}
+
+TEST(BenchScene, WaitsForAllThreadsOnlyWhereThereAreSeveral) {
+  BenchSettings settings = settings_with({engine_of(bench::MethodKind::eager)});
+  std::vector<SceneFigures> figures;
+  std::ostringstream errors;
+  ASSERT_TRUE(bench_scene(walkers(), settings, figures, errors));
+  settings.engines.push_back(crowd_engine(2));
+  ASSERT_TRUE(bench_scene(walkers(), settings, figures, errors));
+  ASSERT_EQ(figures.size(), 2u) << errors.str();
+  EXPECT_EQ(figures[0].time, Time::thread);
+  EXPECT_EQ(figures[1].time, Time::wall);
+  EXPECT_EQ(figures[1].figures.at(1).threads, 2u);
+  EXPECT_EQ(figures[1].figures[1].asked, Asked::crowd);
 }
 
 TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {

@@ -1,5 +1,6 @@
 #include "tools/test_scenes.hpp"
 
+#include <iterator>
 #include <set>
 
 namespace pelt::test {
@@ -23,6 +24,7 @@ TEST(Bench, WritesFiguresOfEveryMethod) {
   EXPECT_TRUE(file["machine"].contains("cpu"));
   const json& scene = file["scenes"][0];
   EXPECT_EQ(scene["scene"], "scene.json");
+  EXPECT_EQ(scene["time"], "thread");
   EXPECT_EQ(scene["frames"], 5);
   EXPECT_GT(scene["frames_in_contact"], 0);
   EXPECT_GT(scene["skinning"]["ns_per_vertex"], 0);
@@ -31,6 +33,7 @@ TEST(Bench, WritesFiguresOfEveryMethod) {
   for (const json& engine : scene["engines"]) {
     EXPECT_EQ(engine["query"], "all");
     EXPECT_EQ(engine["cache"], "hot");
+    EXPECT_EQ(engine["asked"], "pairs");
     EXPECT_EQ(engine["threads"], 1);
     EXPECT_EQ(engine["frames"], 5);
     EXPECT_GT(engine["mean_us"], engine["mean_update_us"]);
@@ -53,6 +56,59 @@ TEST(Bench, TakesFiveMethodsTwoQueriesAndTwoCachesUnlessTold) {
   EXPECT_EQ(different.size(), 20u);
   for (const char* name : {"paper", "paper_eager", "eager", "on_demand", "rigid"})
     EXPECT_EQ(different.count(json::array({name, "first", "cold"})), 1u) << name;
+}
+
+TEST(Bench, AsksACrowdOnSoManyThreads) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const json file = figures(folder, {"--methods", "paper,on_demand", "--threads", "2,1,2,3"});
+  const json& scene = file["scenes"][0];
+  EXPECT_EQ(scene["time"], "wall");
+  ASSERT_EQ(scene["engines"].size(), 16u);
+  const std::uint32_t threads[] = {1, 2, 1, 3};
+  for (std::size_t i = 0; i < 16; ++i) {
+    const json& engine = scene["engines"][i];
+    EXPECT_EQ(engine["engine"], i % 4 == 0 ? "paper" : "on_demand");
+    EXPECT_EQ(engine["asked"], i % 4 == 0 ? "pairs" : "crowd");
+    EXPECT_EQ(engine["threads"], threads[i % 4]);
+    EXPECT_EQ(engine["hash"], scene["engines"][i - i % 4]["hash"]);
+    EXPECT_GT(engine["mean_us"], 0);
+    if (i % 4 > 1) {
+      EXPECT_EQ(engine["counters"], scene["engines"][i - 1]["counters"]);
+    }
+  }
+}
+
+/// The columns of a line of a table, by their heads.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+TEST(Bench, ComparesThreadsWithOne) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const auto ratios = [&](const char* threads) {
+    const Ended run = run_pelt(
+        folder, {"bench", "scene.json", "--repeat", "1", "--methods", "eager,on_demand",
+                 "--queries", "all", "--caches", "hot", "--frames", "4:7", "--threads", threads});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.out.find("wall time"), std::string::npos);
+    std::vector<std::string> found;
+    for (const std::string& line : lines_of(run.out)) {
+      const std::vector<std::string> cells = cells_of(line);
+      if (cells.size() == 11 && (cells[0] == "eager" || cells[0] == "on_demand"))
+        found.push_back(cells[1] + " " + cells[10]);
+    }
+    return found;
+  };
+  const std::vector<std::string> both = ratios("1,2");
+  ASSERT_EQ(both.size(), 3u);
+  EXPECT_EQ(both[0], "1 -") << "eager has no threads";
+  EXPECT_EQ(both[1], "1 1.00");
+  EXPECT_EQ(both[2].substr(0, 2), "2 ");
+  EXPECT_GT(std::stod(both[2].substr(2)), 0);
+  EXPECT_EQ(ratios("2"), (std::vector<std::string>{"1 -", "2 -"})) << "nothing to compare with";
 }
 
 TEST(Bench, HashIsThatOfCheck) {

@@ -97,6 +97,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"bench", "scene.json", "--queries", "al"}, {"--queries", "\"all\""}},
         Refusal{{"bench", "scene.json", "--simd", "sse9"}, {"--simd", "\"sse9\"", "scalar"}},
         Refusal{{"bench", "scene.json", "--repeat", "0"}, {"--repeat", "1 or more"}},
+        Refusal{{"bench", "scene.json", "--threads", "0"}, {"--threads", "\"0\"", "1 to 256"}},
+        Refusal{{"bench", "scene.json", "--threads", "1,two"}, {"--threads", "\"two\""}},
+        Refusal{{"bench", "scene.json", "--threads", "257"}, {"--threads", "\"257\""}},
+        Refusal{{"bench", "scene.json", "--threads", "2", "--methods", "paper"},
+                {"--threads", "on_demand among --methods"}},
         Refusal{{"bench", "scene.json", "--frames", "0:13"}, {"--frames", "has frames 0:12"}}));
 
 }  // namespace

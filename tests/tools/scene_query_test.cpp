@@ -99,6 +99,58 @@ TEST(SceneQuery, PartsOfOneInstanceCollideAlikeAsACrowdAndPairByPair) {
   }
 }
 
+/// Creatures in a dense row.
+scenes::Scene row(std::uint32_t count) {
+  scenes::Scene scene = walkers();
+  scene.instances.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    scene.instances[i].character = i % 2;
+    scene.instances[i].translation = {0.6 * i, 0, 0.1 * (i % 3)};
+  }
+  return scene;
+}
+
+TEST(SceneQuery, AnswersAlikeOnAnyNumberOfThreads) {
+  const scenes::Scene scene = row(300);
+  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  SceneQuery pairs(*colliders, bench::make_method(bench::MethodKind::on_demand));
+  FrameContacts expected, found;
+  for (const std::uint32_t threads : {1u, 2u, 4u, 9u}) {
+    SceneQuery crowd = SceneQuery::as_crowd(*colliders, threads);
+    for (std::uint32_t frame = 0; frame < 3; ++frame) {
+      sample_palettes(scene, frame, scratch, palettes);
+      ASSERT_TRUE(pairs.set_palettes(palettes));
+      ASSERT_TRUE(crowd.set_palettes(palettes));
+      pairs.collide({}, expected);
+      crowd.collide({}, found);
+      EXPECT_GT(expected.contacts.size(), 100u);
+      EXPECT_EQ(found.contacts, expected.contacts) << threads;
+      EXPECT_EQ(found.pairs.size(), expected.pairs.size()) << threads;
+    }
+  }
+}
+
+TEST(SceneQuery, NamesTheFirstInstanceWhosePaletteAThreadRefused) {
+  const scenes::Scene scene = row(300);
+  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  sample_palettes(scene, 0, scratch, palettes);
+  for (const std::uint32_t refused : {299u, 141u, 140u})
+    palettes[refused][3].m[5] = std::numeric_limits<float>::quiet_NaN();
+  for (const std::uint32_t threads : {1u, 2u, 4u}) {
+    SceneQuery crowd = SceneQuery::as_crowd(*colliders, threads);
+    const auto posed = crowd.set_palettes(palettes);
+    ASSERT_FALSE(posed);
+    EXPECT_NE(posed.error().message.find("instances[140]"), std::string::npos)
+        << posed.error().message;
+  }
+}
+
 TEST(SceneQuery, AsksACrowdNotEveryPairOfIt) {
   scenes::Scene scene = walkers();
   scene.instances.resize(2000);

@@ -21,7 +21,7 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::string methods = "paper,paper_eager,eager,on_demand,rigid";
   std::string queries = "all,first", caches = "hot,cold";
-  std::string json, frames, simd;
+  std::string threads, json, frames, simd;
   std::uint32_t repetitions = 9;
   ModelArguments models;
 };
@@ -31,6 +31,7 @@ Examples:
   pelt bench scene.json
   pelt bench scene.json --methods on_demand,eager --queries first --caches hot
   pelt bench scene.json --frames 0:60:20 --repeat 15 --json figures.json
+  pelt bench scene.json --methods eager,on_demand --threads 1,2
 
 Each repetition of a frame first runs the frame before it, untimed; then the clock runs while the
 palettes are set and all pairs are asked. The median of the repetitions stands for the frame; shown
@@ -39,7 +40,15 @@ are the mean over all frames, over those in contact, and what 95 % of the frames
 Sampling of the clips is not timed, nor is the building of the rigid trees, which stand for what the
 same query costs rigid bodies. "vs paper" and "vs eager": how many times faster than these; "of
 rigid": how many times the cost of it. With cold caches 64 MB are read before the clock starts, and
-at most 30 frames are measured, evenly over all. Methods take turns at every frame. One thread.)";
+at most 30 frames are measured, evenly over all. Methods take turns at every frame.
+
+Methods are asked pair by pair on one thread, and pauses in which the system runs other programs are
+not counted. With --threads, on_demand is asked as a crowd instead, once on each of these numbers of
+threads; they share the pairs of instances and, where there are 64 or more for each, the palettes.
+All times of that run are wall times. "vs 1 thread": how many times faster than a crowd on one.)";
+
+/// Who asks for more has mistyped.
+constexpr std::uint32_t kMostThreads = 256;
 
 constexpr std::array kQuestions = {Question::all, Question::first};
 constexpr std::array kCaches = {Cache::hot, Cache::cold};
@@ -71,21 +80,52 @@ Result<std::vector<T>> parse_list(const char* option, const std::string& text,
   return parse_list<T>(option, text, values, names);
 }
 
-Result<std::vector<Engine>> parse_methods(const std::string& text) {
+Result<std::vector<bench::MethodKind>> parse_methods(const std::string& text) {
   std::vector<bench::MethodKind> all;
   for (const std::string_view name : bench::method_names()) {
     all.push_back(*bench::find_method(name));
   }
-  const auto methods = parse_list<bench::MethodKind>("--methods", text, all, bench::method_names());
+  return parse_list<bench::MethodKind>("--methods", text, all, bench::method_names());
+}
+
+/// Numbers of threads; none of an empty text.
+Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
+  std::vector<std::uint32_t> counts;
+  if (text.empty()) return counts;
+  for (const std::string_view word : split(text, ',')) {
+    std::uint32_t count = 0;
+    if (!parse_whole(word, count) || count == 0 || count > kMostThreads) {
+      return bad_argument(
+          "--threads", asset::quoted(word) + " is no number of threads",
+          "give numbers from 1 to " + std::to_string(kMostThreads) + " with commas between them");
+    }
+    if (std::find(counts.begin(), counts.end(), count) == counts.end()) counts.push_back(count);
+  }
+  return counts;
+}
+
+Result<std::vector<Engine>> choose_engines(const Arguments& arguments) {
+  const auto methods = parse_methods(arguments.methods);
   if (!methods) return methods.error();
+  const auto threads = parse_threads(arguments.threads);
+  if (!threads) return threads.error();
   std::vector<Engine> engines;
-  for (const bench::MethodKind method : *methods) engines.push_back(engine_of(method));
+  for (const bench::MethodKind method : *methods) {
+    if (method != bench::MethodKind::on_demand || threads->empty())
+      engines.push_back(engine_of(method));
+    else
+      for (const std::uint32_t count : *threads) engines.push_back(crowd_engine(count));
+  }
+  if (!threads->empty() && time_of(engines) == Time::thread) {
+    return bad_argument("--threads", "only on_demand works on several",
+                        "put on_demand among --methods, or leave the threads out");
+  }
   return engines;
 }
 
 Result<BenchSettings> choose(const Arguments& arguments) {
   BenchSettings settings;
-  const auto engines = parse_methods(arguments.methods);
+  const auto engines = choose_engines(arguments);
   if (!engines) return engines.error();
   settings.engines = *engines;
   const auto questions = parse_list("--queries", arguments.queries, kQuestions);
@@ -145,6 +185,8 @@ void add_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--caches", arguments.caches, "hot: as the frame before left them; cold: emptied")
       ->type_name("hot,cold")
       ->capture_default_str();
+  verb.add_option("--threads", arguments.threads, "Ask on_demand as a crowd on so many threads")
+      ->type_name("N,M");
   verb.add_option("--repeat", arguments.repetitions, "Repetitions of each frame")
       ->type_name("N")
       ->capture_default_str();

@@ -3,9 +3,9 @@
 #include "asset/message.hpp"
 #include "tools/pelt/contact_hash.hpp"
 #include "tools/pelt/statistics.hpp"
-#include "tools/pelt/stopwatch.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace pelt::tools {
 namespace {
@@ -27,23 +27,29 @@ void add_hits(std::uint32_t frame, std::size_t collider_count, const FrameContac
   }
 }
 
-/// Reads more memory than the caches hold. The sum is kept so that nothing is optimised away.
+/// Reads more memory than the caches hold, on as many threads at once as an engine has, since each
+/// core has caches of its own. The sum is kept so that nothing is optimised away.
 class CacheFlush {
  public:
-  void run() {
-    for (const std::uint64_t word : memory_) sum_ = sum_ + word;
+  void run(std::uint32_t threads) {
+    threads_.run(threads, [this](std::uint32_t) {
+      sum_ += std::accumulate(memory_.begin(), memory_.end(), std::uint64_t{0});
+    });
   }
 
  private:
   std::vector<std::uint64_t> memory_ = std::vector<std::uint64_t>((64u << 20) / 8, 1);
-  volatile std::uint64_t sum_ = 0;
+  std::atomic<std::uint64_t> sum_ = 0;
+  detail::Workers threads_;
 };
 
 /// An engine with the colliders of a scene.
 class Runner {
  public:
   Runner(std::span<const Collider> colliders, const Engine& engine)
-      : query_(colliders, engine.make()) {}
+      : query_(engine.make(colliders)), threads_(engine.threads) {}
+
+  std::uint32_t threads() const { return threads_; }
 
   Result<void> pose(const Palettes& palettes) { return query_.set_palettes(palettes); }
   bool update_counts() const { return query_.update_counts(); }
@@ -59,6 +65,7 @@ class Runner {
 
  private:
   SceneQuery query_;
+  std::uint32_t threads_;
   FrameContacts found_;
 };
 
@@ -98,17 +105,24 @@ struct FrameTime {
   double all_us = 0, update_us = 0;
 };
 
+/// What all repetitions have in common.
+struct Conditions {
+  std::uint32_t repetitions = 1;
+  Time time = Time::thread;
+  CacheFlush flush;
+};
+
 /// One repetition: the frame before untimed, then this one.
 Result<FrameTime> repeat_once(Runner& runner, const FramePair& frame, const Variant& variant,
-                              CacheFlush& flush) {
+                              Conditions& conditions) {
   const bool update_counts = runner.update_counts();
   if (const auto posed = runner.pose(frame.before); !posed) return posed.error();
   runner.ask(variant.question);
   if (!update_counts) {
     if (const auto posed = runner.pose(frame.now); !posed) return posed.error();
   }
-  if (variant.cache == Cache::cold) flush.run();
-  Stopwatch watch;
+  if (variant.cache == Cache::cold) conditions.flush.run(runner.threads());
+  Stopwatch watch(conditions.time);
   if (update_counts) {
     if (const auto posed = runner.pose(frame.now); !posed) return posed.error();
   }
@@ -119,10 +133,10 @@ Result<FrameTime> repeat_once(Runner& runner, const FramePair& frame, const Vari
 }
 
 Result<FrameTime> median_time(Runner& runner, const FramePair& frame, const Variant& variant,
-                              std::uint32_t repetitions, CacheFlush& flush) {
+                              Conditions& conditions) {
   std::vector<double> all, update;
-  for (std::uint32_t r = 0; r < repetitions; ++r) {
-    const Result<FrameTime> time = repeat_once(runner, frame, variant, flush);
+  for (std::uint32_t r = 0; r < conditions.repetitions; ++r) {
+    const Result<FrameTime> time = repeat_once(runner, frame, variant, conditions);
     if (!time) return time.error();
     all.push_back(time->all_us);
     update.push_back(time->update_us);
@@ -158,7 +172,9 @@ class Measurement {
  public:
   Measurement(const Subject& subject, std::span<const Engine> engines,
               std::span<const Variant> variants, std::uint32_t repetitions)
-      : subject_(subject), variants_(variants), repetitions_(repetitions) {
+      : subject_(subject), variants_(variants) {
+    conditions_.repetitions = repetitions;
+    conditions_.time = time_of(engines);
     for (const Engine& engine : engines) runners_.emplace_back(subject.colliders, engine);
     series_.assign(engines.size(), std::vector<Series>(variants.size()));
   }
@@ -190,8 +206,7 @@ class Measurement {
     Runner& runner = runners_[engine];
     for (std::size_t v = 0; v < variants_.size(); ++v) {
       if (is_passed_over(index, subject_.frames.size(), variants_[v])) continue;
-      const Result<FrameTime> time =
-          median_time(runner, frame_, variants_[v], repetitions_, flush_);
+      const Result<FrameTime> time = median_time(runner, frame_, variants_[v], conditions_);
       if (!time) return time.error();
       series_[engine][v].add(*time, !runner.found().contacts.empty());
     }
@@ -200,10 +215,9 @@ class Measurement {
 
   const Subject& subject_;
   std::span<const Variant> variants_;
-  std::uint32_t repetitions_;
+  Conditions conditions_;
   std::vector<Runner> runners_;
   std::vector<std::vector<Series>> series_;
-  CacheFlush flush_;
   asset::SampleScratch scratch_;
   FramePair frame_;
 };
@@ -211,7 +225,23 @@ class Measurement {
 }  // namespace
 
 Engine engine_of(bench::MethodKind method) {
-  return {std::string(bench::name_of(method)), [method] { return bench::make_method(method); }};
+  return {std::string(bench::name_of(method)), [method](std::span<const Collider> colliders) {
+            return SceneQuery(colliders, bench::make_method(method));
+          }};
+}
+
+Engine crowd_engine(std::uint32_t threads) {
+  const auto make = [threads](std::span<const Collider> colliders) {
+    return SceneQuery::as_crowd(colliders, threads);
+  };
+  return {std::string(bench::name_of(bench::MethodKind::on_demand)), make, Asked::crowd, threads};
+}
+
+Time time_of(std::span<const Engine> engines) {
+  const bool as_crowd = std::any_of(engines.begin(), engines.end(), [](const Engine& engine) {
+    return engine.asked == Asked::crowd;
+  });
+  return as_crowd ? Time::wall : Time::thread;
 }
 
 Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,

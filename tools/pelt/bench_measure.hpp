@@ -7,9 +7,14 @@
 /// new palettes and queries all pairs. The median of the repetitions stands for the frame. Sampling
 /// of the clips is not timed, nor are the palettes of engines whose update does not count. Engines
 /// take turns at every frame, so that all meet the same moods of the machine, and time in which the
-/// system runs other programs is not counted (stopwatch.hpp). One thread.
+/// system runs other programs is not counted (stopwatch.hpp).
+///
+/// On demand may also be asked as a crowd, on any number of threads, which share palettes and
+/// pairs. What several threads take is wall time, and then so are the times of all engines beside
+/// them.
 
 #include "tools/pelt/scene_query.hpp"
+#include "tools/pelt/stopwatch.hpp"
 
 #include <functional>
 #include <string>
@@ -23,22 +28,34 @@ enum class Question {
 
 enum class Cache {
   hot,   ///< as the untimed part left it
-  cold,  ///< 64 MB are read between the untimed and the timed part
+  cold,  ///< each thread reads 64 MB between the untimed and the timed part
 };
 
 /// What is measured of an engine.
 struct Variant {
   Question question = Question::all;
   Cache cache = Cache::hot;
-  std::uint32_t threads = 1;
+};
+
+enum class Asked {
+  pairs,  ///< each pair of instances by itself
+  crowd,  ///< all at once
 };
 
 struct Engine {
   std::string name;
-  std::function<std::unique_ptr<bench::Method>()> make;
+  std::function<SceneQuery(std::span<const Collider>)> make;
+  Asked asked = Asked::pairs;
+  std::uint32_t threads = 1;
 };
 
 Engine engine_of(bench::MethodKind method);
+
+/// On demand.
+Engine crowd_engine(std::uint32_t threads);
+
+/// What the times of engines mean that are measured together.
+Time time_of(std::span<const Engine> engines);
 
 /// What is run. Borrows.
 struct Subject {

@@ -5,21 +5,22 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <set>
 
 namespace pelt::tools {
 namespace {
 
-constexpr int kName = 14, kColumn = 12, kWorkColumn = 16;
+constexpr int kName = 12, kColumn = 12, kWorkColumn = 16;
 
 bool is_same(const Variant& a, const Variant& b) {
-  return a.question == b.question && a.cache == b.cache && a.threads == b.threads;
+  return a.question == b.question && a.cache == b.cache;
 }
 
-/// The mean time of an engine in a variant, or null.
+/// The mean time of an engine on one thread in a variant, or null.
 const double* mean_of(const SceneFigures& scene, const std::string& engine,
                       const Variant& variant) {
   for (const Figures& figures : scene.figures)
-    if (figures.engine == engine && is_same(figures.variant, variant))
+    if (figures.engine == engine && figures.threads == 1 && is_same(figures.variant, variant))
       return &figures.times.mean_us;
   return nullptr;
 }
@@ -59,27 +60,30 @@ void print_skinning(const SceneFigures& scene, std::ostream& out) {
 void print_head(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
   const Variant& variant = figures.variant;
   out << "query " << name_of(variant.question) << ", cache " << name_of(variant.cache) << ", "
-      << counted(variant.threads, "thread") << ", median of " << scene.repetitions;
+      << name_of(scene.time) << " time, median of " << scene.repetitions;
   if (figures.times.frames < scene.frames)
     out << ", " << counted(figures.times.frames, "frame") << " of " << with_commas(scene.frames);
   out << "; hash " << hex16(figures.answer.hash) << " by every method\n";
   print_name("method", out);
-  for (const char* head :
-       {"mean us", "in contact", "95 %", "update", "query", "vs paper", "vs eager", "of rigid"})
+  for (const char* head : {"threads", "mean us", "in contact", "95 %", "update", "query",
+                           "vs paper", "vs eager", "of rigid", "vs 1 thread"})
     out << std::setw(kColumn) << head;
   out << '\n';
 }
 
 void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
   const Times& times = figures.times;
-  const auto mean_by = [&](const char* engine) { return mean_of(scene, engine, figures.variant); };
+  const auto mean_by = [&](const std::string& engine) {
+    return mean_of(scene, engine, figures.variant);
+  };
+  const double* one_thread = figures.asked == Asked::crowd ? mean_by(figures.engine) : nullptr;
   print_name(figures.engine, out);
   for (const std::string& cell :
-       {fixed(times.mean_us, 1),
+       {std::to_string(figures.threads), fixed(times.mean_us, 1),
         times.frames_in_contact > 0 ? fixed(times.mean_contact_us, 1) : "-", fixed(times.p95_us, 1),
         fixed(times.mean_update_us, 1), fixed(times.mean_us - times.mean_update_us, 1),
         ratio(mean_by("paper"), &times.mean_us), ratio(mean_by("eager"), &times.mean_us),
-        ratio(&times.mean_us, mean_by("rigid"))})
+        ratio(&times.mean_us, mean_by("rigid")), ratio(one_thread, &times.mean_us)})
     out << std::setw(kColumn) << cell;
   out << '\n';
 }
@@ -109,18 +113,17 @@ void print_work(const SceneFigures& scene, const Figures& figures, std::ostream&
   out << '\n';
 }
 
-/// Work does not depend on caches, so each question is shown once.
+/// Work does not depend on caches and threads, so each engine is shown once for each question.
 void print_all_work(const SceneFigures& scene, std::ostream& out) {
   print_name("work a frame", out);
   out << std::setw(8) << "query";
   for (const char* head : {"node pairs", "refits", "posed vertices", "triangle pairs"})
     out << std::setw(kWorkColumn) << head;
   out << '\n';
-  for (const Figures& figures : scene.figures) {
-    const Variant first_of_question = {figures.variant.question, scene.figures[0].variant.cache,
-                                       scene.figures[0].variant.threads};
-    if (is_same(figures.variant, first_of_question)) print_work(scene, figures, out);
-  }
+  std::set<std::pair<Question, std::string>> shown;
+  for (const Figures& figures : scene.figures)
+    if (shown.emplace(figures.variant.question, figures.engine).second)
+      print_work(scene, figures, out);
   out << '\n';
 }
 
@@ -129,6 +132,10 @@ void print_all_work(const SceneFigures& scene, std::ostream& out) {
 const char* name_of(Question question) { return question == Question::all ? "all" : "first"; }
 
 const char* name_of(Cache cache) { return cache == Cache::hot ? "hot" : "cold"; }
+
+const char* name_of(Asked asked) { return asked == Asked::pairs ? "pairs" : "crowd"; }
+
+const char* name_of(Time time) { return time == Time::thread ? "thread" : "wall"; }
 
 void print_machine(std::ostream& out) {
   const Machine machine = this_machine();

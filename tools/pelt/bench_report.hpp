@@ -15,6 +15,8 @@ namespace pelt::tools {
 /// One variant of one engine.
 struct Figures {
   std::string engine;
+  Asked asked = Asked::pairs;
+  std::uint32_t threads = 1;
   Variant variant;
   Answer answer;
   Times times;
@@ -31,6 +33,7 @@ struct SceneFigures {
   std::uint64_t triangles = 0;  ///< of all instances
   std::uint64_t frames = 0;
   std::uint32_t repetitions = 0;
+  Time time = Time::thread;
   ModelFigures models;
   Skinning skinning;
   std::vector<Figures> figures;  ///< not empty; the engines of a variant one after the other
@@ -38,6 +41,8 @@ struct SceneFigures {
 
 const char* name_of(Question question);
 const char* name_of(Cache cache);
+const char* name_of(Asked asked);
+const char* name_of(Time time);
 
 /// Where the figures that follow are measured.
 void print_machine(std::ostream& out);

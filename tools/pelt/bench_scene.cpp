@@ -94,8 +94,9 @@ Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSett
   for (std::size_t v = 0; v < variants.size(); ++v) {
     const std::size_t question = v / settings.caches.size();
     for (std::size_t e = 0; e < settings.engines.size(); ++e) {
-      figures.push_back(
-          {settings.engines[e].name, variants[v], answers[e][question], (*times)[e][v]});
+      const Engine& engine = settings.engines[e];
+      figures.push_back({engine.name, engine.asked, engine.threads, variants[v],
+                         answers[e][question], (*times)[e][v]});
     }
   }
   return figures;
@@ -119,8 +120,8 @@ Result<ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& se
   if (!skinning) return skinning.error();
   std::uint64_t triangles = 0;
   for (const Collider& collider : prepared->colliders) triangles += collider.model.triangle_count();
-  figures.push_back({scene.name, triangles, frames->size(), settings.repetitions, prepared->models,
-                     *skinning, *measured});
+  figures.push_back({scene.name, triangles, frames->size(), settings.repetitions,
+                     time_of(settings.engines), prepared->models, *skinning, *measured});
   return ExitCode::success;
 }
 

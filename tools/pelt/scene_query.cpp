@@ -2,7 +2,16 @@
 
 #include "asset/message.hpp"
 
+#include <algorithm>
+#include <atomic>
+
 namespace pelt::tools {
+namespace {
+
+/// Fewer palettes than this are set before a thread has woken up.
+constexpr std::size_t kPalettesWorthAThread = 64;
+
+}  // namespace
 
 void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
                      Palettes& palettes) {
@@ -16,8 +25,7 @@ void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::Sam
 SceneQuery::SceneQuery(std::span<const Collider> colliders, bench::MethodKind method)
     : colliders_(colliders) {
   if (method == bench::MethodKind::on_demand) {
-    crowd_.emplace();
-    for (const Collider& collider : colliders_) crowd_->add(collider.model);
+    make_crowd(0);
   } else {
     method_ = bench::make_method(method);
     for (const Collider& collider : colliders_) method_->add(collider.model);
@@ -29,7 +37,21 @@ SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<benc
   for (const Collider& collider : colliders_) method_->add(collider.model);
 }
 
+SceneQuery SceneQuery::as_crowd(std::span<const Collider> colliders, std::uint32_t threads) {
+  SceneQuery query(colliders);
+  query.make_crowd(threads);
+  return query;
+}
+
+void SceneQuery::make_crowd(std::uint32_t threads) {
+  thread_count_ = threads > 0 ? threads : detail::Workers::available();
+  threads_ = std::make_unique<detail::Workers>();
+  crowd_.emplace();
+  for (const Collider& collider : colliders_) crowd_->add(collider.model);
+}
+
 Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
+  if (crowd_ && set_on_threads(palettes)) return {};
   for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
     const std::uint32_t instance = colliders_[c].instance;
     const Result<void> posed = set_palette(c, palettes[instance]);
@@ -38,6 +60,20 @@ Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
     }
   }
   return {};
+}
+
+/// False if there are too few palettes for that, or if one has been refused.
+bool SceneQuery::set_on_threads(const Palettes& palettes) {
+  const auto count = static_cast<std::uint32_t>(
+      std::min<std::size_t>(thread_count_, colliders_.size() / kPalettesWorthAThread));
+  if (count < 2) return false;
+  std::atomic<bool> all_taken = true;
+  shares_.deal(static_cast<std::uint32_t>(colliders_.size()), count);
+  threads_->run(count, [&](std::uint32_t thread) {
+    while (const auto c = shares_.take(thread))
+      if (!set_palette(*c, palettes[colliders_[*c].instance])) all_taken = false;
+  });
+  return all_taken;
 }
 
 Result<void> SceneQuery::set_palette(std::uint32_t collider, std::span<const Matrix4> palette) {
@@ -55,6 +91,7 @@ void SceneQuery::collide(const CollideOptions& options, FrameContacts& found) {
 
 void SceneQuery::collide_crowd(const CollideOptions& options, FrameContacts& found) {
   CrowdOptions crowd_options;
+  crowd_options.threads = thread_count_;
   crowd_options.max_contacts = options.max_contacts;
   crowd_contacts_.clear();
   query_work_ += crowd_->collide(crowd_contacts_, crowd_options).work;

@@ -4,6 +4,8 @@
 
 #include <pelt/crowd.hpp>
 
+#include "base/work_shares.hpp"
+#include "base/workers.hpp"
 #include "bench/method.hpp"
 #include "tools/pelt/colliders.hpp"
 
@@ -46,7 +48,11 @@ class SceneQuery {
   /// Pair by pair.
   SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method);
 
-  /// Poses all colliders. The message of an error names the instance.
+  /// As a crowd, on so many threads; 0: on all cores.
+  static SceneQuery as_crowd(std::span<const Collider> colliders, std::uint32_t threads);
+
+  /// Poses all colliders, those of a crowd on its threads where there are enough of them. The
+  /// message of an error names the instance.
   Result<void> set_palettes(const Palettes& palettes);
 
   /// See bench::Method::update_counts.
@@ -59,15 +65,22 @@ class SceneQuery {
   QueryStats work() const;
 
  private:
+  explicit SceneQuery(std::span<const Collider> colliders) : colliders_(colliders) {}
+
+  void make_crowd(std::uint32_t threads);
+  bool set_on_threads(const Palettes& palettes);
   Result<void> set_palette(std::uint32_t collider, std::span<const Matrix4> palette);
   void collide_crowd(const CollideOptions& options, FrameContacts& found);
   void collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
                     FrameContacts& found);
 
   std::span<const Collider> colliders_;
-  std::optional<Crowd> crowd_;  // or else
-  std::unique_ptr<bench::Method> method_;
+  std::optional<Crowd> crowd_;  // with all that follows up to its contacts, or else a method
+  std::uint32_t thread_count_ = 1;
+  std::unique_ptr<detail::Workers> threads_;
+  detail::WorkShares shares_;  // of the palettes
   std::vector<CrowdContact> crowd_contacts_;
+  std::unique_ptr<bench::Method> method_;
   QueryStats query_work_;
 };
 

@@ -6,13 +6,21 @@
 
 namespace pelt::tools {
 
+/// What a stopwatch counts.
+enum class Time {
+  thread,  ///< what this thread does
+  wall,    ///< what passes until several threads are through
+};
+
 /// Measures what one thread does on a machine that others use too: time in which the system runs
 /// something else in its place is not counted. Two clocks run, wall time and the thread's processor
 /// time, and the lesser counts: the first has the pauses, the second the time that it takes to read
-/// it, which is more than some queries take.
+/// it, which is more than some queries take. With several threads there is nothing but wall time,
+/// for one of them may wait while the others work.
 class Stopwatch {
  public:
-  Stopwatch() : processor_begin_(processor_us()), begin_(Clock::now()), lap_(begin_) {}
+  explicit Stopwatch(Time time = Time::thread)
+      : time_(time), processor_begin_(processor_us()), begin_(Clock::now()), lap_(begin_) {}
 
   /// Ends the first part.
   void lap() { lap_ = Clock::now(); }
@@ -23,7 +31,10 @@ class Stopwatch {
   }
 
   /// Both parts.
-  double microseconds() const { return std::min(wall_us(end_), processor_us_); }
+  double microseconds() const {
+    const double wall = wall_us(end_);
+    return time_ == Time::wall ? wall : std::min(wall, processor_us_);
+  }
 
   /// The first part.
   double lap_microseconds() const {
@@ -44,6 +55,7 @@ class Stopwatch {
     return std::chrono::duration<double, std::micro>(end - begin_).count();
   }
 
+  Time time_;
   double processor_begin_, processor_us_ = 0;
   Clock::time_point begin_, lap_, end_;
 };
