@@ -1,23 +1,16 @@
-/// crowd_scaling [MODEL.glb | SCENE.json] [METRE]
-///
-/// How the time of a frame grows with the crowd: 100, 1,000 and 10,000 walking instances of a
-/// character (the generated one, unless a file is named), on one thread and on two. Or the
-/// instances of a scene. A frame is all palettes set, on as many threads, and all contacts found;
-/// sampling the clips is not counted. Times are medians over the frames. METRE is the unit of the
-/// distances between walkers: 1 unless said, and 1.9 for the generated character, which holds its
-/// arms wide.
+/// How the time of a frame and the memory grow with a crowd: from 100 to 10,000 walking instances
+/// of a character, or as many as a scene has. The best of several runs counts, for others may use
+/// the machine too. scripts/plot-crowd-growth draws the table.
 
-#include <pelt/crowd.hpp>
-
-#include "base/workers.hpp"
+#include "bench/crowd_run.hpp"
 #include "bench/walking_crowd.hpp"
 #include "scenes/scene.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
+#include <fstream>
+#include <iostream>
 #include <string>
 
 #include <sys/resource.h>
@@ -25,139 +18,88 @@
 namespace pelt::bench {
 namespace {
 
-/// What is posed and asked.
-struct Job {
-  std::vector<SkinnedModel> models;  ///< of each instance
-  std::uint32_t frame_count = 0;
-  std::function<void(std::uint32_t frame, std::vector<Matrix4>& palettes)> pose;
+struct Arguments {
+  std::string input, csv;
+  double metre = 0;
+  std::uint32_t most = 10000, runs = 3;
 };
 
-struct Timing {
-  double palettes_ms = 0, frame_ms = 0;
-  CrowdStats stats;
-  std::size_t contacts = 0;
+/// The generated character holds its arms wide.
+constexpr double kMetreOfGenerated = 1.9;
+
+/// One number of instances on one number of threads.
+struct Row {
+  std::size_t instances = 0;
+  std::uint64_t triangles = 0;  ///< of all instances
+  std::uint32_t threads = 0;
+  CrowdTiming timing;
+  std::size_t crowd_bytes = 0, process_bytes = 0;  ///< the latter with the palettes to be set
 };
 
-double ms_between(std::chrono::steady_clock::time_point begin,
-                  std::chrono::steady_clock::time_point end) {
-  return std::chrono::duration<double, std::milli>(end - begin).count();
+constexpr const char* kColumns =
+    "instances,triangles,threads,frame_ms,palettes_ms,candidate_pairs,touching_pairs,contacts,"
+    "crowd_mb,process_mb";
+
+double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+
+std::ostream& operator<<(std::ostream& out, const Row& row) {
+  const CrowdTiming& timing = row.timing;
+  return out << row.instances << ',' << row.triangles << ',' << row.threads << ','
+             << timing.frame_ms << ',' << timing.palettes_ms << ',' << timing.stats.candidate_pairs
+             << ',' << timing.stats.touching_pairs << ',' << timing.contacts << ','
+             << megabytes(row.crowd_bytes) << ',' << megabytes(row.process_bytes);
 }
 
-class CrowdRun {
- public:
-  explicit CrowdRun(const Job& job) : job_(job) {
-    std::size_t first = 0;
-    for (const SkinnedModel& model : job.models) {
-      crowd_.add(model);
-      firsts_.push_back(first);
-      first += model.joint_count();
-    }
-    firsts_.push_back(first);
-  }
-
-  /// Medians and, of the counts, the first frame's.
-  Timing run(std::uint32_t threads) {
-    std::vector<double> palettes_ms, frame_ms;
-    Timing first;
-    for (std::uint32_t frame = 0; frame < job_.frame_count; ++frame) {
-      const Timing timing = time_frame(frame, threads);
-      palettes_ms.push_back(timing.palettes_ms);
-      frame_ms.push_back(timing.frame_ms);
-      if (frame == 0) first = timing;
-    }
-    first.palettes_ms = median(palettes_ms);
-    first.frame_ms = median(frame_ms);
-    return first;
-  }
-
-  std::size_t memory() const { return crowd_.memory(); }
-
- private:
-  static double median(std::vector<double>& values) {
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
-  }
-
-  Timing time_frame(std::uint32_t frame, std::uint32_t threads) {
-    job_.pose(frame, palettes_);
-    contacts_.clear();
-    const auto begin = std::chrono::steady_clock::now();
-    set_palettes(threads);
-    const auto posed = std::chrono::steady_clock::now();
-    Timing timing;
-    timing.stats = crowd_.collide(contacts_, {.threads = threads});
-    timing.palettes_ms = ms_between(begin, posed);
-    timing.frame_ms = ms_between(begin, std::chrono::steady_clock::now());
-    timing.contacts = contacts_.size();
-    return timing;
-  }
-
-  void set_palettes(std::uint32_t threads) {
-    const std::size_t count = job_.models.size();
-    threads_.run(threads, [&](std::uint32_t thread) {
-      for (std::size_t i = count * thread / threads; i < count * (thread + 1) / threads; ++i) {
-        const std::size_t first = firsts_[i];
-        const Result<void> taken = crowd_.set_palette(
-            static_cast<std::uint32_t>(i),
-            std::span<const Matrix4>(palettes_).subspan(first, firsts_[i + 1] - first));
-        if (!taken) std::printf("%s\n", taken.error().message.c_str());
-      }
-    });
-  }
-
-  const Job& job_;
-  Crowd crowd_;
-  std::vector<std::size_t> firsts_;  // of each instance, into palettes_
-  std::vector<Matrix4> palettes_;
-  std::vector<CrowdContact> contacts_;
-  detail::Workers threads_;
-};
-
-double peak_memory_mb() {
+/// The most that it ever was.
+std::size_t process_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-void print_head() {
-  std::printf(
-      "instances  1 thread ms  2 threads ms  (palettes)  candidates  touching  contacts"
-      "  crowd MB  process MB\n");
+std::uint64_t triangles_of(const CrowdJob& job) {
+  std::uint64_t triangles = 0;
+  for (const SkinnedModel& model : job.models) triangles += model.triangle_count();
+  return triangles;
 }
 
-void print_row(const Job& job) {
+CrowdTiming best_of(CrowdRun& run, std::uint32_t threads, std::uint32_t runs) {
+  CrowdTiming best = run.run(threads);
+  for (std::uint32_t r = 1; r < runs; ++r)
+    best = std::min(best, run.run(threads), [](const CrowdTiming& a, const CrowdTiming& b) {
+      return a.frame_ms < b.frame_ms;
+    });
+  return best;
+}
+
+/// The first run warms up.
+void measure(const CrowdJob& job, std::uint32_t runs, std::vector<Row>& rows) {
   CrowdRun run(job);
   run.run(2);
-  const Timing one = run.run(1), two = run.run(2);
-  std::printf("%9zu  %11.3f  %12.3f  %10.3f  %10llu  %8llu  %8zu  %8.1f  %10.1f\n",
-              job.models.size(), one.frame_ms, two.frame_ms, two.palettes_ms,
-              static_cast<unsigned long long>(two.stats.candidate_pairs),
-              static_cast<unsigned long long>(two.stats.touching_pairs), two.contacts,
-              static_cast<double>(run.memory()) / (1 << 20), peak_memory_mb());
-  std::fflush(stdout);
+  for (const std::uint32_t threads : {1u, 2u}) {
+    const CrowdTiming best = best_of(run, threads, runs);
+    rows.push_back(
+        {job.models.size(), triangles_of(job), threads, best, run.memory(), process_bytes()});
+    std::cout << rows.back() << std::endl;
+  }
 }
 
-Result<SkinnedModel> build(const asset::Asset& asset, std::span<const Matrix4> samples) {
+Result<SkinnedModel> build(const asset::Asset& asset) {
+  const std::vector<Matrix4> samples = WalkPhases(asset).samples();
   return build_model(asset.mesh(),
                      {.off_weights = OffWeights::renormalise, .sample_palettes = samples});
 }
 
-int fail(const Error& error) {
-  std::fprintf(stderr, "crowd_scaling: %s\n", error.message.c_str());
-  return 1;
-}
-
-int measure_scene(const std::string& path) {
-  const Result<scenes::Scene> scene = scenes::load_scene(path);
-  if (!scene) return fail(scene.error());
+Result<void> measure_scene(const Arguments& arguments, std::vector<Row>& rows) {
+  const Result<scenes::Scene> scene = scenes::load_scene(arguments.input);
+  if (!scene) return scene.error();
   std::vector<SkinnedModel> models;
   for (const scenes::Character& character : scene->characters) {
-    const Result<SkinnedModel> model =
-        build(character.asset, WalkPhases(character.asset).samples());
-    if (!model) return fail(model.error());
+    const Result<SkinnedModel> model = build(character.asset);
+    if (!model) return model.error();
     models.push_back(*model);
   }
-  Job job;
+  CrowdJob job;
   job.frame_count = scene->frame_count;
   for (const scenes::Instance& instance : scene->instances)
     job.models.push_back(models[instance.character]);
@@ -170,41 +112,70 @@ int measure_scene(const std::string& path) {
       instance_palette(*scene, i, frame, scratch, std::span(palettes).subspan(first));
     }
   };
-  print_head();
-  print_row(job);
-  return 0;
+  measure(job, arguments.runs, rows);
+  return {};
 }
 
-int measure_character(const scenes::Character& character, double metre) {
-  const WalkPhases phases(character.asset);
-  const Result<SkinnedModel> model = build(character.asset, phases.samples());
-  if (!model) return fail(model.error());
-  std::printf("%s, %u triangles, %u joints\n", character.name.c_str(), model->triangle_count(),
-              model->joint_count());
-  print_head();
-  for (const std::uint32_t count : {100u, 1000u, 10000u}) {
+Result<void> measure_character(const Arguments& arguments, std::vector<Row>& rows) {
+  const bool is_generated = arguments.input.empty();
+  const Result<scenes::Character> character =
+      is_generated ? scenes::generate_character({}) : scenes::load_character(arguments.input);
+  if (!character) return character.error();
+  const Result<SkinnedModel> model = build(character->asset);
+  if (!model) return model.error();
+  const WalkPhases phases(character->asset);
+  const double metre = arguments.metre > 0 ? arguments.metre : is_generated ? kMetreOfGenerated : 1;
+  for (const std::uint32_t count : {100u, 300u, 1000u, 3000u, 10000u}) {
+    if (count > arguments.most) break;
     const WalkingCrowd crowd(phases, count, metre);
-    Job job;
+    CrowdJob job;
     job.models.assign(count, *model);
     job.frame_count = 15;
     job.pose = [&](std::uint32_t frame, std::vector<Matrix4>& palettes) {
       crowd.pose(frame, palettes);
     };
-    print_row(job);
+    measure(job, arguments.runs, rows);
   }
-  return 0;
+  return {};
 }
 
-int run(int argc, char** argv) {
-  const std::string path = argc > 1 ? argv[1] : "";
-  if (path.ends_with(".json")) return measure_scene(path);
-  const Result<scenes::Character> character =
-      path.empty() ? scenes::generate_character({}) : scenes::load_character(path);
-  if (!character) return fail(character.error());
-  return measure_character(*character, argc > 2 ? std::atof(argv[2]) : path.empty() ? 1.9 : 1.0);
+bool write_table(const std::string& path, const std::vector<Row>& rows) {
+  std::ofstream file(path);
+  file << kColumns << '\n';
+  for (const Row& row : rows) file << row << '\n';
+  return file.flush().good();
+}
+
+int fail(const std::string& message) {
+  std::cerr << "crowd_scaling: " << message << '\n';
+  return 1;
+}
+
+int run(const Arguments& arguments) {
+  std::vector<Row> rows;
+  std::cout << kColumns << std::endl;
+  const Result<void> measured = arguments.input.ends_with(".json")
+                                    ? measure_scene(arguments, rows)
+                                    : measure_character(arguments, rows);
+  if (!measured) return fail(measured.error().message);
+  if (arguments.csv.empty() || write_table(arguments.csv, rows)) return 0;
+  return fail(arguments.csv + ": cannot be written: choose another place");
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("How the time of a frame grows with a crowd, on one thread and on two");
+  Arguments arguments;
+  app.add_option("INPUT", arguments.input,
+                 "A character (.glb) that walks, or a scene (.json); the generated character");
+  app.add_option("--metre", arguments.metre, "A metre in units of the character");
+  app.add_option("--most", arguments.most, "The most instances")->capture_default_str();
+  app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
+  app.add_option("--csv", arguments.csv, "Write the table")->type_name("FILE");
+  CLI11_PARSE(app, argc, argv);
+  return run(arguments);
 }
 
 }  // namespace
 }  // namespace pelt::bench
 
-int main(int argc, char** argv) { return pelt::bench::run(argc, argv); }
+int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }
