@@ -155,8 +155,9 @@ class PairTraversal {
     if (const unsigned clusters = slots_b & clusters_of(node_b))
       pairs_.push({pair.node_a, kAllSlots, pair.node_b, clusters, false, pair.depth});
     for (SetBits slot(slots_b & ~clusters_of(node_b)); slot; ++slot)
-      pairs_.push({pair.node_a, kAllSlots, child(node_b, *slot), kAllSlots, false,
-                   depth(opened_b, *slot, opened_a)});
+      if (const unsigned slots_a = slots_in(opened_a, lane_box(opened_b.low, opened_b.high, *slot)))
+        pairs_.push({pair.node_a, slots_a, child(node_b, *slot), kAllSlots, false,
+                     depth(opened_b, *slot, opened_a)});
   }
 
   void test(const PosedCluster& a, const PosedCluster& b) {
