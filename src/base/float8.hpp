@@ -119,6 +119,22 @@ inline Float8 select(const Mask8& mask, const Float8& yes, const Float8& no) {
 /// [a a a a b b b b]: the factors of two columns of a matrix that stand side by side.
 inline Float8 pair8(float a, float b) { return {Float4(a), Float4(b)}; }
 
+/// Four floats as factors, each for one column of a matrix: [x x x x y y y y] and [z z z z w w w
+/// w].
+struct ColumnFactors {
+  Float8 xy, zw;
+};
+
+inline ColumnFactors column_factors(const float* v) {
+#if defined(PELT_TARGET_AVX2)
+  const __m256 twice = Float8(load4(v), load4(v)).lanes;
+  return {Float8(_mm256_permutevar_ps(twice, _mm256_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1))),
+          Float8(_mm256_permutevar_ps(twice, _mm256_setr_epi32(2, 2, 2, 2, 3, 3, 3, 3)))};
+#else
+  return {pair8(v[0], v[1]), pair8(v[2], v[3])};
+#endif
+}
+
 /// The sum of both halves: where each half holds a column's share of a point, the point.
 inline Float4 fold(const Float8& v) { return v.low() + v.high(); }
 

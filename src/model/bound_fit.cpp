@@ -2,6 +2,7 @@
 
 #include "geometry/symmetric3.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace pelt::detail {
@@ -62,8 +63,8 @@ class WeightFit {
 
   /// The slope and the value at x = 0 of joint i's weight.
   void store_line(std::size_t i, JointFit& fit) const {
-    store(gradient_[i], fit.gradient);
-    fit.mean = static_cast<float>(value_at_centre(i));
+    store(gradient_[i], fit.line);
+    fit.line[3] = static_cast<float>(value_at_centre(i));
   }
 
  private:
@@ -94,8 +95,8 @@ struct Residual {
   double largest_offset = 0;  // of |w_j - m_j|
 
   void include(const JointFit& fit, double weight, const Vec3d& x) {
-    const double offset = weight - static_cast<double>(fit.mean);
-    rest.include(offset - dot(to_vec3d(fit.gradient), x));
+    const double offset = weight - static_cast<double>(fit.mean());
+    rest.include(offset - dot(to_vec3d(fit.line), x));
     moment.include(offset * x);
     largest_offset = std::max(largest_offset, std::fabs(offset));
   }
@@ -123,27 +124,51 @@ Vec3d reach(const RestShape& shape) {
           std::max(half.z, along_axes.z)};
 }
 
+/// Makes the joint of which most is left the reference.
+void take_reference(AffineFit& fit, std::vector<Residual>& left) {
+  const auto reference =
+      std::max_element(fit.fits.begin(), fit.fits.end(),
+                       [](const JointFit& a, const JointFit& b) { return a.rest() < b.rest(); }) -
+      fit.fits.begin();
+  std::rotate(fit.joints.begin(), fit.joints.begin() + reference,
+              fit.joints.begin() + reference + 1);
+  fit.fits.erase(fit.fits.begin() + reference);
+  left.erase(left.begin() + reference);
+}
+
 /// Terms of second order.
 constexpr double kSecondOrder = 1 + 0x1p-6;
 
 /// The margin of node_bounds.hpp.
-float affine_margin(const AffineFit& fit, std::span<const Residual> residuals,
+float affine_margin(const AffineFit& fit, std::span<const Residual> left,
                     const WeightRounding& rounding) {
   const Vec3d y = reach(fit.shape);
-  double sum = 0, means = 0, terms = 0;
-  for (std::size_t i = 0; i < fit.joints.size(); ++i) {
-    const JointFit& joint = fit.joints[i];
-    sum += static_cast<double>(joint.mean);
-    means += std::fabs(static_cast<double>(joint.mean));
-    terms += dot(magnitude(to_vec3d(joint.gradient)), y) + static_cast<double>(joint.rest) +
-             residuals[i].largest_offset;
+  double means = 0, terms = 0;
+  for (std::size_t i = 0; i < fit.fits.size(); ++i) {
+    const JointFit& joint = fit.fits[i];
+    means += std::fabs(static_cast<double>(joint.mean()));
+    terms += dot(magnitude(to_vec3d(joint.line)), y) + static_cast<double>(joint.rest()) +
+             left[i].largest_offset;
   }
   const double n = static_cast<double>(fit.joints.size());
   const double stretch = std::max(1.0, (y.x + y.y + y.z) / rounding.rest_extent);
-  const double sum_error = rounding.sum_error + std::fabs(sum - 1);
   return rounded_up(kSecondOrder *
-                    ((rounding.influences + 5) * kUnit + sum_error * means +
-                     (3 * n + 20) * kUnit * (stretch * means + (1 + means) * terms)));
+                    ((rounding.influences + 5) * kUnit + rounding.sum_error +
+                     (2 * n + 20) * kUnit * (stretch * (1 + 2 * means) + 2 * terms)));
+}
+
+/// The shape of the node's vertices, and where they lie from its centre.
+RestShape fit_shape(const NodeVertices& vertices, std::vector<Vec3d>& offsets) {
+  RestShape shape{};
+  Intervals3 box;
+  for (const std::uint32_t place : vertices.places()) box.include(vertices.position(place));
+  box.store(shape.centre, shape.half);
+  shape.centre[3] = 1;
+  offsets.reserve(vertices.places().size());
+  for (const std::uint32_t place : vertices.places())
+    offsets.push_back(vertices.position(place) - to_vec3d(shape.centre));
+  fit_axes(offsets, shape);
+  return shape;
 }
 
 }  // namespace
@@ -167,7 +192,7 @@ JointBoxesFit fit_joint_boxes(const NodeVertices& vertices, const WeightRounding
     vertices.each_weight(
         place, [&](std::uint32_t i, double) { extents[i].include(vertices.position(place)); });
   JointBoxesFit fit;
-  fit.boxes.resize(extents.size(), JointBox{});
+  fit.boxes.resize(extents.size());
   for (std::size_t i = 0; i < extents.size(); ++i)
     extents[i].store(fit.boxes[i].centre, fit.boxes[i].half);
   fit.margin = rounded_up(kSecondOrder * ((rounding.influences + 12) * kUnit + rounding.sum_error));
@@ -175,24 +200,20 @@ JointBoxesFit fit_joint_boxes(const NodeVertices& vertices, const WeightRounding
 }
 
 AffineFit fit_affine(const NodeVertices& vertices, const WeightRounding& rounding) {
-  AffineFit fit{};
-  Intervals3 box;
-  for (const std::uint32_t place : vertices.places()) box.include(vertices.position(place));
-  box.store(fit.shape.centre, fit.shape.half);
+  AffineFit fit;
   std::vector<Vec3d> offsets;
-  offsets.reserve(vertices.places().size());
-  for (const std::uint32_t place : vertices.places())
-    offsets.push_back(vertices.position(place) - to_vec3d(fit.shape.centre));
-  fit_axes(offsets, fit.shape);
-
-  fit.joints.resize(vertices.joints().size(), JointFit{});
+  fit.shape = fit_shape(vertices, offsets);
+  fit.joints.assign(vertices.joints().begin(), vertices.joints().end());
+  fit.fits.resize(fit.joints.size(), JointFit{});
   const WeightFit lines(vertices, offsets);
-  for (std::size_t i = 0; i < fit.joints.size(); ++i) lines.store_line(i, fit.joints[i]);
-  const std::vector<Residual> left = residuals(vertices, offsets, fit.joints);
-  for (std::size_t i = 0; i < fit.joints.size(); ++i) {
-    fit.joints[i].rest = rounded_up(left[i].rest.reach(0));
-    left[i].moment.store(fit.joints[i].shift, fit.joints[i].spread);
+  for (std::size_t i = 0; i < fit.fits.size(); ++i) lines.store_line(i, fit.fits[i]);
+
+  std::vector<Residual> left = residuals(vertices, offsets, fit.fits);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    fit.fits[i].spread[3] = rounded_up(left[i].rest.reach(0));
+    left[i].moment.store(fit.fits[i].shift, fit.fits[i].spread);
   }
+  take_reference(fit, left);
   fit.margin = affine_margin(fit, left, rounding);
   return fit;
 }

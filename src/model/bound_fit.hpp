@@ -27,7 +27,8 @@ JointBoxesFit fit_joint_boxes(const NodeVertices& vertices, const WeightRounding
 
 struct AffineFit {
   RestShape shape;
-  std::vector<JointFit> joints;  // one for each joint of the node
+  std::vector<std::uint16_t> joints;  // of the node, the reference first
+  std::vector<JointFit> fits;         // one for each of the others
   float margin = 0;
 };
 

@@ -17,10 +17,13 @@ double sum_of_magnitudes(const float* v) {
 }
 
 /// The comparisons are false for NaN.
-bool is_vector_within(const float (&v)[4], double limit) {
+bool is_within(const float (&v)[4], double limit, float fourth) {
   return std::fabs(v[0]) <= limit && std::fabs(v[1]) <= limit && std::fabs(v[2]) <= limit &&
-         v[3] == 0;
+         v[3] == fourth;
 }
+
+bool is_point_within(const float (&v)[4], double limit) { return is_within(v, limit, 1); }
+bool is_vector_within(const float (&v)[4], double limit) { return is_within(v, limit, 0); }
 
 bool is_half_within(const float (&v)[4], double limit) {
   return is_vector_within(v, limit) && v[0] >= 0 && v[1] >= 0 && v[2] >= 0;
@@ -63,10 +66,9 @@ Problem BoundsCheck::check_nodes() {
   for (std::size_t n = 0; n < bounds_.nodes.size(); ++n) {
     if (Problem found = check_node(n); !found.empty()) return found;
     const NodeBound& bound = bounds_.nodes[n];
-    const bool is_affine = bound.kind == BoundKind::affine;
     joints += bound.joint_count;
-    (is_affine ? fits : boxes) += bound.joint_count;
-    shapes += is_affine;
+    (bound.is_affine() ? fits : boxes) += bound.record_count();
+    shapes += bound.is_affine();
   }
   if (joints != bounds_.joints.size() || boxes != bounds_.joint_boxes.size() ||
       shapes != bounds_.shapes.size() || fits != bounds_.fits.size())
@@ -83,16 +85,16 @@ Problem BoundsCheck::check_node(std::size_t n) {
   if (bound.kind != BoundKind::joint_boxes && bound.kind != BoundKind::affine)
     return problem("bounds.nodes[%zu].kind is %u", n, static_cast<unsigned>(bound.kind));
   if (bound.joint_count == 0) return problem("bounds.nodes[%zu] has no joints", n);
-  const bool is_affine = bound.kind == BoundKind::affine;
-  const std::size_t records = is_affine ? bounds_.fits.size() : bounds_.joint_boxes.size();
+  const std::size_t records = bound.is_affine() ? bounds_.fits.size() : bounds_.joint_boxes.size();
   if (std::size_t{bound.first_joint} + bound.joint_count > bounds_.joints.size() ||
-      std::size_t{bound.first_record} + bound.joint_count > records ||
-      (is_affine && bound.shape >= bounds_.shapes.size()))
+      std::size_t{bound.first_record} + bound.record_count() > records ||
+      (bound.is_affine() && bound.shape >= bounds_.shapes.size()))
     return problem("bounds.nodes[%zu] reaches beyond the end of an array", n);
   if (!(bound.margin >= 0 && bound.margin <= kMaxMargin))
     return problem("bounds.nodes[%zu].margin is %g", n, static_cast<double>(bound.margin));
-  if (is_affine && !stays_finite({bounds_.fits.data() + bound.first_record, bound.joint_count},
-                                 bound.margin, tree_.rest_extent))
+  if (bound.is_affine() &&
+      !stays_finite({bounds_.fits.data() + bound.first_record, bound.record_count()}, bound.margin,
+                    tree_.rest_extent))
     return problem("bounds.nodes[%zu] can become infinite", n);
   return {};
 }
@@ -108,7 +110,7 @@ Problem BoundsCheck::check_joints() {
 Problem BoundsCheck::check_joint_boxes() {
   for (std::size_t i = 0; i < bounds_.joint_boxes.size(); ++i)
     if (const JointBox& box = bounds_.joint_boxes[i];
-        !is_vector_within(box.centre, reach_) || !is_half_within(box.half, reach_))
+        !is_point_within(box.centre, reach_) || !is_half_within(box.half, reach_))
       return problem("bounds.joint_boxes[%zu] is no box in the mesh", i);
   return {};
 }
@@ -116,7 +118,7 @@ Problem BoundsCheck::check_joint_boxes() {
 Problem BoundsCheck::check_shapes() {
   for (std::size_t i = 0; i < bounds_.shapes.size(); ++i)
     if (const RestShape& shape = bounds_.shapes[i];
-        !is_vector_within(shape.centre, reach_) || !is_half_within(shape.half, reach_) ||
+        !is_point_within(shape.centre, reach_) || !is_half_within(shape.half, reach_) ||
         !is_vector_within(shape.axes_centre, reach_) || !is_vector_within(shape.axes[0], reach_) ||
         !is_vector_within(shape.axes[1], reach_) || !is_vector_within(shape.axes[2], reach_))
       return problem("bounds.shapes[%zu] is no shape in the mesh", i);
@@ -125,10 +127,12 @@ Problem BoundsCheck::check_shapes() {
 
 /// Their sizes have been judged by stays_finite.
 Problem BoundsCheck::check_fits() {
-  for (std::size_t i = 0; i < bounds_.fits.size(); ++i)
-    if (const JointFit& fit = bounds_.fits[i];
-        !(fit.rest >= 0) || !is_half_within(fit.spread, HUGE_VAL))
-      return problem("bounds.fits[%zu] has a negative half extent", i);
+  for (std::size_t i = 0; i < bounds_.fits.size(); ++i) {
+    const JointFit& fit = bounds_.fits[i];
+    if (fit.shift[3] != 0) return problem("bounds.fits[%zu] has a shift of four components", i);
+    for (const float half : fit.spread)
+      if (!(half >= 0)) return problem("bounds.fits[%zu] has a negative half extent", i);
+  }
   return {};
 }
 
@@ -142,8 +146,8 @@ bool stays_finite(std::span<const JointFit> fits, float margin, float rest_exten
   const double mesh = mesh_size(rest_extent);
   double q = 0;
   for (const JointFit& fit : fits)
-    q += std::fabs(double{fit.mean}) + mesh * sum_of_magnitudes(fit.gradient) +
-         std::fabs(double{fit.rest}) +
+    q += std::fabs(double{fit.mean()}) + mesh * sum_of_magnitudes(fit.line) +
+         std::fabs(double{fit.rest()}) +
          (sum_of_magnitudes(fit.shift) + sum_of_magnitudes(fit.spread)) / mesh;
   return (1 + q) * (1 + q) <= 0x1p56 * std::min(1.0, mesh) && margin <= kMaxMargin;
 }

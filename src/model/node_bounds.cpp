@@ -34,17 +34,16 @@ NodeBound add_joint_boxes(const JointBoxesFit& fit, std::span<const std::uint16_
   return bound;
 }
 
-NodeBound add_affine(const AffineFit& fit, std::span<const std::uint16_t> joints,
-                     NodeBounds& bounds) {
+NodeBound add_affine(const AffineFit& fit, NodeBounds& bounds) {
   NodeBound bound{.kind = BoundKind::affine,
                   .unused = 0,
-                  .joint_count = static_cast<std::uint16_t>(joints.size()),
+                  .joint_count = static_cast<std::uint16_t>(fit.joints.size()),
                   .first_joint = static_cast<std::uint32_t>(bounds.joints.size()),
                   .first_record = static_cast<std::uint32_t>(bounds.fits.size()),
                   .shape = static_cast<std::uint32_t>(bounds.shapes.size()),
                   .margin = fit.margin};
-  bounds.joints.insert(bounds.joints.end(), joints.begin(), joints.end());
-  bounds.fits.insert(bounds.fits.end(), fit.joints.begin(), fit.joints.end());
+  bounds.joints.insert(bounds.joints.end(), fit.joints.begin(), fit.joints.end());
+  bounds.fits.insert(bounds.fits.end(), fit.fits.begin(), fit.fits.end());
   bounds.shapes.push_back(fit.shape);
   return bound;
 }
@@ -52,8 +51,7 @@ NodeBound add_affine(const AffineFit& fit, std::span<const std::uint16_t> joints
 bool is_affine_better(const NodeVertices& vertices, const JointBoxesFit& boxes,
                       const AffineFit& affine, std::span<const Palette> samples) {
   NodeBounds both;
-  both.nodes = {add_joint_boxes(boxes, vertices.joints(), both),
-                add_affine(affine, vertices.joints(), both)};
+  both.nodes = {add_joint_boxes(boxes, vertices.joints(), both), add_affine(affine, both)};
   double boxes_area = 0, affine_area = 0;
   for (const Palette& palette : samples) {
     boxes_area += half_area(node_box(both, 0, palette));
@@ -68,9 +66,9 @@ NodeBound fit_node(const NodeVertices& vertices, const WeightRounding& rounding,
   if (vertices.joints().size() > kMaxFittedJoints)
     return add_joint_boxes(boxes, vertices.joints(), bounds);
   const AffineFit affine = fit_affine(vertices, rounding);
-  const bool is_finite = stays_finite(affine.joints, affine.margin, vertices.rest_extent());
+  const bool is_finite = stays_finite(affine.fits, affine.margin, vertices.rest_extent());
   return is_finite && is_affine_better(vertices, boxes, affine, samples)
-             ? add_affine(affine, vertices.joints(), bounds)
+             ? add_affine(affine, bounds)
              : add_joint_boxes(boxes, vertices.joints(), bounds);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 /// What a node's bound needs of the rest pose. Two kinds of bound are known, and each node has the
-/// one that was smaller on sample poses; `pose/node_box.hpp` computes the boxes.
+/// one that was smaller on sample poses; node_box.hpp computes the boxes.
 ///
 /// Notation: a vertex v of the node is posed to v' = sum_j w_j C_j v~ with v~ = (v, 1). The rest
 /// box of the node's vertices has the centre c and the half extents e, and x = v - c.
@@ -12,15 +12,19 @@
 ///
 /// Affine, below. Approximate each weight by an affine function of the place,
 ///     w_j = m_j + g_j.x + r_j,       |r_j| <= R_j,
-/// and let B = sum m_j C_j, D_j = C_j - B, t_j = D_j c~. If the m_j sum to one, then exactly
-///     v' = B c~ + A x + sum_j D_j (w_j - m_j) x + sum_j r_j t_j,    A = B + sum_j t_j g_j^T,
+/// measure the joints against one of them, the reference: D_j = C_j - C_ref, t_j = D_j c~, and let
+/// B = C_ref + sum m_j D_j, here and below summing over the other joints. If the weights sum to
+/// one, v' = C_ref v~ + sum w_j D_j v~, so exactly
+///     v' = B c~ + A x + sum D_j (w_j - m_j) x + sum r_j t_j,    A = B + sum t_j g_j^T,
 /// where D_j and A act on x by their linear parts. With (w_j - m_j) x within s_j +- S_j on each
 /// axis
-///     centre        B c~ + sum_j D_j s_j
-///     half extents  |A x| + sum_j |D_j| S_j + sum_j R_j |t_j|
+///     centre        B c~ + sum D_j s_j
+///     half extents  |A x| + sum |D_j| S_j + sum R_j |t_j|
 /// and |A x| is bounded twice, by the rest box and by a box along the axes of the rest vertices;
 /// the intersection of both counts. This is the paper's bound carried to first order: the weights'
 /// slope is followed instead of enclosed, and a node whose weights are affine has no excess at all.
+/// Any joint may be the reference. With C_ref moved to X, sum_all R_j |t_j - X c~| is least where X
+/// is the median, weighted by the R_j; the joint with the largest R_j is near it.
 ///
 /// Rounding. With u = 2^-24 and M the palette's extent, sum_b |A_ab| |v_b| + |t_a| <= M for every
 /// joint and every v whose coordinates sum to no more than the mesh's rest extent. Errors are
@@ -31,15 +35,14 @@
 /// together at most M, go through three roundings each, corners and margins add two. So the margin
 /// is, in units of M,
 ///     (K + 12) u + e.
-/// Affine: let n joints have W = sum |m_j|. The float32 B differs from sum m_j C_j by n u W M on
-/// any point. Take it for B, as the identity above holds for any B; it leaves (e + e') B v~ over
-/// when the weights sum to 1 + e and the means to 1 - e'. Then |t_j| and |D_j x| are at most
-/// (1 + W) M. The sums over joints, with the products before and after them, take (n + 3) u W M in
-/// B c~. In B x they take n + 10, and L times that, because the box along the axes reaches out of
-/// the rest box, to y_b on axis b: L = max(1, sum y_b / rest extent). In the terms of t_j and D_j
-/// they take at most 2 n + 17. Corners and margins add four. So the margin is
-///     (K + 5) u + (e + e') W
-///         + (3 n + 20) u (L W + (1 + W) sum_j (|g_j|.y + R_j + max |w_j - m_j|)),
+/// Affine: of n joints, let the others' |m_j| sum to W. |t_j| and |D_j x| are at most 2 M, and a
+/// point under |C_ref| + sum |m_j| |D_j| at most (1 + 2 W) M. Weights that sum to 1 + e leave e M
+/// over. D_j takes one rounding, t_j four, an element of B at most n + 1. Products with rest
+/// coordinates and all sums make that at most n + 6 in the centre and n + 10 in B x, there L times,
+/// because the box along the axes reaches out of the rest box, to y_b on axis b:
+/// L = max(1, sum y_b / rest extent). The terms of t_j and D_j take at most n + 14. Corners and
+/// margins add four. So the margin is
+///     (K + 5) u + e + (2 n + 20) u (L (1 + 2 W) + 2 sum (|g_j|.y + R_j + max |w_j - m_j|)),
 /// and the rounding of the fit itself, in double, is far below.
 ///
 /// Nothing overflows, as elements are at most 2^120, M is at most 2^61, and fits have W <= 32 and
@@ -56,24 +59,28 @@
 
 namespace pelt::detail {
 
-/// Where one joint's own rest vertices lie in a node. Fourth components are zero.
+/// Where one joint's own rest vertices lie in a node.
 struct JointBox {
-  float centre[4], half[4];
+  float centre[4] = {0, 0, 0, 1};  ///< fourth component one: a matrix moves it
+  float half[4] = {};              ///< fourth component zero
 };
 
-/// The rest shape of an affine bound. Fourth components are zero.
+/// The rest shape of an affine bound. Fourth components are zero, but the centre's.
 struct RestShape {
-  float centre[4];       ///< c
+  float centre[4];       ///< c~
   float half[4];         ///< e
   float axes_centre[4];  ///< of the box along the axes, relative to c
   float axes[3][4];      ///< its half extents as vectors
 };
 
-/// One joint of an affine bound.
+/// One joint of an affine bound, but the reference.
 struct JointFit {
-  float gradient[3], mean;  ///< g_j, m_j
-  float shift[3], rest;     ///< s_j, R_j
-  float spread[4];          ///< S_j, 0
+  float line[4];    ///< g_j, m_j
+  float shift[4];   ///< s_j, 0
+  float spread[4];  ///< S_j, R_j
+
+  float mean() const { return line[3]; }
+  float rest() const { return spread[3]; }
 };
 
 enum class BoundKind : std::uint8_t { joint_boxes, affine };
@@ -82,10 +89,15 @@ struct NodeBound {
   BoundKind kind = BoundKind::joint_boxes;
   std::uint8_t unused = 0;  ///< so that every byte of a file has a value
   std::uint16_t joint_count = 0;
-  std::uint32_t first_joint = 0;   ///< into joints
+  std::uint32_t first_joint = 0;   ///< into joints; the first is the reference, if affine
   std::uint32_t first_record = 0;  ///< into joint_boxes, or into fits
   std::uint32_t shape = 0;         ///< into shapes, if affine
   float margin = 0;                ///< in units of the palette's extent
+
+  bool is_affine() const { return kind == BoundKind::affine; }
+
+  /// Of joint boxes, or of fits.
+  std::uint32_t record_count() const { return is_affine() ? joint_count - 1u : joint_count; }
 };
 
 struct NodeBounds {

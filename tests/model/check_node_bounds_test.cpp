@@ -54,20 +54,20 @@ const Breach kBreaches[] = {
     {"joints[0] is 5, but joint_count is 5", [](NodeBounds& b) { b.joints[0] = 5; }},
     {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].centre[1] = kNan; }},
     {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].centre[0] = 1e9f; }},
-    {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].centre[3] = 1; }},
+    {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].centre[3] = 0; }},
     {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].half[2] = -0.1f; }},
     {"joint_boxes[0] is no box", [](NodeBounds& b) { b.joint_boxes[0].half[2] = HUGE_VALF; }},
     {"shapes[0] is no shape", [](NodeBounds& b) { b.shapes[0].centre[0] = kNan; }},
     {"shapes[0] is no shape", [](NodeBounds& b) { b.shapes[0].half[0] = -1; }},
     {"shapes[0] is no shape", [](NodeBounds& b) { b.shapes[0].axes_centre[1] = 1e9f; }},
     {"shapes[0] is no shape", [](NodeBounds& b) { b.shapes[0].axes[2][2] = kNan; }},
-    {"fits[0] has a negative half extent", [](NodeBounds& b) { b.fits[0].rest = -0.1f; }},
+    {"fits[0] has a negative half extent", [](NodeBounds& b) { b.fits[0].spread[3] = -0.1f; }},
     {"fits[0] has a negative half extent", [](NodeBounds& b) { b.fits[0].spread[1] = -0.1f; }},
-    {"fits[0] has a negative half extent", [](NodeBounds& b) { b.fits[0].spread[3] = 1; }},
-    {"can become infinite", [](NodeBounds& b) { b.fits[0].mean = kNan; }},
-    {"can become infinite", [](NodeBounds& b) { b.fits[0].mean = 1e9f; }},
-    {"can become infinite", [](NodeBounds& b) { b.fits[0].gradient[1] = -HUGE_VALF; }},
-    {"can become infinite", [](NodeBounds& b) { b.fits[0].rest = 1e30f; }},
+    {"fits[0] has a shift of four", [](NodeBounds& b) { b.fits[0].shift[3] = 1; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].line[3] = kNan; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].line[3] = 1e9f; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].line[1] = -HUGE_VALF; }},
+    {"can become infinite", [](NodeBounds& b) { b.fits[0].spread[3] = 1e30f; }},
     {"can become infinite", [](NodeBounds& b) { b.fits[0].shift[2] = kNan; }},
     {"can become infinite", [](NodeBounds& b) { b.fits[0].spread[0] = 3e38f; }},
     {"can become infinite",
@@ -131,7 +131,7 @@ TEST(CheckNodeBounds, WhatPassesIsFiniteOnEveryPalette) {
     for (JointFit& fit : model.bounds.fits) {
       const auto size = [&](double unit) { return static_cast<float>(unit * q * random.unit()); };
       fit = {};
-      fit.mean = size(1), fit.gradient[0] = -size(1 / scale), fit.rest = size(1);
+      fit.line[3] = size(1), fit.line[0] = -size(1 / scale), fit.spread[3] = size(1);
       fit.shift[1] = size(scale), fit.spread[2] = size(scale);
     }
     if (!check_node_bounds(model.bounds, model.tree).empty()) continue;

@@ -54,24 +54,25 @@ NodeBounds fit_both_kinds(const Tree& tree, const Places& sets) {
   const detail::WeightRounding rounding = weight_rounding(tree);
   detail::NodeVertices vertices(tree);
   NodeBounds bounds;
-  const auto add_joints = [&](BoundKind kind, std::size_t first_record, float margin) {
+  const auto add_joints = [&](BoundKind kind, std::span<const std::uint16_t> joints,
+                              std::size_t first_record, float margin) {
     bounds.nodes.push_back({.kind = kind,
-                            .joint_count = static_cast<std::uint16_t>(vertices.joints().size()),
+                            .joint_count = static_cast<std::uint16_t>(joints.size()),
                             .first_joint = static_cast<std::uint32_t>(bounds.joints.size()),
                             .first_record = static_cast<std::uint32_t>(first_record),
                             .shape = static_cast<std::uint32_t>(bounds.shapes.size()),
                             .margin = margin});
+    bounds.joints.insert(bounds.joints.end(), joints.begin(), joints.end());
   };
   for (const auto& set : sets) {
     vertices.assign(set);
     const detail::JointBoxesFit boxes = fit_joint_boxes(vertices, rounding);
-    add_joints(BoundKind::joint_boxes, bounds.joint_boxes.size(), boxes.margin);
+    add_joints(BoundKind::joint_boxes, vertices.joints(), bounds.joint_boxes.size(), boxes.margin);
     bounds.joint_boxes.insert(bounds.joint_boxes.end(), boxes.boxes.begin(), boxes.boxes.end());
     const detail::AffineFit affine = fit_affine(vertices, rounding);
-    add_joints(BoundKind::affine, bounds.fits.size(), affine.margin);
-    bounds.fits.insert(bounds.fits.end(), affine.joints.begin(), affine.joints.end());
+    add_joints(BoundKind::affine, affine.joints, bounds.fits.size(), affine.margin);
+    bounds.fits.insert(bounds.fits.end(), affine.fits.begin(), affine.fits.end());
     bounds.shapes.push_back(affine.shape);
-    bounds.joints.insert(bounds.joints.end(), vertices.joints().begin(), vertices.joints().end());
   }
   return bounds;
 }
