@@ -159,11 +159,10 @@ float affine_margin(const AffineFit& fit, std::span<const Residual> left,
 
 /// The shape of the node's vertices, and where they lie from its centre.
 RestShape fit_shape(const NodeVertices& vertices, std::vector<Vec3d>& offsets) {
-  RestShape shape{};
+  RestShape shape;
   Intervals3 box;
   for (const std::uint32_t place : vertices.places()) box.include(vertices.position(place));
   box.store(shape.centre, shape.half);
-  shape.centre[3] = 1;
   offsets.reserve(vertices.places().size());
   for (const std::uint32_t place : vertices.places())
     offsets.push_back(vertices.position(place) - to_vec3d(shape.centre));

@@ -67,10 +67,10 @@ struct JointBox {
 
 /// The rest shape of an affine bound. Fourth components are zero, but the centre's.
 struct RestShape {
-  float centre[4];       ///< c~
-  float half[4];         ///< e
-  float axes_centre[4];  ///< of the box along the axes, relative to c
-  float axes[3][4];      ///< its half extents as vectors
+  float centre[4] = {0, 0, 0, 1};  ///< c~
+  float half[4] = {};              ///< e
+  float axes_centre[4] = {};       ///< of the box along the axes, relative to c
+  float axes[3][4] = {};           ///< its half extents as vectors
 };
 
 /// One joint of an affine bound, but the reference.
