@@ -8,8 +8,7 @@
 #include "tools/pelt/output.hpp"
 #include "tools/pelt/simd_argument.hpp"
 #include "tools/pelt/text.hpp"
-
-#include <CLI/CLI.hpp>
+#include "tools/pelt/verb.hpp"
 
 #include <array>
 #include <iostream>
@@ -167,32 +166,25 @@ Result<ExitCode> bench_scenes(const Arguments& arguments) {
     if (!exit || *exit != ExitCode::success) return exit;
   }
   if (arguments.json.empty()) return ExitCode::success;
-  const std::string text = figures_json(figures).dump(2) + "\n";
+  const std::string text = figures_json(figures);
   const auto written = write_file(arguments.json, std::as_bytes(std::span(text)));
   if (!written) return written.error();
   return ExitCode::success;
 }
 
-void add_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("SCENE", arguments.scenes, "Scene files")->required();
-  verb.add_option("--methods", arguments.methods, "Methods, with commas between them")
-      ->type_name("A,B")
-      ->capture_default_str();
-  verb.add_option("--queries", arguments.queries,
-                  "all: every contact; first: only whether each pair touches")
-      ->type_name("all,first")
-      ->capture_default_str();
-  verb.add_option("--caches", arguments.caches, "hot: as the frame before left them; cold: emptied")
-      ->type_name("hot,cold")
-      ->capture_default_str();
-  verb.add_option("--threads", arguments.threads, "Ask on_demand as a crowd on so many threads")
-      ->type_name("N,M");
-  verb.add_option("--repeat", arguments.repetitions, "Repetitions of each frame")
-      ->type_name("N")
-      ->capture_default_str();
-  verb.add_option("--frames", arguments.frames, "Frames A to B - 1, each S-th of them")
-      ->type_name("A:B[:S]");
-  verb.add_option("--json", arguments.json, "Write the figures")->type_name("FILE");
+void add_options(Verb& verb, Arguments& arguments) {
+  verb.option("SCENE", arguments.scenes, "Scene files", {.is_required = true});
+  verb.option("--methods", arguments.methods, "Methods, with commas between them", {.type = "A,B"});
+  verb.option("--queries", arguments.queries,
+              "all: every contact; first: only whether each pair touches", {.type = "all,first"});
+  verb.option("--caches", arguments.caches, "hot: as the frame before left them; cold: emptied",
+              {.type = "hot,cold"});
+  verb.option("--threads", arguments.threads, "Ask on_demand as a crowd on so many threads",
+              {.type = "N,M"});
+  verb.option("--repeat", arguments.repetitions, "Repetitions of each frame", {.type = "N"});
+  verb.option("--frames", arguments.frames, "Frames A to B - 1, each S-th of them",
+              {.type = "A:B[:S]"});
+  verb.option("--json", arguments.json, "Write the figures", {.type = "FILE"});
   add_simd_option(verb, arguments.simd);
   add_model_options(verb, arguments.models);
 }
@@ -200,12 +192,10 @@ void add_options(CLI::App& verb, Arguments& arguments) {
 }  // namespace
 
 void add_bench(CLI::App& app, Command& chosen) {
-  CLI::App* verb = app.add_subcommand("bench", "Measure every method on scenes");
+  Verb verb(app, "bench", "Measure every method on scenes", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_options(*verb, *arguments);
-  verb->footer(kFooter);
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return bench_scenes(*arguments); }; });
+  add_options(verb, *arguments);
+  verb.runs([arguments] { return bench_scenes(*arguments); }, chosen);
 }
 
 }  // namespace pelt::tools

@@ -5,6 +5,8 @@
 #include "tools/pelt/machine.hpp"
 #include "tools/pelt/text.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace pelt::tools {
 namespace {
 
@@ -57,13 +59,14 @@ ordered_json scene_json(const SceneFigures& scene) {
 
 }  // namespace
 
-ordered_json figures_json(const std::vector<SceneFigures>& scenes) {
+std::string figures_json(const std::vector<SceneFigures>& scenes) {
   ordered_json all = ordered_json::array();
   for (const SceneFigures& scene : scenes) all.push_back(scene_json(scene));
-  return {{"format", "pelt-bench"},
-          {"version", 1},
-          {"machine", machine_json()},
-          {"scenes", std::move(all)}};
+  const ordered_json figures = {{"format", "pelt-bench"},
+                                {"version", 1},
+                                {"machine", machine_json()},
+                                {"scenes", std::move(all)}};
+  return figures.dump(2) + "\n";
 }
 
 }  // namespace pelt::tools

@@ -4,8 +4,6 @@
 
 #include "tools/pelt/bench_skinning.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <ostream>
 #include <string>
 #include <vector>
@@ -49,6 +47,7 @@ void print_machine(std::ostream& out);
 
 void print_figures(const SceneFigures& scene, std::ostream& out);
 
-nlohmann::ordered_json figures_json(const std::vector<SceneFigures>& scenes);
+/// As JSON.
+std::string figures_json(const std::vector<SceneFigures>& scenes);
 
 }  // namespace pelt::tools

@@ -7,8 +7,7 @@
 #include "tools/pelt/scene_arguments.hpp"
 #include "tools/pelt/simd_argument.hpp"
 #include "tools/pelt/text.hpp"
-
-#include <CLI/CLI.hpp>
+#include "tools/pelt/verb.hpp"
 
 #include <iostream>
 
@@ -116,46 +115,41 @@ std::string listed(std::span<const std::string_view> names) {
   return text;
 }
 
-void add_options(CLI::App& verb, Arguments& arguments) {
+void add_options(Verb& verb, Arguments& arguments) {
   add_scene_options(verb, arguments.scene);
-  verb.add_option("--frames", arguments.frames,
-                  "Frames A to B - 1, each S-th of them with A:B:S (default: all of the scene, or "
-                  "of the longest clip)")
-      ->type_name("A:B");
-  verb.add_option("--by", arguments.by,
-                  "What collides: every instance with every other, or every part with every other, "
-                  "also of the same instance")
-      ->type_name("instance|part")
-      ->capture_default_str();
-  verb.add_option("--method", arguments.method, "One of " + listed(bench::method_names()))
-      ->type_name("NAME")
-      ->capture_default_str();
+  verb.option("--frames", arguments.frames,
+              "Frames A to B - 1, each S-th of them with A:B:S (default: all of the scene, or of "
+              "the longest clip)",
+              {.type = "A:B"});
+  verb.option("--by", arguments.by,
+              "What collides: every instance with every other, or every part with every other, "
+              "also of the same instance",
+              {.type = "instance|part"});
+  verb.option("--method", arguments.method, "One of " + listed(bench::method_names()),
+              {.type = "NAME"});
   add_simd_option(verb, arguments.simd);
-  CLI::Option* first = verb.add_flag("--first", arguments.first,
-                                     "Stop at the first contact of each pair in each frame");
-  verb.add_option("--max-contacts", arguments.max_contacts,
-                  "Stop after so many contacts of each pair in each frame")
-      ->type_name("N")
-      ->excludes(first);
-  verb.add_option("--jsonl", arguments.jsonl,
-                  "Write the answer, a JSON object a line; -: to standard output, the summary then "
-                  "to standard error")
-      ->type_name("FILE");
-  verb.add_flag("--pairs", arguments.pairs, "Write the triangle pairs too, not only their number");
-  verb.add_option("--glb", arguments.glb,
-                  "Write the posed characters of the worst frame, colliding triangles coloured")
-      ->type_name("FILE");
-  verb.add_option("--glb-frame", arguments.glb_frame, "The frame for --glb")->type_name("N");
+  verb.flag("--first", arguments.first, "Stop at the first contact of each pair in each frame");
+  verb.option("--max-contacts", arguments.max_contacts,
+              "Stop after so many contacts of each pair in each frame",
+              {.type = "N", .excludes = "--first"});
+  verb.option("--jsonl", arguments.jsonl,
+              "Write the answer, a JSON object a line; -: to standard output, the summary then to "
+              "standard error",
+              {.type = "FILE"});
+  verb.flag("--pairs", arguments.pairs, "Write the triangle pairs too, not only their number");
+  verb.option("--glb", arguments.glb,
+              "Write the posed characters of the worst frame, colliding triangles coloured",
+              {.type = "FILE"});
+  verb.option("--glb-frame", arguments.glb_frame, "The frame for --glb", {.type = "N"});
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, Command& chosen) {
-  CLI::App* verb = app.add_subcommand("check", "Find every colliding triangle pair of every frame");
+  Verb verb(app, "check", "Find every colliding triangle pair of every frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_options(*verb, *arguments);
-  verb->footer(kFooter);
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return check(*arguments); }; });
+  add_options(verb, *arguments);
+  verb.runs([arguments] { return check(*arguments); }, chosen);
 }
 
 }  // namespace pelt::tools

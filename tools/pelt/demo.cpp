@@ -6,8 +6,7 @@
 #include "tools/pelt/run_program.hpp"
 #include "tools/pelt/scene_glb.hpp"
 #include "tools/pelt/still.hpp"
-
-#include <CLI/CLI.hpp>
+#include "tools/pelt/verb.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -145,13 +144,10 @@ Result<ExitCode> demo(const Arguments& arguments) {
 }  // namespace
 
 void add_demo(CLI::App& app, Command& chosen) {
-  CLI::App* verb = app.add_subcommand("demo", "Let two generated characters collide");
+  Verb verb(app, "demo", "Let two generated characters collide", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  verb->add_option("-o,--output", arguments->folder, "Folder for the files")
-      ->type_name("DIR")
-      ->capture_default_str();
-  verb->footer(kFooter);
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return demo(*arguments); }; });
+  verb.option("-o,--output", arguments->folder, "Folder for the files", {.type = "DIR"});
+  verb.runs([arguments] { return demo(*arguments); }, chosen);
 }
 
 }  // namespace pelt::tools

@@ -7,8 +7,8 @@
 #include "tools/pelt/prepared_file.hpp"
 #include "tools/pelt/prepared_info.hpp"
 #include "tools/pelt/text.hpp"
+#include "tools/pelt/verb.hpp"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -169,14 +169,13 @@ Result<ExitCode> info(const Arguments& arguments) {
 }  // namespace
 
 void add_info(CLI::App& app, Command& chosen) {
-  CLI::App* verb = app.add_subcommand("info", "Tell what a model file holds");
+  Verb verb(app, "info", "Tell what a model file holds", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  verb->add_option("MODEL", arguments->model, "A glTF file, .glb or .gltf, or a prepared model")
-      ->required();
-  verb->add_flag("--json", arguments->json, "Print JSON");
-  add_model_options(*verb, arguments->models);
-  verb->footer(kFooter);
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return info(*arguments); }; });
+  verb.option("MODEL", arguments->model, "A glTF file, .glb or .gltf, or a prepared model",
+              {.is_required = true});
+  verb.flag("--json", arguments->json, "Print JSON");
+  add_model_options(verb, arguments->models);
+  verb.runs([arguments] { return info(*arguments); }, chosen);
 }
 
 }  // namespace pelt::tools

@@ -4,6 +4,8 @@
 
 #include "tools/pelt/text.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace pelt::tools {
 namespace {
 

@@ -6,7 +6,7 @@
 #include "tools/pelt/frame_range.hpp"
 #include "tools/pelt/scene_query.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <ostream>

@@ -1,7 +1,5 @@
 #include "tools/pelt/model_arguments.hpp"
 
-#include <CLI/CLI.hpp>
-
 namespace pelt::tools {
 
 asset::GltfOptions ModelArguments::gltf_options() const {
@@ -11,21 +9,18 @@ asset::GltfOptions ModelArguments::gltf_options() const {
   return options;
 }
 
-void add_model_options(CLI::App& verb, ModelArguments& arguments) {
-  verb.add_flag("--no-unskinned", arguments.no_unskinned,
-                "Leave out meshes without a skin (weapons, armour)");
-  verb.add_option("--exclude", arguments.exclude,
-                  "Leave out the mesh node of this name and its children (repeatable)")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  verb.add_flag("--renormalise", arguments.renormalise,
-                "Accept weights that do not sum to 1: divide them by their sum, as renderers do");
-  verb.add_option("--samples", arguments.samples,
-                  "Poses taken from a character's clips to prepare it for; 0: build faster, answer "
-                  "more slowly")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+void add_model_options(Verb& verb, ModelArguments& arguments) {
+  verb.flag("--no-unskinned", arguments.no_unskinned,
+            "Leave out meshes without a skin (weapons, armour)");
+  verb.option("--exclude", arguments.exclude,
+              "Leave out the mesh node of this name and its children (repeatable)",
+              {.type = "NAME"});
+  verb.flag("--renormalise", arguments.renormalise,
+            "Accept weights that do not sum to 1: divide them by their sum, as renderers do");
+  verb.option("--samples", arguments.samples,
+              "Poses taken from a character's clips to prepare it for; 0: build faster, answer "
+              "more slowly",
+              {.type = "N", .most = 1000});
 }
 
 Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,

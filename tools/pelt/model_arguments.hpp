@@ -3,14 +3,12 @@
 #include <pelt/asset.hpp>
 #include <pelt/model.hpp>
 
+#include "tools/pelt/verb.hpp"
+
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace pelt::tools {
 
@@ -24,7 +22,7 @@ struct ModelArguments {
   asset::GltfOptions gltf_options() const;
 };
 
-void add_model_options(CLI::App& verb, ModelArguments& arguments);
+void add_model_options(Verb& verb, ModelArguments& arguments);
 
 /// build_model with words that fit the command: the message names `source`, and the remedy is an
 /// option of the command. Sample poses that the model cannot take are passed over: they are a

@@ -5,8 +5,7 @@
 #include "tools/pelt/scene_arguments.hpp"
 #include "tools/pelt/scene_glb.hpp"
 #include "tools/pelt/text.hpp"
-
-#include <CLI/CLI.hpp>
+#include "tools/pelt/verb.hpp"
 
 namespace pelt::tools {
 namespace {
@@ -46,15 +45,13 @@ Result<ExitCode> pose(const Arguments& arguments) {
 }  // namespace
 
 void add_pose(CLI::App& app, Command& chosen) {
-  CLI::App* verb = app.add_subcommand("pose", "Write the posed characters of one frame");
+  Verb verb(app, "pose", "Write the posed characters of one frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_scene_options(*verb, arguments->scene);
-  verb->add_option("--frame", arguments->frame, "The frame")->type_name("N")->required();
-  verb->add_option("-o,--output", arguments->output, "The .glb file to write")
-      ->type_name("FILE")
-      ->required();
-  verb->footer(kFooter);
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return pose(*arguments); }; });
+  add_scene_options(verb, arguments->scene);
+  verb.option("--frame", arguments->frame, "The frame", {.type = "N", .is_required = true});
+  verb.option("-o,--output", arguments->output, "The .glb file to write",
+              {.type = "FILE", .is_required = true});
+  verb.runs([arguments] { return pose(*arguments); }, chosen);
 }
 
 }  // namespace pelt::tools

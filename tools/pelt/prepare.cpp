@@ -9,8 +9,7 @@
 #include "tools/pelt/output.hpp"
 #include "tools/pelt/prepared_file.hpp"
 #include "tools/pelt/text.hpp"
-
-#include <CLI/CLI.hpp>
+#include "tools/pelt/verb.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -109,15 +108,13 @@ Result<ExitCode> prepare(const Arguments& arguments) {
 }  // namespace
 
 void add_prepare(CLI::App& app, Command& chosen) {
-  CLI::App* verb = app.add_subcommand("prepare", "Build a model into a file that loads fast");
+  Verb verb(app, "prepare", "Build a model into a file that loads fast", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  verb->add_option("MODEL", arguments->model, "A glTF file, .glb or .gltf")->required();
-  verb->add_option("-o,--output", arguments->output, "The prepared model to write, .pelt")
-      ->type_name("FILE")
-      ->required();
-  add_model_options(*verb, arguments->models);
-  verb->footer(kFooter);
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return prepare(*arguments); }; });
+  verb.option("MODEL", arguments->model, "A glTF file, .glb or .gltf", {.is_required = true});
+  verb.option("-o,--output", arguments->output, "The prepared model to write, .pelt",
+              {.type = "FILE", .is_required = true});
+  add_model_options(verb, arguments->models);
+  verb.runs([arguments] { return prepare(*arguments); }, chosen);
 }
 
 }  // namespace pelt::tools

@@ -4,8 +4,6 @@
 #include "asset/message.hpp"
 #include "tools/pelt/text.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -168,23 +166,22 @@ Result<Scene> scene_of_file(const SceneArguments& arguments) {
 
 }  // namespace
 
-void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
+void add_scene_options(Verb& verb, SceneArguments& arguments) {
   const auto placing = [&verb](const char* name, auto& values, const char* type, const char* help) {
-    verb.add_option(name, values, help)
-        ->type_name(type)
-        ->allow_extra_args(false)
-        ->group("Placing models (each repeatable, in the order of the models)");
+    constexpr const char* kGroup = "Placing models (each repeatable, in the order of the models)";
+    verb.option(name, values, help, {.type = type, .group = kGroup});
   };
-  verb.add_option("INPUT", arguments.inputs, "SCENE.json, or models: A.glb B.gltf ...")->required();
+  verb.option("INPUT", arguments.inputs, "SCENE.json, or models: A.glb B.gltf ...",
+              {.is_required = true});
   placing("--clip", arguments.clips, "NAME",
           "Animation clip, looped; \"\": the unnamed clip, -: the default pose");
   placing("--start", arguments.starts, "SECONDS", "Time in the clip at frame 0");
   placing("--at", arguments.positions, "X,Y,Z", "Position");
   placing("--turn", arguments.turns, "DEGREES", "Turn around the y axis, which points up");
   placing("--scale", arguments.scales, "FACTOR", "Uniform scale");
-  verb.add_option("--fps", arguments.fps,
-                  "Frames per second: frame f stands at f / FPS seconds (30, or the scene's)")
-      ->type_name("FPS");
+  verb.option("--fps", arguments.fps,
+              "Frames per second: frame f stands at f / FPS seconds (30, or the scene's)",
+              {.type = "FPS"});
   add_model_options(verb, arguments.models);
 }
 

@@ -21,7 +21,7 @@ struct SceneArguments {
   ModelArguments models;
 };
 
-void add_scene_options(CLI::App& verb, SceneArguments& arguments);
+void add_scene_options(Verb& verb, SceneArguments& arguments);
 
 /// Loads what the arguments name. A scene made of models lasts as long as its longest clip.
 Result<scenes::Scene> open_scene(const SceneArguments& arguments);

@@ -5,8 +5,6 @@
 #include "asset/message.hpp"
 #include "tools/pelt/text.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 
@@ -24,11 +22,11 @@ std::string available_names() {
 
 }  // namespace
 
-void add_simd_option(CLI::App& verb, std::string& name) {
-  verb.add_option("--simd", name,
-                  "Instructions that queries use, for comparisons: the answers are the same "
-                  "(default: the fastest that runs here)")
-      ->type_name("scalar|simd128|avx2");
+void add_simd_option(Verb& verb, std::string& name) {
+  verb.option("--simd", name,
+              "Instructions that queries use, for comparisons: the answers are the same "
+              "(default: the fastest that runs here)",
+              {.type = "scalar|simd128|avx2"});
 }
 
 Result<void> choose_simd(const std::string& name) {

@@ -2,16 +2,14 @@
 
 #include <pelt/result.hpp>
 
-#include <string>
+#include "tools/pelt/verb.hpp"
 
-namespace CLI {
-class App;
-}
+#include <string>
 
 namespace pelt::tools {
 
 /// Adds --simd, whose value goes to `name`.
-void add_simd_option(CLI::App& verb, std::string& name);
+void add_simd_option(Verb& verb, std::string& name);
 
 /// Lets queries use the instructions of that name; "" leaves the choice to the library.
 Result<void> choose_simd(const std::string& name);
