@@ -37,7 +37,7 @@ Vec3 posed(const Asset& asset, std::uint32_t vertex) {
   return {row(0), row(1), row(2)};
 }
 
-void expect_near(const Vec3& a, const Vec3& b) {
+void expect_position(const Vec3& a, const Vec3& b) {
   EXPECT_NEAR(a.x, b.x, 1e-5);
   EXPECT_NEAR(a.y, b.y, 1e-5);
   EXPECT_NEAR(a.z, b.z, 1e-5);
@@ -48,8 +48,8 @@ TEST(Assemble, RestPositionsOfRidingPartsAreWhereTheDefaultPoseHasThem) {
   Asset after = before;
   assemble(after);
   for (std::uint32_t v = 3; v < 6; ++v) {
-    expect_near(after.rest_positions[v], posed(before, v));
-    expect_near(posed(after, v), posed(before, v));
+    expect_position(after.rest_positions[v], posed(before, v));
+    expect_position(posed(after, v), posed(before, v));
   }
 }
 
@@ -59,7 +59,7 @@ TEST(Assemble, ARidingPartFollowsItsNode) {
   assemble(after);
   before.nodes[0].local.translation = after.nodes[0].local.translation = {-3, 0, 7};
   before.nodes[1].local.rotation = after.nodes[1].local.rotation = {0, 0.6f, 0, 0.8f};
-  for (std::uint32_t v = 3; v < 6; ++v) expect_near(posed(after, v), posed(before, v));
+  for (std::uint32_t v = 3; v < 6; ++v) expect_position(posed(after, v), posed(before, v));
 }
 
 TEST(Assemble, SkinnedPartsStayBitForBit) {

@@ -106,9 +106,10 @@ TEST(Clips, PassOverChannelsWithoutANode) {
 }
 
 TEST(Clips, RefuseTimesThatDoNotAscend) {
-  const float kNan = std::numeric_limits<float>::quiet_NaN();
   const std::pair<float, const char*> kCases[] = {
-      {0, "key 1 is not later"}, {-1, "key 1 is not later"}, {kNan, "element 1 is NaN"}};
+      {0, "key 1 is not later"},
+      {-1, "key 1 is not later"},
+      {std::numeric_limits<float>::quiet_NaN(), "element 1 is NaN"}};
   for (const auto& c : kCases) {
     GltfBuilder builder = test::paper_strip();
     builder.set_value<float>(5, 1, c.first);
