@@ -119,8 +119,7 @@ inline Float8 select(const Mask8& mask, const Float8& yes, const Float8& no) {
 /// [a a a a b b b b]: the factors of two columns of a matrix that stand side by side.
 inline Float8 pair8(float a, float b) { return {Float4(a), Float4(b)}; }
 
-/// Four floats as factors, each for one column of a matrix: [x x x x y y y y] and [z z z z w w w
-/// w].
+/// Four floats as factors of a matrix's columns: [x x x x y y y y] and [z z z z w w w w].
 struct ColumnFactors {
   Float8 xy, zw;
 };
