@@ -136,8 +136,7 @@ const RootBox& root_box(const PosedTree& posed, QueryStats& work) {
   return root = instance_box(posed.bounds, posed.palette);
 }
 
-const OpenedNode& open_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
-  if (const OpenedNode* known = posed.opened[index]) return *known;
+const OpenedNode& open_closed_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
   const Node& node = posed.tree.nodes[index];
   OpenedNode* opened = begin_node(posed, node);
   box_slots(posed.tree, node, *opened,
@@ -150,10 +149,8 @@ const OpenedNode& open_node(const PosedTree& posed, std::uint32_t index, QuerySt
   return *first;
 }
 
-const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
-                                    const OpenedNode& opened, std::uint32_t slot) {
-  std::atomic<TriangleBoxes*>& known = opened.triangles[slot];
-  if (const TriangleBoxes* boxes = known.load(std::memory_order_acquire)) return *boxes;
+const TriangleBoxes& box_triangles(const PosedTree& posed, const Node& node,
+                                   const OpenedNode& opened, std::uint32_t slot) {
   const Cluster& cluster = posed.tree.clusters[node.first_cluster + slot];
   auto* boxes = posed.arena.allocate<TriangleBoxes>();
   const std::uint16_t* corners = posed.tree.corners[cluster.first_triangle].data();
@@ -165,7 +162,9 @@ const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
     store_boxes(box, boxes->low, boxes->high, first);
   }
   TriangleBoxes* first = nullptr;
-  return known.compare_exchange_strong(first, boxes, std::memory_order_acq_rel) ? *boxes : *first;
+  return opened.triangles[slot].compare_exchange_strong(first, boxes, std::memory_order_acq_rel)
+             ? *boxes
+             : *first;
 }
 
 QueryStats open_all_exactly(const PosedTree& posed) {

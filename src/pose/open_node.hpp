@@ -11,12 +11,25 @@ inline namespace PELT_TARGET {
 /// A box around the whole instance, from the joint palette alone.
 const RootBox& root_box(const PosedTree& posed, QueryStats& work);
 
+/// Opens a node, unless another thread has done it meanwhile.
+const OpenedNode& open_closed_node(const PosedTree& posed, std::uint32_t node, QueryStats& work);
+
 /// The node, opened if it was not; counts the work in `work`.
-const OpenedNode& open_node(const PosedTree& posed, std::uint32_t node, QueryStats& work);
+inline const OpenedNode& open_node(const PosedTree& posed, std::uint32_t node, QueryStats& work) {
+  const OpenedNode* known = posed.opened[node];
+  return known ? *known : open_closed_node(posed, node, work);
+}
+
+/// Computes the boxes of a cluster's triangles.
+const TriangleBoxes& box_triangles(const PosedTree& posed, const Node& node,
+                                   const OpenedNode& opened, std::uint32_t slot);
 
 /// The boxes of a cluster's triangles. Precondition: `opened` is the opened `node`.
-const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
-                                    const OpenedNode& opened, std::uint32_t slot);
+inline const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& node,
+                                           const OpenedNode& opened, std::uint32_t slot) {
+  const TriangleBoxes* known = opened.triangles[slot].load(std::memory_order_acquire);
+  return known ? *known : box_triangles(posed, node, opened, slot);
+}
 
 /// Opens every node bottom-up, so that every box is the exact one of the posed vertices below: what
 /// an engine without refit on demand does.
