@@ -8,7 +8,7 @@
 namespace pelt::detail {
 
 /// A growing stack of plain values, for code that is compiled for several targets: pushing is
-/// inline, and the growing stands in one file (stack.cpp names the types).
+/// inline, and the growing stands in one file (scratch.cpp names the types).
 template <typename T>
 class Stack {
   static_assert(std::is_trivially_copyable_v<T>);
