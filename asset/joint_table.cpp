@@ -32,7 +32,7 @@ Result<const std::vector<std::uint16_t>*> JointTable::add_skin(std::uint32_t ski
 Result<std::uint16_t> JointTable::add_node(std::uint32_t node) { return add(node, Matrix4{}); }
 
 Result<std::uint16_t> JointTable::add(std::uint32_t node, const Matrix4& inverse_bind) {
-  constexpr std::size_t kMost = 65536;
+  constexpr std::size_t kMost = 65535;
   const auto key = std::make_pair(node, std::bit_cast<Bits>(inverse_bind.m));
   const auto known = known_.find(key);
   if (known != known_.end()) return known->second;

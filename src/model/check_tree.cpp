@@ -71,8 +71,8 @@ Problem StructureCheck::check_sizes() {
   if (tree_.corners.size() != tree_.triangle_ids.size())
     return problem("corners has %zu elements for %zu triangle_ids", tree_.corners.size(),
                    tree_.triangle_ids.size());
-  if (tree_.joint_count == 0 || tree_.joint_count > 65536)
-    return problem("joint_count is %u, expected 1 to 65536", tree_.joint_count);
+  if (tree_.joint_count == 0 || tree_.joint_count > kMaxJoints)
+    return problem("joint_count is %u, expected 1 to %u", tree_.joint_count, kMaxJoints);
   return {};
 }
 

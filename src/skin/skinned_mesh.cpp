@@ -36,8 +36,8 @@ Problem check_sizes(const SkinnedMeshView& view) {
     return invalid("rest_positions or triangles have more than 2^31 - 1 elements");
   if (view.triangles.empty()) return invalid("triangles is empty: there is nothing to collide");
   if (view.influences_per_vertex == 0) return invalid("influences_per_vertex is 0");
-  if (view.joint_count == 0 || view.joint_count > 65536)
-    return invalid("joint_count is %u, expected 1 to 65536", view.joint_count);
+  if (view.joint_count == 0 || view.joint_count > kMaxJoints)
+    return invalid("joint_count is %u, expected 1 to %u", view.joint_count, kMaxJoints);
   const std::uint64_t expected =
       std::uint64_t{view.rest_positions.size()} * view.influences_per_vertex;
   if (expected > 0xFFFFFFFF)

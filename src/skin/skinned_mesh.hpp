@@ -14,6 +14,9 @@ struct Influence {
   float weight = 0;
 };
 
+/// The nodes of a tree count their joints in 16 bits.
+inline constexpr std::uint32_t kMaxJoints = 65535;
+
 /// A skinned mesh that has been checked and brought to one form: influences of a vertex have
 /// positive weights that sum to 1 up to rounding, and stand in ascending order of their joints, so
 /// that vertices that were split at a seam are posed to the same bits.

@@ -42,7 +42,7 @@ const Breach kBreaches[] = {
     {"weights has", [](Tree& t) { t.weights.push_back(1); }},
     {"corners has", [](Tree& t) { t.corners.pop_back(); }},
     {"joint_count is 0", [](Tree& t) { t.joint_count = 0; }},
-    {"joint_count is 65537", [](Tree& t) { t.joint_count = 65537; }},
+    {"joint_count is 65536", [](Tree& t) { t.joint_count = 65536; }},
 
     {"influence_begin[0] is 1", [](Tree& t) { t.influence_begin[0] = 1; }},
     {"rest_positions[3] has no influences",

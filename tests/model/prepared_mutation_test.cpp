@@ -140,8 +140,8 @@ TEST(PreparedMutation, PiecesOfAnotherModelAreHarmless) {
 
 /// Runs after the others, as they stand in this file.
 TEST(PreparedMutation, NoneOfThemTookMuchMemory) {
-  // A palette of the 65536 joints that a small file may name is the most.
-  EXPECT_LE(largest_allocation(), std::size_t{65536} * sizeof(Matrix4));
+  // A palette of the 65535 joints that a small file may name is the most.
+  EXPECT_LE(largest_allocation(), std::size_t{65535} * sizeof(Matrix4));
 }
 
 }  // namespace

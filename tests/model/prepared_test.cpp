@@ -132,7 +132,7 @@ TEST(Prepared, NamesWhatIsWrongWithTheHeader) {
 
 const Forgery kMendedForgeries[] = {
     {"joint_count is 0", [](detail::PreparedHeader& h) { h.joint_count = 0; }},
-    {"joint_count is 65537", [](detail::PreparedHeader& h) { h.joint_count = 65537; }},
+    {"joint_count is 65536", [](detail::PreparedHeader& h) { h.joint_count = 65536; }},
     {"but joint_count is 1", [](detail::PreparedHeader& h) { h.joint_count = 1; }},
     {"rest_extent is 0", [](detail::PreparedHeader& h) { h.rest_extent = 0; }},
     {"rest_extent is inf", [](detail::PreparedHeader& h) { h.rest_extent = HUGE_VALF; }},
