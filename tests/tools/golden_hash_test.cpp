@@ -1,6 +1,8 @@
-/// The answers on the benchmark's scenes, whose characters are generated: the same bits from every
-/// compiler, build type and instruction set. A hash here changes only with the scenes, the
-/// characters or the definition of a posed vertex.
+/// The answers on the benchmark's scenes, whose characters are generated, and on real characters
+/// where they are at hand: the same bits from every compiler, build type and instruction set. A
+/// hash here changes only with the scenes, the characters or the definition of a posed vertex.
+
+#include <pelt/target.hpp>
 
 #include "tools/answer.hpp"
 
@@ -8,6 +10,7 @@ namespace pelt::test {
 namespace {
 
 struct Golden {
+  const char* folder;
   const char* scene;
   const char* frames;
   int contacts;
@@ -16,24 +19,42 @@ struct Golden {
 
 class GoldenHash : public ::testing::TestWithParam<Golden> {};
 
-TEST_P(GoldenHash, IsTheSameEverywhere) {
+void expect_golden(std::vector<std::string> arguments) {
+  SCOPED_TRACE(arguments.back());
   const TestFolder folder;
-  const std::string path = std::string(PELT_SCENES_DIR) + "/" + GetParam().scene + ".json";
-  const Ended run =
-      run_pelt(folder, {"check", path, "--frames", GetParam().frames, "--jsonl", "-"});
+  const Golden& golden = GoldenHash::GetParam();
+  const std::string path = std::string(golden.folder) + "/" + golden.scene + ".json";
+  arguments.insert(arguments.begin(), {"check", path, "--frames", golden.frames, "--jsonl", "-"});
+  const Ended run = run_pelt(folder, arguments);
   ASSERT_EQ(run.exit_code, 1) << run.err;
   const CheckFile file = parse_check_file(run.out);
-  EXPECT_EQ(file.totals["totals"]["contacts"], GetParam().contacts);
-  EXPECT_EQ(file.totals["hash"], GetParam().hash);
+  EXPECT_EQ(file.totals["totals"]["contacts"], golden.contacts);
+  EXPECT_EQ(file.totals["hash"], golden.hash);
 }
+
+TEST_P(GoldenHash, IsTheSameOnEveryTarget) {
+  if (!std::filesystem::exists(GetParam().folder))
+    GTEST_SKIP() << GetParam().folder << " is not there";
+  for (const Target target : available_targets()) expect_golden({"--simd", name_of(target)});
+}
+
+std::string scene_name(const ::testing::TestParamInfo<Golden>& golden) {
+  return golden.param.scene;
+}
+
+constexpr const char* kGenerated = PELT_SCENES_DIR;
+constexpr const char* kShared = PELT_SHARED_DIR "/scenes";
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, GoldenHash,
-    ::testing::Values(Golden{"approaching", "110:120", 365, "8ed0d7896ec497d0"},
-                      Golden{"passing_through", "30:90:20", 1728, "8544fb62786a6f33"},
-                      Golden{"crowd", "10:11", 5382, "b446516afc6427fc"},
-                      Golden{"pile", "0:30:15", 26471, "2e9d2a0a5ac3029e"}),
-    [](const auto& golden) { return std::string(golden.param.scene); });
+    ::testing::Values(Golden{kGenerated, "approaching", "110:120", 365, "8ed0d7896ec497d0"},
+                      Golden{kGenerated, "passing_through", "30:90:20", 1728, "8544fb62786a6f33"},
+                      Golden{kGenerated, "crowd", "10:11", 5382, "b446516afc6427fc"},
+                      Golden{kGenerated, "pile", "0:30:15", 26471, "2e9d2a0a5ac3029e"},
+                      Golden{kShared, "two_walkers", "0:120", 1279, "51d83e213bbe2c15"},
+                      Golden{kShared, "walk_through", "0:120", 36823, "a8875e78bb4a190c"},
+                      Golden{kShared, "crowd50", "0:30", 152545, "7c803b38920623de"}),
+    scene_name);
 
 }  // namespace
 }  // namespace pelt::test
