@@ -1,6 +1,6 @@
 #pragma once
 
-/// A pose whose nodes are all open, with exact boxes: what engines without refit on demand have.
+/// A pose whose nodes are all open, with exact boxes: what methods without refit on demand have.
 
 #include "base/scratch.hpp"
 #include "pose/posed_tree.hpp"

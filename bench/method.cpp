@@ -2,8 +2,8 @@
 
 #include "base/assert.hpp"
 #include "bench/brute_force.hpp"
-#include "bench/eager_engine.hpp"
-#include "bench/rigid_engine.hpp"
+#include "bench/eager_method.hpp"
+#include "bench/rigid_method.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
 #include "paper/eager.hpp"

@@ -1,4 +1,4 @@
-#include "bench/rigid_engine.hpp"
+#include "bench/rigid_method.hpp"
 
 #include "bench/exact_pose.hpp"
 #include "model/model.hpp"

@@ -1,6 +1,6 @@
 /// Rigid bodies are built afresh for each palette, whatever order palettes come in.
 
-#include "bench/rigid_engine.hpp"
+#include "bench/rigid_method.hpp"
 
 #include "support/skinned_shapes.hpp"
 
@@ -13,7 +13,7 @@ using test::Random;
 
 constexpr std::uint32_t kJoints = 5;
 
-TEST(RigidEngine, AnswersForTheLastPaletteInAnyOrder) {
+TEST(RigidMethod, AnswersForTheLastPaletteInAnyOrder) {
   Random random(1);
   const auto limb = build_model(test::make_limb(12, 8, kJoints).view());
   ASSERT_TRUE(limb);

@@ -1,4 +1,4 @@
-#include "bench/eager_engine.hpp"
+#include "bench/eager_method.hpp"
 
 #include "bench/exact_pose.hpp"
 #include "model/model.hpp"
