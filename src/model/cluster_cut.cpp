@@ -20,7 +20,7 @@ std::uint32_t clusters_for(std::uint32_t triangles) {
 
 }  // namespace
 
-ClusterCut::ClusterCut(const TriangleBoxes& boxes)
+ClusterCut::ClusterCut(const SampleBoxes& boxes)
     : boxes_(boxes),
       side_(boxes.sample_count()),
       right_costs_(kMaxSorted),

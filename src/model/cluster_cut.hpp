@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/triangle_boxes.hpp"
+#include "model/sample_boxes.hpp"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace pelt::detail {
 /// the time.
 class ClusterCut {
  public:
-  explicit ClusterCut(const TriangleBoxes& boxes);
+  explicit ClusterCut(const SampleBoxes& boxes);
 
   /// Orders `triangles` so that those of the left side come first, and returns how many they are:
   /// neither none nor all. Precondition: more triangles than a cluster holds.
@@ -58,7 +58,7 @@ class ClusterCut {
   void sort_keys(std::size_t axis, std::span<const std::uint32_t> triangles);
   void weigh_keys(std::size_t axis, Choice& best);
 
-  const TriangleBoxes& boxes_;
+  const SampleBoxes& boxes_;
   std::vector<SampleBox> side_;      // [S] what a sweep has gathered so far
   std::vector<double> right_costs_;  // by the place of the cut
 

@@ -14,7 +14,7 @@ constexpr std::uint32_t kHalvingDepth = kMaxClusterTreeDepth - 32;
 
 class ClusterTreeBuilder {
  public:
-  explicit ClusterTreeBuilder(const TriangleBoxes& boxes) : boxes_(boxes), cut_(boxes) {
+  explicit ClusterTreeBuilder(const SampleBoxes& boxes) : boxes_(boxes), cut_(boxes) {
     tree_.triangle_order.resize(boxes.triangle_count());
     std::iota(tree_.triangle_order.begin(), tree_.triangle_order.end(), 0);
   }
@@ -56,7 +56,7 @@ class ClusterTreeBuilder {
     return sum / boxes_.sample_count();
   }
 
-  const TriangleBoxes& boxes_;
+  const SampleBoxes& boxes_;
   ClusterCut cut_;
   ClusterTree tree_;
   std::vector<std::uint32_t> depths_;  // by node
@@ -64,7 +64,7 @@ class ClusterTreeBuilder {
 
 }  // namespace
 
-ClusterTree build_cluster_tree(const TriangleBoxes& boxes) {
+ClusterTree build_cluster_tree(const SampleBoxes& boxes) {
   PELT_ASSERT(boxes.triangle_count() > 0);
   return ClusterTreeBuilder(boxes).build();
 }

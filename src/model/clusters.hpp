@@ -9,7 +9,7 @@
 /// win. The area of a set is its mean over the sample poses, so that triangles are kept together
 /// that stay together in motion.
 
-#include "model/triangle_boxes.hpp"
+#include "model/sample_boxes.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -36,6 +36,6 @@ inline constexpr std::uint32_t kMaxClusterTreeDepth = 96;
 
 /// Precondition: there is at least one triangle. O(S^2 T log T) for S samples; the same tree on
 /// every machine.
-ClusterTree build_cluster_tree(const TriangleBoxes& boxes);
+ClusterTree build_cluster_tree(const SampleBoxes& boxes);
 
 }  // namespace pelt::detail

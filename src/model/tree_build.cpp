@@ -150,7 +150,7 @@ class TreeWriter {
 }  // namespace
 
 Tree build_tree(const SkinnedMesh& mesh, std::span<const std::vector<Vec3>> samples) {
-  const ClusterTree clusters = build_cluster_tree(TriangleBoxes(mesh.triangles, samples));
+  const ClusterTree clusters = build_cluster_tree(SampleBoxes(mesh.triangles, samples));
   return TreeWriter(mesh, clusters).write(collapse(clusters));
 }
 

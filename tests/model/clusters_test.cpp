@@ -14,7 +14,7 @@ using test::Shape;
 using Samples = std::vector<std::vector<Vec3>>;
 
 ClusterTree build(const std::vector<Triangle>& triangles, const Samples& samples) {
-  return build_cluster_tree(TriangleBoxes(triangles, samples));
+  return build_cluster_tree(SampleBoxes(triangles, samples));
 }
 
 ClusterTree build(const Shape& shape) { return build(shape.triangles, {shape.rest_positions}); }

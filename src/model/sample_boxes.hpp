@@ -30,11 +30,11 @@ inline double half_area(const SampleBox& box) {
 }
 
 /// The boxes of all triangles in all sample poses.
-class TriangleBoxes {
+class SampleBoxes {
  public:
   /// `samples` are the posed positions of all vertices in each pose, at least one. Precondition:
   /// finite.
-  TriangleBoxes(std::span<const Triangle> triangles, std::span<const std::vector<Vec3>> samples);
+  SampleBoxes(std::span<const Triangle> triangles, std::span<const std::vector<Vec3>> samples);
 
   std::uint32_t triangle_count() const { return triangle_count_; }
   std::uint32_t sample_count() const { return sample_count_; }

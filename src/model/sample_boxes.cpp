@@ -1,4 +1,4 @@
-#include "model/triangle_boxes.hpp"
+#include "model/sample_boxes.hpp"
 
 #include "base/assert.hpp"
 
@@ -24,8 +24,8 @@ SampleBox empty_box() {
   return {Float4(infinity), Float4(-infinity)};
 }
 
-TriangleBoxes::TriangleBoxes(std::span<const Triangle> triangles,
-                             std::span<const std::vector<Vec3>> samples)
+SampleBoxes::SampleBoxes(std::span<const Triangle> triangles,
+                         std::span<const std::vector<Vec3>> samples)
     : triangle_count_(static_cast<std::uint32_t>(triangles.size())),
       sample_count_(static_cast<std::uint32_t>(samples.size())) {
   PELT_ASSERT(!samples.empty());
