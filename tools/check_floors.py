@@ -13,9 +13,10 @@ import re
 import sys
 
 FLOORS = ["include/pelt", "src/base", "src/geometry", "src/skin", "paper", "src/model", "src/pose",
-          "src/query", "src/crowd", "asset", "scenes", "bench", "tools", "tests"]
+          "src/query", "src/crowd", "rivals", "peers", "asset", "scenes", "bench", "tools",
+          "tests"]
 
-MAY_INCLUDE_PAPER = ("paper", "bench", "tools", "tests")
+MAY_INCLUDE_PAPER = ("paper", "rivals", "bench", "tools", "tests")
 MAY_INCLUDE_ONLY = {
     "include/pelt": {"include/pelt"},
     "asset": {"include/pelt", "src/base", "asset"},
