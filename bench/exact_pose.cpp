@@ -13,8 +13,7 @@ ExactPose::ExactPose(const detail::Tree& tree)
 }
 
 Result<void> ExactPose::set_palette(std::span<const Matrix4> palette) {
-  Result<void> taken =
-      palette_.set({palette.empty() ? nullptr : palette[0].m.data(), palette.size() * 16});
+  Result<void> taken = palette_.set(palette);
   if (taken) close_all();
   return taken;
 }

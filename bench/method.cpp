@@ -57,7 +57,7 @@ class BodyMethod final : public Method {
   }
 
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
-    Result<void> taken = palettes_[body].set({palette[0].m.data(), palette.size() * 16});
+    Result<void> taken = palettes_[body].set(palette);
     if (taken) update_work_ += Traits::update(*bodies_[body], palettes_[body]);
     return taken;
   }

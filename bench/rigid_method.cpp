@@ -56,8 +56,7 @@ class RigidBody {
   }
 
   Result<void> set_palette(std::span<const Matrix4> palette) {
-    Result<void> taken =
-        palette_.set({palette.empty() ? nullptr : palette[0].m.data(), palette.size() * 16});
+    Result<void> taken = palette_.set(palette);
     if (taken) freeze();
     return taken;
   }

@@ -35,8 +35,7 @@ void Crowd::set_groups(std::uint32_t instance, const CrowdGroups& groups) {
 }
 
 Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const Matrix4> palette) {
-  return set_palette(instance,
-                     {palette.empty() ? nullptr : palette[0].m.data(), palette.size() * 16});
+  return set_palette(instance, detail::floats_of(palette));
 }
 
 Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const float> palette) {

@@ -24,7 +24,7 @@ Result<std::vector<Palette>> take_sample_poses(const SkinnedMesh& mesh,
   std::vector<Palette> palettes(matrices.size() / joints,
                                 Palette(mesh.joint_count, mesh.rest_extent));
   for (std::size_t s = 0; s < palettes.size(); ++s) {
-    const Result<void> taken = palettes[s].set({matrices[s * joints].m.data(), 16 * joints});
+    const Result<void> taken = palettes[s].set(matrices.subspan(s * joints, joints));
     if (!taken)
       return Error{taken.error().code,
                    "sample_palettes, pose " + std::to_string(s) + ": " + taken.error().message};

@@ -15,7 +15,7 @@ Pose::~Pose() = default;
 const SkinnedModel& Pose::model() const { return pose_->model; }
 
 Result<void> Pose::set_palette(std::span<const Matrix4> palette) {
-  return set_palette({palette.empty() ? nullptr : palette[0].m.data(), palette.size() * 16});
+  return set_palette(detail::floats_of(palette));
 }
 
 Result<void> Pose::set_palette(std::span<const float> palette) {

@@ -9,6 +9,11 @@
 
 namespace pelt::detail {
 
+/// The floats of matrices that stand side by side.
+inline std::span<const float> floats_of(std::span<const Matrix4> matrices) {
+  return {reinterpret_cast<const float*>(matrices.data()), 16 * matrices.size()};
+}
+
 /// A joint palette that has been checked: finite, affine, and throwing no rest position beyond
 /// kMaxCoordinate, so that no query meets NaN or infinity.
 class Palette {
@@ -18,6 +23,7 @@ class Palette {
 
   /// Takes `floats`, 16 for each joint, or says what is wrong with them and changes nothing.
   Result<void> set(std::span<const float> floats);
+  Result<void> set(std::span<const Matrix4> matrices) { return set(floats_of(matrices)); }
 
   std::span<const Matrix4> joints() const { return joints_; }
   const Matrix4& operator[](std::uint32_t joint) const { return joints_[joint]; }

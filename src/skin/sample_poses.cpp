@@ -69,7 +69,7 @@ std::vector<Palette> invent_sample_poses(const SkinnedMesh& mesh) {
           turn_about(middles[j], kLargestTangent * x, kLargestTangent * y, kLargestTangent * z);
     }
     // A mesh near the limit of coordinates may be turned beyond it; the pose is then the rest pose.
-    (void)pose.set({matrices[0].m.data(), 16 * matrices.size()});
+    (void)pose.set(matrices);
   }
   return poses;
 }

@@ -143,7 +143,7 @@ TEST(CheckNodeBounds, WhatPassesIsFiniteOnEveryPalette) {
         joint.m[e] = (random.chance(0.5) ? 1 : -1) * static_cast<float>(0x1.FFp58 / scale);
       joint.m[12] = joint.m[13] = joint.m[14] = 0x1p59f;
     }
-    ASSERT_TRUE(palette.set({joints[0].m.data(), 16 * joints.size()}));
+    ASSERT_TRUE(palette.set(joints));
     for (std::uint32_t n = 0; n < model.bounds.nodes.size(); ++n) {
       ASSERT_TRUE(is_finite(node_box(model.bounds, n, palette))) << "round " << round;
       affine += model.bounds.nodes[n].kind == BoundKind::affine;

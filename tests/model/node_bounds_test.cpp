@@ -156,7 +156,7 @@ void add_margin_needed(const Bounded& bounded, std::uint32_t node, const Palette
 /// Both kinds of bound around every set of vertices, on every target. Stops at the first failure.
 void expect_enclosed(const Bounded& bounded, const std::vector<Matrix4>& matrices, Tally& tally) {
   Palette palette(bounded.tree.joint_count, bounded.tree.rest_extent);
-  const auto taken = palette.set({matrices[0].m.data(), 16 * matrices.size()});
+  const auto taken = palette.set(matrices);
   ASSERT_TRUE(taken) << taken.error().message;
   const std::vector<Vec3> posed = pose(bounded.vertices, palette);
   for (std::uint32_t node = 0; node < bounded.bounds.nodes.size(); ++node) {
@@ -322,7 +322,7 @@ double looseness_of_bent_limb(Random& random, double angle) {
   double bounds = 0, exact = 0;
   for (int pose_number = 0; pose_number < 20; ++pose_number) {
     const auto matrices = test::bend_limb(random, 6, angle, {});
-    EXPECT_TRUE(palette.set({matrices[0].m.data(), 16 * matrices.size()}));
+    EXPECT_TRUE(palette.set(matrices));
     const std::vector<Vec3> posed = pose(vertices, palette);
     for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
       bounds += half_area(node_box(model.detail().bounds, n, palette));

@@ -26,7 +26,7 @@ inline detail::SkinnedMesh checked_mesh(const Shape& shape) {
 inline detail::Palette checked_palette(const detail::SkinnedMesh& mesh,
                                        const std::vector<Matrix4>& joints) {
   detail::Palette palette(mesh.joint_count, mesh.rest_extent);
-  const Result<void> taken = palette.set({joints[0].m.data(), 16 * joints.size()});
+  const Result<void> taken = palette.set(joints);
   EXPECT_TRUE(taken);
   return palette;
 }

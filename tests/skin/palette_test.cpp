@@ -135,7 +135,7 @@ TEST(Palette, ExtentIsThatOfTheLargestElements) {
           if (e % 4 != 3) largest = std::max(largest, std::fabs(static_cast<double>(joint.m[e])));
         }
       detail::Palette palette(joints, 3);
-      ASSERT_TRUE(palette.set({matrices[0].m.data(), 16 * matrices.size()}));
+      ASSERT_TRUE(palette.set(matrices));
       const double extent = linear * 3 + translation;
       EXPECT_GT(static_cast<double>(palette.extent()), extent);
       EXPECT_LT(static_cast<double>(palette.extent()), extent * (1 + 0x1p-22));
