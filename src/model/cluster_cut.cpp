@@ -38,17 +38,17 @@ std::uint32_t ClusterCut::halves(std::span<const std::uint32_t> triangles) {
 }
 
 Float4 ClusterCut::doubled_centre(std::uint32_t sample, std::uint32_t triangle) const {
-  const SampleBox& box = boxes_.of(triangle)[sample];
+  const Box4& box = boxes_.of(triangle)[sample];
   return box.low + box.high;
 }
 
 void ClusterCut::clear_side() { std::fill(side_.begin(), side_.end(), empty_box()); }
 
 /// Adds one box in each sample; returns the side's area, summed over the samples.
-double ClusterCut::grow_side(const SampleBox* boxes) {
+double ClusterCut::grow_side(const Box4* boxes) {
   double area = 0;
-  for (SampleBox& box : side_) {
-    enclose(box, *boxes++);
+  for (Box4& box : side_) {
+    box = unite(box, *boxes++);
     area += half_area(box);
   }
   return area;
@@ -74,10 +74,10 @@ std::uint32_t ClusterCut::cut_between_bins(std::span<std::uint32_t> triangles) {
 
 ClusterCut::Grid ClusterCut::lay_grid(std::uint32_t sample,
                                       std::span<const std::uint32_t> triangles) const {
-  SampleBox box = empty_box();
+  Box4 box = empty_box();
   for (const std::uint32_t t : triangles) {
     const Float4 centre = doubled_centre(sample, t);
-    enclose(box, {centre, centre});
+    box = unite(box, {centre, centre});
   }
   const Float4 size = box.high - box.low;
   // An axis with no extent to divide by has all its centres in the first bin.
@@ -92,7 +92,7 @@ std::array<std::uint32_t, 3> ClusterCut::bins_of(const Grid& grid, std::uint32_t
           static_cast<std::uint32_t>(inside[2])};
 }
 
-const SampleBox* ClusterCut::bin(std::size_t axis, std::uint32_t b) const {
+const Box4* ClusterCut::bin(std::size_t axis, std::uint32_t b) const {
   return bins_.data() + (axis * kBins + b) * boxes_.sample_count();
 }
 
@@ -102,11 +102,11 @@ void ClusterCut::fill_bins(const Grid& grid, std::span<const std::uint32_t> tria
   for (auto& counts : bin_counts_) counts.fill(0);
   for (const std::uint32_t t : triangles) {
     const auto places = bins_of(grid, t);
-    const SampleBox* boxes = boxes_.of(t);
+    const Box4* boxes = boxes_.of(t);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       ++bin_counts_[axis][places[axis]];
-      SampleBox* filled = bins_.data() + (axis * kBins + places[axis]) * samples;
-      for (std::uint32_t s = 0; s < samples; ++s) enclose(filled[s], boxes[s]);
+      Box4* filled = bins_.data() + (axis * kBins + places[axis]) * samples;
+      for (std::uint32_t s = 0; s < samples; ++s) filled[s] = unite(filled[s], boxes[s]);
     }
   }
 }
@@ -155,7 +155,7 @@ void ClusterCut::weigh_keys(std::size_t axis, Choice& best) {
     right_costs_[k] = grow_side(boxes_.of(keys_[k].triangle)) * clusters_for(count - k);
   clear_side();
   for (std::uint32_t k = 1; k < count; ++k) {
-    const SampleBox* boxes = boxes_.of(keys_[k - 1].triangle);
+    const Box4* boxes = boxes_.of(keys_[k - 1].triangle);
     const double cost = grow_side(boxes) * clusters_for(k) + right_costs_[k];
     if (cost < best.cost) best = {cost, axis, k};
   }

@@ -10,10 +10,12 @@
 namespace pelt::detail {
 
 /// Cuts sets of triangles in two at the least cost, as clusters.hpp measures it: the areas of the
-/// sides times the clusters that each must have. Large sets are cut between bins, small ones
-/// between any two triangles, which fills clusters better. Triangles are in the order of their
-/// boxes' centres in the rest pose: the axes of other samples too gain 1 % of area for four times
-/// the time.
+/// sides times the clusters that each must have.
+///
+/// Large sets are cut between bins, tried along the axes of every sample pose. Small ones are cut
+/// between any two triangles, which fills clusters better; they stand in the order of their boxes'
+/// centres in the rest pose alone, as the axes of the others gain 1 % of area for four times the
+/// time.
 class ClusterCut {
  public:
   explicit ClusterCut(const SampleBoxes& boxes);
@@ -44,7 +46,7 @@ class ClusterCut {
   };
 
   Float4 doubled_centre(std::uint32_t sample, std::uint32_t triangle) const;
-  double grow_side(const SampleBox* boxes);
+  double grow_side(const Box4* boxes);
   void clear_side();
 
   std::uint32_t cut_between_bins(std::span<std::uint32_t> triangles);
@@ -52,17 +54,17 @@ class ClusterCut {
   std::array<std::uint32_t, 3> bins_of(const Grid& grid, std::uint32_t triangle) const;
   void fill_bins(const Grid& grid, std::span<const std::uint32_t> triangles);
   void weigh_bins(std::size_t axis, Choice& best);
-  const SampleBox* bin(std::size_t axis, std::uint32_t b) const;
+  const Box4* bin(std::size_t axis, std::uint32_t b) const;
 
   std::uint32_t cut_between_triangles(std::span<std::uint32_t> triangles);
   void sort_keys(std::size_t axis, std::span<const std::uint32_t> triangles);
   void weigh_keys(std::size_t axis, Choice& best);
 
   const SampleBoxes& boxes_;
-  std::vector<SampleBox> side_;      // [S] what a sweep has gathered so far
+  std::vector<Box4> side_;           // [S] what a sweep has gathered so far
   std::vector<double> right_costs_;  // by the place of the cut
 
-  std::vector<SampleBox> bins_;  // [3][kBins][S]
+  std::vector<Box4> bins_;  // [3][kBins][S]
   std::array<std::array<std::uint32_t, kBins>, 3> bin_counts_;
 
   std::vector<Key> keys_;  // of the triangles, in order along an axis

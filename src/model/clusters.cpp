@@ -5,6 +5,7 @@
 #include "model/tree.hpp"
 
 #include <numeric>
+#include <utility>
 
 namespace pelt::detail {
 namespace {
@@ -49,8 +50,8 @@ class ClusterTreeBuilder {
   double mean_area(std::span<const std::uint32_t> set) const {
     double sum = 0;
     for (std::uint32_t s = 0; s < boxes_.sample_count(); ++s) {
-      SampleBox box = empty_box();
-      for (const std::uint32_t t : set) enclose(box, boxes_.of(t)[s]);
+      Box4 box = empty_box();
+      for (const std::uint32_t t : set) box = unite(box, boxes_.of(t)[s]);
       sum += half_area(box);
     }
     return sum / boxes_.sample_count();

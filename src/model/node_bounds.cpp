@@ -14,12 +14,6 @@ constexpr std::size_t kMaxFittedJoints = 32;
 /// An affine bound has to be smaller than joint boxes by this factor, because it costs more.
 constexpr double kAffineAdvantage = 0.95;
 
-double half_area(const Box4& box) {
-  const Float4 size = box.high - box.low;
-  const double x = size[0], y = size[1], z = size[2];
-  return x * y + y * z + z * x;
-}
-
 NodeBound add_joint_boxes(const JointBoxesFit& fit, std::span<const std::uint16_t> joints,
                           NodeBounds& bounds) {
   NodeBound bound{.kind = BoundKind::joint_boxes,

@@ -3,21 +3,12 @@
 /// A node's bound evaluated on a palette; model/node_bounds.hpp has the formulas and their proof.
 
 #include "base/float8.hpp"
+#include "geometry/box4.hpp"
 #include "model/node_bounds.hpp"
 #include "skin/palette.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
-
-/// Corners of a box; the fourth lanes are meaningless.
-struct Box4 {
-  Float4 low, high;
-};
-
-inline Box4 unite(const Box4& a, const Box4& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
-inline Box4 intersect(const Box4& a, const Box4& b) {
-  return {max(a.low, b.low), min(a.high, b.high)};
-}
 
 /// Columns of a 3 x 4 matrix, two by two.
 struct ColumnPairs {
@@ -60,7 +51,7 @@ inline Box4 joint_boxes_box(const NodeBounds& bounds, const NodeBound& bound,
                             const Palette& palette) {
   const std::uint16_t* joint = bounds.joints.data() + bound.first_joint;
   const JointBox* box = bounds.joint_boxes.data() + bound.first_record;
-  Box4 all{Float4(HUGE_VALF), Float4(-HUGE_VALF)};
+  Box4 all = empty_box();
   for (std::uint32_t i = 0; i < bound.joint_count; ++i, ++joint, ++box) {
     const ColumnPairs c = load_columns(palette[*joint]);
     const Float4 centre = fold(image(c, box->centre));

@@ -2,27 +2,20 @@
 
 #include "base/assert.hpp"
 
-#include <limits>
-
 namespace pelt::detail {
 namespace {
 
-SampleBox box_of(const Triangle& triangle, const std::vector<Vec3>& positions) {
-  SampleBox box = empty_box();
+Box4 box_of(const Triangle& triangle, const std::vector<Vec3>& positions) {
+  Box4 box = empty_box();
   for (const std::uint32_t v : triangle) {
     const Vec3& p = positions[v];
     const Float4 point(p.x, p.y, p.z, 0);
-    enclose(box, {point, point});
+    box = unite(box, {point, point});
   }
   return box;
 }
 
 }  // namespace
-
-SampleBox empty_box() {
-  const float infinity = std::numeric_limits<float>::infinity();
-  return {Float4(infinity), Float4(-infinity)};
-}
 
 SampleBoxes::SampleBoxes(std::span<const Triangle> triangles,
                          std::span<const std::vector<Vec3>> samples)

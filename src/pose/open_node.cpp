@@ -74,8 +74,6 @@ OpenedNode* begin_node(const PosedTree& posed, const Node& node) {
   return opened;
 }
 
-Box4 empty_box() { return {Float4(HUGE_VALF), Float4(-HUGE_VALF)}; }
-
 Box4 cluster_box(const Tree& tree, const Cluster& cluster, const float* positions) {
   const std::uint16_t* vertex = tree.cluster_vertices.data() + cluster.first_vertex;
   const std::uint16_t* end = vertex + cluster.listed_vertex_count();

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "base/float4.hpp"
+
+#include <cmath>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// Corners of a box; the fourth lanes are meaningless.
+struct Box4 {
+  Float4 low, high;
+};
+
+/// The box around nothing.
+inline Box4 empty_box() { return {Float4(HUGE_VALF), Float4(-HUGE_VALF)}; }
+
+inline Box4 unite(const Box4& a, const Box4& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
+inline Box4 intersect(const Box4& a, const Box4& b) {
+  return {max(a.low, b.low), min(a.high, b.high)};
+}
+
+/// Half the surface of a box. In double, where the product of two extents does not overflow.
+inline double half_area(const Box4& box) {
+  const Float4 size = box.high - box.low;
+  const double x = size[0], y = size[1], z = size[2];
+  return x * y + y * z + z * x;
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
