@@ -24,8 +24,6 @@ struct WideNode {
   std::array<std::uint32_t, kMaxSlots> slots = {};
   std::uint32_t first_child = 0;
   std::uint8_t cluster_count = 0, child_count = 0;
-
-  std::uint32_t slot_count() const { return std::uint32_t{cluster_count} + child_count; }
 };
 
 /// Breadth first; node 0 is the root.
