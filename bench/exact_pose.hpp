@@ -2,8 +2,8 @@
 
 /// A pose whose nodes are all open, with exact boxes: what methods without refit on demand have.
 
-#include "base/scratch.hpp"
 #include "pose/posed_tree.hpp"
+#include "query/scratch.hpp"
 
 #include <span>
 #include <vector>

@@ -11,12 +11,12 @@
 
 #include <pelt/crowd.hpp>
 
-#include "base/scratch.hpp"
 #include "base/work_shares.hpp"
 #include "base/workers.hpp"
 #include "crowd/instances.hpp"
 #include "crowd/pair_groups.hpp"
 #include "crowd/sweep.hpp"
+#include "query/scratch.hpp"
 
 #include <span>
 #include <vector>

@@ -5,12 +5,12 @@
 /// what is left waits until there are eight pairs for the certified float test
 /// (triangle_triage.hpp). The few lanes that it leaves undecided go to the exact predicate.
 
-#include "base/stack.hpp"
 #include "base/target.hpp"
 #include "geometry/triangle_pair.hpp"
 #include "geometry/triangle_triage.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/row_lanes.hpp"
+#include "query/stack.hpp"
 
 #include <cstdint>
 

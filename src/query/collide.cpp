@@ -1,9 +1,9 @@
 #include <pelt/collide.hpp>
 
 #include "base/assert.hpp"
-#include "base/scratch.hpp"
 #include "base/wide_code.hpp"
 #include "pose/pose.hpp"
+#include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
 
 namespace pelt {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/scratch.hpp"
 #include "base/target.hpp"
 #include "pose/posed_tree.hpp"
+#include "query/scratch.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/scratch.hpp"
+#include "query/scratch.hpp"
 
 namespace pelt::detail {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/stack.hpp"
+#include "query/stack.hpp"
 
 #include <pelt/collide.hpp>
 

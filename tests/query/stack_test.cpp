@@ -1,4 +1,4 @@
-#include "base/scratch.hpp"
+#include "query/scratch.hpp"
 
 #include "support/allocation_count.hpp"
 #include "support/random.hpp"
