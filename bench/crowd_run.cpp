@@ -1,8 +1,8 @@
 #include "bench/crowd_run.hpp"
 
 #include "base/assert.hpp"
+#include "bench/statistics.hpp"
 
-#include <algorithm>
 #include <chrono>
 
 namespace pelt::bench {
@@ -12,12 +12,6 @@ using Clock = std::chrono::steady_clock;
 
 double ms_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

@@ -1,31 +1,12 @@
 #include "tools/pelt/bench_measure.hpp"
 
-#include "asset/message.hpp"
-#include "tools/pelt/contact_hash.hpp"
-#include "tools/pelt/statistics.hpp"
+#include "bench/statistics.hpp"
 
-#include <algorithm>
+#include <atomic>
 #include <numeric>
 
 namespace pelt::tools {
 namespace {
-
-Error in_frame(std::uint32_t frame, const Error& error) {
-  return asset::prefixed("frame " + std::to_string(frame), error);
-}
-
-/// Which contact is found first is unspecified, so the hash is over who touches whom.
-void add_hits(std::uint32_t frame, std::size_t collider_count, const FrameContacts& found,
-              detail::Fnv1a64& hash) {
-  auto pair = found.pairs.begin();
-  for (std::uint32_t a = 0; a < collider_count; ++a) {
-    for (std::uint32_t b = a + 1; b < collider_count; ++b) {
-      const bool hit = pair != found.pairs.end() && pair->a == a && pair->b == b;
-      if (hit) ++pair;
-      for (const std::uint32_t value : {frame, a, b, std::uint32_t{hit}}) hash.add_u32(value);
-    }
-  }
-}
 
 /// Reads more memory than the caches hold, on as many threads at once as an engine has, since each
 /// core has caches of its own. The sum is kept so that nothing is optimised away.
@@ -41,59 +22,6 @@ class CacheFlush {
   std::vector<std::uint64_t> memory_ = std::vector<std::uint64_t>((64u << 20) / 8, 1);
   std::atomic<std::uint64_t> sum_ = 0;
   detail::Workers threads_;
-};
-
-/// An engine with the colliders of a scene.
-class Runner {
- public:
-  Runner(std::span<const Collider> colliders, const Engine& engine)
-      : query_(engine.make(colliders)), threads_(engine.threads) {}
-
-  std::uint32_t threads() const { return threads_; }
-
-  Result<void> pose(const Palettes& palettes) { return query_.set_palettes(palettes); }
-  bool update_counts() const { return query_.update_counts(); }
-
-  void ask(Question question) {
-    CollideOptions options;
-    if (question == Question::first) options.max_contacts = 1;
-    query_.collide(options, found_);
-  }
-
-  const FrameContacts& found() const { return found_; }
-  QueryStats work() const { return query_.work(); }
-
- private:
-  SceneQuery query_;
-  std::uint32_t threads_;
-  FrameContacts found_;
-};
-
-QueryStats difference(QueryStats after, const QueryStats& before) {
-  after.node_pairs -= before.node_pairs;
-  after.refits -= before.refits;
-  after.posed_vertices -= before.posed_vertices;
-  after.triangle_pairs -= before.triangle_pairs;
-  return after;
-}
-
-/// An answer while frames are added.
-struct AnswerSoFar {
-  void add(std::uint32_t frame, std::size_t collider_count, const FrameContacts& found) {
-    contacts.add(frame, found);
-    add_hits(frame, collider_count, found, hits);
-    frames_in_contact += !found.contacts.empty();
-  }
-
-  Answer to(Question question) const {
-    const bool all = question == Question::all;
-    return {all ? contacts.value() : hits.value(), work, frames_in_contact};
-  }
-
-  ContactHash contacts;
-  detail::Fnv1a64 hits;
-  QueryStats work;
-  std::uint64_t frames_in_contact = 0;
 };
 
 /// A frame and the one before it.
@@ -141,7 +69,7 @@ Result<FrameTime> median_time(Runner& runner, const FramePair& frame, const Vari
     all.push_back(time->all_us);
     update.push_back(time->update_us);
   }
-  return FrameTime{median(all), median(update)};
+  return FrameTime{bench::median(all), bench::median(update)};
 }
 
 /// The frames of one variant of one engine, one after the other.
@@ -154,8 +82,12 @@ class Series {
   }
 
   Times times() const {
-    return {mean(all_),    mean(in_contact_), percentile(all_, 0.95),
-            mean(update_), all_.size(),       in_contact_.size()};
+    return {bench::mean(all_),
+            bench::mean(in_contact_),
+            bench::percentile(all_, 0.95),
+            bench::mean(update_),
+            all_.size(),
+            in_contact_.size()};
   }
 
  private:
@@ -223,47 +155,6 @@ class Measurement {
 };
 
 }  // namespace
-
-Engine engine_of(bench::MethodKind method) {
-  return {std::string(bench::name_of(method)), [method](std::span<const Collider> colliders) {
-            return SceneQuery(colliders, bench::make_method(method));
-          }};
-}
-
-Engine crowd_engine(std::uint32_t threads) {
-  const auto make = [threads](std::span<const Collider> colliders) {
-    return SceneQuery::as_crowd(colliders, threads);
-  };
-  return {std::string(bench::name_of(bench::MethodKind::on_demand)), make, Asked::crowd, threads};
-}
-
-Time time_of(std::span<const Engine> engines) {
-  const bool as_crowd = std::any_of(engines.begin(), engines.end(), [](const Engine& engine) {
-    return engine.asked == Asked::crowd;
-  });
-  return as_crowd ? Time::wall : Time::thread;
-}
-
-Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
-                                   std::span<const Question> questions) {
-  Runner runner(subject.colliders, engine);
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  std::vector<AnswerSoFar> answers(questions.size());
-  for (const std::uint32_t frame : subject.frames) {
-    sample_palettes(subject.scene, frame, scratch, palettes);
-    for (std::size_t q = 0; q < questions.size(); ++q) {
-      const QueryStats before = runner.work();
-      if (const auto posed = runner.pose(palettes); !posed) return in_frame(frame, posed.error());
-      runner.ask(questions[q]);
-      answers[q].work += difference(runner.work(), before);
-      answers[q].add(frame, subject.colliders.size(), runner.found());
-    }
-  }
-  std::vector<Answer> result;
-  for (std::size_t q = 0; q < questions.size(); ++q) result.push_back(answers[q].to(questions[q]));
-  return result;
-}
 
 Result<std::vector<std::vector<Times>>> measure(const Subject& subject,
                                                 std::span<const Engine> engines,

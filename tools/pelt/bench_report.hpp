@@ -2,6 +2,8 @@
 
 /// The figures of `pelt bench` for people and for programs.
 
+#include "tools/pelt/bench_answer.hpp"
+#include "tools/pelt/bench_measure.hpp"
 #include "tools/pelt/bench_skinning.hpp"
 
 #include <ostream>

@@ -2,7 +2,7 @@
 
 #include <pelt/pose.hpp>
 
-#include "tools/pelt/statistics.hpp"
+#include "bench/statistics.hpp"
 #include "tools/pelt/stopwatch.hpp"
 
 namespace pelt::tools {
@@ -42,10 +42,10 @@ Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetiti
     }
     std::vector<double> times;
     for (std::uint32_t r = 0; r < repetitions; ++r) times.push_back(time_us(all));
-    frames.push_back(median(times));
+    frames.push_back(bench::median(times));
   }
   Skinning skinning;
-  skinning.mean_us = mean(frames);
+  skinning.mean_us = bench::mean(frames);
   for (const Skinned& skinned : all) skinning.vertices += skinned.positions.size();
   return skinning;
 }

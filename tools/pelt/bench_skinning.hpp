@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/pelt/bench_measure.hpp"
+#include "tools/pelt/bench_engine.hpp"
 
 namespace pelt::tools {
 

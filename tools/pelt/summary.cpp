@@ -1,6 +1,6 @@
 #include "tools/pelt/summary.hpp"
 
-#include "tools/pelt/statistics.hpp"
+#include "bench/statistics.hpp"
 #include "tools/pelt/text.hpp"
 
 #include <iomanip>
@@ -95,8 +95,8 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
 
 void print_work(const CheckReport& report, std::ostream& out) {
   const std::vector<double>& seconds = report.frame_seconds;
-  label(out, "time") << "median " << fixed(1e3 * median(seconds), 3) << " ms, mean "
-                     << fixed(1e3 * mean(seconds), 3) << " ms a frame\n";
+  label(out, "time") << "median " << fixed(1e3 * bench::median(seconds), 3) << " ms, mean "
+                     << fixed(1e3 * bench::mean(seconds), 3) << " ms a frame\n";
   const QueryStats& work = report.totals.work;
   label(out, "work") << with_commas(work.node_pairs) << " node pairs, " << with_commas(work.refits)
                      << " refits, " << with_commas(work.posed_vertices) << " posed vertices, "

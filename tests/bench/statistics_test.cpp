@@ -1,11 +1,11 @@
-#include "tools/pelt/statistics.hpp"
+#include "bench/statistics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::bench {
 namespace {
 
 TEST(Statistics, OfOddAndEvenNumbers) {
@@ -29,4 +29,4 @@ TEST(Statistics, OfNothingAreZero) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::bench

@@ -1,11 +1,11 @@
-#include "tools/pelt/statistics.hpp"
+#include "bench/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::bench {
 
 double median(std::span<const double> values) { return percentile(values, 0.5); }
 
@@ -22,4 +22,4 @@ double percentile(std::span<const double> values, double p) {
   return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::bench
