@@ -92,6 +92,45 @@ TEST(BenchScene, RefusesAnEngineThatDeniesThatAPairTouches) {
   EXPECT_TRUE(figures.empty());
 }
 
+/// Notes where body 0 stands along z whenever it gets a palette.
+class Noting final : public bench::Method {
+ public:
+  explicit Noting(std::vector<float>& places) : places_(places) {}
+
+  void add(const SkinnedModel& model) override { method_->add(model); }
+  Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
+    if (body == 0) places_.push_back(palette[0].m[14]);
+    return method_->set_palette(body, palette);
+  }
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     const CollideOptions& options) override {
+    return method_->collide(a, b, contacts, options);
+  }
+  QueryStats update_work() const override { return method_->update_work(); }
+
+ private:
+  std::unique_ptr<bench::Method> method_ = bench::make_method(bench::MethodKind::on_demand);
+  std::vector<float>& places_;
+};
+
+TEST(BenchScene, RunsTheFrameBeforeEachAndTheLastBeforeTheFirst) {
+  scenes::Scene scene = walkers();
+  scene.frame_count = 3;
+  std::vector<float> places;
+  const Engine noting = {"noting", [&](std::span<const Collider> colliders) {
+                           return SceneQuery(colliders, std::make_unique<Noting>(places));
+                         }};
+  std::vector<SceneFigures> figures;
+  std::ostringstream errors;
+  ASSERT_TRUE(bench_scene(scene, settings_with({noting}), figures, errors));
+  ASSERT_EQ(places.size(), 9u) << "three frames are asked, then three are timed after others";
+  const float first = places[0], second = places[1], last = places[2];
+  EXPECT_NE(first, second);
+  EXPECT_NE(second, last);
+  EXPECT_EQ(std::vector<float>(places.begin() + 3, places.end()),
+            (std::vector<float>{last, first, first, second, second, last}));
+}
+
 TEST(BenchScene, WaitsForAllThreadsOnlyWhereThereAreSeveral) {
   BenchSettings settings = settings_with({engine_of(bench::MethodKind::eager)});
   std::vector<SceneFigures> figures;

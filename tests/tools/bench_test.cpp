@@ -165,5 +165,19 @@ TEST(Bench, PrintsTablesForEachScene) {
   }
 }
 
+TEST(Bench, SaysThatFewRepetitionsAreARoughLook) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const auto is_rough = [&](const char* repetitions) {
+    const Ended run = run_pelt(folder, {"bench", "scene.json", "--methods", "on_demand", "--frames",
+                                        "5:6", "--repeat", repetitions});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out.find("a rough look") != std::string::npos;
+  };
+  EXPECT_TRUE(is_rough("1"));
+  EXPECT_TRUE(is_rough("8"));
+  EXPECT_FALSE(is_rough("9"));
+}
+
 }  // namespace
 }  // namespace pelt::test

@@ -21,7 +21,7 @@ struct Arguments {
   std::string methods = "paper,paper_eager,eager,on_demand,rigid";
   std::string queries = "all,first", caches = "hot,cold";
   std::string threads, json, frames, simd;
-  std::uint32_t repetitions = 9;
+  std::uint32_t repetitions = kEnoughRepetitions;
   ModelArguments models;
 };
 
@@ -32,9 +32,9 @@ Examples:
   pelt bench scene.json --frames 0:60:20 --repeat 15 --json figures.json
   pelt bench scene.json --methods eager,on_demand --threads 1,2
 
-Each repetition of a frame first runs the frame before it, untimed; then the clock runs while the
-palettes are set and all pairs are asked. The median of the repetitions stands for the frame; shown
-are the mean over all frames, over those in contact, and what 95 % of the frames do not exceed.
+Each repetition of a frame first runs the frame before it (the last one before the first), untimed;
+then the clock runs while the palettes are set and all pairs are asked. The median of the
+repetitions stands for the frame, and fewer than 9 give a rough look only; shown are the mean over all frames, over those in contact, and what 95 % of the frames do not exceed.
 "update" is the part before the queries: for eager and paper_eager skinning and boxes or spheres.
 Sampling of the clips is not timed, nor is the building of the rigid trees, which stand for what the
 same query costs rigid bodies. "vs paper" and "vs eager": how many times faster than these; "of

@@ -24,6 +24,12 @@ class CacheFlush {
   detail::Workers threads_;
 };
 
+/// The frame that an animation leaves when it comes to `frame`: scenes are taken to loop, so the
+/// last one stands before the first.
+std::uint32_t frame_before(std::uint32_t frame, const scenes::Scene& scene) {
+  return frame == 0 ? scene.frame_count - 1 : frame - 1;
+}
+
 /// A frame and the one before it.
 struct FramePair {
   Palettes before, now;
@@ -114,7 +120,7 @@ class Measurement {
   Result<void> run(const std::function<void()>& advance) {
     for (std::size_t i = 0; i < subject_.frames.size(); ++i) {
       const std::uint32_t frame = subject_.frames[i];
-      sample_palettes(subject_.scene, std::max(frame, 1u) - 1, scratch_, frame_.before);
+      sample_palettes(subject_.scene, frame_before(frame, subject_.scene), scratch_, frame_.before);
       sample_palettes(subject_.scene, frame, scratch_, frame_.now);
       for (std::size_t engine = 0; engine < runners_.size(); ++engine) {
         if (const auto done = measure_frame(i, engine); !done) return in_frame(frame, done.error());

@@ -4,10 +4,11 @@
 ///
 /// Each repetition of a frame first poses and queries the frame before it, untimed, so that the
 /// timed part meets the state that an animation leaves, not its own; then the timed part takes the
-/// new palettes and queries all pairs. The median of the repetitions stands for the frame. Sampling
-/// of the clips is not timed, nor are the palettes of engines whose update does not count. Engines
-/// take turns at every frame, so that all meet the same moods of the machine, and time in which the
-/// system runs other programs is not counted (stopwatch.hpp).
+/// new palettes and queries all pairs. Scenes are taken to loop: the last frame stands before the
+/// first, and where there is one frame only, it stands before itself. The median of the repetitions
+/// stands for the frame. Sampling of the clips is not timed, nor are the palettes of engines whose
+/// update does not count. Engines take turns at every frame, so that all meet the same moods of the
+/// machine, and time in which the system runs other programs is not counted (stopwatch.hpp).
 
 #include "tools/pelt/bench_engine.hpp"
 
@@ -36,6 +37,9 @@ struct Times {
                                ///< engines skinning and boxes
   std::size_t frames = 0, frames_in_contact = 0;
 };
+
+/// The median of fewer repetitions is a rough look, and `pelt bench` says so.
+inline constexpr std::uint32_t kEnoughRepetitions = 9;
 
 /// With cold caches no more frames than this are measured, evenly over all.
 inline constexpr std::size_t kMostColdFrames = 30;

@@ -44,6 +44,12 @@ void print_scene(const SceneFigures& scene, std::ostream& out) {
       << " bytes a triangle\n";
 }
 
+void print_repetitions(const SceneFigures& scene, std::ostream& out) {
+  if (scene.repetitions >= kEnoughRepetitions) return;
+  out << "a rough look: " << counted(scene.repetitions, "repetition") << " of each frame, where "
+      << kEnoughRepetitions << " or more level out what else the machine does\n";
+}
+
 /// The unit, and what stands close to it.
 void print_skinning(const SceneFigures& scene, std::ostream& out) {
   const Skinning& skinning = scene.skinning;
@@ -145,6 +151,7 @@ void print_machine(std::ostream& out) {
 
 void print_figures(const SceneFigures& scene, std::ostream& out) {
   print_scene(scene, out);
+  print_repetitions(scene, out);
   print_skinning(scene, out);
   print_tables(scene, out);
   print_all_work(scene, out);

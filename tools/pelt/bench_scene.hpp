@@ -14,7 +14,7 @@ struct BenchSettings {
   std::vector<Engine> engines;
   std::vector<Question> questions;
   std::vector<Cache> caches;
-  std::uint32_t repetitions = 9;
+  std::uint32_t repetitions = kEnoughRepetitions;
   std::optional<FrameRange> frames;  ///< nothing: all of the scene
   ModelArguments models;
 };
