@@ -1,53 +1,16 @@
 #include "geometry/predicates.hpp"
 
-#include <array>
-#include <cfloat>
-#include <cstddef>
-#include <limits>
+#include "geometry/exact_sum.hpp"
 
 namespace pelt::detail {
 namespace {
 
-static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
-              "the proofs below need every operation rounded to double once");
-
-int sign(double value) { return (value > 0) - (value < 0); }
-
-/// Two-Sum (Shewchuk, theorem 7): a + b == sum + result, exactly.
-double rounding_error(double a, double b, double sum) {
-  const double b_part = sum - a, a_part = sum - b_part;
-  return (a - a_part) + (b - b_part);
-}
-
-/// An exact sum of doubles: a nonoverlapping expansion, terms of increasing magnitude of which the
-/// last has the sign of the whole (Shewchuk, "Adaptive precision floating-point arithmetic and fast
-/// robust geometric predicates", 1997, section 2).
-template <std::size_t kCapacity>
-class ExactSum {
- public:
-  /// Grow-Expansion (theorem 10) that keeps no zeros.
-  void add(double value) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      const double sum = value + terms_[i];
-      const double rest = rounding_error(value, terms_[i], sum);
-      if (rest != 0) terms_[kept++] = rest;
-      value = sum;
-    }
-    if (value != 0) terms_[kept++] = value;
-    size_ = kept;
-  }
-
-  int sign() const { return size_ == 0 ? 0 : detail::sign(terms_[size_ - 1]); }
-
- private:
-  std::array<double, kCapacity> terms_;  // the first size_ are set
-  std::size_t size_ = 0;
-};
-
+/// Room for the determinants of three dimensions. Of four determinants of points, 24 products have
+/// three floats for factors: two of these multiply to 48 bits, exactly, so each product is a sum of
+/// two doubles. Of one determinant of differences, six products are sums of four doubles.
 using Sum3d = ExactSum<48>;
 
-/// Dekker's product (theorem 18): value + error == a * b, exactly.
+/// Dekker's product (Shewchuk 1997, theorem 18): value + error == a * b, exactly.
 struct ExactProduct {
   ExactProduct(double a, double b) : value(a * b) {
     const double a_high = high_half(a), a_low = a - a_high;
