@@ -44,7 +44,17 @@ at most 30 frames are measured, evenly over all. Methods take turns at every fra
 Methods are asked pair by pair on one thread, and pauses in which the system runs other programs are
 not counted. With --threads, on_demand is asked as a crowd instead, once on each of these numbers of
 threads; they share the pairs of instances and, where there are 64 or more for each, the palettes.
-All times of that run are wall times. "vs 1 thread": how many times faster than a crowd on one.)";
+All times of that run are wall times. "vs 1 thread": how many times faster than a crowd on one.
+
+--json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
+  machine    cpu, cores, target (instructions used), compiler, build, pelt (version)
+  scenes     scene (file), frames, frames_in_contact, repetitions, time (thread or wall)
+    models   triangles, bytes, build_seconds: of all models, each once
+    skinning vertices (of all instances), mean_us, ns_per_vertex
+    engines  engine (method), query, cache, asked (pairs or crowd), threads, frames (timed ones),
+             mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
+    counters of an engine in all frames: node_pairs, refits, posed_vertices, triangle_pairs
+Names that end in _us are microseconds a frame. pelt(1) tells each field, with an example.)";
 
 /// Who asks for more has mistyped.
 constexpr std::uint32_t kMostThreads = 256;

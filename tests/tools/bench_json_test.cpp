@@ -1,0 +1,77 @@
+/// The figures that `pelt bench --json` writes are those that the manual page and the help tell of.
+
+#include "tools/test_scenes.hpp"
+
+#include <regex>
+#include <set>
+
+namespace pelt::test {
+namespace {
+
+using Paths = std::set<std::string>;
+
+/// Where numbers, texts and nulls stand: "scenes[].engines[].mean_us".
+void collect_paths(const json& value, const std::string& path, Paths& paths) {
+  if (value.is_array()) {
+    for (const json& element : value) collect_paths(element, path + "[]", paths);
+  } else if (value.is_object()) {
+    for (const auto& [key, member] : value.items())
+      collect_paths(member, path.empty() ? key : path + "." + key, paths);
+  } else {
+    paths.insert(path);
+  }
+}
+
+Paths paths_of(const json& value) {
+  Paths paths;
+  collect_paths(value, "", paths);
+  return paths;
+}
+
+Paths written_paths(const TestFolder& folder) {
+  write_limbs(folder);
+  const Ended run =
+      run_pelt(folder, {"bench", "scene.json", "--repeat", "1", "--methods", "on_demand",
+                        "--frames", "4:6", "--threads", "1", "--json", "figures.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return paths_of(json::parse(read_text(folder / "figures.json")));
+}
+
+/// The part of the manual page that is about these figures.
+std::string manual_section() {
+  const std::string page = read_text(std::string(PELT_DOCS_DIR) + "/pelt.1");
+  const std::size_t begin = page.find(".SS \"Figures");
+  const std::size_t end = page.find("\n.S", begin + 1);
+  return std::regex_replace(page.substr(begin, end - begin), std::regex("\\\\-"), "-");
+}
+
+TEST(BenchJson, ManualTellsOfEveryFieldAndOfNoOther) {
+  const TestFolder folder;
+  const std::string section = manual_section();
+  const std::regex item("\\.TP\n\\.B (\\S+)\n");
+  Paths told;
+  for (std::sregex_iterator match(section.begin(), section.end(), item), end; match != end; ++match)
+    EXPECT_TRUE(told.insert((*match)[1]).second) << (*match)[1] << " is told twice";
+  EXPECT_EQ(told, written_paths(folder));
+}
+
+TEST(BenchJson, ManualsExampleHasTheFieldsThatAreWritten) {
+  const TestFolder folder;
+  const std::string section = manual_section();
+  const std::size_t begin = section.find(".nf\n") + 4;
+  const json example = json::parse(section.substr(begin, section.find(".fi", begin) - begin));
+  EXPECT_EQ(paths_of(example), written_paths(folder));
+}
+
+TEST(BenchJson, HelpNamesEveryField) {
+  const TestFolder folder;
+  const std::string help = run_pelt(folder, {"bench", "--help"}).out;
+  const std::string fields = help.substr(help.find("--json writes"));
+  for (const std::string& path : written_paths(folder)) {
+    const std::string name = path.substr(path.find_last_of('.') + 1);
+    EXPECT_TRUE(std::regex_search(fields, std::regex("\\b" + name + "\\b"))) << name;
+  }
+}
+
+}  // namespace
+}  // namespace pelt::test
