@@ -3,8 +3,6 @@
 #include "base/wide_code.hpp"
 #include "query/sort_contacts.hpp"
 
-#include <algorithm>
-
 namespace pelt::bench {
 
 ExactPose::ExactPose(const detail::Tree& tree)
@@ -20,19 +18,15 @@ Result<void> ExactPose::set_palette(std::span<const Matrix4> palette) {
 
 void ExactPose::close_all() {
   arena_.clear();
+  root_box_.known = false;
   opened_ = detail::OpenedNodes(static_cast<std::uint32_t>(tree_.nodes.size()), arena_);
 }
 
-QueryStats ExactPose::open_all() {
-  const QueryStats work = detail::wide_code().open_all_exactly(posed_tree());
-  const detail::OpenedNode& root = *opened_[0];
-  std::copy_n(root.all_low, 4, opened_.root_box.low);
-  std::copy_n(root.all_high, 4, opened_.root_box.high);
-  opened_.root_box.known = true;
-  return work;
-}
+QueryStats ExactPose::open_all() { return detail::wide_code().open_all_exactly(posed_tree()); }
 
-detail::PosedTree ExactPose::posed_tree() { return {tree_, no_bounds_, palette_, opened_, arena_}; }
+detail::PosedTree ExactPose::posed_tree() {
+  return {tree_, no_bounds_, palette_, root_box_, opened_, arena_};
+}
 
 QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
                    std::vector<Contact>& contacts, const CollideOptions& options) {

@@ -33,6 +33,7 @@ class ExactPose {
   detail::NodeBounds no_bounds_;
   detail::Palette palette_;
   detail::Arena arena_;
+  detail::RootBox root_box_;
   detail::OpenedNodes opened_;
 };
 

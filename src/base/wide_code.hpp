@@ -22,7 +22,7 @@ struct Tree;
 
 struct WideCode {
   PaletteScan (*scan_palette)(const float* floats, std::size_t joint_count);
-  RootBox (*instance_box)(const NodeBounds& bounds, const Palette& palette);
+  RootBox (*box_root)(const NodeBounds& bounds, const Palette& palette);
   void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
   QueryStats (*open_all_exactly)(const PosedTree& posed);
   QueryStats (*open_fully)(const PosedTree& posed);

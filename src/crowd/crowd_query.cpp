@@ -58,7 +58,7 @@ std::uint64_t CrowdQuery::box_instances(CrowdInstances& instances) {
   for (std::uint32_t number = 0; number < instances.end(); ++number) {
     if (!instances.has(number)) continue;
     CrowdInstance& instance = instances[number];
-    sweep_.add(number, instance.box());
+    sweep_.add(number, instance.root_box);
     moved += instance.has_moved;
     instance.has_moved = false;
   }

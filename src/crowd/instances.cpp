@@ -7,8 +7,7 @@ namespace pelt::detail {
 namespace {
 
 void take_box(CrowdInstance& instance) {
-  instance.opened.root_box =
-      wide_code().instance_box(instance.model.detail().bounds, instance.palette);
+  instance.root_box = wide_code().box_root(instance.model.detail().bounds, instance.palette);
   instance.has_moved = true;
 }
 

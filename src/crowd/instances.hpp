@@ -20,22 +20,17 @@ struct CrowdInstance {
 
   /// As the thread sees it whose arena this is.
   PosedTree posed_tree(Arena& arena) {
-    return {model.detail().tree, model.detail().bounds, palette, opened, arena};
+    return {model.detail().tree, model.detail().bounds, palette, root_box, opened, arena};
   }
 
-  const RootBox& box() const { return opened.root_box; }
-
-  /// Forgets all of the palette but its box.
-  void close() {
-    const RootBox root_box = box();
-    opened = OpenedNodes();
-    opened.root_box = root_box;
-  }
+  /// Forgets the opened nodes, whose memory is about to be used anew.
+  void close() { opened = OpenedNodes(); }
 
   SkinnedModel model;
   CrowdGroups groups;
   Palette palette;
-  OpenedNodes opened;     // closed between queries, but for the box
+  RootBox root_box;
+  OpenedNodes opened;     // none between queries
   bool has_moved = true;  // since the last query
 };
 

@@ -6,7 +6,7 @@
 
 #include <pelt/crowd.hpp>
 
-#include "pose/opened_node.hpp"
+#include "pose/root_box.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -75,13 +75,13 @@ class BoundsCheck {
       : tree_(tree), posed_(posed), below_(boxes_below(tree, posed)) {}
 
   /// Looks at the bounds that are known.
-  Problem run(const detail::OpenedNodes& opened) {
+  Problem run(const detail::Pose& pose) {
     node_ = 0;
-    const detail::RootBox& root = opened.root_box;
+    const detail::RootBox& root = pose.root_box;
     if (root.known) expect(box_of(root.low, root.high), below_[0], "the root", 0);
-    if (!opened) return problem_;  // no query has come near
+    if (!pose.opened) return problem_;  // no query has come near
     for (; node_ < tree_.nodes.size() && problem_.empty(); ++node_)
-      if (const OpenedNode* node = opened[node_]) check(*node);
+      if (const OpenedNode* node = pose.opened[node_]) check(*node);
     return problem_;
   }
 
@@ -146,7 +146,7 @@ std::string check_bounds(const Pose& pose) {
   const Tree& tree = data.model.detail().tree;
   const std::vector<Vec3> posed = pose_all(tree, data.palette);
   BoundsCheck check(tree, posed);
-  if (Problem problem = check.run(data.opened); !problem.empty())
+  if (Problem problem = check.run(data); !problem.empty())
     return problem + ", in a pose that queries have opened";
 
   Pose fresh(data.model);
@@ -154,7 +154,7 @@ std::string check_bounds(const Pose& pose) {
   const detail::PosedTree posed_tree = fresh.detail().posed_tree();
   make_table(posed_tree);
   detail::wide_code().open_fully(posed_tree);
-  return check.run(fresh.detail().opened);
+  return check.run(fresh.detail());
 }
 
 }  // namespace pelt

@@ -1,7 +1,6 @@
 #include "pose/open_node.hpp"
 
 #include "model/node_box.hpp"
-#include "pose/instance_box.hpp"
 #include "skin/skin.hpp"
 
 namespace pelt::detail {
@@ -128,10 +127,10 @@ Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
 }  // namespace
 
 const RootBox& root_box(const PosedTree& posed, QueryStats& work) {
-  RootBox& root = posed.opened.root_box;
+  RootBox& root = posed.root_box;
   if (root.known) return root;
   ++work.refits;
-  return root = instance_box(posed.bounds, posed.palette);
+  return root = box_root(posed.bounds, posed.palette);
 }
 
 const OpenedNode& open_closed_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
@@ -178,6 +177,10 @@ QueryStats open_all_exactly(const PosedTree& posed) {
     work.refits += node.cluster_count + node.child_count;
     work.posed_vertices += node.vertex_count;
   }
+  const OpenedNode& root = *posed.opened[0];
+  posed.root_box.known = true;
+  store4(posed.root_box.low, load4(root.all_low));
+  store4(posed.root_box.high, load4(root.all_high));
   return work;
 }
 

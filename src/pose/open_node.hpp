@@ -8,7 +8,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// A box around the whole instance, from the joint palette alone.
+/// The box around all vertices, computed if it was not; counts the work in `work`.
 const RootBox& root_box(const PosedTree& posed, QueryStats& work);
 
 /// Opens a node, unless another thread has done it meanwhile.
@@ -31,8 +31,9 @@ inline const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& n
   return known ? *known : box_triangles(posed, node, opened, slot);
 }
 
-/// Opens every node bottom-up, so that every box is the exact one of the posed vertices below: what
-/// an engine without refit on demand does.
+/// Opens every node bottom-up, so that every box, that of the root included, is the exact one of
+/// the posed vertices below: what an engine without refit on demand does. Precondition: there is a
+/// table of opened nodes, and none is open.
 QueryStats open_all_exactly(const PosedTree& posed);
 
 /// Poses all vertices, in the caller's order.

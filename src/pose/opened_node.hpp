@@ -25,12 +25,6 @@ struct alignas(64) OpenedNode {
   mutable std::atomic<TriangleBoxes*> triangles[kMaxSlots];  ///< of the clusters, once asked for
 };
 
-/// A box around all vertices, once asked for.
-struct RootBox {
-  bool known = false;
-  float low[4], high[4];
-};
-
 /// The opened nodes of one pose: a table that lies in an arena, as they do, and dies with them.
 class OpenedNodes {
  public:
@@ -58,9 +52,6 @@ class OpenedNodes {
         first, opened, std::memory_order_acq_rel, std::memory_order_acquire);
     return was_first ? opened : first;
   }
-
-  /// Not to be asked for by two threads at once, unlike the nodes.
-  RootBox root_box;
 
  private:
   std::atomic<OpenedNode*>* nodes_ = nullptr;

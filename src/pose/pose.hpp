@@ -17,17 +17,19 @@ struct Pose {
   SkinnedModel model;
   Palette palette;
   Arena arena;
+  RootBox root_box;
   OpenedNodes opened;
 
   PosedTree posed_tree() {
     const Model& data = model.detail();
-    return {data.tree, data.bounds, palette, opened, arena};
+    return {data.tree, data.bounds, palette, root_box, opened, arena};
   }
 
   /// The palette has changed.
   void close_all() {
     arena.clear();
     opened = OpenedNodes();
+    root_box.known = false;
   }
 
   /// One block, because pieces would leave the ends of several unused.

@@ -7,6 +7,7 @@
 #include "model/node_bounds.hpp"
 #include "model/tree.hpp"
 #include "pose/opened_node.hpp"
+#include "pose/root_box.hpp"
 #include "skin/palette.hpp"
 
 #include <pelt/collide.hpp>
@@ -19,6 +20,7 @@ struct PosedTree {
   const Tree& tree;
   const NodeBounds& bounds;
   const Palette& palette;
+  RootBox& root_box;  ///< not to be asked for by two threads at once, unlike the nodes
   OpenedNodes& opened;
   Arena& arena;  ///< where this thread's opened nodes lie
 };

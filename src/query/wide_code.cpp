@@ -2,9 +2,9 @@
 
 #include "base/wide_code.hpp"
 
-#include "pose/instance_box.hpp"
 #include "pose/open_fully.hpp"
 #include "pose/open_node.hpp"
+#include "pose/root_box.hpp"
 #include "query/pair_traversal.hpp"
 #include "skin/palette_scan.hpp"
 
@@ -13,8 +13,8 @@ inline namespace PELT_TARGET {
 
 extern const WideCode kWideCode;
 
-const WideCode kWideCode = {scan_palette,     instance_box, pose_vertices,
-                            open_all_exactly, open_fully,   collide_trees};
+const WideCode kWideCode = {scan_palette,     box_root,   pose_vertices,
+                            open_all_exactly, open_fully, collide_trees};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

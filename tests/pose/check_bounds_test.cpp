@@ -55,7 +55,7 @@ TEST(CheckBounds, FindsNothingInAnyPoseOnAnyTarget) {
 TEST(CheckBounds, NamesWhatQueriesLeftAndWhichIsTooSmall) {
   Pose pose = queried_limb();
   ASSERT_EQ(check_bounds(pose), "");
-  detail::RootBox& root = pose.detail().opened.root_box;
+  detail::RootBox& root = pose.detail().root_box;
   ASSERT_TRUE(root.known);
   const float root_low = root.low[1];
   root.low[1] = 100;
@@ -119,7 +119,7 @@ TEST(CheckBounds, LeavesThePoseAsItIs) {
   const Pose pose = limb_pose();
   ASSERT_EQ(check_bounds(pose), "");
   EXPECT_FALSE(pose.detail().opened);
-  EXPECT_FALSE(pose.detail().opened.root_box.known);
+  EXPECT_FALSE(pose.detail().root_box.known);
 }
 
 }  // namespace

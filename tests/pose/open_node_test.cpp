@@ -42,7 +42,7 @@ void append(Bits& bits, const float (&rows)[3][kCount]) {
 Bits bits_of(Pose& pose) {
   const Tree& tree = pose.model().detail().tree;
   Bits bits;
-  const detail::RootBox& root = pose.detail().opened.root_box;
+  const detail::RootBox& root = pose.detail().root_box;
   if (root.known) append(bits, root.low, 3), append(bits, root.high, 3);
   for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
     const OpenedNode* opened = pose.detail().opened[n];

@@ -1,11 +1,11 @@
-#include "pose/instance_box.hpp"
+#include "pose/root_box.hpp"
 
 #include "model/node_box.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-RootBox instance_box(const NodeBounds& bounds, const Palette& palette) {
+RootBox box_root(const NodeBounds& bounds, const Palette& palette) {
   const Box4 box = node_box(bounds, 0, palette);
   RootBox root;
   root.known = true;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "base/target.hpp"
+#include "model/node_bounds.hpp"
+#include "skin/palette.hpp"
+
+namespace pelt::detail {
+
+/// A box around all vertices, once asked for.
+struct RootBox {
+  bool known = false;
+  float low[4], high[4];
+};
+
+inline namespace PELT_TARGET {
+
+/// The box from the joint palette alone.
+RootBox box_root(const NodeBounds& bounds, const Palette& palette);
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
