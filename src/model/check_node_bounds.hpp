@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/problem.hpp"
 #include "model/node_bounds.hpp"
-#include "model/problem.hpp"
 
 #include <span>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/problem.hpp"
+#include "base/problem.hpp"
 #include "model/tree.hpp"
 
 namespace pelt::detail {

@@ -1,9 +1,9 @@
 #include <pelt/prepared.hpp>
 
+#include "base/problem.hpp"
 #include "model/check_node_bounds.hpp"
 #include "model/check_tree.hpp"
 #include "model/prepared_format.hpp"
-#include "model/problem.hpp"
 
 #include <cstring>
 

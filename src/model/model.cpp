@@ -1,5 +1,6 @@
 #include "model/model.hpp"
 
+#include "base/problem.hpp"
 #include "model/tree_build.hpp"
 #include "skin/sample_poses.hpp"
 #include "skin/skin.hpp"
@@ -9,7 +10,9 @@
 namespace pelt {
 namespace {
 
+using detail::invalid_argument;
 using detail::Palette;
+using detail::problem;
 using detail::SkinnedMesh;
 
 /// The caller's sample poses, or an error that names the one that is no palette.
@@ -17,17 +20,16 @@ Result<std::vector<Palette>> take_sample_poses(const SkinnedMesh& mesh,
                                                std::span<const Matrix4> matrices) {
   const std::size_t joints = mesh.joint_count;
   if (matrices.size() % joints != 0)
-    return Error{ErrorCode::invalid_argument, "sample_palettes has " +
-                                                  std::to_string(matrices.size()) +
-                                                  " matrices, expected a multiple of the model's " +
-                                                  std::to_string(joints) + " joints"};
+    return invalid_argument(
+        problem("sample_palettes has %zu matrices, expected a multiple of the model's %zu joints",
+                matrices.size(), joints));
   std::vector<Palette> palettes(matrices.size() / joints,
                                 Palette(mesh.joint_count, mesh.rest_extent));
   for (std::size_t s = 0; s < palettes.size(); ++s) {
     const Result<void> taken = palettes[s].set(matrices.subspan(s * joints, joints));
     if (!taken)
-      return Error{taken.error().code,
-                   "sample_palettes, pose " + std::to_string(s) + ": " + taken.error().message};
+      return invalid_argument(
+          problem("sample_palettes, pose %zu: %s", s, taken.error().message.c_str()));
   }
   return palettes;
 }

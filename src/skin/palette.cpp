@@ -1,12 +1,12 @@
 #include "skin/palette.hpp"
 
+#include "base/problem.hpp"
 #include "base/wide_code.hpp"
 #include "skin/palette_scan.hpp"
 #include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 
@@ -28,31 +28,18 @@ bool has_affine_last_row(const float* m) {
   return m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
 }
 
-Error describe(const float* m, std::size_t joint) {
-  char text[160];
+/// Why the matrix of a joint is refused.
+Problem describe(const float* m, std::size_t joint) {
   for (int i = 0; i < 16; ++i)
-    if (!std::isfinite(m[i])) {
-      std::snprintf(text, sizeof text, "palette[%zu] has the element %g at row %d, column %d",
-                    joint, static_cast<double>(m[i]), i % 4, i / 4);
-      return {ErrorCode::invalid_argument, text};
-    }
+    if (!std::isfinite(m[i]))
+      return problem("palette[%zu] has the element %g at row %d, column %d", joint,
+                     static_cast<double>(m[i]), i % 4, i / 4);
   if (!has_affine_last_row(m))
-    std::snprintf(text, sizeof text,
-                  "palette[%zu] has the last row %g %g %g %g, expected 0 0 0 1 (is the matrix "
-                  "row-major?)",
-                  joint, static_cast<double>(m[3]), static_cast<double>(m[7]),
-                  static_cast<double>(m[11]), static_cast<double>(m[15]));
-  else
-    std::snprintf(text, sizeof text, "palette[%zu] can move a vertex beyond 2^60 units", joint);
-  return {ErrorCode::invalid_argument, text};
-}
-
-Error wrong_size(std::size_t floats, std::size_t joints) {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "the palette has %zu floats, expected %zu: 16 for each of the model's %zu joints",
-                floats, 16 * joints, joints);
-  return {ErrorCode::invalid_argument, text};
+    return problem(
+        "palette[%zu] has the last row %g %g %g %g, expected 0 0 0 1 (is the matrix row-major?)",
+        joint, static_cast<double>(m[3]), static_cast<double>(m[7]), static_cast<double>(m[11]),
+        static_cast<double>(m[15]));
+  return problem("palette[%zu] can move a vertex beyond 2^60 units", joint);
 }
 
 }  // namespace
@@ -65,7 +52,10 @@ Palette::Palette(std::uint32_t joint_count, float rest_extent)
 }
 
 Result<void> Palette::set(std::span<const float> floats) {
-  if (floats.size() != joints_.size() * 16) return wrong_size(floats.size(), joints_.size());
+  if (floats.size() != joints_.size() * 16)
+    return invalid_argument(
+        problem("the palette has %zu floats, expected %zu: 16 for each of the model's %zu joints",
+                floats.size(), 16 * joints_.size(), joints_.size()));
   const auto is_good = [&](const PaletteScan& scan) {
     return scan.is_affine && extent_of(scan, rest_extent_) <= kMaxCoordinate;
   };
@@ -73,7 +63,7 @@ Result<void> Palette::set(std::span<const float> floats) {
   if (!is_good(scan))
     for (std::size_t j = 0; j < joints_.size(); ++j)
       if (!is_good(wide_code().scan_palette(&floats[16 * j], 1)))
-        return describe(&floats[16 * j], j);
+        return invalid_argument(describe(&floats[16 * j], j));
   std::memcpy(joints_.data()->m.data(), floats.data(), floats.size_bytes());
   extent_ = extent_of(scan, rest_extent_);
   return {};

@@ -1,13 +1,10 @@
 #include "skin/skinned_mesh.hpp"
 
-#include "base/format.hpp"
+#include "base/problem.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <limits>
-#include <optional>
-#include <string>
 #include <utility>
 
 namespace pelt::detail {
@@ -19,35 +16,23 @@ constexpr double kMaxWeightSumError = 0x1p-7;
 /// Sums of weights nearer to 1 are the rounding of floats and not worth a word in the report.
 constexpr double kWeightSumNoise = 0x1p-16;
 
-Error invalid(const char* format, ...) __attribute__((format(printf, 1, 2)));
-
-Error invalid(const char* format, ...) {
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::string text = formatted(format, arguments);
-  va_end(arguments);
-  return {ErrorCode::invalid_argument, std::move(text)};
-}
-
-using Problem = std::optional<Error>;
-
 Problem check_sizes(const SkinnedMeshView& view) {
   if (view.rest_positions.size() > 0x7FFFFFFF || view.triangles.size() > 0x7FFFFFFF)
-    return invalid("rest_positions or triangles have more than 2^31 - 1 elements");
-  if (view.triangles.empty()) return invalid("triangles is empty: there is nothing to collide");
-  if (view.influences_per_vertex == 0) return invalid("influences_per_vertex is 0");
+    return problem("rest_positions or triangles have more than 2^31 - 1 elements");
+  if (view.triangles.empty()) return problem("triangles is empty: there is nothing to collide");
+  if (view.influences_per_vertex == 0) return problem("influences_per_vertex is 0");
   if (view.joint_count == 0 || view.joint_count > kMaxJoints)
-    return invalid("joint_count is %u, expected 1 to %u", view.joint_count, kMaxJoints);
+    return problem("joint_count is %u, expected 1 to %u", view.joint_count, kMaxJoints);
   const std::uint64_t expected =
       std::uint64_t{view.rest_positions.size()} * view.influences_per_vertex;
   if (expected > 0xFFFFFFFF)
-    return invalid("rest_positions x influences_per_vertex is more than 2^32 - 1");
+    return problem("rest_positions x influences_per_vertex is more than 2^32 - 1");
   if (view.joints.size() != expected || view.weights.size() != expected)
-    return invalid(
+    return problem(
         "joints has %zu and weights has %zu elements, expected %zu "
         "(rest_positions x influences_per_vertex)",
         view.joints.size(), view.weights.size(), static_cast<std::size_t>(expected));
-  return std::nullopt;
+  return {};
 }
 
 Problem check_rest_positions(std::span<const Vec3> rest_positions) {
@@ -55,30 +40,30 @@ Problem check_rest_positions(std::span<const Vec3> rest_positions) {
     const Vec3& p = rest_positions[v];
     for (const float c : {p.x, p.y, p.z})
       if (!(std::fabs(c) <= kMaxCoordinate))  // also true for NaN
-        return invalid("rest_positions[%zu] has the coordinate %g, expected finite and within 2^60",
+        return problem("rest_positions[%zu] has the coordinate %g, expected finite and within 2^60",
                        v, static_cast<double>(c));
   }
-  return std::nullopt;
+  return {};
 }
 
 Problem check_triangles(std::span<const Triangle> triangles, std::size_t vertex_count) {
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (const std::uint32_t v : triangles[t])
       if (v >= vertex_count)
-        return invalid("triangles[%zu] names vertex %u, but there are %zu rest_positions", t, v,
+        return problem("triangles[%zu] names vertex %u, but there are %zu rest_positions", t, v,
                        vertex_count);
-  return std::nullopt;
+  return {};
 }
 
 Problem check_influence(const SkinnedMeshView& view, std::size_t vertex, std::size_t slot) {
   const std::size_t i = vertex * view.influences_per_vertex + slot;
   if (view.joints[i] >= view.joint_count)
-    return invalid("joints[%zu] of vertex %zu is %u, but joint_count is %u", i, vertex,
+    return problem("joints[%zu] of vertex %zu is %u, but joint_count is %u", i, vertex,
                    view.joints[i], view.joint_count);
   if (!(view.weights[i] >= 0 && std::isfinite(view.weights[i])))
-    return invalid("weights[%zu] of vertex %zu is %g, expected a finite number >= 0", i, vertex,
+    return problem("weights[%zu] of vertex %zu is %g, expected a finite number >= 0", i, vertex,
                    static_cast<double>(view.weights[i]));
-  return std::nullopt;
+  return {};
 }
 
 /// The view's influences of one vertex: zero weights left out, a joint named twice summed, joints
@@ -109,17 +94,17 @@ Problem normalise_weights(std::span<Influence> influences, std::size_t vertex,
   double sum = 0;
   for (const Influence& influence : influences) sum += static_cast<double>(influence.weight);
   if (!(sum > 0 && std::isfinite(sum)))  // floats of one joint may have summed to infinity
-    return invalid("weights of vertex %zu sum to %g, expected 1", vertex, sum);
+    return problem("weights of vertex %zu sum to %g, expected 1", vertex, sum);
   const double error = std::fabs(sum - 1);
   if (error > kMaxWeightSumError && options.off_weights == OffWeights::refuse)
-    return invalid(
+    return problem(
         "weights of vertex %zu sum to %.6g, expected 1 (off_weights = OffWeights::renormalise "
         "divides by the sum)",
         vertex, sum);
   if (error > kWeightSumNoise) ++report.renormalised_vertices;
   for (Influence& influence : influences)
     influence.weight = static_cast<float>(static_cast<double>(influence.weight) / sum);
-  return std::nullopt;
+  return {};
 }
 
 Problem take_influences(const SkinnedMeshView& view, const ModelOptions& options, SkinnedMesh& mesh,
@@ -129,15 +114,15 @@ Problem take_influences(const SkinnedMeshView& view, const ModelOptions& options
   std::vector<Influence> merged;
   for (std::size_t v = 0; v < view.rest_positions.size(); ++v) {
     for (std::size_t slot = 0; slot < view.influences_per_vertex; ++slot)
-      if (Problem problem = check_influence(view, v, slot)) return problem;
+      if (Problem found = check_influence(view, v, slot); !found.empty()) return found;
     merge_influences(view, v, merged, report);
-    if (Problem problem = normalise_weights(merged, v, options, report)) return problem;
+    if (Problem found = normalise_weights(merged, v, options, report); !found.empty()) return found;
     // A weight that is tiny beside the others can become zero by the division.
     for (const Influence& influence : merged)
       if (influence.weight > 0) mesh.influences.push_back(influence);
     mesh.influence_begin.push_back(static_cast<std::uint32_t>(mesh.influences.size()));
   }
-  return std::nullopt;
+  return {};
 }
 
 std::uint32_t count_degenerate(const SkinnedMesh& mesh) {
@@ -164,17 +149,18 @@ float rest_extent(std::span<const Vec3> points) {
 
 Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOptions& options,
                                       BuildReport& report) {
-  if (Problem problem = check_sizes(view)) return *problem;
-  if (Problem problem = check_rest_positions(view.rest_positions)) return *problem;
-  if (Problem problem = check_triangles(view.triangles, view.rest_positions.size()))
-    return *problem;
+  Problem found = check_sizes(view);
+  if (found.empty()) found = check_rest_positions(view.rest_positions);
+  if (found.empty()) found = check_triangles(view.triangles, view.rest_positions.size());
+  if (!found.empty()) return invalid_argument(found);
 
   SkinnedMesh mesh;
   mesh.rest_positions.assign(view.rest_positions.begin(), view.rest_positions.end());
   mesh.triangles.assign(view.triangles.begin(), view.triangles.end());
   mesh.joint_count = view.joint_count;
   mesh.rest_extent = rest_extent(mesh.rest_positions);
-  if (Problem problem = take_influences(view, options, mesh, report)) return *problem;
+  found = take_influences(view, options, mesh, report);
+  if (!found.empty()) return invalid_argument(found);
   report.degenerate_triangles = count_degenerate(mesh);
   return mesh;
 }

@@ -1,13 +1,15 @@
-#include "model/problem.hpp"
+#include "base/problem.hpp"
 
-#include "base/format.hpp"
+#include <cstdarg>
+#include <cstdio>
 
 namespace pelt::detail {
 
 Problem problem(const char* format, ...) {
+  char text[256];
   std::va_list arguments;
   va_start(arguments, format);
-  std::string text = formatted(format, arguments);
+  std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
   return text;
 }
