@@ -12,9 +12,9 @@
 namespace pelt::detail {
 namespace {
 
-/// What dividing weights by their sum may leave, and more: a rounding for each influence, none of
-/// which is larger than 2^-24 of its weight.
-constexpr double kMaxWeightSumError = 0x1p-22;
+/// Dividing weights by their sum leaves less: a rounding for each influence, none of which is
+/// larger than 2^-24 of its weight.
+constexpr double kNormalisedSumError = 0x1p-22;
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
@@ -119,7 +119,7 @@ Problem StructureCheck::check_influences(std::size_t vertex) {
       return problem("weights[%u] is %g", i, static_cast<double>(tree_.weights[i]));
     sum += double{tree_.weights[i]};
   }
-  if (!(std::fabs(sum - 1) <= kMaxWeightSumError) || (end - begin == 1 && sum != 1))
+  if (!(std::fabs(sum - 1) <= kNormalisedSumError) || (end - begin == 1 && sum != 1))
     return problem("weights of vertex %zu sum to %.9g", vertex, sum);
   return {};
 }

@@ -11,10 +11,10 @@ namespace pelt::detail {
 namespace {
 
 /// Sums of weights further from 1 are not an exporter's rounding.
-constexpr double kMaxWeightSumError = 0x1p-7;
+constexpr double kExporterRounding = 0x1p-7;
 
 /// Sums of weights nearer to 1 are the rounding of floats and not worth a word in the report.
-constexpr double kWeightSumNoise = 0x1p-16;
+constexpr double kFloatRounding = 0x1p-16;
 
 Problem check_sizes(const SkinnedMeshView& view) {
   if (view.rest_positions.size() > 0x7FFFFFFF || view.triangles.size() > 0x7FFFFFFF)
@@ -96,12 +96,12 @@ Problem normalise_weights(std::span<Influence> influences, std::size_t vertex,
   if (!(sum > 0 && std::isfinite(sum)))  // floats of one joint may have summed to infinity
     return problem("weights of vertex %zu sum to %g, expected 1", vertex, sum);
   const double error = std::fabs(sum - 1);
-  if (error > kMaxWeightSumError && options.off_weights == OffWeights::refuse)
+  if (error > kExporterRounding && options.off_weights == OffWeights::refuse)
     return problem(
         "weights of vertex %zu sum to %.6g, expected 1 (off_weights = OffWeights::renormalise "
         "divides by the sum)",
         vertex, sum);
-  if (error > kWeightSumNoise) ++report.renormalised_vertices;
+  if (error > kFloatRounding) ++report.renormalised_vertices;
   for (Influence& influence : influences)
     influence.weight = static_cast<float>(static_cast<double>(influence.weight) / sum);
   return {};
