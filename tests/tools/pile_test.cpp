@@ -3,26 +3,45 @@
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
 
+#include <set>
+
 namespace pelt::test {
 namespace {
+
+/// What scripts/pile-scene writes to pile.json of the folder.
+json write_pile(const TestFolder& folder, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = {PELT_PYTHON, PELT_SCRIPTS_DIR "/pile-scene"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const Ended run = run_program(folder.path(), words);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  write_text(folder / "pile.json", run.out);
+  return json::parse(run.out);
+}
 
 TEST(Pile, OfCreaturesHasTheSameAnswerByEveryMethod) {
   const TestFolder folder;
   expect_one_answer(folder, std::string(PELT_SCENES_DIR) + "/pile.json", "7:8");
 }
 
+TEST(Pile, OfAnyCharacterIsWrittenByTheScript) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const json scene = write_pile(folder, {"one.glb", "sway", "3"});
+  ASSERT_EQ(scene["instances"].size(), 3u);
+  std::set<json> starts;
+  for (const json& instance : scene["instances"]) {
+    EXPECT_FALSE(instance.contains("translation")) << "all stand in one place";
+    starts.insert(instance["start"]);
+  }
+  EXPECT_EQ(starts.size(), 3u) << "in different postures";
+  expect_one_answer(folder, "pile.json", "2:3");
+}
+
 TEST(Pile, OfHumansHasTheSameAnswerByEveryMethod) {
   const std::string human = std::string(PELT_SHARED_DIR) + "/models/human.glb";
   if (!std::filesystem::exists(human)) GTEST_SKIP() << human << " is not there";
   const TestFolder folder;
-  std::string instances;
-  for (const double start : {0.0, 0.3, 0.7}) {
-    instances += (instances.empty() ? "" : ",") + std::string(R"({"model": "human", )") +
-                 R"("clip": "walk", "start": )" + std::to_string(start) + "}";
-  }
-  write_text(folder / "pile.json", R"({"models": {"human": ")" + human +
-                                       R"("}, "frames": {"count": 2, "fps": 30}, "instances": [)" +
-                                       instances + "]}");
+  write_pile(folder, {human, "walk", "3"});
   expect_one_answer(folder, "pile.json", "1:2");
 }
 

@@ -34,7 +34,8 @@ Examples:
 
 Each repetition of a frame first runs the frame before it (the last one before the first), untimed;
 then the clock runs while the palettes are set and all pairs are asked. The median of the
-repetitions stands for the frame, and fewer than 9 give a rough look only; shown are the mean over all frames, over those in contact, and what 95 % of the frames do not exceed.
+repetitions stands for the frame, and fewer than 9 give a rough look only; shown are the mean over
+all frames, over those in contact, and what 95 % of the frames do not exceed.
 "update" is the part before the queries: for eager and paper_eager skinning and boxes or spheres.
 Sampling of the clips is not timed, nor is the building of the rigid trees, which stand for what the
 same query costs rigid bodies. "vs paper" and "vs eager": how many times faster than these; "of
