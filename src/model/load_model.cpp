@@ -5,7 +5,9 @@
 #include "model/check_tree.hpp"
 #include "model/prepared_format.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <memory>
 
 namespace pelt {
 namespace {
@@ -15,29 +17,33 @@ using detail::Problem;
 using detail::problem;
 
 Error refusal(ErrorCode code, const Problem& found) {
-  return {code, "the prepared model " + found + ": prepare the model again"};
+  return {code, "the prepared model " + found + ": run `pelt prepare` or save_model() again"};
 }
 
 Error malformed(const Problem& found) { return refusal(ErrorCode::malformed_file, found); }
 
+/// As much of it as the file has.
 PreparedHeader read_header(std::span<const std::byte> file) {
   PreparedHeader header;
-  std::memcpy(&header, file.data(), sizeof header);
+  std::memcpy(&header, file.data(), std::min(file.size(), sizeof header));
   return header;
 }
 
-/// Of another machine or another Pelt.
+/// Of another machine or another Pelt, whose headers may have another size.
 Problem find_foreign(const PreparedHeader& header) {
   if (header.byte_order == detail::kForeignMark)
     return problem("was prepared on a machine with the other byte order");
   if (header.version != detail::kPreparedVersion)
-    return problem("was written by version %u of the format, this library reads version %u",
-                   header.version, detail::kPreparedVersion);
+    return problem(
+        "was made by another version of Pelt (version %u of the format, this one reads version %u)",
+        header.version, detail::kPreparedVersion);
   return {};
 }
 
 /// Each check may rely on those before it.
 Problem find_damage(std::span<const std::byte> file, const PreparedHeader& header) {
+  if (file.size() < sizeof header)
+    return problem("has %zu bytes, less than its header", file.size());
   if (header.byte_order != detail::kByteOrderMark)
     return problem("has the byte order mark %08x, expected %08x", header.byte_order,
                    detail::kByteOrderMark);
@@ -83,8 +89,6 @@ Result<SkinnedModel> load_model(std::span<const std::byte> file) {
   if (!is_prepared_model(file))
     return Error{ErrorCode::malformed_file,
                  "the file is no prepared model: `pelt prepare` and save_model() write them"};
-  if (file.size() < sizeof(PreparedHeader))
-    return malformed(problem("has %zu bytes, less than its header", file.size()));
   const PreparedHeader header = read_header(file);
   if (const Problem found = find_foreign(header); !found.empty())
     return refusal(ErrorCode::unsupported, found);

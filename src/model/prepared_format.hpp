@@ -2,7 +2,8 @@
 
 /// The layout of a prepared model in a file: a header, then the arrays of the model as they are in
 /// memory, each from a multiple of 16 on, gaps filled with zeros. docs/prepared-format.md has the
-/// table of fields; whoever changes one of them, or what an array means, raises the version.
+/// table of fields; whoever changes one of them, or what an array means, raises the version. The
+/// magic, the version and the byte order mark stay where they are in all versions.
 ///
 /// Numbers are in the order of the machine that wrote them, which is little-endian wherever Pelt
 /// runs today. A file of the other order is refused, and prepared again where it is needed: that is
@@ -22,7 +23,7 @@ namespace pelt::detail {
 /// Not text in any encoding, and changed by whoever takes it for text (as the head of a PNG file).
 inline constexpr std::array<unsigned char, 8> kPreparedMagic = {0x8B, 'P',  'E',  'L',
                                                                 'T',  '\r', '\n', 0x1A};
-inline constexpr std::uint32_t kPreparedVersion = 1;
+inline constexpr std::uint32_t kPreparedVersion = 2;
 inline constexpr std::uint32_t kByteOrderMark = 0x01020304, kForeignMark = 0x04030201;
 inline constexpr std::size_t kPreparedArrays = 15;
 
