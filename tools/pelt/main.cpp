@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   pelt::tools::add_pose(app, command);
   pelt::tools::add_demo(app, command);
   pelt::tools::add_bench(app, command);
+  pelt::tools::add_reproduce(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace pelt::reproduce {
+
+/// Bytes as text (RFC 4648, section 4), to stand inside a page.
+std::string base64(const std::string& bytes);
+
+}  // namespace pelt::reproduce

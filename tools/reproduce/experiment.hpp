@@ -1,0 +1,33 @@
+#pragma once
+
+/// The experiments of Kavan & Zara 2005, section 5, and those beyond it, each in a file of its own.
+
+#include <pelt/result.hpp>
+
+#include "tools/reproduce/report.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <span>
+
+namespace pelt::reproduce {
+
+struct Conditions {
+  bool is_quick = false;         ///< fewer frames, repetitions and sizes
+  std::filesystem::path models;  ///< a folder with real characters; empty: generated ones only
+};
+
+struct Experiment {
+  const char* id;
+  const char* title;
+  Result<Section> (*run)(const Conditions& conditions);
+};
+
+/// In the order of the report.
+std::span<const Experiment> experiments();
+
+Result<Section> characters(const Conditions& conditions);    // characters.cpp
+Result<Section> sphere_trees(const Conditions& conditions);  // sphere_trees.cpp
+Result<Section> tightness(const Conditions& conditions);     // tightness.cpp
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,41 @@
+#pragma once
+
+/// The figures that Kavan & Zara 2005 print, to stand beside ours. Times are those of a 2.5 GHz
+/// Athlon; only ratios can be compared.
+
+#include "scenes/creature.hpp"
+
+#include <array>
+
+namespace pelt::reproduce {
+
+/// Table 1, and the generated character of the same size.
+struct PaperCharacter {
+  const char* name;
+  double vertices, triangles, joints;
+  scenes::CreatureOptions options;
+};
+
+inline constexpr std::array kPaperCharacters = {
+    PaperCharacter{"dwarf", 859, 1664, 45, scenes::kDwarf},
+    PaperCharacter{"man", 4435, 8270, 27, scenes::kMan},
+    PaperCharacter{"creature", 6682, 13590, 56, scenes::kCreature}};
+
+/// Section 5, the creature's tree before and after collapsing.
+inline constexpr double kPaperSpheresBefore = 27079, kPaperSpheresAfter = 18679;
+inline constexpr double kPaperDepthBefore = 22, kPaperDepthAfter = 9;
+inline constexpr double kPaperMostChildren = 15;
+inline constexpr std::array kPaperRadiiBefore = {
+    34.55, 31.82, 23.63, 18.86, 13.07, 7.32, 4.86, 3.46, 2.60, 1.92, 1.47,
+    1.14,  0.90,  0.72,  0.61,  0.53,  0.47, 0.42, 0.39, 0.38, 0.37, 0.36};
+
+/// Table 2, by level.
+inline constexpr std::array kPaperReference = {34.55, 18.86, 7.38, 3.68, 1.69,
+                                               0.91,  0.61,  0.42, 0.30};
+inline constexpr std::array kPaperOnDemand = {43.89, 26.17, 8.05, 3.95, 1.77,
+                                              0.94,  0.63,  0.43, 0.30};
+inline constexpr std::array kPaperBottomUp = {45.68, 24.63, 9.21, 4.58, 2.27,
+                                              1.17,  0.74,  0.49, 0.35};
+inline constexpr std::array kPaperBest = {33.33, 19.39, 7.31, 3.70, 1.70, 0.92, 0.61, 0.42, 0.30};
+
+}  // namespace pelt::reproduce

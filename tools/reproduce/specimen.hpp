@@ -1,0 +1,25 @@
+#pragma once
+
+/// A character in the forms that experiments need.
+
+#include <pelt/asset.hpp>
+#include <pelt/model.hpp>
+
+#include "scenes/creature.hpp"
+#include "skin/palette.hpp"
+#include "skin/skinned_mesh.hpp"
+
+namespace pelt::reproduce {
+
+struct Specimen {
+  asset::Asset asset;
+  SkinnedModel model;
+  detail::SkinnedMesh mesh;
+};
+
+Result<Specimen> make_specimen(const scenes::CreatureOptions& options);
+
+/// Of the clip "walk".
+detail::Palette walking_palette(const Specimen& specimen, float seconds);
+
+}  // namespace pelt::reproduce
