@@ -4,7 +4,6 @@
 /// declare what they do; this one only knows their names.
 
 #include <pelt/collide.hpp>
-#include <pelt/target.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pelt/collide.hpp>
+
 #include "base/target.hpp"
 #include "pose/posed_tree.hpp"
 

@@ -5,7 +5,6 @@
 
 #include "base/arena.hpp"
 #include "model/tree.hpp"
-#include "skin/palette.hpp"
 
 #include <atomic>
 #include <cstdint>

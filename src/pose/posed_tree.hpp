@@ -10,8 +10,6 @@
 #include "pose/root_box.hpp"
 #include "skin/palette.hpp"
 
-#include <pelt/collide.hpp>
-
 #include <cstddef>
 
 namespace pelt::detail {

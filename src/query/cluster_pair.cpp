@@ -3,6 +3,8 @@
 #include "pose/open_node.hpp"
 #include "query/lanes.hpp"
 
+#include <bit>
+
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {

@@ -5,6 +5,8 @@
 /// what is left waits until there are eight pairs for the certified float test
 /// (triangle_triage.hpp). The few lanes that it leaves undecided go to the exact predicate.
 
+#include <pelt/collide.hpp>
+
 #include "base/target.hpp"
 #include "geometry/triangle_pair.hpp"
 #include "geometry/triangle_triage.hpp"

@@ -5,10 +5,11 @@
 
 #include "query/pair_traversal.hpp"
 
-#include "model/node_box.hpp"
 #include "pose/open_node.hpp"
 #include "query/cluster_pair.hpp"
 #include "query/lanes.hpp"
+
+#include <cmath>
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {

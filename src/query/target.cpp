@@ -3,10 +3,7 @@
 #include "base/assert.hpp"
 #include "base/wide_code.hpp"
 
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <cstddef>
 #include <vector>
 
 namespace pelt {

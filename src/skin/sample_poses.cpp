@@ -2,9 +2,6 @@
 
 #include "base/vec3.hpp"
 
-#include <array>
-#include <cmath>
-
 namespace pelt::detail {
 namespace {
 
