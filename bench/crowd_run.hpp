@@ -35,7 +35,7 @@ class CrowdRun {
   CrowdTiming run(std::uint32_t threads);
 
   /// Bytes of the crowd, without its models.
-  std::size_t memory() const { return crowd_.memory(); }
+  std::size_t memory_bytes() const { return crowd_.memory_bytes(); }
 
  private:
   CrowdTiming time_frame(std::uint32_t frame, std::uint32_t threads);

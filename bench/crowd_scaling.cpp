@@ -79,7 +79,7 @@ void measure(const CrowdJob& job, std::uint32_t runs, std::vector<Row>& rows) {
   for (const std::uint32_t threads : {1u, 2u}) {
     const CrowdTiming best = best_of(run, threads, runs);
     rows.push_back(
-        {job.models.size(), triangles_of(job), threads, best, run.memory(), process_bytes()});
+        {job.models.size(), triangles_of(job), threads, best, run.memory_bytes(), process_bytes()});
     std::cout << rows.back() << std::endl;
   }
 }

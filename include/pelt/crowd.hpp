@@ -108,7 +108,7 @@ class Crowd {
   CrowdStats touching(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
 
   /// Bytes that the crowd holds, without its models.
-  std::size_t memory() const;
+  std::size_t memory_bytes() const;
 
  private:
   std::unique_ptr<detail::Crowd> crowd_;

@@ -59,6 +59,8 @@ CrowdStats Crowd::touching(std::vector<CrowdPair>& pairs, const CrowdOptions& op
   return stats;
 }
 
-std::size_t Crowd::memory() const { return crowd_->instances.memory() + crowd_->query.memory(); }
+std::size_t Crowd::memory_bytes() const {
+  return crowd_->instances.memory_bytes() + crowd_->query.memory_bytes();
+}
 
 }  // namespace pelt

@@ -1,5 +1,6 @@
 #include "crowd/crowd_query.hpp"
 
+#include "base/bytes_held.hpp"
 #include "base/wide_code.hpp"
 #include "query/sort_contacts.hpp"
 
@@ -184,20 +185,16 @@ void CrowdQuery::even_out() {
   }
 }
 
-std::size_t CrowdQuery::memory() const {
-  std::size_t bytes = sweep_.memory() + groups_.memory() +
-                      (pairs_.capacity() + shared_pairs_.capacity()) * sizeof(CrowdPair) +
-                      small_groups_.capacity() * sizeof(std::uint32_t) +
-                      touching_.capacity() * sizeof(TouchingPair);
-  for (const Worker& worker : workers_) bytes += worker.memory();
+std::size_t CrowdQuery::memory_bytes() const {
+  std::size_t bytes = sweep_.memory_bytes() + groups_.memory_bytes() +
+                      bytes_held(pairs_, shared_pairs_, small_groups_, touching_, workers_);
+  for (const Worker& worker : workers_) bytes += worker.memory_bytes();
   return bytes;
 }
 
-std::size_t CrowdQuery::Worker::memory() const {
+std::size_t CrowdQuery::Worker::memory_bytes() const {
   return nodes.capacity() + shared_nodes.capacity() + contacts.capacity() +
-         touching.capacity() * sizeof(TouchingPair) +
-         scratch.slot_pairs.capacity() * sizeof(SlotPair) +
-         (scratch.found.capacity() + scratch.sorting.capacity()) * sizeof(Contact);
+         bytes_held(touching, scratch.slot_pairs, scratch.found, scratch.sorting);
 }
 
 }  // namespace pelt::detail

@@ -11,6 +11,7 @@
 
 #include <pelt/crowd.hpp>
 
+#include "base/arena.hpp"
 #include "base/work_shares.hpp"
 #include "base/workers.hpp"
 #include "crowd/instances.hpp"
@@ -38,7 +39,7 @@ class CrowdQuery {
   /// What the last run found, ascending. Valid until the next one.
   std::span<const TouchingPair> touching() const { return touching_; }
 
-  std::size_t memory() const;
+  std::size_t memory_bytes() const;
 
  private:
   /// What one thread needs for itself.
@@ -55,7 +56,7 @@ class CrowdQuery {
                        std::uint32_t max_contacts);
     void collide_pair(CrowdInstances& instances, const CrowdPair& pair, Arena& arena,
                       std::uint32_t max_contacts);
-    std::size_t memory() const;
+    std::size_t memory_bytes() const;
   };
 
   std::uint64_t box_instances(CrowdInstances& instances);

@@ -1,6 +1,7 @@
 #include "crowd/instances.hpp"
 
 #include "base/assert.hpp"
+#include "base/bytes_held.hpp"
 #include "base/wide_code.hpp"
 
 namespace pelt::detail {
@@ -46,8 +47,8 @@ Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const f
   return taken;
 }
 
-std::size_t CrowdInstances::memory() const {
-  std::size_t bytes = slots_.capacity() * sizeof(slots_[0]) + free_.capacity() * sizeof(free_[0]);
+std::size_t CrowdInstances::memory_bytes() const {
+  std::size_t bytes = bytes_held(slots_, free_);
   for (const std::optional<CrowdInstance>& slot : slots_)
     if (slot) bytes += slot->palette.joints().size_bytes();
   return bytes;

@@ -54,7 +54,7 @@ class CrowdInstances {
   /// Several threads may do so for different instances.
   Result<void> set_palette(std::uint32_t number, std::span<const float> palette);
 
-  std::size_t memory() const;
+  std::size_t memory_bytes() const;
 
  private:
   std::vector<std::optional<CrowdInstance>> slots_;

@@ -1,5 +1,7 @@
 #include "crowd/pair_groups.hpp"
 
+#include "base/bytes_held.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -46,9 +48,8 @@ void PairGroups::unite(const CrowdPair& pair) {
   leaders_[std::max(a, b)] = std::min(a, b);
 }
 
-std::size_t PairGroups::memory() const {
-  return (leaders_.capacity() + group_of_.capacity() + begins_.capacity()) * sizeof(std::uint32_t) +
-         pairs_.capacity() * sizeof(CrowdPair);
+std::size_t PairGroups::memory_bytes() const {
+  return bytes_held(leaders_, group_of_, begins_, pairs_);
 }
 
 }  // namespace pelt::detail

@@ -22,7 +22,7 @@ class PairGroups {
     return std::span(pairs_).subspan(begins_[group], begins_[group + 1] - begins_[group]);
   }
 
-  std::size_t memory() const;
+  std::size_t memory_bytes() const;
 
  private:
   std::uint32_t leader_of(std::uint32_t instance);

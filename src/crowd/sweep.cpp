@@ -1,9 +1,10 @@
 #include "crowd/sweep.hpp"
 
+#include "base/bytes_held.hpp"
 #include "base/float8.hpp"
+#include "query/lanes.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace pelt::detail {
@@ -69,18 +70,16 @@ void Sweep::find_partners(std::size_t index, int axis, std::vector<CrowdPair>& p
         (low(axis) <= Float8(box.high[axis])) & (low(next) <= Float8(box.high[next])) &
         (Float8(box.low[next]) <= high(next)) & (low(last) <= Float8(box.high[last])) &
         (Float8(box.low[last]) <= high(last));
-    for (unsigned bits = overlaps.bits(); bits != 0; bits &= bits - 1) {
-      const std::uint32_t other = boxes_[first + std::countr_zero(bits)].instance;
+    for (SetBits lane(overlaps.bits()); lane; ++lane) {
+      const std::uint32_t other = boxes_[first + *lane].instance;
       pairs.push_back({std::min(box.instance, other), std::max(box.instance, other)});
     }
     if (first + kLanes >= boxes_.size()) break;
   }
 }
 
-std::size_t Sweep::memory() const {
-  std::size_t bytes = boxes_.capacity() * sizeof(Box);
-  for (int k = 0; k < 3; ++k) bytes += (low_[k].capacity() + high_[k].capacity()) * sizeof(float);
-  return bytes;
+std::size_t Sweep::memory_bytes() const {
+  return bytes_held(boxes_, low_[0], low_[1], low_[2], high_[0], high_[1], high_[2]);
 }
 
 }  // namespace pelt::detail

@@ -23,7 +23,7 @@ class Sweep {
   /// in space stand near each other.
   void find_pairs(std::vector<CrowdPair>& pairs);
 
-  std::size_t memory() const;
+  std::size_t memory_bytes() const;
 
  private:
   struct Box {

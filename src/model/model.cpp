@@ -1,5 +1,6 @@
 #include "model/model.hpp"
 
+#include "base/bytes_held.hpp"
 #include "base/problem.hpp"
 #include "model/tree_build.hpp"
 #include "skin/sample_poses.hpp"
@@ -55,16 +56,14 @@ std::uint32_t SkinnedModel::joint_count() const { return model_->tree.joint_coun
 const BuildReport& SkinnedModel::report() const { return model_->report; }
 
 std::size_t SkinnedModel::memory_bytes() const {
-  const auto bytes = [](const auto&... arrays) {
-    return ((arrays.capacity() * sizeof(arrays[0])) + ...);
-  };
   const detail::Tree& tree = model_->tree;
   const detail::NodeBounds& bounds = model_->bounds;
+  using detail::bytes_held;
   return sizeof(detail::Model) +
-         bytes(tree.rest_positions, tree.influence_begin, tree.joints, tree.weights, tree.corners,
-               tree.triangle_ids, tree.cluster_vertices, tree.clusters, tree.nodes,
-               tree.vertex_places) +
-         bytes(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits);
+         bytes_held(tree.rest_positions, tree.influence_begin, tree.joints, tree.weights,
+                    tree.corners, tree.triangle_ids, tree.cluster_vertices, tree.clusters,
+                    tree.nodes, tree.vertex_places) +
+         bytes_held(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits);
 }
 
 Result<SkinnedModel> build_model(const SkinnedMeshView& view, const ModelOptions& options) {

@@ -149,14 +149,15 @@ TEST(CrowdCost, MemoryGrowsWithWhatIsOpenedNotWithTheModel) {
   }
   std::vector<CrowdContact> contacts;
   ASSERT_EQ(crowd.collide(contacts).candidate_pairs, 0u);
-  EXPECT_LT(crowd.memory(), 1000u * 1000) << "a kilobyte an instance, of which 320 are its palette";
+  EXPECT_LT(crowd.memory_bytes(), 1000u * 1000)
+      << "a kilobyte an instance, of which 320 are its palette";
 
-  const std::size_t before = crowd.memory();
+  const std::size_t before = crowd.memory_bytes();
   for (std::uint32_t i = 0; i < 1000; i += 100)
     ASSERT_TRUE(crowd.set_palette(i, bend_limb(random, 5, 0.2, {500, 0, 0})));
   ASSERT_GT(crowd.collide(contacts, {.threads = 1}).touching_pairs, 10u);
-  EXPECT_GT(crowd.memory(), before);
-  EXPECT_LT(crowd.memory(), before + 20u * 36000 * 50);
+  EXPECT_GT(crowd.memory_bytes(), before);
+  EXPECT_LT(crowd.memory_bytes(), before + 20u * 36000 * 50);
 }
 
 }  // namespace

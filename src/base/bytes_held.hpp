@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstddef>
+
+namespace pelt::detail {
+
+/// The memory that arrays hold, used or not.
+template <typename... Arrays>
+std::size_t bytes_held(const Arrays&... arrays) {
+  return ((arrays.capacity() * sizeof(typename Arrays::value_type)) + ...);
+}
+
+}  // namespace pelt::detail
