@@ -26,7 +26,7 @@
 /// sums are below 13 V, 19 V and 25 V, which makes 4 * 49 e V + 57 e V = 253 e V at most; 256 e V =
 /// 2^-16 V covers that and the rounding of V itself.
 ///   Underflow: sums have none. A product is wrong by at most 2^-150 more, and that is at most
-/// multiplied by one difference, which is at most 2^61. Of the nine products of a determinant six
+/// multiplied by one difference, which is below 2^61.1. Of the nine products of a determinant six
 /// are so multiplied: less than 7 * 2^-89, and four determinants less than 2^-84.
 ///   Overflow: cross products are below 2^124. Where 64 V is finite no other value exceeds 25 V;
 /// where it is not, the bound is infinite or NaN, no comparison with it holds, and the lane remains

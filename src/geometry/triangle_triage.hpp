@@ -18,7 +18,8 @@ struct Triage {
 /// Decides nearly all pairs in general position as `triangles_intersect` would, for a tenth of its
 /// cost. Undecided remain pairs that touch or all but touch, coplanar ones, most that have
 /// collapsed, and many of which one triangle is a hundred times larger than the other.
-/// Precondition: all coordinates are at most 2^60 in magnitude.
+/// Precondition: no coordinate is larger than 2^60, but for the rounding of a posed vertex: less
+/// than a 64th.
 Triage triage(const TrianglePairs8& pairs);
 
 }  // namespace PELT_TARGET

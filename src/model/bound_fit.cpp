@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kUnit = 0x1p-24;  // u of the rounding analysis
 
-/// A steeper line, or one whose values sum to more, is not used: the proof of node_bounds.hpp has
-/// no overflow within these.
+/// A steeper line, or one whose values sum to more, is not used: the vertices of the node then
+/// coincide or nearly do, and say nothing about a slope.
 constexpr double kMaxSlope = 0x1p40, kMaxMeans = 32;
 
 Vec3d to_vec3d(const float* v) { return Vec3d(Vec3{v[0], v[1], v[2]}); }
@@ -70,8 +70,7 @@ class WeightFit {
  private:
   double value_at_centre(std::size_t i) const { return mean_[i] - dot(gradient_[i], centroid_); }
 
-  /// Whether no palette makes the bound overflow. Nodes of one point or hardly more have slopes
-  /// that are not even numbers.
+  /// Slopes of coinciding vertices are not even numbers.
   bool is_tame() const {
     double values = 0, steepest = 0;
     for (std::size_t i = 0; i < mean_.size(); ++i) {

@@ -7,10 +7,11 @@
 namespace pelt::detail {
 namespace {
 
-/// Times the palette's extent, at most 2^60, this is finite.
+/// Far more than any fit needs, and finite when it is multiplied by the extent of a palette.
 constexpr float kMaxMargin = 0x1p28f;
 
-double mesh_size(float rest_extent) { return std::max(double{rest_extent}, 0x1p-60); }
+/// As palettes count it.
+double mesh_size(float rest_extent) { return double{std::max(rest_extent, kLeastRestExtent)}; }
 
 double sum_of_magnitudes(const float* v) {
   return std::fabs(double{v[0]}) + std::fabs(double{v[1]}) + std::fabs(double{v[2]});
@@ -149,7 +150,7 @@ bool stays_finite(std::span<const JointFit> fits, float margin, float rest_exten
     q += std::fabs(double{fit.mean()}) + mesh * sum_of_magnitudes(fit.line) +
          std::fabs(double{fit.rest()}) +
          (sum_of_magnitudes(fit.shift) + sum_of_magnitudes(fit.spread)) / mesh;
-  return (1 + q) * (1 + q) <= 0x1p56 * std::min(1.0, mesh) && margin <= kMaxMargin;
+  return 1 + q <= std::min(0x1p54, 0x1p60 * mesh) && margin <= kMaxMargin;
 }
 
 }  // namespace pelt::detail

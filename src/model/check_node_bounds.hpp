@@ -14,16 +14,20 @@ namespace pelt::detail {
 /// nothing wrong with `tree`. O(size of the arrays).
 Problem check_node_bounds(const NodeBounds& bounds, const Tree& tree);
 
-/// Whether an affine bound is finite on every palette, whose joints throw no point of the mesh
-/// beyond 2^60. Write R for the rest extent, no less than 2^-60 (palette.hpp), and q for the sum
-/// over the joints of
+/// Whether an affine bound is finite on every palette, if its shape lies within 4 R of the origin
+/// on each axis. Here R is the mesh's rest extent, no less than kLeastRestExtent, E = kMaxExtent,
+/// and q the sum over the joints of
 ///     |m_j| + R |g_j| + R_j + (|s_j| + S_j) / R,
-/// with sums of absolute values for norms. Elements of a joint matrix are at most 2^60 / R, and the
-/// shape lies within 4 R of the origin. Then |t_j| < 2^64 (1 + q), elements of A are less than
-/// 2^65 (1 + q)^2 / R, and every sum of the bound less than 2^70 (1 + q)^2 but for A itself. So
-///     (1 + q)^2 <= 2^56 min(1, R)
-/// leaves them all below the largest float, which is almost 2^128. Fits of real meshes have a q of
-/// some thousand at most.
+/// with sums of absolute values for norms. A joint's linear part L and translation t have
+/// |L_ab| R + |t_a| <= E, so it throws the shape's points, whose coordinates sum to 12 R at most,
+/// no further than 12 E. Hence, in the notation of node_bounds.hpp,
+///     |t_j| <= 24 E,   |A_ab| <= (E / R) (1 + 26 q),   |B c~| <= 12 E (1 + 2 q),
+///     sum |D_j| (|s_j| + S_j) <= 2 E q,   sum R_j |t_j| <= 24 E q,
+/// and A times each vector of the shape, four of which count together, is at most 12 E (1 + 26 q).
+/// Sums of all that are less than 2^11 E (1 + q), and elements of A less than 2^5 E (1 + q) / R. So
+///     1 + q <= min(2^54, 2^60 R)
+/// leaves both below 2^127, half of the largest float. Fits of real meshes have a q of some
+/// thousand at most.
 bool stays_finite(std::span<const JointFit> fits, float margin, float rest_extent);
 
 }  // namespace pelt::detail

@@ -3,6 +3,7 @@
 #include "model/clusters.hpp"
 #include "model/unpack.hpp"
 #include "model/weld.hpp"
+#include "skin/palette.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +100,7 @@ Problem StructureCheck::check_vertices() {
     if (Problem found = check_influences(p); !found.empty()) return found;
   }
   const double extent = double{largest.x} + double{largest.y} + double{largest.z};
-  if (!(double{tree_.rest_extent} >= extent && tree_.rest_extent <= 4 * kMaxCoordinate))
+  if (!(double{tree_.rest_extent} >= extent && tree_.rest_extent < kMaxExtent))
     return problem("rest_extent is %g, but rest_positions reach %g",
                    static_cast<double>(tree_.rest_extent), extent);
   return {};

@@ -45,10 +45,11 @@
 ///     (K + 5) u + e + (2 n + 20) u (L (1 + 2 W) + 2 sum (|g_j|.y + R_j + max |w_j - m_j|)),
 /// and the rounding of the fit itself, in double, is far below.
 ///
-/// Nothing overflows, as elements are at most 2^120, M is at most 2^61, and fits have W <= 32 and
-/// slopes within 2^40. M is at least 2^-100 times the rest extent, so that products of matrices
-/// which underflow (by 2^-150 each) are nothing beside u M; those of translations or in the last
-/// steps are nothing beside 2^-120, which every margin has on top.
+/// Nothing overflows: M is at most kMaxExtent, joint boxes reach a few M, and an affine bound that
+/// could reach too far is not used (stays_finite in check_node_bounds.hpp). M is at least 2^-100
+/// times the rest extent, so that products of matrices which underflow (by 2^-150 each) are nothing
+/// beside u M; those of translations or in the last steps are nothing beside 2^-120, which every
+/// margin has on top.
 
 #include "model/tree.hpp"
 #include "skin/palette.hpp"

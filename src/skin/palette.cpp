@@ -1,5 +1,6 @@
 #include "skin/palette.hpp"
 
+#include "base/assert.hpp"
 #include "base/problem.hpp"
 #include "base/wide_code.hpp"
 #include "skin/palette_scan.hpp"
@@ -12,6 +13,8 @@
 
 namespace pelt::detail {
 namespace {
+
+static_assert(kMaxExtent == 4 * kMaxCoordinate);
 
 /// Linear parts count as no smaller, so that what underflows in products with them is far below the
 /// rounding of M.
@@ -44,11 +47,10 @@ Problem describe(const float* m, std::size_t joint) {
 
 }  // namespace
 
-/// A mesh counts as no smaller than 2^-60: what throws it no further than kMaxCoordinate then has
-/// no element beyond 2^120, and no blend of such matrices overflows.
 Palette::Palette(std::uint32_t joint_count, float rest_extent)
-    : joints_(joint_count), rest_extent_(std::max(rest_extent, 0x1p-60f)) {
+    : joints_(joint_count), rest_extent_(std::max(rest_extent, kLeastRestExtent)) {
   extent_ = extent_of({.linear = 1}, rest_extent_);
+  PELT_ASSERT(extent_ <= kMaxExtent);
 }
 
 Result<void> Palette::set(std::span<const float> floats) {

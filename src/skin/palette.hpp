@@ -9,6 +9,16 @@
 
 namespace pelt::detail {
 
+/// The largest extent of any palette, four times kMaxCoordinate. When a palette is set no joint
+/// alone throws a rest position beyond kMaxCoordinate; but one may stretch while another moves
+/// away, which together makes twice that. A new palette has the rest extent, of three coordinates.
+/// The rest is for rounding.
+inline constexpr float kMaxExtent = 0x1p62f;
+
+/// A mesh counts as no smaller: what throws it no further than kMaxCoordinate then has no element
+/// beyond 2^120, and no blend of such matrices overflows.
+inline constexpr float kLeastRestExtent = 0x1p-60f;
+
 /// The floats of matrices that stand side by side.
 inline std::span<const float> floats_of(std::span<const Matrix4> matrices) {
   return {reinterpret_cast<const float*>(matrices.data()), 16 * matrices.size()};
@@ -18,7 +28,7 @@ inline std::span<const float> floats_of(std::span<const Matrix4> matrices) {
 /// kMaxCoordinate, so that no query meets NaN or infinity.
 class Palette {
  public:
-  /// Identity matrices, for a mesh of that `rest_extent`.
+  /// Identity matrices, for a mesh of that `rest_extent`, which is less than kMaxExtent.
   Palette(std::uint32_t joint_count, float rest_extent);
 
   /// Takes `floats`, 16 for each joint, or says what is wrong with them and changes nothing.
@@ -30,8 +40,8 @@ class Palette {
 
   /// M of the rounding analyses: for every joint and every point v of the mesh's rest box,
   /// sum_b |A_ab| |v_b| + |t_a| <= M. No coordinate of a posed vertex is larger, and float32
-  /// rounding of posed vertices and bounds is a small multiple of 2^-24 M. Never so small that what
-  /// underflows counts beside that.
+  /// rounding of posed vertices and bounds is a small multiple of 2^-24 M. At most kMaxExtent, and
+  /// never so small that what underflows counts beside that rounding.
   float extent() const { return extent_; }
 
   /// No vertex is posed further from the origin.

@@ -3,6 +3,7 @@
 #include "compiled_node_box.hpp"
 #include "meshes.hpp"
 #include "model/bound_fit.hpp"
+#include "model/check_node_bounds.hpp"
 #include "model/model.hpp"
 #include "model/tree_build.hpp"
 #include "model/unpack.hpp"
@@ -13,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace pelt {
@@ -153,11 +155,21 @@ void add_margin_needed(const Bounded& bounded, std::uint32_t node, const Palette
   tally.units_needed = std::max(tally.units_needed, need / (0x1p-24 * extent));
 }
 
+bool is_finite(const PlainBox& box) {
+  return std::all_of(box.low, box.low + 3, [](float c) { return std::isfinite(c); }) &&
+         std::all_of(box.high, box.high + 3, [](float c) { return std::isfinite(c); });
+}
+
+/// Whether a build could take this bound.
+bool is_usable(const Bounded& bounded, const detail::NodeBound& bound) {
+  return !bound.is_affine() ||
+         detail::stays_finite(
+             {bounded.bounds.fits.data() + bound.first_record, bound.record_count()}, bound.margin,
+             bounded.tree.rest_extent);
+}
+
 /// Both kinds of bound around every set of vertices, on every target. Stops at the first failure.
-void expect_enclosed(const Bounded& bounded, const std::vector<Matrix4>& matrices, Tally& tally) {
-  Palette palette(bounded.tree.joint_count, bounded.tree.rest_extent);
-  const auto taken = palette.set(matrices);
-  ASSERT_TRUE(taken) << taken.error().message;
+void expect_enclosed(const Bounded& bounded, const Palette& palette, Tally& tally) {
   const std::vector<Vec3> posed = pose(bounded.vertices, palette);
   for (std::uint32_t node = 0; node < bounded.bounds.nodes.size(); ++node) {
     const auto& set = bounded.sets[node / 2];
@@ -166,6 +178,7 @@ void expect_enclosed(const Bounded& bounded, const std::vector<Matrix4>& matrice
     ASSERT_TRUE(encloses(box, exact))
         << name_of(bounded.bounds.nodes[node].kind) << " around " << set.size()
         << " vertices leave out one by " << excess(box, exact);
+    ASSERT_TRUE(is_finite(box) || !is_usable(bounded, bounded.bounds.nodes[node]));
     for (const test::CompiledNodeBox& compiled : test::kCompiledNodeBoxes) {
       if (!test::runs_here(compiled.target)) continue;
       ASSERT_EQ(compiled.node_box(bounded.bounds, node, palette), box)
@@ -174,6 +187,13 @@ void expect_enclosed(const Bounded& bounded, const std::vector<Matrix4>& matrice
     add_margin_needed(bounded, node, palette, exact, tally);
     ++tally.boxes;
   }
+}
+
+void expect_enclosed(const Bounded& bounded, const std::vector<Matrix4>& matrices, Tally& tally) {
+  Palette palette(bounded.tree.joint_count, bounded.tree.rest_extent);
+  const auto taken = palette.set(matrices);
+  ASSERT_TRUE(taken) << taken.error().message;
+  expect_enclosed(bounded, palette, tally);
 }
 
 Matrix4 scaled(Matrix4 joint, float x, float y, float z) {
@@ -276,6 +296,73 @@ TEST(NodeBounds, HoldNearTheLimitsOfFloats) {
     }
   report(tally);
   EXPECT_GT(tally.boxes, 150000u);
+}
+
+/// The largest float that `is_taken`, of which smaller ones are.
+template <typename IsTaken>
+float largest(const IsTaken& is_taken) {
+  std::uint32_t taken = 0, refused = std::bit_cast<std::uint32_t>(HUGE_VALF);
+  while (refused - taken > 1) {
+    const std::uint32_t middle = taken + (refused - taken) / 2;
+    (is_taken(std::bit_cast<float>(middle)) ? taken : refused) = middle;
+  }
+  return std::bit_cast<float>(taken);
+}
+
+/// Joints turned about and mirrored: those at even places stretch, the others go away.
+std::vector<Matrix4> stretching_and_going(Random& random, std::uint32_t joint_count, float linear,
+                                          float translation) {
+  std::vector<Matrix4> joints(joint_count);
+  for (std::uint32_t j = 0; j < joint_count; ++j) {
+    const auto signed_value = [&](float value) { return random.chance(0.5) ? value : -value; };
+    for (const int e : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+      joints[j].m[e] = j % 2 == 0 ? signed_value(linear) : 0;
+    for (const int e : {12, 13, 14}) joints[j].m[e] = j % 2 == 0 ? 0 : signed_value(translation);
+  }
+  return joints;
+}
+
+TEST(NodeBounds, HoldOnTheLargestPalettesThatAreTaken) {
+  Random random(35);
+  Tally tally;
+  for (const float size : {0x1p-80f, 0x1p-60f, 1.0f, 0x1p56f})
+    for (const Weights weights : {Weights::random, Weights::adversarial}) {
+      SCOPED_TRACE(size);
+      Shape soup = test::make_soup(random, 40, 6, 4, weights);
+      for (Vec3& p : soup.rest_positions) p = {size * p.x, size * p.y, size * p.z};
+      const Bounded bounded(soup);
+      Palette palette(6, bounded.tree.rest_extent);
+      const auto take = [&](float linear, float translation) {
+        return bool{palette.set(stretching_and_going(random, 6, linear, translation))};
+      };
+      const float linear = largest([&](float value) { return take(value, 0); });
+      const float translation = largest([&](float value) { return take(0, value); });
+      EXPECT_FALSE(take(std::nextafter(linear, HUGE_VALF), translation));
+      EXPECT_FALSE(take(linear, std::nextafter(translation, HUGE_VALF)));
+      ASSERT_TRUE(take(linear, translation));
+      EXPECT_GT(palette.extent(), 0x1.FFFFp60f) << "each alone may have 2^60";
+      EXPECT_LT(palette.extent(), detail::kMaxExtent);
+      expect_enclosed(bounded, palette, tally);
+      if (HasFatalFailure()) return;
+    }
+  report(tally);
+  EXPECT_GT(tally.boxes, 1000u);
+}
+
+/// A new palette has a larger extent than one that can be set.
+TEST(NodeBounds, HoldInTheRestPoseOfTheLargestMesh) {
+  Random random(36);
+  Tally tally;
+  Shape soup = test::make_soup(random, 40, 6, 4, Weights::adversarial);
+  for (Vec3& p : soup.rest_positions)
+    p = {std::copysign(0x1p60f, p.x), 0x1p60f * p.y / 8, std::copysign(0x1p60f, p.z)};
+  soup.rest_positions[0].y = -0x1p60f;
+  const Bounded bounded(soup);
+  const Palette palette(6, bounded.tree.rest_extent);
+  EXPECT_GT(palette.extent(), 3 * 0x1p60f);
+  EXPECT_LT(palette.extent(), detail::kMaxExtent);
+  expect_enclosed(bounded, palette, tally);
+  report(tally);
 }
 
 TEST(NodeBounds, HoldWhereJointsAndTrianglesAreOfAllSizesAtOnce) {
