@@ -1,5 +1,6 @@
 #include <pelt/check.hpp>
 
+#include "base/problem.hpp"
 #include "base/wide_code.hpp"
 #include "model/unpack.hpp"
 #include "pose/pose.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -17,9 +17,8 @@ namespace {
 using detail::Cluster;
 using detail::Node;
 using detail::OpenedNode;
+using detail::Problem;
 using detail::Tree;
-
-using Problem = std::string;  // empty: none
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -62,10 +61,8 @@ std::vector<Box> boxes_below(const Tree& tree, const std::vector<Vec3>& posed) {
 
 Problem left_out(std::uint32_t node, const char* bound, std::uint32_t number, std::size_t axis,
                  float distance) {
-  char text[160];
-  std::snprintf(text, sizeof text, "node %u: the box of %s %u leaves out a vertex by %g along %c",
-                node, bound, number, static_cast<double>(distance), "xyz"[axis]);
-  return text;
+  return detail::problem("node %u: the box of %s %u leaves out a vertex by %g along %c", node,
+                         bound, number, static_cast<double>(distance), "xyz"[axis]);
 }
 
 /// The bounds of one instance against its posed vertices.
