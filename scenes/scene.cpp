@@ -72,12 +72,17 @@ Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOpt
   const Result<std::vector<std::byte>> bytes = asset::read_file(path);
   if (!bytes) return bytes.error();
   const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-  const Result<SceneFile> file = parse_scene(text);
-  if (!file) return asset::prefixed(path.string(), file.error());
-  Result<Scene> scene = make_scene(*file, path.parent_path(), options);
+  Result<Scene> scene = parse_scene(text, path.parent_path(), options);
   if (!scene) return asset::prefixed(path.string(), scene.error());
   scene->name = path.filename().string();
   return scene;
+}
+
+Result<Scene> parse_scene(std::string_view text, const std::filesystem::path& folder,
+                          const asset::GltfOptions& options) {
+  const Result<SceneFile> file = parse_scene_file(text);
+  if (!file) return file.error();
+  return make_scene(*file, folder, options);
 }
 
 Result<void> check_clip(const Scene& scene, std::uint32_t instance) {

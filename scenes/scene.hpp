@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pelt::scenes {
@@ -50,6 +51,10 @@ inline constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
 /// Reads the JSON scene format (docs/scenes.md); paths in it are relative to its folder. Unknown
 /// keys, wrong types, missing clips and bad characters are refused with the path inside the file.
 Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOptions& options = {});
+
+/// The same from the text of such a file, whose paths are relative to `folder`.
+Result<Scene> parse_scene(std::string_view text, const std::filesystem::path& folder,
+                          const asset::GltfOptions& options = {});
 
 /// Reads one character from a glTF file; the message of an error begins with the path.
 Result<Character> load_character(const std::filesystem::path& path,

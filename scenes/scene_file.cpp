@@ -105,7 +105,7 @@ std::vector<Instance> read_instances(const StrictObject& file,
 
 }  // namespace
 
-Result<SceneFile> parse_scene(std::string_view text) {
+Result<SceneFile> parse_scene_file(std::string_view text) {
   const Result<json> parsed = asset::parse_json(text);
   if (!parsed) return parsed.error();
   Problem problem;

@@ -24,6 +24,6 @@ struct SceneFile {
 };
 
 /// The message of an error begins with the path inside the file.
-Result<SceneFile> parse_scene(std::string_view text);
+Result<SceneFile> parse_scene_file(std::string_view text);
 
 }  // namespace pelt::scenes

@@ -12,7 +12,7 @@ namespace pelt::scenes {
 namespace {
 
 TEST(SceneFile, ReadsEveryKey) {
-  const Result<SceneFile> file = parse_scene(R"({
+  const Result<SceneFile> file = parse_scene_file(R"({
     "$schema": "scene.schema.json",
     "models": {"b": {"creature": {"triangles": 8270, "joints": 27, "seed": 5}}, "a": "x/a.glb"},
     "frames": {"count": 7, "fps": 12.5},
@@ -54,7 +54,7 @@ struct Refusal {
 class RefusedScene : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(RefusedScene, NamesThePlace) {
-  const Result<SceneFile> file = parse_scene(GetParam().text);
+  const Result<SceneFile> file = parse_scene_file(GetParam().text);
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().message.substr(0, std::string(GetParam().message).size()),
             GetParam().message);
@@ -153,7 +153,7 @@ TEST(SceneSchema, HasTheDefaultsOfTheReader) {
   std::ifstream stream(PELT_DOCS_DIR "/scene.schema.json");
   const auto schema = nlohmann::json::parse(stream);
   const Result<SceneFile> file =
-      parse_scene(R"({"models": {"a": {"creature": {}}}, "instances": [{"model": "a"}]})");
+      parse_scene_file(R"({"models": {"a": {"creature": {}}}, "instances": [{"model": "a"}]})");
   ASSERT_TRUE(file) << file.error().message;
   const auto& frames = schema["$defs"]["frames"]["properties"];
   EXPECT_EQ(frames["count"]["default"], file->frame_count);

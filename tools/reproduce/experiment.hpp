@@ -26,8 +26,11 @@ struct Experiment {
 /// In the order of the report.
 std::span<const Experiment> experiments();
 
-Result<Section> characters(const Conditions& conditions);    // characters.cpp
-Result<Section> sphere_trees(const Conditions& conditions);  // sphere_trees.cpp
-Result<Section> tightness(const Conditions& conditions);     // tightness.cpp
+Result<Section> characters(const Conditions& conditions);      // characters.cpp
+Result<Section> sphere_trees(const Conditions& conditions);    // sphere_trees.cpp
+Result<Section> tightness(const Conditions& conditions);       // tightness.cpp
+Result<Section> two_men(const Conditions& conditions);         // walking.cpp
+Result<Section> worst_case(const Conditions& conditions);      // walking.cpp
+Result<Section> crowd_of_fifty(const Conditions& conditions);  // walking.cpp
 
 }  // namespace pelt::reproduce

@@ -9,6 +9,9 @@ constexpr std::array kExperiments = {
     Experiment{"characters", "The characters (Table 1)", characters},
     Experiment{"sphere_trees", "The trees (section 5, section 3.1's constant)", sphere_trees},
     Experiment{"tightness", "How tight refitted bounds are (Table 2, Figure 4)", tightness},
+    Experiment{"two_men", "Two men walk towards each other (Figure 5)", two_men},
+    Experiment{"worst_case", "Two creatures walk through each other (Figure 6)", worst_case},
+    Experiment{"crowd", "A crowd of fifty creatures (Figure 1)", crowd_of_fifty},
 };
 
 }  // namespace

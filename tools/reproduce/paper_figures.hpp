@@ -38,4 +38,16 @@ inline constexpr std::array kPaperBottomUp = {45.68, 24.63, 9.21, 4.58, 2.27,
                                               1.17,  0.74,  0.49, 0.35};
 inline constexpr std::array kPaperBest = {33.33, 19.39, 7.31, 3.70, 1.70, 0.92, 0.61, 0.42, 0.30};
 
+/// Milliseconds of the two men (Figure 5) and of the worst case (Figure 6).
+inline constexpr double kPaperTwoMenOnDemand = 0.36, kPaperTwoMenBottomUp = 18.13;
+inline constexpr double kPaperWorstOnDemand = 6.97, kPaperWorstBottomUp = 37.1;
+inline constexpr double kPaperWorstFirstOnDemand = 0.82, kPaperWorstFirstBottomUp = 30.18;
+
+/// Of the crowd it prints the ratio only.
+inline constexpr double kPaperCrowdSpeedUp = 15;
+
+/// Milliseconds in which all spheres of the two men are refitted.
+inline constexpr double kPaperSpheresOfTheMen = 15339;
+inline constexpr double kPaperAllOnDemand = 20.21, kPaperAllBottomUp = 17.28;
+
 }  // namespace pelt::reproduce

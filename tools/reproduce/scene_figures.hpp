@@ -1,0 +1,40 @@
+#pragma once
+
+/// Methods on a scene, measured as `pelt bench` measures them, and what becomes of it in the
+/// report.
+
+#include "bench/method.hpp"
+#include "scenes/scene.hpp"
+#include "tools/pelt/bench_report.hpp"
+#include "tools/reproduce/experiment.hpp"
+
+#include <optional>
+
+namespace pelt::reproduce {
+
+/// All contacts and the first one, with hot caches, on at most `most_frames` frames, evenly over
+/// all (in a quick run a fourth of that). Fails where methods answer differently.
+Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
+                                          std::span<const bench::MethodKind> methods,
+                                          std::uint32_t most_frames, const Conditions& conditions);
+
+/// Microseconds a frame of one method. Precondition: it was measured.
+double mean_us(const tools::SceneFigures& figures, bench::MethodKind method,
+               tools::Question question);
+
+/// Times and work of every method, a row each.
+Table method_table(const std::string& id, const std::string& title,
+                   const tools::SceneFigures& figures);
+
+/// One comparison, and what the paper prints for it.
+struct Comparison {
+  bench::MethodKind slower, faster;
+  tools::Question question;
+  std::optional<double> printed;
+};
+
+/// How many times faster the second method of each comparison is than the first.
+Table comparison_table(const std::string& id, const std::string& title,
+                       const tools::SceneFigures& figures, std::span<const Comparison> comparisons);
+
+}  // namespace pelt::reproduce
