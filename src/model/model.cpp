@@ -56,14 +56,9 @@ std::uint32_t SkinnedModel::joint_count() const { return model_->tree.joint_coun
 const BuildReport& SkinnedModel::report() const { return model_->report; }
 
 std::size_t SkinnedModel::memory_bytes() const {
-  const detail::Tree& tree = model_->tree;
-  const detail::NodeBounds& bounds = model_->bounds;
-  using detail::bytes_held;
-  return sizeof(detail::Model) +
-         bytes_held(tree.rest_positions, tree.influence_begin, tree.joints, tree.weights,
-                    tree.corners, tree.triangle_ids, tree.cluster_vertices, tree.clusters,
-                    tree.nodes, tree.vertex_places) +
-         bytes_held(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits);
+  std::size_t bytes = sizeof(detail::Model);
+  each_array(*model_, [&](const auto& array) { bytes += detail::bytes_held(array); });
+  return bytes;
 }
 
 Result<SkinnedModel> build_model(const SkinnedMeshView& view, const ModelOptions& options) {

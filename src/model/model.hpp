@@ -14,4 +14,24 @@ struct Model {
   BuildReport report;
 };
 
+/// Calls `visit(array)` for each array of a model, in the order of a prepared file.
+template <typename AnyModel, typename Visit>
+void each_array(AnyModel& model, Visit&& visit) {
+  visit(model.tree.rest_positions);
+  visit(model.tree.influence_begin);
+  visit(model.tree.joints);
+  visit(model.tree.weights);
+  visit(model.tree.corners);
+  visit(model.tree.triangle_ids);
+  visit(model.tree.cluster_vertices);
+  visit(model.tree.clusters);
+  visit(model.tree.nodes);
+  visit(model.tree.vertex_places);
+  visit(model.bounds.nodes);
+  visit(model.bounds.joints);
+  visit(model.bounds.joint_boxes);
+  visit(model.bounds.shapes);
+  visit(model.bounds.fits);
+}
+
 }  // namespace pelt::detail

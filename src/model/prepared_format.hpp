@@ -42,26 +42,6 @@ struct PreparedHeader {
 
 static_assert(sizeof(PreparedHeader) == 112 && std::is_trivially_copyable_v<PreparedHeader>);
 
-/// Calls `visit(array)` for each array of a model, in the order of the file.
-template <typename AnyModel, typename Visit>
-void each_array(AnyModel& model, Visit&& visit) {
-  visit(model.tree.rest_positions);
-  visit(model.tree.influence_begin);
-  visit(model.tree.joints);
-  visit(model.tree.weights);
-  visit(model.tree.corners);
-  visit(model.tree.triangle_ids);
-  visit(model.tree.cluster_vertices);
-  visit(model.tree.clusters);
-  visit(model.tree.nodes);
-  visit(model.tree.vertex_places);
-  visit(model.bounds.nodes);
-  visit(model.bounds.joints);
-  visit(model.bounds.joint_boxes);
-  visit(model.bounds.shapes);
-  visit(model.bounds.fits);
-}
-
 // What stands in the arrays, without any byte that is not a value's.
 static_assert(sizeof(Cluster) == 12 && std::has_unique_object_representations_v<Cluster>);
 static_assert(sizeof(Node) == 16 && std::has_unique_object_representations_v<Node>);

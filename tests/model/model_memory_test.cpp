@@ -9,7 +9,7 @@
 namespace pelt {
 namespace {
 
-// The arrays that memory_bytes sums: who adds one adds it there too.
+// The arrays that each_array visits: who adds one adds it there too.
 static_assert(sizeof(detail::Tree) == 10 * sizeof(std::vector<int>) + 8);
 static_assert(sizeof(detail::NodeBounds) == 5 * sizeof(std::vector<int>));
 
