@@ -1,9 +1,11 @@
 #include "model/bound_fit.hpp"
 
 #include "geometry/symmetric3.hpp"
+#include "model/intervals.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pelt::detail {
 namespace {
