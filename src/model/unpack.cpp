@@ -21,6 +21,16 @@ std::vector<std::uint32_t> callers_numbers(const Tree& tree, const SkinnedMesh& 
   return numbers;
 }
 
+/// The triangles of one cluster, by the caller's numbers of vertices.
+void unpack_cluster(const Tree& tree, const Node& node, const Cluster& cluster,
+                    const std::vector<std::uint32_t>& numbers, std::vector<Triangle>& triangles) {
+  const std::uint32_t end = cluster.first_triangle + cluster.triangle_count;
+  for (std::uint32_t t = cluster.first_triangle; t < end; ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      triangles[tree.triangle_ids[t]][k] =
+          numbers[node.first_vertex + tree.corners[t][k] / kFloatsPerVertex];
+}
+
 }  // namespace
 
 SkinnedMesh unpack_vertices(const Tree& tree) {
@@ -46,15 +56,8 @@ SkinnedMesh unpack_mesh(const Tree& tree) {
   const std::vector<std::uint32_t> numbers = callers_numbers(tree, vertices);
   mesh.triangles.resize(tree.triangle_count());
   for (const Node& node : tree.nodes)
-    for (std::uint32_t c = 0; c < node.cluster_count; ++c) {
-      const Cluster& cluster = tree.clusters[node.first_cluster + c];
-      for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
-        const std::uint32_t t = cluster.first_triangle + i;
-        for (std::size_t k = 0; k < 3; ++k)
-          mesh.triangles[tree.triangle_ids[t]][k] =
-              numbers[node.first_vertex + tree.corners[t][k] / kFloatsPerVertex];
-      }
-    }
+    for (std::uint32_t c = 0; c < node.cluster_count; ++c)
+      unpack_cluster(tree, node, tree.clusters[node.first_cluster + c], numbers, mesh.triangles);
   return mesh;
 }
 
