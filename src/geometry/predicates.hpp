@@ -16,7 +16,7 @@ namespace pelt::detail {
 /// operation overflows or underflows in either: differences and products of floats are multiples of
 /// 2^-447 below 2^400 up to degree three, both well inside the range of double.
 
-/// The plane through three points, prepared to tell the side of many others.
+/// The plane through three points, prepared to tell the side of many others. Refers to the points.
 class OrientedPlane {
  public:
   OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c), origin_(a) {
