@@ -3,12 +3,14 @@
 #include "base/assert.hpp"
 #include "bench/brute_force.hpp"
 #include "bench/eager_method.hpp"
+#include "bench/posed_mesh_adapter.hpp"
 #include "bench/rigid_method.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
 #include "paper/eager.hpp"
 #include "paper/on_demand.hpp"
 #include "paper/rigid.hpp"
+#include "rivals/aabb.hpp"
 
 #include <algorithm>
 #include <array>
@@ -154,8 +156,9 @@ struct PaperRigidTraits : UnpreparedTraits<paper::RigidBody> {
   static constexpr bool kUpdateCounts = false;
 };
 
-constexpr std::array<std::string_view, 8> kNames = {
-    "on_demand", "eager", "rigid", "paper", "paper_eq2", "paper_eager", "paper_rigid", "brute"};
+constexpr std::array<std::string_view, 10> kNames = {
+    "on_demand",   "eager",       "rigid",      "paper",        "paper_eq2",
+    "paper_eager", "paper_rigid", "aabb_refit", "aabb_rebuild", "brute"};
 
 }  // namespace
 
@@ -185,6 +188,10 @@ std::unique_ptr<Method> make_method(MethodKind kind) {
       return std::make_unique<BodyMethod<PaperEagerTraits>>();
     case MethodKind::paper_rigid:
       return std::make_unique<BodyMethod<PaperRigidTraits>>();
+    case MethodKind::aabb_refit:
+      return adapt(rivals::make_aabb_refit());
+    case MethodKind::aabb_rebuild:
+      return adapt(rivals::make_aabb_rebuild());
     case MethodKind::brute:
       return std::make_unique<BodyMethod<UnpreparedTraits<BruteForceBody>>>();
   }

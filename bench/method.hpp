@@ -15,14 +15,16 @@
 namespace pelt::bench {
 
 enum class MethodKind {
-  on_demand,    ///< the public functions: wide tree, nodes opened on demand
-  eager,        ///< the same tree and query; all vertices skinned, all boxes exact, bottom-up
-  rigid,        ///< the same built afresh over the posed mesh: what a rigid body would cost
-  paper,        ///< Kavan & Zara 2005: sphere tree refitted on demand
-  paper_eq2,    ///< the same with the un-optimised bound of their eq. 2
-  paper_eager,  ///< the paper's rival: all vertices skinned, the same tree refitted bottom-up
-  paper_rigid,  ///< a sphere tree built afresh over the posed mesh
-  brute,        ///< every triangle of one against every triangle of the other
+  on_demand,     ///< the public functions: wide tree, nodes opened on demand
+  eager,         ///< the same tree and query; all vertices skinned, all boxes exact, bottom-up
+  rigid,         ///< the same built afresh over the posed mesh: what a rigid body would cost
+  paper,         ///< Kavan & Zara 2005: sphere tree refitted on demand
+  paper_eq2,     ///< the same with the un-optimised bound of their eq. 2
+  paper_eager,   ///< the paper's rival: all vertices skinned, the same tree refitted bottom-up
+  paper_rigid,   ///< a sphere tree built afresh over the posed mesh
+  aabb_refit,    ///< van den Bergen 1997: all vertices skinned, a tree of boxes refitted
+  aabb_rebuild,  ///< the same tree built afresh
+  brute,         ///< every triangle of one against every triangle of the other
 };
 
 /// Names as the command line has them, in the order of MethodKind.

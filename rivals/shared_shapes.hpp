@@ -1,0 +1,26 @@
+#pragma once
+
+#include <pelt/mesh.hpp>
+
+#include <map>
+#include <memory>
+#include <span>
+
+namespace pelt::rivals {
+
+/// What is prepared once for all bodies of a mesh. Bodies share it that name the same array of
+/// triangles.
+template <typename Shape>
+class SharedShapes {
+ public:
+  const Shape& of(std::span<const Triangle> triangles, std::span<const Vec3> rest) {
+    std::unique_ptr<Shape>& shape = shapes_[triangles.data()];
+    if (!shape) shape = std::make_unique<Shape>(triangles, rest);
+    return *shape;
+  }
+
+ private:
+  std::map<const Triangle*, std::unique_ptr<Shape>> shapes_;
+};
+
+}  // namespace pelt::rivals
