@@ -1,0 +1,15 @@
+#pragma once
+
+/// What each adapter's file provides: the method, and which version of its library it runs on.
+
+#include "rivals/posed_mesh_method.hpp"
+
+#include <memory>
+#include <string>
+
+namespace pelt::peers {
+
+std::unique_ptr<rivals::PosedMeshMethod> make_fcl();
+std::string fcl_version();
+
+}  // namespace pelt::peers
