@@ -12,4 +12,7 @@ namespace pelt::peers {
 std::unique_ptr<rivals::PosedMeshMethod> make_fcl();
 std::string fcl_version();
 
+std::unique_ptr<rivals::PosedMeshMethod> make_embree();
+std::string embree_version();
+
 }  // namespace pelt::peers

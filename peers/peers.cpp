@@ -19,6 +19,9 @@ const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
       {{"fcl", "FCL, AABB tree", fcl_version(), "refit", NarrowPhase::theirs, Answers::exact},
        make_fcl},
+      {{"embree", "Embree, rtcCollide", embree_version(), "refit", NarrowPhase::ours,
+        Answers::exact},
+       make_embree},
   };
   return all;
 }
