@@ -15,4 +15,9 @@ std::string fcl_version();
 std::unique_ptr<rivals::PosedMeshMethod> make_embree();
 std::string embree_version();
 
+/// With Pelt's predicate, and with Bullet's triangle test.
+std::unique_ptr<rivals::PosedMeshMethod> make_bullet();
+std::unique_ptr<rivals::PosedMeshMethod> make_bullet_own();
+std::string bullet_version();
+
 }  // namespace pelt::peers

@@ -22,6 +22,11 @@ const std::vector<Entry>& entries() {
       {{"embree", "Embree, rtcCollide", embree_version(), "refit", NarrowPhase::ours,
         Answers::exact},
        make_embree},
+      {{"bullet", "Bullet, GImpact", bullet_version(), "refit", NarrowPhase::ours, Answers::exact},
+       make_bullet},
+      {{"bullet_own", "Bullet, GImpact", bullet_version(), "refit", NarrowPhase::theirs,
+        Answers::more},
+       make_bullet_own},
   };
   return all;
 }
