@@ -20,4 +20,7 @@ std::unique_ptr<rivals::PosedMeshMethod> make_bullet();
 std::unique_ptr<rivals::PosedMeshMethod> make_bullet_own();
 std::string bullet_version();
 
+std::unique_ptr<rivals::PosedMeshMethod> make_ode();
+std::string ode_version();
+
 }  // namespace pelt::peers

@@ -27,6 +27,8 @@ const std::vector<Entry>& entries() {
       {{"bullet_own", "Bullet, GImpact", bullet_version(), "refit", NarrowPhase::theirs,
         Answers::more},
        make_bullet_own},
+      {{"ode", "ODE, trimesh", ode_version(), "refit", NarrowPhase::theirs, Answers::fewer},
+       make_ode},
   };
   return all;
 }
