@@ -23,4 +23,8 @@ std::string bullet_version();
 std::unique_ptr<rivals::PosedMeshMethod> make_ode();
 std::string ode_version();
 
+std::unique_ptr<rivals::PosedMeshMethod> make_cgal_tree();
+std::unique_ptr<rivals::PosedMeshMethod> make_cgal_boxes();
+std::string cgal_version();
+
 }  // namespace pelt::peers

@@ -29,6 +29,12 @@ const std::vector<Entry>& entries() {
        make_bullet_own},
       {{"ode", "ODE, trimesh", ode_version(), "refit", NarrowPhase::theirs, Answers::fewer},
        make_ode},
+      {{"cgal_tree", "CGAL, AABB_tree", cgal_version(), "rebuild", NarrowPhase::theirs,
+        Answers::exact},
+       make_cgal_tree},
+      {{"cgal_boxes", "CGAL, box_intersection_d", cgal_version(), "boxes", NarrowPhase::ours,
+        Answers::exact},
+       make_cgal_boxes},
   };
   return all;
 }
