@@ -24,16 +24,17 @@ struct Contact {
 
 struct CollideOptions {
   /// Stop after this many contacts. Which ones are found first is unspecified, and
-  /// `QueryStats::cut_short` says whether any may be missing.
+  /// `QueryStats::cut_short` says whether any may be missing. 0 is allowed: nothing is looked for,
+  /// and `cut_short` says whether the boxes around the two poses overlap.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// The work that a query did, in counts that do not depend on the machine.
 struct QueryStats {
-  std::uint64_t node_pairs = 0;      ///< pairs of bounding volumes tested for overlap
-  std::uint64_t refits = 0;          ///< bounding volumes computed from the joint palettes
-  std::uint64_t posed_vertices = 0;  ///< vertices skinned
-  std::uint64_t triangle_pairs = 0;  ///< exact triangle pair tests
+  std::uint64_t node_pairs = 0;      ///< pairs of tree nodes compared, those of the roots included
+  std::uint64_t refits = 0;          ///< boxes computed for the current joint palettes
+  std::uint64_t posed_vertices = 0;  ///< vertices skinned, once for each node that has them
+  std::uint64_t triangle_pairs = 0;  ///< pairs of triangles tested, because their boxes overlap
   bool cut_short = false;            ///< `max_contacts` ended the query before its end
 
   QueryStats& operator+=(const QueryStats& other);
@@ -51,7 +52,7 @@ class Scratch {
   /// Takes at once all the memory that queries with up to so many contacts could want, found or
   /// allowed by `max_contacts`, whatever the models; 1 is enough for `intersects`. With poses that
   /// have been reserved too, and room in the caller's vector, such queries allocate nothing, from
-  /// the first on. 130 KB and 16 bytes a contact.
+  /// the first on. 113 KB and 16 bytes a contact.
   void reserve(std::size_t contacts);
 
   /// For Pelt's own files.
@@ -68,8 +69,10 @@ class Scratch {
 /// collapsed to a segment or a point is treated as that segment or point.
 ///
 /// Precondition: `a` and `b` are different poses (of the same model or of two). Cost grows with the
-/// contact, not with the meshes: only the bounds and vertices near a contact are computed.
-/// Source: Kavan & Zara 2005, section 4.2.
+/// contact, not with the meshes: two trees of boxes are descended together, and only where boxes
+/// meet are vertices posed and boxes computed, each once until the next palette. Poses that are far
+/// apart cost O(J). That boxes wait until they are asked for is Kavan & Zara 2005, section 4.2;
+/// tree and boxes are Pelt's own.
 QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
                    const CollideOptions& options = {});
 

@@ -2,7 +2,8 @@
 
 /// One instance as queries see it, and the one thing that they do to it: open a node. That poses
 /// the node's vertices, takes the exact boxes of its clusters from them and the bounds of its child
-/// nodes from the joint palette (Kavan & Zara 2005, section 4.2, "refit on demand").
+/// nodes from the joint palette. That it waits until then is Kavan & Zara's refit on demand (2005,
+/// section 4.2).
 
 #include "model/node_bounds.hpp"
 #include "model/tree.hpp"

@@ -1,7 +1,7 @@
-/// The descent of two trees (Kavan & Zara 2005, section 4.2): node pairs whose boxes overlap are
-/// replaced by pairs of their slots until clusters meet clusters. A node is opened when a box that
-/// is known overlaps its bound. Opening may show that the exact boxes do not overlap after all, so
-/// one side of a pair is opened before the other is touched.
+/// The descent of two trees: node pairs whose boxes overlap are replaced by pairs of their slots
+/// until clusters meet clusters. A node is opened when a box that is known overlaps its bound
+/// (refit on demand, Kavan & Zara 2005, section 4.2). Opening may show that the exact boxes do not
+/// overlap after all, so one side of a pair is opened before the other is touched.
 
 #include "query/pair_traversal.hpp"
 

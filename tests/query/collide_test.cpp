@@ -162,6 +162,7 @@ TEST(Collide, SeparatedBodiesCostTwoRefits) {
   EXPECT_EQ(stats.refits, 2u);
   EXPECT_EQ(stats.posed_vertices, 0u);
   EXPECT_TRUE(contacts.empty());
+  EXPECT_FALSE(collide(limbs.a, limbs.b, limbs.scratch, contacts, {.max_contacts = 0}).cut_short);
 }
 
 TEST(Collide, DoesNotAllocateOnceWarm) {
