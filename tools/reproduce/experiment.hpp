@@ -31,6 +31,7 @@ Result<Section> sphere_trees(const Conditions& conditions);    // sphere_trees.c
 Result<Section> tightness(const Conditions& conditions);       // tightness.cpp
 Result<Section> two_men(const Conditions& conditions);         // walking.cpp
 Result<Section> worst_case(const Conditions& conditions);      // walking.cpp
+Result<Section> subdivision(const Conditions& conditions);     // subdivision.cpp
 Result<Section> crowd_of_fifty(const Conditions& conditions);  // walking.cpp
 
 }  // namespace pelt::reproduce

@@ -11,6 +11,7 @@ constexpr std::array kExperiments = {
     Experiment{"tightness", "How tight refitted bounds are (Table 2, Figure 4)", tightness},
     Experiment{"two_men", "Two men walk towards each other (Figure 5)", two_men},
     Experiment{"worst_case", "Two creatures walk through each other (Figure 6)", worst_case},
+    Experiment{"subdivision", "Dwarves, subdivided (Table 3, Figure 7)", subdivision},
     Experiment{"crowd", "A crowd of fifty creatures (Figure 1)", crowd_of_fifty},
 };
 

@@ -50,4 +50,12 @@ inline constexpr double kPaperCrowdSpeedUp = 15;
 inline constexpr double kPaperSpheresOfTheMen = 15339;
 inline constexpr double kPaperAllOnDemand = 20.21, kPaperAllBottomUp = 17.28;
 
+/// Table 3 and section 5, by subdivisions; times in milliseconds.
+inline constexpr std::array kPaperApartSpeedUps = {32.0, 126.0, 502.0, 1995.0};
+inline constexpr std::array kPaperDwarvesSpeedUps = {3.9, 8.34, 17.47, 32.34};
+inline constexpr std::array kPaperDwarvesContacts = {46.0, 90.0, 178.0, 350.0};
+inline constexpr std::array kPaperDwarvesSpherePairs = {4866.0, 9309.0, 17083.0, 37682.0};
+inline constexpr std::array kPaperDwarvesOnDemand = {1.33, 2.17, 3.8, 8.04};
+inline constexpr double kPaperRigidQuery = 0.7, kPaperRigidBuild = 1549;
+
 }  // namespace pelt::reproduce
