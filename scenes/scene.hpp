@@ -50,27 +50,32 @@ inline constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
 
 /// Reads the JSON scene format (docs/scenes.md); paths in it are relative to its folder. Unknown
 /// keys, wrong types, missing clips and bad characters are refused with the path inside the file.
+/// Costs what `load_character` or `generate_character` does for each of its models, however many
+/// instances have it, and O(instances times clips of their characters) beside; the assets stay in
+/// memory.
 Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOptions& options = {});
 
 /// The same from the text of such a file, whose paths are relative to `folder`.
 Result<Scene> parse_scene(std::string_view text, const std::filesystem::path& folder,
                           const asset::GltfOptions& options = {});
 
-/// Reads one character from a glTF file; the message of an error begins with the path.
+/// Reads one character from a glTF file; the message of an error begins with the path. Costs what
+/// `asset::load_gltf` does, and O(bytes of the file) for the hash.
 Result<Character> load_character(const std::filesystem::path& path,
                                  const asset::GltfOptions& options = {});
 
-/// A generated one.
+/// A generated one. Costs what `make_creature` does.
 Result<Character> generate_character(const CreatureOptions& options);
 
-/// Refuses an instance whose clip its character does not have, naming those that it has.
+/// Refuses an instance whose clip its character does not have, naming those that it has. O(clips).
 Result<void> check_clip(const Scene& scene, std::uint32_t instance);
 
-/// Seconds at which frame `frame` stands: frame / fps.
+/// Seconds at which frame `frame` stands: frame / fps. O(1).
 double frame_time(const Scene& scene, std::uint32_t frame);
 
 /// The joint palette of one instance at one frame:
 /// world = T(translation + velocity t) R(rotation) S(scale), then the clip's pose.
+/// Costs what `asset::sample_palette` does and O(clips), and allocates as that does.
 /// Precondition: `palette` has as many matrices as the instance's asset has joints.
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette);
