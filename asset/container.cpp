@@ -14,6 +14,27 @@ std::string_view as_text(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+Error cut_short(const std::string& how) {
+  return malformed("the .glb is cut short: " + how + ": copy or export it again");
+}
+
+/// Whether the text could be a JSON object, after white space and the mark of UTF-8.
+bool begins_like_object(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.substr(0, kMark.size()) == kMark) text.remove_prefix(kMark.size());
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != text.npos && text[begin] == '{';
+}
+
+/// A .gltf.
+Result<Container> read_text(std::string_view text) {
+  if (begins_like_object(text)) return Container{text, {}};
+  return malformed(
+      "the file begins neither as a .glb nor as the JSON object of a .gltf: export the character "
+      "as "
+      "glTF 2.0");
+}
+
 struct Chunk {
   std::uint32_t type = 0;
   std::span<const std::byte> bytes;
@@ -22,11 +43,11 @@ struct Chunk {
 /// Cuts the first chunk off `rest`.
 Result<Chunk> next_chunk(std::span<const std::byte>& rest) {
   constexpr std::size_t kHeader = 8;
-  if (rest.size() < kHeader) return malformed("the .glb ends inside the header of a chunk");
+  if (rest.size() < kHeader) return cut_short("it ends inside the header of a chunk");
   const auto length = load<std::uint32_t>(rest.data());
   if (length > rest.size() - kHeader) {
-    return malformed("the .glb is cut short: a chunk of " + std::to_string(length) +
-                     " bytes has only " + std::to_string(rest.size() - kHeader));
+    return cut_short("a chunk of " + std::to_string(length) + " bytes has only " +
+                     std::to_string(rest.size() - kHeader));
   }
   const Chunk chunk{load<std::uint32_t>(rest.data() + 4), rest.subspan(kHeader, length)};
   rest = rest.subspan(kHeader + length);
@@ -50,17 +71,20 @@ Result<Container> read_chunks(std::span<const std::byte> rest) {
 
 Result<Container> open_container(std::span<const std::byte> file) {
   constexpr std::size_t kHeader = 12;
-  if (file.size() < 4 || load<std::uint32_t>(file.data()) != kMagic) {
-    return Container{as_text(file), {}};
-  }
-  if (file.size() < kHeader) return malformed("the .glb ends inside its header");
+  if (file.size() < 4 || load<std::uint32_t>(file.data()) != kMagic)
+    return read_text(as_text(file));
+  if (file.size() < kHeader) return cut_short("it ends inside its header");
   const auto version = load<std::uint32_t>(file.data() + 4);
   const auto length = load<std::uint32_t>(file.data() + 8);
   if (version != 2) {
     return unsupported("Pelt reads .glb version 2, this is version " + std::to_string(version));
   }
-  if (length < kHeader || length > file.size()) {
-    return malformed("the .glb says that it has " + std::to_string(length) + " bytes, it has " +
+  if (length < kHeader) {
+    return malformed("the .glb says that it has " + std::to_string(length) +
+                     " bytes, less than its header: export it again");
+  }
+  if (length > file.size()) {
+    return cut_short("it says that it has " + std::to_string(length) + " bytes, it has " +
                      std::to_string(file.size()));
   }
   return read_chunks(file.subspan(kHeader, length - kHeader));

@@ -1,5 +1,7 @@
 #include "scenes/scene.hpp"
 
+#include <pelt/prepared.hpp>
+
 #include "asset/affine.hpp"
 #include "asset/file_bytes.hpp"
 #include "asset/message.hpp"
@@ -11,6 +13,10 @@
 
 namespace pelt::scenes {
 namespace {
+
+constexpr const char* kNoScene =
+    "is a model, not a scene: write a scene that names it, as docs/scenes.md tells";
+constexpr const char* kRelative = ": paths in a scene are relative to its folder";
 
 Result<Character> make_character(const SceneFile::Model& model, const std::filesystem::path& folder,
                                  const asset::GltfOptions& options) {
@@ -31,7 +37,11 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
   scene.fps = file.fps;
   for (const SceneFile::Model& model : file.models) {
     Result<Character> character = make_character(model, folder, options);
-    if (!character) return asset::prefixed("models." + model.name, character.error());
+    if (!character) {
+      Error error = asset::prefixed("models." + model.name, character.error());
+      if (error.code == ErrorCode::unreadable_file) error.message += kRelative;
+      return error;
+    }
     character->name = model.name;
     scene.characters.push_back(std::move(*character));
   }
@@ -72,6 +82,8 @@ Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOpt
   const Result<std::vector<std::byte>> bytes = asset::read_file(path);
   if (!bytes) return bytes.error();
   const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  if (text.starts_with("glTF") || is_prepared_model(*bytes))
+    return asset::prefixed(path.string(), asset::malformed(kNoScene));
   Result<Scene> scene = parse_scene(text, path.parent_path(), options);
   if (!scene) return asset::prefixed(path.string(), scene.error());
   scene->name = path.filename().string();

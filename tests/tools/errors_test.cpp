@@ -19,6 +19,7 @@ TEST_P(Refused, WithAMessage) {
   write_limbs(folder);
   write_strip(folder, "strip.glb");
   write_text(folder / "broken.glb", "no glTF");
+  write_text(folder / "cut.glb", read_text(folder / "strip.glb").substr(0, 500));
   write_text(folder / "broken.json", "{");
   write_text(folder / "no_model.json", R"({"models": {"a": "none.glb"}, "instances": []})");
   const Ended run = run_pelt(folder, GetParam().arguments);
@@ -33,19 +34,22 @@ TEST_P(Refused, WithAMessage) {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Refused,
-    ::testing::Values(Refusal{{"check", "none.json"}, {"none.json", "no such file"}},
-                      Refusal{{"check", "none.glb"}, {"none.glb", "no such file"}},
-                      Refusal{{"check", "broken.glb"}, {"broken.glb: "}},
-                      Refusal{{"check", "broken.json"}, {"broken.json: the JSON text"}},
-                      Refusal{{"check", "no_model.json"}, {"no_model.json: models.a: none.glb"}},
-                      Refusal{{"check", "."}, {".: "}},
-                      Refusal{{"check", "scene.json", "--jsonl", "no/folder/a"},
-                              {"no/folder/a: cannot be written"}},
-                      Refusal{{"info", "none.glb"}, {"none.glb"}},
-                      Refusal{{"pose", "scene.json", "--frame", "0", "-o", "no/folder/a"},
-                              {"no/folder/a"}},
-                      Refusal{{"demo", "-o", "scene.json/x"}, {"scene.json/x", "-o"}},
-                      Refusal{{"bench", "none.json"}, {"none.json"}}));
+    ::testing::Values(
+        Refusal{{"check", "none.json"}, {"none.json", "no such file"}},
+        Refusal{{"check", "none.glb"}, {"none.glb", "no such file"}},
+        Refusal{{"check", "broken.glb"}, {"broken.glb: ", "export"}},
+        Refusal{{"info", "cut.glb"}, {"cut.glb: ", "cut short", "copy or export"}},
+        Refusal{{"bench", "strip.glb"}, {"strip.glb: is a model, not a scene", "write a scene"}},
+        Refusal{{"check", "broken.json"}, {"broken.json: the JSON text"}},
+        Refusal{{"check", "no_model.json"},
+                {"no_model.json: models.a: none.glb", "relative to its folder"}},
+        Refusal{{"check", "."}, {".: "}},
+        Refusal{{"check", "scene.json", "--jsonl", "no/folder/a"},
+                {"no/folder/a: cannot be written"}},
+        Refusal{{"info", "none.glb"}, {"none.glb"}},
+        Refusal{{"pose", "scene.json", "--frame", "0", "-o", "no/folder/a"}, {"no/folder/a"}},
+        Refusal{{"demo", "-o", "scene.json/x"}, {"scene.json/x", "-o"}},
+        Refusal{{"bench", "none.json"}, {"none.json"}}));
 
 INSTANTIATE_TEST_SUITE_P(
     Placing, Refused,
@@ -69,7 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Options, Refused,
     ::testing::Values(
-        Refusal{{"check"}, {"INPUT", "--help"}}, Refusal{{}, {"--help"}},
+        Refusal{{"check"}, {"INPUT", "see pelt check --help"}},
+        Refusal{{}, {"a verb is missing", "\"check\"", "see pelt --help"}},
         Refusal{{"chek", "scene.json"}, {"\"chek\" is no verb", "\"check\"", "--help"}},
         Refusal{{"check", "scene.json", "--fast"}, {"--fast"}},
         Refusal{{"check", "scene.json", "--frames", "9:4"}, {"--frames", "9:4"}},

@@ -33,22 +33,29 @@ int finish(ExitCode exit) {
   return printed ? code(exit) : refuse(printed.error().message);
 }
 
-/// CLI11 says of an unknown verb only that some verb is required.
+/// CLI11 says of a missing or unknown verb only that some "subcommand" is required.
 std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
+  if (!app.get_subcommands().empty()) return error.what();
   const std::vector<std::string> unread = app.remaining();
-  if (!app.get_subcommands().empty() || unread.empty()) return error.what();
   const std::vector<const CLI::App*> verbs =
       app.get_subcommands([](const CLI::App*) { return true; });
   std::vector<std::string> names;
   for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
+  if (unread.empty()) return "a verb is missing" + pelt::scenes::suggestion("", known);
   return pelt::asset::quoted(unread[0]) + " is no verb" +
          pelt::scenes::suggestion(unread[0], known);
 }
 
+/// Where the arguments are told that were not understood.
+std::string help_for(const CLI::App& app) {
+  const std::vector<CLI::App*> verbs = app.get_subcommands();
+  return "pelt " + (verbs.empty() ? "" : verbs[0]->get_name() + " ") + "--help";
+}
+
 /// --help and --version end the parse as "errors" with code 0.
 int end_of_parse(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() != 0) return refuse(words_for(app, error) + ": see pelt --help");
+  if (error.get_exit_code() != 0) return refuse(words_for(app, error) + ": see " + help_for(app));
   app.exit(error);
   return finish(ExitCode::success);
 }
