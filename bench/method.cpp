@@ -11,6 +11,7 @@
 #include "paper/on_demand.hpp"
 #include "paper/rigid.hpp"
 #include "rivals/aabb.hpp"
+#include "rivals/hybrid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -156,9 +157,9 @@ struct PaperRigidTraits : UnpreparedTraits<paper::RigidBody> {
   static constexpr bool kUpdateCounts = false;
 };
 
-constexpr std::array<std::string_view, 10> kNames = {
-    "on_demand",   "eager",       "rigid",      "paper",        "paper_eq2",
-    "paper_eager", "paper_rigid", "aabb_refit", "aabb_rebuild", "brute"};
+constexpr std::array<std::string_view, 11> kNames = {
+    "on_demand",   "eager",      "rigid",        "paper",  "paper_eq2", "paper_eager",
+    "paper_rigid", "aabb_refit", "aabb_rebuild", "hybrid", "brute"};
 
 }  // namespace
 
@@ -192,6 +193,8 @@ std::unique_ptr<Method> make_method(MethodKind kind) {
       return adapt(rivals::make_aabb_refit());
     case MethodKind::aabb_rebuild:
       return adapt(rivals::make_aabb_rebuild());
+    case MethodKind::hybrid:
+      return adapt(rivals::make_hybrid());
     case MethodKind::brute:
       return std::make_unique<BodyMethod<UnpreparedTraits<BruteForceBody>>>();
   }

@@ -24,7 +24,8 @@ enum class MethodKind {
   paper_rigid,   ///< a sphere tree built afresh over the posed mesh
   aabb_refit,    ///< van den Bergen 1997: all vertices skinned, a tree of boxes refitted
   aabb_rebuild,  ///< the same tree built afresh
-  brute,         ///< every triangle of one against every triangle of the other
+  hybrid,  ///< Larsson & Akenine-Moller 2001: that tree, upper half refitted, the rest on demand
+  brute,   ///< every triangle of one against every triangle of the other
 };
 
 /// Names as the command line has them, in the order of MethodKind.

@@ -5,15 +5,13 @@
 namespace pelt::rivals {
 namespace {
 
-/// The corners of some triangles, each once and the last until a group is full.
+/// The list of the vertices of some triangles.
 std::vector<std::uint32_t> corners_of(std::span<const Triangle> all,
                                       std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> corners;
   for (const std::uint32_t t : triangles)
     corners.insert(corners.end(), all[t].begin(), all[t].end());
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  while (corners.size() % kVertexGroup != 0) corners.push_back(corners.back());
+  make_vertex_list(corners);
   return corners;
 }
 
@@ -42,6 +40,12 @@ TreeShape::TreeShape(std::span<const Triangle> triangles, std::span<const Vec3> 
   for (std::size_t n = tree.nodes.size(); n-- > 0;)
     if (const BoxNode& node = tree.nodes[n]; node.count == 0)
       vertices_of[n] = {vertices_of[node.first].begin, vertices_of[node.first + 1].end};
+}
+
+void make_vertex_list(std::vector<std::uint32_t>& vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  while (vertices.size() % kVertexGroup != 0) vertices.push_back(vertices.back());
 }
 
 Box4 box_of(std::span<const std::uint32_t> vertices, const Points& points) {

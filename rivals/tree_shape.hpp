@@ -4,8 +4,8 @@
 
 namespace pelt::rivals {
 
-/// The vertices of a leaf are listed once each and the last again until there is a multiple of this
-/// many: loops over them then take few different numbers of steps, which branches predict.
+/// Lists of vertices have each once, ascending, and the last again until there is a multiple of
+/// this many: loops over them then take few different numbers of steps, which branches predict.
 inline constexpr std::uint32_t kVertexGroup = 4;
 
 /// What does not change of a tree of boxes while its triangles move.
@@ -21,9 +21,12 @@ struct TreeShape {
   };
 
   BoxTree tree;                         // over the rest positions
-  std::vector<std::uint32_t> vertices;  // of each leaf, leaf after leaf; see kVertexGroup
+  std::vector<std::uint32_t> vertices;  // lists of each leaf, leaf after leaf
   std::vector<Range> vertices_of;       // by node: of all leaves below it, in `vertices`
 };
+
+/// Makes some vertices a list.
+void make_vertex_list(std::vector<std::uint32_t>& vertices);
 
 /// Precondition: a multiple of kVertexGroup of them.
 Box4 box_of(std::span<const std::uint32_t> vertices, const Points& points);

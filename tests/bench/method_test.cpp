@@ -24,11 +24,11 @@ using Contacts = std::vector<Contact>;
 using Joints = std::vector<Matrix4>;
 
 constexpr std::uint32_t kJoints = 5;
-constexpr MethodKind kKinds[] = {MethodKind::on_demand,    MethodKind::eager,
-                                 MethodKind::rigid,        MethodKind::paper,
-                                 MethodKind::paper_eq2,    MethodKind::paper_eager,
-                                 MethodKind::paper_rigid,  MethodKind::aabb_refit,
-                                 MethodKind::aabb_rebuild, MethodKind::brute};
+constexpr MethodKind kKinds[] = {
+    MethodKind::on_demand,   MethodKind::eager,      MethodKind::rigid,
+    MethodKind::paper,       MethodKind::paper_eq2,  MethodKind::paper_eager,
+    MethodKind::paper_rigid, MethodKind::aabb_refit, MethodKind::aabb_rebuild,
+    MethodKind::hybrid,      MethodKind::brute};
 
 SkinnedModel model_of(const Shape& shape) {
   auto model = build_model(shape.view());

@@ -2,6 +2,7 @@
 /// to trip up trees and grids.
 
 #include "rivals/aabb.hpp"
+#include "rivals/hybrid.hpp"
 #include "rivals/posed_bodies.hpp"
 
 #include <pelt/model.hpp>
@@ -243,7 +244,8 @@ TEST_P(Methods, TellBodiesOfOneMeshApart) {
 
 INSTANTIATE_TEST_SUITE_P(Rivals, Methods,
                          testing::Values(NamedMethod{"aabb_refit", make_aabb_refit},
-                                         NamedMethod{"aabb_rebuild", make_aabb_rebuild}),
+                                         NamedMethod{"aabb_rebuild", make_aabb_rebuild},
+                                         NamedMethod{"hybrid", make_hybrid}),
                          [](const auto& named) { return std::string(named.param.name); });
 
 }  // namespace
