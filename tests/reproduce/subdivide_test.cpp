@@ -1,5 +1,7 @@
 #include "tools/reproduce/subdivide.hpp"
 
+#include <pelt/model.hpp>
+
 #include "scenes/creature.hpp"
 
 #include <gtest/gtest.h>
