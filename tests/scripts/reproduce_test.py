@@ -1,0 +1,74 @@
+"""scripts/reproduce passes on what it is asked for: reproduce_test.py SCRIPT."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(sys.argv.pop(1))
+
+# What each of the programs that the script runs does here: it notes its words.
+STAND_IN = '#!/bin/sh\nfor word in "${0##*/}" "$@"; do echo "$word"; done >> "$NOTES"\n'
+
+
+class Reproduce(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name).resolve()
+        self.root = self.folder / "clone"
+        for program in ("scripts/install-deps", "bin/cmake", "build/release/tools/pelt/pelt"):
+            path = self.root / program
+            path.parent.mkdir(parents=True)
+            path.write_text(STAND_IN)
+            path.chmod(0o755)
+        shutil.copy(SCRIPT, self.root / "scripts/reproduce")
+
+    def run_script(self, *words):
+        """(exit status, what was printed, the words of the programs that were run)."""
+        notes = self.folder / "notes"
+        environment = dict(os.environ, NOTES=str(notes),
+                           PATH=f"{self.root / 'bin'}:{os.environ['PATH']}")
+        done = subprocess.run([self.root / "scripts/reproduce", *words], cwd=self.folder, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment)
+        return done.returncode, done.stdout, notes.read_text().split() if notes.exists() else []
+
+    def command(self, *words):
+        """What the command was called with."""
+        status, _, ran = self.run_script(*words)
+        self.assertEqual(status, 0)
+        return ran[ran.index("pelt"):]
+
+    def test_installs_and_builds_first(self):
+        _, printed, ran = self.run_script()
+        self.assertEqual(ran[:ran.index("pelt")],
+                         ["install-deps", "reproduce", "cmake", "--preset", "release", "cmake",
+                          "--build", "--preset", "release", "--target", "pelt_command"])
+        self.assertEqual(printed, f"look at {self.folder}/pelt-reproduce/report.html\n")
+
+    def test_takes_all_experiments_unless_told(self):
+        self.assertEqual(self.command(),
+                         ["pelt", "reproduce", "-o", f"{self.folder}/pelt-reproduce"])
+
+    def test_passes_options_on_and_finds_folders_from_where_it_was_called(self):
+        self.assertEqual(self.command("--quick", "--models", "some", "--only", "a,b", "report"),
+                         ["pelt", "reproduce", "--quick", "--models", f"{self.folder}/some",
+                          "--only", "a,b", "-o", f"{self.folder}/report"])
+
+    def test_refuses_what_it_does_not_know(self):
+        for words in (["--fast"], ["one", "two"], ["--models"]):
+            status, printed, ran = self.run_script(*words)
+            self.assertEqual((status, ran), (2, []), words)
+            self.assertIn("scripts/reproduce [--quick]", printed)
+
+    def test_helps(self):
+        status, printed, ran = self.run_script("--help")
+        self.assertEqual((status, ran), (0, []))
+        self.assertIn("scripts/reproduce [--quick]", printed)
+
+
+if __name__ == "__main__":
+    unittest.main()
