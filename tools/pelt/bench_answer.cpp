@@ -39,17 +39,18 @@ struct AnswerSoFar {
     contacts.add(frame, found);
     touches.add(frame, collider_count, found);
     frames_in_contact += !found.contacts.empty();
+    contact_count += found.contacts.size();
   }
 
   Answer to(Question question) const {
     const bool all = question == Question::all;
-    return {all ? contacts.value() : touches.value(), work, frames_in_contact};
+    return {all ? contacts.value() : touches.value(), work, frames_in_contact, contact_count};
   }
 
   ContactHash contacts;
   TouchHash touches;
   QueryStats work;
-  std::uint64_t frames_in_contact = 0;
+  std::uint64_t frames_in_contact = 0, contact_count = 0;
 };
 
 }  // namespace

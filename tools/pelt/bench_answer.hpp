@@ -12,6 +12,7 @@ struct Answer {
                            ///< frame, a, b, whether they touch (0 or 1), of all pairs
   QueryStats work;         ///< of posing and querying
   std::uint64_t frames_in_contact = 0;
+  std::uint64_t contacts = 0;  ///< found in all frames
 };
 
 /// The answers [questions] of an engine, for comparing it with others: nothing is timed.

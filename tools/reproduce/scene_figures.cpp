@@ -78,6 +78,11 @@ double mean_us(const SceneFigures& figures, MethodKind method, Question question
   return figures_of(figures, bench::name_of(method), question).times.mean_us;
 }
 
+double contact_count(const SceneFigures& figures) {
+  const Figures& all = figures_of(figures, figures.figures[0].engine, Question::all);
+  return static_cast<double>(all.answer.contacts) / static_cast<double>(figures.frames);
+}
+
 Table method_table(const std::string& id, const std::string& title, const SceneFigures& figures) {
   Table table = {id,
                  title,

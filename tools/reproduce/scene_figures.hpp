@@ -22,6 +22,9 @@ Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
 double mean_us(const tools::SceneFigures& figures, bench::MethodKind method,
                tools::Question question);
 
+/// Of a frame, in the mean.
+double contact_count(const tools::SceneFigures& figures);
+
 /// Times and work of every method, a row each.
 Table method_table(const std::string& id, const std::string& title,
                    const tools::SceneFigures& figures);

@@ -6,11 +6,10 @@
 #include "paper/sphere_tree.hpp"
 #include "tools/pelt/scene_query.hpp"
 #include "tools/pelt/stopwatch.hpp"
+#include "tools/reproduce/facing_pair.hpp"
 #include "tools/reproduce/paper_figures.hpp"
 #include "tools/reproduce/scene_figures.hpp"
 #include "tools/reproduce/subdivide.hpp"
-
-#include <algorithm>
 
 namespace pelt::reproduce {
 namespace {
@@ -23,21 +22,6 @@ constexpr double kApart = 0.85, kInterfering = 0.73;
 
 constexpr std::array kMethods = {MethodKind::paper, MethodKind::paper_eager, MethodKind::eager,
                                  MethodKind::on_demand};
-
-scenes::Scene two_dwarves(const scenes::Character& dwarf, double distance) {
-  scenes::Scene scene;
-  scene.name = "two dwarves";
-  scene.characters = {dwarf};
-  scenes::Instance left, right;
-  left.clip = right.clip = "walk";
-  left.start = 0.2;
-  right.start = 0.65;
-  left.translation = {0, 0, -distance / 2};
-  right.translation = {0, 0, distance / 2};
-  right.rotation = {0, 1, 0, 0};
-  scene.instances = {left, right};
-  return scene;
-}
 
 /// The dwarf and what its triangles are cut into.
 Result<std::vector<scenes::Character>> subdivisions(std::uint32_t most) {
@@ -54,7 +38,7 @@ Result<std::vector<scenes::Character>> subdivisions(std::uint32_t most) {
 /// Of all levels so far, in millionths of the character's height.
 double drift(const std::vector<scenes::Character>& dwarves, std::size_t level, double before) {
   if (level == 0) return 0;
-  const scenes::Scene scene = two_dwarves(dwarves[0], kInterfering);
+  const scenes::Scene scene = facing_pair(dwarves[0], kInterfering);
   asset::SampleScratch scratch;
   std::vector<Matrix4> palette(dwarves[0].asset.joints.size());
   scenes::instance_palette(scene, 0, 0, scratch, palette);
@@ -73,19 +57,6 @@ double node_pairs_of(const tools::SceneFigures& figures, MethodKind method) {
     if (f.engine == bench::name_of(method) && f.variant.question == Question::all)
       return static_cast<double>(f.answer.work.node_pairs);
   return 0;
-}
-
-Result<double> contact_count(const scenes::Scene& scene) {
-  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
-  if (!colliders) return colliders.error();
-  tools::SceneQuery query(*colliders, bench::make_method(MethodKind::on_demand));
-  asset::SampleScratch scratch;
-  tools::Palettes palettes;
-  tools::sample_palettes(scene, 0, scratch, palettes);
-  if (const auto set = query.set_palettes(palettes); !set) return set.error();
-  tools::FrameContacts found;
-  query.collide({}, found);
-  return static_cast<double>(found.contacts.size());
 }
 
 Table empty_table(const char* id, const char* title, bool is_interfering) {
@@ -124,15 +95,13 @@ struct Position {
 
 Result<std::vector<Cell>> subdivision_row(const scenes::Character& dwarf, const Position& position,
                                           const Conditions& conditions) {
-  const scenes::Scene scene = two_dwarves(dwarf, position.distance);
+  const scenes::Scene scene = facing_pair(dwarf, position.distance);
   const auto figures = measure_scene(scene, kMethods, 1, conditions);
   if (!figures) return figures.error();
-  const auto contacts = contact_count(scene);
-  if (!contacts) return contacts.error();
   const auto time = [&](MethodKind method) { return mean_us(*figures, method, Question::all); };
   return std::vector<Cell>{static_cast<double>(dwarf.asset.triangles.size()),
                            sphere_count(dwarf),
-                           *contacts,
+                           contact_count(*figures),
                            time(MethodKind::paper),
                            node_pairs_of(*figures, MethodKind::paper),
                            time(MethodKind::paper_eager),
@@ -183,7 +152,7 @@ Result<double> rigid_build_us(const scenes::Scene& scene) {
 
 /// "On the posture from Figure 7 right we performed also a comparison with rigid body CD."
 Result<Table> rigid_table(const scenes::Character& dwarf, const Conditions& conditions) {
-  const scenes::Scene scene = two_dwarves(dwarf, kInterfering);
+  const scenes::Scene scene = facing_pair(dwarf, kInterfering);
   constexpr std::array kRigid = {MethodKind::paper, MethodKind::paper_rigid, MethodKind::on_demand,
                                  MethodKind::rigid};
   const auto figures = measure_scene(scene, kRigid, 1, conditions);
