@@ -11,6 +11,8 @@
 #include "paper/on_demand.hpp"
 #include "paper/rigid.hpp"
 #include "rivals/aabb.hpp"
+#include "rivals/hash.hpp"
+#include "rivals/hash_overlap.hpp"
 #include "rivals/hybrid.hpp"
 
 #include <algorithm>
@@ -157,9 +159,9 @@ struct PaperRigidTraits : UnpreparedTraits<paper::RigidBody> {
   static constexpr bool kUpdateCounts = false;
 };
 
-constexpr std::array<std::string_view, 11> kNames = {
-    "on_demand",   "eager",      "rigid",        "paper",  "paper_eq2", "paper_eager",
-    "paper_rigid", "aabb_refit", "aabb_rebuild", "hybrid", "brute"};
+constexpr std::array<std::string_view, 13> kNames = {
+    "on_demand",  "eager",        "rigid",  "paper", "paper_eq2",    "paper_eager", "paper_rigid",
+    "aabb_refit", "aabb_rebuild", "hybrid", "hash",  "hash_overlap", "brute"};
 
 }  // namespace
 
@@ -195,6 +197,10 @@ std::unique_ptr<Method> make_method(MethodKind kind) {
       return adapt(rivals::make_aabb_rebuild());
     case MethodKind::hybrid:
       return adapt(rivals::make_hybrid());
+    case MethodKind::hash:
+      return adapt(rivals::make_hash());
+    case MethodKind::hash_overlap:
+      return adapt(rivals::make_hash_overlap());
     case MethodKind::brute:
       return std::make_unique<BodyMethod<UnpreparedTraits<BruteForceBody>>>();
   }

@@ -25,7 +25,9 @@ enum class MethodKind {
   aabb_refit,    ///< van den Bergen 1997: all vertices skinned, a tree of boxes refitted
   aabb_rebuild,  ///< the same tree built afresh
   hybrid,  ///< Larsson & Akenine-Moller 2001: that tree, upper half refitted, the rest on demand
-  brute,   ///< every triangle of one against every triangle of the other
+  hash,    ///< Teschner et al. 2003: all triangles hashed into cells
+  hash_overlap,  ///< the same where the bodies' boxes overlap, cells sorted
+  brute,         ///< every triangle of one against every triangle of the other
 };
 
 /// Names as the command line has them, in the order of MethodKind.

@@ -28,7 +28,8 @@ constexpr MethodKind kKinds[] = {
     MethodKind::on_demand,   MethodKind::eager,      MethodKind::rigid,
     MethodKind::paper,       MethodKind::paper_eq2,  MethodKind::paper_eager,
     MethodKind::paper_rigid, MethodKind::aabb_refit, MethodKind::aabb_rebuild,
-    MethodKind::hybrid,      MethodKind::brute};
+    MethodKind::hybrid,      MethodKind::hash,       MethodKind::hash_overlap,
+    MethodKind::brute};
 
 SkinnedModel model_of(const Shape& shape) {
   auto model = build_model(shape.view());

@@ -2,6 +2,7 @@
 /// to trip up trees and grids.
 
 #include "rivals/aabb.hpp"
+#include "rivals/hash_overlap.hpp"
 #include "rivals/hybrid.hpp"
 #include "rivals/posed_bodies.hpp"
 
@@ -242,11 +243,16 @@ TEST_P(Methods, TellBodiesOfOneMeshApart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rivals, Methods,
-                         testing::Values(NamedMethod{"aabb_refit", make_aabb_refit},
-                                         NamedMethod{"aabb_rebuild", make_aabb_rebuild},
-                                         NamedMethod{"hybrid", make_hybrid}),
-                         [](const auto& named) { return std::string(named.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Rivals, Methods,
+    testing::Values(
+        NamedMethod{"aabb_refit", make_aabb_refit}, NamedMethod{"aabb_rebuild", make_aabb_rebuild},
+        NamedMethod{"hybrid", make_hybrid}, NamedMethod{"hash", [] { return make_hash(); }},
+        NamedMethod{"hash_small_cells", [] { return make_hash({.cell_edges = 0.25f}); }},
+        NamedMethod{"hash_overlap", [] { return make_hash_overlap(); }},
+        NamedMethod{"hash_overlap_large_cells",
+                    [] { return make_hash_overlap({.cell_edges = 8}); }}),
+    [](const auto& named) { return std::string(named.param.name); });
 
 }  // namespace
 }  // namespace pelt::rivals

@@ -1,0 +1,73 @@
+#pragma once
+
+/// Space cut into cubes. Two boxes that overlap are both in the cell of their intersection's low
+/// corner, since the number of a coordinate's cell never falls when the coordinate grows, rounded
+/// or not. A pair that is found in several cells is taken in that one alone.
+
+#include "rivals/box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace pelt::rivals {
+
+using Cell = std::array<std::uint32_t, 3>;
+
+/// The cells that a box touches.
+struct CellRange {
+  Cell low, high;
+
+  std::uint64_t count() const {
+    return std::uint64_t{high[0] - low[0] + 1} * (high[1] - low[1] + 1) * (high[2] - low[2] + 1);
+  }
+
+  template <typename Visit>
+  void visit(const Visit& visit) const {
+    for (std::uint32_t z = low[2]; z <= high[2]; ++z)
+      for (std::uint32_t y = low[1]; y <= high[1]; ++y)
+        for (std::uint32_t x = low[0]; x <= high[0]; ++x) visit(Cell{x, y, z});
+  }
+};
+
+/// What touches more cells is entered in none: it is compared with everything. This bounds memory
+/// and time where a triangle is much larger than a cell.
+inline constexpr std::uint64_t kMostCells = 64;
+
+class CellGrid {
+ public:
+  /// No axis has more cells, so that a cell's three numbers fit into 60 bits.
+  static constexpr std::uint32_t kMostOnAxis = 1u << 20;
+
+  CellGrid() = default;
+
+  /// Cells of edge `edge`, numbered from the corner `low`; what lies beyond `last` belongs to it.
+  CellGrid(const Float4& low, float edge, const Cell& last)
+      : low_(low), scale_(1 / std::max(edge, std::numeric_limits<float>::min())), last_(last) {}
+
+  Cell cell_of(const Float4& point) const {
+    const Float4 cells = Float4(scale_) * (point - low_);
+    Cell cell;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float last = static_cast<float>(last_[axis]);
+      cell[axis] = static_cast<std::uint32_t>(std::clamp(cells[axis], 0.0f, last));
+    }
+    return cell;
+  }
+
+  CellRange cells_of(const Box4& box) const { return {cell_of(box.low), cell_of(box.high)}; }
+
+  bool is_first_common_cell(const Cell& cell, const Box4& a, const Box4& b) const {
+    return cell_of(max(a.low, b.low)) == cell;
+  }
+
+ private:
+  Float4 low_ = Float4(0.0f);
+  float scale_ = 0;
+  Cell last_ = {};
+};
+
+/// The mean length of the triangles' edges.
+float mean_edge(std::span<const Triangle> triangles, std::span<const Vec3> positions);
+
+}  // namespace pelt::rivals
