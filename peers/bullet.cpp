@@ -17,12 +17,23 @@
 #include <BulletCollision/Gimpact/btTriangleShapeEx.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace pelt::peers {
 namespace {
 
 btVector3 to_bullet(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+btVector3 min(btVector3 a, const btVector3& b) {
+  a.setMin(b);
+  return a;
+}
+
+btVector3 max(btVector3 a, const btVector3& b) {
+  a.setMax(b);
+  return a;
+}
 
 btAABB box_of(std::span<const Vec3> positions) {
   btAABB box;
@@ -46,16 +57,15 @@ class Triangles final : public btPrimitiveManagerBase {
   int get_primitive_count() const override { return static_cast<int>(body_.triangles.size()); }
 
   void get_primitive_box(int index, btAABB& box) const override {
-    btPrimitiveTriangle triangle;
-    get_primitive_triangle(index, triangle);
-    const btVector3* v = triangle.m_vertices;
-    box = btAABB(v[0] * size_, v[1] * size_, v[2] * size_, margin_);
+    const auto [a, b, c] = corners(index);
+    box.m_min = min(min(a, b), c) * size_ - margin_;
+    box.m_max = max(max(a, b), c) * size_ + margin_;
   }
 
   void get_primitive_triangle(int index, btPrimitiveTriangle& triangle) const override {
-    const detail::TriangleCorners corners = body_.corners(static_cast<std::uint32_t>(index));
-    for (int i = 0; i < 3; ++i) triangle.m_vertices[i] = to_bullet(corners[i]) - origin_;
-    triangle.m_margin = margin_;
+    const std::array<btVector3, 3> local = corners(index);
+    std::copy(local.begin(), local.end(), triangle.m_vertices);
+    triangle.m_margin = margin_.x();
   }
 
   /// Where the frame stands, how many times as large as they are boxes become, and by how much
@@ -63,15 +73,22 @@ class Triangles final : public btPrimitiveManagerBase {
   void set_frame(const btVector3& origin, btScalar size, btScalar margin) {
     origin_ = origin;
     size_ = size;
-    margin_ = margin;
+    margin_ = {margin, margin, margin};
   }
 
   const btVector3& origin() const { return origin_; }
 
  private:
+  std::array<btVector3, 3> corners(int index) const {
+    const Triangle& v = body_.triangles[index];
+    return {to_bullet(body_.positions[v[0]]) - origin_, to_bullet(body_.positions[v[1]]) - origin_,
+            to_bullet(body_.positions[v[2]]) - origin_};
+  }
+
   const PosedBody& body_;
   btVector3 origin_ = {0, 0, 0};
-  btScalar size_ = 1, margin_ = 0;
+  btScalar size_ = 1;
+  btVector3 margin_ = {0, 0, 0};
 };
 
 class Body {
