@@ -11,6 +11,7 @@
 #include "paper/on_demand.hpp"
 #include "paper/rigid.hpp"
 #include "rivals/aabb.hpp"
+#include "rivals/bd_tree.hpp"
 #include "rivals/hash.hpp"
 #include "rivals/hash_overlap.hpp"
 #include "rivals/hybrid.hpp"
@@ -97,18 +98,13 @@ class BodyMethod final : public Method {
   QueryStats update_work_;
 };
 
-template <paper::BoundKind kBound>
-struct PaperTraits {
-  using Prepared = paper::SphereModel;
-  using Body = paper::OnDemandBody;
+/// Bodies that need their palette while they are asked.
+template <typename Body_, typename Prepared_>
+struct OnDemandTraits {
+  using Prepared = Prepared_;
+  using Body = Body_;
   static constexpr bool kUpdateCounts = true;
 
-  static Prepared prepare(const SkinnedMesh& mesh) {
-    return paper::build_sphere_model(mesh, kBound);
-  }
-  static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const Prepared& model) {
-    return std::make_unique<Body>(mesh, model);
-  }
   static QueryStats update(Body& body, const Palette&) {
     body.invalidate();
     return {};
@@ -116,7 +112,25 @@ struct PaperTraits {
   static QueryStats collide(Body& a, const Palette& palette_a, Body& b, const Palette& palette_b,
                             paper::Scratch& scratch, std::vector<Contact>& contacts,
                             std::uint32_t max_contacts) {
-    return paper::collide(a, palette_a, b, palette_b, scratch, contacts, max_contacts);
+    using paper::collide;
+    return collide(a, palette_a, b, palette_b, scratch, contacts, max_contacts);
+  }
+};
+
+template <paper::BoundKind kBound>
+struct PaperTraits : OnDemandTraits<paper::OnDemandBody, paper::SphereModel> {
+  static Prepared prepare(const SkinnedMesh& mesh) {
+    return paper::build_sphere_model(mesh, kBound);
+  }
+  static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const Prepared& model) {
+    return std::make_unique<Body>(mesh, model);
+  }
+};
+
+struct BdTraits : OnDemandTraits<rivals::BdBody, rivals::BdModel> {
+  static Prepared prepare(const SkinnedMesh& mesh) { return Prepared(mesh); }
+  static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const Prepared& model) {
+    return std::make_unique<Body>(model, mesh.joint_count);
   }
 };
 
@@ -159,9 +173,9 @@ struct PaperRigidTraits : UnpreparedTraits<paper::RigidBody> {
   static constexpr bool kUpdateCounts = false;
 };
 
-constexpr std::array<std::string_view, 13> kNames = {
+constexpr std::array<std::string_view, 14> kNames = {
     "on_demand",  "eager",        "rigid",  "paper", "paper_eq2",    "paper_eager", "paper_rigid",
-    "aabb_refit", "aabb_rebuild", "hybrid", "hash",  "hash_overlap", "brute"};
+    "aabb_refit", "aabb_rebuild", "hybrid", "hash",  "hash_overlap", "bd_tree",     "brute"};
 
 }  // namespace
 
@@ -201,6 +215,8 @@ std::unique_ptr<Method> make_method(MethodKind kind) {
       return adapt(rivals::make_hash());
     case MethodKind::hash_overlap:
       return adapt(rivals::make_hash_overlap());
+    case MethodKind::bd_tree:
+      return std::make_unique<BodyMethod<BdTraits>>();
     case MethodKind::brute:
       return std::make_unique<BodyMethod<UnpreparedTraits<BruteForceBody>>>();
   }

@@ -27,6 +27,7 @@ enum class MethodKind {
   hybrid,  ///< Larsson & Akenine-Moller 2001: that tree, upper half refitted, the rest on demand
   hash,    ///< Teschner et al. 2003: all triangles hashed into cells
   hash_overlap,  ///< the same where the bodies' boxes overlap, cells sorted
+  bd_tree,       ///< James & Pai 2004: spheres from the entries of the joint matrices, on demand
   brute,         ///< every triangle of one against every triangle of the other
 };
 

@@ -29,7 +29,7 @@ constexpr MethodKind kKinds[] = {
     MethodKind::paper,       MethodKind::paper_eq2,  MethodKind::paper_eager,
     MethodKind::paper_rigid, MethodKind::aabb_refit, MethodKind::aabb_rebuild,
     MethodKind::hybrid,      MethodKind::hash,       MethodKind::hash_overlap,
-    MethodKind::brute};
+    MethodKind::bd_tree,     MethodKind::brute};
 
 SkinnedModel model_of(const Shape& shape) {
   auto model = build_model(shape.view());
@@ -227,7 +227,9 @@ TEST_P(OnDemand, RefitsAndSkinsAtMostOnceForEachPalette) {
   EXPECT_LT(one_stale.refits, once.refits);  // the other body's spheres still stand
 }
 
-INSTANTIATE_TEST_SUITE_P(Bound, OnDemand, testing::Values(MethodKind::paper, MethodKind::paper_eq2),
+INSTANTIATE_TEST_SUITE_P(Bound, OnDemand,
+                         testing::Values(MethodKind::paper, MethodKind::paper_eq2,
+                                         MethodKind::bd_tree),
                          [](const auto& kind) { return std::string(name_of(kind.param)); });
 
 /// What two bodies' palettes cost, without what adding the bodies cost.
