@@ -33,5 +33,6 @@ Result<Section> two_men(const Conditions& conditions);         // walking.cpp
 Result<Section> worst_case(const Conditions& conditions);      // walking.cpp
 Result<Section> subdivision(const Conditions& conditions);     // subdivision.cpp
 Result<Section> crowd_of_fifty(const Conditions& conditions);  // walking.cpp
+Result<Section> comparison(const Conditions& conditions);      // comparison.cpp
 
 }  // namespace pelt::reproduce

@@ -15,15 +15,6 @@ using tools::Figures;
 using tools::Question;
 using tools::SceneFigures;
 
-const Figures& figures_of(const SceneFigures& scene, std::string_view method, Question question) {
-  const auto found =
-      std::find_if(scene.figures.begin(), scene.figures.end(), [&](const Figures& figures) {
-        return figures.engine == method && figures.variant.question == question;
-      });
-  PELT_ASSERT(found != scene.figures.end());
-  return *found;
-}
-
 std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
   const Figures& first = figures_of(scene, all.engine, Question::first);
   const auto frames = static_cast<double>(scene.frames);
@@ -57,10 +48,26 @@ tools::FrameRange frames_of(const scenes::Scene& scene, std::uint32_t most) {
 
 }  // namespace
 
+const Figures& figures_of(const SceneFigures& scene, std::string_view method, Question question) {
+  const auto found =
+      std::find_if(scene.figures.begin(), scene.figures.end(), [&](const Figures& figures) {
+        return figures.engine == method && figures.variant.question == question;
+      });
+  PELT_ASSERT(found != scene.figures.end());
+  return *found;
+}
+
 Result<SceneFigures> measure_scene(const scenes::Scene& scene, std::span<const MethodKind> methods,
                                    std::uint32_t most_frames, const Conditions& conditions) {
+  std::vector<tools::Engine> engines;
+  for (const MethodKind method : methods) engines.push_back(tools::engine_of(method));
+  return measure_scene(scene, std::move(engines), most_frames, conditions);
+}
+
+Result<SceneFigures> measure_scene(const scenes::Scene& scene, std::vector<tools::Engine> engines,
+                                   std::uint32_t most_frames, const Conditions& conditions) {
   tools::BenchSettings settings;
-  for (const MethodKind method : methods) settings.engines.push_back(tools::engine_of(method));
+  settings.engines = std::move(engines);
   settings.questions = {Question::all, Question::first};
   settings.caches = {tools::Cache::hot};
   settings.repetitions = conditions.is_quick ? 3 : 9;

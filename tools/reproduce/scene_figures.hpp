@@ -18,6 +18,15 @@ Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
                                           std::span<const bench::MethodKind> methods,
                                           std::uint32_t most_frames, const Conditions& conditions);
 
+/// The same of engines that are no methods of the command.
+Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
+                                          std::vector<tools::Engine> engines,
+                                          std::uint32_t most_frames, const Conditions& conditions);
+
+/// What one engine was measured to do. Precondition: it was.
+const tools::Figures& figures_of(const tools::SceneFigures& scene, std::string_view engine,
+                                 tools::Question question);
+
 /// Microseconds a frame of one method. Precondition: it was measured.
 double mean_us(const tools::SceneFigures& figures, bench::MethodKind method,
                tools::Question question);
