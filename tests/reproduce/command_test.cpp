@@ -1,3 +1,4 @@
+#include "tools/reproduce/experiment.hpp"
 #include "tools/run_program.hpp"
 
 namespace pelt::test {
@@ -30,6 +31,14 @@ TEST(Reproduce, RefusesAnUnknownExperiment) {
   const Ended run = run_pelt(folder, {"reproduce", "--only", "tigthness"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("did you mean \"tightness\""), std::string::npos) << run.err;
+}
+
+TEST(Reproduce, SaysHowToBuildWithOtherLibraries) {
+  if (reproduce::peers_experiment() != nullptr) GTEST_SKIP() << "built with them";
+  const TestFolder folder;
+  const Ended run = run_pelt(folder, {"reproduce", "--peers"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("PELT_BENCH_PEERS=ON"), std::string::npos) << run.err;
 }
 
 TEST(Reproduce, RefusesAFolderThatIsAFile) {

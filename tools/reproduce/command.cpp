@@ -27,7 +27,7 @@ using reproduce::Section;
 struct Arguments {
   std::string folder = "pelt-reproduce";
   std::string models, only;
-  bool is_quick = false;
+  bool is_quick = false, has_peers = false;
 };
 
 constexpr const char* kFooter = R"(
@@ -42,22 +42,31 @@ needs nothing beside it; results.json and csv/*.csv with every figure; charts/*.
 pictures/*.png (by POV-Ray). All of it takes about 20 minutes on two cores, --quick about 2; leave
 the machine alone meanwhile, for times are measured.)";
 
-std::vector<std::string_view> known_ids() {
-  std::vector<std::string_view> ids;
-  for (const Experiment& experiment : reproduce::experiments()) ids.push_back(experiment.id);
-  return ids;
+Result<std::vector<Experiment>> all_experiments(bool has_peers) {
+  const auto most = reproduce::experiments();
+  std::vector<Experiment> all(most.begin(), most.end());
+  if (!has_peers) return all;
+  const Experiment* const peers = reproduce::peers_experiment();
+  if (peers == nullptr)
+    return bad_argument("--peers", "this pelt was built without other libraries",
+                        "build it with -DPELT_BENCH_PEERS=ON, see peers/README.md");
+  all.push_back(*peers);
+  return all;
 }
 
-Result<std::vector<Experiment>> chosen_experiments(const std::string& only) {
-  const auto all = reproduce::experiments();
-  if (only.empty()) return std::vector<Experiment>(all.begin(), all.end());
+/// Those of `all` whose ids `only` lists, or all.
+Result<std::vector<Experiment>> chosen_experiments(const std::vector<Experiment>& all,
+                                                   const std::string& only) {
+  if (only.empty()) return all;
+  std::vector<std::string_view> known;
+  for (const Experiment& experiment : all) known.push_back(experiment.id);
   std::vector<Experiment> chosen;
   for (const std::string_view id : split(only, ',')) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Experiment& e) { return e.id == id; });
     if (found == all.end())
-      return Error{ErrorCode::invalid_argument, "--only: no experiment " + asset::quoted(id) +
-                                                    scenes::suggestion(id, known_ids())};
+      return Error{ErrorCode::invalid_argument,
+                   "--only: no experiment " + asset::quoted(id) + scenes::suggestion(id, known)};
     chosen.push_back(*found);
   }
   return chosen;
@@ -96,7 +105,9 @@ Result<Section> run_experiment(const Experiment& experiment,
 }
 
 Result<ExitCode> reproduce_all(const Arguments& arguments) {
-  const auto chosen = chosen_experiments(arguments.only);
+  const auto all = all_experiments(arguments.has_peers);
+  if (!all) return all.error();
+  const auto chosen = chosen_experiments(*all, arguments.only);
   if (!chosen) return chosen.error();
   if (!arguments.models.empty() && !std::filesystem::is_directory(arguments.models))
     return bad_argument("--models", arguments.models + " is no folder",
@@ -130,6 +141,8 @@ void add_reproduce(CLI::App& app, Command& chosen) {
               {.type = "DIR"});
   verb.option("--only", arguments->only, "Only these experiments, separated by commas",
               {.type = "LIST"});
+  verb.flag("--peers", arguments->has_peers,
+            "Compare with other libraries too, if built with them");
   verb.runs([arguments] { return reproduce_all(*arguments); }, chosen);
 }
 

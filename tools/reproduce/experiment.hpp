@@ -26,6 +26,10 @@ struct Experiment {
 /// In the order of the report.
 std::span<const Experiment> experiments();
 
+/// The comparison with other libraries, which comes after them; null where the command was built
+/// without (PELT_BENCH_PEERS).
+const Experiment* peers_experiment();
+
 Result<Section> characters(const Conditions& conditions);      // characters.cpp
 Result<Section> sphere_trees(const Conditions& conditions);    // sphere_trees.cpp
 Result<Section> tightness(const Conditions& conditions);       // tightness.cpp
@@ -34,5 +38,6 @@ Result<Section> worst_case(const Conditions& conditions);      // walking.cpp
 Result<Section> subdivision(const Conditions& conditions);     // subdivision.cpp
 Result<Section> crowd_of_fifty(const Conditions& conditions);  // walking.cpp
 Result<Section> comparison(const Conditions& conditions);      // comparison.cpp
+Result<Section> peers(const Conditions& conditions);           // peers.cpp
 
 }  // namespace pelt::reproduce

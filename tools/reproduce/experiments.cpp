@@ -20,4 +20,13 @@ constexpr std::array kExperiments = {
 
 std::span<const Experiment> experiments() { return kExperiments; }
 
+const Experiment* peers_experiment() {
+#ifdef PELT_HAS_PEERS
+  static constexpr Experiment kPeers = {"peers", "Other libraries", peers};
+  return &kPeers;
+#else
+  return nullptr;
+#endif
+}
+
 }  // namespace pelt::reproduce
