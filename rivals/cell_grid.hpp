@@ -43,16 +43,15 @@ class CellGrid {
 
   /// Cells of edge `edge`, numbered from the corner `low`; what lies beyond `last` belongs to it.
   CellGrid(const Float4& low, float edge, const Cell& last)
-      : low_(low), scale_(1 / std::max(edge, std::numeric_limits<float>::min())), last_(last) {}
+      : low_(low),
+        scale_(1 / std::max(edge, std::numeric_limits<float>::min())),
+        last_(static_cast<float>(last[0]), static_cast<float>(last[1]), static_cast<float>(last[2]),
+              0) {}
 
   Cell cell_of(const Float4& point) const {
-    const Float4 cells = Float4(scale_) * (point - low_);
-    Cell cell;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float last = static_cast<float>(last_[axis]);
-      cell[axis] = static_cast<std::uint32_t>(std::clamp(cells[axis], 0.0f, last));
-    }
-    return cell;
+    const Float4 cells = min(max(Float4(scale_) * (point - low_), Float4(0.0f)), last_);
+    return {static_cast<std::uint32_t>(cells[0]), static_cast<std::uint32_t>(cells[1]),
+            static_cast<std::uint32_t>(cells[2])};
   }
 
   CellRange cells_of(const Box4& box) const { return {cell_of(box.low), cell_of(box.high)}; }
@@ -64,7 +63,7 @@ class CellGrid {
  private:
   Float4 low_ = Float4(0.0f);
   float scale_ = 0;
-  Cell last_ = {};
+  Float4 last_ = Float4(0.0f);
 };
 
 /// The mean length of the triangles' edges.

@@ -1,10 +1,9 @@
 #pragma once
 
 /// Spatial hashing (hash.hpp) where it matters alone: nothing is entered at an update; a query
-/// takes those triangles of both bodies that reach into the intersection of the bodies' boxes, and
-/// sorts one body's into cells of that box by counting. There are no chains, no hash and no table
-/// larger than what is sorted: cells are larger where there would be more than a few for each
-/// triangle.
+/// takes those triangles of both bodies that reach into the intersection of the bodies' boxes,
+/// finds the cells of it that both bodies touch (common_cells.hpp), and sorts one body's triangles
+/// into these by counting. There are no chains, no hash, and no table larger than what is sorted.
 
 #include "rivals/hash.hpp"
 
