@@ -49,7 +49,14 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"info", "none.glb"}, {"none.glb"}},
         Refusal{{"pose", "scene.json", "--frame", "0", "-o", "no/folder/a"}, {"no/folder/a"}},
         Refusal{{"demo", "-o", "scene.json/x"}, {"scene.json/x", "-o"}},
-        Refusal{{"bench", "none.json"}, {"none.json"}}));
+        Refusal{{"bench", "none.json"}, {"none.json"}},
+        Refusal{{"bench", "scene.json", "--json", "no/folder/a"},
+                {"no/folder/a: cannot be written"}},
+        Refusal{{"bench", "scene.json", "--against", "none.json"}, {"none.json: ", "--json wrote"}},
+        Refusal{{"bench", "scene.json", "--against", "broken.json"},
+                {"broken.json: the JSON text", "--json wrote"}},
+        Refusal{{"bench", "scene.json", "--against", "scene.json"},
+                {"scene.json: format: must be pelt-bench", "--json wrote"}}));
 
 INSTANTIATE_TEST_SUITE_P(
     Placing, Refused,
@@ -102,6 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"bench", "scene.json", "--queries", "al"}, {"--queries", "\"all\""}},
         Refusal{{"bench", "scene.json", "--simd", "sse9"}, {"--simd", "\"sse9\"", "scalar"}},
         Refusal{{"bench", "scene.json", "--repeat", "0"}, {"--repeat", "1 or more"}},
+        Refusal{{"bench", "scene.json", "--margin", "9"}, {"--margin", "--against FILE"}},
         Refusal{{"bench", "scene.json", "--threads", "0"}, {"--threads", "\"0\"", "1 to 256"}},
         Refusal{{"bench", "scene.json", "--threads", "1,two"}, {"--threads", "\"two\""}},
         Refusal{{"bench", "scene.json", "--threads", "257"}, {"--threads", "\"257\""}},

@@ -3,6 +3,7 @@
 
 #include "asset/message.hpp"
 #include "scenes/nearest_name.hpp"
+#include "tools/pelt/bench_against.hpp"
 #include "tools/pelt/bench_scene.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/output.hpp"
@@ -20,7 +21,8 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::string methods = "paper,paper_eager,eager,on_demand,rigid";
   std::string queries = "all,first", caches = "hot,cold";
-  std::string threads, json, frames, simd;
+  std::string threads, json, against, frames, simd;
+  std::optional<std::uint32_t> margin;
   std::uint32_t repetitions = kEnoughRepetitions;
   ModelArguments models;
 };
@@ -30,6 +32,7 @@ Examples:
   pelt bench scene.json
   pelt bench scene.json --methods on_demand,eager --queries first --caches hot
   pelt bench scene.json --frames 0:60:20 --repeat 15 --json figures.json
+  pelt bench scene.json --frames 0:60:20 --against figures.json
   pelt bench scene.json --methods eager,on_demand --threads 1,2
 
 Each repetition of a frame first runs the frame before it (the last one before the first), untimed;
@@ -46,6 +49,14 @@ Methods are asked pair by pair on one thread, and pauses in which the system run
 not counted. With --threads, on_demand is asked as a crowd instead, once on each of these numbers of
 threads; they share the pairs of instances and, where there are 64 or more for each, the palettes.
 All times of that run are wall times. "vs 1 thread": how many times faster than a crowd on one.
+
+--against prints last, for each scene, query and cache, how many times faster than paper and eager a
+method is now and was in FILE, its cost over rigid, and now/then of each; "worse" marks what lost
+more than --margin. Machines differ in times, but little in these ratios; noise they have: beside
+other programs 1 in 14 ratios of the very same build was marked at 15 %, so measure again before you
+believe it. Where only one ratio of a method is worse, what it is taken to has become faster. What
+FILE lacks is named. A method that is slower is no failure; an answer other than in FILE is, with
+exit code 3.
 
 --json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
   machine    cpu, cores, target (instructions used), compiler, build, pelt (version)
@@ -167,20 +178,48 @@ Result<ExitCode> bench_file(const std::string& path, const BenchSettings& settin
   return exit;
 }
 
+/// Nothing where no file is named to compare with.
+Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments) {
+  if (arguments.against.empty() && arguments.margin)
+    return bad_argument("--margin", "there is no --against", "name the file with --against FILE");
+  if (arguments.against.empty()) return std::optional<Baseline>();
+  auto baseline = read_baseline(arguments.against);
+  if (!baseline) return baseline.error();
+  return std::optional<Baseline>(std::move(*baseline));
+}
+
+ExitCode compare(const Baseline& baseline, const Arguments& arguments,
+                 std::span<const SceneFigures> figures) {
+  const Comparison comparison =
+      print_comparison(baseline, figures, arguments.margin.value_or(kNoisePercent), std::cout);
+  if (comparison.different_answers == 0) return ExitCode::success;
+  std::cerr << "pelt: error: " << counted(comparison.different_answers, "answer")
+            << " other than in " << baseline.path
+            << ": if scenes, characters and options are the same, please report this; if they are "
+               "meant to differ, write the file anew with --json\n";
+  return ExitCode::internal;
+}
+
 Result<ExitCode> bench_scenes(const Arguments& arguments) {
   if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
   const Result<BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
+  const auto baseline = choose_baseline(arguments);
+  if (!baseline) return baseline.error();
+  if (!arguments.json.empty()) {
+    if (const auto writable = check_writable(arguments.json); !writable) return writable.error();
+  }
   std::vector<SceneFigures> figures;
   for (const std::string& path : arguments.scenes) {
     const Result<ExitCode> exit = bench_file(path, *settings, figures);
     if (!exit || *exit != ExitCode::success) return exit;
   }
-  if (arguments.json.empty()) return ExitCode::success;
-  const std::string text = figures_json(figures);
-  const auto written = write_file(arguments.json, std::as_bytes(std::span(text)));
-  if (!written) return written.error();
-  return ExitCode::success;
+  if (!arguments.json.empty()) {
+    const std::string text = figures_json(figures);
+    const auto written = write_file(arguments.json, std::as_bytes(std::span(text)));
+    if (!written) return written.error();
+  }
+  return *baseline ? compare(**baseline, arguments, figures) : ExitCode::success;
 }
 
 void add_options(Verb& verb, Arguments& arguments) {
@@ -196,6 +235,12 @@ void add_options(Verb& verb, Arguments& arguments) {
   verb.option("--frames", arguments.frames, "Frames A to B - 1, each S-th of them",
               {.type = "A:B[:S]"});
   verb.option("--json", arguments.json, "Write the figures", {.type = "FILE"});
+  verb.option("--against", arguments.against, "Compare with figures that --json has written",
+              {.type = "FILE"});
+  verb.option("--margin", arguments.margin,
+              "Hundredths by which a ratio may be worse before it is marked (default: " +
+                  std::to_string(kNoisePercent) + ")",
+              {.type = "PERCENT", .most = 1000});
   add_simd_option(verb, arguments.simd);
   add_model_options(verb, arguments.models);
 }

@@ -1,5 +1,6 @@
 #include "tools/pelt/bench_report.hpp"
 
+#include "tools/pelt/bench_ratios.hpp"
 #include "tools/pelt/machine.hpp"
 #include "tools/pelt/text.hpp"
 
@@ -11,23 +12,6 @@ namespace pelt::tools {
 namespace {
 
 constexpr int kName = 12, kColumn = 12, kWorkColumn = 16;
-
-bool is_same(const Variant& a, const Variant& b) {
-  return a.question == b.question && a.cache == b.cache;
-}
-
-/// The mean time of an engine on one thread in a variant, or null.
-const double* mean_of(const SceneFigures& scene, const std::string& engine,
-                      const Variant& variant) {
-  for (const Figures& figures : scene.figures)
-    if (figures.engine == engine && figures.threads == 1 && is_same(figures.variant, variant))
-      return &figures.times.mean_us;
-  return nullptr;
-}
-
-std::string ratio(const double* dividend, const double* divisor) {
-  return dividend && divisor ? fixed(*dividend / *divisor, 2) : "-";
-}
 
 void print_name(const std::string& name, std::ostream& out) {
   out << std::left << std::setw(kName) << name << std::right;
@@ -58,7 +42,7 @@ void print_skinning(const SceneFigures& scene, std::ostream& out) {
       << fixed(skinning.ns_per_vertex(), 2) << " ns a vertex";
   for (const char* engine : {"paper", "eager"}) {
     const double* mean = mean_of(scene, engine, scene.figures[0].variant);
-    if (mean) out << "; " << engine << " " << ratio(mean, &skinning.mean_us) << " times that";
+    if (mean) out << "; " << engine << " " << fixed(*mean / skinning.mean_us, 2) << " times that";
   }
   out << "\n\n";
 }
@@ -79,17 +63,16 @@ void print_head(const SceneFigures& scene, const Figures& figures, std::ostream&
 
 void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
   const Times& times = figures.times;
-  const auto mean_by = [&](const std::string& engine) {
-    return mean_of(scene, engine, figures.variant);
-  };
-  const double* one_thread = figures.asked == Asked::crowd ? mean_by(figures.engine) : nullptr;
+  const Ratios ratios = ratios_of(scene, figures);
+  const double* one_thread =
+      figures.asked == Asked::crowd ? mean_of(scene, figures.engine, figures.variant) : nullptr;
   print_name(figures.engine, out);
   for (const std::string& cell :
        {std::to_string(figures.threads), fixed(times.mean_us, 1),
         times.frames_in_contact > 0 ? fixed(times.mean_contact_us, 1) : "-", fixed(times.p95_us, 1),
         fixed(times.mean_update_us, 1), fixed(times.mean_us - times.mean_update_us, 1),
-        ratio(mean_by("paper"), &times.mean_us), ratio(mean_by("eager"), &times.mean_us),
-        ratio(&times.mean_us, mean_by("rigid")), ratio(one_thread, &times.mean_us)})
+        in_words(ratios.vs_paper), in_words(ratios.vs_eager), in_words(ratios.of_rigid),
+        in_words(ratio(one_thread, &times.mean_us))})
     out << std::setw(kColumn) << cell;
   out << '\n';
 }
@@ -143,11 +126,7 @@ const char* name_of(Asked asked) { return asked == Asked::pairs ? "pairs" : "cro
 
 const char* name_of(Time time) { return time == Time::thread ? "thread" : "wall"; }
 
-void print_machine(std::ostream& out) {
-  const Machine machine = this_machine();
-  out << machine.cpu << ", " << machine.target << ", " << machine.compiler << ", " << machine.build
-      << "\n\n";
-}
+void print_machine(std::ostream& out) { out << in_words(this_machine()) << "\n\n"; }
 
 void print_figures(const SceneFigures& scene, std::ostream& out) {
   print_scene(scene, out);

@@ -39,4 +39,8 @@ Machine this_machine() {
           std::thread::hardware_concurrency()};
 }
 
+std::string in_words(const Machine& machine) {
+  return machine.cpu + ", " + machine.target + ", " + machine.compiler + ", " + machine.build;
+}
+
 }  // namespace pelt::tools

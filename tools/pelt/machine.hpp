@@ -13,4 +13,7 @@ struct Machine {
 
 Machine this_machine();
 
+/// "AMD EPYC, avx2, GCC 12.2.0, no asserts"
+std::string in_words(const Machine& machine);
+
 }  // namespace pelt::tools

@@ -26,6 +26,14 @@ Result<void> write_file(const std::filesystem::path& path, std::span<const std::
   return unwritable(path.string());
 }
 
+Result<void> check_writable(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const bool is_new = !std::filesystem::exists(path, ignored);
+  if (!std::ofstream(path, std::ios::app)) return unwritable(path.string());
+  if (is_new) std::filesystem::remove(path, ignored);
+  return {};
+}
+
 Result<void> flush_standard_output() {
   std::cout.flush();
   if (std::cout) return {};

@@ -19,6 +19,9 @@ Error unwritable(const std::string& name);
 
 Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// Whether a file can be written there, asked before long work; what it holds stays.
+Result<void> check_writable(const std::filesystem::path& path);
+
 /// Fails where any of what went to std::cout since the start is lost.
 Result<void> flush_standard_output();
 

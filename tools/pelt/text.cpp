@@ -60,6 +60,14 @@ std::string hex16(std::uint64_t value) {
   return text;
 }
 
+bool parse_hex16(std::string_view text, std::uint64_t& value) {
+  std::uint64_t parsed = 0;
+  std::from_chars(text.data(), text.data() + text.size(), parsed, 16);
+  if (text != hex16(parsed)) return false;
+  value = parsed;
+  return true;
+}
+
 std::string counted(std::uint64_t count, const char* noun) {
   return with_commas(count) + " " + noun + (count == 1 ? "" : "s");
 }

@@ -32,6 +32,9 @@ std::string fixed(double value, int decimals);
 /// "0123456789abcdef"
 std::string hex16(std::uint64_t value);
 
+/// Whether `text` is what hex16 makes of a number, which is then in `value`.
+bool parse_hex16(std::string_view text, std::uint64_t& value);
+
 /// "1 frame", "2 frames"
 std::string counted(std::uint64_t count, const char* noun);
 

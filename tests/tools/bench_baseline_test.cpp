@@ -1,0 +1,125 @@
+/// Reading what `pelt bench --json` wrote, and what something else did.
+
+#include "tools/pelt/bench_baseline.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::json;
+
+SceneFigures scene_with_two_engines() {
+  SceneFigures scene;
+  scene.scene = "walkers.json";
+  scene.frames = 120;
+  scene.repetitions = 9;
+  scene.time = Time::wall;
+  scene.skinning = {4000, 12.5};
+  Figures paper;
+  paper.engine = "paper";
+  paper.answer.hash = 0xfedcba9876543210;
+  paper.times.mean_us = 97.25;
+  Figures crowd = paper;
+  crowd.engine = "on_demand";
+  crowd.asked = Asked::crowd;
+  crowd.threads = 2;
+  crowd.variant = {Question::first, Cache::cold};
+  crowd.times.mean_us = 4.875;
+  scene.figures = {paper, crowd};
+  return scene;
+}
+
+TEST(BenchBaseline, IsWhatWasWritten) {
+  const SceneFigures scene = scene_with_two_engines();
+  const auto baseline = parse_baseline("old.json", figures_json({scene, scene}));
+  ASSERT_TRUE(baseline) << baseline.error().message;
+  EXPECT_EQ(baseline->path, "old.json");
+  EXPECT_EQ(in_words(baseline->machine), in_words(this_machine()));
+  ASSERT_EQ(baseline->scenes.size(), 2u);
+  const SceneFigures& read = baseline->scenes[1];
+  EXPECT_EQ(read.scene, scene.scene);
+  EXPECT_EQ(read.frames, scene.frames);
+  EXPECT_EQ(read.time, scene.time);
+  ASSERT_EQ(read.figures.size(), 2u);
+  for (const std::size_t i : {0, 1}) {
+    EXPECT_EQ(read.figures[i].engine, scene.figures[i].engine);
+    EXPECT_EQ(read.figures[i].asked, scene.figures[i].asked);
+    EXPECT_EQ(read.figures[i].threads, scene.figures[i].threads);
+    EXPECT_EQ(read.figures[i].variant.question, scene.figures[i].variant.question);
+    EXPECT_EQ(read.figures[i].variant.cache, scene.figures[i].variant.cache);
+    EXPECT_EQ(read.figures[i].answer.hash, scene.figures[i].answer.hash);
+    EXPECT_EQ(read.figures[i].times.mean_us, scene.figures[i].times.mean_us);
+  }
+}
+
+/// Puts `value` in the place of one that is compared; an empty text takes it away.
+struct Damage {
+  const char* place;
+  json value;
+  const char* words;  ///< in the message
+};
+
+class DamagedBaseline : public ::testing::TestWithParam<Damage> {};
+
+TEST_P(DamagedBaseline, IsRefusedByName) {
+  json file = json::parse(figures_json({scene_with_two_engines()}));
+  const json::json_pointer place(GetParam().place);
+  ASSERT_TRUE(file.contains(place));
+  if (GetParam().value == "")
+    file.at(place.parent_pointer()).erase(place.back());
+  else
+    file[place] = GetParam().value;
+  const auto baseline = parse_baseline("old.json", file.dump());
+  ASSERT_FALSE(baseline);
+  const std::string& message = baseline.error().message;
+  EXPECT_EQ(message.rfind("old.json: ", 0), 0u) << message;
+  EXPECT_NE(message.find(GetParam().words), std::string::npos) << message;
+  EXPECT_NE(message.find("pelt bench --json"), std::string::npos) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Everywhere, DamagedBaseline,
+    ::testing::Values(
+        Damage{"/format", "pelt-check", "format: must be pelt-bench"},
+        Damage{"/format", "", "format: must be pelt-bench"},
+        Damage{"/version", 2, "version: must be 1"},
+        Damage{"/machine", 3, "machine: must be an object"},
+        Damage{"/machine/target", "", "machine.target: is missing"},
+        Damage{"/scenes", "", "scenes: is missing"},
+        Damage{"/scenes", 7, "scenes: must be an array"},
+        Damage{"/scenes/0", 7, "scenes[0]: must be an object"},
+        Damage{"/scenes/0/scene", "", "scenes[0].scene: is missing"},
+        Damage{"/scenes/0/frames", -1, "scenes[0].frames: must be a whole number"},
+        Damage{"/scenes/0/time", "cpu", "scenes[0].time: must be thread or wall"},
+        Damage{"/scenes/0/engines", json::object(), "scenes[0].engines: must be an array"},
+        Damage{"/scenes/0/engines/1/engine", 5, "scenes[0].engines[1].engine: must be a string"},
+        Damage{"/scenes/0/engines/1/query", "some", "engines[1].query: must be all or first"},
+        Damage{"/scenes/0/engines/1/cache", "warm", "engines[1].cache: must be hot or cold"},
+        Damage{"/scenes/0/engines/1/asked", "", "engines[1].asked: is missing"},
+        Damage{"/scenes/0/engines/1/threads", 1.5, "engines[1].threads: must be a whole number"},
+        Damage{"/scenes/0/engines/1/hash", "abc", "hash: must be 16 hexadecimal digits"},
+        Damage{"/scenes/0/engines/1/hash", "0123456789abcdeg", "hash: must be 16 hexadecimal"},
+        Damage{"/scenes/0/engines/1/mean_us", 0, "mean_us: must be a number above 0"},
+        Damage{"/scenes/0/engines/1/mean_us", "", "mean_us: must be a number above 0"},
+        Damage{"/scenes/0/engines/1/mean_us", "fast", "mean_us: must be a number"}));
+
+TEST(BenchBaseline, IsRefusedWhereItIsCutShort) {
+  const std::string whole = figures_json({scene_with_two_engines()});
+  for (std::size_t size = 0; size < whole.size() - 2; size += 7) {
+    const auto baseline = parse_baseline("old.json", whole.substr(0, size));
+    ASSERT_FALSE(baseline) << size;
+    EXPECT_EQ(baseline.error().message.rfind("old.json: the JSON text is wrong", 0), 0u);
+  }
+}
+
+TEST(BenchBaseline, MustExist) {
+  const auto baseline = read_baseline("no/such.json");
+  ASSERT_FALSE(baseline);
+  EXPECT_NE(baseline.error().message.find("no/such.json"), std::string::npos);
+  EXPECT_NE(baseline.error().message.find("--json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelt::tools
