@@ -33,6 +33,7 @@ const Experiment* peers_experiment();
 Result<Section> characters(const Conditions& conditions);      // characters.cpp
 Result<Section> sphere_trees(const Conditions& conditions);    // sphere_trees.cpp
 Result<Section> tightness(const Conditions& conditions);       // tightness.cpp
+Result<Section> refit_cost(const Conditions& conditions);      // refit_cost.cpp
 Result<Section> two_men(const Conditions& conditions);         // walking.cpp
 Result<Section> worst_case(const Conditions& conditions);      // walking.cpp
 Result<Section> subdivision(const Conditions& conditions);     // subdivision.cpp
