@@ -20,8 +20,8 @@ class PosedMeshMethod {
   /// Adds a body at its rest positions. `triangles` outlives this, `rest` is read during the call.
   virtual void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) = 0;
 
-  /// The vertices of a body have moved. `positions` stays as it is until the next update of the
-  /// body.
+  /// The vertices of a body have moved, or are told for the first time, which comes before any
+  /// question about it. `positions` stays as it is until the next update of the body.
   virtual void update(std::uint32_t body, std::span<const Vec3> positions) = 0;
 
   /// Appends the contacts of two bodies in no particular order, until all are found or
