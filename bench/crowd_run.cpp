@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "bench/statistics.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace pelt::bench {
@@ -37,6 +38,15 @@ CrowdTiming CrowdRun::run(std::uint32_t threads) {
   timing.palettes_ms = median(palettes_ms);
   timing.frame_ms = median(frame_ms);
   return timing;
+}
+
+CrowdTiming CrowdRun::best_of(std::uint32_t runs, std::uint32_t threads) {
+  CrowdTiming best = run(threads);
+  for (std::uint32_t r = 1; r < runs; ++r)
+    best = std::min(best, run(threads), [](const CrowdTiming& a, const CrowdTiming& b) {
+      return a.frame_ms < b.frame_ms;
+    });
+  return best;
 }
 
 CrowdTiming CrowdRun::time_frame(std::uint32_t frame, std::uint32_t threads) {

@@ -34,6 +34,9 @@ class CrowdRun {
 
   CrowdTiming run(std::uint32_t threads);
 
+  /// The one of so many runs with the least time of a frame, for others may use the machine too.
+  CrowdTiming best_of(std::uint32_t runs, std::uint32_t threads);
+
   /// Bytes of the crowd, without its models.
   std::size_t memory_bytes() const { return crowd_.memory_bytes(); }
 

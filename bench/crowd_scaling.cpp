@@ -8,7 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -63,21 +62,12 @@ std::uint64_t triangles_of(const CrowdJob& job) {
   return triangles;
 }
 
-CrowdTiming best_of(CrowdRun& run, std::uint32_t threads, std::uint32_t runs) {
-  CrowdTiming best = run.run(threads);
-  for (std::uint32_t r = 1; r < runs; ++r)
-    best = std::min(best, run.run(threads), [](const CrowdTiming& a, const CrowdTiming& b) {
-      return a.frame_ms < b.frame_ms;
-    });
-  return best;
-}
-
 /// The first run warms up.
 void measure(const CrowdJob& job, std::uint32_t runs, std::vector<Row>& rows) {
   CrowdRun run(job);
   run.run(2);
   for (const std::uint32_t threads : {1u, 2u}) {
-    const CrowdTiming best = best_of(run, threads, runs);
+    const CrowdTiming best = run.best_of(runs, threads);
     rows.push_back(
         {job.models.size(), triangles_of(job), threads, best, run.memory_bytes(), process_bytes()});
     std::cout << rows.back() << std::endl;
