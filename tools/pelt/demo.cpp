@@ -4,7 +4,6 @@
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/output.hpp"
 #include "tools/pelt/run_program.hpp"
-#include "tools/pelt/scene_glb.hpp"
 #include "tools/pelt/still.hpp"
 #include "tools/pelt/verb.hpp"
 
@@ -73,22 +72,6 @@ Result<void> write_check(const scenes::Scene& scene, const fs::path& folder) {
   return {};
 }
 
-/// The contacts of one frame alone.
-Result<std::string> still_of(const scenes::Scene& scene, std::uint32_t frame) {
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
-  if (!colliders) return colliders.error();
-  const auto posed = pose_instances(scene, frame, {});
-  if (!posed) return posed.error();
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  sample_palettes(scene, frame, scratch, palettes);
-  SceneQuery query(*colliders, bench::MethodKind::on_demand);
-  if (const auto set = query.set_palettes(palettes); !set) return set.error();
-  FrameContacts found;
-  query.collide({}, found);
-  return describe_still(*posed, touching_triangles(*posed, *colliders, found));
-}
-
 void remove_file(const fs::path& path) {
   std::error_code ignored;
   fs::remove(path, ignored);
@@ -132,10 +115,11 @@ Result<ExitCode> demo(const Arguments& arguments) {
   for (const char* name : {"scene.json", "contacts.jsonl", "contacts.glb"}) {
     std::cout << "wrote " << (folder / name).string() << '\n';
   }
-  const Result<std::string> still = still_of(*scene, kStillFrame);
+  const Result<StillFrame> still = take_still(*scene, kStillFrame);
   if (!still) return still.error();
   const fs::path description = folder / "still.pov";
-  if (const auto written = write_text(description, *still); !written) return written.error();
+  if (const auto written = write_text(description, describe_still(*still)); !written)
+    return written.error();
   std::cout << "rendering ..." << std::endl;
   render(description, folder / "still.png");
   return ExitCode::success;

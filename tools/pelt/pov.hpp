@@ -1,0 +1,33 @@
+#pragma once
+
+/// The words of the ray tracer POV-Ray that describe posed characters, whatever the stage.
+
+#include "base/vec3.hpp"
+#include "tools/pelt/posed_instances.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+/// POV-Ray's axes are left-handed: z is turned round wherever a point or direction is written.
+std::string pov_vector(const detail::Vec3d& v);
+
+/// Of a linear colour.
+std::string pov_colour(const std::array<float, 3>& colour);
+
+struct PovCamera {
+  detail::Vec3d from, at;
+  double angle = 40;        ///< of view, from left to right, in degrees
+  double aspect = 16. / 9;  ///< width over height
+};
+
+std::string pov_camera(const PovCamera& camera);
+
+/// A smooth mesh in the texture `skin`. Triangles in contact have the texture Glow, which is the
+/// stage's to declare.
+std::string pov_mesh(const PosedInstance& instance, const std::vector<bool>& touching,
+                     const std::string& skin);
+
+}  // namespace pelt::tools
