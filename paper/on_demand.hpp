@@ -48,6 +48,9 @@ class OnDemandBody {
     const Palette& palette_;
   };
 
+  /// Whether no descent has asked for the node's sphere since the palette changed.
+  bool is_stale(std::uint32_t node) const { return refit_.is_stale(node); }
+
   std::uint64_t refits() const { return refit_.refits(); }
   std::uint64_t posed_vertices() const { return triangles_.posed_vertices(); }
 

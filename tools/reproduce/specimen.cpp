@@ -6,13 +6,17 @@
 
 namespace pelt::reproduce {
 
+Result<Specimen> make_specimen(asset::Asset asset) {
+  const Result<SkinnedModel> model = build_model(asset.mesh());
+  if (!model) return model.error();
+  detail::SkinnedMesh mesh = detail::unpack_mesh(model->detail().tree);
+  return Specimen{std::move(asset), *model, std::move(mesh)};
+}
+
 Result<Specimen> make_specimen(const scenes::CreatureOptions& options) {
   Result<asset::Asset> asset = scenes::make_creature(options);
   if (!asset) return asset.error();
-  const Result<SkinnedModel> model = build_model(asset->mesh());
-  if (!model) return model.error();
-  detail::SkinnedMesh mesh = detail::unpack_mesh(model->detail().tree);
-  return Specimen{std::move(*asset), *model, std::move(mesh)};
+  return make_specimen(std::move(*asset));
 }
 
 detail::Palette walking_palette(const Specimen& specimen, float seconds) {

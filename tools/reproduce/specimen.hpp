@@ -17,6 +17,7 @@ struct Specimen {
   detail::SkinnedMesh mesh;
 };
 
+Result<Specimen> make_specimen(asset::Asset asset);
 Result<Specimen> make_specimen(const scenes::CreatureOptions& options);
 
 /// Of the clip "walk".

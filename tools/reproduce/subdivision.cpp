@@ -7,6 +7,7 @@
 #include "tools/pelt/scene_query.hpp"
 #include "tools/pelt/stopwatch.hpp"
 #include "tools/reproduce/facing_pair.hpp"
+#include "tools/reproduce/figures.hpp"
 #include "tools/reproduce/paper_figures.hpp"
 #include "tools/reproduce/scene_figures.hpp"
 #include "tools/reproduce/subdivide.hpp"
@@ -202,6 +203,10 @@ Result<Section> subdivision(const Conditions& conditions) {
     section.charts.push_back(chart_of(*table));
     section.tables.push_back(std::move(*table));
   }
+  auto picture = dwarves_picture(facing_pair(dwarves->front(), kApart),
+                                 facing_pair(dwarves->front(), kInterfering), conditions);
+  if (!picture) return picture.error();
+  section.pictures.push_back(std::move(*picture));
   auto rigid = rigid_table(dwarves->front(), conditions);
   if (!rigid) return rigid.error();
   section.tables.push_back(std::move(*rigid));

@@ -8,7 +8,7 @@
 #include "paper/min_sphere.hpp"
 #include "paper/on_demand.hpp"
 #include "skin/skin.hpp"
-#include "tools/reproduce/experiment.hpp"
+#include "tools/reproduce/figures.hpp"
 #include "tools/reproduce/paper_figures.hpp"
 #include "tools/reproduce/specimen.hpp"
 
@@ -259,7 +259,7 @@ Table box_table(const Specimen& specimen, const Palette& palette) {
 
 }  // namespace
 
-Result<Section> tightness(const Conditions&) {
+Result<Section> tightness(const Conditions& conditions) {
   const Result<Specimen> creature = make_specimen(scenes::kCreature);
   if (!creature) return creature.error();
   const Palette palette = walking_palette(*creature, kSeconds);
@@ -274,6 +274,7 @@ Result<Section> tightness(const Conditions&) {
                      "radius / best",
                      false,
                      Better::lower}};
+  section.pictures = {level_picture(*creature, palette, conditions)};
   return section;
 }
 

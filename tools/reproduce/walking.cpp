@@ -1,6 +1,7 @@
 /// The moving scenes of section 5: two men who walk towards each other (Figure 5), two creatures
 /// who walk through each other (Figure 6), and a crowd of fifty (Figure 1).
 
+#include "tools/reproduce/figures.hpp"
 #include "tools/reproduce/paper_figures.hpp"
 #include "tools/reproduce/scene_figures.hpp"
 #include "tools/reproduce/scene_texts.hpp"
@@ -55,6 +56,7 @@ struct Walk {
   std::string_view scene;
   Printed printed;
   std::uint32_t most_frames;
+  Result<Picture> (*picture)(const scenes::Scene&, const Conditions&);
 };
 
 Result<Section> measure_walk(const Walk& walk, const Conditions& conditions) {
@@ -62,8 +64,11 @@ Result<Section> measure_walk(const Walk& walk, const Conditions& conditions) {
   if (!scene) return scene.error();
   const auto figures = measure_scene(*scene, kMethods, walk.most_frames, conditions);
   if (!figures) return figures.error();
+  Result<Picture> picture = walk.picture(*scene, conditions);
+  if (!picture) return picture.error();
   const std::string id = walk.id, title = walk.title;
   Section section;
+  section.pictures.push_back(std::move(*picture));
   section.text = {why_ratios_differ(*figures)};
   section.tables = {comparison_table(id + "_ratios", title + ": how many times faster", *figures,
                                      comparisons(walk.printed)),
@@ -75,19 +80,22 @@ Result<Section> measure_walk(const Walk& walk, const Conditions& conditions) {
 
 Result<Section> two_men(const Conditions& conditions) {
   const Printed printed = {kPaperTwoMenBottomUp / kPaperTwoMenOnDemand, {}};
-  return measure_walk({"two_men", "Two men", approaching_scene(), printed, 60}, conditions);
+  return measure_walk({"two_men", "Two men", approaching_scene(), printed, 60, refit_picture},
+                      conditions);
 }
 
 Result<Section> worst_case(const Conditions& conditions) {
   const Printed printed = {kPaperWorstBottomUp / kPaperWorstOnDemand,
                            kPaperWorstFirstBottomUp / kPaperWorstFirstOnDemand};
-  return measure_walk({"worst_case", "Two creatures", passing_through_scene(), printed, 60},
-                      conditions);
+  return measure_walk(
+      {"worst_case", "Two creatures", passing_through_scene(), printed, 60, passing_picture},
+      conditions);
 }
 
 Result<Section> crowd_of_fifty(const Conditions& conditions) {
   const Printed printed = {kPaperCrowdSpeedUp, {}};
-  return measure_walk({"crowd", "Fifty creatures", crowd_scene(), printed, 10}, conditions);
+  return measure_walk({"crowd", "Fifty creatures", crowd_scene(), printed, 10, crowd_picture},
+                      conditions);
 }
 
 }  // namespace pelt::reproduce
