@@ -24,6 +24,14 @@ TEST(GnuplotScript, HasTheDataAndQuotesWhatPeopleWrote) {
   EXPECT_NE(script.find("logscale"), script.npos) << script;
 }
 
+TEST(GnuplotScript, TakesLogarithmsOfTheAxesThatTheChartNames) {
+  Chart chart = kChart;
+  chart.axes = Axes::linear;
+  EXPECT_EQ(gnuplot_script(chart, kTable, "a.svg").find("logscale"), std::string::npos);
+  chart.axes = Axes::logarithmic_y;
+  EXPECT_NE(gnuplot_script(chart, kTable, "a.svg").find("logscale y\n"), std::string::npos);
+}
+
 TEST(DrawChart, WritesAnSvg) {
   if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot here";
   const auto svg = std::filesystem::temp_directory_path() / "pelt_chart_test.svg";

@@ -51,15 +51,27 @@ constexpr const char* kColours =
     "set linetype 1 linecolor '#1c6b4a'\nset linetype 2 linecolor '#b5533c'\n"
     "set linetype 3 linecolor '#2f5fa8'\nset linetype 4 linecolor '#c28a00'\n"
     "set linetype 5 linecolor '#7a4fa0'\nset linetype 6 linecolor '#333333'\n"
-    "set linetype 7 linecolor '#4fa7b8'\nset linetype 8 linecolor '#9aa05a'\n";
+    "set linetype 7 linecolor '#4fa7b8'\nset linetype 8 linecolor '#9aa05a'\n"
+    "set linetype 9 linecolor '#d678a8'\nset linetype 10 linecolor '#9a9aa6'\n";
 
-/// Axes that are not logarithmic begin at zero, so that heights compare.
+/// Where heights are not logarithmic they begin at zero, so that they compare.
+const char* scales(Axes axes) {
+  switch (axes) {
+    case Axes::linear:
+      return "set yrange [0:*]\n";
+    case Axes::logarithmic:
+      return "set logscale xy\nset format '%.10g'\n";
+    case Axes::logarithmic_y:
+      return "set logscale y\nset format y '%.10g'\n";
+  }
+  return "";
+}
+
 std::string axes(const Chart& chart, const Table& table) {
   const Column& x = table.columns[column_of(table, chart.x)];
   std::string text = "set xlabel " + quoted(x.title) + "\nset ylabel " + quoted(chart.y_title) +
                      "\nset title " + quoted(title_of(chart)) + "\n";
-  return text +
-         (chart.is_logarithmic ? "set logscale xy\nset format '%.10g'\n" : "set yrange [0:*]\n");
+  return text + scales(chart.axes);
 }
 
 }  // namespace

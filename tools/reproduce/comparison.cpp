@@ -51,16 +51,16 @@ std::vector<Cell> time_row(double at, const SceneFigures& figures, Question ques
 }
 
 Chart chart_of(const Table& table) {
-  Chart chart = {table.id, table.title,    table.id, table.columns[0].key,
-                 {},       "a query [us]", false,    Better::lower};
+  Chart chart = {table.id, table.title,    table.id,     table.columns[0].key,
+                 {},       "a query [us]", Axes::linear, Better::lower};
   for (const MethodKind method : kMethods) chart.y.push_back(label(method) + "_us");
   return chart;
 }
 
 /// Adds the table and its chart.
-void add(Table table, bool is_logarithmic, Section& section) {
+void add(Table table, Axes axes, Section& section) {
   section.charts.push_back(chart_of(table));
-  section.charts.back().is_logarithmic = is_logarithmic;
+  section.charts.back().axes = axes;
   section.tables.push_back(std::move(table));
 }
 
@@ -77,8 +77,8 @@ Result<void> separation(const scenes::Character& creature, const Conditions& con
     all.rows.push_back(time_row(at, *figures, Question::all));
     first.rows.push_back(time_row(at, *figures, Question::first));
   }
-  add(std::move(all), false, section);
-  add(std::move(first), false, section);
+  add(std::move(all), Axes::logarithmic_y, section);
+  add(std::move(first), Axes::logarithmic_y, section);
   return {};
 }
 
@@ -94,7 +94,7 @@ Result<void> resolution(const Conditions& conditions, Section& section) {
     if (!figures) return figures.error();
     table.rows.push_back(time_row(triangles, *figures, Question::all));
   }
-  add(std::move(table), true, section);
+  add(std::move(table), Axes::logarithmic, section);
   return {};
 }
 

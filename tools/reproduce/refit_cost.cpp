@@ -138,7 +138,7 @@ std::vector<Chart> charts() {
            "joints",
            {"refit_ns"},
            "a refit [ns]",
-           true,
+           Axes::logarithmic,
            Better::lower},
           {"refit_vertices",
            "A refit by vertices below",
@@ -146,7 +146,7 @@ std::vector<Chart> charts() {
            "vertices",
            {"same_joints_ns", "creature_ns"},
            "a refit [ns]",
-           true,
+           Axes::logarithmic,
            Better::lower}};
 }
 

@@ -35,6 +35,7 @@ struct Table {
 };
 
 enum class Better { lower, higher, neither };
+enum class Axes { linear, logarithmic, logarithmic_y };
 
 /// Columns of a table of the same section, drawn over another of its columns.
 struct Chart {
@@ -43,7 +44,7 @@ struct Chart {
   std::string x;               ///< key of a column
   std::vector<std::string> y;  ///< keys of columns
   std::string y_title;         ///< with its unit
-  bool is_logarithmic = true;  ///< both axes
+  Axes axes = Axes::logarithmic;
   Better better = Better::lower;
 };
 

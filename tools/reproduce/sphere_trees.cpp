@@ -229,7 +229,7 @@ Result<Section> sphere_trees(const Conditions&) {
                      "ratio",
                      {"query_us"},
                      "query [us]",
-                     false,
+                     Axes::linear,
                      Better::lower}};
   return section;
 }

@@ -181,7 +181,7 @@ Chart chart_of(const Table& table) {
           "triangles",
           {"paper_us", "paper_eager_us", "eager_us", "on_demand_us"},
           "a query [us]",
-          true,
+          Axes::logarithmic,
           Better::lower};
 }
 

@@ -272,7 +272,7 @@ Result<Section> tightness(const Conditions& conditions) {
                      "level",
                      {"eq2", "on_demand", "paper_on_demand", "bottom_up", "paper_bottom_up"},
                      "radius / best",
-                     false,
+                     Axes::linear,
                      Better::lower}};
   section.pictures = {level_picture(*creature, palette, conditions)};
   return section;
