@@ -1,7 +1,6 @@
 #include "tools/reproduce/chart.hpp"
 
-#include "tools/pelt/output.hpp"
-#include "tools/pelt/run_program.hpp"
+#include "tools/reproduce/drawing.hpp"
 
 #include <sstream>
 
@@ -91,20 +90,10 @@ std::string gnuplot_script(const Chart& chart, const Table& table, const fs::pat
 }
 
 Result<void> draw_chart(const Chart& chart, const Table& table, const fs::path& svg) {
-  const std::string script = gnuplot_script(chart, table, svg);
   fs::path file = svg;
   file.replace_extension(".gnuplot");
-  if (const auto written = tools::write_file(file, std::as_bytes(std::span(script))); !written)
-    return written.error();
   const std::vector<std::string> command = {"gnuplot", file.string()};
-  const tools::ProgramEnd end = tools::run_program(command);
-  if (end == tools::ProgramEnd::failed)
-    return Error{ErrorCode::unsupported, file.string() + ": gnuplot failed: run it to see why"};
-  std::error_code ignored;
-  fs::remove(file, ignored);
-  if (end == tools::ProgramEnd::succeeded) return {};
-  return Error{ErrorCode::unsupported,
-               "gnuplot is not installed: run `apt-get install gnuplot-nox`, then this again"};
+  return draw({"gnuplot", "gnuplot-nox"}, command, file, gnuplot_script(chart, table, svg));
 }
 
 }  // namespace pelt::reproduce

@@ -1,7 +1,6 @@
 #include "tools/reproduce/picture.hpp"
 
-#include "tools/pelt/output.hpp"
-#include "tools/pelt/run_program.hpp"
+#include "tools/reproduce/drawing.hpp"
 
 namespace pelt::reproduce {
 
@@ -10,8 +9,6 @@ namespace fs = std::filesystem;
 Result<void> render(const Picture& picture, const fs::path& png) {
   fs::path file = png;
   file.replace_extension(".pov");
-  const auto written = tools::write_file(file, std::as_bytes(std::span(picture.description)));
-  if (!written) return written.error();
   const std::vector<std::string> command = {"povray",
                                             "+I" + file.string(),
                                             "+O" + png.string(),
@@ -21,14 +18,7 @@ Result<void> render(const Picture& picture, const fs::path& png) {
                                             "-D",
                                             "-P",
                                             "+Q9"};
-  const tools::ProgramEnd end = tools::run_program(command);
-  if (end == tools::ProgramEnd::failed)
-    return Error{ErrorCode::unsupported, file.string() + ": POV-Ray failed: run it to see why"};
-  std::error_code ignored;
-  fs::remove(file, ignored);
-  if (end == tools::ProgramEnd::succeeded) return {};
-  return Error{ErrorCode::unsupported,
-               "POV-Ray is not installed: run `apt-get install povray`, then this again"};
+  return draw({"POV-Ray", "povray"}, command, file, picture.description);
 }
 
 }  // namespace pelt::reproduce

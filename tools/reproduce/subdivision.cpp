@@ -54,10 +54,8 @@ double sphere_count(const scenes::Character& dwarf) {
 }
 
 double node_pairs_of(const tools::SceneFigures& figures, MethodKind method) {
-  for (const tools::Figures& f : figures.figures)
-    if (f.engine == bench::name_of(method) && f.variant.question == Question::all)
-      return static_cast<double>(f.answer.work.node_pairs);
-  return 0;
+  const tools::Figures& of = figures_of(figures, bench::name_of(method), Question::all);
+  return static_cast<double>(of.answer.work.node_pairs);
 }
 
 Table empty_table(const char* id, const char* title, bool is_interfering) {
