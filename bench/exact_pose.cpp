@@ -1,7 +1,7 @@
 #include "bench/exact_pose.hpp"
 
 #include "base/wide_code.hpp"
-#include "query/sort_contacts.hpp"
+#include "collide/sort_contacts.hpp"
 
 namespace pelt::bench {
 

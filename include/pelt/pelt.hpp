@@ -11,5 +11,7 @@
 #include <pelt/model.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/prepared.hpp>
+#include <pelt/query.hpp>
 #include <pelt/result.hpp>
+#include <pelt/shapes.hpp>
 #include <pelt/version.hpp>

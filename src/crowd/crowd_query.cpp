@@ -2,7 +2,7 @@
 
 #include "base/bytes_held.hpp"
 #include "base/wide_code.hpp"
-#include "query/sort_contacts.hpp"
+#include "collide/sort_contacts.hpp"
 
 #include <algorithm>
 #include <functional>

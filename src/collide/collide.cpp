@@ -2,20 +2,11 @@
 
 #include "base/assert.hpp"
 #include "base/wide_code.hpp"
+#include "collide/sort_contacts.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
-#include "query/sort_contacts.hpp"
 
 namespace pelt {
-
-QueryStats& QueryStats::operator+=(const QueryStats& other) {
-  node_pairs += other.node_pairs;
-  refits += other.refits;
-  posed_vertices += other.posed_vertices;
-  triangle_pairs += other.triangle_pairs;
-  cut_short = cut_short || other.cut_short;
-  return *this;
-}
 
 QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
                    const CollideOptions& options) {

@@ -3,19 +3,17 @@
 /// (refit on demand, Kavan & Zara 2005, section 4.2). Opening may show that the exact boxes do not
 /// overlap after all, so one side of a pair is opened before the other is touched.
 
-#include "query/pair_traversal.hpp"
+#include "collide/pair_traversal.hpp"
 
+#include "collide/cluster_pair.hpp"
 #include "pose/open_node.hpp"
-#include "query/cluster_pair.hpp"
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 
 #include <cmath>
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
-
-constexpr unsigned kAllSlots = (1u << kMaxSlots) - 1;
 
 bool overlap(const float* low_a, const float* high_a, const float* low_b, const float* high_b) {
   const Mask4 below = load4(low_a) <= load4(high_b), above = load4(low_b) <= load4(high_a);
@@ -36,18 +34,6 @@ float depth(const OpenedNode& a, unsigned slot, const OpenedNode& b) {
     least = smaller < least ? smaller : least;
   }
   return least;
-}
-
-/// The slots of an opened node whose boxes overlap `box`.
-unsigned slots_in(const OpenedNode& opened, const Box8& box) {
-  return overlapping(opened.low, opened.high, 0, box);
-}
-
-unsigned clusters_of(const Node& node) { return (1u << node.cluster_count) - 1; }
-
-/// The child in a slot that is none of a cluster.
-std::uint32_t child(const Node& node, unsigned slot) {
-  return node.first_child + slot - node.cluster_count;
 }
 
 class PairTraversal {

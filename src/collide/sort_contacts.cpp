@@ -1,4 +1,4 @@
-#include "query/sort_contacts.hpp"
+#include "collide/sort_contacts.hpp"
 
 #include <algorithm>
 #include <array>

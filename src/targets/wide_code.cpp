@@ -2,10 +2,10 @@
 
 #include "base/wide_code.hpp"
 
+#include "collide/pair_traversal.hpp"
 #include "pose/open_fully.hpp"
 #include "pose/open_node.hpp"
 #include "pose/root_box.hpp"
-#include "query/pair_traversal.hpp"
 #include "skin/palette_scan.hpp"
 
 namespace pelt::detail {

@@ -8,25 +8,15 @@
 #include <pelt/collide.hpp>
 
 #include "base/target.hpp"
+#include "collide/row_lanes.hpp"
 #include "geometry/triangle_pair.hpp"
 #include "geometry/triangle_triage.hpp"
-#include "pose/posed_tree.hpp"
-#include "query/row_lanes.hpp"
+#include "query/slots.hpp"
 #include "query/stack.hpp"
 
 #include <cstdint>
 
 namespace pelt::detail {
-
-/// One cluster of an opened node.
-struct PosedCluster {
-  const PosedTree& posed;
-  const Node& node;
-  const OpenedNode& opened;
-  std::uint32_t slot;
-
-  const Cluster& cluster() const { return posed.tree.clusters[node.first_cluster + slot]; }
-};
 
 inline namespace PELT_TARGET {
 

@@ -1,4 +1,4 @@
-#include "query/cluster_pair.hpp"
+#include "collide/cluster_pair.hpp"
 
 #include "pose/open_node.hpp"
 #include "query/lanes.hpp"

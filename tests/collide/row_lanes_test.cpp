@@ -1,4 +1,4 @@
-#include "query/row_lanes.hpp"
+#include "collide/row_lanes.hpp"
 
 #include <gtest/gtest.h>
 

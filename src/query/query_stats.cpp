@@ -1,0 +1,14 @@
+#include <pelt/query.hpp>
+
+namespace pelt {
+
+QueryStats& QueryStats::operator+=(const QueryStats& other) {
+  node_pairs += other.node_pairs;
+  refits += other.refits;
+  posed_vertices += other.posed_vertices;
+  triangle_pairs += other.triangle_pairs;
+  cut_short = cut_short || other.cut_short;
+  return *this;
+}
+
+}  // namespace pelt
