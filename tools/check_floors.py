@@ -13,8 +13,8 @@ import re
 import sys
 
 FLOORS = ["include/pelt", "src/base", "src/geometry", "src/skin", "paper", "src/model", "src/pose",
-          "src/query", "src/collide", "src/crowd", "src/targets", "rivals", "peers", "asset", "scenes", "bench", "tools",
-          "tests"]
+          "src/query", "src/collide", "src/bounds", "src/crowd", "src/targets", "rivals", "peers",
+          "asset", "scenes", "bench", "tools", "tests"]
 
 MAY_INCLUDE_PAPER = ("paper", "rivals", "bench", "tools", "tests")
 MAY_INCLUDE_ONLY = {
@@ -23,7 +23,8 @@ MAY_INCLUDE_ONLY = {
     "examples": {"include/pelt"},
 }
 STANDARD_LIBRARY_ONLY = ("include/pelt", "src/geometry", "src/skin", "src/model", "src/pose",
-                         "src/query", "src/collide", "src/crowd", "src/targets", "paper", "examples")
+                         "src/query", "src/collide", "src/bounds", "src/crowd", "src/targets",
+                         "paper", "examples")
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

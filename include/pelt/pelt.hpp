@@ -3,9 +3,11 @@
 /// Exact collision detection for skinned characters: a SkinnedModel is built once, a Pose moves it,
 /// a query asks two Poses, Contacts come out.
 
+#include <pelt/bounds.hpp>
 #include <pelt/check.hpp>
 #include <pelt/collide.hpp>
 #include <pelt/crowd.hpp>
+#include <pelt/groups.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
 #include <pelt/model.hpp>

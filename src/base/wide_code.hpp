@@ -12,6 +12,7 @@
 namespace pelt::detail {
 
 class Palette;
+struct BoxFound;
 struct NodeBounds;
 struct PaletteScan;
 struct PosedTree;
@@ -27,6 +28,11 @@ struct WideCode {
   QueryStats (*open_fully)(const PosedTree& posed);
   QueryStats (*collide_trees)(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                               std::uint32_t max_contacts);
+  BoxFound (*bounding_box)(const PosedTree& posed, std::uint32_t levels);
+  float (*bounding_radius)(const NodeBounds& bounds, const Palette& palette, const float* centre);
+  BoxFound (*bound_of_set)(const NodeBounds& bounds, std::uint32_t set, const Palette& palette);
+  BoxFound (*box_places)(const Tree& tree, const Palette& palette,
+                         std::span<const std::uint32_t> places);
 };
 
 /// Those of the active target.

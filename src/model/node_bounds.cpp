@@ -85,6 +85,19 @@ void each_subtree(const Tree& tree, const Visit& visit) {
 
 }  // namespace
 
+NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uint32_t>> sets,
+                          std::span<const Palette> samples) {
+  NodeBounds bounds;
+  const WeightRounding rounding = weight_rounding(tree);
+  NodeVertices vertices(tree);
+  for (const std::vector<std::uint32_t>& places : sets) {
+    vertices.assign(places);
+    bounds.nodes.push_back(places.empty() ? NodeBound{}
+                                          : fit_node(vertices, rounding, samples, bounds));
+  }
+  return bounds;
+}
+
 NodeBounds fit_node_bounds(const Tree& tree, std::span<const Palette> samples) {
   NodeBounds bounds;
   bounds.nodes.resize(tree.nodes.size());

@@ -113,4 +113,9 @@ struct NodeBounds {
 /// hold in any pose. O(P log P) for P vertices in pools.
 NodeBounds fit_node_bounds(const Tree& tree, std::span<const Palette> samples);
 
+/// The same for any sets of vertices, named by their places in the pools, a node for each. The
+/// bound of no vertices is the box around nothing.
+NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uint32_t>> sets,
+                          std::span<const Palette> samples);
+
 }  // namespace pelt::detail

@@ -194,5 +194,16 @@ void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out
   }
 }
 
+Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at) {
+  const Places places(tree);
+  const Matrix4* matrices = palette.joints().data();
+  Box4 box = empty_box();
+  for (const std::uint32_t place : at) {
+    const Float4 p = places.pose(place, places.influence_count(place), matrices);
+    box = unite(box, {p, p});
+  }
+  return box;
+}
+
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

@@ -3,6 +3,7 @@
 #include <pelt/collide.hpp>
 
 #include "base/target.hpp"
+#include "geometry/box4.hpp"
 #include "pose/posed_tree.hpp"
 
 #include <span>
@@ -40,6 +41,9 @@ QueryStats open_all_exactly(const PosedTree& posed);
 
 /// Poses all vertices, in the caller's order.
 void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out);
+
+/// The box of the posed vertices at these places of the pools.
+Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at);
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

@@ -2,6 +2,8 @@
 
 #include "base/wide_code.hpp"
 
+#include "bounds/bounding_box.hpp"
+#include "bounds/bounding_radius.hpp"
 #include "collide/pair_traversal.hpp"
 #include "pose/open_fully.hpp"
 #include "pose/open_node.hpp"
@@ -13,8 +15,9 @@ inline namespace PELT_TARGET {
 
 extern const WideCode kWideCode;
 
-const WideCode kWideCode = {scan_palette,     box_root,   pose_vertices,
-                            open_all_exactly, open_fully, collide_trees};
+const WideCode kWideCode = {scan_palette, box_root,      pose_vertices, open_all_exactly,
+                            open_fully,   collide_trees, bounding_box,  bounding_radius,
+                            bound_of_set, box_places};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

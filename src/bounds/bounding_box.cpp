@@ -1,0 +1,127 @@
+/// The box of the whole skin takes six descents, one for each side. Each goes to the child that
+/// reaches furthest first, and to others only if they reach beyond what has been found; nodes that
+/// one descent opens are open for the next.
+
+#include "bounds/bounding_box.hpp"
+
+#include "model/node_box.hpp"
+#include "pose/open_node.hpp"
+#include "query/slots.hpp"
+
+#include <cmath>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+namespace {
+
+enum class Side { low, high };
+
+/// How far the slots of a node reach beyond zero on one side.
+using Reach = float[kMaxSlots];
+
+/// Slots of a node, those that reach further first.
+class FurthestFirst {
+ public:
+  FurthestFirst(const Reach& reach, unsigned slots) : reach_(reach), left_(slots) {}
+
+  explicit operator bool() const { return left_ != 0; }
+
+  /// Precondition: there is one more.
+  unsigned next() {
+    SetBits slot(left_);
+    unsigned furthest = *slot;
+    for (++slot; slot; ++slot)
+      if (reach_[*slot] > reach_[furthest]) furthest = *slot;
+    left_ &= ~(1u << furthest);
+    return furthest;
+  }
+
+ private:
+  const Reach& reach_;
+  unsigned left_;
+};
+
+class BoundingBox {
+ public:
+  BoundingBox(const PosedTree& posed, QueryStats& work) : posed_(posed), work_(work) {}
+
+  /// Precondition: `levels` is not zero, and there is a table of opened nodes.
+  Box4 run(std::uint32_t levels) {
+    float low[4] = {}, high[4] = {};
+    for (axis_ = 0; axis_ < 3; ++axis_) {
+      high[axis_] = furthest<Side::high>(levels);
+      low[axis_] = -furthest<Side::low>(levels);
+    }
+    return {load4(low), load4(high)};
+  }
+
+ private:
+  template <Side kSide>
+  float furthest(std::uint32_t levels) {
+    furthest_ = -HUGE_VALF;
+    descend<kSide>(0, levels);
+    return furthest_;
+  }
+
+  /// Moves `furthest_` to where the vertices below a node reach, or may reach for all that so many
+  /// levels say.
+  template <Side kSide>
+  void descend(std::uint32_t index, std::uint32_t levels) {
+    ++work_.node_pairs;
+    const OpenedNode& opened = open_node(posed_, index, work_);
+    const Node& node = posed_.tree.nodes[index];
+    const Float8 sides =
+        kSide == Side::high ? load8(opened.high[axis_]) : Float8(0.0f) - load8(opened.low[axis_]);
+    const unsigned beyond = (Float8(furthest_) < sides).bits();
+    const unsigned known = levels > 1 ? clusters_of(node) : kAllSlots;
+    Reach reach;
+    sides.store(reach);
+    for (SetBits slot(beyond & known); slot; ++slot)
+      furthest_ = reach[*slot] > furthest_ ? reach[*slot] : furthest_;
+    for (FurthestFirst slots(reach, beyond & ~known); slots;) {
+      const unsigned slot = slots.next();
+      if (reach[slot] <= furthest_) return;
+      descend<kSide>(child(node, slot), levels - 1);
+    }
+  }
+
+  const PosedTree& posed_;
+  QueryStats& work_;
+  int axis_ = 0;
+  float furthest_ = 0;
+};
+
+/// Makes zeros positive.
+BoxFound store(const Box4& box) {
+  BoxFound stored;
+  store4(stored.low, box.low + Float4(0.0f));
+  store4(stored.high, box.high + Float4(0.0f));
+  return stored;
+}
+
+}  // namespace
+
+BoxFound bounding_box(const PosedTree& posed, std::uint32_t levels) {
+  QueryStats work;
+  const RootBox& root = root_box(posed, work);
+  Box4 box = {load4(root.low), load4(root.high)};
+  if (levels > 0) {
+    make_table(posed);
+    box = intersect(box, BoundingBox(posed, work).run(levels));
+  }
+  BoxFound found = store(box);
+  found.work = work;
+  return found;
+}
+
+BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette& palette) {
+  return store(node_box(bounds, set, palette));
+}
+
+BoxFound box_places(const Tree& tree, const Palette& palette,
+                    std::span<const std::uint32_t> places) {
+  return store(box_vertices(tree, palette, places));
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

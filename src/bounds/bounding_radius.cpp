@@ -1,0 +1,39 @@
+/// A posed vertex is a convex combination of its images under single joints, and each image lies in
+/// its joint's moved rest box; so it is no further from a point than the furthest corner of these
+/// boxes (node_bounds.hpp has the box's rounding). The corner of a box with centre p and half
+/// extents h that is furthest from c has the distances |p - c| + h along the axes.
+///
+/// Rounding. Four roundings on each axis, the margin's own included, five for squares and sums, one
+/// for the root: 11 u of the radius at most, where u = 2^-24, and it grows by 16 u. A square that
+/// underflows is wrong by 2^-149 at most, far below 2^-100. One that overflows makes the radius
+/// infinite, which is true.
+
+#include "bounds/bounding_radius.hpp"
+
+#include "model/node_box.hpp"
+
+#include <cmath>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+float bounding_radius(const NodeBounds& bounds, const Palette& palette, const float* centre) {
+  const NodeBound& root = bounds.nodes[0];
+  if (root.is_affine()) return HUGE_VALF;
+  const std::uint16_t* joint = bounds.joints.data() + root.first_joint;
+  const JointBox* box = bounds.joint_boxes.data() + root.first_record;
+  const Float4 from = load4(centre), margin(root.margin * palette.extent() + 0x1p-120f);
+  float furthest = 0;
+  for (std::uint32_t i = 0; i < root.joint_count; ++i, ++joint, ++box) {
+    const ColumnPairs c = load_columns(palette[*joint]);
+    const Float4 middle = fold(image(c, box->centre));
+    const Float4 half = fold(image(magnitudes(c), box->half));
+    const Float4 away = abs(middle - from) + half + margin, squares = away * away;
+    const float distance = squares[0] + squares[1] + squares[2];
+    furthest = distance > furthest ? distance : furthest;
+  }
+  return std::sqrt(furthest + 0x1p-100f) * (1 + 0x1p-20f);
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,54 @@
+#include <pelt/bounds.hpp>
+
+#include "base/vec3.hpp"
+#include "base/wide_code.hpp"
+#include "bounds/bounding_box.hpp"
+#include "model/intervals.hpp"
+#include "pose/pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pelt {
+namespace {
+
+/// The radius of a sphere about `centre` that has the box in it. Sums and the root are a few 2^-53
+/// off, and rounding up to a float makes it larger by up to 2^-23.
+float radius_of(const Box& box, const Vec3& centre) {
+  const auto reach = [](float low, float high, float c) {
+    return std::max(static_cast<double>(high) - static_cast<double>(c),
+                    static_cast<double>(c) - static_cast<double>(low));
+  };
+  const detail::Vec3d corner(reach(box.low.x, box.high.x, centre.x),
+                             reach(box.low.y, box.high.y, centre.y),
+                             reach(box.low.z, box.high.z, centre.z));
+  return detail::rounded_up((1 + 0x1p-50) * std::sqrt(detail::squared_length(corner)));
+}
+
+float middle(float low, float high) { return low / 2 + high / 2; }
+
+Bounds bounds_of_levels(Pose& pose, std::uint32_t levels) {
+  const detail::WideCode& wide = detail::wide_code();
+  const detail::PosedTree posed = pose.detail().posed_tree();
+  const detail::BoxFound found = wide.bounding_box(posed, levels);
+  const Vec3 low = {found.low[0], found.low[1], found.low[2]};
+  const Vec3 high = {found.high[0], found.high[1], found.high[2]};
+  const Vec3 centre = {middle(low.x, high.x), middle(low.y, high.y), middle(low.z, high.z)};
+  const float around_centre[] = {centre.x, centre.y, centre.z, 0};
+  const float of_joints = wide.bounding_radius(posed.bounds, posed.palette, around_centre);
+  const Box box = {low, high};
+  return {box, {centre, std::min(radius_of(box, centre), of_joints)}, found.work};
+}
+
+}  // namespace
+
+Bounds bounds(Pose& pose, const BoundsOptions& options) {
+  return bounds_of_levels(pose, options.levels);
+}
+
+Bounds tight_bounds(Pose& pose) {
+  return bounds_of_levels(pose, std::numeric_limits<std::uint32_t>::max());
+}
+
+}  // namespace pelt

@@ -1,0 +1,107 @@
+#include "bounds/groups.hpp"
+
+#include "base/assert.hpp"
+#include "base/bytes_held.hpp"
+#include "base/problem.hpp"
+#include "base/wide_code.hpp"
+#include "bounds/bounding_box.hpp"
+#include "bounds/group_vertices.hpp"
+#include "model/unpack.hpp"
+#include "pose/pose.hpp"
+#include "skin/sample_poses.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace pelt {
+namespace {
+
+using detail::Problem;
+
+Groups make_groups(const SkinnedModel& model, const detail::VertexSets& sets) {
+  const detail::Tree& tree = model.detail().tree;
+  detail::Groups groups = {model, {0}, {}, {}};
+  for (const std::vector<std::uint32_t>& places : sets) {
+    groups.places.insert(groups.places.end(), places.begin(), places.end());
+    groups.first_place.push_back(static_cast<std::uint32_t>(groups.places.size()));
+  }
+  groups.bounds = detail::fit_set_bounds(
+      tree, sets, detail::invent_sample_poses(detail::unpack_vertices(tree)));
+  return Groups(std::make_shared<const detail::Groups>(std::move(groups)));
+}
+
+/// Why labels are refused; empty if they are good.
+Problem check_labels(std::span<const std::uint32_t> labels, std::uint32_t triangle_count) {
+  if (labels.size() != triangle_count)
+    return detail::problem("labels has %zu elements, expected one for each of the %u triangles",
+                           labels.size(), triangle_count);
+  for (std::size_t t = 0; t < labels.size(); ++t)
+    if (labels[t] != kNoGroup && labels[t] >= triangle_count)
+      return detail::problem(
+          "labels[%zu] is %u: number the groups from zero on, below the %u "
+          "triangles, or say kNoGroup",
+          t, labels[t], triangle_count);
+  return {};
+}
+
+std::uint32_t group_count(std::span<const std::uint32_t> labels) {
+  std::uint32_t count = 0;
+  for (const std::uint32_t label : labels)
+    if (label != kNoGroup) count = std::max(count, label + 1);
+  return count;
+}
+
+/// Whether a pose's vertices lie where the groups say.
+bool is_pose_of(const Pose& pose, const Groups& groups) {
+  return &pose.model().detail() == &groups.model().detail();
+}
+
+Box to_box(const detail::BoxFound& found) {
+  return {{found.low[0], found.low[1], found.low[2]},
+          {found.high[0], found.high[1], found.high[2]}};
+}
+
+}  // namespace
+
+Groups::Groups(std::shared_ptr<const detail::Groups> groups) : groups_(std::move(groups)) {}
+
+const SkinnedModel& Groups::model() const { return groups_->model; }
+std::uint32_t Groups::count() const { return groups_->count(); }
+
+std::uint32_t Groups::vertex_count(std::uint32_t group) const {
+  PELT_ASSERT(group < count());
+  return static_cast<std::uint32_t>(groups_->places_of(group).size());
+}
+
+std::size_t Groups::memory_bytes() const {
+  const detail::NodeBounds& bounds = groups_->bounds;
+  return sizeof(detail::Groups) + detail::bytes_held(groups_->first_place) +
+         detail::bytes_held(groups_->places) + detail::bytes_held(bounds.nodes) +
+         detail::bytes_held(bounds.joints) + detail::bytes_held(bounds.joint_boxes) +
+         detail::bytes_held(bounds.shapes) + detail::bytes_held(bounds.fits);
+}
+
+Result<Groups> group_triangles(const SkinnedModel& model, std::span<const std::uint32_t> labels) {
+  if (Problem found = check_labels(labels, model.triangle_count()); !found.empty())
+    return detail::invalid_argument(std::move(found));
+  return make_groups(model, corners_by_label(model.detail().tree, labels, group_count(labels)));
+}
+
+Groups group_by_joint(const SkinnedModel& model) {
+  return make_groups(model, corners_by_joint(model.detail().tree));
+}
+
+Box group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
+  PELT_ASSERT(is_pose_of(pose, groups) && group < groups.count());
+  return to_box(
+      detail::wide_code().bound_of_set(groups.detail().bounds, group, pose.detail().palette));
+}
+
+Box tight_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
+  PELT_ASSERT(is_pose_of(pose, groups) && group < groups.count());
+  return to_box(detail::wide_code().box_places(pose.model().detail().tree, pose.detail().palette,
+                                               groups.detail().places_of(group)));
+}
+
+}  // namespace pelt
