@@ -45,7 +45,7 @@ TEST(Tightness, OrdersTheColumnsAsThePaperDoes) {
       EXPECT_LT(figure(radii, row, "on_demand"), figure(radii, row, "eq2"));
     }
   }
-  const Table& boxes = section->tables[2];
+  const Table& boxes = section->tables[3];
   for (std::size_t row = 0; row < boxes.rows.size(); ++row)
     EXPECT_GE(figure(boxes, row, "ratio"), 1) << "on level " << row + 1;
 }

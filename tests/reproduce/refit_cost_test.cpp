@@ -3,7 +3,6 @@
 #include "paper/counted_refit.hpp"
 #include "paper/on_demand.hpp"
 #include "scenes/creature.hpp"
-#include "tools/reproduce/eager_split.hpp"
 #include "tools/reproduce/refit_all.hpp"
 #include "tools/reproduce/refit_flops.hpp"
 #include "tools/reproduce/refit_time.hpp"
@@ -89,16 +88,6 @@ TEST(Rebuild, HasARowForEachCharacter) {
   const Result<Table> table = rebuild_table(kQuick);
   ASSERT_TRUE(table) << table.error().message;
   ASSERT_EQ(table->rows.size(), 3u);
-}
-
-TEST(EagerSplit, SharesSumToAll) {
-  const Result<Table> table = eager_split_table(1, kQuick);
-  ASSERT_TRUE(table) << table.error().message;
-  ASSERT_EQ(table->rows.size(), 4u);
-  for (std::size_t row = 0; row < 4; ++row)
-    EXPECT_NEAR(figure(*table, row, "skinning_percent") + figure(*table, row, "refit_percent") +
-                    figure(*table, row, "query_percent"),
-                100, 1e-6);
 }
 
 }  // namespace

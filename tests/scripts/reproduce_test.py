@@ -20,7 +20,8 @@ class Reproduce(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = pathlib.Path(holder.name).resolve()
         self.root = self.folder / "clone"
-        for program in ("scripts/install-deps", "bin/cmake", "build/release/tools/pelt/pelt"):
+        for program in ("scripts/install-deps", "bin/cmake", "build/release/tools/pelt/pelt",
+                        "build/peers/tools/pelt/pelt"):
             path = self.root / program
             path.parent.mkdir(parents=True)
             path.write_text(STAND_IN)
@@ -57,6 +58,12 @@ class Reproduce(unittest.TestCase):
         self.assertEqual(self.command("--quick", "--models", "some", "--only", "a,b", "report"),
                          ["pelt", "reproduce", "--quick", "--models", f"{self.folder}/some",
                           "--only", "a,b", "-o", f"{self.folder}/report"])
+
+    def test_builds_with_other_libraries_when_asked_for_them(self):
+        _, _, ran = self.run_script("--peers")
+        self.assertEqual(ran[:4], ["install-deps", "reproduce", "install-deps", "peers"])
+        self.assertEqual(ran[4:7], ["cmake", "--preset", "peers"])
+        self.assertIn("--peers", ran[ran.index("pelt"):])
 
     def test_refuses_what_it_does_not_know(self):
         for words in (["--fast"], ["one", "two"], ["--models"]):

@@ -59,7 +59,7 @@ FILE lacks is named. A method that is slower is no failure; an answer other than
 exit code 3.
 
 --json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
-  machine    cpu, cores, target (instructions used), compiler, build, pelt (version)
+  machine    cpu, cores, target (instructions used), compiler, build, flags, pelt (version)
   scenes     scene (file), frames, frames_in_contact, repetitions, time (thread or wall)
     models   triangles, bytes, build_seconds: of all models, each once
     skinning vertices (of all instances), mean_us, ns_per_vertex

@@ -69,9 +69,13 @@ SceneFigures read_scene(const JsonObject& object) {
 }
 
 Machine read_machine(const JsonObject& object) {
-  return {required_text(object, "cpu"), required_text(object, "compiler"),
-          required_text(object, "build"), required_text(object, "target"),
-          static_cast<unsigned>(object.count("cores"))};
+  Machine machine;
+  machine.cpu = required_text(object, "cpu");
+  machine.compiler = required_text(object, "compiler");
+  machine.build = required_text(object, "build");
+  machine.target = required_text(object, "target");
+  machine.cores = static_cast<unsigned>(object.count("cores"));
+  return machine;
 }
 
 void require_format(const JsonObject& file) {

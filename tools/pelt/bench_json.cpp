@@ -15,7 +15,8 @@ using nlohmann::ordered_json;
 ordered_json machine_json() {
   const Machine machine = this_machine();
   return {{"cpu", machine.cpu},           {"cores", machine.cores}, {"target", machine.target},
-          {"compiler", machine.compiler}, {"build", machine.build}, {"pelt", PELT_VERSION}};
+          {"compiler", machine.compiler}, {"build", machine.build}, {"flags", machine.flags},
+          {"pelt", PELT_VERSION}};
 }
 
 ordered_json engine_json(const Figures& figures) {

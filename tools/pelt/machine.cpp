@@ -2,6 +2,9 @@
 
 #include <pelt/target.hpp>
 
+#include <sys/utsname.h>
+#include <unistd.h>
+
 #include <fstream>
 #include <thread>
 
@@ -26,6 +29,19 @@ std::string compiler_name() {
 #endif
 }
 
+/// Zero where the system does not tell.
+double memory_gib() {
+  const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
+  if (pages < 0 || bytes < 0) return 0;
+  return static_cast<double>(pages) * static_cast<double>(bytes) / (1 << 30);
+}
+
+std::string system_name() {
+  utsname names;
+  if (uname(&names) != 0) return {};
+  return std::string(names.sysname) + ' ' + names.release;
+}
+
 #ifdef NDEBUG
 constexpr const char* kAsserts = "no asserts";
 #else
@@ -35,8 +51,14 @@ constexpr const char* kAsserts = "asserts";
 }  // namespace
 
 Machine this_machine() {
-  return {cpu_name(), compiler_name(), kAsserts, name_of(active_target()),
-          std::thread::hardware_concurrency()};
+  return {cpu_name(),
+          compiler_name(),
+          kAsserts,
+          name_of(active_target()),
+          std::thread::hardware_concurrency(),
+          PELT_COMPILER_FLAGS,
+          system_name(),
+          memory_gib()};
 }
 
 std::string in_words(const Machine& machine) {

@@ -9,6 +9,9 @@ struct Machine {
   std::string cpu, compiler, build;
   std::string target;  ///< of queries, see pelt/target.hpp
   unsigned cores = 0;
+  std::string flags;   ///< of the compiler
+  std::string system;  ///< the operating system and its release; empty where it does not tell
+  double memory_gib = 0;
 };
 
 Machine this_machine();

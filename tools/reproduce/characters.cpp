@@ -3,8 +3,7 @@
 #include "scenes/scene.hpp"
 #include "tools/reproduce/experiment.hpp"
 #include "tools/reproduce/paper_figures.hpp"
-
-#include <algorithm>
+#include "tools/reproduce/real_models.hpp"
 
 namespace pelt::reproduce {
 namespace {
@@ -16,9 +15,9 @@ Table empty_table() {
            {"vertices", "vertices"},
            {"triangles", "triangles"},
            {"joints", "joints"},
-           {"paper_vertices", "the paper's vertices"},
-           {"paper_triangles", "triangles"},
-           {"paper_joints", "joints"}},
+           {"paper_vertices", "vertices in the paper"},
+           {"paper_triangles", "triangles in the paper"},
+           {"paper_joints", "joints in the paper"}},
           {},
           ""};
 }
@@ -37,15 +36,6 @@ Result<void> add_generated(Table& table) {
     table.rows.push_back(std::move(cells));
   }
   return {};
-}
-
-std::vector<std::filesystem::path> model_files(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.path().extension() == ".glb") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 void add_real(const std::filesystem::path& folder, Section& section) {

@@ -11,6 +11,7 @@
 #include "tools/pelt/verb.hpp"
 #include "tools/reproduce/experiment.hpp"
 #include "tools/reproduce/files.hpp"
+#include "tools/reproduce/summary.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -85,8 +86,9 @@ std::vector<std::string> provenance(const Arguments& arguments) {
   const Machine machine = this_machine();
   std::vector<std::string> lines = {
       "Measured on " + today() + ": " + machine.cpu + ", " + std::to_string(machine.cores) +
-          " cores, " + machine.target + ".",
-      "pelt " PELT_VERSION ", " + machine.compiler + ", " + machine.build + "."};
+          " cores, " + fixed(machine.memory_gib, 0) + " GiB of memory, " + machine.system + ".",
+      "pelt " PELT_VERSION ", " + machine.compiler + " " + machine.flags + ", " + machine.build +
+          "; Pelt's and the rivals' hot code for " + machine.target + "."};
   if (arguments.is_quick)
     lines.push_back("A quick run: few frames and repetitions, so figures are rough.");
   return lines;
@@ -117,13 +119,14 @@ Result<ExitCode> reproduce_all(const Arguments& arguments) {
   report.provenance = provenance(arguments);
   for (const Experiment& experiment : *chosen) {
     std::cout << '[' << report.sections.size() + 1 << " of " << chosen->size() << "] "
-              << experiment.title << std::flush;
+              << experiment.title << std::endl;  // bars are drawn on the lines below
     Result<Section> section = run_experiment(experiment, {arguments.is_quick, arguments.models});
     if (!section) return section.error();
-    std::cout << ": " << fixed(section->seconds, 1) << " s" << std::endl;
+    std::cout << "    " << fixed(section->seconds, 1) << " s" << std::endl;
     report.sections.push_back(std::move(*section));
   }
-  std::cout << "drawing ..." << std::endl;
+  report.sections.insert(report.sections.begin(), summary(report.sections));
+  std::cout << "drawing charts and pictures" << std::endl;
   const auto written = reproduce::write_report(report, arguments.folder, std::cout);
   if (!written) return written.error();
   std::cout << "wrote " << arguments.folder << "/report.html\n";

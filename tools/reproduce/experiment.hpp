@@ -38,6 +38,7 @@ Result<Section> two_men(const Conditions& conditions);         // walking.cpp
 Result<Section> worst_case(const Conditions& conditions);      // walking.cpp
 Result<Section> subdivision(const Conditions& conditions);     // subdivision.cpp
 Result<Section> crowd_of_fifty(const Conditions& conditions);  // walking.cpp
+Result<Section> real_pairs(const Conditions& conditions);      // real_pairs.cpp
 Result<Section> growth(const Conditions& conditions);          // growth.cpp
 Result<Section> comparison(const Conditions& conditions);      // comparison.cpp
 Result<Section> peers(const Conditions& conditions);           // peers.cpp

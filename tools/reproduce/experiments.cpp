@@ -14,6 +14,7 @@ constexpr std::array kExperiments = {
     Experiment{"worst_case", "Two creatures walk through each other (Figure 6)", worst_case},
     Experiment{"subdivision", "Dwarves, subdivided (Table 3, Figure 7)", subdivision},
     Experiment{"crowd", "A crowd of fifty creatures (Figure 1)", crowd_of_fifty},
+    Experiment{"real_pairs", "Real characters in each other", real_pairs},
     Experiment{"growth", "How queries grow", growth},
     Experiment{"comparison", "The open comparison: trees, hashing, image space", comparison},
 };

@@ -1,6 +1,7 @@
 #include "tools/reproduce/files.hpp"
 
 #include "tools/pelt/output.hpp"
+#include "tools/pelt/progress.hpp"
 #include "tools/reproduce/chart.hpp"
 #include "tools/reproduce/html.hpp"
 #include "tools/reproduce/picture.hpp"
@@ -64,10 +65,18 @@ std::string read_all(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::size_t image_count(const Report& report) {
+  std::size_t count = 0;
+  for (const Section& section : report.sections)
+    count += section.charts.size() + section.pictures.size();
+  return count;
+}
+
 /// The images of all sections by their ids; each problem is told once.
 class Images {
  public:
-  Images(const fs::path& folder, std::ostream& messages) : folder_(folder), messages_(messages) {}
+  Images(const Report& report, const fs::path& folder, std::ostream& messages)
+      : folder_(folder), messages_(messages), progress_(image_count(report)) {}
 
   void draw(const Section& section) {
     for (const Chart& chart : section.charts) {
@@ -88,12 +97,14 @@ class Images {
       bytes_[id] = read_all(file);
     else if (told_.insert(drawn.error().message).second)
       messages_ << drawn.error().message << '\n';
+    progress_.advance();
   }
 
   fs::path folder_;
   std::ostream& messages_;
   std::map<std::string, std::string> bytes_;
   std::set<std::string> told_;
+  tools::Progress progress_;
 };
 
 }  // namespace
@@ -140,7 +151,7 @@ std::string json_of(const Report& report) {
 }
 
 Result<void> write_report(const Report& report, const fs::path& folder, std::ostream& messages) {
-  Images images(folder, messages);
+  Images images(report, folder, messages);
   for (const Section& section : report.sections) {
     for (const Table& table : section.tables)
       if (const auto written = write_text(folder / "csv" / (table.id + ".csv"), csv_of(table));

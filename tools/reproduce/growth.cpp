@@ -35,24 +35,28 @@ std::vector<Measured> points_of(const Growth& growth, const std::string& key) {
   return points;
 }
 
-/// Only of rows with contacts: two bodies apart are another question than a crowd.
-Cell exponent_of(const Growth& growth, const std::string& key) {
+/// Of rows with contacts alone: two bodies apart are another question than a crowd.
+std::vector<Measured> points_in_contact(const Growth& growth, const std::string& key) {
   Growth in_contact = growth;
   std::erase_if(in_contact.table.rows, [&](const std::vector<Cell>& row) {
     return row[column_of(growth.table, "contacts")].figure == 0.0;
   });
-  const std::vector<Measured> points = points_of(in_contact, key);
+  return points_of(in_contact, key);
+}
+
+Cell exponent_of(const Growth& growth, const std::string& key) {
+  const std::vector<Measured> points = points_in_contact(growth, key);
   return points.size() < 2 ? Cell() : fitted_exponent(points);
 }
 
-/// "paper 5.12 to 7.21 us"
+/// "Pelt 5.12 to 7.21 us"
 std::string rise_of(const Growth& growth, const GrowingMethod& method) {
   const auto points = points_of(growth, method.column().key);
   return std::string(method.name) + ' ' + shown(points.front().value) + " to " +
          shown(points.back().value) + " us";
 }
 
-/// "From 2 to 100 instances: paper 5.12 to 7.21 us, ..."
+/// "From 2 to 100 instances: Pelt 5.12 to 7.21 us, ..."
 std::string text_of(const Growth& growth) {
   std::string rises;
   for (std::size_t i = 0; i < kPairMethods.size(); ++i)
@@ -67,8 +71,13 @@ std::string text_of_crowd(const Growth& instances) {
   const auto points = points_of(instances, crowd.column().key);
   return "The crowd asked as a whole: " + rise_of(instances, crowd) + " for " +
          shown(points.front().size) + " to " + shown(points.back().size) +
-         " instances, with the power " + shown(exponent_of(instances, crowd.column().key)) +
-         " of their number.";
+         " instances. From the first with contacts on, " +
+         shown(points_in_contact(instances, crowd.column().key).front().size) +
+         ", it goes with the power " + shown(exponent_of(instances, crowd.column().key)) +
+         " of their number, their contacts with " + shown(exponent_of(instances, "contacts")) +
+         ". Methods that are asked pair by pair stop at " +
+         shown(points_of(instances, kGrowingMethods[0].column().key).back().size) +
+         ", for they ask all pairs.";
 }
 
 /// What the exponents of the first growth say.
@@ -76,16 +85,16 @@ std::string text_of_exponents(const Growth& triangles) {
   const auto power = [&](const std::string& key) { return shown(exponent_of(triangles, key)); };
   return "Two surfaces cut each other in curves, so that contacts go with the power " +
          power("contacts") + " of the triangles. Pelt's time goes with the power " +
-         power("on_demand_us") + ", the paper's with " + power("paper_us") +
-         "; methods that skin and refit everything first go with " + power("eager_us") + " and " +
-         power("paper_eager_us") + '.';
+         power("on_demand_us") + ", that of the paper on demand with " + power("paper_us") +
+         "; of those that skin and refit everything first, Pelt eager goes with " +
+         power("eager_us") + " and the paper bottom-up with " + power("paper_eager_us") + '.';
 }
 
 /// From apart to one place.
 std::string text_of_depth(const Table& depth) {
   const auto times = [&](const std::vector<Cell>& row) {
     const auto time = [&](const char* key) { return shown(row[column_of(depth, key)]) + " us"; };
-    return "Pelt takes " + time("on_demand_us") + " and our eager method " + time("eager_us");
+    return "Pelt takes " + time("on_demand_us") + " and Pelt eager " + time("eager_us");
   };
   return "Refit on demand saves the less the deeper bodies are in each other: apart " +
          times(depth.rows.front()) + ", in one place " + times(depth.rows.back()) + '.';
@@ -96,7 +105,8 @@ Chart chart_of(const Growth& growth) {
   chart.id = growth.table.id;
   chart.title = growth.table.title;
   chart.table = growth.table.id;
-  chart.x = growth.size;
+  chart.x = growth.chart_over.empty() ? growth.size : growth.chart_over;
+  if (!growth.chart_over.empty()) chart.axes = Axes::logarithmic_y;
   chart.y_title = "time [us]";
   for (const GrowingMethod& method : kGrowingMethods)
     if (has_column(growth.table, method.column().key)) chart.y.push_back(method.column().key);
@@ -106,16 +116,25 @@ Chart chart_of(const Growth& growth) {
 }  // namespace
 
 Table exponents_of(std::span<const Growth> growths) {
-  Table table = {"growth_exponents",
-                 "Times as powers of what grows",
-                 {{"what", "what grows"}, {"contacts", "contacts"}},
-                 {},
-                 "The b of a x^b, by least squares of the logarithms over all sizes at which a "
-                 "method was measured and bodies are in contact."};
+  Table table = {
+      "growth_exponents",
+      "Times as powers of what grows",
+      {{"what", "what grows"},
+       {"from", "from"},
+       {"to", "to"},
+       {"sizes", "sizes"},
+       {"contacts", "contacts"}},
+      {},
+      "The b of a x^b, by least squares of the logarithms over the sizes at which a "
+      "method was measured and bodies are in contact; \"from\", \"to\" and \"sizes\" are "
+      "those of the contacts. Over the joints, times hardly grow, and their exponents "
+      "say little."};
   for (const GrowingMethod& method : kGrowingMethods)
     table.columns.push_back({method.key, method.name});
   for (const Growth& growth : growths) {
-    table.rows.push_back({growth.size, exponent_of(growth, "contacts")});
+    const std::vector<Measured> points = points_in_contact(growth, "contacts");
+    table.rows.push_back({growth.size, points.front().size, points.back().size,
+                          static_cast<double>(points.size()), exponent_of(growth, "contacts")});
     for (const GrowingMethod& method : kGrowingMethods)
       table.rows.back().push_back(exponent_of(growth, method.column().key));
   }
@@ -132,9 +151,10 @@ Result<Section> growth(const Conditions& conditions) {
   if (!instances) return instances.error();
   auto depth = growth_by_depth(13590, kDistances, conditions);
   if (!depth) return depth.error();
-  const std::array growths = {
-      Growth{"triangles", std::move(*triangles)}, Growth{"joints", std::move(*joints)},
-      Growth{"instances", std::move(*instances)}, Growth{"contacts", std::move(*depth)}};
+  const std::array growths = {Growth{"triangles", std::move(*triangles)},
+                              Growth{"joints", std::move(*joints)},
+                              Growth{"instances", std::move(*instances)},
+                              Growth{"contacts", std::move(*depth), "distance"}};
   Section section;
   section.text = {text_of_exponents(growths[0])};
   for (const Growth& growth : growths) section.text.push_back(text_of(growth));

@@ -24,8 +24,8 @@ struct GrowingMethod {
 
 /// In the order of kPairMethods, and the crowd, which stands in one table only.
 inline constexpr std::array kGrowingMethods = {
-    GrowingMethod{"paper", "paper"}, GrowingMethod{"paper_eager", "bottom-up"},
-    GrowingMethod{"eager", "our eager"}, GrowingMethod{"on_demand", "Pelt"},
+    GrowingMethod{"paper", "paper on demand"}, GrowingMethod{"paper_eager", "paper bottom-up"},
+    GrowingMethod{"eager", "Pelt eager"}, GrowingMethod{"on_demand", "Pelt"},
     GrowingMethod{"crowd", "Pelt's crowd"}};
 
 /// Two creatures in each other, of so many triangles each. Column "triangles".
@@ -44,10 +44,11 @@ Result<Table> growth_by_depth(std::uint32_t triangles, std::span<const double> d
 Result<Table> growth_by_instances(std::span<const std::uint32_t> instances,
                                   std::uint32_t most_by_pairs, const Conditions& conditions);
 
-/// A table of growth, and the column that grows.
+/// A table of growth, the column that grows, and the one that its chart is drawn over.
 struct Growth {
   std::string size;  ///< key
   Table table;
+  std::string chart_over = {};  ///< key; empty: what grows
 };
 
 /// What power of the size the contacts and each method's time go with.

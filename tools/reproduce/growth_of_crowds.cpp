@@ -70,14 +70,16 @@ Result<Table> growth_by_instances(std::span<const std::uint32_t> instances,
                                   std::uint32_t most_by_pairs, const Conditions& conditions) {
   const Result<Walkers> walkers = make_walkers();
   if (!walkers) return walkers.error();
-  Table table = {"growth_instances",
-                 "A frame by instances",
-                 {{"instances", "instances"},
-                  {"contacts", "contacts"},
-                  {"touching_pairs", "pairs in contact"}},
-                 {},
-                 "Creatures of 13,590 triangles who walk about on a plain, 0.5 to 1.4 units from "
-                 "their neighbours; palettes set and all contacts found, on one thread."};
+  Table table = {
+      "growth_instances",
+      "A frame by instances",
+      {{"instances", "instances"},
+       {"contacts", "contacts"},
+       {"touching_pairs", "pairs in contact"}},
+      {},
+      "Creatures of 13,590 triangles who walk about on a plain, 0.5 to 1.4 units from "
+      "their neighbours; palettes set and all contacts found, on one thread. Contacts are "
+      "those of the last frame timed."};
   for (const GrowingMethod& method : kGrowingMethods) table.columns.push_back(method.column());
   for (const std::uint32_t count : instances) {
     auto row = crowd_row(*walkers, count, count <= most_by_pairs, conditions);

@@ -24,7 +24,7 @@ inline constexpr std::array kPaperCharacters = {
 /// Section 5, the creature's tree before and after collapsing.
 inline constexpr double kPaperSpheresBefore = 27079, kPaperSpheresAfter = 18679;
 inline constexpr double kPaperDepthBefore = 22, kPaperDepthAfter = 9;
-inline constexpr double kPaperMostChildren = 15;
+inline constexpr double kPaperMostChildren = 15, kPaperCollapseRatio = 0.6;
 inline constexpr std::array kPaperRadiiBefore = {
     34.55, 31.82, 23.63, 18.86, 13.07, 7.32, 4.86, 3.46, 2.60, 1.92, 1.47,
     1.14,  0.90,  0.72,  0.61,  0.53,  0.47, 0.42, 0.39, 0.38, 0.37, 0.36};
@@ -43,8 +43,12 @@ inline constexpr double kPaperTwoMenOnDemand = 0.36, kPaperTwoMenBottomUp = 18.1
 inline constexpr double kPaperWorstOnDemand = 6.97, kPaperWorstBottomUp = 37.1;
 inline constexpr double kPaperWorstFirstOnDemand = 0.82, kPaperWorstFirstBottomUp = 30.18;
 
-/// Of the crowd it prints the ratio only.
-inline constexpr double kPaperCrowdSpeedUp = 15;
+/// Milliseconds of the crowd (Figure 1).
+inline constexpr double kPaperCrowdOnDemand = 52.83, kPaperCrowdBottomUp = 779.3;
+
+/// Section 2, of van den Bergen 1997: how many times a rebuilt tree costs as much as a refitted
+/// one.
+inline constexpr double kPaperRebuildOverRefit = 10;
 
 /// Milliseconds in which all spheres of the two men are refitted.
 inline constexpr double kPaperSpheresOfTheMen = 15339;
@@ -52,10 +56,13 @@ inline constexpr double kPaperAllOnDemand = 20.21, kPaperAllBottomUp = 17.28;
 
 /// Table 3 and section 5, by subdivisions; times in milliseconds.
 inline constexpr std::array kPaperApartSpeedUps = {32.0, 126.0, 502.0, 1995.0};
-inline constexpr std::array kPaperDwarvesSpeedUps = {3.9, 8.34, 17.47, 32.34};
+inline constexpr std::array kPaperDwarvesSpheres = {2046.0, 8821.0, 36506.0, 147025.0};
 inline constexpr std::array kPaperDwarvesContacts = {46.0, 90.0, 178.0, 350.0};
-inline constexpr std::array kPaperDwarvesSpherePairs = {4866.0, 9309.0, 17083.0, 37682.0};
 inline constexpr std::array kPaperDwarvesOnDemand = {1.33, 2.17, 3.8, 8.04};
+inline constexpr std::array kPaperDwarvesOnDemandPairs = {4866.0, 9309.0, 17083.0, 37682.0};
+inline constexpr std::array kPaperDwarvesBottomUp = {5.24, 18.1, 66.37, 260.0};
+inline constexpr std::array kPaperDwarvesBottomUpPairs = {9515.0, 19833.0, 40527.0, 86437.0};
+inline constexpr std::array kPaperDwarvesSpeedUps = {3.9, 8.34, 17.47, 32.34};
 inline constexpr double kPaperRigidQuery = 0.7, kPaperRigidBuild = 1549;
 
 }  // namespace pelt::reproduce

@@ -1,13 +1,15 @@
 /// What a refit of the paper's costs (section 4.2's count of flops, section 5's times), and what it
 /// spares: refitting everything, and building trees anew.
 
+#include "base/assert.hpp"
 #include "paper/on_demand.hpp"
 #include "tools/pelt/text.hpp"
-#include "tools/reproduce/eager_split.hpp"
 #include "tools/reproduce/refit_all.hpp"
 #include "tools/reproduce/refit_flops.hpp"
 #include "tools/reproduce/refit_time.hpp"
 #include "tools/reproduce/specimen.hpp"
+
+#include <algorithm>
 
 namespace pelt::reproduce {
 namespace {
@@ -53,15 +55,22 @@ std::vector<Table> class_tables(const Specimen& creature, const Conditions& cond
           class_table("refit_corners", "The same by corners", classes(&NodeFacts::corners))};
 }
 
+std::vector<NodeClass> classes_by_vertices(const detail::SkinnedMesh& mesh, const Palette& palette,
+                                           const Conditions& conditions) {
+  const SphereModel model = paper::build_sphere_model(mesh);
+  return time_classes(model, palette, facts_of(model, mesh), &NodeFacts::vertices,
+                      repetitions_of(conditions));
+}
+
 /// "The time complexity does not depend on the geometry that S encloses."
 Result<Table> vertices_table(const Conditions& conditions) {
   Table table = {"refit_vertices",
                  "A refit by the vertices below the node",
                  {{"vertices", "vertices below the node"},
                   {"spheres", "spheres"},
-                  {"joints", "joints"},
+                  {"same_joints_ns", "all follow the same two joints [ns]"},
+                  {"joints", "creature: joints"},
                   {"corners", "corners"},
-                  {"same_joints_ns", "same two joints [ns]"},
                   {"creature_ns", "creature [ns]"}},
                  {},
                  ""};
@@ -70,18 +79,14 @@ Result<Table> vertices_table(const Conditions& conditions) {
   if (!creature) return creature.error();
   table.note = "A creature of " + tools::with_commas(triangles) +
                " triangles, and the same with other weights: all its vertices follow the same two "
-               "joints.";
+               "joints. Both have the same tree.";
   const Palette palette = walking_palette(*creature, kSeconds);
-  const auto append = [&](const detail::SkinnedMesh& mesh, bool is_creature) {
-    const SphereModel model = paper::build_sphere_model(mesh);
-    for (const NodeClass& c : time_classes(model, palette, facts_of(model, mesh),
-                                           &NodeFacts::vertices, repetitions_of(conditions)))
-      table.rows.push_back({c.facts.vertices, c.nodes, c.facts.joints, c.facts.corners,
-                            is_creature ? Cell() : c.nanoseconds,
-                            is_creature ? c.nanoseconds : Cell()});
-  };
-  append(with_one_joint_set(creature->mesh), false);
-  append(creature->mesh, true);
+  const auto own = classes_by_vertices(creature->mesh, palette, conditions);
+  const auto same = classes_by_vertices(with_one_joint_set(creature->mesh), palette, conditions);
+  PELT_ASSERT(own.size() == same.size());
+  for (std::size_t i = 0; i < own.size(); ++i)
+    table.rows.push_back({own[i].facts.vertices, own[i].nodes, same[i].nanoseconds,
+                          own[i].facts.joints, own[i].facts.corners, own[i].nanoseconds});
   return table;
 }
 
@@ -89,46 +94,49 @@ double figure(const Table& table, std::size_t row, const char* key) {
   return *table.rows[row][column_of(table, key)].figure;
 }
 
+/// "27.7 to 38.2", over all rows.
+std::string range(const Table& table, const char* key) {
+  double least = figure(table, 0, key), most = least;
+  for (std::size_t row = 1; row < table.rows.size(); ++row) {
+    least = std::min(least, figure(table, row, key));
+    most = std::max(most, figure(table, row, key));
+  }
+  return shown(least) + " to " + shown(most);
+}
+
 std::string text_of_classes(const Table& joints, const Table& vertices) {
   const std::size_t last = joints.rows.size() - 1;
-  std::size_t top = 0;  // the last class of the body whose vertices have the same joints
-  while (top + 1 < vertices.rows.size() &&
-         vertices.rows[top + 1][column_of(vertices, "same_joints_ns")].figure)
-    ++top;
-  return "A refit takes " + shown(figure(joints, 0, "refit_ns")) + " ns where the vertices have " +
-         shown(figure(joints, 0, "joints")) + " joint and " +
+  return "A refit of the paper's takes " + shown(figure(joints, 0, "refit_ns")) +
+         " ns where the vertices have " + shown(figure(joints, 0, "joints")) + " joint and " +
          shown(figure(joints, last, "refit_ns")) + " ns with " +
          shown(figure(joints, last, "joints")) +
          " joints in all joint sets. The geometry does not count: where all vertices follow the "
          "same two joints, it takes " +
-         shown(figure(vertices, 0, "same_joints_ns")) + " ns over " +
-         shown(figure(vertices, 0, "vertices")) + " vertices and " +
-         shown(figure(vertices, top, "same_joints_ns")) + " ns over " +
-         shown(figure(vertices, top, "vertices")) +
-         ". That large spheres of the creature take longer is because their vertices have more "
+         range(vertices, "same_joints_ns") + " ns, over " + range(vertices, "vertices") +
+         " vertices. Large spheres of the creature take longer because their vertices have more "
          "joints.";
 }
 
-std::string text_of_all(const Table& all, const Table& rebuild) {
-  const std::size_t creature = rebuild.rows.size() - 1;
+std::string text_of_all(const Table& all) {
   return "All spheres of two men take " + shown(figure(all, 0, "on_demand_ms")) +
          " ms on demand and " + shown(figure(all, 0, "bottom_up_ms")) +
-         " ms bottom-up, the paper's " + shown(figure(all, 1, "on_demand_ms")) + " and " +
-         shown(figure(all, 1, "bottom_up_ms")) + " ms. A tree of the creature built anew costs " +
-         shown(figure(rebuild, creature, "paper_ratio")) +
-         " times as much as all its spheres refitted, and Pelt's model " +
-         shown(figure(rebuild, creature, "ratio")) + " times as much as all its boxes.";
+         " ms bottom-up, in the paper " + shown(figure(all, 1, "on_demand_ms")) + " and " +
+         shown(figure(all, 1, "bottom_up_ms")) + " ms: one sphere on demand gained " +
+         shown(figure(all, 2, "on_demand_ns")) + " times since, all of them bottom-up " +
+         shown(figure(all, 2, "bottom_up_ms")) +
+         " times, presumably because it goes through memory in order and asks nothing of weights.";
 }
 
-std::string text_of_split(const Table& split) {
-  const auto of_men = [&](std::size_t row, const char* key) {
-    return shown(figure(split, row, key)) + " us";
-  };
-  return "Of a frame of the two men, the paper's rival spends " + of_men(0, "skinning_us") +
-         " on skinning, " + of_men(0, "refit_us") + " on refitting and " + of_men(0, "query_us") +
-         " on the query; our eager method " + of_men(1, "skinning_us") + ", " +
-         of_men(1, "refit_us") + " and " + of_men(1, "query_us") +
-         ". The first two are what refit on demand saves where bodies are far from each other.";
+std::string text_of_rebuild(const Table& rebuild) {
+  const std::size_t creature = rebuild.rows.size() - 1;
+  return "A tree of the creature built anew costs " +
+         shown(figure(rebuild, creature, "paper_over_bottom_up")) +
+         " times as much as its spheres refitted bottom-up (about " +
+         shown(figure(rebuild, creature, "printed_over_bottom_up")) +
+         " for trees of boxes, the paper cites) and " +
+         shown(figure(rebuild, creature, "paper_over_on_demand")) +
+         " times as much as all of them refitted on demand. Pelt's model costs " +
+         shown(figure(rebuild, creature, "ratio")) + " times as much as all its boxes.";
 }
 
 std::vector<Chart> charts() {
@@ -136,6 +144,14 @@ std::vector<Chart> charts() {
            "A refit by joints",
            "refit_joints",
            "joints",
+           {"refit_ns"},
+           "a refit [ns]",
+           Axes::logarithmic,
+           Better::lower},
+          {"refit_corners",
+           "A refit by corners",
+           "refit_corners",
+           "corners",
            {"refit_ns"},
            "a refit [ns]",
            Axes::logarithmic,
@@ -164,12 +180,10 @@ Result<Section> refit_cost(const Conditions& conditions) {
   if (!all) return all.error();
   const auto rebuild = rebuild_table(conditions);
   if (!rebuild) return rebuild.error();
-  const auto split = eager_split_table(20, conditions);
-  if (!split) return split.error();
   Section section;
-  section.text = {text_of_classes(classes[0], *vertices), text_of_all(*all, *rebuild),
-                  text_of_split(*split)};
-  section.tables = {*flops, classes[0], classes[1], *vertices, *all, *rebuild, *split};
+  section.text = {text_of_classes(classes[0], *vertices), text_of_all(*all),
+                  text_of_rebuild(*rebuild)};
+  section.tables = {*flops, classes[0], classes[1], *vertices, *all, *rebuild};
   section.charts = charts();
   return section;
 }

@@ -52,20 +52,25 @@ std::vector<std::uint32_t> evenly_chosen(const std::vector<std::uint32_t>& nodes
   return chosen;
 }
 
-/// Of a refit, when these nodes are refitted one after the other; none is the root.
-double nanoseconds(const SphereModel& model, const Palette& palette,
-                   std::span<const std::uint32_t> nodes, std::uint32_t repetitions) {
+/// Nodes that are refitted one after the other; none is the root.
+struct Sample {
+  std::vector<std::uint32_t> nodes;
+  std::vector<double> microseconds;
+};
+
+/// Refits all samples in turn, so that all meet the same moods of the machine.
+void time_in_turn(const SphereModel& model, const Palette& palette, std::uint32_t repetitions,
+                  std::vector<Sample>& samples) {
   paper::Refit refit(model, static_cast<std::uint32_t>(palette.joints().size()));
-  std::vector<double> times;
-  for (std::uint32_t r = 0; r < repetitions; ++r) {
-    refit.invalidate();
-    refit.refit(0, palette);  // the first one after a change looks at all joints
-    tools::Stopwatch watch;
-    for (const std::uint32_t node : nodes) refit.refit(node, palette);
-    watch.stop();
-    times.push_back(1000 * watch.microseconds());
-  }
-  return bench::median(times) / static_cast<double>(nodes.size());
+  for (std::uint32_t r = 0; r < repetitions; ++r)
+    for (Sample& sample : samples) {
+      refit.invalidate();
+      refit.refit(0, palette);  // the first one after a change looks at all joints
+      tools::Stopwatch watch;
+      for (const std::uint32_t node : sample.nodes) refit.refit(node, palette);
+      watch.stop();
+      sample.microseconds.push_back(watch.microseconds());
+    }
 }
 
 NodeFacts mean_of(std::span<const NodeFacts> facts, const std::vector<std::uint32_t>& nodes) {
@@ -102,13 +107,17 @@ std::vector<NodeClass> time_classes(const SphereModel& model, const Palette& pal
                                     std::uint32_t repetitions) {
   std::map<double, std::vector<std::uint32_t>> nodes_of;
   for (std::uint32_t n = 1; n < facts.size(); ++n) nodes_of[class_of(facts[n].*fact)].push_back(n);
+  std::vector<Sample> samples;
   std::vector<NodeClass> classes;
   for (const auto& [number, nodes] : nodes_of) {
     if (nodes.size() < kFewest) continue;
-    const std::vector<std::uint32_t> chosen = evenly_chosen(nodes);
-    classes.push_back({static_cast<double>(nodes.size()), mean_of(facts, chosen),
-                       nanoseconds(model, palette, chosen, repetitions)});
+    samples.push_back({evenly_chosen(nodes), {}});
+    classes.push_back({static_cast<double>(nodes.size()), mean_of(facts, samples.back().nodes), 0});
   }
+  time_in_turn(model, palette, repetitions, samples);
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    classes[i].nanoseconds = 1000 * bench::median(samples[i].microseconds) /
+                             static_cast<double>(samples[i].nodes.size());
   return classes;
 }
 

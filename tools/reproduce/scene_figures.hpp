@@ -38,11 +38,22 @@ double contact_count(const tools::SceneFigures& figures);
 Table method_table(const std::string& id, const std::string& title,
                    const tools::SceneFigures& figures);
 
+/// Where the time of methods goes that skin and refit everything before their query. Precondition:
+/// they were measured.
+Table eager_split_table(const std::string& id, const std::string& title,
+                        const tools::SceneFigures& figures,
+                        std::span<const bench::MethodKind> methods);
+
+/// Milliseconds of a frame that the paper prints.
+struct PrintedTimes {
+  double slower_ms = 0, faster_ms = 0;
+};
+
 /// One comparison, and what the paper prints for it.
 struct Comparison {
   bench::MethodKind slower, faster;
   tools::Question question;
-  std::optional<double> printed;
+  std::optional<PrintedTimes> printed;
 };
 
 /// How many times faster the second method of each comparison is than the first.

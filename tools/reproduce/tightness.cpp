@@ -118,7 +118,7 @@ std::vector<RadiusColumn> radius_columns(const Specimen& creature, const Palette
   return {{"reference", "reference", levels(reference(tree)), &kPaperReference},
           {"eq2", "on demand, eq. 2", levels(refitted(plain, palette)), nullptr},
           {"on_demand", "on demand", levels(refitted(optimised, palette)), &kPaperOnDemand},
-          {"exact_corners", "on demand, smallest sphere around the corners'",
+          {"exact_corners", "on demand, exact ball of the corner balls",
            levels(smallest_around_corners(optimised, palette)), nullptr},
           {"bottom_up", "bottom-up", levels(bottom_up(mesh, tree, palette)), &kPaperBottomUp},
           {"best", "best", levels(best(mesh, tree, palette)), &kPaperBest}};
@@ -136,6 +136,20 @@ Table radius_table(const std::vector<RadiusColumn>& columns) {
         {static_cast<double>(level + 1), static_cast<double>(columns[0].levels[level].nodes)});
     for (const RadiusColumn& column : columns)
       table.rows.back().push_back(column.levels[level].mean_radius);
+  }
+  return table;
+}
+
+Table printed_radius_table(const std::vector<RadiusColumn>& columns) {
+  Table table = {
+      "radii_printed", "Table 2 in the paper, in its own units", {{"level", "level"}}, {}, ""};
+  for (std::size_t level = 0; level < kPaperBest.size(); ++level)
+    table.rows.push_back({static_cast<double>(level + 1)});
+  for (const RadiusColumn& column : columns) {
+    if (column.printed == nullptr) continue;
+    table.columns.push_back({column.key, column.title});
+    for (std::size_t level = 0; level < kPaperBest.size(); ++level)
+      table.rows[level].push_back((*column.printed)[level]);
   }
   return table;
 }
@@ -236,17 +250,19 @@ std::vector<BoxLevel> box_levels(const Specimen& specimen, const Palette& palett
 }
 
 Table box_table(const Specimen& specimen, const Palette& palette) {
-  Table table = {"boxes",
-                 "Pelt's boxes of the same creature in the same pose",
-                 {{"level", "level"},
-                  {"nodes", "nodes"},
-                  {"affine_percent", "of them affine [%]"},
-                  {"area", "mean area of the bound"},
-                  {"exact_area", "of the exact box"},
-                  {"ratio", "ratio"}},
-                 {},
-                 "Areas of surfaces. Below the last level stand the clusters, whose boxes are "
-                 "exact."};
+  Table table = {
+      "boxes",
+      "Pelt's boxes of the same creature in the same pose",
+      {{"level", "level"},
+       {"nodes", "nodes"},
+       {"affine_percent", "with the affine bound [%]"},
+       {"area", "mean surface of the bound [units^2]"},
+       {"exact_area", "of the exact box [units^2]"},
+       {"ratio", "the first over the second"}},
+      {},
+      "A bound is a box from the joint matrices alone: the union of a box for each joint, "
+      "or, where it is tighter, an affine map of the rest box with a margin. Clusters "
+      "stand below; their boxes are exact."};
   const std::vector<BoxLevel> levels = box_levels(specimen, palette);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const BoxLevel& level = levels[i];
@@ -257,6 +273,46 @@ Table box_table(const Specimen& specimen, const Palette& palette) {
   return table;
 }
 
+/// On how many levels the first column of `table` has the smaller radius.
+std::size_t levels_won(const Table& table, const char* key, const char* other) {
+  const std::size_t a = column_of(table, key), b = column_of(table, other);
+  return static_cast<std::size_t>(
+      std::count_if(table.rows.begin(), table.rows.end(), [&](const std::vector<Cell>& row) {
+        return row[a].figure && row[b].figure && *row[a].figure < *row[b].figure;
+      }));
+}
+
+std::string levels_in_words(std::size_t won, const Table& table) {
+  return std::to_string(won) + " of " + std::to_string(table.rows.size()) + " levels";
+}
+
+std::string text_of_bottom_up(const Table& ratios) {
+  const auto last = [&](const char* key) {
+    return shown(ratios.rows.back()[column_of(ratios, key)]);
+  };
+  return "On demand the paper has tighter spheres than bottom-up on " +
+         levels_in_words(levels_won(ratios, "paper_on_demand", "paper_bottom_up"), ratios) +
+         ", here it has on " +
+         levels_in_words(levels_won(ratios, "on_demand", "bottom_up"), ratios) +
+         ": our bottom-up refit puts the smallest sphere around each posed triangle, so on the "
+         "last "
+         "level it is " +
+         last("bottom_up") + " of the best, the paper's " + last("paper_bottom_up") +
+         ". On demand both are near the best, and nearer on deeper levels.";
+}
+
+std::string text_of_bounds(const Table& ratios) {
+  const auto first = [&](const char* key) {
+    return shown(ratios.rows.front()[column_of(ratios, key)]);
+  };
+  return "The optimised bound is tighter than that of equation 2 on " +
+         levels_in_words(levels_won(ratios, "on_demand", "eq2"), ratios) +
+         "; where it is not, as at the root (" + first("on_demand") + " and " + first("eq2") +
+         " of the best), it is because its centre is the mean of the corners' (equation 5), not "
+         "the best one. The exact ball around the corners' balls comes to " +
+         first("exact_corners") + " there.";
+}
+
 }  // namespace
 
 Result<Section> tightness(const Conditions& conditions) {
@@ -265,15 +321,18 @@ Result<Section> tightness(const Conditions& conditions) {
   const Palette palette = walking_palette(*creature, kSeconds);
   const std::vector<RadiusColumn> columns = radius_columns(*creature, palette);
   Section section;
-  section.tables = {radius_table(columns), ratio_table(columns), box_table(*creature, palette)};
-  section.charts = {{"radii",
-                     "Mean radius over the best",
-                     "radii_over_best",
-                     "level",
-                     {"eq2", "on_demand", "paper_on_demand", "bottom_up", "paper_bottom_up"},
-                     "radius / best",
-                     Axes::linear,
-                     Better::lower}};
+  section.tables = {radius_table(columns), printed_radius_table(columns), ratio_table(columns),
+                    box_table(*creature, palette)};
+  section.text = {text_of_bottom_up(section.tables[2]), text_of_bounds(section.tables[2])};
+  section.charts = {
+      {"radii",
+       "Mean radius over the best",
+       "radii_over_best",
+       "level",
+       {"eq2", "on_demand", "paper_on_demand", "exact_corners", "bottom_up", "paper_bottom_up"},
+       "radius / best",
+       Axes::linear,
+       Better::lower}};
   section.pictures = {level_picture(*creature, palette, conditions)};
   return section;
 }
