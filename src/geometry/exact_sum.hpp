@@ -43,6 +43,13 @@ class ExactSum {
   /// Their sum is that of all values.
   std::span<const double> terms() const { return {terms_.data(), size_}; }
 
+  /// Wrong by less than a unit in its last place, like Shewchuk's ESTIMATE.
+  double rounded() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) sum += terms_[i];
+    return sum;
+  }
+
   int sign() const {
     if (size_ == 0) return 0;
     return terms_[size_ - 1] > 0 ? 1 : -1;

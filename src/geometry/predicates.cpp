@@ -1,6 +1,6 @@
 #include "geometry/predicates.hpp"
 
-#include "geometry/exact_sum.hpp"
+#include "geometry/exact_determinant.hpp"
 
 namespace pelt::detail {
 namespace {
@@ -9,36 +9,6 @@ namespace {
 /// three floats for factors: two of these multiply to 48 bits, exactly, so each product is a sum of
 /// two doubles. Of one determinant of differences, six products are sums of four doubles.
 using Sum3d = ExactSum<48>;
-
-/// Dekker's product (Shewchuk 1997, theorem 18): value + error == a * b, exactly.
-struct ExactProduct {
-  ExactProduct(double a, double b) : value(a * b) {
-    const double a_high = high_half(a), a_low = a - a_high;
-    const double b_high = high_half(b), b_low = b - b_high;
-    error = a_low * b_low - (((value - a_high * b_high) - a_low * b_high) - a_high * b_low);
-  }
-
-  static double high_half(double a) {
-    const double shifted = 0x8000001p0 * a;
-    return shifted - (shifted - a);
-  }
-
-  double value, error;
-};
-
-void add_product(Sum3d& sum, double x, double y, double z) {
-  const ExactProduct xy(x, y), high(xy.value, z), low(xy.error, z);
-  for (const double term : {low.error, low.value, high.error, high.value}) sum.add(term);
-}
-
-void add_determinant(Sum3d& sum, const Vec3d& p, const Vec3d& q, const Vec3d& r) {
-  add_product(sum, p.x, q.y, r.z);
-  add_product(sum, q.x, r.y, p.z);
-  add_product(sum, r.x, p.y, q.z);
-  add_product(sum, -q.x, p.y, r.z);
-  add_product(sum, -r.x, q.y, p.z);
-  add_product(sum, -p.x, r.y, q.z);
-}
 
 bool is_exact_difference(const Vec3d& difference, const Vec3d& a, const Vec3d& b) {
   return rounding_error(a.x, -b.x, difference.x) == 0 &&

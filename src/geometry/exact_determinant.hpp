@@ -1,0 +1,45 @@
+#pragma once
+
+/// Products and determinants of three dimensions, added to an exact sum. Factors are floats or
+/// differences of floats, so that nothing overflows or underflows.
+
+#include "base/vec3.hpp"
+#include "geometry/exact_sum.hpp"
+
+namespace pelt::detail {
+
+/// Dekker's product (Shewchuk 1997, theorem 18): value + error == a * b, exactly.
+struct ExactProduct {
+  ExactProduct(double a, double b) : value(a * b) {
+    const double a_high = high_half(a), a_low = a - a_high;
+    const double b_high = high_half(b), b_low = b - b_high;
+    error = a_low * b_low - (((value - a_high * b_high) - a_low * b_high) - a_high * b_low);
+  }
+
+  static double high_half(double a) {
+    const double shifted = 0x8000001p0 * a;
+    return shifted - (shifted - a);
+  }
+
+  double value, error;
+};
+
+/// Four terms; two where the factors are floats, because two of these multiply to 48 bits, exactly.
+template <std::size_t kCapacity>
+void add_product(ExactSum<kCapacity>& sum, double x, double y, double z) {
+  const ExactProduct xy(x, y), high(xy.value, z), low(xy.error, z);
+  for (const double term : {low.error, low.value, high.error, high.value}) sum.add(term);
+}
+
+/// det(p, q, r): six products.
+template <std::size_t kCapacity>
+void add_determinant(ExactSum<kCapacity>& sum, const Vec3d& p, const Vec3d& q, const Vec3d& r) {
+  add_product(sum, p.x, q.y, r.z);
+  add_product(sum, q.x, r.y, p.z);
+  add_product(sum, r.x, p.y, q.z);
+  add_product(sum, -q.x, p.y, r.z);
+  add_product(sum, -r.x, q.y, p.z);
+  add_product(sum, -p.x, r.y, q.z);
+}
+
+}  // namespace pelt::detail

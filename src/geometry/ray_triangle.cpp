@@ -1,0 +1,216 @@
+/// With the corners seen from the origin o, a' = a - o and so on, and the direction d, the line
+/// passes the three edges on the sides given by the signs of
+///     w_a = det(d, b', c'),  w_b = det(d, c', a'),  w_c = det(d, a', b'),
+/// which sum to d.n for the normal n = (b - a) x (c - a). If no two have different signs and not
+/// all are zero, the line is not parallel to the plane and meets the triangle, where each corner
+/// has the share w / d.n; if all are zero, it runs in the plane or the triangle has collapsed. The
+/// point met is that with t = a'.n / d.n. Both determinants of an edge that two triangles share are
+/// the same numbers up to sign, so exact signs let no ray through between them.
+///
+/// Rounding, with e = 2^-53. A determinant of three vectors is a sum of six products. Of their
+/// factors two are at most differences, with an error e each, or three; two multiplications and
+/// three sums add five. So it is wrong by at most 6 * 8 e |p||q||r| in the largest components, and
+/// 56 e covers terms of second order and the rounding of the bound, as in predicates.hpp.
+#include "geometry/ray_triangle.hpp"
+
+#include "geometry/exact_determinant.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelt::detail {
+namespace {
+
+constexpr double kRoundingUnit = 0x1p-53;
+constexpr double kDeterminantError = 56 * kRoundingUnit;
+
+/// Room for three determinants of floats, or four: two terms for each of six products.
+using Sum3d = ExactSum<48>;
+
+double max_abs(const Vec3d& v) {
+  return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+}
+
+double determinant(const Vec3d& p, const Vec3d& q, const Vec3d& r) { return dot(p, cross(q, r)); }
+
+/// det(d, q - o, r - o), exactly.
+Sum3d exact_edge(const RayLine& line, const Vec3& q, const Vec3& r) {
+  const Vec3d d(line.direction), o(line.origin);
+  Sum3d sum;
+  add_determinant(sum, d, Vec3d(q), Vec3d(r));
+  add_determinant(sum, d, o, Vec3d(q));
+  add_determinant(sum, d, Vec3d(r), o);
+  return sum;
+}
+
+/// The three determinants of edges, that opposite to each corner, exactly.
+std::array<Sum3d, 3> exact_edges(const RayLine& line, const TriangleCorners& t) {
+  return {exact_edge(line, t[1], t[2]), exact_edge(line, t[2], t[0]), exact_edge(line, t[0], t[1])};
+}
+
+/// d.n, exactly.
+Sum3d exact_slope(const RayLine& line, const TriangleCorners& t) {
+  const Vec3d d(line.direction), a(t[0]), b(t[1]), c(t[2]);
+  Sum3d sum;
+  add_determinant(sum, d, b, c);
+  add_determinant(sum, d, c, a);
+  add_determinant(sum, d, a, b);
+  return sum;
+}
+
+/// (a - o).n, exactly.
+Sum3d exact_height(const RayLine& line, const TriangleCorners& t) {
+  const Vec3d o(line.origin), a(t[0]), b(t[1]), c(t[2]);
+  Sum3d sum;
+  add_determinant(sum, a, b, c);
+  add_determinant(sum, b, a, o);
+  add_determinant(sum, c, b, o);
+  add_determinant(sum, a, c, o);
+  return sum;
+}
+
+/// On which side of the line each edge passes, by the corner opposite to it.
+using Sides = std::array<int, 3>;
+
+/// Whether some edges pass on either side.
+bool on_both_sides(const Sides& sides) {
+  return std::min({sides[0], sides[1], sides[2]}) < 0 &&
+         std::max({sides[0], sides[1], sides[2]}) > 0;
+}
+
+constexpr int kUnknown = 2;
+
+int certain_sign(double value, double error) {
+  return value > error ? 1 : value < -error ? -1 : kUnknown;
+}
+
+/// Those that double arithmetic is sure of.
+Sides certain_sides(const RayLine& line, const TriangleCorners& t) {
+  const Vec3d d(line.direction), o(line.origin);
+  const Vec3d a = Vec3d(t[0]) - o, b = Vec3d(t[1]) - o, c = Vec3d(t[2]) - o;
+  const double reach = std::max(std::max(max_abs(a), max_abs(b)), max_abs(c));
+  const double error = kDeterminantError * max_abs(d) * reach * reach;
+  return {certain_sign(determinant(d, b, c), error), certain_sign(determinant(d, c, a), error),
+          certain_sign(determinant(d, a, b), error)};
+}
+
+/// Fills in what is unknown.
+void make_exact(const RayLine& line, const TriangleCorners& t, Sides& sides) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (sides[i] == kUnknown) sides[i] = exact_edge(line, t[(i + 1) % 3], t[(i + 2) % 3]).sign();
+}
+
+bool certainly_beside(const Sides& sides) {
+  const auto [a, b, c] = sides;
+  return (a == 1 || b == 1 || c == 1) && (a == -1 || b == -1 || c == -1);
+}
+
+/// Floats end where the next one would be 2^128.
+double next_beyond(float value) {
+  return std::isfinite(value) ? double{value} : std::copysign(0x1p128, value);
+}
+
+/// The float nearest to height / slope; of two that are equally near, the even one.
+float exact_quotient(const Sum3d& height, const Sum3d& slope) {
+  const double quotient = height.rounded() / slope.rounded();
+  const double error = std::abs(quotient) * 0x1p-48;
+  const auto low = static_cast<float>(quotient - error),
+             high = static_cast<float>(quotient + error);
+  if (low == high) return low;
+  const double middle = (next_beyond(low) + next_beyond(high)) / 2;
+  ExactSum<48 + 2 * 48> beyond;  // height - middle * slope
+  for (const double term : height.terms()) beyond.add(term);
+  for (const double term : slope.terms()) {
+    const ExactProduct product(-middle, term);
+    beyond.add(product.error);
+    beyond.add(product.value);
+  }
+  const int side = beyond.sign() * slope.sign();
+  return side > 0 ? high : side < 0 ? low : static_cast<float>(middle);
+}
+
+/// The float nearest to the line's t in the triangle's plane. Precondition: not parallel.
+float nearest_t(const RayLine& line, const TriangleCorners& t) {
+  const Vec3d a(t[0]), u = Vec3d(t[1]) - a, v = Vec3d(t[2]) - a, n = cross(u, v);
+  const Vec3d d(line.direction), from_origin = a - Vec3d(line.origin);
+  const double height = dot(from_origin, n), slope = dot(d, n);
+  const double per_length = kDeterminantError * max_abs(u) * max_abs(v);
+  const double quotient = height / slope;
+  const double relative_error = per_length * max_abs(from_origin) / std::abs(height) +
+                                per_length * max_abs(d) / std::abs(slope) + 4 * kRoundingUnit;
+  if (relative_error < 0x1p-20) {  // false for NaN
+    const double error = std::abs(quotient) * relative_error * 1.001;
+    const auto low = static_cast<float>(quotient - error);
+    if (low == static_cast<float>(quotient + error)) return low;
+  }
+  return exact_quotient(exact_height(line, t), exact_slope(line, t));
+}
+
+/// The three numbers over their sum, those opposite to an edge that is met left out.
+std::array<float, 3> shares(const std::array<double, 3>& w, const RayCrossing& crossing) {
+  const double sum = w[0] + w[1] + w[2];
+  std::array<float, 3> weights;
+  for (std::size_t i = 0; i < 3; ++i)
+    weights[i] = crossing.on_edge[i] ? 0 : static_cast<float>(std::max(w[i] / sum, 0.0));
+  return weights;
+}
+
+}  // namespace
+
+bool line_meets_triangle(const RayLine& line, const TriangleCorners& triangle,
+                         RayCrossing& crossing) {
+  Sides sides = certain_sides(line, triangle);
+  if (certainly_beside(sides)) return false;
+  make_exact(line, triangle, sides);
+  if (on_both_sides(sides) || sides == Sides{0, 0, 0}) return false;
+  crossing.t = nearest_t(line, triangle) + 0.0f;
+  crossing.from_front = std::min({sides[0], sides[1], sides[2]}) < 0;
+  crossing.on_edge = {sides[0] == 0, sides[1] == 0, sides[2] == 0};
+  return std::isfinite(crossing.t);
+}
+
+/// The determinants are the same from any point of the line. From one near the triangle, that of
+/// the rounded t, they cancel little: t * d is exact in double, so a corner is seen from there with
+/// errors of e times its distances from the origin, at most `reach`, and from there, at most
+/// `size`. The six products then are wrong by 2 e (reach + size) size each, beside their own 8 e
+/// size^2.
+std::array<float, 3> crossing_weights(const RayLine& line, const TriangleCorners& triangle,
+                                      const RayCrossing& crossing) {
+  const Vec3d d(line.direction), o(line.origin);
+  Vec3d seen[3];
+  double reach = 0, size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d from_origin = Vec3d(triangle[i]) - o;
+    seen[i] = from_origin - double{crossing.t} * d;
+    reach = std::max(reach, max_abs(from_origin));
+    size = std::max(size, max_abs(seen[i]));
+  }
+  std::array<double, 3> w = {determinant(d, seen[1], seen[2]), determinant(d, seen[2], seen[0]),
+                             determinant(d, seen[0], seen[1])};
+  const double error = 80 * kRoundingUnit * max_abs(d) * size * (reach + size);
+  if (!(error < 0x1p-28 * std::abs(w[0] + w[1] + w[2]))) {
+    const std::array<Sum3d, 3> exact = exact_edges(line, triangle);
+    w = {exact[0].rounded(), exact[1].rounded(), exact[2].rounded()};
+  }
+  return shares(w, crossing);
+}
+
+/// A component is a difference of two products with errors of 4 e |u||v| each.
+Vec3 unit_normal(const TriangleCorners& triangle) {
+  const Vec3d a(triangle[0]), b(triangle[1]), c(triangle[2]);
+  const Vec3d u = b - a, v = c - a;
+  Vec3d n = cross(u, v);
+  if (!(9 * kRoundingUnit * max_abs(u) * max_abs(v) < 0x1p-25 * max_abs(n))) {
+    const auto twice_area = [](double ax, double ay, double bx, double by, double cx, double cy) {
+      ExactSum<6> sum;
+      for (const double term : {ax * by, bx * cy, cx * ay}) sum.add(term);
+      for (const double term : {bx * ay, cx * by, ax * cy}) sum.add(-term);
+      return sum.rounded();
+    };
+    n = {twice_area(a.y, a.z, b.y, b.z, c.y, c.z), twice_area(a.z, a.x, b.z, b.x, c.z, c.x),
+         twice_area(a.x, a.y, b.x, b.y, c.x, c.y)};
+  }
+  return to_float(1 / std::sqrt(squared_length(n)) * n);
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "base/vec3.hpp"
+#include "geometry/triangle_pair.hpp"
+
+#include <array>
+
+namespace pelt::detail {
+
+/// The line of all points origin + t * direction. Any finite floats; the direction is a vector.
+struct RayLine {
+  Vec3 origin, direction;
+};
+
+/// How a line goes through a triangle.
+struct RayCrossing {
+  float t = 0;  ///< the float nearest to the exact parameter, which is finite; never -0
+  bool from_front = false;
+  std::array<bool, 3> on_edge = {};  ///< whether it meets the edge opposite to each corner
+};
+
+/// Whether a line meets a closed triangle, decided exactly on their float32 coordinates; if so,
+/// fills `crossing`. A triangle that has collapsed is never met, nor one that the line is parallel
+/// to, nor one whose t is beyond all floats.
+bool line_meets_triangle(const RayLine& line, const TriangleCorners& triangle,
+                         RayCrossing& crossing);
+
+/// The shares of the corners in the place where `line` crosses `triangle`: each within 2^-23 of the
+/// exact one, none negative, exactly 0 opposite to an edge that the line meets.
+std::array<float, 3> crossing_weights(const RayLine& line, const TriangleCorners& triangle,
+                                      const RayCrossing& crossing);
+
+/// Of length 1 and within 2^-22 of the exact one, to where the corners are seen counter-clockwise.
+/// Precondition: the triangle has not collapsed.
+Vec3 unit_normal(const TriangleCorners& triangle);
+
+}  // namespace pelt::detail
