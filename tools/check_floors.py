@@ -13,7 +13,7 @@ import re
 import sys
 
 FLOORS = ["include/pelt", "src/base", "src/geometry", "src/skin", "paper", "src/model", "src/pose",
-          "src/query", "src/collide", "src/bounds", "src/crowd", "src/targets", "rivals", "peers",
+          "src/query", "src/collide", "src/bounds", "src/ray", "src/crowd", "src/targets", "rivals", "peers",
           "asset", "scenes", "bench", "tools", "tests"]
 
 MAY_INCLUDE_PAPER = ("paper", "rivals", "bench", "tools", "tests")
@@ -23,7 +23,7 @@ MAY_INCLUDE_ONLY = {
     "examples": {"include/pelt"},
 }
 STANDARD_LIBRARY_ONLY = ("include/pelt", "src/geometry", "src/skin", "src/model", "src/pose",
-                         "src/query", "src/collide", "src/bounds", "src/crowd", "src/targets",
+                         "src/query", "src/collide", "src/bounds", "src/ray", "src/crowd", "src/targets",
                          "paper", "examples")
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -14,6 +14,7 @@
 #include <pelt/pose.hpp>
 #include <pelt/prepared.hpp>
 #include <pelt/query.hpp>
+#include <pelt/ray.hpp>
 #include <pelt/result.hpp>
 #include <pelt/shapes.hpp>
 #include <pelt/version.hpp>

@@ -38,7 +38,9 @@ class Scratch {
   /// allowed by `max_contacts`, whatever the models; 1 is enough for `intersects`. With poses that
   /// have been reserved too, and room in the caller's vector, such queries allocate nothing, from
   /// the first on. 113 KB and 16 bytes a contact.
-  void reserve(std::size_t contacts);
+  ///
+  /// The same for `cast_all` of rays with up to `ray_hits` hits: 36 bytes each.
+  void reserve(std::size_t contacts, std::size_t ray_hits = 0);
 
   /// For Pelt's own files.
   detail::Scratch& detail() { return *scratch_; }

@@ -4,6 +4,7 @@
 /// declare what they do; this one only knows their names.
 
 #include <pelt/collide.hpp>
+#include <pelt/ray.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,8 @@ struct PosedTree;
 struct RootBox;
 struct Scratch;
 struct Tree;
+template <typename T>
+class Stack;
 
 struct WideCode {
   PaletteScan (*scan_palette)(const float* floats, std::size_t joint_count);
@@ -33,6 +36,12 @@ struct WideCode {
   BoxFound (*bound_of_set)(const NodeBounds& bounds, std::uint32_t set, const Palette& palette);
   BoxFound (*box_places)(const Tree& tree, const Palette& palette,
                          std::span<const std::uint32_t> places);
+  QueryStats (*first_hits)(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
+                           std::span<RayHit> hits);
+  QueryStats (*any_hits)(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
+                         std::span<bool> hit);
+  QueryStats (*all_hits)(const PosedTree& posed, const Ray& ray, Facing facing,
+                         Stack<RayHit>& hits);
 };
 
 /// Those of the active target.

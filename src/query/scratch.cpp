@@ -30,6 +30,7 @@ void Stack<T>::reserve(std::size_t capacity) {
 
 template class Stack<SlotPair>;
 template class Stack<Contact>;
+template class Stack<RayHit>;
 
 }  // namespace detail
 
@@ -48,10 +49,11 @@ Scratch::Scratch(Scratch&&) noexcept = default;
 Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 Scratch::~Scratch() = default;
 
-void Scratch::reserve(std::size_t contacts) {
+void Scratch::reserve(std::size_t contacts, std::size_t ray_hits) {
   scratch_->slot_pairs.reserve(kMostSlotPairs);
   scratch_->found.reserve(contacts + kMostBeyond);
   scratch_->sorting.reserve(contacts);
+  scratch_->ray_hits.reserve(ray_hits);
 }
 
 }  // namespace pelt

@@ -3,6 +3,7 @@
 #include "query/stack.hpp"
 
 #include <pelt/collide.hpp>
+#include <pelt/ray.hpp>
 
 #include <cstdint>
 
@@ -18,11 +19,13 @@ struct SlotPair {
 
 extern template class Stack<SlotPair>;
 extern template class Stack<Contact>;
+extern template class Stack<RayHit>;
 
 /// Memory lent to queries; every user clears what it takes.
 struct Scratch {
   Stack<SlotPair> slot_pairs;
   Stack<Contact> found, sorting;
+  Stack<RayHit> ray_hits;
 };
 
 }  // namespace pelt::detail

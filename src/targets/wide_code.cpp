@@ -8,6 +8,7 @@
 #include "pose/open_fully.hpp"
 #include "pose/open_node.hpp"
 #include "pose/root_box.hpp"
+#include "ray/ray_traversal.hpp"
 #include "skin/palette_scan.hpp"
 
 namespace pelt::detail {
@@ -17,7 +18,8 @@ extern const WideCode kWideCode;
 
 const WideCode kWideCode = {scan_palette, box_root,      pose_vertices, open_all_exactly,
                             open_fully,   collide_trees, bounding_box,  bounding_radius,
-                            bound_of_set, box_places};
+                            bound_of_set, box_places,    first_hits,    any_hits,
+                            all_hits};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

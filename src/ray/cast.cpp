@@ -1,0 +1,70 @@
+#include <pelt/ray.hpp>
+
+#include "base/assert.hpp"
+#include "base/wide_code.hpp"
+#include "pose/pose.hpp"
+#include "query/scratch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace pelt {
+namespace {
+
+bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_valid(const Ray& ray) {
+  return is_finite(ray.origin) && is_finite(ray.direction) && !std::isnan(ray.t_min) &&
+         !std::isnan(ray.t_max);
+}
+
+bool are_valid(std::span<const Ray> rays) {
+  return std::all_of(rays.begin(), rays.end(), is_valid);
+}
+
+bool comes_before(const RayHit& a, const RayHit& b) {
+  return a.t < b.t || (a.t == b.t && a.triangle < b.triangle);
+}
+
+}  // namespace
+
+Ray segment(const Vec3& from, const Vec3& to) {
+  return {from, {to.x - from.x, to.y - from.y, to.z - from.z}, 0, 1};
+}
+
+QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
+                const CastOptions& options) {
+  PELT_ASSERT(hits.size() == rays.size());
+  PELT_ASSERT(are_valid(rays));
+  return detail::wide_code().first_hits(pose.detail().posed_tree(), rays, options.facing, hits);
+}
+
+RayHit cast(Pose& pose, const Ray& ray, const CastOptions& options) {
+  RayHit hit;
+  cast(pose, std::span(&ray, 1), std::span(&hit, 1), options);
+  return hit;
+}
+
+QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
+                    const CastOptions& options) {
+  PELT_ASSERT(hit.size() == rays.size());
+  PELT_ASSERT(are_valid(rays));
+  return detail::wide_code().any_hits(pose.detail().posed_tree(), rays, options.facing, hit);
+}
+
+QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch, std::vector<RayHit>& hits,
+                    const CastOptions& options) {
+  PELT_ASSERT(is_valid(ray));
+  detail::Stack<RayHit>& found = scratch.detail().ray_hits;
+  found.clear();
+  const QueryStats work =
+      detail::wide_code().all_hits(pose.detail().posed_tree(), ray, options.facing, found);
+  std::sort(found.begin(), found.end(), comes_before);
+  hits.insert(hits.end(), found.begin(), found.end());
+  return work;
+}
+
+}  // namespace pelt

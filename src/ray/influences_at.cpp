@@ -1,0 +1,54 @@
+#include <pelt/ray.hpp>
+
+#include "base/assert.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace pelt {
+namespace {
+
+using detail::Node;
+using detail::Tree;
+
+/// The node whose pool has the corners of the triangle at `place`: clusters, and so their
+/// triangles, are numbered node after node.
+const Node& node_of(const Tree& tree, std::uint32_t place) {
+  const auto begins_after = [&](std::uint32_t triangle, const Node& node) {
+    return node.first_cluster == tree.clusters.size() ||
+           triangle < tree.clusters[node.first_cluster].first_triangle;
+  };
+  return *(std::upper_bound(tree.nodes.begin(), tree.nodes.end(), place, begins_after) - 1);
+}
+
+void add_share(std::uint32_t joint, float share, std::vector<JointShare>& shares) {
+  const auto known = std::find_if(shares.begin(), shares.end(),
+                                  [=](const JointShare& s) { return s.joint == joint; });
+  if (known == shares.end()) {
+    shares.push_back({joint, share});
+  } else {
+    known->share += share;
+  }
+}
+
+}  // namespace
+
+void influences_at(const SkinnedModel& model, const RayHit& hit, std::vector<JointShare>& shares) {
+  const Tree& tree = model.detail().tree;
+  PELT_ASSERT(hit.place < tree.triangle_count() && tree.triangle_ids[hit.place] == hit.triangle);
+  const Node& node = node_of(tree, hit.place);
+  shares.clear();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t vertex =
+        node.first_vertex + tree.corners[hit.place][k] / detail::kFloatsPerVertex;
+    for (std::uint32_t i = tree.influence_begin[vertex]; i < tree.influence_begin[vertex + 1]; ++i)
+      if (const float share = hit.weights[k] * tree.weights[i]; share > 0)
+        add_share(tree.joints[i], share, shares);
+  }
+  std::sort(shares.begin(), shares.end(), [](const JointShare& a, const JointShare& b) {
+    return a.share > b.share || (a.share == b.share && a.joint < b.joint);
+  });
+}
+
+}  // namespace pelt

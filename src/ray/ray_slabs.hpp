@@ -1,0 +1,124 @@
+#pragma once
+
+/// A ray against eight boxes at a time, conservatively: a box is entered if any point of the ray
+/// that lies in all vertices' box might lie in this one too.
+///
+/// The direction is divided by a power of two so that its largest component is at least 1 and below
+/// 2; t here is the ray's times that power. On an axis with direction d > 0 the box spans t from
+/// (low - o) / d to (high - o) / d. With o moved by a margin m, up for the one and down for the
+/// other, three roundings and those of o + m change the first no further than to (low - o) / d if
+///     m >= 4.1 2^-24 (|low| + |o| + m).
+/// A point of the ray that counts has a coordinate of magnitude at most B, the box of all vertices'
+/// bound; and the quotient, rounded as it is, grows with `low`: so |low| counts no more than B.
+/// That makes m = 2^-21 (B + |o|). Where |d| is below 2^-126 or zero, the reciprocal 2^126 stands
+/// for it, as if the direction were turned by 2^-126: t is at most T = max B + max |o| over the
+/// axes, so the ray moves by less than 2^-125 T, and in the box a t of T is reached within 2^-126
+/// T. 2^-60 T, added to m, covers both, and 2^-140 what underflows. Nothing becomes NaN:
+/// reciprocals are finite and not zero, and o is finite.
+
+#include <pelt/ray.hpp>
+
+#include "pose/opened_node.hpp"
+#include "pose/root_box.hpp"
+#include "query/lanes.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+class RaySlabs {
+ public:
+  /// Preconditions: the box is not empty, the direction not zero.
+  RaySlabs(const Ray& ray, const RootBox& all) {
+    const double origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    const double direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+    double bound[3];
+    for (int a = 0; a < 3; ++a) bound[a] = larger(all.low[a], all.high[a]);
+    scale_ = power_of_two(largest(direction));
+    const double farthest = largest(bound) + largest(origin);
+    for (int a = 0; a < 3; ++a)
+      axes_[a] = axis(origin[a], direction[a] / scale_, bound[a] + std::fabs(origin[a]), farthest);
+    first_ = scaled(ray.t_min, -1);
+    last_ = scaled(ray.t_max, 1);
+  }
+
+  /// From now on nothing beyond `t` counts.
+  void end_at(float t) { last_ = scaled(t, 1); }
+
+  /// Whether something entered here may still count.
+  bool reaches(float entry) const { return entry <= last_; }
+
+  /// Whether the ray enters the box around all vertices.
+  bool enters(const RootBox& all) const {
+    float entries[8];
+    return entered([&](int a) { return Float8(all.low[a]); },
+                   [&](int a) { return Float8(all.high[a]); }, entries) != 0;
+  }
+
+  /// The slots of a node that the ray enters, a bit each, and where or a little before.
+  unsigned entered(const OpenedNode& node, float (&entries)[kMaxSlots]) const {
+    return entered([&](int a) { return load8(node.low[a]); },
+                   [&](int a) { return load8(node.high[a]); }, entries);
+  }
+
+ private:
+  template <typename Low, typename High>
+  [[gnu::always_inline]] unsigned entered(const Low& low, const High& high,
+                                          float (&entries)[8]) const {
+    Float8 entry(first_), exit(last_);
+    for (int a = 0; a < 3; ++a) {
+      const Axis& axis = axes_[a];
+      const Float8 near = axis.is_backward ? high(a) : low(a);
+      const Float8 far = axis.is_backward ? low(a) : high(a);
+      entry = max(entry, (near - Float8(axis.origin_of_near)) * Float8(axis.reciprocal));
+      exit = min(exit, (far - Float8(axis.origin_of_far)) * Float8(axis.reciprocal));
+    }
+    entry.store(entries);
+    return (entry <= exit).bits();
+  }
+
+  struct Axis {
+    float origin_of_near, origin_of_far, reciprocal;
+    bool is_backward;
+  };
+
+  static double larger(double a, double b) {
+    return std::fabs(a) < std::fabs(b) ? std::fabs(b) : std::fabs(a);
+  }
+  static double largest(const double (&v)[3]) { return larger(larger(v[0], v[1]), v[2]); }
+
+  /// The largest that is not above `value`, which is positive and normal.
+  static double power_of_two(double value) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    bits &= std::uint64_t{0x7FF} << 52;
+    std::memcpy(&value, &bits, sizeof bits);
+    return value;
+  }
+
+  static Axis axis(double origin, double direction, double reach, double farthest) {
+    const double margin = 0x1p-21 * reach + 0x1p-60 * farthest + 0x1p-140;
+    const bool is_backward = direction < 0, is_flat = std::fabs(direction) < 0x1p-126;
+    const double reciprocal = is_flat ? (is_backward ? -0x1p126 : 0x1p126) : 1 / direction;
+    const auto below = static_cast<float>(origin - margin);
+    const auto above = static_cast<float>(origin + margin);
+    return {is_backward ? below : above, is_backward ? above : below,
+            static_cast<float>(reciprocal), is_backward};
+  }
+
+  /// A bound of t, moved to the side of `sign` by more than the rounding of t.
+  float scaled(float t, double sign) const {
+    const double wide = (double{t} + sign * 0x1p-149) * scale_;
+    return static_cast<float>(wide + sign * (std::fabs(wide) * 0x1p-22 + 0x1p-140));
+  }
+
+  Axis axes_[3];
+  double scale_;
+  float first_, last_;
+};
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,261 @@
+/// The descent of a ray: the node that it enters first is opened next, and its clusters are tested
+/// before any of its children is opened, for a hit may make that needless.
+
+#include "ray/ray_traversal.hpp"
+
+#include "geometry/ray_triage.hpp"
+#include "geometry/ray_triangle.hpp"
+#include "model/clusters.hpp"
+#include "pose/open_node.hpp"
+#include "query/slots.hpp"
+#include "ray/ray_slabs.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+namespace {
+
+/// A triangle that the ray crosses.
+struct Found {
+  std::uint32_t place;
+  TriangleCorners corners;
+  RayCrossing crossing;
+};
+
+RayHit complete(const Tree& tree, const RayLine& line, const Found& found) {
+  RayHit hit;
+  hit.triangle = tree.triangle_ids[found.place];
+  hit.place = found.place;
+  hit.t = found.crossing.t;
+  hit.weights = crossing_weights(line, found.corners, found.crossing);
+  hit.normal = unit_normal(found.corners);
+  return hit;
+}
+
+/// Keeps the hit with the least t, of equal ones that of the lowest triangle.
+class FirstHit {
+ public:
+  explicit FirstHit(const Tree& tree) : tree_(tree) {}
+
+  /// Nothing beyond what it returns counts any more.
+  float take(const Found& found) {
+    const float t = found.crossing.t;
+    if (!any_ || t < best_.crossing.t || (t == best_.crossing.t && id(found) < id(best_)))
+      best_ = found;
+    any_ = true;
+    return best_.crossing.t;
+  }
+
+  bool is_enough() const { return false; }
+
+  RayHit hit(const RayLine& line) const { return any_ ? complete(tree_, line, best_) : RayHit(); }
+
+ private:
+  std::uint32_t id(const Found& found) const { return tree_.triangle_ids[found.place]; }
+
+  const Tree& tree_;
+  Found best_;
+  bool any_ = false;
+};
+
+class AnyHit {
+ public:
+  float take(const Found& found) {
+    any_ = true;
+    return found.crossing.t;
+  }
+
+  bool is_enough() const { return any_; }
+
+ private:
+  bool any_ = false;
+};
+
+class AllHits {
+ public:
+  AllHits(const Tree& tree, const Ray& ray, Stack<RayHit>& hits)
+      : tree_(tree), line_{ray.origin, ray.direction}, end_(ray.t_max), hits_(hits) {}
+
+  float take(const Found& found) {
+    hits_.push(complete(tree_, line_, found));
+    return end_;
+  }
+
+  bool is_enough() const { return false; }
+
+ private:
+  const Tree& tree_;
+  RayLine line_;
+  float end_;
+  Stack<RayHit>& hits_;
+};
+
+bool is_zero(const Vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// One ray, and what takes its hits.
+template <typename Hits>
+class RayTraversal {
+ public:
+  RayTraversal(const PosedTree& posed, const RootBox& root, const Ray& ray, Facing facing,
+               Hits& hits, QueryStats& work)
+      : posed_(posed),
+        ray_(ray),
+        line_{ray.origin, ray.direction},
+        facing_(facing),
+        hits_(hits),
+        work_(work),
+        slabs_(ray, root),
+        sheared_(shear(ray.origin, ray.direction)) {}
+
+  /// Precondition: the ray enters the root's box.
+  void run() {
+    push(0, -HUGE_VALF);
+    while (size_ > 0 && !hits_.is_enough()) {
+      const Entered next = entered_[--size_];
+      if (slabs_.reaches(next.entry)) visit(posed_.tree.nodes[next.node], next.node);
+    }
+  }
+
+  bool enters(const RootBox& root) const { return slabs_.enters(root); }
+
+ private:
+  struct Entered {
+    std::uint32_t node;
+    float entry;
+  };
+
+  /// Each visit leaves at most seven more.
+  static constexpr std::size_t kMostEntered = kMaxClusterTreeDepth * (kMaxSlots - 1) + 1;
+
+  /// Keeps those from `first` on sorted, the nearest last.
+  void push(std::uint32_t node, float entry, std::size_t first = 0) {
+    std::size_t place = size_++;
+    for (; place > first && entered_[place - 1].entry < entry; --place)
+      entered_[place] = entered_[place - 1];
+    entered_[place] = {node, entry};
+  }
+
+  void visit(const Node& node, std::uint32_t index) {
+    ++work_.node_pairs;
+    const OpenedNode& opened = open_node(posed_, index, work_);
+    float entries[kMaxSlots];
+    const unsigned slots = slabs_.entered(opened, entries) & slots_of(node);
+    test_clusters(node, opened, slots & clusters_of(node), entries);
+    const std::size_t first = size_;
+    for (SetBits slot(slots & ~clusters_of(node)); slot; ++slot)
+      if (slabs_.reaches(entries[*slot])) push(child(node, *slot), entries[*slot], first);
+  }
+
+  static unsigned slots_of(const Node& node) {
+    return (1u << (node.cluster_count + node.child_count)) - 1;
+  }
+
+  /// The nearest first.
+  void test_clusters(const Node& node, const OpenedNode& opened, unsigned clusters,
+                     const float (&entries)[kMaxSlots]) {
+    while (clusters != 0 && !hits_.is_enough()) {
+      SetBits other(clusters);
+      unsigned nearest = *other;
+      for (++other; other; ++other)
+        if (entries[*other] < entries[nearest]) nearest = *other;
+      if (!slabs_.reaches(entries[nearest])) return;
+      clusters &= ~(1u << nearest);
+      test(posed_.tree.clusters[node.first_cluster + nearest], opened.positions);
+    }
+  }
+
+  void test(const Cluster& cluster, const float* positions) {
+    work_.triangle_pairs += cluster.triangle_count;
+    for (std::uint32_t first = 0; first < cluster.triangle_count; first += 8) {
+      const std::uint32_t left = cluster.triangle_count - first, count = left < 8 ? left : 8;
+      test(cluster.first_triangle + first, count, positions);
+    }
+  }
+
+  /// Up to eight triangles.
+  void test(std::uint32_t first, std::uint32_t count, const float* positions) {
+    const std::uint16_t* offsets = posed_.tree.corners[first].data();
+    Points8 corners[3];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const auto at = [&](std::uint32_t lane) {
+        return load4(positions + offsets[3 * (lane < count ? lane : count - 1) + k]);
+      };
+      corners[k] = transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
+    }
+    for (SetBits lane(not_missed(sheared_, corners) & ((1u << count) - 1)); lane; ++lane)
+      test_exactly(first + *lane, positions);
+  }
+
+  void test_exactly(std::uint32_t place, const float* positions) {
+    Found found;
+    found.place = place;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float* p = positions + posed_.tree.corners[place][k];
+      found.corners[k] = {p[0], p[1], p[2]};
+    }
+    if (!line_meets_triangle(line_, found.corners, found.crossing)) return;
+    if (counts(found.crossing)) slabs_.end_at(hits_.take(found));
+  }
+
+  bool counts(const RayCrossing& crossing) const {
+    return ray_.t_min <= crossing.t && crossing.t <= ray_.t_max &&
+           (facing_ == Facing::both || crossing.from_front == (facing_ == Facing::front));
+  }
+
+  const PosedTree& posed_;
+  const Ray& ray_;
+  RayLine line_;
+  Facing facing_;
+  Hits& hits_;
+  QueryStats& work_;
+  RaySlabs slabs_;
+  ShearedLine sheared_;
+  std::size_t size_ = 0;
+  Entered entered_[kMostEntered];  // a stack
+};
+
+/// Gives `hits` what the ray hits.
+template <typename Hits>
+void traverse(const PosedTree& posed, const Ray& ray, Facing facing, Hits& hits, QueryStats& work) {
+  ++work.node_pairs;
+  const RootBox& root = root_box(posed, work);
+  const bool has_vertices = root.low[0] <= root.high[0];
+  if (!has_vertices || is_zero(ray.direction)) return;
+  RayTraversal<Hits> traversal(posed, root, ray, facing, hits, work);
+  if (!traversal.enters(root)) return;
+  make_table(posed);
+  traversal.run();
+}
+
+}  // namespace
+
+QueryStats first_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
+                      std::span<RayHit> hits) {
+  QueryStats work;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    FirstHit first(posed.tree);
+    traverse(posed, rays[i], facing, first, work);
+    hits[i] = first.hit({rays[i].origin, rays[i].direction});
+  }
+  return work;
+}
+
+QueryStats any_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
+                    std::span<bool> hit) {
+  QueryStats work;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    AnyHit any;
+    traverse(posed, rays[i], facing, any, work);
+    hit[i] = any.is_enough();
+  }
+  return work;
+}
+
+QueryStats all_hits(const PosedTree& posed, const Ray& ray, Facing facing, Stack<RayHit>& hits) {
+  QueryStats work;
+  AllHits all(posed.tree, ray, hits);
+  traverse(posed, ray, facing, all, work);
+  return work;
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,76 @@
+#pragma once
+
+/// The oracle of ray casts: every posed triangle by the exact predicate, without a tree.
+
+#include "geometry/ray_triangle.hpp"
+
+#include <pelt/mesh.hpp>
+#include <pelt/ray.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace pelt::test {
+
+class RayOracle {
+ public:
+  RayOracle(std::span<const Triangle> triangles, const Pose& pose)
+      : triangles_(triangles), positions_(pose.model().vertex_count()) {
+    posed_vertices(pose, positions_);
+  }
+
+  const std::vector<Vec3>& positions() const { return positions_; }
+
+  detail::TriangleCorners corners(std::uint32_t triangle) const {
+    const auto [a, b, c] = triangles_[triangle];
+    return {positions_[a], positions_[b], positions_[c]};
+  }
+
+  /// Ascending by t, then by triangle. `place` is not set.
+  std::vector<RayHit> all(const Ray& ray, Facing facing = Facing::both) const {
+    std::vector<RayHit> hits;
+    const detail::RayLine line = {ray.origin, ray.direction};
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      detail::RayCrossing crossing;
+      if (!detail::line_meets_triangle(line, corners(i), crossing)) continue;
+      if (crossing.t < ray.t_min || crossing.t > ray.t_max) continue;
+      if (facing != Facing::both && crossing.from_front != (facing == Facing::front)) continue;
+      hits.push_back({i, 0, crossing.t, detail::crossing_weights(line, corners(i), crossing),
+                      detail::unit_normal(corners(i))});
+    }
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const RayHit& a, const RayHit& b) { return a.t < b.t; });
+    return hits;
+  }
+
+ private:
+  std::span<const Triangle> triangles_;
+  std::vector<Vec3> positions_;
+};
+
+inline RayHit without_place(RayHit hit) {
+  hit.place = 0;
+  return hit;
+}
+
+/// All that can be asked of a ray, against the oracle; a failure names the ray. Returns how many
+/// triangles it hits.
+inline std::size_t expect_as_oracle(Pose& pose, const RayOracle& oracle, const Ray& ray,
+                                    Scratch& scratch, Facing facing = Facing::both) {
+  const std::vector<RayHit> expected = oracle.all(ray, facing);
+  const RayHit first = cast(pose, ray, {facing});
+  EXPECT_EQ(without_place(first), expected.empty() ? RayHit() : expected[0]);
+  bool any = false;
+  cast_any(pose, std::span(&ray, 1), std::span(&any, 1), {facing});
+  EXPECT_EQ(any, !expected.empty());
+  std::vector<RayHit> all;
+  cast_all(pose, ray, scratch, all, {facing});
+  std::transform(all.begin(), all.end(), all.begin(), without_place);
+  EXPECT_EQ(all, expected);
+  return expected.size();
+}
+
+}  // namespace pelt::test

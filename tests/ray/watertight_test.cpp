@@ -1,0 +1,133 @@
+/// Closed characters leak nowhere; and files of all kinds, against the oracle.
+
+#include "ray_cases.hpp"
+#include "ray_oracle.hpp"
+#include "scenes/scene.hpp"
+
+#include <pelt/asset.hpp>
+
+#include <gtest/gtest.h>
+
+namespace pelt::test {
+namespace {
+
+/// A character at a time of its first clip.
+struct Character {
+  Character(asset::Asset a, float seconds)
+      : asset(std::move(a)),
+        pose(*build_model(asset.mesh(), {.off_weights = OffWeights::renormalise})) {
+    std::vector<Matrix4> palette(asset.joints.size());
+    asset::SampleScratch scratch;
+    const asset::Clip* clip = asset.clips.empty() ? nullptr : &asset.clips[0];
+    asset::sample_palette(asset, clip, seconds, Matrix4(), scratch, palette);
+    EXPECT_TRUE(pose.set_palette(palette));
+  }
+
+  RayOracle oracle() const { return {asset.triangles, pose}; }
+
+  asset::Asset asset;
+  Pose pose;
+};
+
+Character make_walker(float seconds) {
+  return {scenes::generate_character(scenes::kDwarf)->asset, seconds};
+}
+
+bool is_on_edge(const RayHit& hit) {
+  return hit.weights[0] == 0 || hit.weights[1] == 0 || hit.weights[2] == 0;
+}
+
+/// Negative where the ray enters.
+float along(const Vec3& direction, const Vec3& normal) {
+  return direction.x * normal.x + direction.y * normal.y + direction.z * normal.z;
+}
+
+TEST(Watertight, ARayFromOutsideEntersAsOftenAsItLeaves) {
+  Random random(100);
+  Scratch scratch;
+  int crossed = 0;
+  for (const float seconds : {0.0f, 0.3f, 0.7f}) {
+    Character walker = make_walker(seconds);
+    const RayOracle oracle = walker.oracle();
+    const RayCases cases(walker.asset.triangles, oracle.positions());
+    for (int i = 0; i < 800; ++i) {
+      Vec3 far = random.point(1);
+      far = {far.x, far.y + 1, far.z + (far.z < 0 ? -10.0f : 10.0f)};
+      Ray ray = segment(far, cases.target(random));
+      ray.t_max = 3;
+      std::vector<RayHit> front, back;
+      cast_all(walker.pose, ray, scratch, front, {Facing::front});
+      cast_all(walker.pose, ray, scratch, back, {Facing::back});
+      if (std::any_of(front.begin(), front.end(), is_on_edge) ||
+          std::any_of(back.begin(), back.end(), is_on_edge))
+        continue;
+      ASSERT_EQ(front.size(), back.size()) << "ray " << i;
+      ++crossed;
+    }
+  }
+  EXPECT_GT(crossed, 800);
+}
+
+/// From places inside, through corners and edges as exactly as floats can aim, and anywhere.
+TEST(Watertight, ARayFromInsideAlwaysHits) {
+  Random random(101);
+  Scratch scratch;
+  int places = 0, on_edges = 0;
+  for (const float seconds : {0.0f, 0.4f}) {
+    Character walker = make_walker(seconds);
+    const RayOracle oracle = walker.oracle();
+    const RayCases cases(walker.asset.triangles, oracle.positions());
+    for (int i = 0; i < 150; ++i) {
+      const Ray ray = {{random.uniformf(-0.3, 0.3), random.uniformf(0.2, 1.7), 10}, {0, 0, -1}};
+      std::vector<RayHit> all;
+      cast_all(walker.pose, ray, scratch, all);
+      if (all.size() < 2 || is_on_edge(all[0]) || is_on_edge(all[1])) continue;
+      const bool goes_in_and_out =
+          along(ray.direction, all[0].normal) < 0 && along(ray.direction, all[1].normal) > 0;
+      if (!goes_in_and_out || all[1].t - all[0].t < 1e-3f) continue;
+      ++places;
+      const Vec3 inside = {ray.origin.x, ray.origin.y, 10 - (all[0].t + all[1].t) / 2};
+      for (int j = 0; j < 100; ++j) {
+        const Vec3 direction =
+            j % 2 == 0 ? random.point(1) : segment(inside, cases.target(random)).direction;
+        const RayHit hit = cast(walker.pose, {inside, direction});
+        ASSERT_TRUE(hit) << "ray " << j;
+        on_edges += is_on_edge(hit);
+      }
+      for (const Vec3& axis : {Vec3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}})
+        ASSERT_TRUE(cast(walker.pose, {inside, axis}));
+    }
+  }
+  std::printf("%d places inside, %d rays through edges\n", places, on_edges);
+  EXPECT_GT(places, 50);
+}
+
+class RealModel : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RealModel, EqualsBruteForce) {
+  const auto path = std::filesystem::path(PELT_SHARED_DIR) / "models" / GetParam();
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+  Random random(102);
+  Scratch scratch;
+  std::size_t hits = 0, several = 0;
+  for (const float seconds : {0.0f, 0.5f}) {
+    Character character(std::move(*asset::load_gltf(path)), seconds);
+    const RayOracle oracle = character.oracle();
+    const RayCases cases(character.asset.triangles, oracle.positions());
+    for (int i = 0; i < 200; ++i) {
+      const std::size_t count =
+          expect_as_oracle(character.pose, oracle, cases.next(random), scratch);
+      hits += count > 0;
+      several += count > 2;
+    }
+  }
+  EXPECT_GT(hits, 150u);
+  EXPECT_GT(several, 30u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealModel,
+                         ::testing::Values("fox_khronos.glb", "human.glb", "knight.glb",
+                                           "mech_george.glb", "spider.glb"));
+
+}  // namespace
+}  // namespace pelt::test
