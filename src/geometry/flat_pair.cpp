@@ -24,14 +24,8 @@ struct Ends {
 
 using Triangle2 = std::array<Vec2d, 3>;
 
-/// Without the coordinate `axis`.
 Triangle2 project(const TriangleCorners& t, int axis) {
-  Triangle2 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3& p = t[i];
-    result[i] = axis == 0 ? Vec2d{p.y, p.z} : axis == 1 ? Vec2d{p.z, p.x} : Vec2d{p.x, p.y};
-  }
-  return result;
+  return {without(t[0], axis), without(t[1], axis), without(t[2], axis)};
 }
 
 /// Whether the line through p and q has the third corner r of its triangle on one closed side and
@@ -62,6 +56,14 @@ bool disjoint_in_plane(const TriangleCorners& a, const TriangleCorners& b) {
 }
 
 }  // namespace
+
+bool has_collapsed(const TriangleCorners& triangle) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [a, b, c] = project(triangle, axis);
+    if (orient2d(a, b, c) != 0) return false;
+  }
+  return true;
+}
 
 bool flat_triangles_intersect(const TriangleCorners& a, const TriangleCorners& b) {
   const Ends ends_a(a), ends_b(b);

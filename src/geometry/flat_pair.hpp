@@ -4,6 +4,9 @@
 
 namespace pelt::detail {
 
+/// Whether the corners lie on one line.
+bool has_collapsed(const TriangleCorners& triangle);
+
 /// The pairs of closed triangles that two planes cannot decide: coplanar ones, and those of which
 /// one or both have collapsed to a segment or a point. Exact like triangles_intersect.
 

@@ -19,6 +19,12 @@ namespace pelt::detail {
 /// The plane through three points, prepared to tell the side of many others. Refers to the points.
 class OrientedPlane {
  public:
+  /// With e = 2^-53, each of the six products of the determinant gathers at most 8 relative errors
+  /// e: three differences, two products, three sums; in absolute terms at most 6 * 8 e |u||v||w| =
+  /// 48 e |u||v||w| in the largest components, and 56 e covers the terms of second order and the
+  /// rounding of the bound itself.
+  static constexpr double kRelativeError = 56 * 0x1p-53;
+
   OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c), origin_(a) {
     const Vec3d u = Vec3d(b) - origin_, v = Vec3d(c) - origin_;
     normal_ = cross(u, v);
@@ -36,12 +42,6 @@ class OrientedPlane {
   }
 
  private:
-  /// With e = 2^-53, each of the six products of the determinant gathers at most 8 relative errors
-  /// e: three differences, two products, three sums; in absolute terms at most 6 * 8 e |u||v||w| =
-  /// 48 e |u||v||w| in the largest components, and 56 e covers the terms of second order and the
-  /// rounding of the bound itself.
-  static constexpr double kRelativeError = 56 * 0x1p-53;
-
   static double max_abs(const Vec3d& v) {
     return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
   }
@@ -62,6 +62,11 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
 struct Vec2d {
   double x = 0, y = 0;
 };
+
+/// A point seen along an axis.
+inline Vec2d without(const Vec3& p, int axis) {
+  return axis == 0 ? Vec2d{p.y, p.z} : axis == 1 ? Vec2d{p.z, p.x} : Vec2d{p.x, p.y};
+}
 
 /// The sign of det(b - a, c - a): 1 if a, b, c turn counter-clockwise.
 int orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c);
