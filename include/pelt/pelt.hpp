@@ -6,6 +6,7 @@
 #include <pelt/bounds.hpp>
 #include <pelt/check.hpp>
 #include <pelt/collide.hpp>
+#include <pelt/contact.hpp>
 #include <pelt/crowd.hpp>
 #include <pelt/groups.hpp>
 #include <pelt/math.hpp>

@@ -15,6 +15,7 @@ namespace pelt::detail {
 class Palette;
 struct BoxFound;
 struct NodeBounds;
+struct OpenedNode;
 struct PaletteScan;
 struct PosedTree;
 struct RootBox;
@@ -27,6 +28,7 @@ struct WideCode {
   PaletteScan (*scan_palette)(const float* floats, std::size_t joint_count);
   RootBox (*box_root)(const NodeBounds& bounds, const Palette& palette);
   void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
+  const OpenedNode& (*open_node)(const PosedTree& posed, std::uint32_t node, QueryStats& work);
   QueryStats (*open_all_exactly)(const PosedTree& posed);
   QueryStats (*open_fully)(const PosedTree& posed);
   QueryStats (*collide_trees)(const PosedTree& a, const PosedTree& b, Scratch& scratch,

@@ -16,10 +16,10 @@ inline namespace PELT_TARGET {
 
 extern const WideCode kWideCode;
 
-const WideCode kWideCode = {scan_palette, box_root,      pose_vertices, open_all_exactly,
-                            open_fully,   collide_trees, bounding_box,  bounding_radius,
-                            bound_of_set, box_places,    first_hits,    any_hits,
-                            all_hits};
+const WideCode kWideCode = {scan_palette,     box_root,     pose_vertices, open_node,
+                            open_all_exactly, open_fully,   collide_trees, bounding_box,
+                            bounding_radius,  bound_of_set, box_places,    first_hits,
+                            any_hits,         all_hits};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

@@ -1,0 +1,77 @@
+#include "contact/curves.hpp"
+
+#include <algorithm>
+
+namespace pelt::detail {
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+using Link = ContactGeometry::Link;
+
+/// A corner, an edge or a face in three numbers; the last tells them apart.
+std::array<std::uint32_t, 3> name_of(Feature feature, std::uint32_t triangle,
+                                     const Surface& surface) {
+  if (feature == Feature::face) return {triangle, 0, 2};
+  const Triangle& corners = surface.corners[triangle];
+  const auto number = static_cast<std::size_t>(feature);
+  if (feature <= Feature::corner2) return {corners[number], 0, 0};
+  const auto [less, more] = std::minmax(corners[number - 3], corners[(number - 2) % 3]);
+  return {less, more, 1};
+}
+
+/// For each end the end that it shares its place with; kNone where there is none, or more than one.
+void find_partners(ContactGeometry& geometry) {
+  std::vector<Link>& links = geometry.links;
+  std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
+    return a.key < b.key || (a.key == b.key && a.owner < b.owner);
+  });
+  geometry.partners.assign(2 * geometry.traces.size(), kNone);
+  for (std::size_t begin = 0, end = 0; begin < links.size(); begin = end) {
+    while (end < links.size() && links[end].key == links[begin].key) ++end;
+    if (end - begin != 2) continue;
+    geometry.partners[links[begin].owner] = links[begin + 1].owner;
+    geometry.partners[links[begin + 1].owner] = links[begin].owner;
+  }
+}
+
+/// Walks from the end at which a trace is entered until the curve ends or closes.
+void walk(std::uint32_t entered, ContactGeometry& geometry) {
+  std::vector<std::uint32_t>& is_walked = geometry.labels;
+  ContactCurve curve = {static_cast<std::uint32_t>(geometry.steps.size()), 0, false};
+  const std::uint32_t start = entered;
+  do {
+    is_walked[entered / 2] = 1;
+    geometry.steps.push_back({entered / 2, entered % 2 == 1});
+    ++curve.count;
+    entered = geometry.partners[entered ^ 1];  // what the other end leads to
+  } while (entered != kNone && entered != start);
+  curve.is_closed = entered == start;
+  geometry.curves.push_back(curve);
+}
+
+}  // namespace
+
+std::array<std::uint32_t, 6> key_of(const CrossingEnd& end, const Contact& contact,
+                                    const Surface& a, const Surface& b) {
+  const auto in_a = name_of(end.a, contact.triangle_a, a);
+  const auto in_b = name_of(end.b, contact.triangle_b, b);
+  return {in_a[0], in_a[1], in_a[2], in_b[0], in_b[1], in_b[2]};
+}
+
+void chain_curves(ContactGeometry& geometry) {
+  find_partners(geometry);
+  geometry.steps.clear();
+  geometry.curves.clear();
+  geometry.labels.assign(geometry.traces.size(), 0);
+  const auto is_open = [&](std::uint32_t trace) {
+    return geometry.traces[trace].kind == ContactKind::segment && geometry.labels[trace] == 0;
+  };
+  // Curves that begin somewhere first, or their middles would be taken for beginnings.
+  for (std::uint32_t end = 0; end < geometry.partners.size(); ++end)
+    if (is_open(end / 2) && geometry.partners[end] == kNone) walk(end, geometry);
+  for (std::uint32_t trace = 0; trace < geometry.traces.size(); ++trace)
+    if (is_open(trace)) walk(2 * trace, geometry);
+}
+
+}  // namespace pelt::detail

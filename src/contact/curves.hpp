@@ -1,0 +1,19 @@
+#pragma once
+
+#include "contact/surface.hpp"
+#include "geometry/triangle_crossing.hpp"
+
+#include <span>
+
+namespace pelt::detail {
+
+/// Names an end of a trace by the features that meet there, in numbers that all triangles have in
+/// common that share these.
+std::array<std::uint32_t, 6> key_of(const CrossingEnd& end, const Contact& contact,
+                                    const Surface& a, const Surface& b);
+
+/// Chains the segments of `geometry` to curves. Its links hold the ends of all segments: `owner` is
+/// twice the number of the trace, and one more for the end `to`.
+void chain_curves(ContactGeometry& geometry);
+
+}  // namespace pelt::detail

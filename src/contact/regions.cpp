@@ -1,0 +1,127 @@
+#include "contact/regions.hpp"
+
+#include "base/vec3.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace pelt::detail {
+namespace {
+
+using Link = ContactGeometry::Link;
+
+/// The least trace of the region that a trace is known to belong to.
+std::uint32_t find_root(std::vector<std::uint32_t>& parents, std::uint32_t trace) {
+  while (parents[trace] != trace) {
+    parents[trace] = parents[parents[trace]];
+    trace = parents[trace];
+  }
+  return trace;
+}
+
+void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b) {
+  a = find_root(parents, a);
+  b = find_root(parents, b);
+  parents[std::max(a, b)] = std::min(a, b);
+}
+
+/// A triangle of one side with each corner of the other's.
+void link_corners(const Surface& a, const Surface& b, ContactGeometry& geometry) {
+  geometry.links.clear();
+  for (std::uint32_t i = 0; i < geometry.traces.size(); ++i) {
+    const auto [in_a, in_b] = geometry.traces[i].contact;
+    for (const std::uint32_t corner : b.corners[in_b])
+      geometry.links.push_back({{0, in_a, corner}, i});
+    for (const std::uint32_t corner : a.corners[in_a])
+      geometry.links.push_back({{1, in_b, corner}, i});
+  }
+  std::sort(geometry.links.begin(), geometry.links.end(),
+            [](const Link& x, const Link& y) { return x.key < y.key; });
+}
+
+/// For each trace the least one of its region.
+void label_regions(ContactGeometry& geometry) {
+  std::vector<std::uint32_t>& labels = geometry.labels;
+  labels.resize(geometry.traces.size());
+  for (std::uint32_t i = 0; i < labels.size(); ++i) labels[i] = i;
+  for (std::size_t i = 1; i < geometry.links.size(); ++i)
+    if (geometry.links[i].key == geometry.links[i - 1].key)
+      join(labels, geometry.links[i].owner, geometry.links[i - 1].owner);
+  for (std::uint32_t i = 0; i < labels.size(); ++i) labels[i] = find_root(labels, i);
+}
+
+double length_of(const ContactTrace& trace) {
+  return std::sqrt(squared_length(Vec3d(trace.to) - Vec3d(trace.from)));
+}
+
+/// The value that most members have, the least of equal ones. `sorted` is working memory.
+std::uint16_t most_frequent(std::span<const std::uint32_t> members,
+                            const std::vector<ContactTrace>& traces,
+                            std::uint16_t ContactTrace::*joint,
+                            std::vector<std::uint32_t>& sorted) {
+  sorted.clear();
+  for (const std::uint32_t member : members) sorted.push_back(traces[member].*joint);
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t most = 0;
+  std::uint32_t best = sorted[0];
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    while (end < sorted.size() && sorted[end] == sorted[begin]) ++end;
+    if (end - begin > most) best = sorted[begin];
+    most = std::max(most, end - begin);
+  }
+  return static_cast<std::uint16_t>(best);
+}
+
+/// Where no trace has a length, all count alike.
+ContactRegion describe(std::uint32_t first, std::span<const std::uint32_t> members,
+                       ContactGeometry& geometry) {
+  ContactRegion region;
+  region.first = first;
+  region.count = static_cast<std::uint32_t>(members.size());
+  double length = 0;
+  for (const std::uint32_t member : members) length += length_of(geometry.traces[member]);
+  Vec3d point, normal;
+  for (const std::uint32_t member : members) {
+    const ContactTrace& trace = geometry.traces[member];
+    const double share = length > 0 ? length_of(trace) / length : 1.0 / region.count;
+    point = point + 0.5 * share * (Vec3d(trace.from) + Vec3d(trace.to));
+    normal = normal + share * Vec3d(trace.normal);
+    region.depth = std::max(region.depth, trace.depth);
+  }
+  const double size = std::sqrt(squared_length(normal));
+  region.length = static_cast<float>(length);
+  region.point = to_float(point);
+  if (size > 0) region.normal = to_float((1 / size) * normal);
+  region.joint_a =
+      most_frequent(members, geometry.traces, &ContactTrace::joint_a, geometry.partners);
+  region.joint_b =
+      most_frequent(members, geometry.traces, &ContactTrace::joint_b, geometry.partners);
+  return region;
+}
+
+}  // namespace
+
+void gather_regions(const Surface& a, const Surface& b, ContactGeometry& geometry) {
+  link_corners(a, b, geometry);
+  label_regions(geometry);
+  std::vector<std::uint32_t>& members = geometry.members;
+  members.resize(geometry.traces.size());
+  for (std::uint32_t i = 0; i < members.size(); ++i) members[i] = i;
+  const std::vector<std::uint32_t>& labels = geometry.labels;
+  std::sort(members.begin(), members.end(), [&](std::uint32_t x, std::uint32_t y) {
+    return labels[x] < labels[y] || (labels[x] == labels[y] && x < y);
+  });
+  geometry.regions.clear();
+  for (std::size_t begin = 0, end = 0; begin < members.size(); begin = end) {
+    while (end < members.size() && labels[members[end]] == labels[members[begin]]) ++end;
+    geometry.regions.push_back(describe(static_cast<std::uint32_t>(begin),
+                                        std::span(members).subspan(begin, end - begin), geometry));
+  }
+  std::sort(geometry.regions.begin(), geometry.regions.end(),
+            [](const ContactRegion& x, const ContactRegion& y) {
+              return x.count > y.count || (x.count == y.count && x.first < y.first);
+            });
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "contact/surface.hpp"
+
+namespace pelt::detail {
+
+/// Gathers the traces of `geometry` to regions.
+void gather_regions(const Surface& a, const Surface& b, ContactGeometry& geometry);
+
+}  // namespace pelt::detail

@@ -1,0 +1,82 @@
+#include "contact/surface.hpp"
+
+#include "model/model.hpp"
+#include "model/unpack.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pelt {
+namespace detail {
+namespace {
+
+void find_places(const Tree& tree, Surface& surface) {
+  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
+    const Node& node = tree.nodes[n];
+    for (std::uint32_t c = 0; c < node.cluster_count; ++c) {
+      const Cluster& cluster = tree.clusters[node.first_cluster + c];
+      for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
+        const std::uint32_t place = cluster.first_triangle + i, triangle = tree.triangle_ids[place];
+        surface.places[triangle] = place;
+        surface.nodes[triangle] = n;
+      }
+    }
+  }
+}
+
+/// The joint with the largest sum of weights over the corners, the lowest of equal ones.
+std::uint16_t main_joint(const SkinnedMesh& mesh, const Triangle& corners,
+                         std::vector<Influence>& sums) {
+  sums.clear();
+  for (const std::uint32_t vertex : corners)
+    for (const Influence& influence : mesh.influences_of(vertex)) {
+      const auto same = [&](const Influence& sum) { return sum.joint == influence.joint; };
+      const auto known = std::find_if(sums.begin(), sums.end(), same);
+      if (known == sums.end())
+        sums.push_back(influence);
+      else
+        known->weight += influence.weight;
+    }
+  const auto less = [](const Influence& a, const Influence& b) {
+    return a.weight < b.weight || (a.weight == b.weight && a.joint > b.joint);
+  };
+  return static_cast<std::uint16_t>(std::max_element(sums.begin(), sums.end(), less)->joint);
+}
+
+/// Whether each directed edge stands once, and so does its opposite.
+bool edges_pair_up(const std::vector<Triangle>& triangles) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> forward, backward;
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      forward.emplace_back(t[i], t[(i + 1) % 3]);
+      backward.emplace_back(t[(i + 1) % 3], t[i]);
+    }
+  std::sort(forward.begin(), forward.end());
+  std::sort(backward.begin(), backward.end());
+  const bool is_once = std::adjacent_find(forward.begin(), forward.end()) == forward.end();
+  return is_once && forward == backward;
+}
+
+}  // namespace
+
+Surface::Surface(const SkinnedModel& m)
+    : model(m), places(m.triangle_count()), nodes(m.triangle_count()) {
+  const Tree& tree = model.detail().tree;
+  find_places(tree, *this);
+  SkinnedMesh mesh = unpack_mesh(tree);
+  std::vector<Influence> sums;
+  for (const Triangle& triangle : mesh.triangles)
+    joints.push_back(main_joint(mesh, triangle, sums));
+  corners = std::move(mesh.triangles);
+  is_closed = edges_pair_up(corners);
+}
+
+}  // namespace detail
+
+Surface::Surface(const SkinnedModel& model)
+    : surface_(std::make_shared<const detail::Surface>(model)) {}
+
+bool Surface::is_closed() const { return surface_->is_closed; }
+const SkinnedModel& Surface::model() const { return surface_->model; }
+
+}  // namespace pelt

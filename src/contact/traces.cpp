@@ -1,0 +1,95 @@
+#include "contact/traces.hpp"
+
+#include "base/assert.hpp"
+#include "base/vec3.hpp"
+#include "base/wide_code.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelt::detail {
+namespace {
+
+/// Of length 1; zero stays zero.
+Vec3d unit(const Vec3d& v) {
+  const double length = std::sqrt(squared_length(v));
+  return length > 0 ? (1 / length) * v : Vec3d();
+}
+
+Vec3d unit_normal(const TriangleCorners& t) {
+  return unit(cross(Vec3d(t[1]) - Vec3d(t[0]), Vec3d(t[2]) - Vec3d(t[0])));
+}
+
+Vec3d centre(const TriangleCorners& t) {
+  return (1.0 / 3) * (Vec3d(t[0]) + Vec3d(t[1]) + Vec3d(t[2]));
+}
+
+Vec3d leaving_direction(const TriangleCorners& a, const TriangleCorners& b) {
+  const Vec3d normal_b = unit_normal(b), between = unit(normal_b - unit_normal(a));
+  return squared_length(between) > 0 ? between : normal_b;
+}
+
+/// How far b reaches along a direction, less where a begins.
+double depth_along(const Vec3d& direction, const TriangleCorners& a, const TriangleCorners& b) {
+  const auto at = [&](const Vec3& p) { return dot(direction, Vec3d(p)); };
+  return std::max({at(b[0]), at(b[1]), at(b[2])}) - std::min({at(a[0]), at(a[1]), at(a[2])});
+}
+
+ContactKind kind_of(const Crossing& crossing) {
+  switch (crossing.kind) {
+    case CrossingKind::segment:
+      return ContactKind::segment;
+    case CrossingKind::point:
+      return ContactKind::point;
+    case CrossingKind::coplanar:
+      return ContactKind::coplanar;
+    case CrossingKind::collapsed:
+      return ContactKind::collapsed;
+    case CrossingKind::none:
+      break;
+  }
+  PELT_ASSERT(false);  // no contact of these poses
+  return ContactKind::collapsed;
+}
+
+}  // namespace
+
+TriangleCorners PosedSurface::corners(std::uint32_t triangle) const {
+  PELT_ASSERT(triangle < surface.places.size());
+  QueryStats uncounted;
+  const PosedTree posed = pose.posed_tree();
+  make_table(posed);
+  const float* positions =
+      wide_code().open_node(posed, surface.nodes[triangle], uncounted).positions;
+  TriangleCorners corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float* at = positions + posed.tree.corners[surface.places[triangle]][i];
+    corners[i] = {at[0], at[1], at[2]};
+  }
+  return corners;
+}
+
+ContactTrace trace_of(const Contact& contact, const PosedSurface& a, const PosedSurface& b,
+                      Crossing& crossing) {
+  const TriangleCorners corners_a = a.corners(contact.triangle_a);
+  const TriangleCorners corners_b = b.corners(contact.triangle_b);
+  crossing = cross_triangles(corners_a, corners_b);
+  ContactTrace trace;
+  trace.contact = contact;
+  trace.kind = kind_of(crossing);
+  if (trace.kind == ContactKind::segment || trace.kind == ContactKind::point) {
+    trace.from = crossing_position(crossing.ends[0], corners_a, corners_b);
+    trace.to = crossing_position(crossing.ends[1], corners_a, corners_b);
+  } else {
+    trace.from = trace.to = to_float(0.5 * (centre(corners_a) + centre(corners_b)));
+  }
+  const Vec3d normal = leaving_direction(corners_a, corners_b);
+  trace.normal = to_float(normal);
+  trace.depth = static_cast<float>(depth_along(normal, corners_a, corners_b));
+  trace.joint_a = a.surface.joints[contact.triangle_a];
+  trace.joint_b = b.surface.joints[contact.triangle_b];
+  return trace;
+}
+
+}  // namespace pelt::detail

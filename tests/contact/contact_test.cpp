@@ -1,0 +1,242 @@
+#include <pelt/contact.hpp>
+
+#include "base/vec3.hpp"
+#include "support/allocation_count.hpp"
+#include "support/skinned_shapes.hpp"
+#include "support/targets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <set>
+
+namespace pelt::test {
+namespace {
+
+using detail::Vec3d;
+
+/// A posed model and its surface.
+struct Body {
+  explicit Body(const Shape& shape) : Body(*build_model(shape.view())) {}
+  explicit Body(const SkinnedModel& model) : pose(model), surface(model) {}
+
+  void set(const std::vector<Matrix4>& palette) { ASSERT_TRUE(pose.set_palette(palette)); }
+
+  Pose pose;
+  Surface surface;
+};
+
+ContactGeometry geometry_of(Body& a, Body& b) {
+  Scratch scratch;
+  std::vector<Contact> contacts;
+  collide(a.pose, b.pose, scratch, contacts);
+  ContactGeometry geometry;
+  describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, geometry);
+  EXPECT_EQ(geometry.traces.size(), contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    EXPECT_EQ(geometry.traces[i].contact, contacts[i]);
+  return geometry;
+}
+
+std::size_t count_of(const ContactGeometry& geometry, ContactKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(geometry.traces.begin(), geometry.traces.end(),
+                    [&](const ContactTrace& trace) { return trace.kind == kind; }));
+}
+
+/// Where a step begins, and where it ends.
+std::pair<Vec3, Vec3> ends_of(const ContactGeometry& geometry, const CurveStep& step) {
+  const ContactTrace& trace = geometry.traces[step.trace];
+  return step.is_reversed ? std::pair(trace.to, trace.from) : std::pair(trace.from, trace.to);
+}
+
+/// All segments stand in curves, each once, and follow one another to the bit.
+void check_curves(const ContactGeometry& geometry) {
+  std::set<std::uint32_t> seen;
+  for (const ContactCurve& curve : geometry.curves) {
+    ASSERT_GT(curve.count, 0u);
+    const auto step = [&](std::uint32_t i) { return geometry.steps[curve.first + i]; };
+    for (std::uint32_t i = 0; i < curve.count; ++i) {
+      EXPECT_EQ(geometry.traces[step(i).trace].kind, ContactKind::segment);
+      EXPECT_TRUE(seen.insert(step(i).trace).second) << step(i).trace;
+      if (i + 1 < curve.count || curve.is_closed) {
+        EXPECT_EQ(ends_of(geometry, step(i)).second,
+                  ends_of(geometry, step((i + 1) % curve.count)).first);
+      }
+    }
+  }
+  EXPECT_EQ(seen.size(), count_of(geometry, ContactKind::segment));
+  EXPECT_EQ(seen.size(), geometry.steps.size());
+}
+
+/// All traces stand in regions, each once; those of a curve stand in one.
+void check_regions(const ContactGeometry& geometry) {
+  std::vector<std::size_t> region_of(geometry.traces.size(), SIZE_MAX);
+  for (std::size_t r = 0; r < geometry.regions.size(); ++r) {
+    const ContactRegion& region = geometry.regions[r];
+    if (r > 0) {
+      EXPECT_LE(region.count, geometry.regions[r - 1].count);
+    }
+    for (std::uint32_t i = 0; i < region.count; ++i) {
+      const std::uint32_t member = geometry.members[region.first + i];
+      EXPECT_EQ(region_of[member], SIZE_MAX);
+      region_of[member] = r;
+      EXPECT_LE(geometry.traces[member].depth, region.depth);
+    }
+  }
+  EXPECT_EQ(std::count(region_of.begin(), region_of.end(), SIZE_MAX), 0);
+  for (const ContactCurve& curve : geometry.curves)
+    for (std::uint32_t i = 0; i < curve.count; ++i)
+      EXPECT_EQ(region_of[geometry.steps[curve.first + i].trace],
+                region_of[geometry.steps[curve.first].trace]);
+}
+
+TEST(Contact, CurvesOfClosedSurfacesAreClosed) {
+  Random random(5);
+  Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
+  ASSERT_TRUE(a.surface.is_closed() && b.surface.is_closed());
+  std::size_t curves = 0, hits = 0;
+  for (int i = 0; i < 60; ++i) {
+    a.set(bend_limb(random, 4, 0.7, {0, 0, 0}));
+    b.set(bend_limb(random, 4, 0.7, {0.11f, 0.05f, 0.07f}));
+    const ContactGeometry geometry = geometry_of(a, b);
+    EXPECT_EQ(count_of(geometry, ContactKind::segment), geometry.traces.size());
+    check_curves(geometry);
+    check_regions(geometry);
+    for (const ContactCurve& curve : geometry.curves) EXPECT_TRUE(curve.is_closed);
+    curves += geometry.curves.size();
+    hits += !geometry.curves.empty();
+  }
+  std::cout << hits << " of 60 in contact, " << curves << " curves\n";
+  EXPECT_GT(hits, 20u);
+  EXPECT_GT(curves, hits);
+}
+
+TEST(Contact, WalksCurvesOfOrientedSurfacesInOneDirection) {
+  Random random(6);
+  Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
+  a.set(bend_limb(random, 4, 0.3, {0, 0, 0}));
+  b.set(bend_limb(random, 4, 0.3, {0.11f, 0.05f, 0.07f}));
+  const ContactGeometry geometry = geometry_of(a, b);
+  ASSERT_FALSE(geometry.curves.empty());
+  for (const ContactCurve& curve : geometry.curves)
+    for (std::uint32_t i = 0; i < curve.count; ++i)
+      EXPECT_EQ(geometry.steps[curve.first + i].is_reversed,
+                geometry.steps[curve.first].is_reversed);
+}
+
+TEST(Contact, CurvesEndAtABorder) {
+  Shape square;  // two triangles in the plane y = 0
+  square.rest_positions = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  square.influences_per_vertex = 1;
+  square.joints = {0, 0, 0, 0};
+  square.weights = {1, 1, 1, 1};
+  Shape upright = square;  // in the plane x = 0.25, beyond the border of the other
+  upright.rest_positions = {{0.25f, -1, -3}, {0.25f, 1, -3}, {0.25f, 1, 2.5f}, {0.25f, -1, 2.5f}};
+  Body a(square), b(upright);
+  const ContactGeometry geometry = geometry_of(a, b);
+  check_curves(geometry);
+  check_regions(geometry);
+  ASSERT_EQ(geometry.curves.size(), 1u);
+  EXPECT_FALSE(geometry.curves[0].is_closed);
+  const ContactCurve& curve = geometry.curves[0];
+  const Vec3 begin = ends_of(geometry, geometry.steps[curve.first]).first;
+  const Vec3 end = ends_of(geometry, geometry.steps[curve.first + curve.count - 1]).second;
+  EXPECT_EQ(std::min(begin.z, end.z), -1);
+  EXPECT_EQ(std::max(begin.z, end.z), 1);
+  EXPECT_FLOAT_EQ(geometry.regions[0].length, 2);
+  EXPECT_FLOAT_EQ(geometry.regions[0].point.x, 0.25f);
+}
+
+TEST(Contact, TellsHowDeepATriangleReachesBehindTheOther) {
+  Shape below;  // its front is up
+  below.rest_positions = {{-5, 0, -5}, {0, 0, 8}, {5, 0, -5}};
+  below.triangles = {{0, 1, 2}};
+  below.influences_per_vertex = 1;
+  below.joints = {0, 0, 0};
+  below.weights = {1, 1, 1};
+  Shape above = below;  // an upright one that reaches 0.25 below, seen from +x
+  above.rest_positions = {{0, 1, -1}, {0, 1, 1}, {0, -0.25f, 0}};
+  Body a(above), b(below);
+  const ContactGeometry geometry = geometry_of(a, b);
+  ASSERT_EQ(geometry.traces.size(), 1u);
+  const ContactTrace& trace = geometry.traces[0];
+  EXPECT_EQ(trace.kind, ContactKind::segment);
+  EXPECT_NEAR(std::abs(trace.from.z - trace.to.z), 0.4, 1e-6);
+  EXPECT_NEAR(trace.normal.y, std::sqrt(0.5), 1e-6);  // between straight up and sideways
+  const Vec3d moved = static_cast<double>(trace.depth) * Vec3d(trace.normal);
+  a.set({rotation_about({1, 0, 0}, 0, {0, 0, 0}, detail::to_float(1.001 * moved))});
+  EXPECT_TRUE(geometry_of(a, b).traces.empty());
+}
+
+TEST(Contact, KnowsCoplanarAndCollapsedTriangles) {
+  Shape flat;
+  flat.rest_positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 2}};
+  flat.triangles = {{0, 1, 2}, {3, 4, 5}};
+  flat.influences_per_vertex = 1;
+  flat.joints.assign(6, 0);
+  flat.weights.assign(6, 1);
+  Shape one = flat;
+  one.triangles = {{0, 2, 1}};
+  Body a(flat), b(one);
+  const ContactGeometry geometry = geometry_of(a, b);
+  ASSERT_EQ(geometry.traces.size(), 2u);
+  EXPECT_EQ(geometry.traces[0].kind, ContactKind::coplanar);
+  EXPECT_EQ(geometry.traces[0].normal, (Vec3{0, 0, -1}));
+  EXPECT_EQ(geometry.traces[0].depth, 0);
+  EXPECT_EQ(geometry.traces[1].kind, ContactKind::collapsed);
+  EXPECT_TRUE(geometry.curves.empty());
+  check_regions(geometry);
+}
+
+TEST(Contact, OfASoupIsComplete) {
+  Random random(7);
+  Body a(make_soup(random, 400, 5, 3, Weights::random));
+  Body b(make_soup(random, 300, 4, 4, Weights::adversarial));
+  std::set<ContactKind> kinds;
+  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed}) {
+    a.set(make_palette(random, 5, motion, 0.2));
+    b.set(make_palette(random, 4, motion, 0.2));
+    const ContactGeometry geometry = geometry_of(a, b);
+    EXPECT_GT(geometry.traces.size(), 100u);
+    check_curves(geometry);
+    check_regions(geometry);
+    for (const ContactTrace& trace : geometry.traces) kinds.insert(trace.kind);
+  }
+  EXPECT_TRUE(kinds.contains(ContactKind::segment) && kinds.contains(ContactKind::collapsed));
+}
+
+TEST(Contact, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
+  Random random(8);
+  const std::vector<Matrix4> palette_a = bend_limb(random, 4, 0.4, {0, 0, 0});
+  const std::vector<Matrix4> palette_b = bend_limb(random, 4, 0.4, {0.11f, 0.05f, 0.07f});
+  std::vector<ContactTrace> first;
+  on_each_target([&](Target) {
+    Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
+    a.set(palette_a);
+    b.set(palette_b);
+    Scratch scratch;
+    std::vector<Contact> contacts;
+    collide(a.pose, b.pose, scratch, contacts);
+    ASSERT_FALSE(contacts.empty());
+    ContactGeometry geometry;
+    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, geometry);
+    const std::uint64_t before = allocation_count();
+    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, geometry);
+    EXPECT_EQ(allocation_count(), before);
+    if (first.empty()) first = geometry.traces;
+    ASSERT_EQ(geometry.traces.size(), first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      EXPECT_EQ(geometry.traces[i].from, first[i].from);
+      EXPECT_EQ(geometry.traces[i].to, first[i].to);
+      EXPECT_EQ(geometry.traces[i].normal, first[i].normal);
+      EXPECT_EQ(geometry.traces[i].depth, first[i].depth);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace pelt::test

@@ -1,0 +1,75 @@
+#include "contact/surface.hpp"
+
+#include "model/model.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace pelt::test {
+namespace {
+
+SkinnedModel model_of(const Shape& shape) { return *build_model(shape.view()); }
+
+TEST(Surface, OfALimbIsClosed) { EXPECT_TRUE(Surface(model_of(make_limb(12, 9, 3))).is_closed()); }
+
+TEST(Surface, WithAHoleIsNotClosed) {
+  Shape limb = make_limb(12, 9, 3);
+  limb.triangles.pop_back();
+  EXPECT_FALSE(Surface(model_of(limb)).is_closed());
+}
+
+TEST(Surface, WithATriangleTurnedRoundIsNotClosed) {
+  Shape limb = make_limb(12, 9, 3);
+  std::swap(limb.triangles[5][0], limb.triangles[5][1]);
+  EXPECT_FALSE(Surface(model_of(limb)).is_closed());
+}
+
+TEST(Surface, IsClosedAcrossSeams) {
+  const Shape limb = make_limb(12, 9, 3);
+  Shape split = limb;  // no two triangles share a vertex by its number
+  split.rest_positions.clear();
+  split.joints.clear();
+  split.weights.clear();
+  const std::uint32_t k = limb.influences_per_vertex;
+  for (Triangle& triangle : split.triangles)
+    for (std::uint32_t& vertex : triangle) {
+      split.rest_positions.push_back(limb.rest_positions[vertex]);
+      for (std::uint32_t i = 0; i < k; ++i) {
+        split.joints.push_back(limb.joints[vertex * k + i]);
+        split.weights.push_back(limb.weights[vertex * k + i]);
+      }
+      vertex = static_cast<std::uint32_t>(split.rest_positions.size() - 1);
+    }
+  EXPECT_TRUE(Surface(model_of(split)).is_closed());
+}
+
+TEST(Surface, FindsEachTriangleInTheTree) {
+  const Surface surface(model_of(make_limb(20, 9, 3)));
+  const detail::Surface& data = surface.detail();
+  const detail::Tree& tree = surface.model().detail().tree;
+  std::set<std::uint32_t> places;
+  for (std::uint32_t triangle = 0; triangle < data.places.size(); ++triangle) {
+    EXPECT_EQ(tree.triangle_ids[data.places[triangle]], triangle);
+    EXPECT_LT(data.nodes[triangle], tree.nodes.size());
+    places.insert(data.places[triangle]);
+  }
+  EXPECT_EQ(places.size(), tree.triangle_count());
+}
+
+TEST(Surface, NamesTheJointThatATriangleFollowsMost) {
+  Shape shape;
+  shape.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  shape.triangles = {{0, 1, 2}};
+  shape.influences_per_vertex = 2;
+  shape.joint_count = 3;
+  shape.joints = {0, 1, 1, 2, 2, 1};
+  shape.weights = {0.75f, 0.25f, 0.5f, 0.5f, 0.75f, 0.25f};  // 0.75, 1, 1.25
+  EXPECT_EQ(Surface(model_of(shape)).detail().joints[0], 2);
+  shape.weights = {1, 0, 0.75f, 0.25f, 0.75f, 0.25f};  // 1, 1, 1
+  EXPECT_EQ(Surface(model_of(shape)).detail().joints[0], 0);
+}
+
+}  // namespace
+}  // namespace pelt::test
