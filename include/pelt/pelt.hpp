@@ -16,6 +16,7 @@
 #include <pelt/prepared.hpp>
 #include <pelt/query.hpp>
 #include <pelt/ray.hpp>
+#include <pelt/region.hpp>
 #include <pelt/result.hpp>
 #include <pelt/shapes.hpp>
 #include <pelt/version.hpp>

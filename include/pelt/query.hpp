@@ -35,9 +35,10 @@ class Scratch {
   ~Scratch();
 
   /// Takes at once all the memory that queries with up to so many contacts could want, found or
-  /// allowed by `max_contacts`, whatever the models; 1 is enough for `intersects`. With poses that
-  /// have been reserved too, and room in the caller's vector, such queries allocate nothing, from
-  /// the first on. 113 KB and 16 bytes a contact.
+  /// allowed by `max_contacts`, whatever the models; 1 is enough for `intersects`. A triangle that
+  /// is found in a region counts as one contact. With poses that have been reserved too, and room
+  /// in the caller's vector, such queries allocate nothing, from the first on. 116 KB and 24 bytes
+  /// a contact.
   ///
   /// The same for `cast_all` of rays with up to `ray_hits` hits: 36 bytes each.
   void reserve(std::size_t contacts, std::size_t ray_hits = 0);

@@ -13,11 +13,15 @@
 namespace pelt::detail {
 
 class Palette;
+enum class RegionWish;
+struct CapsuleRegion;
+struct FacesRegion;
 struct BoxFound;
 struct NodeBounds;
 struct OpenedNode;
 struct PaletteScan;
 struct PosedTree;
+struct RegionAnswer;
 struct RootBox;
 struct Scratch;
 struct Tree;
@@ -44,6 +48,10 @@ struct WideCode {
                          std::span<bool> hit);
   QueryStats (*all_hits)(const PosedTree& posed, const Ray& ray, Facing facing,
                          Stack<RayHit>& hits);
+  RegionAnswer (*descend_in_faces)(const PosedTree& posed, const FacesRegion& region,
+                                   Scratch& scratch, RegionWish wish);
+  RegionAnswer (*descend_in_capsule)(const PosedTree& posed, const CapsuleRegion& region,
+                                     Scratch& scratch, RegionWish wish);
 };
 
 /// Those of the active target.

@@ -31,12 +31,16 @@ void Stack<T>::reserve(std::size_t capacity) {
 template class Stack<SlotPair>;
 template class Stack<Contact>;
 template class Stack<RayHit>;
+template class Stack<std::uint32_t>;
 
 }  // namespace detail
 
 namespace {
 
 constexpr std::size_t kMostSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;
+
+/// Of one tree; the step to a node replaces it by its children.
+constexpr std::size_t kMostNodes = detail::kMaxClusterTreeDepth * detail::kMaxSlots;
 
 /// A query that is told to stop looks at its count between pairs of clusters; up to seven pairs of
 /// triangles may have been waiting before.
@@ -54,6 +58,9 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits) {
   scratch_->found.reserve(contacts + kMostBeyond);
   scratch_->sorting.reserve(contacts);
   scratch_->ray_hits.reserve(ray_hits);
+  scratch_->nodes.reserve(kMostNodes);
+  scratch_->touching.reserve(contacts);
+  scratch_->inside.reserve(contacts);
 }
 
 }  // namespace pelt

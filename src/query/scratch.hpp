@@ -20,12 +20,15 @@ struct SlotPair {
 extern template class Stack<SlotPair>;
 extern template class Stack<Contact>;
 extern template class Stack<RayHit>;
+extern template class Stack<std::uint32_t>;
 
 /// Memory lent to queries; every user clears what it takes.
 struct Scratch {
   Stack<SlotPair> slot_pairs;
   Stack<Contact> found, sorting;
   Stack<RayHit> ray_hits;
+  Stack<std::uint32_t> nodes;             // to be visited
+  Stack<std::uint32_t> touching, inside;  // triangles of a region
 };
 
 }  // namespace pelt::detail

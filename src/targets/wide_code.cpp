@@ -9,6 +9,7 @@
 #include "pose/open_node.hpp"
 #include "pose/root_box.hpp"
 #include "ray/ray_traversal.hpp"
+#include "region/region_descent.hpp"
 #include "skin/palette_scan.hpp"
 
 namespace pelt::detail {
@@ -16,10 +17,10 @@ inline namespace PELT_TARGET {
 
 extern const WideCode kWideCode;
 
-const WideCode kWideCode = {scan_palette,     box_root,     pose_vertices, open_node,
-                            open_all_exactly, open_fully,   collide_trees, bounding_box,
-                            bounding_radius,  bound_of_set, box_places,    first_hits,
-                            any_hits,         all_hits};
+const WideCode kWideCode = {scan_palette,     box_root,     pose_vertices,    open_node,
+                            open_all_exactly, open_fully,   collide_trees,    bounding_box,
+                            bounding_radius,  bound_of_set, box_places,       first_hits,
+                            any_hits,         all_hits,     descend_in_faces, descend_in_capsule};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

@@ -1,0 +1,65 @@
+#pragma once
+
+/// Which posed skins, and which of their triangles, are in a region of space: culling, selection,
+/// triggers, a character against simple solids.
+
+#include <pelt/pose.hpp>
+#include <pelt/query.hpp>
+#include <pelt/shapes.hpp>
+
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace pelt {
+
+/// A closed set of points that is convex. Numbers must be finite, radii and half extents not
+/// negative.
+using Region = std::variant<HalfSpace, Box, OrientedBox, ConvexPolyhedron, Sphere, Capsule>;
+
+/// Where the posed surface lies, that is, the union of all triangles.
+enum class Placement : std::uint8_t {
+  outside,  ///< no triangle touches the region
+  partly,   ///< some triangle touches it, and some is not wholly inside
+  inside,   ///< all triangles lie wholly in it
+};
+
+/// "outside", "partly" or "inside".
+const char* name_of(Placement placement);
+
+struct Classified {
+  Placement placement = Placement::outside;
+  QueryStats stats;
+};
+
+/// Where the posed surface lies.
+///
+/// Exact with respect to the float32 posed vertices and the region's own numbers, both taken as
+/// real numbers: triangles and regions are closed sets, so touching counts, and a triangle that has
+/// collapsed is the segment or point that it is. A double filter with running error bounds decides
+/// nearly every triangle, exact arithmetic the rest.
+///
+/// Costs O(J) where the box from the joint palette tells, which is nearly always in a frustum; else
+/// nodes are opened along the region's boundary until one triangle inside or across it and one
+/// outside or across it are found.
+Classified classify(Pose& pose, const Region& region, Scratch& scratch);
+
+/// The same for many poses: `placements[i]` is that of `*poses[i]`. Precondition: as many of these
+/// as of those. Returns the work of all.
+QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch& scratch,
+                    std::span<Placement> placements);
+
+/// The triangles of one pose that are in a region, by their numbers in the model's array,
+/// ascending.
+struct TrianglesInRegion {
+  std::vector<std::uint32_t> touching;  ///< have at least a point in common with it
+  std::vector<std::uint32_t> inside;    ///< of these, those that lie wholly in it
+};
+
+/// Replaces the content of `triangles` by those that touch the region and those inside it. Exact as
+/// `classify`. Nodes are opened along the region's boundary; what is inside is not even posed.
+QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
+                          TrianglesInRegion& triangles);
+
+}  // namespace pelt

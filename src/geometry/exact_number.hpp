@@ -1,0 +1,131 @@
+#pragma once
+
+/// Polynomials in float32 numbers whose signs are decided exactly. A polynomial is written once,
+/// over a type of numbers, and evaluated in `Rounded`; where that cannot tell the sign, in `Exact`.
+///
+/// Range, for degrees up to six. A float is a multiple of 2^-149 below 2^128, so a polynomial of
+/// degree d has values that are multiples of 2^(-149 d), below 2^(128 d) times its number of
+/// monomials; rounding to a double keeps a multiple one. At degree six: from 2^-894 to a little
+/// over 2^768, so nothing here overflows or underflows, Dekker's splitting included.
+
+#include "geometry/exact_determinant.hpp"
+#include "geometry/predicates.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace pelt::detail {
+
+/// A double and how far it may be from the number that it stands for.
+class Rounded {
+ public:
+  explicit Rounded(double exact) : value_(exact) {}
+
+  friend Rounded operator+(const Rounded& a, const Rounded& b) {
+    return Rounded(a.value_ + b.value_, a.error_ + b.error_);
+  }
+  friend Rounded operator-(const Rounded& a, const Rounded& b) {
+    return Rounded(a.value_ - b.value_, a.error_ + b.error_);
+  }
+  friend Rounded operator*(const Rounded& a, const Rounded& b) {
+    return Rounded(a.value_ * b.value_, std::abs(a.value_) * b.error_ +
+                                            std::abs(b.value_) * a.error_ + a.error_ * b.error_);
+  }
+
+  /// -1, 0 or 1, if it is certain.
+  std::optional<int> sign() const {
+    if (value_ > error_) return 1;
+    if (value_ < -error_) return -1;
+    if (error_ == 0) return 0;
+    return std::nullopt;
+  }
+
+ private:
+  /// A result rounded once, whose operands make it off by `inherited`. The bound's own few
+  /// roundings are covered by a factor, its underflow by an amount that is far below any value but
+  /// zero.
+  Rounded(double value, double inherited)
+      : value_(value), error_((inherited + 0x1p-53 * std::abs(value)) * (1 + 0x1p-48)) {
+    if (error_ != 0) error_ += 0x1p-1000;
+  }
+
+  double value_, error_ = 0;
+};
+
+/// The number itself.
+class Exact {
+ public:
+  explicit Exact(double value) { sum_.add(value); }
+  Exact(const Exact& other) { add(other); }
+  Exact& operator=(const Exact&) = delete;
+
+  friend Exact operator+(Exact a, const Exact& b) {
+    a.add(b);
+    return a;
+  }
+  friend Exact operator-(Exact a, const Exact& b) {
+    for (const double term : b.sum_.terms()) a.sum_.add(-term);
+    return a;
+  }
+  friend Exact operator*(const Exact& a, const Exact& b) {
+    Exact product(0);
+    for (const double s : a.sum_.terms())
+      for (const double t : b.sum_.terms()) {
+        const ExactProduct st(s, t);
+        product.sum_.add(st.error);
+        product.sum_.add(st.value);
+      }
+    return product;
+  }
+
+  int sign() const { return sum_.sign(); }
+
+ private:
+  /// Terms do not overlap, so there are no more than bits between the least and the largest number.
+  static constexpr std::size_t kCapacity = 1728;
+
+  void add(const Exact& other) {
+    for (const double term : other.sum_.terms()) sum_.add(term);
+  }
+
+  ExactSum<kCapacity> sum_;
+};
+
+/// A point or vector of such numbers.
+template <typename Number>
+struct Vector {
+  Number x, y, z;
+
+  explicit Vector(const Vec3& v)
+      : x(static_cast<double>(v.x)), y(static_cast<double>(v.y)), z(static_cast<double>(v.z)) {}
+  Vector(const Number& x_, const Number& y_, const Number& z_) : x(x_), y(y_), z(z_) {}
+
+  friend Vector operator-(const Vector& a, const Vector& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+};
+
+template <typename Number>
+Number dot(const Vector<Number>& a, const Vector<Number>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <typename Number>
+Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <typename Number>
+Number squared_length(const Vector<Number>& v) {
+  return dot(v, v);
+}
+
+/// The sign of `polynomial(number)`, which is to be computed in numbers of that type.
+template <typename Polynomial>
+int exact_sign(const Polynomial& polynomial) {
+  if (const std::optional<int> sign = polynomial(Rounded(0)).sign()) return *sign;
+  ++exact_sign_count();
+  return polynomial(Exact(0)).sign();
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,115 @@
+#pragma once
+
+/// Eight boxes against a region at once, in float: which are certainly outside of it, which
+/// certainly inside. The others stay undecided, as does whatever overflows: no comparison with NaN
+/// holds.
+///
+/// Faces. Of a box the corner furthest along the normal n decides whether it is inside, the
+/// opposite one whether it is outside. Of n . (p - o) - d each term gathers six roundings at most,
+/// so with u = 2^-24 the error is below 7 u (sum |n_a| (|p_a| + |o_a|) + |d|); 8 u cover that sum's
+/// own. A normal that was scaled may have lost 2^-150 of an element, times 2^62 at most.
+///
+/// Capsule from a to a + e. Along any direction d no point of the box has less than d . m - |d| .
+/// h, where m is its middle and h its half extents, and no point of the segment more than d . a +
+/// max(0, d . e); if the difference is g > 0, their distance is g / |d| or more. As d serves the
+/// way from the segment's point q nearest to m. If no corner of the box is further than r from q,
+/// it is inside. m and q are wrong by a few u of the coordinates' sum, and 16 u of that, along d,
+/// is taken off; squares and products then are wrong by less than 2^-20 of themselves, or by less
+/// than the amounts that are added for what underflows.
+
+#include "base/float8.hpp"
+#include "region/prepared_region.hpp"
+
+#include <cstddef>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// A bit for each of eight boxes.
+struct PlacedBoxes {
+  unsigned outside = 0, inside = 0;
+};
+
+/// Eight boxes side by side.
+struct Boxes8 {
+  Float8 low[3], high[3];
+};
+
+template <std::size_t kCount>
+inline Boxes8 load_boxes(const float (&low)[3][kCount], const float (&high)[3][kCount],
+                         unsigned first) {
+  return {{load8(low[0] + first), load8(low[1] + first), load8(low[2] + first)},
+          {load8(high[0] + first), load8(high[1] + first), load8(high[2] + first)}};
+}
+
+inline PlacedBoxes place_boxes(const FacesRegion& region, const Boxes8& boxes) {
+  const Float8 zero(0.0f);
+  Float8 reach[3];  // the largest coordinate
+  for (int axis = 0; axis < 3; ++axis)
+    reach[axis] = max(abs(boxes.low[axis]), abs(boxes.high[axis]));
+  PlacedBoxes placed{0, 0xFF};
+  for (std::uint32_t i = 0; i < region.count; ++i) {
+    const FloatFace& face = region.scaled[i];
+    Float8 furthest = zero - Float8(face.offset), nearest = furthest, size = abs(furthest);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Float8 normal(face.normal[axis]), origin(face.origin[axis]);
+      const bool is_up = face.normal[axis] > 0;
+      const Float8& far = is_up ? boxes.high[axis] : boxes.low[axis];
+      const Float8& near = is_up ? boxes.low[axis] : boxes.high[axis];
+      furthest = furthest + normal * (far - origin);
+      nearest = nearest + normal * (near - origin);
+      size = size + abs(normal) * (reach[axis] + abs(origin));
+    }
+    const Float8 error = size * Float8(0x1p-21f) + Float8(0x1p-80f);
+    placed.outside |= (error < nearest).bits();
+    placed.inside &= (furthest < zero - error).bits();
+  }
+  return placed;
+}
+
+inline PlacedBoxes place_boxes(const CapsuleRegion& region, const Boxes8& boxes) {
+  const Capsule& capsule = region.capsule;
+  const float a[] = {capsule.a.x, capsule.a.y, capsule.a.z};
+  const float e[] = {capsule.b.x - a[0], capsule.b.y - a[1], capsule.b.z - a[2]};
+  const float length = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+  const float share = length > 0 ? 1 / length : 0;
+  const Float8 zero(0.0f), one(1.0f), half(0.5f), radius(capsule.radius);
+
+  Float8 middle[3], extent[3], along = zero;
+  unsigned beyond = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    beyond |= ((boxes.high[axis] < Float8(region.low[axis])) |
+               (Float8(region.high[axis]) < boxes.low[axis]))
+                  .bits();
+    middle[axis] = half * boxes.low[axis] + half * boxes.high[axis];
+    extent[axis] = half * boxes.high[axis] - half * boxes.low[axis];
+    along = along + (middle[axis] - Float8(a[axis])) * Float8(e[axis]);
+  }
+  const Float8 t = min(max(along * Float8(share), zero), one);
+
+  Float8 gap = zero, turn = zero, slack = zero, squared = zero, far = zero, size = zero;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Float8 from(a[axis]), edge(e[axis]);
+    const Float8 nearest = from + t * edge, direction = middle[axis] - nearest;
+    const Float8 coordinates = abs(middle[axis]) + extent[axis] + abs(from) + abs(edge);
+    gap = gap + direction * (middle[axis] - from) - abs(direction) * extent[axis];
+    turn = turn + direction * edge;
+    slack = slack + abs(direction) * coordinates;
+    squared = squared + direction * direction;
+    const Float8 corner = abs(direction) + extent[axis];
+    far = far + corner * corner;
+    size = size + coordinates;
+  }
+  const Float8 clear = gap - max(turn, zero) - Float8(0x1p-20f) * slack;
+  const Float8 squared_clear = clear * clear * Float8(1 - 0x1p-18f);
+  const Float8 squared_radius = radius * radius + Float8(0x1p-120f);
+  const Mask8 apart =
+      (zero < clear) & (squared_radius * squared + Float8(0x1p-100f) < squared_clear);
+  const Float8 within = radius - Float8(0x1p-20f) * size;
+  const Mask8 enclosed =
+      (zero < within) & (far * Float8(1 + 0x1p-18f) + Float8(0x1p-100f) < within * within);
+  return {beyond | apart.bits(), enclosed.bits()};
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

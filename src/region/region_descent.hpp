@@ -1,0 +1,29 @@
+#pragma once
+
+#include "base/target.hpp"
+#include "pose/posed_tree.hpp"
+#include "query/scratch.hpp"
+#include "region/prepared_region.hpp"
+
+namespace pelt::detail {
+
+struct RegionAnswer {
+  bool touches = false;  ///< some triangle touches the region
+  bool leaves = false;   ///< some triangle is not wholly inside
+  QueryStats work;
+};
+
+/// What is wanted of a region: whether the surface touches and leaves it, or all triangles that do.
+enum class RegionWish { placement, triangles };
+
+inline namespace PELT_TARGET {
+
+/// Leaves in `scratch.touching` and `scratch.inside` the triangles wished for, in no particular
+/// order.
+RegionAnswer descend_in_faces(const PosedTree& posed, const FacesRegion& region, Scratch& scratch,
+                              RegionWish wish);
+RegionAnswer descend_in_capsule(const PosedTree& posed, const CapsuleRegion& region,
+                                Scratch& scratch, RegionWish wish);
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
