@@ -59,6 +59,9 @@ void open_all(Pose& pose) {
 
 class Questions {
  public:
+  /// Regions are placed about this sphere from now on.
+  void place(const Sphere& around) { around_ = around; }
+
   std::vector<Question> all() {
     const auto skinned = [this](Pose& pose) { return numbers(skin_all(pose, positions_)); };
     std::vector<Question> questions = {
@@ -86,11 +89,6 @@ class Questions {
     return Sphere{{c.x, c.y + place * around.radius, c.z}, around.radius * 0.2f};
   }
 
-  /// In places that do not depend on who answers.
-  Region region(Pose& pose, float place, MakeRegion make) const {
-    return make(bounds(pose).sphere, place);
-  }
-
   template <typename Ask>
   Question asked(std::string name, const Ask& ask) {
     return {std::move(name), ask, [ask](Pose& pose) {
@@ -101,19 +99,20 @@ class Questions {
 
   Question placed(std::string name, float place, MakeRegion make) {
     return asked(std::move(name), [this, place, make](Pose& pose) -> Answer {
-      const Region where = region(pose, place, make);
+      const Region where = make(around_, place);
       return {static_cast<double>(classify(pose, where, scratch_).placement)};
     });
   }
 
   Question found(std::string name, float place, MakeRegion make) {
     return asked(std::move(name), [this, place, make](Pose& pose) -> Answer {
-      const Region where = region(pose, place, make);
+      const Region where = make(around_, place);
       find_triangles(pose, where, scratch_, triangles_);
       return Answer(triangles_.touching.begin(), triangles_.touching.end());
     });
   }
 
+  Sphere around_;
   Scratch scratch_;
   TrianglesInRegion triangles_;
   std::vector<Vec3> positions_;
@@ -174,6 +173,7 @@ bool measure(const std::string& path, int runs) {
     std::vector<double> lazy, eager;
     for (const std::vector<Matrix4>& palette : palettes_of(*asset)) {
       if (!pose.set_palette(palette)) continue;
+      questions.place(bounds(pose).sphere);
       const Answer answer = question.on_demand(pose);
       if (!pose.set_palette(palette) || !agree(question, answer, question.eager(pose)))
         return std::cerr << path << ": " << question.name << ": answers differ\n", false;
