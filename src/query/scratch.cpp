@@ -61,6 +61,7 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits) {
   scratch_->nodes.reserve(kMostNodes);
   scratch_->touching.reserve(contacts);
   scratch_->inside.reserve(contacts);
+  scratch_->sorting_numbers.reserve(contacts);
 }
 
 }  // namespace pelt

@@ -29,6 +29,7 @@ struct Scratch {
   Stack<RayHit> ray_hits;
   Stack<std::uint32_t> nodes;             // to be visited
   Stack<std::uint32_t> touching, inside;  // triangles of a region
+  Stack<std::uint32_t> sorting_numbers;
 };
 
 }  // namespace pelt::detail

@@ -4,10 +4,10 @@
 #include "base/wide_code.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
+#include "query/sort_numbers.hpp"
 #include "region/prepared_region.hpp"
 #include "region/region_descent.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace pelt {
@@ -29,8 +29,9 @@ Placement placement_of(const RegionAnswer& answer) {
   return answer.leaves ? Placement::partly : Placement::inside;
 }
 
-void move_sorted(detail::Stack<std::uint32_t>& found, std::vector<std::uint32_t>& triangles) {
-  std::sort(found.begin(), found.end());
+void move_sorted(detail::Stack<std::uint32_t>& found, Scratch& scratch,
+                 std::vector<std::uint32_t>& triangles) {
+  detail::sort_numbers(found, scratch.detail().sorting_numbers);
   triangles.assign(found.begin(), found.end());
 }
 
@@ -70,8 +71,8 @@ QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch&
 QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
                           TrianglesInRegion& triangles) {
   const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionWish::triangles);
-  move_sorted(scratch.detail().touching, triangles.touching);
-  move_sorted(scratch.detail().inside, triangles.inside);
+  move_sorted(scratch.detail().touching, scratch, triangles.touching);
+  move_sorted(scratch.detail().inside, scratch, triangles.inside);
   return answer.work;
 }
 
