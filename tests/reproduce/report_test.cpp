@@ -8,6 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <set>
+
 namespace pelt::reproduce {
 namespace {
 
@@ -69,6 +72,47 @@ TEST(HtmlPage, EscapesNamesAndSaysWhatIsNotDrawn) {
   EXPECT_NE(page.find("base64,Zm9v"), page.npos);
   EXPECT_NE(page.find("(not drawn: Missing)"), page.npos);
   EXPECT_EQ(page.find("src=\"http"), page.npos) << "the page needs nothing beside it";
+}
+
+/// A section, its tables, charts and pictures may have one id between them.
+TEST(HtmlPage, HasNoIdTwice) {
+  Section section;
+  section.id = "small";
+  section.tables = {small_table()};
+  section.charts = {{"small", "Chart", "small", "query_us", {"query_us"}, "us"}};
+  section.pictures = {{"small", "Picture", ""}};
+  const std::string page = html_page({section}, {}, {{"small", "foo"}});
+  std::set<std::string> ids;
+  for (std::size_t at = page.find(" id=\""); at != page.npos; at = page.find(" id=\"", at + 1)) {
+    const std::size_t begin = at + 5, end = page.find('"', begin);
+    EXPECT_TRUE(ids.insert(page.substr(begin, end - begin)).second) << page.substr(at, 40);
+  }
+  EXPECT_EQ(ids, std::set<std::string>({"small", "table-small", "chart-small", "picture-small"}));
+}
+
+TEST(HtmlPage, HasEachChartBelowItsTable) {
+  Section section;
+  section.id = "one";
+  section.tables = {small_table(), small_table()};
+  section.tables[1].id = "other";
+  section.charts = {{"b", "B", "other", "query_us", {"query_us"}, "us"},
+                    {"a", "A", "small", "query_us", {"query_us"}, "us"}};
+  const std::string page = html_page({section}, {}, {{"a", "foo"}, {"b", "foo"}});
+  std::vector<std::size_t> places;
+  for (const char* id : {"table-small", "chart-a", "table-other", "chart-b"})
+    places.push_back(page.find(id));
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+  EXPECT_NE(places.back(), page.npos);
+}
+
+TEST(HtmlPage, WritesAColumnAlike) {
+  Section section;
+  section.tables = {small_table()};
+  section.tables[0].rows[0][1] = 1.25;
+  section.tables[0].rows[2][1] = 3.0;
+  const std::string page = html_page({section}, {}, {});
+  EXPECT_NE(page.find("<td>1.25</td>"), page.npos);
+  EXPECT_NE(page.find("<td>3.00</td>"), page.npos);
 }
 
 }  // namespace

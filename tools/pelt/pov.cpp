@@ -50,11 +50,13 @@ std::string pov_camera(const PovCamera& camera) {
 }
 
 std::string pov_mesh(const PosedInstance& instance, const std::vector<bool>& touching,
-                     const std::string& skin) {
-  const std::vector<Vec3> normals = smooth_normals(instance.positions, instance.triangles);
-  return "mesh2 {\n" + vectors("vertex_vectors", instance.positions, 6) +
-         vectors("normal_vectors", normals, 3) + "  texture_list {1, texture {Glow}}\n" +
-         faces(instance.triangles, touching) + "  texture {" + skin + "}\n}\n";
+                     const std::string& skin, Shading shading) {
+  std::string normals;
+  if (shading == Shading::smooth)
+    normals = vectors("normal_vectors", smooth_normals(instance.positions, instance.triangles), 3);
+  return "mesh2 {\n" + vectors("vertex_vectors", instance.positions, 6) + normals +
+         "  texture_list {1, texture {Glow}}\n" + faces(instance.triangles, touching) +
+         "  texture {" + skin + "}\n}\n";
 }
 
 }  // namespace pelt::tools

@@ -25,9 +25,12 @@ struct PovCamera {
 
 std::string pov_camera(const PovCamera& camera);
 
-/// A smooth mesh in the texture `skin`. Triangles in contact have the texture Glow, which is the
+/// How a mesh is shaded: as the round surface that it stands for, or as the triangles that it is.
+enum class Shading { smooth, flat };
+
+/// A mesh in the texture `skin`. Triangles in contact have the texture Glow, which is the
 /// stage's to declare.
 std::string pov_mesh(const PosedInstance& instance, const std::vector<bool>& touching,
-                     const std::string& skin);
+                     const std::string& skin, Shading shading = Shading::smooth);
 
 }  // namespace pelt::tools

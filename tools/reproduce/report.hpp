@@ -46,6 +46,7 @@ struct Chart {
   std::string y_title;         ///< with its unit
   Axes axes = Axes::logarithmic;
   Better better = Better::lower;
+  double least_y = 0;  ///< where a linear axis of heights begins
 };
 
 /// A scene for POV-Ray.

@@ -1,5 +1,7 @@
 #include "tools/reproduce/stage.hpp"
 
+#include "tools/reproduce/view.hpp"
+
 #include <cmath>
 
 namespace pelt::reproduce {
@@ -15,10 +17,13 @@ background {rgb 1}
 #macro Matt(Colour)
   pigment {Colour} finish {diffuse 0.75 specular 0.12 roughness 0.06 ambient 0 emission 0.06}
 #end
-#declare Glow = texture {pigment {rgb <1,0.10,0>} finish {diffuse 0.35 ambient 0 emission 0.65}}
+#declare Glow = texture {pigment {rgb <1,0.13,0>} finish {diffuse 0.15 ambient 0 emission 0.9}}
 #declare BlueBall = texture {Matt(rgb <0.02,0.24,0.72>)}
 #declare RedBall = texture {Matt(rgb <0.86,0.26,0.16>)}
 #declare Floor = texture {pigment {rgb 1} finish {diffuse 0.9 ambient 0 emission 0.3}}
+#declare Edge = texture {pigment {rgb 0.05} finish {diffuse 0.3 ambient 0 emission 0.4}}
+#declare Rim = texture {pigment {rgb 0.12} finish {diffuse 0 ambient 0 emission 1}}
+#declare Backdrop = texture {pigment {rgb 0.93} finish {diffuse 0 ambient 0 emission 1}}
 #declare Ink = texture {pigment {rgb 0.06} finish {diffuse 0 ambient 0 emission 1}}
 )";
 
@@ -26,30 +31,19 @@ background {rgb 1}
 constexpr std::array<std::array<float, 3>, 4> kSkins = {
     {{0.26F, 0.40F, 0.55F}, {0.66F, 0.57F, 0.42F}, {0.42F, 0.52F, 0.40F}, {0.54F, 0.42F, 0.48F}}};
 
+/// The height of letters over the width of a square picture.
+constexpr double kLetters = 0.033;
+
 /// Beyond all that a picture shows.
 constexpr double kFar = 30;
-
-double length(const Vec3d& v) { return std::sqrt(squared_length(v)); }
-
-Vec3d unit(const Vec3d& v) { return (1 / length(v)) * v; }
-
-/// What the camera calls right, up and ahead.
-struct Frame {
-  explicit Frame(const PovCamera& camera)
-      : ahead(unit(camera.at - camera.from)),
-        right(unit(cross(ahead, Vec3d(0, 1, 0)))),
-        up(cross(right, ahead)) {}
-
-  Vec3d ahead, right, up;
-};
 
 /// A large key from the upper left, a sky, and a weak fill from the right, all as far away as the
 /// sun: the floor is as bright everywhere.
 std::string lights(const PovCamera& camera) {
-  const Frame frame(camera);
-  const Vec3d level = unit(Vec3d(frame.ahead.x, 0, frame.ahead.z));
+  const View view(camera);
+  const Vec3d level = unit(Vec3d(view.ahead.x, 0, view.ahead.z));
   const auto light = [&](const Vec3d& at, const char* colour) {
-    const Vec3d from = kFar * (at.x * frame.right + Vec3d(0, at.y, 0) + at.z * level);
+    const Vec3d from = kFar * (at.x * view.right + Vec3d(0, at.y, 0) + at.z * level);
     return "light_source {" + pov_vector(camera.at + from) + " rgb " + colour +
            " parallel point_at " + pov_vector(camera.at);
   };
@@ -76,10 +70,13 @@ std::string ball(const Vec3d& centre, double radius, const char* texture) {
          "}}\n";
 }
 
+std::string skin_texture(std::size_t skin) {
+  return "Matt(" + tools::pov_colour(kSkins[skin % kSkins.size()]) + ")";
+}
+
 std::string mesh_in_skin(const tools::PosedInstance& instance, const std::vector<bool>& touching,
                          std::size_t skin) {
-  return tools::pov_mesh(instance, touching,
-                         "Matt(" + tools::pov_colour(kSkins[skin % kSkins.size()]) + ")");
+  return tools::pov_mesh(instance, touching, skin_texture(skin));
 }
 
 std::string characters(const tools::StillFrame& still) {
@@ -93,24 +90,24 @@ std::string moved(const std::string& objects, const Vec3d& by) {
   return "union {\n" + objects + "translate " + pov_vector(by) + "}\n";
 }
 
-std::string word(const std::string& letters, const Vec3d& place, double height,
-                 const PovCamera& camera) {
-  const Frame frame(camera);
+std::string word(const std::string& letters, const Vec3d& place, const PovCamera& camera) {
+  const View view(camera);
+  const double size = kLetters / std::sqrt(camera.aspect) * view.width_at(place);
   const auto axis = [&](const Vec3d& v) {
-    const std::string numbers = pov_vector(height * v);
+    const std::string numbers = pov_vector(size * v);
     return numbers.substr(1, numbers.size() - 2) + ", ";
   };
   const std::string at = pov_vector(place);
   return "#declare Word = text {internal 2 \"" + letters + "\" 0.01, 0}\n" +
          "object {Word translate -0.5*x*(min_extent(Word).x + max_extent(Word).x) matrix <" +
-         axis(frame.right) + axis(frame.up) + axis(frame.ahead) + at.substr(1) +
+         axis(view.right) + axis(view.up) + axis(view.ahead) + at.substr(1) +
          " texture {Ink} no_shadow}\n";
 }
 
 Picture make_picture(const Caption& caption, const PovCamera& camera, const std::string& objects,
                      const Conditions& conditions) {
   constexpr double kPixels = 960 * 540;
-  const double pixels = conditions.is_quick ? kPixels / 4 : kPixels;
+  const double pixels = conditions.is_quick ? kPixels / 3 : kPixels;
   const auto width = static_cast<std::uint32_t>(std::lround(std::sqrt(pixels * camera.aspect)));
   const auto height = static_cast<std::uint32_t>(std::lround(width / camera.aspect));
   return {caption.id, caption.text, kMaterials + pov_camera(camera) + lights(camera) + objects,

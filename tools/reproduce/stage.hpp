@@ -21,7 +21,10 @@ std::string pedestal(const detail::Vec3d& top);
 
 std::string ball(const detail::Vec3d& centre, double radius, const char* texture);
 
-/// A skin in one of four quiet colours, by number.
+/// One of four quiet colours, by number.
+std::string skin_texture(std::size_t skin);
+
+/// Smooth, in the skin of that number.
 std::string mesh_in_skin(const tools::PosedInstance& instance, const std::vector<bool>& touching,
                          std::size_t skin);
 
@@ -30,15 +33,15 @@ std::string characters(const tools::StillFrame& still);
 
 std::string moved(const std::string& objects, const detail::Vec3d& by);
 
-/// Letters that face the camera, centred, standing on that place.
-std::string word(const std::string& letters, const detail::Vec3d& place, double height,
+/// Letters that face the camera, centred, standing on that place, as high in every picture.
+std::string word(const std::string& letters, const detail::Vec3d& place,
                  const tools::PovCamera& camera);
 
 struct Caption {
   const char *id, *text;
 };
 
-/// As many pixels whatever the camera's aspect; a quarter of them in a quick run.
+/// As many pixels whatever the camera's aspect; a third of them in a quick run.
 Picture make_picture(const Caption& caption, const tools::PovCamera& camera,
                      const std::string& objects, const Conditions& conditions);
 

@@ -285,7 +285,8 @@ Result<Section> subdivision(const Conditions& conditions) {
     section.tables.push_back(std::move(*table));
   }
   auto picture = dwarves_picture(facing_pair(dwarves->front(), kApart),
-                                 facing_pair(dwarves->front(), kInterfering), conditions);
+                                 facing_pair(dwarves->front(), kInterfering),
+                                 facing_pair((*dwarves)[2], kInterfering), conditions);
   if (!picture) return picture.error();
   section.pictures.push_back(std::move(*picture));
   auto rigid = rigid_table(dwarves->front(), conditions);

@@ -332,7 +332,8 @@ Result<Section> tightness(const Conditions& conditions) {
        {"eq2", "on_demand", "paper_on_demand", "exact_corners", "bottom_up", "paper_bottom_up"},
        "radius / best",
        Axes::linear,
-       Better::lower}};
+       Better::lower,
+       0.9}};
   section.pictures = {level_picture(*creature, palette, conditions)};
   return section;
 }

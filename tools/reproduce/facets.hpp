@@ -1,0 +1,22 @@
+#pragma once
+
+/// Characters as the triangles that they consist of.
+
+#include "base/vec3.hpp"
+#include "tools/pelt/still_frame.hpp"
+
+#include <string>
+
+namespace pelt::reproduce {
+
+/// A ball; what lies outside is left out.
+struct Around {
+  detail::Vec3d centre;
+  double reach;
+};
+
+/// All triangles of a frame's characters that reach into `around`, flat, with dark edges of that
+/// radius; triangles in contact glow.
+std::string facets(const tools::StillFrame& still, double edge, const Around& around);
+
+}  // namespace pelt::reproduce
