@@ -27,11 +27,11 @@ struct BoundsOptions {
 /// A box and a sphere that surely enclose the posed surface: every float32 posed vertex that a
 /// triangle uses, rounding included. Frame of the joint palette.
 ///
-/// O(J) with `levels` 0, and then nothing is posed and nothing opened: what it costs is about what
-/// `set_palette` costs, and the box is a few hundredths to a quarter larger than the exact one, for
-/// a human in motion. The box is the hull of the joints' own rest boxes, moved (Kavan & Zara 2005,
-/// eq. 2, with boxes and a body for each joint). Each level more costs what opening a few nodes
-/// does; three leave some hundredths.
+/// O(J) with `levels` 0, and then nothing is posed and nothing opened: the box costs what
+/// `set_palette` does, the sphere as much again and a half, and the box is a few hundredths to a
+/// quarter larger than the exact one, for a human in motion. It is the hull of the joints' own rest
+/// boxes, moved (Kavan & Zara 2005, eq. 2, with boxes and a body for each joint). Each level more
+/// costs what opening a few nodes does; three leave less than a tenth.
 Bounds bounds(Pose& pose, const BoundsOptions& options = {});
 
 /// The same with the exact box: bit for bit the smallest and largest coordinates of those posed
