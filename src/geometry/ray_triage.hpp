@@ -1,6 +1,6 @@
 #pragma once
 
-/// Eight triangles at once in float32, passed over where a line certainly misses them.
+/// Eight triangles at once in float32, decided where rounding cannot have changed a sign.
 ///
 /// Let z be the axis along which the direction is longest, and s the two slopes d_x / d_z and
 /// d_y / d_z, no larger than 1. Sheared by them the line is parallel to z, so a corner p is seen at
@@ -8,7 +8,8 @@
 /// and an edge from p to q passes the line on the side of X_p Y_q - Y_p X_q, which is the
 /// determinant of ray_triangle.cpp over d_z (Woop, Benthin & Wald 2013, "Watertight ray/triangle
 /// intersection"; exactness comes from the other file). Where two edges certainly pass on different
-/// sides, the line misses the triangle.
+/// sides, the line misses the triangle; where all certainly pass on one side, it meets the triangle
+/// away from its edges.
 ///
 /// Rounding, with u = 2^-24. Let L be the largest computed |p - o| on any axis and W the largest
 /// |X| or |Y|. X gathers 2 u L of the first difference and its own rounding, and 4 u L of the
@@ -16,12 +17,15 @@
 /// twice each, so with roundings of 4 u W^2, W <= 2 L and terms of second order the edge is wrong
 /// by at most
 ///     24.1 u L W + 73 u^2 L^2 + 4.1 u W^2 <= 40 u L (W + 4 u L).
-/// Products that underflow add 2^-150 to X, times W < 2^64, and 2^-84 covers that. Where anything
-/// overflows the bound is infinite or NaN, and nothing is certain.
+/// What underflows adds 2^-150 to X or to an edge: beside L of 2^-120 or more that is nothing, and
+/// 2^-84 covers it elsewhere. Products are at most 2 L W; where 40 L W overflows, before it is
+/// multiplied by u, the bound is infinite or NaN and nothing is certain.
 
 #include "base/float8.hpp"
 
 #include <pelt/math.hpp>
+
+#include <cmath>
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
@@ -30,13 +34,71 @@ inline namespace PELT_TARGET {
 struct ShearedLine {
   int x, y, z;  ///< the axes, z the one along which the direction is longest
   float origin_x, origin_y, origin_z, slope_x, slope_y;
+  bool is_backward;  ///< against z: the determinants have the other sign
 };
 
 /// Precondition: the direction is not zero.
-ShearedLine shear(const Vec3& origin, const Vec3& direction);
+inline ShearedLine shear(const Vec3& origin, const Vec3& direction) {
+  const float o[3] = {origin.x, origin.y, origin.z};
+  const double d[3] = {direction.x, direction.y, direction.z};
+  const auto length = [&](int axis) { return std::fabs(d[axis]); };
+  int z = length(1) > length(0) ? 1 : 0;
+  if (length(2) > length(z)) z = 2;
+  const int x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
+  const double per_z = 1 / d[z];
+  return {x,
+          y,
+          z,
+          o[x],
+          o[y],
+          o[z],
+          static_cast<float>(d[x] * per_z),
+          static_cast<float>(d[y] * per_z),
+          d[z] < 0};
+}
 
-/// The triangles that are not certainly missed, a bit each. Corner by corner: lane i is triangle i.
-unsigned not_missed(const ShearedLine& line, const Points8 (&corners)[3]);
+/// The corners of eight triangles as a sheared line sees them, and their distances from its origin.
+struct SeenCorners {
+  Float8 x, y, distance;
+};
+
+/// The axes are looked up: to guess them, as a branch would, is to be wrong often.
+[[gnu::always_inline]] inline SeenCorners see(const ShearedLine& line, const Points8& corners) {
+  const Float8 axes[] = {corners.x, corners.y, corners.z};
+  const Float8 x = axes[line.x] - Float8(line.origin_x), y = axes[line.y] - Float8(line.origin_y);
+  const Float8 z = axes[line.z] - Float8(line.origin_z);
+  return {x - Float8(line.slope_x) * z, y - Float8(line.slope_y) * z,
+          max(max(abs(x), abs(y)), abs(z))};
+}
+
+[[gnu::always_inline]] inline Float8 edge_side(const SeenCorners& p, const SeenCorners& q) {
+  return p.x * q.y - p.y * q.x;
+}
+
+/// What is certain about eight triangles, a bit each; one in no set is undecided. Those met are met
+/// from the front where the determinants are negative.
+struct RayTriage {
+  unsigned missed, met_from_front, met_from_back;
+};
+
+/// `corner(k)` has the corners k of all.
+template <typename Corner>
+[[gnu::always_inline]] inline RayTriage triage(const ShearedLine& line, const Corner& corner) {
+  const SeenCorners a = see(line, corner(0)), b = see(line, corner(1)), c = see(line, corner(2));
+  const Float8 ab = edge_side(a, b), bc = edge_side(b, c), ca = edge_side(c, a);
+  const Float8 distance = max(max(a.distance, b.distance), c.distance);
+  const Float8 width =
+      max(max(max(abs(a.x), abs(b.x)), max(abs(c.x), abs(a.y))), max(abs(b.y), abs(c.y)));
+  const Float8 error =
+      Float8(40.0f) * distance * (width + Float8(0x1p-22f) * distance) * Float8(0x1p-24f) +
+      Float8(0x1p-84f);
+  const Float8 minus_error = Float8(0.0f) - error;
+  const Float8 least = min(min(ab, bc), ca), most = max(max(ab, bc), ca);
+  const unsigned missed = ((error < most) & (least < minus_error)).bits();
+  const unsigned met_left = (error < least).bits(), met_right = (most < minus_error).bits();
+  return line.is_backward ? RayTriage{missed, met_left, met_right}
+                          : RayTriage{missed, met_right, met_left};
+}
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

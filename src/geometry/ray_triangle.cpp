@@ -78,31 +78,32 @@ bool on_both_sides(const Sides& sides) {
          std::max({sides[0], sides[1], sides[2]}) > 0;
 }
 
-constexpr int kUnknown = 2;
+/// The sides that double arithmetic is sure of, 0 for others, and whether it is of all.
+struct CertainSides {
+  Sides sides;
+  bool all;
+};
 
-int certain_sign(double value, double error) {
-  return value > error ? 1 : value < -error ? -1 : kUnknown;
-}
-
-/// Those that double arithmetic is sure of.
-Sides certain_sides(const RayLine& line, const TriangleCorners& t) {
+CertainSides certain_sides(const RayLine& line, const TriangleCorners& t) {
   const Vec3d d(line.direction), o(line.origin);
   const Vec3d a = Vec3d(t[0]) - o, b = Vec3d(t[1]) - o, c = Vec3d(t[2]) - o;
   const double reach = std::max(std::max(max_abs(a), max_abs(b)), max_abs(c));
   const double error = kDeterminantError * max_abs(d) * reach * reach;
-  return {certain_sign(determinant(d, b, c), error), certain_sign(determinant(d, c, a), error),
-          certain_sign(determinant(d, a, b), error)};
+  const double w[3] = {determinant(d, b, c), determinant(d, c, a), determinant(d, a, b)};
+  CertainSides certain = {{}, true};
+  for (std::size_t i = 0; i < 3; ++i) {
+    certain.sides[i] = int{w[i] > error} - int{w[i] < -error};
+    certain.all &= certain.sides[i] != 0;
+  }
+  return certain;
 }
 
-/// Fills in what is unknown.
-void make_exact(const RayLine& line, const TriangleCorners& t, Sides& sides) {
+/// All sides. Precondition: those of `certain` that are not 0 are right.
+Sides exact_sides(const RayLine& line, const TriangleCorners& t, const Sides& certain) {
+  Sides sides = certain;
   for (std::size_t i = 0; i < 3; ++i)
-    if (sides[i] == kUnknown) sides[i] = exact_edge(line, t[(i + 1) % 3], t[(i + 2) % 3]).sign();
-}
-
-bool certainly_beside(const Sides& sides) {
-  const auto [a, b, c] = sides;
-  return (a == 1 || b == 1 || c == 1) && (a == -1 || b == -1 || c == -1);
+    if (sides[i] == 0) sides[i] = exact_edge(line, t[(i + 1) % 3], t[(i + 2) % 3]).sign();
+  return sides;
 }
 
 /// Floats end where the next one would be 2^128.
@@ -130,16 +131,21 @@ float exact_quotient(const Sum3d& height, const Sum3d& slope) {
 }
 
 /// The float nearest to the line's t in the triangle's plane. Precondition: not parallel.
+///
+/// With errors of p in the height and q in the slope, the quotient t is wrong by at most
+/// (p + |t| q) / (|slope| - q), beside two roundings; q may be 2^-20 of the slope.
 float nearest_t(const RayLine& line, const TriangleCorners& t) {
   const Vec3d a(t[0]), u = Vec3d(t[1]) - a, v = Vec3d(t[2]) - a, n = cross(u, v);
   const Vec3d d(line.direction), from_origin = a - Vec3d(line.origin);
-  const double height = dot(from_origin, n), slope = dot(d, n);
+  const double slope = dot(d, n), per_slope = 1 / slope;
+  const double quotient = dot(from_origin, n) * per_slope;
   const double per_length = kDeterminantError * max_abs(u) * max_abs(v);
-  const double quotient = height / slope;
-  const double relative_error = per_length * max_abs(from_origin) / std::abs(height) +
-                                per_length * max_abs(d) / std::abs(slope) + 4 * kRoundingUnit;
-  if (relative_error < 0x1p-20) {  // false for NaN
-    const double error = std::abs(quotient) * relative_error * 1.001;
+  const double slope_error = per_length * max_abs(d);
+  if (slope_error < 0x1p-20 * std::abs(slope)) {
+    const double error =
+        1.00001 * std::abs(per_slope) *
+            (per_length * max_abs(from_origin) + slope_error * std::abs(quotient)) +
+        4 * kRoundingUnit * std::abs(quotient);
     const auto low = static_cast<float>(quotient - error);
     if (low == static_cast<float>(quotient + error)) return low;
   }
@@ -148,10 +154,10 @@ float nearest_t(const RayLine& line, const TriangleCorners& t) {
 
 /// The three numbers over their sum, those opposite to an edge that is met left out.
 std::array<float, 3> shares(const std::array<double, 3>& w, const RayCrossing& crossing) {
-  const double sum = w[0] + w[1] + w[2];
+  const double per_sum = 1 / (w[0] + w[1] + w[2]);
   std::array<float, 3> weights;
   for (std::size_t i = 0; i < 3; ++i)
-    weights[i] = crossing.on_edge[i] ? 0 : static_cast<float>(std::max(w[i] / sum, 0.0));
+    weights[i] = crossing.on_edge[i] ? 0 : static_cast<float>(std::max(w[i] * per_sum, 0.0));
   return weights;
 }
 
@@ -159,13 +165,19 @@ std::array<float, 3> shares(const std::array<double, 3>& w, const RayCrossing& c
 
 bool line_meets_triangle(const RayLine& line, const TriangleCorners& triangle,
                          RayCrossing& crossing) {
-  Sides sides = certain_sides(line, triangle);
-  if (certainly_beside(sides)) return false;
-  make_exact(line, triangle, sides);
+  const CertainSides certain = certain_sides(line, triangle);
+  if (on_both_sides(certain.sides)) return false;
+  const Sides sides = certain.all ? certain.sides : exact_sides(line, triangle, certain.sides);
   if (on_both_sides(sides) || sides == Sides{0, 0, 0}) return false;
   crossing.t = nearest_t(line, triangle) + 0.0f;
   crossing.from_front = std::min({sides[0], sides[1], sides[2]}) < 0;
   crossing.on_edge = {sides[0] == 0, sides[1] == 0, sides[2] == 0};
+  return std::isfinite(crossing.t);
+}
+
+bool line_pierces_triangle(const RayLine& line, const TriangleCorners& triangle, bool from_front,
+                           RayCrossing& crossing) {
+  crossing = {nearest_t(line, triangle) + 0.0f, from_front, {}};
   return std::isfinite(crossing.t);
 }
 

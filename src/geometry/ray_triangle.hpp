@@ -25,6 +25,10 @@ struct RayCrossing {
 bool line_meets_triangle(const RayLine& line, const TriangleCorners& triangle,
                          RayCrossing& crossing);
 
+/// The same of a line that is known to meet the triangle away from its edges.
+bool line_pierces_triangle(const RayLine& line, const TriangleCorners& triangle, bool from_front,
+                           RayCrossing& crossing);
+
 /// The shares of the corners in the place where `line` crosses `triangle`: each within 2^-23 of the
 /// exact one, none negative, exactly 0 opposite to an edge that the line meets.
 std::array<float, 3> crossing_weights(const RayLine& line, const TriangleCorners& triangle,

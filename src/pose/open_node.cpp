@@ -164,9 +164,10 @@ const TriangleBoxes& box_triangles(const PosedTree& posed, const Node& node,
              : *first;
 }
 
-QueryStats open_all_exactly(const PosedTree& posed) {
+QueryStats open_rest(const PosedTree& posed) {
   QueryStats work;
   for (auto index = static_cast<std::uint32_t>(posed.tree.nodes.size()); index-- > 0;) {
+    if (posed.opened[index]) continue;
     const Node& node = posed.tree.nodes[index];
     OpenedNode* opened = begin_node(posed, node);
     box_slots(posed.tree, node, *opened, [&](std::uint32_t child) {
@@ -177,6 +178,11 @@ QueryStats open_all_exactly(const PosedTree& posed) {
     work.refits += node.cluster_count + node.child_count;
     work.posed_vertices += node.vertex_count;
   }
+  return work;
+}
+
+QueryStats open_all_exactly(const PosedTree& posed) {
+  const QueryStats work = open_rest(posed);
   const OpenedNode& root = *posed.opened[0];
   posed.root_box.known = true;
   store4(posed.root_box.low, load4(root.all_low));

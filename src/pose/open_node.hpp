@@ -34,6 +34,10 @@ inline const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& n
   return known ? *known : box_triangles(posed, node, opened, slot);
 }
 
+/// Opens every node that is not open yet, bottom-up, with the boxes of what is below: a fraction of
+/// the cost of opening all on demand. Precondition: there is a table of opened nodes.
+QueryStats open_rest(const PosedTree& posed);
+
 /// Opens every node bottom-up, so that every box, that of the root included, is the exact one of
 /// the posed vertices below: what an engine without refit on demand does. Precondition: there is a
 /// table of opened nodes, and none is open.

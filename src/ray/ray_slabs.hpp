@@ -23,6 +23,7 @@
 #include "query/lanes.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -36,11 +37,13 @@ class RaySlabs {
     const double origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
     const double direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
     double bound[3];
-    for (int a = 0; a < 3; ++a) bound[a] = larger(all.low[a], all.high[a]);
+    for (unsigned a = 0; a < 3; ++a) bound[a] = larger(all.low[a], all.high[a]);
     scale_ = power_of_two(largest(direction));
+    const double shrink = 1 / scale_;
     const double farthest = largest(bound) + largest(origin);
-    for (int a = 0; a < 3; ++a)
-      axes_[a] = axis(origin[a], direction[a] / scale_, bound[a] + std::fabs(origin[a]), farthest);
+    for (unsigned a = 0; a < 3; ++a)
+      axes_[a] =
+          make_axis(a, origin[a], direction[a] * shrink, bound[a] + std::fabs(origin[a]), farthest);
     first_ = scaled(ray.t_min, -1);
     last_ = scaled(ray.t_max, 1);
   }
@@ -53,28 +56,29 @@ class RaySlabs {
 
   /// Whether the ray enters the box around all vertices.
   bool enters(const RootBox& all) const {
+    const float bounds[] = {all.low[0],  all.low[1],  all.low[2],
+                            all.high[0], all.high[1], all.high[2]};
     float entries[8];
-    return entered([&](int a) { return Float8(all.low[a]); },
-                   [&](int a) { return Float8(all.high[a]); }, entries) != 0;
+    return entered([&](unsigned row) { return Float8(bounds[row]); }, entries) != 0;
   }
 
   /// The slots of a node that the ray enters, a bit each, and where or a little before.
   unsigned entered(const OpenedNode& node, float (&entries)[kMaxSlots]) const {
-    return entered([&](int a) { return load8(node.low[a]); },
-                   [&](int a) { return load8(node.high[a]); }, entries);
+    static_assert(offsetof(OpenedNode, high) == offsetof(OpenedNode, low) + sizeof(node.low));
+    const auto* rows = reinterpret_cast<const float*>(&node) + offsetof(OpenedNode, low) / 4;
+    return entered([&](unsigned row) { return load8(rows + kMaxSlots * row); }, entries);
   }
 
  private:
-  template <typename Low, typename High>
-  [[gnu::always_inline]] unsigned entered(const Low& low, const High& high,
-                                          float (&entries)[8]) const {
+  /// `bound(row)` has the low bounds on each axis, and then the high ones. Which is near is looked
+  /// up: to guess it, as a branch would, is to be wrong half the time.
+  template <typename Bound>
+  [[gnu::always_inline]] unsigned entered(const Bound& bound, float (&entries)[8]) const {
     Float8 entry(first_), exit(last_);
-    for (int a = 0; a < 3; ++a) {
-      const Axis& axis = axes_[a];
-      const Float8 near = axis.is_backward ? high(a) : low(a);
-      const Float8 far = axis.is_backward ? low(a) : high(a);
-      entry = max(entry, (near - Float8(axis.origin_of_near)) * Float8(axis.reciprocal));
-      exit = min(exit, (far - Float8(axis.origin_of_far)) * Float8(axis.reciprocal));
+    for (const Axis& axis : axes_) {
+      const Float8 reciprocal(axis.reciprocal);
+      entry = max(entry, (bound(axis.near_row) - Float8(axis.origin_of_near)) * reciprocal);
+      exit = min(exit, (bound(axis.far_row) - Float8(axis.origin_of_far)) * reciprocal);
     }
     entry.store(entries);
     return (entry <= exit).bits();
@@ -82,7 +86,7 @@ class RaySlabs {
 
   struct Axis {
     float origin_of_near, origin_of_far, reciprocal;
-    bool is_backward;
+    unsigned near_row, far_row;
   };
 
   static double larger(double a, double b) {
@@ -99,14 +103,16 @@ class RaySlabs {
     return value;
   }
 
-  static Axis axis(double origin, double direction, double reach, double farthest) {
+  static Axis make_axis(unsigned axis, double origin, double direction, double reach,
+                        double farthest) {
     const double margin = 0x1p-21 * reach + 0x1p-60 * farthest + 0x1p-140;
     const bool is_backward = direction < 0, is_flat = std::fabs(direction) < 0x1p-126;
     const double reciprocal = is_flat ? (is_backward ? -0x1p126 : 0x1p126) : 1 / direction;
     const auto below = static_cast<float>(origin - margin);
     const auto above = static_cast<float>(origin + margin);
     return {is_backward ? below : above, is_backward ? above : below,
-            static_cast<float>(reciprocal), is_backward};
+            static_cast<float>(reciprocal), is_backward ? axis + 3 : axis,
+            is_backward ? axis : axis + 3};
   }
 
   /// A bound of t, moved to the side of `sign` by more than the rounding of t.

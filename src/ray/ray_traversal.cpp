@@ -155,8 +155,7 @@ class RayTraversal {
     while (clusters != 0 && !hits_.is_enough()) {
       SetBits other(clusters);
       unsigned nearest = *other;
-      for (++other; other; ++other)
-        if (entries[*other] < entries[nearest]) nearest = *other;
+      for (++other; other; ++other) nearest = entries[*other] < entries[nearest] ? *other : nearest;
       if (!slabs_.reaches(entries[nearest])) return;
       clusters &= ~(1u << nearest);
       test(posed_.tree.clusters[node.first_cluster + nearest], opened.positions);
@@ -171,29 +170,42 @@ class RayTraversal {
     }
   }
 
-  /// Up to eight triangles.
-  void test(std::uint32_t first, std::uint32_t count, const float* positions) {
-    const std::uint16_t* offsets = posed_.tree.corners[first].data();
-    Points8 corners[3];
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto at = [&](std::uint32_t lane) {
-        return load4(positions + offsets[3 * (lane < count ? lane : count - 1) + k]);
-      };
-      corners[k] = transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
-    }
-    for (SetBits lane(not_missed(sheared_, corners) & ((1u << count) - 1)); lane; ++lane)
-      test_exactly(first + *lane, positions);
+  /// The corners of eight triangles, those of the first again where there are no more.
+  static const std::uint16_t* fill(const std::uint16_t* offsets, std::uint32_t count,
+                                   std::uint16_t (&filled)[3 * 8]) {
+    for (std::uint32_t i = 0; i < 3 * 8; ++i) filled[i] = offsets[i < 3 * count ? i : i % 3];
+    return filled;
   }
 
-  void test_exactly(std::uint32_t place, const float* positions) {
-    Found found;
-    found.place = place;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float* p = positions + posed_.tree.corners[place][k];
-      found.corners[k] = {p[0], p[1], p[2]};
+  /// Up to eight triangles.
+  void test(std::uint32_t first, std::uint32_t count, const float* positions) {
+    std::uint16_t filled[3 * 8];
+    const std::uint16_t* offsets = posed_.tree.corners[first].data();
+    if (count < 8) offsets = fill(offsets, count, filled);
+    const auto corner = [&](std::uint32_t k) {
+      const auto at = [&](std::uint32_t lane) { return load4(positions + offsets[3 * lane + k]); };
+      return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
+    };
+    const RayTriage known = triage(sheared_, corner);
+    const unsigned met = known.met_from_front | known.met_from_back;
+    for (SetBits lane(((1u << count) - 1) & ~known.missed); lane; ++lane) {
+      Found found = {first + *lane, corners_of(first + *lane, positions), {}};
+      const bool meets =
+          (met >> *lane & 1) != 0
+              ? line_pierces_triangle(line_, found.corners,
+                                      (known.met_from_front >> *lane & 1) != 0, found.crossing)
+              : line_meets_triangle(line_, found.corners, found.crossing);
+      if (meets && counts(found.crossing)) slabs_.end_at(hits_.take(found));
     }
-    if (!line_meets_triangle(line_, found.corners, found.crossing)) return;
-    if (counts(found.crossing)) slabs_.end_at(hits_.take(found));
+  }
+
+  TriangleCorners corners_of(std::uint32_t place, const float* positions) const {
+    const std::uint16_t* offsets = posed_.tree.corners[place].data();
+    const auto at = [&](int k) {
+      const float* p = positions + offsets[k];
+      return Vec3{p[0], p[1], p[2]};
+    };
+    return {at(0), at(1), at(2)};
   }
 
   bool counts(const RayCrossing& crossing) const {
@@ -213,6 +225,26 @@ class RayTraversal {
   Entered entered_[kMostEntered];  // a stack
 };
 
+/// Many rays at one pose. To open a node on demand takes about seven times as long as to open all
+/// bottom-up takes for each, since children's boxes then need no bounds. So when rays have opened
+/// an eighth of the mesh on demand, and at least as many are left, the rest is opened too: in all
+/// that can take twice the time of the better way, and no longer.
+struct Batch {
+  Batch(const PosedTree& p, std::size_t rays) : posed(p), ray_count(rays) {}
+
+  void has_cast(std::size_t count) {
+    if (is_open || ray_count < 2 * count || work.posed_vertices * 8 < posed.tree.vertex_count())
+      return;
+    is_open = true;
+    work += open_rest(posed);
+  }
+
+  const PosedTree& posed;
+  std::size_t ray_count;
+  QueryStats work;
+  bool is_open = false;
+};
+
 /// Gives `hits` what the ray hits.
 template <typename Hits>
 void traverse(const PosedTree& posed, const Ray& ray, Facing facing, Hits& hits, QueryStats& work) {
@@ -230,24 +262,26 @@ void traverse(const PosedTree& posed, const Ray& ray, Facing facing, Hits& hits,
 
 QueryStats first_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
                       std::span<RayHit> hits) {
-  QueryStats work;
+  Batch batch(posed, rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     FirstHit first(posed.tree);
-    traverse(posed, rays[i], facing, first, work);
+    traverse(posed, rays[i], facing, first, batch.work);
     hits[i] = first.hit({rays[i].origin, rays[i].direction});
+    batch.has_cast(i + 1);
   }
-  return work;
+  return batch.work;
 }
 
 QueryStats any_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
                     std::span<bool> hit) {
-  QueryStats work;
+  Batch batch(posed, rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     AnyHit any;
-    traverse(posed, rays[i], facing, any, work);
+    traverse(posed, rays[i], facing, any, batch.work);
     hit[i] = any.is_enough();
+    batch.has_cast(i + 1);
   }
-  return work;
+  return batch.work;
 }
 
 QueryStats all_hits(const PosedTree& posed, const Ray& ray, Facing facing, Stack<RayHit>& hits) {

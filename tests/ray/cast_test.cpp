@@ -204,6 +204,28 @@ TEST(Cast, OpensLittle) {
   EXPECT_EQ(missed.node_pairs, 1u);
 }
 
+/// Once many rays have opened much, the rest is opened at once; rays at one place open little.
+TEST(Cast, OpensAllWhenManyRaysNeedMuch) {
+  Random random(98);
+  Posed limb(make_limb(200, 30, 5), bend_limb(random, 5, 0.4, {}));
+  std::vector<Ray> everywhere, at_one_place(3'000);
+  for (int i = 0; i < 3'000; ++i)
+    everywhere.push_back(segment(random.point(20), limb.cases().target(random)));
+  std::fill(at_one_place.begin(), at_one_place.end(), everywhere[0]);
+  std::vector<RayHit> hits(3'000), again(3'000);
+  const QueryStats all = cast(limb.pose, everywhere, hits);
+  const std::vector<Matrix4> palette = bend_limb(random, 5, 0.4, {});
+  Posed fresh(limb.shape, palette);
+  const QueryStats few = cast(fresh.pose, at_one_place, again);
+  EXPECT_GE(all.posed_vertices, limb.pose.model().vertex_count());
+  EXPECT_LT(few.posed_vertices, limb.pose.model().vertex_count() / 8);
+  cast(limb.pose, everywhere, again);
+  EXPECT_EQ(again, hits);
+  Scratch scratch;
+  for (std::size_t i = 0; i < 200; ++i)
+    expect_as_oracle(limb.pose, limb.oracle, everywhere[i], scratch);
+}
+
 TEST(Cast, AllocatesNothingOnceAllIsReserved) {
   on_each_target([](Target) {
     Random random(96);
