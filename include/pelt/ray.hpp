@@ -74,10 +74,10 @@ struct RayHit {
 /// `hits` has one element for each ray.
 ///
 /// Opens only nodes whose boxes a ray enters before it has hit anything nearer: a pick at a
-/// character of 26,756 triangles takes 3 us with its new palette, hardly more at four times as many.
-/// What one ray has opened serves the next; once the rays of a call have opened an eighth of the
-/// mesh and as many are left, all is opened, which then is cheaper. Allocates nothing but what the
-/// pose needs to open nodes.
+/// character of 26,756 triangles takes 3 us with its new palette, hardly more at four times as
+/// many. What one ray has opened serves the next; once the rays of a call have opened an eighth of
+/// the mesh and as many are left, all is opened, which then is cheaper. Allocates nothing but what
+/// the pose needs to open nodes.
 QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
                 const CastOptions& options = {});
 
