@@ -41,6 +41,8 @@ inline Float8 load8(const float* p) { return Float8(_mm256_loadu_ps(p)); }
 inline Float8 operator+(Float8 a, Float8 b) { return Float8(_mm256_add_ps(a.lanes, b.lanes)); }
 inline Float8 operator-(Float8 a, Float8 b) { return Float8(_mm256_sub_ps(a.lanes, b.lanes)); }
 inline Float8 operator*(Float8 a, Float8 b) { return Float8(_mm256_mul_ps(a.lanes, b.lanes)); }
+inline Float8 operator/(Float8 a, Float8 b) { return Float8(_mm256_div_ps(a.lanes, b.lanes)); }
+inline Float8 sqrt(Float8 a) { return Float8(_mm256_sqrt_ps(a.lanes)); }
 inline Float8 min(Float8 a, Float8 b) { return Float8(_mm256_min_ps(a.lanes, b.lanes)); }
 inline Float8 max(Float8 a, Float8 b) { return Float8(_mm256_max_ps(a.lanes, b.lanes)); }
 inline Float8 abs(Float8 a) { return Float8(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.lanes)); }
@@ -87,6 +89,10 @@ inline Float8 operator-(const Float8& a, const Float8& b) {
 inline Float8 operator*(const Float8& a, const Float8& b) {
   return {a.four[0] * b.four[0], a.four[1] * b.four[1]};
 }
+inline Float8 operator/(const Float8& a, const Float8& b) {
+  return {a.four[0] / b.four[0], a.four[1] / b.four[1]};
+}
+inline Float8 sqrt(const Float8& a) { return {sqrt(a.four[0]), sqrt(a.four[1])}; }
 inline Float8 min(const Float8& a, const Float8& b) {
   return {min(a.four[0], b.four[0]), min(a.four[1], b.four[1])};
 }

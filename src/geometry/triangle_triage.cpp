@@ -33,19 +33,13 @@
 /// undecided.
 #include "geometry/triangle_triage.hpp"
 
+#include "geometry/points8.hpp"
+
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
 constexpr unsigned kAllLanes = 0xFF;
-
-Points8 operator-(const Points8& p, const Points8& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-
-Points8 cross(const Points8& p, const Points8& q) {
-  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-}
-
-Float8 dot(const Points8& p, const Points8& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
 /// A value for each corner of a triangle, or for each edge: edge i leads from corner i to the next.
 using Three = Float8[3];

@@ -1,0 +1,209 @@
+/// Two triangles that do not touch are nearest each other at a corner of one, or inside an edge of
+/// each. So the least is taken over corners against edges and faces, and edges against edges.
+///
+/// Rounding. Let e = 2^-53 and S as in the header. Candidates are points of the triangles, written
+/// as a difference w - s u - t v of vectors with |s|, |t| <= 1, so what is measured of a candidate
+/// is off by a few e S. What remains is that a candidate may be some way from where it should be.
+///   Corner against edge: a step along the edge is off by a few e S; at the nearest point that
+/// changes the distance to second order only.
+///   Edge against edge, u and v at an angle x. With n = u x v the place s = (w x v).n / n.n is off
+/// by a few e S / (|u| x), and as the point on v is then the nearest to that on u, it leaves the
+/// nearest by x |u| times that: a few e S. (s from the normal equations is off by a factor 1/x
+/// more, which is why the cross products are there.)
+///   Corner against face. Of w = s u + t v + (normal part), t from cross products and then s by
+/// projection onto u puts the candidate as near, as long as n has a direction: with h the height
+/// over u and d the distance, n is off by an angle e S / h, the candidate by d e S / h. That makes
+/// d longer by at most d (e S / h)^2 / 2. But an edge is never further than h from the right place
+/// and makes d longer by at most h^2 / 2 d. The smaller of both is at most e S / 2.
+#include "geometry/triangle_distance.hpp"
+
+#include <cstddef>
+#include <limits>
+
+namespace pelt::detail {
+namespace {
+
+/// `dividend` / `divisor` moved into [0, 1]; 0 if the divisor is 0.
+double share(double dividend, double divisor) {
+  if (!(dividend > 0)) return 0;
+  return dividend < divisor ? dividend / divisor : divisor > 0 ? 1 : 0;
+}
+
+/// A triangle with all that is asked of it more than once.
+struct Face {
+  explicit Face(const TriangleCorners& t) : corner{Vec3d(t[0]), Vec3d(t[1]), Vec3d(t[2])} {
+    for (std::size_t i = 0; i < 3; ++i) {
+      edge[i] = corner[(i + 1) % 3] - corner[i];
+      squared_edge[i] = squared_length(edge[i]);
+    }
+    side = corner[2] - corner[0];
+    normal = cross(edge[0], side);
+    squared_normal = squared_length(normal);
+  }
+
+  Vec3d corner[3];
+  Vec3d edge[3];  ///< edge i leads from corner i to the next
+  Vec3d side;     ///< from corner 0 to corner 2
+  Vec3d normal;
+  double squared_edge[3];
+  double squared_normal;
+};
+
+Barycentrics on_edge(std::size_t edge, double s) {
+  Barycentrics at = {};
+  at[edge] = 1 - s;
+  at[(edge + 1) % 3] = s;
+  return at;
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The point of a face right across from a point; infinitely far if that is not inside.
+NearestOnTriangle nearest_inside(const Vec3d& point, const Face& face) {
+  constexpr NearestOnTriangle kNone = {kInfinity, {1, 0, 0}};
+  const Vec3d w = point - face.corner[0], &u = face.edge[0], &v = face.side;
+  const double t_dividend = dot(cross(u, w), face.normal);
+  if (!(t_dividend > 0 && t_dividend < face.squared_normal)) return kNone;
+  const double t = t_dividend / face.squared_normal;
+  const Vec3d rest = w - t * v;
+  const double s_dividend = dot(rest, u);
+  if (!(s_dividend > 0 && s_dividend < (1 - t) * face.squared_edge[0])) return kNone;
+  const double s = s_dividend / face.squared_edge[0], first = 1 - t - s;
+  return {squared_length(rest - s * u), {first > 0 ? first : 0, s, t}};
+}
+
+NearestOnTriangle nearest_on(const Vec3d& point, const Face& face) {
+  NearestOnTriangle nearest = nearest_inside(point, face);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d w = point - face.corner[i];
+    const double s = share(dot(w, face.edge[i]), face.squared_edge[i]);
+    const double squared = squared_length(w - s * face.edge[i]);
+    if (squared < nearest.squared_distance) nearest = {squared, on_edge(i, s)};
+  }
+  return nearest;
+}
+
+Barycentrics at_corner(std::size_t corner) {
+  Barycentrics at = {};
+  at[corner] = 1;
+  return at;
+}
+
+/// The nearest points of two faces so far.
+///
+/// Where the lines of two edges, or a corner and the plane of a face, are no nearer than what has
+/// been found, no points on them need be computed: that is most of the work.
+class NearestOfFaces {
+ public:
+  NearestOfFaces(const Face& a, const Face& b) : a_(a), b_(b) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        way_[i][j] = b.corner[j] - a.corner[i];
+        try_corner_of_a(i, j);
+        try_corner_of_b(i, j);
+      }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_nearer(b, way_[i][0])) keep_on_b(at_corner(i), nearest_inside(a.corner[i], b));
+      if (is_nearer(a, way_[0][i])) keep_on_a(nearest_inside(b.corner[i], a), at_corner(i));
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) try_edges(i, j);
+  }
+
+  /// Where edges of one pierce the other.
+  void try_piercings() {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (const double s = piercing(a_, i, b_); s >= 0)
+        keep_on_b(on_edge(i, s), nearest_on(a_.corner[i] + s * a_.edge[i], b_));
+      if (const double s = piercing(b_, i, a_); s >= 0)
+        keep_on_a(nearest_on(b_.corner[i] + s * b_.edge[i], a_), on_edge(i, s));
+    }
+  }
+
+  const NearestPoints& result() const { return nearest_; }
+
+ private:
+  void keep_on_b(const Barycentrics& a, const NearestOnTriangle& b) {
+    if (b.squared_distance < nearest_.squared_distance) nearest_ = {b.squared_distance, a, b.at};
+  }
+
+  void keep_on_a(const NearestOnTriangle& a, const Barycentrics& b) {
+    if (a.squared_distance < nearest_.squared_distance) nearest_ = {a.squared_distance, a.at, b};
+  }
+
+  /// Corner i of the first face, edge j of the second.
+  void try_corner_of_a(std::size_t i, std::size_t j) {
+    const Vec3d& w = way_[i][j];
+    const double s = share(-dot(w, b_.edge[j]), b_.squared_edge[j]);
+    const double squared = squared_length(w + s * b_.edge[j]);
+    if (squared < nearest_.squared_distance) nearest_ = {squared, at_corner(i), on_edge(j, s)};
+  }
+
+  /// Edge i of the first face, corner j of the second.
+  void try_corner_of_b(std::size_t i, std::size_t j) {
+    const Vec3d& w = way_[i][j];
+    const double s = share(dot(w, a_.edge[i]), a_.squared_edge[i]);
+    const double squared = squared_length(w - s * a_.edge[i]);
+    if (squared < nearest_.squared_distance) nearest_ = {squared, on_edge(i, s), at_corner(j)};
+  }
+
+  /// Whether a face's plane is nearer than what was found; `way` leads from or to the plane.
+  bool is_nearer(const Face& face, const Vec3d& way) const {
+    return is_nearer(face.normal, face.squared_normal, way);
+  }
+
+  bool is_nearer(const Vec3d& normal, double squared_normal, const Vec3d& way) const {
+    const double along = dot(way, normal);
+    return along * along < nearest_.squared_distance * squared_normal;
+  }
+
+  /// Both points inside their edges; those at an end have been tried.
+  void try_edges(std::size_t i, std::size_t j) {
+    const Vec3d &w = way_[i][j], &u = a_.edge[i], &v = b_.edge[j];
+    const Vec3d n = cross(u, v);
+    const double squared_n = squared_length(n);
+    if (!is_nearer(n, squared_n, w)) return;
+    const double s_dividend = dot(cross(w, v), n);
+    if (!(s_dividend > 0 && s_dividend < squared_n)) return;
+    const double s = s_dividend / squared_n;
+    const Vec3d rest = s * u - w;
+    const double t_dividend = dot(rest, v);
+    if (!(t_dividend > 0 && t_dividend < b_.squared_edge[j])) return;
+    const double t = t_dividend / b_.squared_edge[j];
+    const double squared = squared_length(rest - t * v);
+    if (squared < nearest_.squared_distance) nearest_ = {squared, on_edge(i, s), on_edge(j, t)};
+  }
+
+  /// Where along an edge the other's plane is; negative if both ends are on one side of it.
+  static double piercing(const Face& of, std::size_t edge, const Face& face) {
+    const double begin = dot(face.normal, of.corner[edge] - face.corner[0]);
+    const double end = dot(face.normal, of.corner[(edge + 1) % 3] - face.corner[0]);
+    return (begin < 0) == (end < 0) ? -1 : begin / (begin - end);
+  }
+
+  const Face &a_, &b_;
+  Vec3d way_[3][3];  ///< from corners of the first face to those of the second
+  NearestPoints nearest_ = {kInfinity, {1, 0, 0}, {1, 0, 0}};
+};
+
+}  // namespace
+
+NearestOnTriangle nearest_on_triangle(const Vec3d& point, const TriangleCorners& triangle) {
+  return nearest_on(point, Face(triangle));
+}
+
+NearestPoints nearest_points(const TriangleCorners& a, const TriangleCorners& b) {
+  NearestPoints nearest = NearestOfFaces(Face(a), Face(b)).result();
+  constexpr double kLeast = std::numeric_limits<double>::min();
+  if (nearest.squared_distance < kLeast) nearest.squared_distance = kLeast;
+  return nearest;
+}
+
+NearestPoints common_point(const TriangleCorners& a, const TriangleCorners& b) {
+  const Face face_a(a), face_b(b);
+  NearestOfFaces nearest(face_a, face_b);
+  nearest.try_piercings();
+  return nearest.result();
+}
+
+}  // namespace pelt::detail
