@@ -8,6 +8,7 @@
 #include <pelt/collide.hpp>
 #include <pelt/contact.hpp>
 #include <pelt/crowd.hpp>
+#include <pelt/distance.hpp>
 #include <pelt/groups.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>

@@ -37,7 +37,7 @@ class Scratch {
   /// Takes at once all the memory that queries with up to so many contacts could want, found or
   /// allowed by `max_contacts`, whatever the models; 1 is enough for `intersects`. A triangle that
   /// is found in a region counts as one contact. With poses that have been reserved too, and room
-  /// in the caller's vector, such queries allocate nothing, from the first on. 116 KB and 28 bytes
+  /// in the caller's vector, such queries allocate nothing, from the first on. 156 KB and 28 bytes
   /// a contact.
   ///
   /// The same for `cast_all` of rays with up to `ray_hits` hits: 36 bytes each.

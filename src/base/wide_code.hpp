@@ -20,11 +20,14 @@ struct BoxFound;
 struct NodeBounds;
 struct OpenedNode;
 struct PaletteScan;
+struct PointGap;
 struct PosedTree;
 struct RegionAnswer;
 struct RootBox;
 struct Scratch;
+struct SearchLimits;
 struct Tree;
+struct TriangleGap;
 template <typename T>
 class Stack;
 
@@ -52,6 +55,12 @@ struct WideCode {
                                    Scratch& scratch, RegionWish wish);
   RegionAnswer (*descend_in_capsule)(const PosedTree& posed, const CapsuleRegion& region,
                                      Scratch& scratch, RegionWish wish);
+  QueryStats (*nearest_triangles)(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                                  const SearchLimits& limits, TriangleGap& nearest);
+  QueryStats (*triangles_within)(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                                 double tolerance, std::uint32_t max_pairs);
+  QueryStats (*nearest_to_point)(const PosedTree& posed, const Vec3& point, Scratch& scratch,
+                                 double max_distance, PointGap& nearest);
 };
 
 /// Those of the active target.

@@ -29,6 +29,8 @@ void Stack<T>::reserve(std::size_t capacity) {
 }
 
 template class Stack<SlotPair>;
+template class Stack<NearPart>;
+template class Stack<NearParts>;
 template class Stack<Contact>;
 template class Stack<RayHit>;
 template class Stack<std::uint32_t>;
@@ -41,6 +43,9 @@ constexpr std::size_t kMostSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * de
 
 /// Of one tree; the step to a node replaces it by its children.
 constexpr std::size_t kMostNodes = detail::kMaxClusterTreeDepth * detail::kMaxSlots;
+
+/// A search for what is nearest replaces one part by its slots.
+constexpr std::size_t kMostNearParts = (detail::kMaxClusterTreeDepth + 1) * detail::kMaxSlots;
 
 /// A query that is told to stop looks at its count between pairs of clusters; up to seven pairs of
 /// triangles may have been waiting before.
@@ -55,6 +60,8 @@ Scratch::~Scratch() = default;
 
 void Scratch::reserve(std::size_t contacts, std::size_t ray_hits) {
   scratch_->slot_pairs.reserve(kMostSlotPairs);
+  scratch_->near_part.reserve(kMostNearParts);
+  scratch_->near_parts.reserve(2 * kMostNearParts);
   scratch_->found.reserve(contacts + kMostBeyond);
   scratch_->sorting.reserve(contacts);
   scratch_->ray_hits.reserve(ray_hits);

@@ -17,7 +17,21 @@ struct SlotPair {
   float depth = 0;           // how far the boxes overlap
 };
 
+/// A part of a tree that may hold the nearest point, and how far its box is.
+struct NearPart {
+  float squared_gap;
+  std::uint32_t node, slot;
+};
+
+/// The same of two trees.
+struct NearParts {
+  float squared_gap;
+  std::uint32_t node_a, slot_a, node_b, slot_b;
+};
+
 extern template class Stack<SlotPair>;
+extern template class Stack<NearPart>;
+extern template class Stack<NearParts>;
 extern template class Stack<Contact>;
 extern template class Stack<RayHit>;
 extern template class Stack<std::uint32_t>;
@@ -25,6 +39,8 @@ extern template class Stack<std::uint32_t>;
 /// Memory lent to queries; every user clears what it takes.
 struct Scratch {
   Stack<SlotPair> slot_pairs;
+  Stack<NearPart> near_part;
+  Stack<NearParts> near_parts;
   Stack<Contact> found, sorting;
   Stack<RayHit> ray_hits;
   Stack<std::uint32_t> nodes;             // to be visited

@@ -1,0 +1,130 @@
+#include <pelt/distance.hpp>
+
+#include "base/assert.hpp"
+#include "base/wide_code.hpp"
+#include "collide/sort_contacts.hpp"
+#include "distance/find_triangle.hpp"
+#include "distance/pair_search.hpp"
+#include "distance/point_search.hpp"
+#include "pose/pose.hpp"
+#include "query/scratch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelt {
+namespace {
+
+using detail::PosedTree;
+using detail::wide_code;
+
+SurfacePoint surface_point(std::uint32_t triangle, const detail::TriangleCorners& corners,
+                           const detail::Barycentrics& at) {
+  SurfacePoint point;
+  point.triangle = triangle;
+  for (std::size_t i = 0; i < 3; ++i) point.barycentrics[i] = static_cast<float>(at[i]);
+  point.position = detail::to_float(detail::point_at(corners, at));
+  return point;
+}
+
+/// The lowest pair of those that touch.
+Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact) {
+  const detail::FoundTriangle found_a = detail::find_triangle(a, contact.triangle_a);
+  const detail::FoundTriangle found_b = detail::find_triangle(b, contact.triangle_b);
+  const detail::NearestPoints common = detail::common_point(found_a.corners, found_b.corners);
+  Distance nearest;
+  nearest.distance = 0;
+  nearest.a = surface_point(contact.triangle_a, found_a.corners, common.a);
+  nearest.b = surface_point(contact.triangle_b, found_b.corners, common.b);
+  nearest.places = {found_a.node, found_a.slot, found_b.node, found_b.slot};
+  return nearest;
+}
+
+Distance apart(const detail::TriangleGap& gap, const DistanceOptions& options) {
+  Distance nearest;
+  nearest.distance = std::sqrt(gap.nearest.squared_distance);
+  nearest.lower_bound =
+      nearest.found() ? std::max(0.0, nearest.distance - options.tolerance) : options.max_distance;
+  nearest.a = surface_point(gap.triangle_a, gap.corners_a, gap.nearest.a);
+  nearest.b = surface_point(gap.triangle_b, gap.corners_b, gap.nearest.b);
+  nearest.places = gap.places;
+  return nearest;
+}
+
+/// What both questions ask first: the pairs that touch, left in `scratch.found`.
+QueryStats find_touching(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                         std::uint32_t max_contacts) {
+  return wide_code().collide_trees(a, b, scratch.detail(), max_contacts);
+}
+
+/// Leaves the pairs in `scratch.found`, in no particular order.
+QueryStats find_within(Pose& a, Pose& b, double tolerance, Scratch& scratch,
+                       std::uint32_t max_contacts) {
+  PELT_ASSERT(&a != &b);
+  PELT_ASSERT(tolerance >= 0);
+  const PosedTree tree_a = a.detail().posed_tree(), tree_b = b.detail().posed_tree();
+  QueryStats stats = find_touching(tree_a, tree_b, scratch, max_contacts);
+  if (tolerance > 0 && scratch.detail().found.size() < max_contacts)
+    stats +=
+        wide_code().triangles_within(tree_a, tree_b, scratch.detail(), tolerance, max_contacts);
+  return stats;
+}
+
+}  // namespace
+
+QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch, ClosestPoint& closest,
+                         const ClosestPointOptions& options) {
+  PELT_ASSERT(options.max_distance >= 0);
+  detail::PointGap gap;
+  const QueryStats stats = wide_code().nearest_to_point(
+      pose.detail().posed_tree(), point, scratch.detail(), options.max_distance, gap);
+  closest.distance = std::sqrt(gap.nearest.squared_distance);
+  closest.point = surface_point(gap.triangle, gap.corners, gap.nearest.at);
+  return stats;
+}
+
+QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,
+                          std::span<ClosestPoint> closest, const ClosestPointOptions& options) {
+  PELT_ASSERT(points.size() == closest.size());
+  QueryStats stats;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    stats += closest_point(pose, points[i], scratch, closest[i], options);
+  return stats;
+}
+
+QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& nearest,
+                    const DistanceOptions& options) {
+  PELT_ASSERT(&a != &b);
+  PELT_ASSERT(options.max_distance >= 0 && options.tolerance >= 0);
+  const PosedTree tree_a = a.detail().posed_tree(), tree_b = b.detail().posed_tree();
+  const std::uint32_t wanted = options.tolerance > 0 ? 1 : CollideOptions().max_contacts;
+  QueryStats stats = find_touching(tree_a, tree_b, scratch, wanted);
+  stats.cut_short = false;
+  const detail::Places hint = options.hint ? options.hint->places : detail::Places{};
+  if (detail::Stack<Contact>& found = scratch.detail().found; !found.empty()) {
+    nearest = touching(tree_a, tree_b, *std::min_element(found.begin(), found.end()));
+    return stats;
+  }
+  detail::TriangleGap gap;
+  const detail::SearchLimits limits = {options.max_distance, options.tolerance,
+                                       options.hint ? &hint : nullptr};
+  stats += wide_code().nearest_triangles(tree_a, tree_b, scratch.detail(), limits, gap);
+  nearest = apart(gap, options);
+  return stats;
+}
+
+QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
+                     std::vector<Contact>& contacts, const ClearanceOptions& options) {
+  const QueryStats stats = find_within(a, b, tolerance, scratch, options.max_contacts);
+  detail::Stack<Contact>& found = scratch.detail().found;
+  detail::sort_contacts(found, scratch.detail().sorting);
+  contacts.insert(contacts.end(), found.begin(), found.end());
+  return stats;
+}
+
+bool is_within(Pose& a, Pose& b, double tolerance, Scratch& scratch) {
+  find_within(a, b, tolerance, scratch, 1);
+  return !scratch.detail().found.empty();
+}
+
+}  // namespace pelt

@@ -1,0 +1,172 @@
+#pragma once
+
+/// The triangles of two clusters that may be within reach. Two lower bounds are at hand for all
+/// pairs: their boxes' gap, and their gap along one direction, that of the best pair so far: most
+/// pairs that are as near lie in nearly the same. What is left waits until there are eight pairs,
+/// which get a bound each along a direction of their own (triangle_apart.hpp). The few that this
+/// leaves are measured by the scalar function.
+///
+/// A goal says what is looked for:
+///   double reach() const      how far apart triangles may be to matter; it may only become less
+///   bool keeps_best() const   whether `offer` wants one pair, the best, rather than all
+///   bool offer(gap)           takes a pair if it wants it
+///   bool is_done() const      nothing more is wanted
+
+#include "distance/gaps.hpp"
+#include "distance/pair_search.hpp"
+#include "distance/reach.hpp"
+#include "distance/triangle_gaps.hpp"
+#include "geometry/triangle_apart.hpp"
+#include "pose/open_node.hpp"
+#include "query/slots.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+template <typename Goal>
+class NearTriangles {
+ public:
+  NearTriangles(Goal& goal, double extent, QueryStats& work)
+      : goal_(goal), reach_(extent), work_(work) {
+    reach_.set(goal_.reach());
+  }
+
+  const Reach& reach() const { return reach_; }
+
+  /// Offers, or keeps for later, the pairs of two clusters' triangles.
+  void add(const PosedCluster& a, const PosedCluster& b, const Places& places) {
+    const Vec3 origin = low_corner(a);
+    const float error = gap_error(a, b, origin);
+    const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
+    const TriangleBoxes& boxes_b = triangle_boxes(b.posed, b.node, b.opened, b.slot);
+    const unsigned near_a = within_reach(boxes_a, all_of(a), box_of(b));
+    const unsigned near_b = near_a == 0 ? 0 : within_reach(boxes_b, all_of(b), box_of(a));
+    if (near_b == 0) return;
+    const Along along(has_way_ ? way_ : direction_between(a, b), origin);
+    const TriangleValues high = along.highest(a), low = along.lowest(b);
+    if (!has_way_ && goal_.keeps_best())
+      measure(pair_of(a, highest_of(high), b, lowest_of(low), places));
+    for (SetBits row(near_a); row && !goal_.is_done(); ++row) {
+      const unsigned lanes = near_b & up_to(low, high.of[*row] + reach_.gap() + error);
+      if (lanes == 0) continue;
+      const Box8 box = lane_box(boxes_a.low, boxes_a.high, *row);
+      for (SetBits lane(within_reach(boxes_b, lanes, box)); lane; ++lane)
+        keep(pair_of(a, *row, b, *lane, places));
+    }
+    if (!has_way_ || !goal_.keeps_best()) flush();
+  }
+
+  /// Offers what was kept.
+  void flush() {
+    if (count_ == 0) return;
+    for (std::uint32_t i = count_; i < kBatch; ++i) waiting_[i] = waiting_[0];
+    test();
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::uint32_t kBatch = 8;
+
+  /// A triangle of each tree.
+  struct Pair {
+    const PosedTree *tree_a, *tree_b;
+    const float *positions_a, *positions_b;  ///< of the pools
+    std::uint32_t triangle_a, triangle_b;    ///< into Tree::corners
+    Places places;
+  };
+
+  static Pair pair_of(const PosedCluster& a, unsigned i, const PosedCluster& b, unsigned j,
+                      const Places& places) {
+    return {&a.posed,
+            &b.posed,
+            a.opened.positions,
+            b.opened.positions,
+            a.cluster().first_triangle + i,
+            b.cluster().first_triangle + j,
+            places};
+  }
+
+  static unsigned all_of(const PosedCluster& c) { return (1u << c.cluster().triangle_count) - 1; }
+
+  static Box8 box_of(const PosedCluster& c) {
+    return lane_box(c.opened.low, c.opened.high, c.slot);
+  }
+
+  unsigned within_reach(const TriangleBoxes& boxes, unsigned lanes, const Box8& box) const {
+    const Float8 most(reach_.squared_gap());
+    return lanes & ((squared_gaps(boxes.low, boxes.high, 0, box) <= most).bits() |
+                    (squared_gaps(boxes.low, boxes.high, 8, box) <= most).bits() << 8);
+  }
+
+  void keep(const Pair& pair) {
+    waiting_[count_++] = pair;
+    if (count_ < kBatch) return;
+    test();
+    count_ = 0;
+  }
+
+  /// Bounds the pairs that wait and measures those within reach, that which seems nearest first.
+  void test() {
+    TrianglePairs8 pairs;
+    for (std::size_t k = 0; k < 3; ++k) {
+      pairs.a[k] =
+          corner8([&](const Pair& p) { return corner(*p.tree_a, p.positions_a, p.triangle_a, k); });
+      pairs.b[k] =
+          corner8([&](const Pair& p) { return corner(*p.tree_b, p.positions_b, p.triangle_b, k); });
+    }
+    const Apart8 apart = how_far_apart(pairs);
+    alignas(32) float at_least[kBatch], about[kBatch];
+    apart.at_least.store(at_least);
+    apart.about.store(about);
+    unsigned left = (1u << count_) - 1;
+    while (left != 0 && !goal_.is_done()) {
+      unsigned next = kBatch;
+      for (SetBits lane(left); lane; ++lane)
+        if (next == kBatch || about[*lane] < about[next]) next = *lane;
+      left &= ~(1u << next);
+      if (!(reach_.gap() < at_least[next])) measure(waiting_[next]);
+    }
+  }
+
+  static const float* corner(const PosedTree& posed, const float* positions, std::uint32_t triangle,
+                             std::size_t k) {
+    return positions + posed.tree.corners.data()[triangle][k];
+  }
+
+  template <typename Corner>
+  Points8 corner8(const Corner& corner_of) const {
+    const auto at = [&](std::uint32_t lane) { return load4(corner_of(waiting_[lane])); };
+    return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
+  }
+
+  void measure(const Pair& pair) {
+    ++work_.triangle_pairs;
+    TriangleGap gap;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float* a = corner(*pair.tree_a, pair.positions_a, pair.triangle_a, k);
+      const float* b = corner(*pair.tree_b, pair.positions_b, pair.triangle_b, k);
+      gap.corners_a[k] = {a[0], a[1], a[2]};
+      gap.corners_b[k] = {b[0], b[1], b[2]};
+    }
+    gap.nearest = nearest_points(gap.corners_a, gap.corners_b);
+    gap.triangle_a = pair.tree_a->tree.triangle_ids.data()[pair.triangle_a];
+    gap.triangle_b = pair.tree_b->tree.triangle_ids.data()[pair.triangle_b];
+    gap.places = pair.places;
+    if (!goal_.offer(gap) || !goal_.keeps_best()) return;
+    reach_.set(goal_.reach());
+    has_way_ = true;
+    way_ = direction_of(point_at(gap.corners_b, gap.nearest.b) -
+                        point_at(gap.corners_a, gap.nearest.a));
+  }
+
+  Goal& goal_;
+  Reach reach_;
+  QueryStats& work_;
+  bool has_way_ = false;
+  Vec3 way_;  ///< the direction of the best pair
+  Pair waiting_[kBatch];
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,205 @@
+/// The descent of two trees that looks for what is near. Of a pair of parts the larger is replaced
+/// by its slots, eight of them compared with the other part at once, and the nearest goes first:
+/// so a good pair is known early, and what is beyond it is never opened. A stack is enough for
+/// that, of at most eight parts a level.
+
+#include "distance/pair_search.hpp"
+
+#include "distance/near_triangles.hpp"
+#include "distance/nearest_parts.hpp"
+#include "distance/part.hpp"
+
+#include <cmath>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+namespace {
+
+/// The pair with the least distance.
+class LeastGap {
+ public:
+  LeastGap(const SearchLimits& limits, TriangleGap& best) : limits_(limits), best_(best) {}
+
+  double reach() const {
+    if (!is_found_) return limits_.max_distance;
+    const double reach = std::sqrt(best_.nearest.squared_distance) - limits_.tolerance;
+    return reach > 0 ? reach : 0;
+  }
+
+  bool keeps_best() const { return true; }
+  bool is_done() const { return false; }
+
+  bool offer(const TriangleGap& gap) {
+    if (!(is_found_ ? is_better(gap)
+                    : std::sqrt(gap.nearest.squared_distance) <= limits_.max_distance))
+      return false;
+    best_ = gap;
+    return is_found_ = true;
+  }
+
+ private:
+  bool is_better(const TriangleGap& gap) const {
+    const double squared = gap.nearest.squared_distance, best = best_.nearest.squared_distance;
+    if (squared != best) return squared < best;
+    if (gap.triangle_a != best_.triangle_a) return gap.triangle_a < best_.triangle_a;
+    return gap.triangle_b < best_.triangle_b;
+  }
+
+  const SearchLimits& limits_;
+  TriangleGap& best_;
+  bool is_found_ = false;
+};
+
+/// All pairs up to a distance, beside those that touch.
+class AllWithin {
+ public:
+  AllWithin(double distance, std::uint32_t max_pairs, Stack<Contact>& pairs)
+      : distance_(distance), max_pairs_(max_pairs), any_touch_(!pairs.empty()), pairs_(pairs) {}
+
+  double reach() const { return distance_; }
+  bool keeps_best() const { return false; }
+  bool is_done() const { return pairs_.size() >= max_pairs_; }
+
+  bool offer(const TriangleGap& gap) {
+    if (!(std::sqrt(gap.nearest.squared_distance) <= distance_)) return false;
+    if (any_touch_ && triangles_intersect(gap.corners_a, gap.corners_b)) return false;
+    pairs_.push({gap.triangle_a, gap.triangle_b});
+    return true;
+  }
+
+ private:
+  double distance_;
+  std::uint32_t max_pairs_;
+  bool any_touch_;  ///< and are known: only then need pairs be asked whether they do
+  Stack<Contact>& pairs_;
+};
+
+/// No less than any difference of two coordinates of the two poses.
+double extent(const RootBox& a, const RootBox& b) {
+  double most = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = a.low[axis] < b.low[axis] ? a.low[axis] : b.low[axis];
+    const double high = a.high[axis] > b.high[axis] ? a.high[axis] : b.high[axis];
+    most = high - low > most ? high - low : most;
+  }
+  return most;
+}
+
+/// The sum of the box's sides.
+float size(const Box8& box) {
+  Float8 sum(0.0f);
+  for (int axis = 0; axis < 3; ++axis) sum = sum + (box.high[axis] - box.low[axis]);
+  return sum.low()[0];
+}
+
+template <typename Goal>
+class PairSearch {
+ public:
+  PairSearch(const PosedTree& a, const PosedTree& b, Scratch& scratch, Goal& goal)
+      : a_(a),
+        b_(b),
+        parts_(scratch.near_parts),
+        goal_(goal),
+        triangles_(goal, extent(root_box(a, work_), root_box(b, work_)), work_) {}
+
+  QueryStats run(const Places* begin = nullptr) {
+    parts_.clear();
+    parts_.push({0, 0, Part::kWhole, 0, Part::kWhole});
+    if (!is_near()) return work_;
+    make_table(a_);
+    make_table(b_);
+    if (begin) look_first(*begin);
+    while (!parts_.empty() && !goal_.is_done()) {
+      const NearParts pair = parts_.pop();
+      if (pair.squared_gap <= triangles_.reach().squared_gap())
+        visit({pair.node_a, pair.slot_a}, {pair.node_b, pair.slot_b});
+    }
+    triangles_.flush();
+    work_.cut_short = goal_.is_done();
+    return work_;
+  }
+
+ private:
+  /// Whether the roots' boxes are within reach.
+  bool is_near() {
+    ++work_.node_pairs;
+    const RootBox &a = root_box(a_, work_), &b = root_box(b_, work_);
+    return is_within_reach(point_box(a.low, a.high), point_box(b.low, b.high));
+  }
+
+  void look_first(const Places& places) {
+    const Part a = {places[0], places[1]}, b = {places[2], places[3]};
+    if (a.node >= a_.tree.nodes.size() || !is_cluster(a_, a)) return;
+    if (b.node >= b_.tree.nodes.size() || !is_cluster(b_, b)) return;
+    open_node(a_, a.node, work_);
+    open_node(b_, b.node, work_);
+    compare(a, b);
+  }
+
+  void visit(const Part& a, const Part& b) {
+    const bool a_is_cluster = is_cluster(a_, a), b_is_cluster = is_cluster(b_, b);
+    if (a_is_cluster && b_is_cluster) return compare(a, b);
+    const Box8 box_a = known_box(a_, a), box_b = known_box(b_, b);
+    if (!is_within_reach(box_a, box_b)) return;
+    if (b_is_cluster || (!a_is_cluster && goes_first(a, box_a, b, box_b))) {
+      replace(a_, a, box_b, [&](std::uint32_t node, unsigned slot, float gap) {
+        return NearParts{gap, node, slot, b.node, b.slot};
+      });
+    } else {
+      replace(b_, b, box_a, [&](std::uint32_t node, unsigned slot, float gap) {
+        return NearParts{gap, a.node, a.slot, node, slot};
+      });
+    }
+  }
+
+  /// Whether a part of the first tree is to be replaced before one of the second: if it is open,
+  /// so that the other may never have to be; else if it is larger.
+  bool goes_first(const Part& a, const Box8& box_a, const Part& b, const Box8& box_b) const {
+    const bool a_is_open = a_.opened[node_of(a_, a)], b_is_open = b_.opened[node_of(b_, b)];
+    return a_is_open != b_is_open ? a_is_open : size(box_a) >= size(box_b);
+  }
+
+  bool is_within_reach(const Box8& a, const Box8& b) const {
+    const Float8 most(triangles_.reach().squared_gap());
+    return ((squared_gap(a, b) <= most).bits() & 1) != 0;
+  }
+
+  void compare(const Part& a, const Part& b) {
+    triangles_.add(cluster_of(a_, a), cluster_of(b_, b), {a.node, a.slot, b.node, b.slot});
+  }
+
+  /// Pushes the pairs of a part's slots with the other part, whose box is `other`.
+  template <typename Pair>
+  void replace(const PosedTree& posed, const Part& part, const Box8& other, const Pair& pair) {
+    ++work_.node_pairs;
+    const std::uint32_t node = node_of(posed, part);
+    const OpenedNode& opened = open_node(posed, node, work_);
+    const Float8 gaps = squared_gaps(opened.low, opened.high, 0, other);
+    const unsigned near = (gaps <= Float8(triangles_.reach().squared_gap())).bits();
+    push_nearest_last(parts_, near & slots_of(posed.tree.nodes.data()[node]), gaps,
+                      [&](unsigned slot, float gap) { return pair(node, slot, gap); });
+  }
+
+  const PosedTree &a_, &b_;
+  Stack<NearParts>& parts_;  // the one on top is next
+  Goal& goal_;
+  QueryStats work_;
+  NearTriangles<Goal> triangles_;
+};
+
+}  // namespace
+
+QueryStats nearest_triangles(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                             const SearchLimits& limits, TriangleGap& nearest) {
+  LeastGap goal(limits, nearest);
+  return PairSearch(a, b, scratch, goal).run(limits.begin);
+}
+
+QueryStats triangles_within(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                            double tolerance, std::uint32_t max_pairs) {
+  AllWithin goal(tolerance, max_pairs, scratch.found);
+  return PairSearch(a, b, scratch, goal).run();
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,42 @@
+#pragma once
+
+/// How near two things must be to matter, as bounds in float that err on the safe side: what is
+/// beyond them is certain to be further than the distance that they were made of.
+///
+/// Rounding. With e = 2^-24, gaps of boxes take one rounding, their squares three, sums two more
+/// and underflow at most 2^-148: within (1 + 8 e) and 2^-148 of what boxes of the real vertices
+/// have. The scalar distance may be kDistanceError times the largest difference of two coordinates
+/// below the real one. Nothing overflows: gaps are at most those of posed vertices, below 2^62.
+
+#include "base/target.hpp"
+#include "geometry/triangle_distance.hpp"
+
+#include <cfloat>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+class Reach {
+ public:
+  /// `extent` is no less than any difference of two coordinates in the query.
+  explicit Reach(double extent) : slack_(extent * kDistanceError) {}
+
+  void set(double distance) {
+    const double beyond = (distance + slack_) * (1 + 0x1p-20) + 0x1p-120;
+    gap_ = static_cast<float>(beyond < FLT_MAX ? beyond : FLT_MAX);
+    const double squared = beyond * beyond + 0x1p-120;
+    squared_gap_ = static_cast<float>(squared < FLT_MAX ? squared : FLT_MAX);
+  }
+
+  /// For gaps of points along a direction.
+  float gap() const { return gap_; }
+  /// For squared gaps of boxes.
+  float squared_gap() const { return squared_gap_; }
+
+ private:
+  double slack_;
+  float gap_ = FLT_MAX, squared_gap_ = FLT_MAX;
+};
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,115 @@
+#pragma once
+
+/// Distances by asking every pair of posed triangles.
+
+#include "geometry/triangle_distance.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <pelt/distance.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace pelt::test {
+
+using detail::nearest_points;
+using detail::TriangleCorners;
+using detail::triangles_intersect;
+
+/// All triangles as they are posed.
+inline std::vector<TriangleCorners> posed_triangles(std::span<const Triangle> triangles,
+                                                    const Pose& pose) {
+  std::vector<Vec3> positions(pose.model().vertex_count());
+  posed_vertices(pose, positions);
+  std::vector<TriangleCorners> posed;
+  for (const Triangle& t : triangles)
+    posed.push_back({positions[t[0]], positions[t[1]], positions[t[2]]});
+  return posed;
+}
+
+inline double triangle_distance(const TriangleCorners& a, const TriangleCorners& b) {
+  return triangles_intersect(a, b) ? 0 : std::sqrt(nearest_points(a, b).squared_distance);
+}
+
+struct BruteDistance {
+  double distance = std::numeric_limits<double>::infinity();
+  std::uint32_t triangle_a = 0, triangle_b = 0;
+};
+
+/// The gap of two boxes on an axis, in double.
+inline double axis_gap(const TriangleCorners& a, const TriangleCorners& b, float Vec3::*axis) {
+  const auto low = [&](const TriangleCorners& t) {
+    return double{std::min({t[0].*axis, t[1].*axis, t[2].*axis})};
+  };
+  const auto high = [&](const TriangleCorners& t) {
+    return double{std::max({t[0].*axis, t[1].*axis, t[2].*axis})};
+  };
+  return std::max({low(a) - high(b), low(b) - high(a), 0.0});
+}
+
+inline double box_gap(const TriangleCorners& a, const TriangleCorners& b) {
+  const double x = axis_gap(a, b, &Vec3::x), y = axis_gap(a, b, &Vec3::y);
+  const double z = axis_gap(a, b, &Vec3::z);
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+/// The least distance, and of the pairs that have it the lowest.
+inline BruteDistance brute_distance(std::span<const TriangleCorners> a,
+                                    std::span<const TriangleCorners> b) {
+  BruteDistance best;
+  double best_squared = best.distance;
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::uint32_t j = 0; j < b.size(); ++j) {
+      if (box_gap(a[i], b[j]) > best.distance * (1 + 1e-6) + 1e-30) continue;
+      const double squared =
+          triangles_intersect(a[i], b[j]) ? 0 : nearest_points(a[i], b[j]).squared_distance;
+      if (!(squared < best_squared)) continue;
+      best_squared = squared;
+      best = {std::sqrt(squared), i, j};
+    }
+  return best;
+}
+
+/// All pairs within a distance, ascending.
+inline std::vector<Contact> brute_clearance(std::span<const TriangleCorners> a,
+                                            std::span<const TriangleCorners> b, double tolerance) {
+  std::vector<Contact> pairs;
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::uint32_t j = 0; j < b.size(); ++j)
+      if (box_gap(a[i], b[j]) <= tolerance * (1 + 1e-6) &&
+          triangle_distance(a[i], b[j]) <= tolerance)
+        pairs.push_back({i, j});
+  return pairs;
+}
+
+/// What an answer says, to be compared in every bit.
+inline bool same(const Distance& x, const Distance& y) {
+  const auto same_point = [](const SurfacePoint& p, const SurfacePoint& q) {
+    return p.triangle == q.triangle && p.barycentrics == q.barycentrics && p.position == q.position;
+  };
+  return x.distance == y.distance && x.lower_bound == y.lower_bound && same_point(x.a, y.a) &&
+         same_point(x.b, y.b);
+}
+
+/// Two limbs in random poses, some of which touch.
+struct Limbs {
+  Shape shape_a = make_limb(24, 10, 5), shape_b = make_limb(17, 9, 4);
+  Pose a = Pose(*build_model(shape_a.view())), b = Pose(*build_model(shape_b.view()));
+  Scratch scratch;
+
+  void move(Random& random, double distance) {
+    ASSERT_TRUE(a.set_palette(bend_limb(random, 5, random.uniform(-0.6, 0.6), {})));
+    ASSERT_TRUE(
+        b.set_palette(bend_limb(random, 4, random.uniform(-0.6, 0.6), random.point(distance))));
+  }
+
+  std::vector<TriangleCorners> triangles_a() const { return posed_triangles(shape_a.triangles, a); }
+  std::vector<TriangleCorners> triangles_b() const { return posed_triangles(shape_b.triangles, b); }
+};
+
+}  // namespace pelt::test

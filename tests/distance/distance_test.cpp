@@ -1,0 +1,288 @@
+#include <pelt/distance.hpp>
+
+#include "brute_distance.hpp"
+#include "support/targets.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelt {
+namespace {
+
+using detail::point_at;
+using test::brute_distance;
+using test::BruteDistance;
+using test::Limbs;
+using test::Motion;
+using test::posed_triangles;
+using test::Random;
+using test::same;
+using test::Shape;
+using test::TriangleCorners;
+using test::Weights;
+
+Distance distance_of(Pose& a, Pose& b, Scratch& scratch, const DistanceOptions& options = {}) {
+  Distance nearest;
+  distance(a, b, scratch, nearest, options);
+  return nearest;
+}
+
+void expect_equal(const Distance& found, const BruteDistance& expected) {
+  ASSERT_EQ(found.distance, expected.distance);
+  ASSERT_EQ(found.lower_bound, expected.distance);
+  ASSERT_EQ(found.a.triangle, expected.triangle_a);
+  ASSERT_EQ(found.b.triangle, expected.triangle_b);
+}
+
+TEST(Distance, EqualsBruteForceOnBendingLimbs) {
+  Random random(110);
+  Limbs limbs;
+  int touching = 0, apart = 0;
+  for (int round = 0; round < 60; ++round) {
+    limbs.move(random, round % 3 == 0 ? 0.3 : round % 3 == 1 ? 1 : 30);
+    const BruteDistance expected = brute_distance(limbs.triangles_a(), limbs.triangles_b());
+    expect_equal(distance_of(limbs.a, limbs.b, limbs.scratch), expected);
+    ASSERT_FALSE(HasFatalFailure()) << "round " << round;
+    ASSERT_EQ(intersects(limbs.a, limbs.b, limbs.scratch), expected.distance == 0);
+    ++(expected.distance == 0 ? touching : apart);
+  }
+  EXPECT_GT(touching, 4);
+  EXPECT_GT(apart, 30);
+}
+
+TEST(Distance, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
+  Random random(111);
+  Scratch scratch;
+  int touching = 0, apart = 0;
+  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
+    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial})
+      for (const float shift : {0.0f, 2.0f, 6.0f}) {
+        const Shape a = test::make_soup(random, 150, 6, 3, weights);
+        const Shape b = test::make_soup(random, 120, 5, 4, weights);
+        Pose pose_a(*build_model(a.view())), pose_b(*build_model(b.view()));
+        auto palette = test::make_palette(random, 5, motion, 0.2);
+        for (Matrix4& m : palette) m.m[12] += shift;
+        ASSERT_TRUE(pose_a.set_palette(test::make_palette(random, 6, motion, 0.2)));
+        ASSERT_TRUE(pose_b.set_palette(palette));
+        const BruteDistance expected = brute_distance(posed_triangles(a.triangles, pose_a),
+                                                      posed_triangles(b.triangles, pose_b));
+        expect_equal(distance_of(pose_a, pose_b, scratch), expected);
+        ASSERT_FALSE(HasFatalFailure());
+        ++(expected.distance == 0 ? touching : apart);
+      }
+  EXPECT_GT(touching, 5);
+  EXPECT_GT(apart, 5);
+}
+
+/// Triangles that lie flat, one for each three points, moved by one joint.
+Shape flat_shape(const std::vector<Vec3>& corners) {
+  Shape shape;
+  shape.rest_positions = corners;
+  shape.influences_per_vertex = 1;
+  for (std::uint32_t i = 0; i + 2 < corners.size(); i += 3)
+    shape.triangles.push_back({i, i + 1, i + 2});
+  shape.joints.resize(corners.size(), 0);
+  shape.weights.resize(corners.size(), 1);
+  return shape;
+}
+
+double distance_of_shapes(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  Pose pose_a(*build_model(flat_shape(a).view())), pose_b(*build_model(flat_shape(b).view()));
+  Scratch scratch;
+  return distance_of(pose_a, pose_b, scratch).distance;
+}
+
+TEST(Distance, IsZeroOnlyWhereTrianglesTouch) {
+  const std::vector<Vec3> t = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  EXPECT_EQ(distance_of_shapes(t, {{0, 0, 0}, {0, 0, 3}, {-1, 0, 3}}), 0) << "one corner";
+  EXPECT_EQ(distance_of_shapes(t, {{1, 1, 0}, {1, 1, 3}, {2, 1, 3}}), 0) << "corner on face";
+  EXPECT_EQ(distance_of_shapes(t, {{1, 1, -1}, {1, 1, 3}, {9, 9, 3}}), 0) << "pierced";
+  EXPECT_EQ(distance_of_shapes(t, {{1, 1, 0}, {9, 1, 0}, {1, 9, 0}}), 0) << "coplanar";
+  EXPECT_EQ(distance_of_shapes(t, {{1, 1, 0}, {1, 1, 0}, {1, 1, 0}}), 0) << "a point";
+  EXPECT_EQ(distance_of_shapes(t, {{1, 1, 2}, {1, 1, 2}, {1, 1, 2}}), 2) << "a point above";
+  EXPECT_EQ(distance_of_shapes(t, {{-3, 0, 0}, {-9, 0, 0}, {-9, 4, 0}}), 3) << "coplanar, apart";
+  EXPECT_EQ(distance_of_shapes(t, {{1, -9, 5}, {1, 9, 5}, {1, 9, 9}}), 5) << "edge over face";
+  const float least = 0x1p-149f;
+  EXPECT_EQ(distance_of_shapes(t, {{1, 1, least}, {1, 1, 3}, {2, 1, 3}}), 0x1p-149);
+}
+
+TEST(Distance, OfABodyInsideAnotherIsNotZero) {
+  const Shape limb = test::make_limb(24, 10, 5);
+  Pose outer(*build_model(limb.view())), inner(outer.model());
+  std::vector<Matrix4> shrunk(5);
+  for (Matrix4& m : shrunk) m.m[0] = m.m[5] = m.m[10] = 0.25f, m.m[13] = 0.3f;
+  ASSERT_TRUE(inner.set_palette(shrunk));
+  Scratch scratch;
+  const Distance nearest = distance_of(outer, inner, scratch);
+  EXPECT_GT(nearest.distance, 0.001);
+  expect_equal(nearest, brute_distance(posed_triangles(limb.triangles, outer),
+                                       posed_triangles(limb.triangles, inner)));
+}
+
+/// Two limbs, their size times `scale`, `shift` from the origin.
+void expect_brute_force_at(double scale, double shift, double apart, std::uint64_t seed) {
+  Random random(seed);
+  Limbs limbs;
+  const auto placed = [&](std::vector<Matrix4> palette, double x) {
+    for (Matrix4& m : palette) {
+      for (float& e : m.m) e = static_cast<float>(e * scale);
+      m.m[12] += static_cast<float>(x + shift), m.m[14] += static_cast<float>(shift), m.m[15] = 1;
+      m.m[3] = m.m[7] = m.m[11] = 0;
+    }
+    return palette;
+  };
+  for (int round = 0; round < 5; ++round) {
+    ASSERT_TRUE(limbs.a.set_palette(placed(test::bend_limb(random, 5, 0.4, {}), 0)));
+    ASSERT_TRUE(limbs.b.set_palette(placed(test::bend_limb(random, 4, 0.4, {}), apart * scale)));
+    const BruteDistance expected = brute_distance(limbs.triangles_a(), limbs.triangles_b());
+    EXPECT_GT(expected.distance, 0);
+    expect_equal(distance_of(limbs.a, limbs.b, limbs.scratch), expected);
+  }
+}
+
+TEST(Distance, HugeTinyAndFarFromTheOrigin) {
+  expect_brute_force_at(0x1p50, 0, 2, 112);
+  expect_brute_force_at(0x1p-50, 0, 2, 113);
+  expect_brute_force_at(1, 1000, 2, 114);
+  expect_brute_force_at(1, 100000, 1.5, 115);
+}
+
+TEST(Distance, IsTheSameOnAllTargets) {
+  Random random(116);
+  Limbs limbs;
+  for (int round = 0; round < 20; ++round) {
+    const auto palette_a = test::bend_limb(random, 5, 0.3, {});
+    const auto palette_b = test::bend_limb(random, 4, 0.3, random.point(round % 2 ? 1 : 5));
+    std::vector<Distance> answers;
+    std::vector<QueryStats> stats;
+    test::on_each_target([&](Target) {
+      ASSERT_TRUE(limbs.a.set_palette(palette_a) && limbs.b.set_palette(palette_b));
+      stats.push_back(distance(limbs.a, limbs.b, limbs.scratch, answers.emplace_back()));
+    });
+    for (const Distance& answer : answers) ASSERT_TRUE(same(answer, answers[0]));
+    for (const QueryStats& work : stats) {
+      EXPECT_EQ(work.node_pairs, stats[0].node_pairs);
+      EXPECT_EQ(work.triangle_pairs, stats[0].triangle_pairs);
+    }
+  }
+}
+
+TEST(Distance, HintsAndEarlierQueriesChangeNoAnswer) {
+  Random random(117);
+  Limbs limbs;
+  Distance last;
+  std::uint64_t without = 0, with = 0;
+  for (int round = 0; round < 40; ++round) {
+    const auto palette_a = test::bend_limb(random, 5, 0.3, {});
+    const auto palette_b = test::bend_limb(random, 4, 0.3, random.point(2));
+    Distance answers[4];
+    const auto fresh = [&] {
+      ASSERT_TRUE(limbs.a.set_palette(palette_a));
+      ASSERT_TRUE(limbs.b.set_palette(palette_b));
+    };
+    fresh();
+    without += distance(limbs.a, limbs.b, limbs.scratch, answers[0]).triangle_pairs;
+    with += distance(limbs.a, limbs.b, limbs.scratch, answers[1], {.hint = answers}).triangle_pairs;
+    Distance wild;
+    wild.places = {static_cast<std::uint32_t>(random.bits()), 3, random.index(9), random.index(9)};
+    fresh();
+    distance(limbs.a, limbs.b, limbs.scratch, answers[2], {.hint = round % 2 ? &wild : &last});
+    fresh();
+    ClosestPoint closest;
+    closest_point(limbs.a, random.point(1), limbs.scratch, closest);
+    is_within(limbs.b, limbs.a, 0.1, limbs.scratch);
+    distance(limbs.a, limbs.b, limbs.scratch, answers[3]);
+    for (const Distance& answer : answers) ASSERT_TRUE(same(answer, answers[0]));
+    last = answers[0];
+  }
+  EXPECT_LT(with, without);
+}
+
+TEST(Distance, SwappingTheBodiesSwapsTheWitnesses) {
+  Random random(118);
+  Limbs limbs;
+  int compared = 0;
+  for (int round = 0; round < 40; ++round) {
+    limbs.move(random, 2);
+    const Distance forward = distance_of(limbs.a, limbs.b, limbs.scratch);
+    const Distance backward = distance_of(limbs.b, limbs.a, limbs.scratch);
+    ASSERT_NEAR(forward.distance, backward.distance, 1e-13);
+    compared += forward.distance > 0;
+  }
+  EXPECT_GT(compared, 20);
+}
+
+TEST(Distance, WitnessesHaveTheDistance) {
+  Random random(119);
+  Limbs limbs;
+  int touching = 0;
+  for (int round = 0; round < 60; ++round) {
+    limbs.move(random, round % 2 ? 2 : 0.2);
+    const Distance nearest = distance_of(limbs.a, limbs.b, limbs.scratch);
+    const detail::Vec3d way = detail::Vec3d(nearest.a.position) - detail::Vec3d(nearest.b.position);
+    EXPECT_NEAR(std::sqrt(squared_length(way)), nearest.distance, 1e-6);
+    const auto corners = limbs.triangles_a()[nearest.a.triangle];
+    const auto& at = nearest.a.barycentrics;
+    const detail::Vec3d p = point_at(corners, {at[0], at[1], at[2]});
+    EXPECT_NEAR(std::sqrt(squared_length(p - detail::Vec3d(nearest.a.position))), 0, 1e-6);
+    touching += nearest.distance == 0;
+  }
+  EXPECT_GT(touching, 10);
+  EXPECT_LT(touching, 50);
+}
+
+TEST(Distance, BeyondTheMaximumNothingIsFound) {
+  Random random(120);
+  Limbs limbs;
+  for (int round = 0; round < 30; ++round) {
+    limbs.move(random, 3);
+    const Distance exact = distance_of(limbs.a, limbs.b, limbs.scratch);
+    if (exact.distance == 0) continue;
+    EXPECT_TRUE(same(
+        exact, distance_of(limbs.a, limbs.b, limbs.scratch, {.max_distance = exact.distance})));
+    const double less = std::nextafter(exact.distance, 0);
+    const Distance none = distance_of(limbs.a, limbs.b, limbs.scratch, {.max_distance = less});
+    EXPECT_FALSE(none.found());
+    EXPECT_EQ(none.lower_bound, less);
+  }
+  ASSERT_TRUE(limbs.b.set_palette(test::bend_limb(random, 4, 0.1, {50, 0, 0})));
+  Distance far;
+  const QueryStats stats = distance(limbs.a, limbs.b, limbs.scratch, far, {.max_distance = 40});
+  EXPECT_FALSE(far.found());
+  EXPECT_EQ(stats.posed_vertices, 0u) << "boxes of whole poses say it";
+}
+
+TEST(Distance, ToleranceSavesWorkAndProvesALowerBound) {
+  Random random(121);
+  Limbs limbs;
+  std::uint64_t exact_work = 0, work = 0;
+  for (int round = 0; round < 30; ++round) {
+    const auto palette_a = test::bend_limb(random, 5, 0.3, {});
+    const auto palette_b = test::bend_limb(random, 4, 0.3, {1.5f, 0, 0});
+    Distance exact, rough;
+    ASSERT_TRUE(limbs.a.set_palette(palette_a) && limbs.b.set_palette(palette_b));
+    exact_work += distance(limbs.a, limbs.b, limbs.scratch, exact).node_pairs;
+    ASSERT_TRUE(limbs.a.set_palette(palette_a) && limbs.b.set_palette(palette_b));
+    work += distance(limbs.a, limbs.b, limbs.scratch, rough, {.tolerance = 0.2}).node_pairs;
+    EXPECT_GE(rough.distance, exact.distance);
+    EXPECT_LE(rough.distance, exact.distance + 0.2);
+    EXPECT_LE(rough.lower_bound, exact.distance);
+    EXPECT_GE(rough.lower_bound, rough.distance - 0.2);
+  }
+  EXPECT_LT(work, exact_work);
+}
+
+TEST(Distance, ToAMeshThatDoesNotMove) {
+  Shape ground = test::make_limb(12, 8, 1);
+  ground.joints.assign(ground.joints.size(), 0);
+  Pose still(*build_model(ground.view()));
+  Random random(122);
+  Limbs limbs;
+  for (int round = 0; round < 10; ++round) {
+    limbs.move(random, 1);
+    expect_equal(distance_of(limbs.b, still, limbs.scratch),
+                 brute_distance(limbs.triangles_b(), posed_triangles(ground.triangles, still)));
+  }
+}
+
+}  // namespace
+}  // namespace pelt
