@@ -3,6 +3,8 @@
 #include "base/wide_code.hpp"
 #include "collide/sort_contacts.hpp"
 
+#include <limits>
+
 namespace pelt::bench {
 
 ExactPose::ExactPose(const detail::Tree& tree)
@@ -35,6 +37,13 @@ QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
   detail::sort_contacts(scratch.found, scratch.sorting);
   contacts.insert(contacts.end(), scratch.found.begin(), scratch.found.end());
   return work;
+}
+
+QueryStats distance(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
+                    detail::TriangleGap& nearest) {
+  const detail::SearchLimits limits = {std::numeric_limits<double>::infinity(), 0, nullptr};
+  return detail::wide_code().nearest_triangles(a.posed_tree(), b.posed_tree(), scratch, limits,
+                                               nearest);
 }
 
 }  // namespace pelt::bench

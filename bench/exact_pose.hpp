@@ -2,6 +2,7 @@
 
 /// A pose whose nodes are all open, with exact boxes: what methods without refit on demand have.
 
+#include "distance/pair_search.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"
 
@@ -25,6 +26,8 @@ class ExactPose {
  private:
   friend QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
                             std::vector<Contact>& contacts, const CollideOptions& options);
+  friend QueryStats distance(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
+                             detail::TriangleGap& nearest);
 
   void close_all();
   detail::PosedTree posed_tree();
@@ -40,5 +43,9 @@ class ExactPose {
 /// Appends the contacts, ascending. Precondition: all is open in both.
 QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
                    std::vector<Contact>& contacts, const CollideOptions& options);
+
+/// The nearest triangles. Preconditions: all is open in both, which touch nowhere.
+QueryStats distance(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
+                    detail::TriangleGap& nearest);
 
 }  // namespace pelt::bench
