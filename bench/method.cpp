@@ -189,6 +189,20 @@ std::optional<MethodKind> find_method(std::string_view name) {
   return static_cast<MethodKind>(found - kNames.begin());
 }
 
+Skins skinning_of(MethodKind kind) {
+  switch (kind) {
+    case MethodKind::on_demand:
+    case MethodKind::paper:
+    case MethodKind::paper_eq2:
+    case MethodKind::bd_tree:
+      return Skins::where_queried;
+    case MethodKind::eager:
+      return Skins::with_boxes;
+    default:
+      return Skins::first;
+  }
+}
+
 std::unique_ptr<Method> make_method(MethodKind kind) {
   switch (kind) {
     case MethodKind::on_demand:

@@ -36,6 +36,15 @@ std::span<const std::string_view> method_names();
 std::string_view name_of(MethodKind kind);
 std::optional<MethodKind> find_method(std::string_view name);
 
+/// When a method skins.
+enum class Skins {
+  first,          ///< all vertices, before anything else is done with a palette
+  with_boxes,     ///< all vertices, node by node as the boxes around them are taken
+  where_queried,  ///< those that a query comes to
+};
+
+Skins skinning_of(MethodKind kind);
+
 /// Posed bodies that can be asked for their contacts. Bodies are numbered in the order of `add`.
 class Method {
  public:

@@ -32,6 +32,8 @@ class FreshSide {
 template <typename Body>
 class AabbMethod final : public PosedMeshMethod {
  public:
+  explicit AabbMethod(const TreeOptions& options) : shapes_(options.leaf_triangles) {}
+
   void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
     bodies_.emplace_back(triangles, rest, shapes_);
   }
@@ -78,30 +80,32 @@ class RefitBody {
 
 class RebuiltBody {
  public:
-  RebuiltBody(std::span<const Triangle> triangles, std::span<const Vec3>, SharedShapes<TreeShape>&)
-      : triangles_(triangles) {}
+  RebuiltBody(std::span<const Triangle> triangles, std::span<const Vec3>,
+              SharedShapes<TreeShape>& shapes)
+      : triangles_(triangles), leaf_triangles_(shapes.leaf_triangles()) {}
 
   void update(std::span<const Vec3> positions) {
     points_ = Points(positions);
-    tree_ = build_box_tree(triangles_, points_);
+    tree_ = build_box_tree(triangles_, points_, leaf_triangles_);
   }
 
   FreshSide side() const { return {tree_.nodes, tree_.order, triangles_, points_}; }
 
  private:
   std::span<const Triangle> triangles_;
+  std::uint32_t leaf_triangles_;
   Points points_;
   BoxTree tree_;
 };
 
 }  // namespace
 
-std::unique_ptr<PosedMeshMethod> make_aabb_refit() {
-  return std::make_unique<AabbMethod<RefitBody>>();
+std::unique_ptr<PosedMeshMethod> make_aabb_refit(const TreeOptions& options) {
+  return std::make_unique<AabbMethod<RefitBody>>(options);
 }
 
-std::unique_ptr<PosedMeshMethod> make_aabb_rebuild() {
-  return std::make_unique<AabbMethod<RebuiltBody>>();
+std::unique_ptr<PosedMeshMethod> make_aabb_rebuild(const TreeOptions& options) {
+  return std::make_unique<AabbMethod<RebuiltBody>>(options);
 }
 
 }  // namespace pelt::rivals

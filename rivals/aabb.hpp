@@ -7,7 +7,7 @@
 /// leaves to the root. What collision libraries do for meshes that deform.
 /// AabbRebuild: the same tree built afresh, which is tighter and dearer.
 ///
-/// Strengthened: built by the surface area heuristic where the source cuts at medians; up to four
+/// Strengthened: built by the surface area heuristic where the source cuts at medians; several
 /// triangles in a leaf; leaves are refitted around lists of their vertices, in which none is twice,
 /// and in the order in which they lie in memory; both trees are descended at once.
 
@@ -17,7 +17,11 @@
 
 namespace pelt::rivals {
 
-std::unique_ptr<PosedMeshMethod> make_aabb_refit();
-std::unique_ptr<PosedMeshMethod> make_aabb_rebuild();
+struct TreeOptions {
+  std::uint32_t leaf_triangles = 8;  ///< at most; 1 to 32
+};
+
+std::unique_ptr<PosedMeshMethod> make_aabb_refit(const TreeOptions& options = {});
+std::unique_ptr<PosedMeshMethod> make_aabb_rebuild(const TreeOptions& options = {});
 
 }  // namespace pelt::rivals

@@ -39,6 +39,14 @@ class Points {
   std::uint32_t last_ = 0;
 };
 
+/// Of the first `count` points.
+inline Box4 box_of(const Points& points, std::uint32_t count) {
+  Box4 box = detail::empty_box();
+  for (std::uint32_t v = 0; v < count; ++v)
+    box = {min(box.low, points[v]), max(box.high, points[v])};
+  return box;
+}
+
 /// Touching counts.
 inline bool overlap(const Box4& a, const Box4& b) {
   constexpr unsigned kThreeLanes = 7;

@@ -60,7 +60,8 @@ void improve(Cut& best, int axis, std::span<const Bin> bins) {
 
 class Builder {
  public:
-  Builder(std::span<const Triangle> triangles, const Points& points) : items_(triangles.size()) {
+  Builder(std::span<const Triangle> triangles, const Points& points, std::uint32_t leaf_triangles)
+      : leaf_triangles_(leaf_triangles), items_(triangles.size()) {
     for (std::uint32_t t = 0; t < items_.size(); ++t) {
       items_[t] = {{}, t, {}, 0};
       items_[t].set_box(points.box_of(triangles[t]));
@@ -71,7 +72,7 @@ class Builder {
     tree_.nodes.reserve(items_.size());
     add_leaf(0, static_cast<std::uint32_t>(items_.size()));
     for (std::uint32_t n = 0; n < tree_.nodes.size(); ++n)
-      if (tree_.nodes[n].count > kMaxLeafTriangles) split(n);
+      if (tree_.nodes[n].count > leaf_triangles_) split(n);
     for (const Item& item : items_) tree_.order.push_back(item.first);
     return std::move(tree_);
   }
@@ -123,14 +124,16 @@ class Builder {
     return static_cast<std::uint32_t>(right - items.begin());
   }
 
+  std::uint32_t leaf_triangles_;
   std::vector<Item> items_;
   BoxTree tree_;
 };
 
 }  // namespace
 
-BoxTree build_box_tree(std::span<const Triangle> triangles, const Points& points) {
-  return Builder(triangles, points).build();
+BoxTree build_box_tree(std::span<const Triangle> triangles, const Points& points,
+                       std::uint32_t leaf_triangles) {
+  return Builder(triangles, points, leaf_triangles).build();
 }
 
 }  // namespace pelt::rivals

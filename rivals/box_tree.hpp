@@ -14,7 +14,7 @@ namespace pelt::rivals {
 /// 0 and the children are first and first + 1.
 using BoxNode = NumberedBox;
 
-inline constexpr std::uint32_t kMaxLeafTriangles = 8;
+inline constexpr std::uint32_t kMostLeafTriangles = 32;
 
 /// Breadth first: the root is node 0, children come after their parents and side by side.
 struct BoxTree {
@@ -22,8 +22,9 @@ struct BoxTree {
   std::vector<std::uint32_t> order;  // [T] triangles, those of a leaf side by side
 };
 
-/// Precondition: there is at least one triangle. O(T log T) unless the boxes are made to prevent
-/// it.
-BoxTree build_box_tree(std::span<const Triangle> triangles, const Points& points);
+/// Leaves have at most `leaf_triangles`. O(T log T) unless the boxes are made to prevent it.
+/// Precondition: there is at least one triangle, and 1 <= leaf_triangles <= kMostLeafTriangles.
+BoxTree build_box_tree(std::span<const Triangle> triangles, const Points& points,
+                       std::uint32_t leaf_triangles);
 
 }  // namespace pelt::rivals

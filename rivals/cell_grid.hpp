@@ -66,6 +66,12 @@ class CellGrid {
   Float4 last_ = Float4(0.0f);
 };
 
+/// Cells of edge `edge` from the corner `low` as far as they can be numbered.
+inline CellGrid endless_grid(const Float4& low, float edge) {
+  constexpr std::uint32_t kLast = CellGrid::kMostOnAxis - 1;
+  return {low, edge, {kLast, kLast, kLast}};
+}
+
 /// The mean length of the triangles' edges.
 float mean_edge(std::span<const Triangle> triangles, std::span<const Vec3> positions);
 

@@ -1,67 +1,10 @@
 #include "rivals/hash.hpp"
 
-#include "rivals/cell_grid.hpp"
+#include "rivals/cell_table.hpp"
 #include "rivals/pair_tests.hpp"
-
-#include <bit>
 
 namespace pelt::rivals {
 namespace {
-
-/// The cells of one body, and which of its triangles touch each.
-class CellTable {
- public:
-  explicit CellTable(std::size_t triangle_count)
-      : places_(std::bit_ceil(2 * triangle_count)), mask_(places_.size() - 1) {}
-
-  void clear() {
-    entries_.clear();
-    if (++stamp_ != 0) return;
-    std::fill(places_.begin(), places_.end(), Place{});
-    stamp_ = 1;
-  }
-
-  void add(const Cell& cell, std::uint32_t triangle) {
-    Place& place = places_[place_of(cell)];
-    const std::uint32_t next = place.stamp == stamp_ ? place.last_entry : kNone;
-    place = {stamp_, static_cast<std::uint32_t>(entries_.size())};
-    entries_.push_back({key_of(cell), triangle, next});
-  }
-
-  template <typename Visit>
-  void visit(const Cell& cell, const Visit& visit) const {
-    const Place& place = places_[place_of(cell)];
-    if (place.stamp != stamp_) return;
-    const std::uint64_t key = key_of(cell);
-    for (std::uint32_t e = place.last_entry; e != kNone; e = entries_[e].next)
-      if (entries_[e].key == key) visit(entries_[e].triangle);
-  }
-
- private:
-  static constexpr std::uint32_t kNone = ~0u;
-
-  struct Place {
-    std::uint32_t stamp = 0, last_entry = 0;
-  };
-
-  struct Entry {
-    std::uint64_t key;
-    std::uint32_t triangle, next;
-  };
-
-  std::size_t place_of(const Cell& cell) const {
-    return (cell[0] * 73856093u ^ cell[1] * 19349663u ^ cell[2] * 83492791u) & mask_;
-  }
-
-  static std::uint64_t key_of(const Cell& cell) {
-    return cell[0] | std::uint64_t{cell[1]} << 20 | std::uint64_t{cell[2]} << 40;
-  }
-
-  std::vector<Place> places_;
-  std::size_t mask_;
-  std::vector<Entry> entries_;
-  std::uint32_t stamp_ = 0;
-};
 
 class HashedBody {
  public:
@@ -72,17 +15,15 @@ class HashedBody {
 
   void update(std::span<const Vec3> positions) {
     points_ = Points(positions);
-    take_boxes();
-    table_.clear();
-    large_.clear();
-    constexpr std::uint32_t kLast = CellGrid::kMostOnAxis - 1;
-    grid_ = CellGrid(box_.low, cell_edge_, {kLast, kLast, kLast});
-    for (std::uint32_t t = 0; t < boxes_.size(); ++t) enter(t);
+    box_ = box_of(points_, static_cast<std::uint32_t>(positions.size()));
+    has_boxes_ = is_entered_ = false;
   }
 
   /// Adds the pairs of this body's triangles with another's whose boxes overlap.
-  void find_pairs(const HashedBody& other, PairTests& tests) const {
+  void find_pairs(HashedBody& other, PairTests& tests) {
     if (!overlap(box_, other.box_)) return;
+    enter_all();
+    other.take_boxes();
     for (std::uint32_t t = 0; t < other.boxes_.size() && !tests.full(); ++t)
       if (overlap(other.boxes_[t], box_)) look_up(other.boxes_[t], t, tests);
   }
@@ -91,11 +32,19 @@ class HashedBody {
 
  private:
   void take_boxes() {
-    box_ = detail::empty_box();
-    for (std::size_t t = 0; t < boxes_.size(); ++t) {
-      boxes_[t] = points_.box_of(triangles_[t]);
-      box_ = unite(box_, boxes_[t]);
-    }
+    if (has_boxes_) return;
+    for (std::size_t t = 0; t < boxes_.size(); ++t) boxes_[t] = points_.box_of(triangles_[t]);
+    has_boxes_ = true;
+  }
+
+  void enter_all() {
+    if (is_entered_) return;
+    take_boxes();
+    table_.clear();
+    large_.clear();
+    grid_ = endless_grid(box_.low, cell_edge_);
+    for (std::uint32_t t = 0; t < boxes_.size(); ++t) enter(t);
+    is_entered_ = true;
   }
 
   void enter(std::uint32_t t) {
@@ -133,7 +82,8 @@ class HashedBody {
   Box4 box_ = detail::empty_box();
   CellGrid grid_;
   CellTable table_;
-  std::vector<std::uint32_t> large_;  // triangles that touch too many cells
+  std::vector<std::uint32_t> large_;             // triangles that touch too many cells
+  bool has_boxes_ = false, is_entered_ = false;  // since the last update
 };
 
 class Hash final : public PosedMeshMethod {

@@ -12,8 +12,9 @@ namespace {
 /// A tree and the level at which it is cut in two. Levels are contiguous in it: the upper nodes are
 /// [0, cut), those at the cut [cut, below).
 struct HybridShape {
-  HybridShape(std::span<const Triangle> triangles, std::span<const Vec3> rest)
-      : shape(triangles, rest) {
+  HybridShape(std::span<const Triangle> triangles, std::span<const Vec3> rest,
+              std::uint32_t leaf_triangles)
+      : shape(triangles, rest, leaf_triangles) {
     const std::vector<std::uint32_t> level_begin = levels();
     const std::size_t middle = level_begin.size() / 2;
     cut = level_begin[middle];
@@ -116,6 +117,8 @@ class HybridBody {
 
 class Hybrid final : public PosedMeshMethod {
  public:
+  explicit Hybrid(const TreeOptions& options) : shapes_(options.leaf_triangles) {}
+
   void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
     bodies_.emplace_back(triangles, shapes_.of(triangles, rest));
   }
@@ -144,6 +147,8 @@ class Hybrid final : public PosedMeshMethod {
 
 }  // namespace
 
-std::unique_ptr<PosedMeshMethod> make_hybrid() { return std::make_unique<Hybrid>(); }
+std::unique_ptr<PosedMeshMethod> make_hybrid(const TreeOptions& options) {
+  return std::make_unique<Hybrid>(options);
+}
 
 }  // namespace pelt::rivals

@@ -8,12 +8,12 @@
 /// Strengthened as aabb.hpp; and the boxes at the cut, which cost most, are taken around lists of
 /// vertices in which none is twice.
 
-#include "rivals/posed_mesh_method.hpp"
+#include "rivals/aabb.hpp"
 
 #include <memory>
 
 namespace pelt::rivals {
 
-std::unique_ptr<PosedMeshMethod> make_hybrid();
+std::unique_ptr<PosedMeshMethod> make_hybrid(const TreeOptions& options = {});
 
 }  // namespace pelt::rivals

@@ -23,7 +23,16 @@ class PairTests {
   /// Whether no more contacts are wanted; what else is added is forgotten.
   bool full() const { return left_ == 0; }
 
-  /// Tests what waits. Returns how many pairs were tested, and whether max_contacts was reached.
+  /// Tests what waits.
+  void test() {
+    if (count_ > 0 && !full()) {
+      tested_ += count_;
+      report(touching_(a_, b_, waiting_, count_));
+    }
+    count_ = 0;
+  }
+
+  /// The same at the end. Returns how many pairs were tested, and whether max_contacts was reached.
   QueryStats finish() {
     test();
     QueryStats work;
@@ -33,14 +42,6 @@ class PairTests {
   }
 
  private:
-  void test() {
-    if (count_ > 0 && !full()) {
-      tested_ += count_;
-      report(touching_(a_, b_, waiting_, count_));
-    }
-    count_ = 0;
-  }
-
   void report(unsigned lanes) {
     for (std::uint32_t lane = 0; lanes >> lane != 0 && !full(); ++lane) {
       if ((lanes >> lane & 1) == 0) continue;

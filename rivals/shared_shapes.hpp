@@ -13,13 +13,19 @@ namespace pelt::rivals {
 template <typename Shape>
 class SharedShapes {
  public:
+  explicit SharedShapes(std::uint32_t leaf_triangles) : leaf_triangles_(leaf_triangles) {}
+
+  /// How many triangles a leaf has at most.
+  std::uint32_t leaf_triangles() const { return leaf_triangles_; }
+
   const Shape& of(std::span<const Triangle> triangles, std::span<const Vec3> rest) {
     std::unique_ptr<Shape>& shape = shapes_[triangles.data()];
-    if (!shape) shape = std::make_unique<Shape>(triangles, rest);
+    if (!shape) shape = std::make_unique<Shape>(triangles, rest, leaf_triangles_);
     return *shape;
   }
 
  private:
+  std::uint32_t leaf_triangles_;
   std::map<const Triangle*, std::unique_ptr<Shape>> shapes_;
 };
 

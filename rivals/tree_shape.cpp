@@ -28,8 +28,10 @@ std::vector<std::uint32_t> leaves_of(const BoxTree& tree) {
 
 }  // namespace
 
-TreeShape::TreeShape(std::span<const Triangle> triangles, std::span<const Vec3> rest)
-    : tree(build_box_tree(triangles, Points(rest))), vertices_of(tree.nodes.size()) {
+TreeShape::TreeShape(std::span<const Triangle> triangles, std::span<const Vec3> rest,
+                     std::uint32_t leaf_triangles)
+    : tree(build_box_tree(triangles, Points(rest), leaf_triangles)),
+      vertices_of(tree.nodes.size()) {
   for (const std::uint32_t n : leaves_of(tree)) {
     const BoxNode& leaf = tree.nodes[n];
     const auto corners = corners_of(triangles, {tree.order.data() + leaf.first, leaf.count});

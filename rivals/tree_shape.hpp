@@ -10,7 +10,8 @@ inline constexpr std::uint32_t kVertexGroup = 4;
 
 /// What does not change of a tree of boxes while its triangles move.
 struct TreeShape {
-  TreeShape(std::span<const Triangle> triangles, std::span<const Vec3> rest);
+  TreeShape(std::span<const Triangle> triangles, std::span<const Vec3> rest,
+            std::uint32_t leaf_triangles);
 
   std::span<const std::uint32_t> vertices_below(std::uint32_t node) const {
     return {vertices.data() + vertices_of[node].begin, vertices.data() + vertices_of[node].end};

@@ -132,6 +132,25 @@ TEST(Methods, SwappedBodiesGiveSwappedPairs) {
   EXPECT_GT(touching, 60);
 }
 
+TEST(Methods, SkinWhenTheySayTheyDo) {
+  Random random(8);
+  const Scene scene = separated_scene(random);
+  const std::uint64_t vertices = scene.models[0].vertex_count() + scene.models[1].vertex_count();
+  for (const MethodKind kind : kKinds) {
+    const auto method = method_with(kind, scene);
+    if (!method->update_counts()) continue;
+    const std::uint64_t before = method->update_work().posed_vertices;
+    for (std::uint32_t body = 0; body < 2; ++body)
+      ASSERT_TRUE(method->set_palette(body, scene.palettes[body]));
+    const std::uint64_t skinned = method->update_work().posed_vertices - before;
+    if (skinning_of(kind) == Skins::where_queried) {
+      EXPECT_EQ(skinned, 0u) << name_of(kind);
+    } else {
+      EXPECT_GE(skinned, vertices) << name_of(kind);
+    }
+  }
+}
+
 TEST(Methods, AreAskedAgainAfterANewPalette) {
   Random random(3);
   const Scene scene = crossing_scene(random);

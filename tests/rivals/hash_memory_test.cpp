@@ -1,5 +1,6 @@
 /// Tables of cells stay as small as the mesh, however large its triangles are beside its edges.
 
+#include "rivals/hash_crowd.hpp"
 #include "rivals/hash_overlap.hpp"
 #include "rivals/posed_bodies.hpp"
 #include "support/largest_allocation.hpp"
@@ -23,7 +24,7 @@ TEST(HashMemory, IsBoundedWhereTrianglesTouchMillionsOfCells) {
       body->frames[1][v] = {random.uniformf(-1e3, 1e3), random.uniformf(-1e3, 1e3), 1e3f};
   const std::size_t before = test::largest_allocation();
   ASSERT_LT(before, kTriangles * 1000);
-  for (const auto make_method : {make_hash, make_hash_overlap}) {
+  for (const auto make_method : {make_hash, make_hash_overlap, make_hash_crowd}) {
     const auto method = make_method({});
     method->add(a.triangles, a.frames[0]);
     method->add(b.triangles, b.frames[0]);

@@ -2,6 +2,7 @@
 /// to trip up trees and grids.
 
 #include "rivals/aabb.hpp"
+#include "rivals/hash_crowd.hpp"
 #include "rivals/hash_overlap.hpp"
 #include "rivals/hybrid.hpp"
 #include "rivals/posed_bodies.hpp"
@@ -190,6 +191,29 @@ TEST_P(Methods, KeepLimits) {
   }
 }
 
+TEST_P(Methods, FindOneContactWhereThereIsOne) {
+  Random random(9);
+  int touching = 0;
+  for (int i = 0; i < 40; ++i) {
+    const PosedBodies bodies = pair_of([&] {
+      return test::scattered(
+          random, 1 + random.index(60), 1, [](Random& r) { return r.point(2); },
+          [](Random&) { return 0.8; });
+    });
+    const auto method = method_with(bodies);
+    pose(*method, bodies, 0);
+    const Contacts all = all_contacts(bodies, 0);
+    Contacts found;
+    method->collide(0, 1, found, 1);
+    ASSERT_EQ(found.empty(), all.empty());
+    EXPECT_TRUE(found.empty() || std::find(all.begin(), all.end(), found[0]) != all.end());
+    touching += !all.empty();
+  }
+  std::printf("%d of 40 touch\n", touching);
+  EXPECT_GT(touching, 10);
+  EXPECT_LT(touching, 40);
+}
+
 /// Two walking creatures, nearer in each frame.
 PosedBodies walkers(std::uint32_t frames) {
   const auto asset = scenes::make_creature({1000, 24, 1});
@@ -245,13 +269,18 @@ TEST_P(Methods, TellBodiesOfOneMeshApart) {
 
 INSTANTIATE_TEST_SUITE_P(
     Rivals, Methods,
-    testing::Values(
-        NamedMethod{"aabb_refit", make_aabb_refit}, NamedMethod{"aabb_rebuild", make_aabb_rebuild},
-        NamedMethod{"hybrid", make_hybrid}, NamedMethod{"hash", [] { return make_hash(); }},
-        NamedMethod{"hash_small_cells", [] { return make_hash({.cell_edges = 0.25f}); }},
-        NamedMethod{"hash_overlap", [] { return make_hash_overlap(); }},
-        NamedMethod{"hash_overlap_large_cells",
-                    [] { return make_hash_overlap({.cell_edges = 8}); }}),
+    testing::Values(NamedMethod{"aabb_refit", [] { return make_aabb_refit(); }},
+                    NamedMethod{"aabb_refit_small_leaves", [] { return make_aabb_refit({1}); }},
+                    NamedMethod{"aabb_rebuild", [] { return make_aabb_rebuild(); }},
+                    NamedMethod{"hybrid", [] { return make_hybrid(); }},
+                    NamedMethod{"hybrid_small_leaves", [] { return make_hybrid({2}); }},
+                    NamedMethod{"hash_crowd", [] { return make_hash_crowd(); }},
+                    NamedMethod{"hash", [] { return make_hash(); }},
+                    NamedMethod{"hash_small_cells",
+                                [] { return make_hash({.cell_edges = 0.25f}); }},
+                    NamedMethod{"hash_overlap", [] { return make_hash_overlap(); }},
+                    NamedMethod{"hash_overlap_large_cells",
+                                [] { return make_hash_overlap({.cell_edges = 8}); }}),
     [](const auto& named) { return std::string(named.param.name); });
 
 }  // namespace
