@@ -13,8 +13,9 @@ import re
 import sys
 
 FLOORS = ["include/pelt", "src/base", "src/geometry", "src/skin", "paper", "src/model", "src/pose",
-          "src/query", "src/collide", "src/bounds", "src/ray", "src/region", "src/contact", "src/distance",
-          "src/crowd", "src/targets", "rivals", "peers", "asset", "scenes", "bench", "tools", "tests"]
+          "src/query", "src/collide", "src/bounds", "src/ray", "src/region", "src/distance",
+          "src/contact", "src/inside", "src/crowd", "src/targets", "rivals", "peers", "asset",
+          "scenes", "bench", "tools", "tests"]
 
 MAY_INCLUDE_PAPER = ("paper", "rivals", "bench", "tools", "tests")
 MAY_INCLUDE_ONLY = {

@@ -35,6 +35,7 @@ struct WideCode {
   PaletteScan (*scan_palette)(const float* floats, std::size_t joint_count);
   RootBox (*box_root)(const NodeBounds& bounds, const Palette& palette);
   void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
+  const RootBox& (*root_box)(const PosedTree& posed, QueryStats& work);
   const OpenedNode& (*open_node)(const PosedTree& posed, std::uint32_t node, QueryStats& work);
   QueryStats (*open_all_exactly)(const PosedTree& posed);
   QueryStats (*open_fully)(const PosedTree& posed);

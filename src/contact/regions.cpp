@@ -1,6 +1,7 @@
 #include "contact/regions.hpp"
 
 #include "base/vec3.hpp"
+#include "contact/sets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,21 +11,6 @@ namespace pelt::detail {
 namespace {
 
 using Link = ContactGeometry::Link;
-
-/// The least trace of the region that a trace is known to belong to.
-std::uint32_t find_root(std::vector<std::uint32_t>& parents, std::uint32_t trace) {
-  while (parents[trace] != trace) {
-    parents[trace] = parents[parents[trace]];
-    trace = parents[trace];
-  }
-  return trace;
-}
-
-void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b) {
-  a = find_root(parents, a);
-  b = find_root(parents, b);
-  parents[std::max(a, b)] = std::min(a, b);
-}
 
 /// A triangle of one side with each corner of the other's.
 void link_corners(const Surface& a, const Surface& b, ContactGeometry& geometry) {
@@ -42,13 +28,12 @@ void link_corners(const Surface& a, const Surface& b, ContactGeometry& geometry)
 
 /// For each trace the least one of its region.
 void label_regions(ContactGeometry& geometry) {
-  std::vector<std::uint32_t>& labels = geometry.labels;
-  labels.resize(geometry.traces.size());
-  for (std::uint32_t i = 0; i < labels.size(); ++i) labels[i] = i;
+  const auto count = static_cast<std::uint32_t>(geometry.traces.size());
+  Sets sets(count, geometry.labels);
   for (std::size_t i = 1; i < geometry.links.size(); ++i)
     if (geometry.links[i].key == geometry.links[i - 1].key)
-      join(labels, geometry.links[i].owner, geometry.links[i - 1].owner);
-  for (std::uint32_t i = 0; i < labels.size(); ++i) labels[i] = find_root(labels, i);
+      sets.join(geometry.links[i].owner, geometry.links[i - 1].owner);
+  for (std::uint32_t i = 0; i < count; ++i) geometry.labels[i] = sets.find(i);
 }
 
 double length_of(const ContactTrace& trace) {

@@ -1,5 +1,6 @@
 #include "contact/surface.hpp"
 
+#include "contact/sets.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
 
@@ -43,6 +44,25 @@ std::uint16_t main_joint(const SkinnedMesh& mesh, const Triangle& corners,
   return static_cast<std::uint16_t>(std::max_element(sums.begin(), sums.end(), less)->joint);
 }
 
+/// The first triangle of each part that hangs together by its corners.
+std::vector<std::uint32_t> find_components(const std::vector<Triangle>& triangles,
+                                           std::uint32_t vertex_count) {
+  std::vector<std::uint32_t> memory;
+  Sets sets(vertex_count, memory);
+  for (const Triangle& t : triangles) {
+    sets.join(t[0], t[1]);
+    sets.join(t[0], t[2]);
+  }
+  std::vector<std::uint32_t> firsts;
+  std::vector<bool> is_known(vertex_count, false);
+  for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
+    const std::uint32_t set = sets.find(triangles[triangle][0]);
+    if (!is_known[set]) firsts.push_back(triangle);
+    is_known[set] = true;
+  }
+  return firsts;
+}
+
 /// Whether each directed edge stands once, and so does its opposite.
 bool edges_pair_up(const std::vector<Triangle>& triangles) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> forward, backward;
@@ -67,6 +87,7 @@ Surface::Surface(const SkinnedModel& m)
   std::vector<Influence> sums;
   for (const Triangle& triangle : mesh.triangles)
     joints.push_back(main_joint(mesh, triangle, sums));
+  components = find_components(mesh.triangles, mesh.vertex_count());
   corners = std::move(mesh.triangles);
   is_closed = edges_pair_up(corners);
 }

@@ -13,6 +13,7 @@ struct Surface {
   std::vector<std::uint32_t> places;  // [T] in the tree
   std::vector<std::uint32_t> nodes;   // [T] whose pool has the corners
   std::vector<std::uint16_t> joints;  // [T] that the corners follow most
+  std::vector<std::uint32_t> components;  // a triangle of each part that hangs together
   bool is_closed = false;
 };
 

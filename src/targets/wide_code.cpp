@@ -20,10 +20,10 @@ inline namespace PELT_TARGET {
 extern const WideCode kWideCode;
 
 const WideCode kWideCode = {
-    scan_palette,       box_root,          pose_vertices,    open_node,       open_all_exactly,
-    open_fully,         collide_trees,     bounding_box,     bounding_radius, bound_of_set,
-    box_places,         first_hits,        any_hits,         all_hits,        descend_in_faces,
-    descend_in_capsule, nearest_triangles, triangles_within, nearest_to_point};
+    scan_palette,     box_root,           pose_vertices,     root_box,         open_node,
+    open_all_exactly, open_fully,         collide_trees,     bounding_box,     bounding_radius,
+    bound_of_set,     box_places,         first_hits,        any_hits,         all_hits,
+    descend_in_faces, descend_in_capsule, nearest_triangles, triangles_within, nearest_to_point};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

@@ -1,0 +1,65 @@
+#pragma once
+
+/// Inside and outside: whether a point lies in a body, how deep one body is in another, whether one
+/// holds another whole. All of it is about closed surfaces (`Surface::is_closed`), which alone have
+/// an inside: the points around which the posed surface winds, in either direction and however
+/// often. What is decided is decided exactly on the float32 posed vertices.
+
+#include <pelt/contact.hpp>
+#include <pelt/distance.hpp>
+
+#include <cstdint>
+
+namespace pelt {
+
+enum class PointSide : std::uint8_t {
+  outside,
+  on,  ///< on a triangle of the surface
+  inside,
+};
+
+/// Where a point lies. Preconditions: the surface is closed and of the pose's model; the
+/// coordinates of `point` are finite and at most 2^60. Costs what a few rays do.
+PointSide side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch);
+
+inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
+
+/// The answer of `deepest_vertex`.
+struct Penetration {
+  std::uint32_t vertex = kNoVertex;  ///< of the first body, the lowest of those alike in every bit
+  Vec3 position;                     ///< of it
+  SurfacePoint nearest;              ///< of the second body's surface
+  double depth = 0;                  ///< how far that is from the vertex
+
+  bool found() const { return vertex != kNoVertex; }
+};
+
+/// The vertex of `a` that lies inside `b` and is furthest from its surface; of equal ones the
+/// lowest. `found()` is false where no vertex of `a` is inside.
+///
+/// The depth is the one-sided Hausdorff distance of the vertices inside `b` to its surface: a lower
+/// bound of how far the surface of `a` reaches in, which no triangulation makes smaller when it
+/// cuts triangles, and which becomes that when they become small. It is not the way by which bodies
+/// must be moved to part them.
+///
+/// Preconditions: `surface_a` and `surface_b` are of the models of `a` and `b`, which are different
+/// poses; `surface_b` is closed. Poses only what of `a` comes near the box of `b`; each vertex
+/// there costs a search for something nearer than the deepest so far, and those that have nothing
+/// such near, some rays.
+QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
+                          Scratch& scratch, Penetration& deepest);
+
+enum class Containment : std::uint8_t {
+  none,    ///< they touch, or no body holds the other whole
+  a_in_b,  ///< no triangles touch, and every part of `a` that hangs together is inside `b`
+  b_in_a,
+};
+
+/// Whether one body is wholly inside the other, which no contact tells. A surface that is not
+/// closed holds nothing, but may be held. Preconditions: as for `deepest_vertex`, but that surfaces
+/// need not be closed. Costs what `intersects` does, and some rays for each part that hangs
+/// together.
+Containment containment(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
+                        Scratch& scratch);
+
+}  // namespace pelt

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace pelt::detail {
+
+/// Disjoint sets of the numbers below a count, each known by its least member, in memory that is
+/// borrowed.
+class Sets {
+ public:
+  /// Each number is a set of its own.
+  Sets(std::uint32_t count, std::vector<std::uint32_t>& memory) : parents_(memory) {
+    parents_.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) parents_[i] = i;
+  }
+
+  std::uint32_t find(std::uint32_t number) {
+    while (parents_[number] != number) {
+      parents_[number] = parents_[parents_[number]];
+      number = parents_[number];
+    }
+    return number;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    (a < b ? parents_[b] : parents_[a]) = a < b ? a : b;
+  }
+
+ private:
+  std::vector<std::uint32_t>& parents_;
+};
+
+}  // namespace pelt::detail

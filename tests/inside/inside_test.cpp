@@ -1,0 +1,269 @@
+#include <pelt/inside.hpp>
+
+#include "base/vec3.hpp"
+#include "support/allocation_count.hpp"
+#include "support/skinned_shapes.hpp"
+#include "support/targets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <iostream>
+
+namespace pelt::test {
+namespace {
+
+using detail::Vec3d;
+
+struct Body {
+  explicit Body(const Shape& s) : shape(s), pose(*build_model(s.view())), surface(pose.model()) {}
+
+  void set(const std::vector<Matrix4>& palette) { ASSERT_TRUE(pose.set_palette(palette)); }
+
+  std::vector<Vec3> posed() const {
+    std::vector<Vec3> positions(shape.rest_positions.size());
+    posed_vertices(pose, positions);
+    return positions;
+  }
+
+  Shape shape;
+  Pose pose;
+  Surface surface;
+};
+
+/// How often the posed surface winds around a point, by the solid angles of its triangles (Van
+/// Oosterom & Strackee 1983): no ray, and no predicate.
+double winding_number(const Body& body, const std::vector<Vec3>& posed, const Vec3& point) {
+  double angle = 0;
+  for (const Triangle& t : body.shape.triangles) {
+    std::array<Vec3d, 3> to;
+    std::array<double, 3> length;
+    for (std::size_t i = 0; i < 3; ++i) {
+      to[i] = Vec3d(posed[t[i]]) - Vec3d(point);
+      length[i] = std::sqrt(squared_length(to[i]));
+    }
+    const double below = length[0] * length[1] * length[2] + dot(to[0], to[1]) * length[2] +
+                         dot(to[1], to[2]) * length[0] + dot(to[2], to[0]) * length[1];
+    angle += 2 * std::atan2(dot(to[0], cross(to[1], to[2])), below);
+  }
+  return angle / (4 * 3.14159265358979323846);
+}
+
+Shape rigid(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
+  Shape shape;
+  shape.rest_positions = positions;
+  shape.triangles = triangles;
+  shape.influences_per_vertex = 1;
+  shape.joints.assign(positions.size(), 0);
+  shape.weights.assign(positions.size(), 1);
+  return shape;
+}
+
+/// Four triangles a side, around its middle.
+Shape cube(float half, const Vec3& at) {
+  std::vector<Vec3> positions;
+  for (const float z : {-half, half})
+    for (const float y : {-half, half})
+      for (const float x : {-half, half}) positions.push_back({at.x + x, at.y + y, at.z + z});
+  constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides = {
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  std::vector<Triangle> triangles;
+  for (const auto& side : kSides) {
+    const auto middle = static_cast<std::uint32_t>(positions.size());
+    Vec3 sum;
+    for (const std::uint32_t corner : side)
+      sum = {sum.x + positions[corner].x, sum.y + positions[corner].y, sum.z + positions[corner].z};
+    positions.push_back({sum.x / 4, sum.y / 4, sum.z / 4});
+    for (std::size_t i = 0; i < 4; ++i) triangles.push_back({side[i], side[(i + 1) % 4], middle});
+  }
+  return rigid(positions, triangles);
+}
+
+/// Both in one mesh.
+Shape together(const Shape& a, const Shape& b) {
+  std::vector<Vec3> positions = a.rest_positions;
+  positions.insert(positions.end(), b.rest_positions.begin(), b.rest_positions.end());
+  std::vector<Triangle> triangles = a.triangles;
+  const auto shift = static_cast<std::uint32_t>(a.rest_positions.size());
+  for (const Triangle& t : b.triangles)
+    triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  return rigid(positions, triangles);
+}
+
+/// Each triangle in four; no two share a vertex by its number.
+Shape cut(const Shape& shape) {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+  const auto middle = [](const Vec3& p, const Vec3& q) {
+    return Vec3{(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
+  };
+  for (const Triangle& t : shape.triangles) {
+    const Vec3 &a = shape.rest_positions[t[0]], &b = shape.rest_positions[t[1]];
+    const Vec3& c = shape.rest_positions[t[2]];
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    for (const Vec3& p : {a, b, c, middle(a, b), middle(b, c), middle(c, a)})
+      positions.push_back(p);
+    for (const Triangle& part :
+         {Triangle{0, 3, 5}, Triangle{3, 1, 4}, Triangle{5, 4, 2}, Triangle{3, 4, 5}})
+      triangles.push_back({first + part[0], first + part[1], first + part[2]});
+  }
+  return rigid(positions, triangles);
+}
+
+TEST(SideOf, IsWhereTheSurfaceWinds) {
+  Random random(11);
+  Body body(make_limb(20, 9, 4));
+  Scratch scratch;
+  int inside = 0, outside = 0;
+  for (int i = 0; i < 20; ++i) {
+    body.set(bend_limb(random, 4, 1.2, {0, 0, 0}));
+    const std::vector<Vec3> posed = body.posed();
+    for (int j = 0; j < 100; ++j) {
+      const Vec3 near = posed[random.index(static_cast<std::uint32_t>(posed.size()))];
+      const Vec3 off = random.point(0.1), point = {near.x + off.x, near.y + off.y, near.z + off.z};
+      const double winding = winding_number(body, posed, point);
+      if (std::abs(winding - std::round(winding)) > 1e-3) continue;  // too near to tell this way
+      const PointSide side = side_of(body.pose, body.surface, point, scratch);
+      EXPECT_EQ(side == PointSide::inside, std::round(winding) != 0) << winding;
+      inside += side == PointSide::inside;
+      outside += side == PointSide::outside;
+    }
+  }
+  std::cout << inside << " inside, " << outside << " outside\n";
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(outside, 200);
+}
+
+TEST(SideOf, KnowsPointsOnTheSurface) {
+  Body body(cube(1, {0, 0, 0}));
+  Scratch scratch;
+  const auto side = [&](const Vec3& p) { return side_of(body.pose, body.surface, p, scratch); };
+  for (const Vec3& on : {Vec3{1, 1, 1}, Vec3{1, 0, 0}, Vec3{1, 0.5f, 0.25f}, Vec3{0.3f, -1, 1}})
+    EXPECT_EQ(side(on), PointSide::on);
+  const float less = std::nextafter(1.0f, 0.0f), more = std::nextafter(1.0f, 2.0f);
+  EXPECT_EQ(side({less, less, less}), PointSide::inside);
+  EXPECT_EQ(side({more, 0.5f, 0.25f}), PointSide::outside);
+  EXPECT_EQ(side({0, 0, 0}), PointSide::inside);
+}
+
+TEST(SideOf, HoldsForMirroredBodies) {
+  Body body(cube(1, {0, 0, 0}));
+  Matrix4 mirror;
+  mirror.m[0] = -1;
+  body.set({mirror});
+  Scratch scratch;
+  EXPECT_EQ(side_of(body.pose, body.surface, {0.5f, 0.25f, 0}, scratch), PointSide::inside);
+  EXPECT_EQ(side_of(body.pose, body.surface, {1.5f, 0.25f, 0}, scratch), PointSide::outside);
+}
+
+/// All vertices, each asked by itself.
+Penetration deepest_by_brute_force(Body& a, Body& b) {
+  Penetration deepest;
+  Scratch scratch;
+  const std::vector<Vec3> posed = a.posed();
+  for (std::uint32_t v = 0; v < posed.size(); ++v) {
+    if (side_of(b.pose, b.surface, posed[v], scratch) != PointSide::inside) continue;
+    ClosestPoint closest;
+    closest_point(b.pose, posed[v], scratch, closest);
+    if (closest.distance > deepest.depth) deepest = {v, posed[v], closest.point, closest.distance};
+  }
+  return deepest;
+}
+
+TEST(DeepestVertex, IsThatOfBruteForce) {
+  Random random(12);
+  Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
+  Scratch scratch;
+  int hits = 0;
+  for (int i = 0; i < 40; ++i) {
+    a.set(bend_limb(random, 4, 0.6, {0, 0, 0}));
+    b.set(bend_limb(random, 4, 0.6, {0.09f, 0.05f, 0.06f}));
+    Penetration deepest;
+    deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+    const Penetration expected = deepest_by_brute_force(a, b);
+    EXPECT_EQ(deepest.vertex, expected.vertex);
+    EXPECT_EQ(deepest.depth, expected.depth);
+    EXPECT_EQ(deepest.position, expected.position);
+    EXPECT_EQ(deepest.nearest.triangle, expected.nearest.triangle);
+    hits += deepest.found();
+  }
+  std::cout << hits << " of 40 have a vertex inside\n";
+  EXPECT_GT(hits, 15);
+}
+
+double depth_of(const Shape& shape_a, const Shape& shape_b) {
+  Body a(shape_a), b(shape_b);
+  Scratch scratch;
+  Penetration deepest;
+  deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+  return deepest.depth;
+}
+
+TEST(DeepestVertex, StaysAsDeepWhenTrianglesAreCut) {
+  const Shape small = cube(0.5f, {0.8f, 0.1f, 0.05f}), large = cube(1, {0, 0, 0});
+  // The middle of the small one's side x = 0.3 is nearest to the large one's side x = 1.
+  EXPECT_NEAR(depth_of(small, large), 0.7, 1e-6);
+  EXPECT_NEAR(depth_of(cut(small), large), 0.7, 1e-6);
+  EXPECT_NEAR(depth_of(cut(cut(small)), cut(large)), 0.7, 1e-6);
+}
+
+TEST(DeepestVertex, IsNoneOfBodiesApartOrAround) {
+  const Shape small = cube(0.5f, {0, 0, 0}), large = cube(1, {0, 0, 0});
+  EXPECT_EQ(depth_of(small, cube(1, {5, 0, 0})), 0);
+  EXPECT_EQ(depth_of(large, small), 0);
+  EXPECT_NEAR(depth_of(small, large), 0.5, 1e-12);
+}
+
+TEST(DeepestVertex, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
+  Random random(13);
+  const auto palette_a = bend_limb(random, 4, 0.2, {0, 0, 0});
+  const auto palette_b = bend_limb(random, 4, 0.2, {0.05f, 0.02f, 0.03f});
+  Penetration first;
+  on_each_target([&](Target) {
+    Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
+    a.set(palette_a);
+    b.set(palette_b);
+    Scratch scratch;
+    Penetration deepest;
+    deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+    ASSERT_TRUE(deepest.found());
+    const std::uint64_t before = allocation_count();
+    deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+    EXPECT_EQ(allocation_count(), before);
+    if (!first.found()) first = deepest;
+    EXPECT_EQ(deepest.vertex, first.vertex);
+    EXPECT_EQ(deepest.depth, first.depth);
+    EXPECT_EQ(deepest.nearest.position, first.nearest.position);
+  });
+}
+
+Containment containment_of(const Shape& shape_a, const Shape& shape_b) {
+  Body a(shape_a), b(shape_b);
+  Scratch scratch;
+  return containment(a.pose, a.surface, b.pose, b.surface, scratch);
+}
+
+TEST(Containment, TellsWhichBodyHoldsTheOther) {
+  const Shape small = cube(0.5f, {0, 0, 0}), large = cube(1, {0.25f, 0, 0});
+  EXPECT_EQ(containment_of(small, large), Containment::a_in_b);
+  EXPECT_EQ(containment_of(large, small), Containment::b_in_a);
+  EXPECT_EQ(containment_of(small, cube(1, {5, 0, 0})), Containment::none);
+  // A side of the one lies in a side of the other.
+  EXPECT_EQ(containment_of(cube(0.5f, {0.75f, 0, 0}), large), Containment::none);
+}
+
+TEST(Containment, IsOfAllPartsThatHangTogether) {
+  const Shape large = cube(1, {0, 0, 0}), part = cube(0.2f, {0.5f, 0, 0});
+  EXPECT_EQ(containment_of(together(part, cube(0.2f, {-0.5f, 0, 0})), large), Containment::a_in_b);
+  EXPECT_EQ(containment_of(together(part, cube(0.2f, {-5, 0, 0})), large), Containment::none);
+}
+
+TEST(Containment, AsksNoSurfaceThatIsNotClosed) {
+  Shape open = cube(1, {0, 0, 0});
+  open.triangles.pop_back();
+  EXPECT_EQ(containment_of(cube(0.5f, {0, 0, 0}), open), Containment::none);
+}
+
+}  // namespace
+}  // namespace pelt::test
