@@ -70,6 +70,13 @@ TEST(GnuplotScript, HasAKeyForMoreThanOneLine) {
   EXPECT_EQ(gnuplot_script(chart, kMethods, "a.svg").find("set key off"), std::string::npos);
 }
 
+TEST(GnuplotScript, LeavesRowsBeyondTheEndToTheTable) {
+  Chart chart = kChart;
+  chart.x_end = 1000;
+  const std::string script = gnuplot_script(chart, kTable, "a.svg");
+  EXPECT_NE(script.find("1000\t2.5\nEND"), script.npos) << script;
+}
+
 TEST(DrawChart, WritesAnSvg) {
   if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot here";
   const auto svg = std::filesystem::temp_directory_path() / "pelt_chart_test.svg";

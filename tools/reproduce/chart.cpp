@@ -34,6 +34,16 @@ std::string title_of(const Chart& chart) {
   return chart.title;
 }
 
+/// The table without the rows that the chart leaves out.
+Table drawn_rows(const Chart& chart, Table table) {
+  const std::size_t x = column_of(table, chart.x);
+  if (chart.x_end)
+    std::erase_if(table.rows, [&](const std::vector<Cell>& row) {
+      return row[x].figure && *row[x].figure > *chart.x_end;
+    });
+  return table;
+}
+
 /// The table as gnuplot reads it: tabs between columns, NaN where there is no figure.
 std::string data_block(const Chart& chart, const Table& table) {
   std::vector<std::size_t> columns = {column_of(table, chart.x)};
@@ -59,12 +69,13 @@ constexpr const char* kLines[] = {
     "'#7a4fa0' dashtype (6,3) pointtype 13",     "'#333333' dashtype (12,3,3,3,3,3) pointtype 6",
     "'#4fa7b8' dashtype (18,4) pointtype 4",     "'#9aa05a' dashtype solid pointtype 8",
     "'#d678a8' dashtype (2,2,6,2) pointtype 10", "'#8a8a96' dashtype (6,6) pointtype 12",
-    "'#b08060' dashtype (3,6) pointtype 1"};
+    "'#b08060' dashtype (3,6) pointtype 1",      "'#4a5a2a' dashtype (9,3) pointtype 3"};
 
 /// Methods have the same line in every chart: that of their place here.
-constexpr std::string_view kMethodKeys[] = {
-    "on_demand_us",  "eager_us",        "paper_us", "paper_eager_us",  "crowd_us",  "hybrid_us",
-    "aabb_refit_us", "aabb_rebuild_us", "hash_us",  "hash_overlap_us", "bd_tree_us"};
+constexpr std::string_view kMethodKeys[] = {"on_demand_us",    "eager_us",        "paper_us",
+                                            "paper_eager_us",  "crowd_us",        "hybrid_us",
+                                            "aabb_refit_us",   "aabb_rebuild_us", "hash_us",
+                                            "hash_overlap_us", "bd_tree_us",      "hash_crowd_us"};
 static_assert(std::size(kMethodKeys) == std::size(kLines));
 
 /// Series that are no methods take the lines in their own order.
@@ -100,8 +111,11 @@ std::vector<double> figures_of(const Table& table, std::span<const std::string> 
 std::string scales(const Chart& chart, const Table& table) {
   const std::vector<double> x = figures_of(table, std::span(&chart.x, 1));
   const std::vector<double> y = figures_of(table, chart.y);
-  return (chart.axes == Axes::logarithmic ? logarithmic_axis("x", x) : linear_axis("x", x)) +
-         (chart.axes == Axes::linear ? axis_from("y", chart.least_y) : logarithmic_axis("y", y));
+  const Axes axes = chart.axes;
+  const bool log_x = axes == Axes::logarithmic || axes == Axes::logarithmic_x;
+  const bool log_y = axes == Axes::logarithmic || axes == Axes::logarithmic_y;
+  return (log_x ? logarithmic_axis("x", x) : linear_axis("x", x)) +
+         (log_y ? logarithmic_axis("y", y) : axis_from("y", chart.least_y));
 }
 
 std::string titles(const Chart& chart, const Table& table) {
@@ -130,7 +144,8 @@ const char* key(const Chart& chart) {
 
 }  // namespace
 
-std::string gnuplot_script(const Chart& chart, const Table& table, const fs::path& svg) {
+std::string gnuplot_script(const Chart& chart, const Table& all, const fs::path& svg) {
+  const Table table = drawn_rows(chart, all);
   return "set terminal svg size 760,440 font 'Helvetica,13' background 'white' noenhanced\n"
          "set encoding utf8\nset output " +
          quoted(svg.string()) + "\n$data << END\n" + data_block(chart, table) +

@@ -1,154 +1,183 @@
 #include "tools/reproduce/image_space.hpp"
 
-#include "bench/method.hpp"
-#include "bench/statistics.hpp"
 #include "rivals/layered_depth.hpp"
-#include "tools/pelt/scene_query.hpp"
-#include "tools/pelt/stopwatch.hpp"
+#include "tools/pelt/bench_measure.hpp"
+#include "tools/reproduce/comparison_methods.hpp"
 #include "tools/reproduce/facing_pair.hpp"
+#include "tools/reproduce/method_title.hpp"
 
 #include <algorithm>
-#include <array>
+#include <numeric>
 
 namespace pelt::reproduce {
 namespace {
 
-/// The palettes of two characters at one distance, their vertices, and whether they touch.
-struct Case {
-  tools::Palettes palettes;
-  std::array<std::vector<Vec3>, 2> positions;
-  bool is_touching = false;
-};
+using bench::MethodKind;
+using tools::Question;
 
-/// From hands that just do not meet to two in one place; light contacts, which are hard to see,
-/// lie closest together.
-std::vector<double> distances(const Conditions& conditions) {
-  const int count = conditions.is_quick ? 16 : 64;
-  std::vector<double> all;
-  for (int i = 0; i < count; ++i) {
-    const double x = 1 - static_cast<double>(i) / (count - 1);
-    all.push_back(0.9 * (1 - (1 - x) * (1 - x)));
-  }
-  return all;
-}
+constexpr std::array kResolutions = {8u, 16u, 32u, 64u, 128u, 256u};
+constexpr std::array kExact = {MethodKind::on_demand,   MethodKind::eager,      MethodKind::paper,
+                               MethodKind::hybrid,      MethodKind::aabb_refit, MethodKind::hash,
+                               MethodKind::hash_overlap};
 
-class Oracle {
+/// From hands that just do not meet until arms are deep in the other: light contacts are the hard
+/// ones.
+constexpr double kFrom = 0.9, kTo = 0.3;
+
+/// Images as a method: where two seem to touch, some pair of triangles stands for the answer.
+class Images final : public rivals::PosedMeshMethod {
  public:
-  explicit Oracle(const SkinnedModel& model)
-      : poses_{Pose(model), Pose(model)}, positions_(model.vertex_count()) {}
+  explicit Images(std::uint32_t resolution) : images_(resolution) {}
 
-  Result<Case> ask(const scenes::Scene& scene) {
-    Case asked;
-    tools::sample_palettes(scene, 0, scratch_, asked.palettes);
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (const auto set = poses_[i].set_palette(std::span<const Matrix4>(asked.palettes[i])); !set)
-        return set.error();
-      asked.positions[i].resize(positions_.size());
-      posed_vertices(poses_[i], asked.positions[i]);
-    }
-    asked.is_touching = intersects(poses_[0], poses_[1], query_);
-    return asked;
+  void add(std::span<const Triangle> triangles, std::span<const Vec3>) override {
+    images_.add(triangles);
+  }
+  void update(std::uint32_t body, std::span<const Vec3> positions) override {
+    images_.update(body, positions);
+  }
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     std::uint32_t max_contacts) override {
+    if (max_contacts > 0 && images_.touch(a, b)) contacts.push_back({0, 0});
+    return {};
   }
 
  private:
-  std::array<Pose, 2> poses_;
-  std::vector<Vec3> positions_;
-  asset::SampleScratch scratch_;
-  Scratch query_;
+  rivals::LayeredDepth images_;
 };
 
-struct Tally {
-  double missed = 0, invented = 0;
-  std::vector<double> times;
+/// The images by resolution, then those that know.
+std::vector<tools::Engine> engines() {
+  std::vector<tools::Engine> all;
+  for (const std::uint32_t resolution : kResolutions)
+    all.push_back(rival_engine("images " + std::to_string(resolution),
+                               [resolution] { return std::make_unique<Images>(resolution); }));
+  for (const MethodKind method : kExact) all.push_back(tools::engine_of(method));
+  return all;
+}
+
+/// Whether the two touch, frame by frame.
+Result<std::vector<bool>> ask(const tools::Subject& subject, const tools::Engine& engine) {
+  tools::Runner runner(subject.colliders, engine);
+  asset::SampleScratch scratch;
+  tools::Palettes palettes;
+  std::vector<bool> touching;
+  for (const std::uint32_t frame : subject.frames) {
+    tools::sample_palettes(subject.scene, frame, scratch, palettes);
+    if (const auto posed = runner.pose(palettes); !posed)
+      return tools::in_frame(frame, posed.error());
+    runner.ask(Question::first);
+    touching.push_back(!runner.found().contacts.empty());
+  }
+  return touching;
+}
+
+/// In how many frames the first says so and the second does not.
+double count_only(const std::vector<bool>& first, const std::vector<bool>& second) {
+  return std::inner_product(first.begin(), first.end(), second.begin(), 0.0, std::plus<>(),
+                            [](bool a, bool b) { return a && !b ? 1.0 : 0.0; });
+}
+
+/// Yes or no of every engine on every frame, and the time it takes.
+struct Answers {
+  std::vector<std::vector<bool>> touching;  // [engines][frames]
+  std::vector<std::vector<tools::Times>> times;
+
+  const std::vector<bool>& exact() const { return touching[kResolutions.size()]; }
+  double missed(std::size_t engine) const { return count_only(exact(), touching[engine]); }
+  double invented(std::size_t engine) const { return count_only(touching[engine], exact()); }
 };
 
-/// Drawing and comparing alone: skinning is told beside it.
-Tally tally_of(std::span<const Case> cases, std::span<const Triangle> triangles,
-               std::uint32_t resolution) {
-  rivals::LayeredDepth images(resolution);
-  images.add(triangles);
-  images.add(triangles);
-  Tally tally;
-  for (const Case& asked : cases) {
-    tools::Stopwatch watch;
-    for (std::uint32_t i = 0; i < 2; ++i) images.update(i, asked.positions[i]);
-    const bool is_touching = images.touch(0, 1);
-    watch.stop();
-    tally.times.push_back(watch.microseconds());
-    tally.missed += asked.is_touching && !is_touching;
-    tally.invented += !asked.is_touching && is_touching;
+Result<Answers> ask_all(const tools::Subject& subject, const Conditions& conditions) {
+  const std::vector<tools::Engine> all = engines();
+  constexpr std::array kFirst = {tools::Variant{Question::first, tools::Cache::hot}};
+  auto times = tools::measure(subject, all, kFirst, conditions.is_quick ? 3 : 9, [] {});
+  if (!times) return times.error();
+  Answers answers = {{}, std::move(*times)};
+  for (const tools::Engine& engine : all) {
+    auto touching = ask(subject, engine);
+    if (!touching) return touching.error();
+    answers.touching.push_back(std::move(*touching));
   }
-  return tally;
+  return answers;
 }
 
-/// What the exact answer takes, palettes to yes or no.
-double exact_us(const SkinnedModel& model, std::span<const Case> cases) {
-  std::array<Pose, 2> poses = {Pose(model), Pose(model)};
-  Scratch scratch;
-  std::vector<double> times;
-  for (const Case& asked : cases) {
-    tools::Stopwatch watch;
-    for (std::size_t i = 0; i < 2; ++i)
-      (void)poses[i].set_palette(std::span<const Matrix4>(asked.palettes[i]));
-    (void)intersects(poses[0], poses[1], scratch);
-    watch.stop();
-    times.push_back(watch.microseconds());
+Table image_table(const Answers& answers, const std::string& note) {
+  Table table = {"image_space",
+                 "Layered depth images: do two creatures touch?",
+                 {{"resolution", "pixels a side"},
+                  {"images_us", "drawing and comparing [us], skinning not included"},
+                  {"all_us", "with skinning [us]"},
+                  {"asked", "cases"},
+                  {"touching", "cases that touch"},
+                  {"missed", "contacts missed [cases]"},
+                  {"missed_percent", "contacts missed [% of cases that touch]"},
+                  {"invented", "contacts seen where there are none [cases]"}},
+                 {},
+                 note};
+  const auto& exact = answers.exact();
+  const auto touching = static_cast<double>(std::count(exact.begin(), exact.end(), true));
+  for (std::size_t i = 0; i < kResolutions.size(); ++i) {
+    const tools::Times& times = answers.times[i][0];
+    table.rows.push_back({static_cast<double>(kResolutions[i]),
+                          times.mean_us - times.mean_update_us, times.mean_us,
+                          static_cast<double>(exact.size()), touching, answers.missed(i),
+                          100 * answers.missed(i) / std::max(touching, 1.0), answers.invented(i)});
   }
-  return bench::mean(times);
+  return table;
 }
 
-double skinning_us(const SkinnedModel& model, const Case& asked) {
-  Pose pose(model);
-  (void)pose.set_palette(std::span<const Matrix4>(asked.palettes[0]));
-  std::vector<Vec3> positions(model.vertex_count());
-  std::vector<double> times;
-  for (int repetition = 0; repetition < 9; ++repetition) {
-    tools::Stopwatch watch;
-    posed_vertices(pose, positions);
-    watch.stop();
-    times.push_back(2 * watch.microseconds());
+Table rival_table(const Answers& answers, const std::string& note) {
+  Table table = {"image_space_rivals",
+                 "The same cases, asked of methods that know: first contact only",
+                 {{"method", "method"},
+                  {"all_us", "with skinning [us]"},
+                  {"missed", "contacts missed [cases]"},
+                  {"invented", "contacts seen where there are none [cases]"}},
+                 {},
+                 note};
+  for (std::size_t m = 0; m < kExact.size(); ++m) {
+    const std::size_t engine = kResolutions.size() + m;
+    table.rows.push_back({title_of(kExact[m]), answers.times[engine][0].mean_us,
+                          answers.missed(engine), answers.invented(engine)});
   }
-  return bench::median(times);
+  return table;
+}
+
+void add_charts(Section& section) {
+  Chart time = {"image_space",           "Layered depth images: time of a yes or no",
+                "image_space",           "resolution",
+                {"images_us", "all_us"}, "a case [us]"};
+  Chart missed = {"image_space_missed", "Layered depth images: what they miss",
+                  "image_space",        "resolution",
+                  {"missed_percent"},   "contacts missed [% of cases that touch]"};
+  missed.axes = Axes::logarithmic_x;
+  section.charts.push_back(std::move(time));
+  section.charts.push_back(std::move(missed));
 }
 
 }  // namespace
 
-Result<Table> image_space_table(const scenes::Character& character, const Conditions& conditions) {
-  const asset::Asset& asset = character.asset;
-  const Result<SkinnedModel> model = build_model(asset.mesh());
-  if (!model) return model.error();
-  Oracle oracle(*model);
-  std::vector<Case> cases;
-  for (const double distance : distances(conditions)) {
-    auto asked = oracle.ask(facing_pair(character, distance));
-    if (!asked) return asked.error();
-    cases.push_back(std::move(*asked));
-  }
-  const auto touching = static_cast<double>(
-      std::count_if(cases.begin(), cases.end(), [](const Case& c) { return c.is_touching; }));
-  const double skinning = skinning_us(*model, cases[0]);
-  Table table = {"image_space",
-                 "Layered depth images: do two creatures touch?",
-                 {{"resolution", "pixels a side"},
-                  {"skinning_us", "skinning [us]"},
-                  {"images_us", "images [us]"},
-                  {"exact_us", "Pelt, exact [us]"},
-                  {"asked", "asked"},
-                  {"touching", "touching"},
-                  {"missed", "missed"},
-                  {"missed_percent", "missed [% of touching]"},
-                  {"invented", "seen where there is none"}},
-                 {},
-                 "Means over all distances, from apart to one place; light contacts lie closest "
-                 "together. Pelt's time has its skinning."};
-  const double exact = exact_us(*model, cases);
-  for (const std::uint32_t resolution : {16u, 32u, 64u, 128u, 256u}) {
-    const Tally tally = tally_of(cases, asset.triangles, resolution);
-    table.rows.push_back({static_cast<double>(resolution), skinning, bench::mean(tally.times),
-                          exact, static_cast<double>(cases.size()), touching, tally.missed,
-                          100 * tally.missed / std::max(touching, 1.0), tally.invented});
-  }
-  return table;
+Result<void> add_image_space(const scenes::Character& character, const Conditions& conditions,
+                             Section& section) {
+  const std::uint32_t count = conditions.is_quick ? 16 : 64;
+  const scenes::Scene scene = closing_pair(character, kFrom, kTo, count);
+  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  std::vector<std::uint32_t> frames(count);
+  std::iota(frames.begin(), frames.end(), 0);
+  const auto answers = ask_all({scene, *colliders, frames}, conditions);
+  if (!answers) return answers.error();
+  const std::string note = how_measured(
+      "A case is a pair of creatures and the question whether they touch; means over " +
+          std::to_string(count) + " cases, from " + shown(kFrom) + " units apart to " + shown(kTo) +
+          ".",
+      conditions);
+  section.tables.push_back(image_table(
+      *answers, note + " Images are drawn where the boxes of the two meet, so that nearer pairs "
+                       "are seen through larger pixels; Pelt's answer is the exact one."));
+  section.tables.push_back(rival_table(*answers, note));
+  add_charts(section);
+  return {};
 }
 
 }  // namespace pelt::reproduce

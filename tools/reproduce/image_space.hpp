@@ -5,8 +5,9 @@
 
 namespace pelt::reproduce {
 
-/// Layered depth images asked whether two characters touch, at many distances, beside the exact
-/// answer: how often they are wrong at which resolution, and what that takes.
-Result<Table> image_space_table(const scenes::Character& character, const Conditions& conditions);
+/// Layered depth images, which only say whether two bodies touch, beside methods that know:
+/// "image_space" by resolution, with charts of time and misses, and "image_space_rivals".
+Result<void> add_image_space(const scenes::Character& character, const Conditions& conditions,
+                             Section& section);
 
 }  // namespace pelt::reproduce

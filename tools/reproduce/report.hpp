@@ -35,7 +35,7 @@ struct Table {
 };
 
 enum class Better { lower, higher, neither };
-enum class Axes { linear, logarithmic, logarithmic_y };
+enum class Axes { linear, logarithmic, logarithmic_x, logarithmic_y };
 
 /// Columns of a table of the same section, drawn over another of its columns.
 struct Chart {
@@ -46,7 +46,8 @@ struct Chart {
   std::string y_title;         ///< with its unit
   Axes axes = Axes::logarithmic;
   Better better = Better::lower;
-  double least_y = 0;  ///< where a linear axis of heights begins
+  double least_y = 0;                ///< where a linear axis of heights begins
+  std::optional<double> x_end = {};  ///< rows beyond are left to the table
 };
 
 /// A scene for POV-Ray.
