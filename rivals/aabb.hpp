@@ -18,7 +18,7 @@
 namespace pelt::rivals {
 
 struct TreeOptions {
-  std::uint32_t leaf_triangles = 8;  ///< at most; 1 to 32
+  std::uint32_t leaf_triangles = 16;  ///< at most; 1 to 32
 };
 
 std::unique_ptr<PosedMeshMethod> make_aabb_refit(const TreeOptions& options = {});
