@@ -94,6 +94,9 @@ class Crowd {
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const float> palette);
 
+  /// The same for the weights of an instance's morph targets, as Pose::set_morph_weights.
+  Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
+
   /// Appends all contacts of all pairs of instances, in ascending order; exact as `collide` of two
   /// poses.
   ///

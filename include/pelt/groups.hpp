@@ -64,7 +64,8 @@ Groups group_by_joint(const SkinnedModel& model);
 Box group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group);
 
 /// The exact box of the posed vertices of one group, but that zeros are positive. O(vertices of the
-/// group times influences). Precondition and empty groups as above.
+/// group times influences), and of a pose with morph weights O(V) beside, which then allocates.
+/// Precondition and empty groups as above.
 Box tight_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group);
 
 }  // namespace pelt

@@ -45,6 +45,7 @@ class SkinnedModel {
   std::uint32_t vertex_count() const;
   std::uint32_t triangle_count() const;
   std::uint32_t joint_count() const;
+  std::uint32_t morph_target_count() const;
   const BuildReport& report() const;
 
   /// What the model takes in memory, shared by all copies: vertices, triangles, tree and bounds.
@@ -60,7 +61,7 @@ class SkinnedModel {
 
 /// Checks the arrays of `mesh` and prepares them for queries, or says which array, index and value
 /// break which rule: an index or joint out of range, NaN or infinity, a coordinate beyond 2^60, a
-/// negative weight, weights that do not sum to 1.
+/// negative weight, weights that do not sum to 1, vertices of a morph target that do not ascend.
 ///
 /// Triangles keep their numbers, vertices keep theirs. O(T log T); allocates.
 Result<SkinnedModel> build_model(const SkinnedMeshView& mesh, const ModelOptions& options = {});

@@ -11,13 +11,14 @@ namespace detail {
 struct Pose;
 }
 
-/// One instance of a model in one posture: a joint palette, and the bounds that queries have
-/// derived from it so far. There is nothing to update or refit by hand: the whole update is
-/// `set_palette`, and a query refits what it visits.
+/// One instance of a model in one posture: a joint palette, the weights of morph targets, and the
+/// bounds that queries have derived from both so far. There is nothing to update or refit by hand:
+/// the whole update is `set_palette` and `set_morph_weights`, in any order, and a query refits what
+/// it visits.
 ///
-/// A new pose has identity matrices, that is, the rest positions. Queries write the bounds that
-/// they refit into the pose, so one thread at a time may query a pose. Movable, not copyable; one
-/// that has been moved from may only be assigned to or destroyed.
+/// A new pose has identity matrices and morph weights of zero, that is, the rest positions. Queries
+/// write the bounds that they refit into the pose, so one thread at a time may query a pose.
+/// Movable, not copyable; one that has been moved from may only be assigned to or destroyed.
 class Pose {
  public:
   /// Allocates the joint palette, O(J). Queries allocate when they open more than in any frame
@@ -42,6 +43,16 @@ class Pose {
   /// The same from 16 floats a joint, as engines keep them.
   Result<void> set_palette(std::span<const float> palette);
 
+  /// Takes the weights of the model's morph targets: a vertex is displaced by the sum of weight x
+  /// displacement before the joints move it. Any finite number is allowed; what has the weight 0
+  /// costs nothing in queries, and of the others each costs something only in the nodes whose
+  /// vertices it displaces. Copies them; O(M + J), no allocation.
+  ///
+  /// Refuses, and leaves the pose as it was, when there are not `model().morph_target_count()`
+  /// weights, one is not finite, or a vertex could be displaced by, or land beyond, 2^60 units. The
+  /// message names the target or joint.
+  Result<void> set_morph_weights(std::span<const float> weights);
+
   /// Takes at once all the memory that queries could ever want of this pose: none then allocates
   /// for it, whatever it visits. For those who must not allocate within a frame, once and before
   /// the first; the scratch has a `reserve` of its own.
@@ -59,9 +70,10 @@ class Pose {
 };
 
 /// Writes every posed vertex: the very float32 positions that queries collide, linear blend
-/// skinning of the rest positions (Kavan & Zara 2005, eq. 1). Precondition: `out` has
-/// `vertex_count()` elements. O(V times influences), allocates nothing, and is not needed for any
-/// query.
+/// skinning of the rest positions (Kavan & Zara 2005, eq. 1), to which the displacements of morph
+/// targets have been added by weight. Precondition: `out` has `vertex_count()` elements. O(V times
+/// influences + displacements), allocates nothing unless a morph weight is set, and is not needed
+/// for any query.
 void posed_vertices(const Pose& pose, std::span<Vec3> out);
 
 }  // namespace pelt

@@ -20,6 +20,7 @@ struct QueryStats {
   std::uint64_t refits = 0;          ///< boxes computed for the current joint palettes
   std::uint64_t posed_vertices = 0;  ///< vertices skinned, once for each node that has them
   std::uint64_t triangle_pairs = 0;  ///< triangles compared with the same, because boxes overlap
+  std::uint64_t displacements = 0;   ///< by active morph targets, of vertices that were posed
   bool cut_short = false;            ///< a limit of the options ended the query before its end
 
   QueryStats& operator+=(const QueryStats& other);

@@ -3,8 +3,8 @@
 /// boxes (node_bounds.hpp has the box's rounding). The corner of a box with centre p and half
 /// extents h that is furthest from c has the distances |p - c| + h along the axes.
 ///
-/// Rounding. Four roundings on each axis, the margin's own included, five for squares and sums, one
-/// for the root: 11 u of the radius at most, where u = 2^-24, and it grows by 16 u. A square that
+/// Rounding. Six roundings on each axis, the margin's own included, five for squares and sums, one
+/// for the root: 13 u of the radius at most, where u = 2^-24, and it grows by 16 u. A square that
 /// underflows is wrong by 2^-149 at most, far below 2^-100. One that overflows makes the radius
 /// infinite, which is true.
 
@@ -24,11 +24,16 @@ float bounding_radius(const NodeBounds& bounds, const Palette& palette, const fl
   const JointBox* box = bounds.joint_boxes.data() + root.first_record;
   const Float4 from = load4(centre), margin(root.margin * palette.extent() + 0x1p-120f);
   float furthest = 0;
+  const bool morphed = palette.morphs().any();
   for (std::uint32_t i = 0; i < root.joint_count; ++i, ++joint, ++box) {
     const ColumnPairs c = load_columns(palette[*joint]);
-    const Float4 middle = fold(image(c, box->centre));
-    const Float4 half = fold(image(magnitudes(c), box->half));
-    const Float4 away = abs(middle - from) + half + margin, squares = away * away;
+    const MorphedJointBox moved =
+        morphed ? morphed_joint_box(bounds, root, i, palette) : MorphedJointBox{};
+    const JointBox& rest = morphed ? moved.box : *box;
+    const Float4 middle = fold(image(c, rest.centre));
+    const Float4 half = fold(image(magnitudes(c), rest.half));
+    const Float4 reach = morphed ? half + margin + moved.margin : half + margin;
+    const Float4 away = abs(middle - from) + reach, squares = away * away;
     const float distance = squares[0] + squares[1] + squares[2];
     furthest = distance > furthest ? distance : furthest;
   }

@@ -7,6 +7,7 @@
 #include "bounds/bounding_box.hpp"
 #include "bounds/group_vertices.hpp"
 #include "model/unpack.hpp"
+#include "pose/morphed_rest.hpp"
 #include "pose/pose.hpp"
 #include "skin/sample_poses.hpp"
 
@@ -79,7 +80,8 @@ std::size_t Groups::memory_bytes() const {
   return sizeof(detail::Groups) + detail::bytes_held(groups_->first_place) +
          detail::bytes_held(groups_->places) + detail::bytes_held(bounds.nodes) +
          detail::bytes_held(bounds.joints) + detail::bytes_held(bounds.joint_boxes) +
-         detail::bytes_held(bounds.shapes) + detail::bytes_held(bounds.fits);
+         detail::bytes_held(bounds.shapes) + detail::bytes_held(bounds.fits) +
+         detail::bytes_held(bounds.displacement_begin, bounds.displacements);
 }
 
 Result<Groups> group_triangles(const SkinnedModel& model, std::span<const std::uint32_t> labels) {
@@ -100,7 +102,10 @@ Box group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
 
 Box tight_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
   PELT_ASSERT(is_pose_of(pose, groups) && group < groups.count());
-  return to_box(detail::wide_code().box_places(pose.model().detail().tree, pose.detail().palette,
+  const detail::Tree& tree = pose.model().detail().tree;
+  const detail::Palette& palette = pose.detail().palette;
+  const detail::MorphedRest rest(tree, palette.morphs());
+  return to_box(detail::wide_code().box_places(tree, rest.positions(), palette,
                                                groups.detail().places_of(group)));
 }
 

@@ -42,6 +42,10 @@ Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const float> p
   return crowd_->instances.set_palette(instance, palette);
 }
 
+Result<void> Crowd::set_morph_weights(std::uint32_t instance, std::span<const float> weights) {
+  return crowd_->instances.set_morph_weights(instance, weights);
+}
+
 CrowdStats Crowd::collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options) {
   const CrowdStats stats = crowd_->query.run(crowd_->instances, options, options.max_contacts);
   for (const auto& [instances, touching] : crowd_->query.touching())

@@ -47,10 +47,18 @@ Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const f
   return taken;
 }
 
+Result<void> CrowdInstances::set_morph_weights(std::uint32_t number,
+                                               std::span<const float> weights) {
+  CrowdInstance& instance = (*this)[number];
+  Result<void> taken = instance.palette.set_morph_weights(weights);
+  if (taken) take_box(instance);
+  return taken;
+}
+
 std::size_t CrowdInstances::memory_bytes() const {
   std::size_t bytes = bytes_held(slots_, free_);
   for (const std::optional<CrowdInstance>& slot : slots_)
-    if (slot) bytes += slot->palette.joints().size_bytes();
+    if (slot) bytes += slot->palette.memory_bytes();
   return bytes;
 }
 

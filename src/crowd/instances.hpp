@@ -14,9 +14,7 @@ namespace pelt::detail {
 
 struct CrowdInstance {
   CrowdInstance(SkinnedModel m, const CrowdGroups& g)
-      : model(std::move(m)),
-        groups(g),
-        palette(model.detail().tree.joint_count, model.detail().tree.rest_extent) {}
+      : model(std::move(m)), groups(g), palette(rest_palette(model.detail().tree)) {}
 
   /// As the thread sees it whose arena this is.
   PosedTree posed_tree(Arena& arena) {
@@ -53,6 +51,7 @@ class CrowdInstances {
 
   /// Several threads may do so for different instances.
   Result<void> set_palette(std::uint32_t number, std::span<const float> palette);
+  Result<void> set_morph_weights(std::uint32_t number, std::span<const float> weights);
 
   std::size_t memory_bytes() const;
 

@@ -39,7 +39,8 @@ class BoundsCheck {
   Problem run() {
     for (const auto check :
          {&BoundsCheck::check_nodes, &BoundsCheck::check_joints, &BoundsCheck::check_joint_boxes,
-          &BoundsCheck::check_shapes, &BoundsCheck::check_fits})
+          &BoundsCheck::check_shapes, &BoundsCheck::check_fits,
+          &BoundsCheck::check_displacement_begin, &BoundsCheck::check_displacements})
       if (Problem found = (this->*check)(); !found.empty()) return found;
     return {};
   }
@@ -51,6 +52,8 @@ class BoundsCheck {
   Problem check_joint_boxes();
   Problem check_shapes();
   Problem check_fits();
+  Problem check_displacement_begin();
+  Problem check_displacements();
 
   const NodeBounds& bounds_;
   const Tree& tree_;
@@ -133,6 +136,46 @@ Problem BoundsCheck::check_fits() {
     if (fit.shift[3] != 0) return problem("bounds.fits[%zu] has a shift of four components", i);
     for (const float half : fit.spread)
       if (!(half >= 0)) return problem("bounds.fits[%zu] has a negative half extent", i);
+  }
+  return {};
+}
+
+/// Here, too, every box belongs to one node, as far as numbers tell.
+Problem BoundsCheck::check_displacement_begin() {
+  const auto& begin = bounds_.displacement_begin;
+  const std::size_t bodies = bounds_.joint_boxes.size() + bounds_.shapes.size();
+  const std::size_t expected = tree_.morphs.extents.empty() ? 0 : bodies + 1;
+  if (begin.size() != expected)
+    return problem("bounds.displacement_begin has %zu elements, expected %zu", begin.size(),
+                   expected);
+  const std::size_t last = begin.empty() ? 0 : begin.back();
+  if (last != bounds_.displacements.size() || !std::is_sorted(begin.begin(), begin.end()))
+    return problem("bounds.displacement_begin does not ascend to %zu",
+                   bounds_.displacements.size());
+  std::size_t boxes = 0;
+  for (const NodeBound& bound : bounds_.nodes) {
+    if (begin.empty()) break;
+    const std::size_t body =
+        bound.is_affine() ? bounds_.joint_boxes.size() + bound.shape : bound.first_record;
+    boxes += begin[body + (bound.is_affine() ? 1 : bound.joint_count)] - begin[body];
+  }
+  if (boxes == bounds_.displacements.size()) return {};
+  return problem("bounds.nodes have %zu displacements of %zu", boxes, bounds_.displacements.size());
+}
+
+Problem BoundsCheck::check_displacements() {
+  for (std::size_t body = 0; body + 1 < bounds_.displacement_begin.size(); ++body) {
+    const std::uint32_t first = bounds_.displacement_begin[body];
+    for (std::uint32_t i = first; i < bounds_.displacement_begin[body + 1]; ++i) {
+      const DisplacementBox& box = bounds_.displacements[i];
+      if (box.target >= tree_.morphs.extents.size() ||
+          (i > first && box.target <= bounds_.displacements[i - 1].target))
+        return problem("bounds.displacements[%u] is of target %u, out of order or of range", i,
+                       box.target);
+      const double reach = 4 * double{tree_.morphs.extents[box.target]};
+      if (!is_vector_within(box.centre, reach) || !is_half_within(box.half, reach))
+        return problem("bounds.displacements[%u] is no box of displacements", i);
+    }
   }
   return {};
 }

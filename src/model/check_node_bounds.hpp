@@ -27,7 +27,8 @@ Problem check_node_bounds(const NodeBounds& bounds, const Tree& tree);
 /// Sums of all that are less than 2^11 E (1 + q), and elements of A less than 2^5 E (1 + q) / R. So
 ///     1 + q <= min(2^54, 2^60 R)
 /// leaves both below 2^127, half of the largest float. Fits of real meshes have a q of some
-/// thousand at most.
+/// thousand at most. Morph targets change none of that: they displace c by no more than 4 times
+/// what E has room for, as the shape's other points, and |A_j| h is at most 12 E.
 bool stays_finite(std::span<const JointFit> fits, float margin, float rest_extent);
 
 }  // namespace pelt::detail

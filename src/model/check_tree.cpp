@@ -1,5 +1,6 @@
 #include "model/check_tree.hpp"
 
+#include "model/check_pool_morphs.hpp"
 #include "model/clusters.hpp"
 #include "model/unpack.hpp"
 #include "model/weld.hpp"
@@ -31,7 +32,7 @@ class StructureCheck {
           &StructureCheck::check_clusters, &StructureCheck::check_pools,
           &StructureCheck::check_triangle_ids, &StructureCheck::check_vertex_places})
       if (Problem found = (this->*check)(); !found.empty()) return found;
-    return {};
+    return check_pool_morphs(tree_);
   }
 
  private:

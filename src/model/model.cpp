@@ -53,6 +53,9 @@ SkinnedModel::SkinnedModel(std::shared_ptr<const detail::Model> model) : model_(
 std::uint32_t SkinnedModel::vertex_count() const { return model_->tree.vertex_count(); }
 std::uint32_t SkinnedModel::triangle_count() const { return model_->tree.triangle_count(); }
 std::uint32_t SkinnedModel::joint_count() const { return model_->tree.joint_count; }
+std::uint32_t SkinnedModel::morph_target_count() const {
+  return model_->tree.morphs.target_count();
+}
 const BuildReport& SkinnedModel::report() const { return model_->report; }
 
 std::size_t SkinnedModel::memory_bytes() const {

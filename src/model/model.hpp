@@ -27,11 +27,17 @@ void each_array(AnyModel& model, Visit&& visit) {
   visit(model.tree.clusters);
   visit(model.tree.nodes);
   visit(model.tree.vertex_places);
+  visit(model.tree.morphs.extents);
+  visit(model.tree.morphs.node_begin);
+  visit(model.tree.morphs.targets);
+  visit(model.tree.morphs.displacements);
   visit(model.bounds.nodes);
   visit(model.bounds.joints);
   visit(model.bounds.joint_boxes);
   visit(model.bounds.shapes);
   visit(model.bounds.fits);
+  visit(model.bounds.displacement_begin);
+  visit(model.bounds.displacements);
 }
 
 }  // namespace pelt::detail

@@ -2,6 +2,7 @@
 
 #include "model/bound_fit.hpp"
 #include "model/check_node_bounds.hpp"
+#include "model/displacement_fit.hpp"
 #include "model/node_box.hpp"
 
 namespace pelt::detail {
@@ -66,23 +67,6 @@ NodeBound fit_node(const NodeVertices& vertices, const WeightRounding& rounding,
              : add_joint_boxes(boxes, vertices.joints(), bounds);
 }
 
-/// Calls `visit(node, places)` for every node with the places of all vertices below it. Children
-/// are visited before their parents.
-template <typename Visit>
-void each_subtree(const Tree& tree, const Visit& visit) {
-  std::vector<std::vector<std::uint32_t>> places(tree.nodes.size());
-  for (auto n = static_cast<std::uint32_t>(tree.nodes.size()); n-- > 0;) {
-    const Node& node = tree.nodes[n];
-    std::vector<std::uint32_t>& below = places[n];
-    for (std::uint32_t v = 0; v < node.vertex_count; ++v) below.push_back(node.first_vertex + v);
-    for (std::uint32_t c = node.first_child; c < node.first_child + node.child_count; ++c) {
-      below.insert(below.end(), places[c].begin(), places[c].end());
-      places[c] = {};
-    }
-    visit(n, std::span<const std::uint32_t>(below));
-  }
-}
-
 }  // namespace
 
 NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uint32_t>> sets,
@@ -95,6 +79,11 @@ NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uin
     bounds.nodes.push_back(places.empty() ? NodeBound{}
                                           : fit_node(vertices, rounding, samples, bounds));
   }
+  if (tree.morphs.extents.empty()) return bounds;
+  DisplacementFit displacements(tree);
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    if (!sets[s].empty()) displacements.add(bounds, bounds.nodes[s], sets[s]);
+  displacements.finish(bounds);
   return bounds;
 }
 
@@ -107,6 +96,12 @@ NodeBounds fit_node_bounds(const Tree& tree, std::span<const Palette> samples) {
     vertices.assign(places);
     bounds.nodes[node] = fit_node(vertices, rounding, samples, bounds);
   });
+  if (tree.morphs.extents.empty()) return bounds;
+  DisplacementFit displacements(tree);
+  each_subtree(tree, [&](std::uint32_t node, std::span<const std::uint32_t> places) {
+    displacements.add(bounds, bounds.nodes[node], places);
+  });
+  displacements.finish(bounds);
   return bounds;
 }
 

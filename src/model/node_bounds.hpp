@@ -26,6 +26,15 @@
 /// Any joint may be the reference. With C_ref moved to X, sum_all R_j |t_j - X c~| is least where X
 /// is the median, weighted by the R_j; the joint with the largest R_j is near it.
 ///
+/// Morph targets displace v by the sum of m_k d_k, which lies in a box with the centre d and the
+/// half extents h, the sums of m_k and |m_k| times those of each target's displacements in the
+/// node; a vertex that a target leaves alone counts with zero. So
+///     v' = sum_j w_j C_j (v + d)~ + sum_j w_j A_j y,     |y| <= h.
+/// A joint's rest box just moves by d and grows by h, of the vertices that follow that joint. An
+/// affine bound, whose weights are functions of the place at rest, holds for the first sum with c +
+/// d for c, and the second is a convex combination: half extents grow by max_j |A_j| h. Targets of
+/// weight zero and those that displace nothing in the node are not looked at.
+///
 /// Rounding. With u = 2^-24 and M the palette's extent, sum_b |A_ab| |v_b| + |t_a| <= M for every
 /// joint and every v whose coordinates sum to no more than the mesh's rest extent. Errors are
 /// counted to first order; a 64th of the sum on top covers the rest. A float32 posed vertex of K
@@ -44,6 +53,12 @@
 /// margins add four. So the margin is
 ///     (K + 5) u + e + (2 n + 20) u (L (1 + 2 W) + 2 sum (|g_j|.y + R_j + max |w_j - m_j|)),
 /// and the rounding of the fit itself, in double, is far below.
+///
+/// Morph targets, n of which are active and displace a vertex of the node: M counts what each
+/// displaces, so that |v| + sum |m_k d_k| goes for |v| above. A displaced vertex has n + 1
+/// roundings more, and so have d and h, which with c + d and the like make n + 2; |A_j| h has
+/// three, and adding it to margin and corner two. So the margin is larger by
+///     (2 n + 8) u.
 ///
 /// Nothing overflows: M is at most kMaxExtent, joint boxes reach a few M, and an affine bound that
 /// could reach too far is not used (stays_finite in check_node_bounds.hpp). M is at least 2^-100
@@ -84,6 +99,13 @@ struct JointFit {
   float rest() const { return spread[3]; }
 };
 
+/// Where the displacements by one target of a rest body's vertices lie, which are those of a joint
+/// box or of a shape.
+struct DisplacementBox {
+  float centre[4] = {}, half[4] = {};  ///< fourth components zero
+  std::uint32_t target = 0;
+};
+
 enum class BoundKind : std::uint8_t { joint_boxes, affine };
 
 struct NodeBound {
@@ -107,6 +129,10 @@ struct NodeBounds {
   std::vector<JointBox> joint_boxes;
   std::vector<RestShape> shapes;
   std::vector<JointFit> fits;
+
+  // By rest body, joint boxes first and then shapes; the targets of each body ascend.
+  std::vector<std::uint32_t> displacement_begin;  // [bodies + 1]; empty if there are no targets
+  std::vector<DisplacementBox> displacements;
 };
 
 /// Fits both kinds to every node and keeps the one that was smaller on the sample poses. Bounds

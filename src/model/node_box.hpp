@@ -5,6 +5,7 @@
 #include "base/float8.hpp"
 #include "geometry/box4.hpp"
 #include "model/node_bounds.hpp"
+#include "model/pool_morphs.hpp"
 #include "skin/palette.hpp"
 
 namespace pelt::detail {
@@ -47,25 +48,29 @@ inline ColumnPairs outer_product(const Float4& t, const float* v) {
   return {factors.xy * Float8(t, t), factors.zw * Float8(t, t)};
 }
 
-inline Box4 joint_boxes_box(const NodeBounds& bounds, const NodeBound& bound,
+/// `box_at(i)` is the rest box of joint i.
+template <typename BoxAt>
+inline Box4 joint_boxes_box(const NodeBounds& bounds, const NodeBound& bound, const BoxAt& box_at,
                             const Palette& palette) {
   const std::uint16_t* joint = bounds.joints.data() + bound.first_joint;
-  const JointBox* box = bounds.joint_boxes.data() + bound.first_record;
   Box4 all = empty_box();
-  for (std::uint32_t i = 0; i < bound.joint_count; ++i, ++joint, ++box) {
+  for (std::uint32_t i = 0; i < bound.joint_count; ++i, ++joint) {
     const ColumnPairs c = load_columns(palette[*joint]);
-    const Float4 centre = fold(image(c, box->centre));
-    const Float4 half = fold(image(magnitudes(c), box->half));
+    const JointBox& box = box_at(i);
+    const Float4 centre = fold(image(c, box.centre));
+    const Float4 half = fold(image(magnitudes(c), box.half));
     all = unite(all, {centre - half, centre + half});
   }
   return all;
 }
 
-inline Box4 affine_box(const NodeBounds& bounds, const NodeBound& bound, const Palette& palette) {
+/// `centre` is that of the shape, or displaced.
+inline Box4 affine_box(const NodeBounds& bounds, const NodeBound& bound, const float* centre4,
+                       const Palette& palette) {
   const std::uint16_t* joint = bounds.joints.data() + bound.first_joint;
   const JointFit* fit = bounds.fits.data() + bound.first_record;
   const RestShape& shape = bounds.shapes[bound.shape];
-  const ColumnFactors rest_centre = column_factors(shape.centre);
+  const ColumnFactors rest_centre = column_factors(centre4);
   const ColumnPairs reference = load_columns(palette[*joint]);
   ColumnPairs b = reference, slope{Float8(0.0f), Float8(0.0f)};
   Float8 shift(0.0f), spread(0.0f);
@@ -89,12 +94,121 @@ inline Box4 affine_box(const NodeBounds& bounds, const NodeBound& bound, const P
                    {axes_centre - axes_half, axes_centre + axes_half});
 }
 
+/// How the active morph targets displace a rest body's vertices.
+struct BodyDisplacement {
+  Float4 centre, half;
+  std::uint32_t target_count;
+
+  JointBox displaced(const float* rest_centre, const float* rest_half) const {
+    JointBox box;
+    store4(box.centre, load4(rest_centre) + centre);
+    store4(box.half, load4(rest_half) + half);
+    return box;
+  }
+};
+
+inline BodyDisplacement displacement_of(const NodeBounds& bounds, std::size_t body,
+                                        const MorphWeights& morphs) {
+  BodyDisplacement sum = {Float4(0.0f), Float4(0.0f), 0};
+  const std::uint32_t* begin = bounds.displacement_begin.data() + body;
+  const DisplacementBox* boxes = bounds.displacements.data();
+  each_active(boxes + begin[0], boxes + begin[1], morphs, [&](const DisplacementBox& box) {
+    const Float4 weight(morphs[box.target]);
+    sum.centre = sum.centre + weight * load4(box.centre);
+    sum.half = sum.half + abs(weight) * load4(box.half);
+    ++sum.target_count;
+  });
+  return sum;
+}
+
+/// The image of a box around zero by the linear part of whichever joint of the node makes it
+/// largest, along each axis.
+inline Float4 largest_image(const NodeBounds& bounds, const NodeBound& bound, const float* half,
+                            const Palette& palette) {
+  const std::uint16_t* joint = bounds.joints.data() + bound.first_joint;
+  Float4 largest(0.0f);
+  for (std::uint32_t i = 0; i < bound.joint_count; ++i)
+    largest = max(largest, fold(image(magnitudes(load_columns(palette[joint[i]])), half)));
+  return largest;
+}
+
+/// A box and how much larger it has to be.
+struct LooseBox {
+  Box4 box;
+  Float4 margin;
+};
+
+inline Float4 morph_margin(std::uint32_t target_count) {
+  constexpr float kRounding = 0x1p-24f * (1 + 0x1p-6f);
+  return Float4(target_count == 0 ? 0 : static_cast<float>(2 * target_count + 8) * kRounding);
+}
+
+/// A joint's rest box as active morph targets leave it, and the margin that this adds.
+struct MorphedJointBox {
+  JointBox box;
+  Float4 margin;
+};
+
+inline MorphedJointBox morphed_joint_box(const NodeBounds& bounds, const NodeBound& bound,
+                                         std::uint32_t i, const Palette& palette) {
+  const JointBox& rest = bounds.joint_boxes[bound.first_record + i];
+  if (!palette.morphs().any()) return {rest, Float4(0.0f)};
+  const BodyDisplacement displacement =
+      displacement_of(bounds, bound.first_record + i, palette.morphs());
+  return {displacement.displaced(rest.centre, rest.half),
+          morph_margin(displacement.target_count) * Float4(palette.extent())};
+}
+
+inline LooseBox morphed_joint_boxes_box(const NodeBounds& bounds, const NodeBound& bound,
+                                        const Palette& palette) {
+  Float4 margin(0.0f);
+  const auto box_at = [&](std::uint32_t i) {
+    const MorphedJointBox morphed = morphed_joint_box(bounds, bound, i, palette);
+    margin = max(margin, morphed.margin);
+    return morphed.box;
+  };
+  const Box4 box = joint_boxes_box(bounds, bound, box_at, palette);
+  return {box, margin};
+}
+
+inline LooseBox morphed_affine_box(const NodeBounds& bounds, const NodeBound& bound,
+                                   const Palette& palette) {
+  const RestShape& shape = bounds.shapes[bound.shape];
+  const BodyDisplacement displacement =
+      displacement_of(bounds, bounds.joint_boxes.size() + bound.shape, palette.morphs());
+  if (displacement.target_count == 0)
+    return {affine_box(bounds, bound, shape.centre, palette), Float4(0.0f)};
+  const JointBox displaced = displacement.displaced(shape.centre, JointBox().half);
+  return {affine_box(bounds, bound, displaced.centre, palette),
+          morph_margin(displacement.target_count) * Float4(palette.extent()) +
+              largest_image(bounds, bound, displaced.half, palette)};
+}
+
+/// Not inlined, for the sake of those without morph targets.
+[[gnu::noinline]] inline LooseBox morphed_box(const NodeBounds& bounds, const NodeBound& bound,
+                                              const Palette& palette) {
+  return bound.is_affine() ? morphed_affine_box(bounds, bound, palette)
+                           : morphed_joint_boxes_box(bounds, bound, palette);
+}
+
+inline Box4 rest_box(const NodeBounds& bounds, const NodeBound& bound, const Palette& palette) {
+  if (bound.is_affine())
+    return affine_box(bounds, bound, bounds.shapes[bound.shape].centre, palette);
+  const JointBox* boxes = bounds.joint_boxes.data() + bound.first_record;
+  const auto box_at = [=](std::uint32_t i) -> const JointBox& { return boxes[i]; };
+  return joint_boxes_box(bounds, bound, box_at, palette);
+}
+
 /// A box around every posed vertex below `node`.
 inline Box4 node_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
   const NodeBound& bound = bounds.nodes[node];
-  const Box4 box = bound.is_affine() ? affine_box(bounds, bound, palette)
-                                     : joint_boxes_box(bounds, bound, palette);
   const Float4 margin(bound.margin * palette.extent() + 0x1p-120f);
+  if (palette.morphs().any()) {
+    const LooseBox morphed = morphed_box(bounds, bound, palette);
+    const Float4 more = margin + morphed.margin;
+    return {morphed.box.low - more, morphed.box.high + more};
+  }
+  const Box4 box = rest_box(bounds, bound, palette);
   return {box.low - margin, box.high + margin};
 }
 

@@ -50,4 +50,21 @@ class NodeVertices {
   std::vector<std::uint32_t> number_;  // by joint; of those in joints_
 };
 
+/// Calls `visit(node, places)` for every node with the places of all vertices below it. Children
+/// are visited before their parents.
+template <typename Visit>
+void each_subtree(const Tree& tree, const Visit& visit) {
+  std::vector<std::vector<std::uint32_t>> places(tree.nodes.size());
+  for (auto n = static_cast<std::uint32_t>(tree.nodes.size()); n-- > 0;) {
+    const Node& node = tree.nodes[n];
+    std::vector<std::uint32_t>& below = places[n];
+    for (std::uint32_t v = 0; v < node.vertex_count; ++v) below.push_back(node.first_vertex + v);
+    for (std::uint32_t c = node.first_child; c < node.first_child + node.child_count; ++c) {
+      below.insert(below.end(), places[c].begin(), places[c].end());
+      places[c] = {};
+    }
+    visit(n, std::span<const std::uint32_t>(below));
+  }
+}
+
 }  // namespace pelt::detail

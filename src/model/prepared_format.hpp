@@ -23,9 +23,9 @@ namespace pelt::detail {
 /// Not text in any encoding, and changed by whoever takes it for text (as the head of a PNG file).
 inline constexpr std::array<unsigned char, 8> kPreparedMagic = {0x8B, 'P',  'E',  'L',
                                                                 'T',  '\r', '\n', 0x1A};
-inline constexpr std::uint32_t kPreparedVersion = 2;
+inline constexpr std::uint32_t kPreparedVersion = 3;
 inline constexpr std::uint32_t kByteOrderMark = 0x01020304, kForeignMark = 0x04030201;
-inline constexpr std::size_t kPreparedArrays = 15;
+inline constexpr std::size_t kPreparedArrays = 21;
 
 struct PreparedHeader {
   std::array<unsigned char, 8> magic = kPreparedMagic;
@@ -40,13 +40,14 @@ struct PreparedHeader {
   std::array<std::uint32_t, kPreparedArrays> counts = {};  ///< elements of the arrays, in order
 };
 
-static_assert(sizeof(PreparedHeader) == 112 && std::is_trivially_copyable_v<PreparedHeader>);
+static_assert(sizeof(PreparedHeader) == 136 && std::is_trivially_copyable_v<PreparedHeader>);
 
 // What stands in the arrays, without any byte that is not a value's.
 static_assert(sizeof(Cluster) == 12 && std::has_unique_object_representations_v<Cluster>);
 static_assert(sizeof(Node) == 16 && std::has_unique_object_representations_v<Node>);
 static_assert(sizeof(NodeBound) == 20 && sizeof(JointBox) == 32 && sizeof(RestShape) == 96 &&
-              sizeof(JointFit) == 48);
+              sizeof(JointFit) == 48 && sizeof(DisplacementBox) == 36);
+static_assert(sizeof(PoolTarget) == 12 && sizeof(PlacedDisplacement) == 16);
 
 /// Where the array after one that ends at `end` begins.
 inline std::uint64_t next_array(std::uint64_t end) { return (end + 15) / 16 * 16; }

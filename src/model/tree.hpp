@@ -8,6 +8,9 @@
 /// which no two are alike, so that opening a node poses each of its vertices once. Parents come
 /// before their children; node 0 is the root.
 
+#include "model/pool_morphs.hpp"
+#include "skin/palette.hpp"
+
 #include <pelt/math.hpp>
 
 #include <array>
@@ -68,11 +71,18 @@ struct Tree {
 
   std::vector<std::uint32_t> vertex_places;  // [V] where each of the caller's vertices lies in [P]
 
+  PoolMorphs morphs;
+
   std::uint32_t joint_count = 0;
   float rest_extent = 0;  // as in SkinnedMesh
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(vertex_places.size()); }
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangle_ids.size()); }
 };
+
+/// Of an instance in the rest pose.
+inline Palette rest_palette(const Tree& tree) {
+  return Palette(tree.joint_count, tree.rest_extent, tree.morphs.extents);
+}
 
 }  // namespace pelt::detail

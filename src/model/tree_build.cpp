@@ -31,6 +31,7 @@ class TreeWriter {
     tree_.joint_count = mesh.joint_count;
     tree_.rest_extent = mesh.rest_extent;
     tree_.influence_begin.push_back(0);
+    tree_.morphs.extents = mesh.morph_extents;
   }
 
   Tree write(const std::vector<WideNode>& nodes) && {
@@ -52,6 +53,7 @@ class TreeWriter {
     node.cluster_count = wide.cluster_count;
     node.child_count = wide.child_count;
     for (const std::uint32_t v : pool_) write_vertex(v);
+    write_displacements();
     for (const std::uint32_t slot : slots) write_cluster(slot, node.first_vertex);
     tree_.nodes.push_back(node);
   }
@@ -84,6 +86,25 @@ class TreeWriter {
       tree_.weights.push_back(influence.weight);
     }
     tree_.influence_begin.push_back(size32(tree_.joints.size()));
+    for (const Displacement& displacement : mesh_.displacements_of(v))
+      displaced_.push_back({displacement.target, {displacement.by, places_[v]}});
+  }
+
+  /// Those of the vertices written since it was called last, target by target.
+  void write_displacements() {
+    PoolMorphs& morphs = tree_.morphs;
+    if (morphs.extents.empty()) return;
+    if (morphs.node_begin.empty()) morphs.node_begin.push_back(0);
+    std::stable_sort(displaced_.begin(), displaced_.end(),
+                     [](const auto& a, const auto& b) { return a.target < b.target; });
+    for (std::size_t i = 0; i < displaced_.size(); ++i) {
+      if (i == 0 || displaced_[i - 1].target != displaced_[i].target)
+        morphs.targets.push_back({displaced_[i].target, size32(morphs.displacements.size()), 0});
+      morphs.displacements.push_back(displaced_[i].displacement);
+      ++morphs.targets.back().displacement_count;
+    }
+    morphs.node_begin.push_back(size32(morphs.targets.size()));
+    displaced_.clear();
   }
 
   void write_cluster(std::uint32_t slot, std::uint32_t first_vertex) {
@@ -123,6 +144,7 @@ class TreeWriter {
       if (places_[v] == kNowhere) write_vertex(v);
       tree_.vertex_places.push_back(places_[v]);
     }
+    write_displacements();
   }
 
   void shrink() {
@@ -135,7 +157,15 @@ class TreeWriter {
     tree_.cluster_vertices.shrink_to_fit();
     tree_.clusters.shrink_to_fit();
     tree_.nodes.shrink_to_fit();
+    tree_.morphs.node_begin.shrink_to_fit();
+    tree_.morphs.targets.shrink_to_fit();
+    tree_.morphs.displacements.shrink_to_fit();
   }
+
+  struct Displaced {
+    std::uint32_t target;
+    PlacedDisplacement displacement;
+  };
 
   const SkinnedMesh& mesh_;
   const ClusterTree& clusters_;
@@ -144,6 +174,7 @@ class TreeWriter {
   std::vector<std::uint32_t> places_;     // by welded vertex: where it was written last
   std::vector<std::uint32_t> pool_;       // the welded vertices of one node
   std::vector<std::uint16_t> named_;      // the corners of one cluster
+  std::vector<Displaced> displaced_;      // in the pool of one node
   Tree tree_;
 };
 

@@ -10,6 +10,28 @@ void append_vertex(const SkinnedMesh& from, std::uint32_t v, SkinnedMesh& to) {
   const auto influences = from.influences_of(v);
   to.influences.insert(to.influences.end(), influences.begin(), influences.end());
   to.influence_begin.push_back(static_cast<std::uint32_t>(to.influences.size()));
+  if (from.morph_extents.empty()) return;
+  const auto displacements = from.displacements_of(v);
+  to.displacements.insert(to.displacements.end(), displacements.begin(), displacements.end());
+  to.displacement_begin.push_back(static_cast<std::uint32_t>(to.displacements.size()));
+}
+
+/// Sorts by vertex what stands by node and target, in two passes: one counts, one puts.
+void unpack_displacements(const PoolMorphs& morphs, SkinnedMesh& mesh) {
+  mesh.morph_extents = morphs.extents;
+  if (morphs.extents.empty()) return;
+  auto& begin = mesh.displacement_begin;
+  begin.assign(mesh.rest_positions.size() + 1, 0);
+  for (const PlacedDisplacement& displacement : morphs.displacements)
+    ++begin[displacement.place + 1];
+  for (std::size_t p = 1; p < begin.size(); ++p) begin[p] += begin[p - 1];
+  mesh.displacements.resize(begin.back());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (const PoolTarget& run : morphs.targets)
+    for (std::uint32_t i = 0; i < run.displacement_count; ++i) {
+      const PlacedDisplacement& displacement = morphs.displacements[run.first_displacement + i];
+      mesh.displacements[next[displacement.place]++] = {run.target, displacement.by};
+    }
 }
 
 /// For each vertex of the tree [P] the caller's number.
@@ -42,6 +64,7 @@ SkinnedMesh unpack_vertices(const Tree& tree) {
     mesh.influences.push_back({tree.joints[i], tree.weights[i]});
   mesh.joint_count = tree.joint_count;
   mesh.rest_extent = tree.rest_extent;
+  unpack_displacements(tree.morphs, mesh);
   return mesh;
 }
 
@@ -51,6 +74,8 @@ SkinnedMesh unpack_mesh(const Tree& tree) {
   mesh.joint_count = tree.joint_count;
   mesh.rest_extent = tree.rest_extent;
   mesh.influence_begin.push_back(0);
+  mesh.morph_extents = tree.morphs.extents;
+  if (!mesh.morph_extents.empty()) mesh.displacement_begin.push_back(0);
   for (const std::uint32_t place : tree.vertex_places) append_vertex(vertices, place, mesh);
 
   const std::vector<std::uint32_t> numbers = callers_numbers(tree, vertices);

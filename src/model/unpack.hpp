@@ -5,8 +5,8 @@
 
 namespace pelt::detail {
 
-/// The vertices [P] of a tree as they lie there, without triangles. Precondition: `influence_begin`
-/// ascends from zero to the number of joints and weights.
+/// The vertices [P] of a tree as they lie there, without triangles. Precondition: `check_structure`
+/// finds nothing wrong.
 SkinnedMesh unpack_vertices(const Tree& tree);
 
 /// The mesh in the caller's numbers of triangles and vertices. Where vertices of the caller's are

@@ -20,10 +20,16 @@ Key key_of(const SkinnedMesh& mesh, std::uint32_t vertex) {
 }
 
 /// Less than, equal to or greater than zero; any order will do that knows equal bits.
-int compare_influences(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
-  const auto of_a = mesh.influences_of(a), of_b = mesh.influences_of(b);
-  if (of_a.size() != of_b.size()) return of_a.size() < of_b.size() ? -1 : 1;
-  return std::memcmp(of_a.data(), of_b.data(), of_a.size_bytes());
+template <typename T>
+int compare(std::span<const T> a, std::span<const T> b) {
+  if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
+  return a.empty() ? 0 : std::memcmp(a.data(), b.data(), a.size_bytes());
+}
+
+/// All but the rest positions.
+int compare_motion(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  const int influences = compare(mesh.influences_of(a), mesh.influences_of(b));
+  return influences != 0 ? influences : compare(mesh.displacements_of(a), mesh.displacements_of(b));
 }
 
 }  // namespace
@@ -35,7 +41,7 @@ std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh) {
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) keys.push_back(key_of(mesh, v));
   std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
     if (a.position != b.position) return a.position < b.position;
-    const int order = compare_influences(mesh, a.vertex, b.vertex);
+    const int order = compare_motion(mesh, a.vertex, b.vertex);
     return order != 0 ? order < 0 : a.vertex < b.vertex;
   });
 
@@ -43,7 +49,7 @@ std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const std::uint32_t v = keys[i].vertex;
     const bool same = i > 0 && keys[i - 1].position == keys[i].position &&
-                      compare_influences(mesh, keys[i - 1].vertex, v) == 0;
+                      compare_motion(mesh, keys[i - 1].vertex, v) == 0;
     welded[v] = same ? welded[keys[i - 1].vertex] : v;
   }
   return welded;

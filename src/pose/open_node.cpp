@@ -1,6 +1,7 @@
 #include "pose/open_node.hpp"
 
 #include "model/node_box.hpp"
+#include "pose/morph_pool.hpp"
 #include "skin/skin.hpp"
 
 namespace pelt::detail {
@@ -11,8 +12,7 @@ namespace {
 /// vectors again after each store.
 struct Places {
   explicit Places(const Tree& tree)
-      : rest(tree.rest_positions.data()),
-        influence_begin(tree.influence_begin.data()),
+      : influence_begin(tree.influence_begin.data()),
         joints(tree.joints.data()),
         weights(tree.weights.data()) {}
 
@@ -20,21 +20,20 @@ struct Places {
     return influence_begin[place + 1] - influence_begin[place];
   }
 
-  /// Poses the vertex at `place`, which has `count` influences.
-  [[gnu::always_inline]] Float4 pose(std::uint32_t place, std::uint32_t count,
+  /// Poses the vertex at `place`, which has `count` influences and lies at `rest`.
+  [[gnu::always_inline]] Float4 pose(const Vec3& rest, std::uint32_t place, std::uint32_t count,
                                      const Matrix4* palette) const {
     const std::uint32_t begin = influence_begin[place];
     const std::uint16_t* joint = joints + begin;
     const float* weight = weights + begin;
     return posed_vertex4(
-        rest[place], count,
+        rest, count,
         [=](std::uint32_t i) {
           return Influence{joint[i], weight[i]};
         },
         palette);
   }
 
-  const Vec3* rest;
   const std::uint32_t* influence_begin;
   const std::uint16_t* joints;
   const float* weights;
@@ -42,34 +41,59 @@ struct Places {
 
 /// Poses the vertices from `place` on as long as they have kCount influences, and returns the place
 /// behind them: a loop over influences whose length is known needs no branch.
-template <std::uint32_t kCount>
-std::uint32_t pose_run(const Places& places, const Matrix4* palette, std::uint32_t place,
-                       std::uint32_t end, float*& out) {
+template <std::uint32_t kCount, typename RestAt>
+std::uint32_t pose_run(const Places& places, const RestAt& rest_at, const Matrix4* palette,
+                       std::uint32_t place, std::uint32_t end, float*& out) {
   for (; place < end && places.influence_count(place) == kCount; ++place, out += kFloatsPerVertex)
-    store4(out, places.pose(place, kCount, palette));
+    store4(out, places.pose(rest_at(place, out), place, kCount, palette));
   return place;
 }
 
-/// Poses a pool; pools are sorted by the number of influences.
-void pose_pool(const Tree& tree, const Matrix4* palette, std::uint32_t place, std::uint32_t end,
-               float* out) {
+/// Poses a pool; pools are sorted by the number of influences. The vertex at a place is at rest at
+/// `rest_at(place, out)`, where `out` is what it will be written to.
+template <typename RestAt>
+void pose_pool(const Tree& tree, const RestAt& rest_at, const Matrix4* palette, std::uint32_t place,
+               std::uint32_t end, float* out) {
   const Places places(tree);
-  place = pose_run<1>(places, palette, place, end, out);
-  place = pose_run<2>(places, palette, place, end, out);
-  place = pose_run<3>(places, palette, place, end, out);
-  place = pose_run<4>(places, palette, place, end, out);
+  place = pose_run<1>(places, rest_at, palette, place, end, out);
+  place = pose_run<2>(places, rest_at, palette, place, end, out);
+  place = pose_run<3>(places, rest_at, palette, place, end, out);
+  place = pose_run<4>(places, rest_at, palette, place, end, out);
   for (; place < end; ++place, out += kFloatsPerVertex)
-    store4(out, places.pose(place, places.influence_count(place), palette));
+    store4(out, places.pose(rest_at(place, out), place, places.influence_count(place), palette));
 }
 
-/// An unpublished node with its pool posed.
-OpenedNode* begin_node(const PosedTree& posed, const Node& node) {
+void pose_node(const PosedTree& posed, const Node& node, float* out) {
+  const Vec3* rest = posed.tree.rest_positions.data();
+  pose_pool(
+      posed.tree, [=](std::uint32_t place, const float*) -> const Vec3& { return rest[place]; },
+      posed.palette.joints().data(), node.first_vertex, node.first_vertex + node.vertex_count, out);
+}
+
+/// The same from the rest positions that `morph_pool` has left in `out`.
+void pose_morphed_node(const PosedTree& posed, const Node& node, float* out) {
+  pose_pool(
+      posed.tree,
+      [](std::uint32_t, const float* rest) {
+        return Vec3{rest[0], rest[1], rest[2]};
+      },
+      posed.palette.joints().data(), node.first_vertex, node.first_vertex + node.vertex_count, out);
+}
+
+/// An unpublished node with its pool posed, and the work of it.
+OpenedNode* begin_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
+  const Node& node = posed.tree.nodes[index];
   OpenedNode* opened = posed.arena.allocate<OpenedNode>();
   auto* positions = reinterpret_cast<float*>(
       posed.arena.allocate(node.vertex_count * kFloatsPerVertex * sizeof(float)));
-  pose_pool(posed.tree, posed.palette.joints().data(), node.first_vertex,
-            node.first_vertex + node.vertex_count, positions);
+  const MorphWeights& morphs = posed.palette.morphs();
+  const std::uint64_t displaced =
+      morphs.any() ? morph_pool(posed.tree, index, morphs, positions) : 0;
+  displaced > 0 ? pose_morphed_node(posed, node, positions) : pose_node(posed, node, positions);
   opened->positions = positions;
+  work.refits += node.cluster_count + node.child_count;
+  work.posed_vertices += node.vertex_count;
+  work.displacements += displaced;
   return opened;
 }
 
@@ -135,14 +159,12 @@ const RootBox& root_box(const PosedTree& posed, QueryStats& work) {
 
 const OpenedNode& open_closed_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
   const Node& node = posed.tree.nodes[index];
-  OpenedNode* opened = begin_node(posed, node);
+  QueryStats done;
+  OpenedNode* opened = begin_node(posed, index, done);
   box_slots(posed.tree, node, *opened,
             [&](std::uint32_t child) { return node_box(posed.bounds, child, posed.palette); });
   const OpenedNode* first = posed.opened.publish(index, opened);
-  if (first == opened) {
-    work.refits += node.cluster_count + node.child_count;
-    work.posed_vertices += node.vertex_count;
-  }
+  if (first == opened) work += done;
   return *first;
 }
 
@@ -169,14 +191,12 @@ QueryStats open_rest(const PosedTree& posed) {
   for (auto index = static_cast<std::uint32_t>(posed.tree.nodes.size()); index-- > 0;) {
     if (posed.opened[index]) continue;
     const Node& node = posed.tree.nodes[index];
-    OpenedNode* opened = begin_node(posed, node);
+    OpenedNode* opened = begin_node(posed, index, work);
     box_slots(posed.tree, node, *opened, [&](std::uint32_t child) {
       const OpenedNode& below = *posed.opened[child];
       return Box4{load4(below.all_low), load4(below.all_high)};
     });
     posed.opened.publish(index, opened);
-    work.refits += node.cluster_count + node.child_count;
-    work.posed_vertices += node.vertex_count;
   }
   return work;
 }
@@ -190,22 +210,24 @@ QueryStats open_all_exactly(const PosedTree& posed) {
   return work;
 }
 
-void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out) {
+void pose_vertices(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
+                   std::span<Vec3> out) {
   const Places places(tree);
   const Matrix4* matrices = palette.joints().data();
   for (std::uint32_t v = 0; v < tree.vertex_count(); ++v) {
     const std::uint32_t place = tree.vertex_places[v];
-    const Float4 p = places.pose(place, places.influence_count(place), matrices);
+    const Float4 p = places.pose(rest[place], place, places.influence_count(place), matrices);
     out[v] = {p[0], p[1], p[2]};
   }
 }
 
-Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at) {
+Box4 box_vertices(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
+                  std::span<const std::uint32_t> at) {
   const Places places(tree);
   const Matrix4* matrices = palette.joints().data();
   Box4 box = empty_box();
   for (const std::uint32_t place : at) {
-    const Float4 p = places.pose(place, places.influence_count(place), matrices);
+    const Float4 p = places.pose(rest[place], place, places.influence_count(place), matrices);
     box = unite(box, {p, p});
   }
   return box;

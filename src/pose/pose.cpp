@@ -2,11 +2,11 @@
 
 #include "base/assert.hpp"
 #include "base/wide_code.hpp"
+#include "pose/morphed_rest.hpp"
 
 #include <utility>
 
 namespace pelt {
-
 Pose::Pose(SkinnedModel model) : pose_(std::make_unique<detail::Pose>(std::move(model))) {}
 Pose::Pose(Pose&&) noexcept = default;
 Pose& Pose::operator=(Pose&&) noexcept = default;
@@ -24,13 +24,20 @@ Result<void> Pose::set_palette(std::span<const float> palette) {
   return taken;
 }
 
+Result<void> Pose::set_morph_weights(std::span<const float> weights) {
+  Result<void> taken = pose_->palette.set_morph_weights(weights);
+  if (taken) pose_->close_all();
+  return taken;
+}
+
 void Pose::reserve() { pose_->reserve(); }
 
 void posed_vertices(const Pose& pose, std::span<Vec3> out) {
   const detail::Pose& data = pose.detail();
   const detail::Tree& tree = data.model.detail().tree;
   PELT_ASSERT(out.size() == tree.vertex_count());
-  detail::wide_code().pose_vertices(tree, data.palette, out);
+  const detail::MorphedRest rest(tree, data.palette.morphs());
+  detail::wide_code().pose_vertices(tree, rest.positions(), data.palette, out);
 }
 
 }  // namespace pelt

@@ -10,9 +10,7 @@
 namespace pelt::detail {
 
 struct Pose {
-  explicit Pose(SkinnedModel m)
-      : model(std::move(m)),
-        palette(model.detail().tree.joint_count, model.detail().tree.rest_extent) {}
+  explicit Pose(SkinnedModel m) : model(std::move(m)), palette(rest_palette(model.detail().tree)) {}
 
   SkinnedModel model;
   Palette palette;

@@ -7,6 +7,7 @@ QueryStats& QueryStats::operator+=(const QueryStats& other) {
   refits += other.refits;
   posed_vertices += other.posed_vertices;
   triangle_pairs += other.triangle_pairs;
+  displacements += other.displacements;
   cut_short = cut_short || other.cut_short;
   return *this;
 }

@@ -3,13 +3,13 @@
 #include "base/assert.hpp"
 #include "base/problem.hpp"
 #include "base/wide_code.hpp"
-#include "skin/palette_scan.hpp"
 #include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace pelt::detail {
 namespace {
@@ -21,9 +21,8 @@ static_assert(kMaxExtent == 4 * kMaxCoordinate);
 constexpr double kLeastLinear = 0x1p-100;
 
 /// M of the joints scanned, rounded up; not finite when an element is not or nearly overflows.
-float extent_of(const PaletteScan& scan, float rest_extent) {
-  const double sum =
-      std::max(double{scan.linear}, kLeastLinear) * double{rest_extent} + double{scan.translation};
+float extent_of(const PaletteScan& scan, double reach) {
+  const double sum = std::max(double{scan.linear}, kLeastLinear) * reach + double{scan.translation};
   return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
 }
 
@@ -47,9 +46,12 @@ Problem describe(const float* m, std::size_t joint) {
 
 }  // namespace
 
-Palette::Palette(std::uint32_t joint_count, float rest_extent)
-    : joints_(joint_count), rest_extent_(std::max(rest_extent, kLeastRestExtent)) {
-  extent_ = extent_of({.linear = 1}, rest_extent_);
+Palette::Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents)
+    : joints_(joint_count),
+      morphs_(morph_extents),
+      rest_extent_(std::max(rest_extent, kLeastRestExtent)),
+      reach_(double{rest_extent_}),
+      extent_(extent_of(scan_, reach_)) {
   PELT_ASSERT(extent_ <= kMaxExtent);
 }
 
@@ -58,16 +60,40 @@ Result<void> Palette::set(std::span<const float> floats) {
     return invalid_argument(
         problem("the palette has %zu floats, expected %zu: 16 for each of the model's %zu joints",
                 floats.size(), 16 * joints_.size(), joints_.size()));
-  const auto is_good = [&](const PaletteScan& scan) {
-    return scan.is_affine && extent_of(scan, rest_extent_) <= kMaxCoordinate;
-  };
   const PaletteScan scan = wide_code().scan_palette(floats.data(), joints_.size());
-  if (!is_good(scan))
-    for (std::size_t j = 0; j < joints_.size(); ++j)
-      if (!is_good(wide_code().scan_palette(&floats[16 * j], 1)))
-        return invalid_argument(describe(&floats[16 * j], j));
+  if (!are_good(scan, reach_))
+    if (Problem found = find_bad_joint(floats, reach_); !found.empty())
+      return invalid_argument(std::move(found));
   std::memcpy(joints_.data()->m.data(), floats.data(), floats.size_bytes());
-  extent_ = extent_of(scan, rest_extent_);
+  scan_ = scan;
+  extent_ = extent_of(scan_, reach_);
+  return {};
+}
+
+/// Weights that displace no further than those before need no look at the joints: these may come
+/// from the constructor, which alone allows more than kMaxCoordinate.
+Result<void> Palette::set_morph_weights(std::span<const float> weights) {
+  if (Problem found = morphs_.check(weights); !found.empty())
+    return invalid_argument(std::move(found));
+  const double reach = double{rest_extent_} + morphs_.extent_of(weights);
+  if (reach > reach_ && !are_good(scan_, reach))
+    if (Problem found = find_bad_joint(floats_of(joints_), reach); !found.empty())
+      return invalid_argument("morph_weights are too large: " + std::move(found));
+  morphs_.set(weights);
+  reach_ = reach;
+  extent_ = extent_of(scan_, reach_);
+  return {};
+}
+
+bool Palette::are_good(const PaletteScan& joints, double reach) const {
+  return joints.is_affine && extent_of(joints, reach) <= kMaxCoordinate;
+}
+
+/// Joints that are good one by one are good together.
+Problem Palette::find_bad_joint(std::span<const float> floats, double reach) const {
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    if (!are_good(wide_code().scan_palette(&floats[16 * j], 1), reach))
+      return describe(&floats[16 * j], j);
   return {};
 }
 

@@ -3,6 +3,9 @@
 #include <pelt/math.hpp>
 #include <pelt/result.hpp>
 
+#include "skin/morph_weights.hpp"
+#include "skin/palette_scan.hpp"
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,32 +27,48 @@ inline std::span<const float> floats_of(std::span<const Matrix4> matrices) {
   return {reinterpret_cast<const float*>(matrices.data()), 16 * matrices.size()};
 }
 
-/// A joint palette that has been checked: finite, affine, and throwing no rest position beyond
-/// kMaxCoordinate, so that no query meets NaN or infinity.
+/// A joint palette that has been checked, and the morph weights that it goes with: finite, affine,
+/// and throwing no rest position, displaced by morph targets, beyond kMaxCoordinate, so that no
+/// query meets NaN or infinity.
 class Palette {
  public:
-  /// Identity matrices, for a mesh of that `rest_extent`, which is less than kMaxExtent.
-  Palette(std::uint32_t joint_count, float rest_extent);
+  /// Identity matrices, for a mesh of that `rest_extent`, which is less than kMaxExtent, and with
+  /// morph targets of these extents; all weights are zero.
+  Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents = {});
 
   /// Takes `floats`, 16 for each joint, or says what is wrong with them and changes nothing.
   Result<void> set(std::span<const float> floats);
   Result<void> set(std::span<const Matrix4> matrices) { return set(floats_of(matrices)); }
 
+  /// The same for the weights of the morph targets.
+  Result<void> set_morph_weights(std::span<const float> weights);
+
   std::span<const Matrix4> joints() const { return joints_; }
   const Matrix4& operator[](std::uint32_t joint) const { return joints_[joint]; }
 
+  const MorphWeights& morphs() const { return morphs_; }
+
   /// M of the rounding analyses: for every joint and every point v of the mesh's rest box,
-  /// sum_b |A_ab| |v_b| + |t_a| <= M. No coordinate of a posed vertex is larger, and float32
-  /// rounding of posed vertices and bounds is a small multiple of 2^-24 M. At most kMaxExtent, and
-  /// never so small that what underflows counts beside that rounding.
+  /// sum_b |A_ab| |v_b| + |t_a| <= M; for |v_b| the magnitudes of all weighted displacements of a
+  /// vertex count, too, be they added or subtracted. No coordinate of a posed vertex is larger, and
+  /// float32 rounding of posed vertices and bounds is a small multiple of 2^-24 M. At most
+  /// kMaxExtent, and never so small that what underflows counts beside that rounding.
   float extent() const { return extent_; }
 
   /// No vertex is posed further from the origin.
   float reach() const { return extent_ * 1.7320510f; }
 
+  std::size_t memory_bytes() const { return joints().size_bytes() + morphs_.memory_bytes(); }
+
  private:
+  bool are_good(const PaletteScan& joints, double reach) const;
+  Problem find_bad_joint(std::span<const float> floats, double reach) const;
+
   std::vector<Matrix4> joints_;
+  PaletteScan scan_ = {.linear = 1};  // of the joints
+  MorphWeights morphs_;
   float rest_extent_;
+  double reach_;  // the rest extent and that of the weighted displacements
   float extent_;
 };
 

@@ -22,9 +22,18 @@ Vec3 posed_vertex(const detail::SkinnedMesh& mesh, const detail::Palette& palett
     for (std::size_t k = 1; k < influences.size(); ++k)
       blended[e] += influences[k].weight * palette[influences[k].joint].m[e];
   }
-  const Vec3& v = mesh.rest_positions[vertex];
+  const Vec3& rest = mesh.rest_positions[vertex];
+  float v[3] = {rest.x, rest.y, rest.z};
+  const detail::MorphWeights& morphs = palette.morphs();
+  for (const detail::Displacement& displacement : mesh.displacements_of(vertex)) {
+    const float weight = morphs.any() ? morphs[displacement.target] : 0;
+    if (weight == 0) continue;
+    v[0] += weight * displacement.by.x;
+    v[1] += weight * displacement.by.y;
+    v[2] += weight * displacement.by.z;
+  }
   const auto coordinate = [&](int a) {
-    return (blended[a] * v.x + blended[8 + a] * v.z) + (blended[4 + a] * v.y + blended[12 + a]);
+    return (blended[a] * v[0] + blended[8 + a] * v[2]) + (blended[4 + a] * v[1] + blended[12 + a]);
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }

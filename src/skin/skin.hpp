@@ -9,6 +9,9 @@
 ///     B    = w_1 C_j1 + w_2 C_j2 + ...            entry by entry, summed from the left
 ///     v'_a = (B_a0 x + B_a2 z) + (B_a1 y + B_a3)  for a = x, y, z
 ///
+/// Morph targets come first: v = v0 + m_1 d_1 + m_2 d_2 ..., summed from the left, over the targets
+/// that displace the vertex and whose weight is not zero, in ascending order.
+///
 /// Two columns of B stand side by side in one Float8: that is why x goes with z and y with the
 /// translation. A vertex with a single influence has weight 1 exactly, so B = C_j: the one-joint
 /// special case.
@@ -39,12 +42,28 @@ inline Float4 posed_vertex4(const Vec3& rest, std::uint32_t count, const Influen
   return fold(pair8(rest.x, rest.y) * xy + pair8(rest.z, 1) * zt);
 }
 
+/// The rest position, displaced by one target more.
+inline Vec3 displaced(const Vec3& v, float weight, const Vec3& by) {
+  return {v.x + weight * by.x, v.y + weight * by.y, v.z + weight * by.z};
+}
+
+/// The rest position with all displacements.
+inline Vec3 morphed_vertex(const SkinnedMesh& mesh, const MorphWeights& morphs,
+                           std::uint32_t vertex) {
+  Vec3 v = mesh.rest_positions[vertex];
+  if (!morphs.any()) return v;
+  for (const Displacement& displacement : mesh.displacements_of(vertex))
+    if (const float weight = morphs[displacement.target]; weight != 0)
+      v = displaced(v, weight, displacement.by);
+  return v;
+}
+
 inline Float4 posed_vertex4(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {
   const Influence* influences = &mesh.influences[mesh.influence_begin[vertex]];
   const std::uint32_t count = mesh.influence_begin[vertex + 1] - mesh.influence_begin[vertex];
   return posed_vertex4(
-      mesh.rest_positions[vertex], count, [=](std::uint32_t i) { return influences[i]; },
-      palette.joints().data());
+      morphed_vertex(mesh, palette.morphs(), vertex), count,
+      [=](std::uint32_t i) { return influences[i]; }, palette.joints().data());
 }
 
 inline Vec3 posed_vertex(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {

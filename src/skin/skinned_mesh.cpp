@@ -1,10 +1,11 @@
 #include "skin/skinned_mesh.hpp"
 
 #include "base/problem.hpp"
+#include "skin/extent.hpp"
+#include "skin/morph_targets.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pelt::detail {
 namespace {
@@ -135,15 +136,6 @@ std::uint32_t count_degenerate(const SkinnedMesh& mesh) {
   return count;
 }
 
-float rest_extent(std::span<const Vec3> points) {
-  Vec3 largest;
-  for (const Vec3& p : points)
-    largest = {std::max(largest.x, std::fabs(p.x)), std::max(largest.y, std::fabs(p.y)),
-               std::max(largest.z, std::fabs(p.z))};
-  const double sum = double{largest.x} + double{largest.y} + double{largest.z};
-  return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
-}
-
 }  // namespace
 
 Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOptions& options,
@@ -157,8 +149,9 @@ Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOp
   mesh.rest_positions.assign(view.rest_positions.begin(), view.rest_positions.end());
   mesh.triangles.assign(view.triangles.begin(), view.triangles.end());
   mesh.joint_count = view.joint_count;
-  mesh.rest_extent = rest_extent(mesh.rest_positions);
+  mesh.rest_extent = extent_of(mesh.rest_positions);
   found = take_influences(view, options, mesh, report);
+  if (found.empty()) found = take_morph_targets(view.morph_targets, mesh);
   if (!found.empty()) return invalid_argument(found);
   report.degenerate_triangles = count_degenerate(mesh);
   return mesh;

@@ -14,12 +14,23 @@ struct Influence {
   float weight = 0;
 };
 
+/// How far a morph target moves a vertex at weight one.
+struct Displacement {
+  std::uint32_t target = 0;
+  Vec3 by;
+};
+
 /// The nodes of a tree count their joints in 16 bits.
 inline constexpr std::uint32_t kMaxJoints = 65535;
 
+/// Rounding analyses count the targets that displace a vertex: of so many, in units of 2^-24, terms
+/// of second order are still nothing.
+inline constexpr std::uint32_t kMaxMorphTargets = 65535;
+
 /// A skinned mesh that has been checked and brought to one form: influences of a vertex have
 /// positive weights that sum to 1 up to rounding, and stand in ascending order of their joints, so
-/// that vertices that were split at a seam are posed to the same bits.
+/// that vertices that were split at a seam are posed to the same bits. For the same reason there
+/// are no displacements of zero.
 struct SkinnedMesh {
   std::vector<Vec3> rest_positions;            // [V]
   std::vector<Triangle> triangles;             // [T]
@@ -28,12 +39,23 @@ struct SkinnedMesh {
   std::uint32_t joint_count = 0;
   float rest_extent = 0;  // sum over the axes of the largest coordinate
 
+  // Morph targets, vertex by vertex and ascending for each.
+  std::vector<float> morph_extents;               // [M] as rest_extent, of the displacements
+  std::vector<std::uint32_t> displacement_begin;  // [V + 1], into displacements; [] if M is 0
+  std::vector<Displacement> displacements;
+
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(rest_positions.size()); }
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size()); }
 
   std::span<const Influence> influences_of(std::uint32_t vertex) const {
     const std::uint32_t begin = influence_begin[vertex];
     return {influences.data() + begin, influence_begin[vertex + 1] - begin};
+  }
+
+  std::span<const Displacement> displacements_of(std::uint32_t vertex) const {
+    if (displacement_begin.empty()) return {};
+    const std::uint32_t begin = displacement_begin[vertex];
+    return {displacements.data() + begin, displacement_begin[vertex + 1] - begin};
   }
 };
 

@@ -71,6 +71,21 @@ TEST(Bounds, EncloseSoupsUnderAnyAffineJointsOnEachTarget) {
   });
 }
 
+TEST(Bounds, EncloseWhatMorphTargetsDisplaceOnEachTarget) {
+  test::on_each_target([](Target) {
+    Random random(507);
+    for (const Motion motion : {Motion::rigid, Motion::affine, Motion::far_away})
+      for (const test::Morphing morphing : test::kAllMorphings) {
+        Shape soup = test::make_soup(random, 300, 12, 4, Weights::random);
+        test::add_morph_targets(random, soup, 14, 0.2, 0.5);
+        Pose pose(*build_model(soup.view()));
+        ASSERT_TRUE(pose.set_palette(test::make_palette(random, 12, motion, 1)));
+        ASSERT_TRUE(pose.set_morph_weights(test::make_morph_weights(random, 14, morphing)));
+        Asked(soup, pose).expect_good();
+      }
+  });
+}
+
 TEST(Bounds, AreTheSameAfterTheSameWorkOnEachTarget) {
   Random random(506);
   const Shape limb = test::make_limb(60, 20, 6);

@@ -42,12 +42,15 @@ TEST(Groups, OfTrianglesAreEnclosedAndExact) {
     int empty = 0;
     for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
       for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial}) {
-        const Shape soup = test::make_soup(random, 200, 9, 4, weights);
+        Shape soup = test::make_soup(random, 200, 9, 4, weights);
+        test::add_morph_targets(random, soup, 8, 0.3, 0.5);
         const auto labels = random_labels(random, soup.triangles.size(), 30);
         Pose pose(*build_model(soup.view()));
         const Result<Groups> groups = group_triangles(pose.model(), labels);
         ASSERT_TRUE(groups);
         ASSERT_TRUE(pose.set_palette(test::make_palette(random, 9, motion, 1)));
+        const auto morphing = test::kAllMorphings[random.index(6)];
+        ASSERT_TRUE(pose.set_morph_weights(test::make_morph_weights(random, 8, morphing)));
         const std::vector<Vec3> positions = test::all_posed(pose);
         for (std::uint32_t g = 0; g < groups->count(); ++g) {
           const Box exact = test::box_of(labelled(soup, labels, g), positions);

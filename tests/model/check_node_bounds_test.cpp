@@ -18,11 +18,25 @@ using test::Random;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-Model sound_model() { return build_model(test::make_limb(40, 12, 5).view())->detail(); }
+Model sound_model() { return build_model(test::make_morphing_limb(40, 12, 5).view())->detail(); }
 
 NodeBound& first_of(NodeBounds& bounds, BoundKind kind) {
   return *std::find_if(bounds.nodes.begin(), bounds.nodes.end(),
                        [=](const NodeBound& bound) { return bound.kind == kind; });
+}
+
+/// A node takes the shape of one whose vertices more targets displace.
+void share_a_shape(NodeBounds& b) {
+  const auto displacements = [&](const NodeBound& bound) {
+    const std::size_t body = b.joint_boxes.size() + bound.shape;
+    return b.displacement_begin[body + 1] - b.displacement_begin[body];
+  };
+  for (NodeBound& one : b.nodes)
+    for (const NodeBound& other : b.nodes)
+      if (one.is_affine() && other.is_affine() && displacements(one) < displacements(other)) {
+        one.shape = other.shape;
+        return;
+      }
 }
 
 struct Breach {
@@ -72,6 +86,18 @@ const Breach kBreaches[] = {
     {"can become infinite", [](NodeBounds& b) { b.fits[0].spread[0] = 3e38f; }},
     {"can become infinite",
      [](NodeBounds& b) { b.fits[0].shift[0] = 1e30f, b.fits[0].spread[0] = -1e30f; }},
+
+    {"displacement_begin has 0", [](NodeBounds& b) { b.displacement_begin.clear(); }},
+    {"displacement_begin does not ascend", [](NodeBounds& b) { b.displacements.pop_back(); }},
+    {"displacement_begin does not ascend", [](NodeBounds& b) { b.displacement_begin[1] = 10000; }},
+    {"displacements of",  // a body of two nodes would multiply the work
+     [](NodeBounds& b) { share_a_shape(b); }},
+    {"is of target 3", [](NodeBounds& b) { b.displacements.back().target = 3; }},
+    {"out of order", [](NodeBounds& b) { b.displacements[1].target = b.displacements[0].target; }},
+    {"displacements[0] is no box", [](NodeBounds& b) { b.displacements[0].centre[0] = kNan; }},
+    {"displacements[0] is no box", [](NodeBounds& b) { b.displacements[0].centre[1] = 1; }},
+    {"displacements[0] is no box", [](NodeBounds& b) { b.displacements[0].half[2] = -1; }},
+    {"displacements[0] is no box", [](NodeBounds& b) { b.displacements[0].half[3] = 1; }},
 };
 
 TEST(CheckNodeBounds, FindsNothingInSoundBounds) {
@@ -115,6 +141,9 @@ bool is_finite(const Box4& box) {
 /// Fits up to `q` of check_node_bounds.hpp for each joint, in a mesh of this extent.
 void forge(Random& random, double extent, double q, Model& model) {
   model.tree.rest_extent = static_cast<float>(extent);
+  for (float& morph_extent : model.tree.morphs.extents) morph_extent = model.tree.rest_extent;
+  for (DisplacementBox& box : model.bounds.displacements)
+    for (float* v : {box.centre, box.half}) std::fill_n(v, 3, static_cast<float>(4 * extent));
   for (JointBox& box : model.bounds.joint_boxes) box = {};
   for (RestShape& shape : model.bounds.shapes) {
     shape = {};
@@ -158,9 +187,14 @@ TEST(CheckNodeBounds, WhatPassesIsFiniteOnEveryPalette) {
       continue;
     }
     ++passed;
-    Palette palette(model.tree.joint_count, model.tree.rest_extent);
+    Palette palette = rest_palette(model.tree);
     const Palette fresh = palette;
-    ASSERT_TRUE(palette.set(largest_joints(random, model.tree.joint_count, extent)));
+    const bool morphed = random.chance(0.5) && extent < 0x1p57;
+    if (morphed) {
+      ASSERT_TRUE(palette.set_morph_weights(std::vector<float>{1, 1, -1}));
+    }
+    ASSERT_TRUE(palette.set(
+        largest_joints(random, model.tree.joint_count, morphed ? 4.01 * extent : extent)));
     for (std::uint32_t n = 0; n < model.bounds.nodes.size(); ++n) {
       ASSERT_TRUE(is_finite(node_box(model.bounds, n, fresh))) << "round " << round;
       ASSERT_TRUE(is_finite(node_box(model.bounds, n, palette))) << "round " << round;

@@ -17,7 +17,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// A few hundred triangles in several nodes, and a vertex that none of them uses.
 Tree sound_tree() {
-  auto shape = test::make_limb(30, 16, 4);
+  auto shape = test::make_morphing_limb(30, 16, 4);
   test::split_vertex(shape, 5);
   shape.rest_positions.back() = {1, 2, 3};
   const SkinnedMesh mesh = test::mesh_of(shape);
@@ -155,6 +155,7 @@ const Breach kBreaches[] = {
 
     {"is in the pool of nodes[",
      [](Tree& t) {
+       t.morphs = {};
        const Node& node = *std::find_if(t.nodes.begin(), t.nodes.end(),
                                         [](const Node& n) { return n.vertex_count > 1; });
        t.rest_positions[node.first_vertex + 1] = t.rest_positions[node.first_vertex];
@@ -175,6 +176,30 @@ const Breach kBreaches[] = {
        }
        t.influence_begin.push_back(2 * end - begin);
      }},
+    {"morphs.extents has 65536", [](Tree& t) { t.morphs.extents.resize(65536); }},
+    {"node_begin has", [](Tree& t) { t.morphs.node_begin.pop_back(); }},
+    {"but extents has none", [](Tree& t) { t.morphs.extents = {}, t.morphs.node_begin = {}; }},
+    {"node_begin goes from 1", [](Tree& t) { t.morphs.node_begin[0] = 1; }},
+    {"node_begin goes from 0", [](Tree& t) { t.morphs.targets.push_back({}); }},
+    {"node_begin[2] is less", [](Tree& t) { t.morphs.node_begin[1] = 99; }},
+    {"targets[1] does not ascend", [](Tree& t) { t.morphs.targets[0].target = 2; }},
+    {"is of target 9 of 3", [](Tree& t) { t.morphs.targets.back().target = 9; }},
+    {"targets[0] has", [](Tree& t) { t.morphs.targets[0].first_displacement = 1; }},
+    {"targets[0] has 0 displacements", [](Tree& t) { t.morphs.targets[0].displacement_count = 0; }},
+    {"expected some from", [](Tree& t) { t.morphs.targets[1].displacement_count = 0xFFFFFFFF; }},
+    {"targets have",
+     [](Tree& t) {
+       t.morphs.displacements.push_back({{1, 0, 0}, 0});
+     }},
+    {"out of the pool", [](Tree& t) { t.morphs.displacements.back().place = 0; }},
+    {"out of the pool", [](Tree& t) { t.morphs.displacements[0].place = 0xFFFFFFFF; }},
+    {"displacements[1].place is",
+     [](Tree& t) { t.morphs.displacements[1].place = t.morphs.displacements[0].place; }},
+    {"displacements[2] has the coordinate nan",
+     [](Tree& t) { t.morphs.displacements[2].by.z = kNan; }},
+    {"displacements[2] is zero", [](Tree& t) { t.morphs.displacements[2].by = {}; }},
+    {"extents[1] is", [](Tree& t) { t.morphs.extents[1] *= 0.5f; }},
+    {"extents[1] is nan", [](Tree& t) { t.morphs.extents[1] = kNan; }},
     {"is none of the caller's", [](Tree& t) { t.vertex_places.back() = 0; }},
     {"is none of the caller's", [](Tree& t) { t.vertex_places.clear(); }},
 };

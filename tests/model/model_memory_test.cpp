@@ -10,8 +10,10 @@ namespace pelt {
 namespace {
 
 // The arrays that each_array visits: who adds one adds it there too.
-static_assert(sizeof(detail::Tree) == 10 * sizeof(std::vector<int>) + 8);
-static_assert(sizeof(detail::NodeBounds) == 5 * sizeof(std::vector<int>));
+static_assert(sizeof(detail::PoolMorphs) == 4 * sizeof(std::vector<int>));
+static_assert(sizeof(detail::Tree) ==
+              10 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 8);
+static_assert(sizeof(detail::NodeBounds) == 7 * sizeof(std::vector<int>));
 
 template <typename... Array>
 std::size_t bytes_of(const Array&... arrays) {
@@ -19,15 +21,20 @@ std::size_t bytes_of(const Array&... arrays) {
 }
 
 TEST(ModelMemory, CountsEveryArrayAndHoldsLittleMore) {
-  const auto model = build_model(test::make_limb(60, 40, 5).view());
+  test::Random random(335);
+  test::Shape limb = test::make_limb(60, 40, 5);
+  test::add_morph_targets(random, limb, 7, 0.3, 0.1);
+  const auto model = build_model(limb.view());
   ASSERT_TRUE(model);
   const auto& [positions, begins, joints, weights, corners, ids, cluster_vertices, clusters, nodes,
-               places, joint_count, extent] = model->detail().tree;
+               places, morphs, joint_count, extent] = model->detail().tree;
   const auto& bounds = model->detail().bounds;
   const std::size_t used =
       bytes_of(positions, begins, joints, weights, corners, ids, cluster_vertices, clusters, nodes,
                places) +
-      bytes_of(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits);
+      bytes_of(morphs.extents, morphs.node_begin, morphs.targets, morphs.displacements) +
+      bytes_of(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits,
+               bounds.displacement_begin, bounds.displacements);
   EXPECT_GT(used, 10 * model->triangle_count());
   EXPECT_GE(model->memory_bytes(), used);
   EXPECT_LE(model->memory_bytes(), used * 5 / 4);

@@ -15,9 +15,9 @@
 namespace pelt::test {
 namespace {
 
-/// A model of a few nodes, with both kinds of bounds.
+/// A model of a few nodes, with both kinds of bounds and morph targets.
 SkinnedModel small_model() {
-  SkinnedModel model = *build_model(make_limb(20, 8, 3).view());
+  SkinnedModel model = *build_model(make_morphing_limb(20, 8, 3).view());
   EXPECT_FALSE(model.detail().bounds.joint_boxes.empty());
   EXPECT_FALSE(model.detail().bounds.fits.empty());
   EXPECT_GT(model.detail().tree.nodes.size(), 2u);
@@ -122,7 +122,7 @@ TEST(PreparedMutation, ForgedNumbersAreHarmless) {
 TEST(PreparedMutation, PiecesOfAnotherModelAreHarmless) {
   Random random(302);
   const Bytes one = save_model(small_model());
-  const Bytes two = save_model(*build_model(make_limb(20, 8, 4).view()));
+  const Bytes two = save_model(*build_model(make_morphing_limb(20, 8, 4).view()));
   Tally tally;
   for (int round = 0; round < 3000; ++round) {
     Bytes forged = one;

@@ -42,7 +42,7 @@ auto answers(Pose& a, Pose& b) {
   std::vector<Vec3> posed(a.model().vertex_count());
   posed_vertices(a, posed);
   return std::tuple(contacts, posed, work.node_pairs, work.refits, work.posed_vertices,
-                    work.triangle_pairs);
+                    work.triangle_pairs, work.displacements);
 }
 
 void expect_equal_answers(const Shape& shape, Motion motion, Random& random, int& touching) {
@@ -55,6 +55,9 @@ void expect_equal_answers(const Shape& shape, Motion motion, Random& random, int
     const auto palette_b = test::make_palette(random, shape.joint_count, motion, 0.5);
     for (Pose* pose : {&a, &loaded_a}) ASSERT_TRUE(pose->set_palette(palette_a));
     for (Pose* pose : {&b, &loaded_b}) ASSERT_TRUE(pose->set_palette(palette_b));
+    const auto weights =
+        test::make_morph_weights(random, shape.morph_target_count(), test::Morphing::some);
+    for (Pose* pose : {&a, &loaded_a}) ASSERT_TRUE(pose->set_morph_weights(weights));
     const auto expected = answers(a, b);
     EXPECT_EQ(answers(loaded_a, loaded_b), expected);
     touching += !std::get<0>(expected).empty();
@@ -71,6 +74,9 @@ TEST(Prepared, AnswersAsTheModelThatWasBuilt) {
       expect_equal_answers(test::make_limb(40, 12, 5), motion, random, touching);
       expect_equal_answers(test::make_soup(random, 300, 7, 4, Weights::random), motion, random,
                            touching);
+      Shape morphing = test::make_limb(40, 12, 5);
+      test::add_morph_targets(random, morphing, 9, 0.3, 0.1);
+      expect_equal_answers(morphing, motion, random, touching);
       expect_equal_answers(test::make_soup(random, 1, 1, 1, Weights::one_joint), motion, random,
                            touching);
     }
@@ -111,9 +117,9 @@ const Forgery kForgeries[] = {
     {"is no prepared model", [](detail::PreparedHeader& h) { h.magic[0] = 'P'; }},
     {"is no prepared model", [](detail::PreparedHeader& h) { h.magic[7] = 0; }},
     {"the prepared model was made by another version of Pelt (version 1 of the format, this one "
-     "reads version 2): run `pelt prepare` or save_model() again",
+     "reads version 3): run `pelt prepare` or save_model() again",
      [](detail::PreparedHeader& h) { h.version = 1; }},
-    {"another version of Pelt (version 3 of", [](detail::PreparedHeader& h) { h.version = 3; }},
+    {"another version of Pelt (version 4 of", [](detail::PreparedHeader& h) { h.version = 4; }},
     {"another version of Pelt (version 0 of", [](detail::PreparedHeader& h) { h.version = 0; }},
     {"the other byte order", [](detail::PreparedHeader& h) { h.byte_order = 0x04030201; }},
     {"byte order mark 01020305", [](detail::PreparedHeader& h) { ++h.byte_order; }},
@@ -142,7 +148,7 @@ const Forgery kMendedForgeries[] = {
     {"rest_extent is inf", [](detail::PreparedHeader& h) { h.rest_extent = HUGE_VALF; }},
     {"its arrays take", [](detail::PreparedHeader& h) { h.counts[0] = UINT32_MAX; }},
     {"its arrays take", [](detail::PreparedHeader& h) { h.counts.fill(UINT32_MAX); }},
-    {"its arrays take", [](detail::PreparedHeader& h) { h.counts[14] -= 1; }},
+    {"its arrays take", [](detail::PreparedHeader& h) { h.counts[18] -= 1; }},
 };
 
 TEST(Prepared, NamesWhatAForgerHasDoneToTheHeader) {
@@ -160,7 +166,7 @@ ErrorCode refusal_code(const Bytes& file) { return load_model(file).error().code
 
 /// Whatever else is in it: another size of the header, another checksum, other arrays.
 TEST(Prepared, TellsOtherVersionsFromDamage) {
-  for (const std::uint32_t version : {1u, 3u, 0x7FFFFFFFu}) {
+  for (const std::uint32_t version : {1u, 2u, 4u, 0x7FFFFFFFu}) {
     Bytes file = save_model(limb());
     std::memcpy(&file[8], &version, sizeof version);
     EXPECT_EQ(refusal_code(file), ErrorCode::unsupported);
@@ -187,7 +193,7 @@ Bytes stored_limb() {
 /// Who changes the layout, or what an array means, raises the version and stores the limb.pelt that
 /// prepared_seeds then writes. Earlier files are else refused as damaged, or miss contacts.
 TEST(Prepared, FilesOfThisVersionKeepTheirMeaning) {
-  const Shape shape = test::make_limb(20, 8, 3);
+  const Shape shape = test::make_morphing_limb(20, 8, 3);
   const Result<SkinnedModel> stored = load_model(stored_limb());
   ASSERT_TRUE(stored) << stored.error().message;
   EXPECT_FALSE(stored->detail().bounds.fits.empty());
@@ -201,6 +207,8 @@ TEST(Prepared, FilesOfThisVersionKeepTheirMeaning) {
     const auto palette_b = test::bend_limb(random, 3, 0.5, {0.1f, 0.1f, 0});
     for (Pose* pose : {&a, &stored_a}) ASSERT_TRUE(pose->set_palette(palette_a));
     for (Pose* pose : {&b, &stored_b}) ASSERT_TRUE(pose->set_palette(palette_b));
+    const auto weights = test::make_morph_weights(random, 3, test::Morphing::all);
+    for (Pose* pose : {&a, &stored_a}) ASSERT_TRUE(pose->set_morph_weights(weights));
     const auto contacts = std::get<0>(answers(a, b));
     EXPECT_EQ(std::get<0>(answers(stored_a, stored_b)), contacts);
     EXPECT_EQ(check_bounds(stored_a), "");

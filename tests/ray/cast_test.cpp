@@ -22,6 +22,8 @@ struct Posed {
 
   static const Pose& set(Pose& pose, const std::vector<Matrix4>& palette) {
     EXPECT_TRUE(pose.set_palette(palette));
+    EXPECT_TRUE(
+        pose.set_morph_weights(std::vector<float>(pose.model().morph_target_count(), 0.7f)));
     return pose;
   }
 
@@ -61,6 +63,22 @@ TEST(Cast, FindsWhatALimbHas) {
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0], first);
   EXPECT_EQ(cast(limb.pose, through, {Facing::back}), all[1]);
+}
+
+TEST(Cast, EqualsBruteForceOnMorphedLimbs) {
+  Random random(99);
+  on_each_target([&](Target) {
+    Scratch scratch;
+    HitCounts counts;
+    for (int round = 0; round < 10; ++round) {
+      Posed limb(make_morphing_limb(24, 10, 5), bend_limb(random, 5, 0.4, {}));
+      const RayCases cases = limb.cases();
+      for (int i = 0; i < 100; ++i)
+        counts.add(expect_as_oracle(limb.pose, limb.oracle, cases.next(random), scratch,
+                                    kFacings[random.index(3)]));
+    }
+    counts.expect_each_at_least(50);
+  });
 }
 
 TEST(Cast, EqualsBruteForceOnBendingLimbs) {

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   pelt::test::Random random(305);
   write(folder / "triangle.pelt", make_soup(random, 1, 1, 1, Weights::one_joint));
   write(folder / "soup.pelt", make_soup(random, 60, 5, 4, Weights::adversarial));
-  write(folder / "limb.pelt", pelt::test::make_limb(20, 8, 3));
+  write(folder / "limb.pelt", pelt::test::make_morphing_limb(20, 8, 3));
   write(folder / "long_limb.pelt", pelt::test::make_limb(60, 12, 8));
   return 0;
 }

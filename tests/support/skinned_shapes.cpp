@@ -91,7 +91,8 @@ SkinnedMeshView Shape::view() const {
           .influences_per_vertex = influences_per_vertex,
           .joints = joints,
           .weights = weights,
-          .joint_count = joint_count};
+          .joint_count = joint_count,
+          .morph_targets = {morph_begin, morph_vertices, morph_displacements}};
 }
 
 Shape make_limb(std::uint32_t rings, std::uint32_t sides, std::uint32_t joint_count) {
@@ -142,6 +143,57 @@ Shape make_soup(Random& random, std::uint32_t triangle_count, std::uint32_t join
     shape.triangles.push_back(triangle);
   }
   return shape;
+}
+
+void add_morph_targets(Random& random, Shape& shape, std::uint32_t count, double share,
+                       double size) {
+  const auto vertices = static_cast<std::uint32_t>(shape.rest_positions.size());
+  if (shape.morph_begin.empty()) shape.morph_begin.push_back(0);
+  for (std::uint32_t m = 0; m < count; ++m) {
+    const bool is_run = random.chance(0.5);
+    const double first = random.uniform(0, 1 - share) * vertices;
+    for (std::uint32_t v = 0; v < vertices; ++v)
+      if (is_run ? v >= first && v <= first + share * vertices : random.chance(share)) {
+        shape.morph_vertices.push_back(v);
+        shape.morph_displacements.push_back(random.point(size));
+      }
+    shape.morph_begin.push_back(static_cast<std::uint32_t>(shape.morph_vertices.size()));
+  }
+}
+
+Shape make_morphing_limb(std::uint32_t rings, std::uint32_t sides, std::uint32_t joint_count) {
+  Shape shape = make_limb(rings, sides, joint_count);
+  shape.morph_begin = {0};
+  const auto add_target = [&](const Vec3& by, const auto& has) {
+    for (std::uint32_t v = 0; v < shape.rest_positions.size(); ++v)
+      if (has(v)) {
+        shape.morph_vertices.push_back(v);
+        shape.morph_displacements.push_back(by);
+      }
+    shape.morph_begin.push_back(static_cast<std::uint32_t>(shape.morph_vertices.size()));
+  };
+  add_target({0.1f, 0, 0.05f}, [&](std::uint32_t v) { return shape.rest_positions[v].y < 0.2f; });
+  add_target({0, 0.02f, -0.1f}, [&](std::uint32_t v) { return shape.rest_positions[v].y > 0.8f; });
+  add_target({0.01f, 0.01f, 0}, [](std::uint32_t v) { return v % 3 == 0; });
+  return shape;
+}
+
+std::vector<float> make_morph_weights(Random& random, std::uint32_t count, Morphing morphing) {
+  std::vector<float> weights(count);
+  if (morphing == Morphing::none || count == 0) return weights;
+  if (morphing == Morphing::one) {
+    weights[random.index(count)] = random.uniformf(0.5, 1);
+    return weights;
+  }
+  for (std::uint32_t m = 0; m < count; ++m) {
+    float& weight = weights[m];
+    if (morphing == Morphing::some) weight = random.chance(0.3) ? random.uniformf(0, 1) : 0;
+    if (morphing == Morphing::all) weight = random.uniformf(-1, 2);
+    if (morphing == Morphing::huge) weight = random.uniformf(-1e4, 1e4);
+    if (morphing == Morphing::cancelling)
+      weight = m % 2 == 0 ? random.uniformf(1, 1e4) : -weights[m - 1] * 0.999f;
+  }
+  return weights;
 }
 
 std::vector<Matrix4> make_palette(Random& random, std::uint32_t joint_count, Motion motion,

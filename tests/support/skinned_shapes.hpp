@@ -19,7 +19,12 @@ struct Shape {
   std::vector<std::uint16_t> joints;
   std::vector<float> weights;
   std::uint32_t joint_count = 1;
+  std::vector<std::uint32_t> morph_begin, morph_vertices;
+  std::vector<Vec3> morph_displacements;
 
+  std::uint32_t morph_target_count() const {
+    return morph_begin.empty() ? 0 : static_cast<std::uint32_t>(morph_begin.size() - 1);
+  }
   SkinnedMeshView view() const;
 };
 
@@ -36,6 +41,28 @@ enum class Weights {
 /// on. Every 16th triangle is degenerate.
 Shape make_soup(Random& random, std::uint32_t triangle_count, std::uint32_t joint_count,
                 std::uint32_t influences_per_vertex, Weights weights);
+
+/// Adds morph targets that each displace a share of the vertices, by up to `size` along each axis:
+/// a run of them, as a face is one, or any of them.
+void add_morph_targets(Random& random, Shape& shape, std::uint32_t count, double share,
+                       double size);
+
+/// A limb with three morph targets: bumps at either end, and one that every third vertex is in.
+Shape make_morphing_limb(std::uint32_t rings, std::uint32_t sides, std::uint32_t joint_count);
+
+enum class Morphing {
+  none,        ///< all weights zero
+  one,         ///< one target active
+  some,        ///< a third of the targets active, weights in [0, 1]
+  all,         ///< weights in [-1, 2]
+  huge,        ///< weights up to 1e4 of either sign
+  cancelling,  ///< large weights, each of which nearly undoes the one before it
+};
+
+inline constexpr Morphing kAllMorphings[] = {Morphing::none, Morphing::one,  Morphing::some,
+                                             Morphing::all,  Morphing::huge, Morphing::cancelling};
+
+std::vector<float> make_morph_weights(Random& random, std::uint32_t count, Morphing morphing);
 
 enum class Motion {
   rigid,      ///< rotations and translations, as in the paper

@@ -38,6 +38,7 @@ bool use_model(const SkinnedModel& model) {
   Pose a(model), b(model);
   if (!a.set_palette(spread_palette(model, 0.1f))) return false;
   if (!b.set_palette(spread_palette(model, -0.2f))) return false;
+  if (!a.set_morph_weights(std::vector<float>(model.morph_target_count(), 0.5f))) return false;
   require_finite(a);
   require_finite(b);
   static_cast<void>(check_bounds(a));  // opens every node; forged bounds may well be wrong
