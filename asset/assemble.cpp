@@ -38,6 +38,12 @@ Vec3 transformed(const Affine& m, const Vec3& p) {
   return {row(0), row(1), row(2)};
 }
 
+/// By the linear part alone.
+Vec3 turned(Affine m, const Vec3& displacement) {
+  m[9] = m[10] = m[11] = 0;
+  return transformed(m, displacement);
+}
+
 }  // namespace
 
 void assemble(Asset& asset) {
@@ -57,9 +63,17 @@ void assemble(Asset& asset) {
     placement[j] = global;
     asset.joints[j].inverse_bind = matrix_of(*inverse);
   }
-  for (std::size_t v = 0; v < asset.rest_positions.size(); ++v) {
+  const auto placement_of = [&](std::size_t v) {
     const auto& moved = placement[asset.joint_indices[v * asset.influences_per_vertex]];
-    if (riding[v] && moved) asset.rest_positions[v] = transformed(*moved, asset.rest_positions[v]);
+    return riding[v] && moved ? &*moved : nullptr;
+  };
+  for (std::size_t v = 0; v < asset.rest_positions.size(); ++v) {
+    if (const Affine* moved = placement_of(v))
+      asset.rest_positions[v] = transformed(*moved, asset.rest_positions[v]);
+  }
+  for (std::size_t i = 0; i < asset.morph_vertices.size(); ++i) {
+    if (const Affine* moved = placement_of(asset.morph_vertices[i]))
+      asset.morph_displacements[i] = turned(*moved, asset.morph_displacements[i]);
   }
 }
 

@@ -7,8 +7,13 @@
 namespace pelt::asset {
 
 SkinnedMeshView Asset::mesh() const {
-  return {rest_positions, triangles, influences_per_vertex,
-          joint_indices,  weights,   static_cast<std::uint32_t>(joints.size())};
+  return {rest_positions,
+          triangles,
+          influences_per_vertex,
+          joint_indices,
+          weights,
+          static_cast<std::uint32_t>(joints.size()),
+          {morph_begin, morph_vertices, morph_displacements}};
 }
 
 const Clip* Asset::find_clip(std::string_view name) const {

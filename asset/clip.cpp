@@ -4,6 +4,7 @@
 #include "asset/channel.hpp"
 #include "base/assert.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace pelt::asset {
@@ -31,6 +32,8 @@ void apply(const Channel& channel, float seconds, Local& local) {
     case Path::scale:
       local.scale = {value[0], value[1], value[2]};
       break;
+    case Path::weights:
+      break;
   }
 }
 
@@ -42,7 +45,7 @@ void sample_locals(const Asset& asset, const Clip* clip, float seconds, SampleSc
   if (clip == nullptr) return;
   for (const Channel& channel : clip->channels) {
     PELT_ASSERT(channel.node < asset.nodes.size());
-    apply(channel, seconds, scratch.locals[channel.node]);
+    if (channel.path != Path::weights) apply(channel, seconds, scratch.locals[channel.node]);
   }
 }
 
@@ -73,6 +76,23 @@ void sample_palette(const Asset& asset, const Clip* clip, float seconds, const M
   for (std::size_t j = 0; j < asset.joints.size(); ++j) {
     const Joint& joint = asset.joints[j];
     palette[j] = matrix_of(scratch.globals[joint.node] * affine_of(joint.inverse_bind));
+  }
+}
+
+void sample_morph_weights(const Asset& asset, const Clip* clip, float seconds,
+                          std::span<float> weights) {
+  const std::vector<MorphTarget>& targets = asset.morph_targets;
+  PELT_ASSERT(weights.size() == targets.size());
+  for (std::size_t m = 0; m < targets.size(); ++m) weights[m] = targets[m].default_weight;
+  if (clip == nullptr) return;
+  for (const Channel& channel : clip->channels) {
+    if (channel.path != Path::weights) continue;
+    const auto is_of_node = [&](const MorphTarget& t) { return t.node == channel.node; };
+    const auto first = std::find_if(targets.begin(), targets.end(), is_of_node);
+    const auto last = std::find_if_not(first, targets.end(), is_of_node);
+    sample_weights(channel, seconds,
+                   weights.subspan(static_cast<std::size_t>(first - targets.begin()),
+                                   static_cast<std::size_t>(last - first)));
   }
 }
 

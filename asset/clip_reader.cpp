@@ -3,6 +3,7 @@
 #include "asset/transform.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace pelt::asset {
@@ -11,8 +12,8 @@ namespace {
 
 class ClipReader {
  public:
-  ClipReader(const GltfDocument& document, const NodeGraph& graph, AccessorReader& reader)
-      : document_(document), graph_(graph), reader_(reader) {}
+  ClipReader(const GltfDocument& document, const NodeGraph& graph, AccessorReader& reader,
+             const std::vector<MorphTarget>& targets);
 
   Result<Clip> read(std::uint32_t animation);
   std::size_t passed_over() const { return passed_over_; }
@@ -22,7 +23,9 @@ class ClipReader {
   Result<Channel> read_channel(const GltfSampler& sampler, const GltfChannel& source,
                                std::vector<float> times);
   Result<std::vector<float>> read_times(std::uint32_t accessor);
-  Result<std::vector<float>> read_values(const GltfSampler& sampler, Path path,
+  std::size_t weights_of(const GltfChannel& channel) const;
+  bool is_of_interest(const GltfChannel& channel) const;
+  Result<std::vector<float>> read_values(const GltfSampler& sampler, const GltfChannel& source,
                                          std::size_t key_count);
   Result<void> normalise_keys(std::uint32_t accessor, std::vector<float>& values);
   Result<void> require_animatable(const GltfChannel& channel);
@@ -31,12 +34,32 @@ class ClipReader {
   const NodeGraph& graph_;
   AccessorReader& reader_;
   std::set<std::pair<std::uint32_t, GltfPath>> targets_;  ///< of the clip at hand
+  std::map<std::uint32_t, std::size_t> target_counts_;    ///< morph targets by place of the node
   std::size_t passed_over_ = 0;
 };
 
 Path to_path(GltfPath path) {
   if (path == GltfPath::translation) return Path::translation;
+  if (path == GltfPath::weights) return Path::weights;
   return path == GltfPath::rotation ? Path::rotation : Path::scale;
+}
+
+ClipReader::ClipReader(const GltfDocument& document, const NodeGraph& graph, AccessorReader& reader,
+                       const std::vector<MorphTarget>& targets)
+    : document_(document), graph_(graph), reader_(reader) {
+  for (const MorphTarget& target : targets) ++target_counts_[target.node];
+}
+
+/// The morph targets that a channel of weights is about.
+std::size_t ClipReader::weights_of(const GltfChannel& channel) const {
+  const auto known = target_counts_.find(graph_.position[*channel.node]);
+  return known == target_counts_.end() ? 0 : known->second;
+}
+
+/// Whether it moves anything that has been read.
+bool ClipReader::is_of_interest(const GltfChannel& channel) const {
+  if (!channel.node || channel.path == GltfPath::unknown) return false;
+  return channel.path != GltfPath::weights || weights_of(channel) > 0;
 }
 
 Result<Clip> ClipReader::read(std::uint32_t index) {
@@ -57,8 +80,7 @@ Result<void> ClipReader::add_channel(const GltfAnimation& animation, const GltfC
   Result<std::vector<float>> times = read_times(sampler.times);
   if (!times) return times.error();
   clip.duration = std::max(clip.duration, times->back());
-  const bool moves_node = source.path != GltfPath::weights && source.path != GltfPath::unknown;
-  if (!source.node || !moves_node) {
+  if (!is_of_interest(source)) {
     ++passed_over_;
     return {};
   }
@@ -76,7 +98,7 @@ Result<Channel> ClipReader::read_channel(const GltfSampler& sampler, const GltfC
   channel.node = graph_.position[*source.node];
   channel.path = to_path(source.path);
   channel.interpolation = sampler.interpolation;
-  Result<std::vector<float>> values = read_values(sampler, channel.path, times.size());
+  Result<std::vector<float>> values = read_values(sampler, source, times.size());
   if (!values) return values.error();
   channel.times = std::move(times);
   channel.values = *std::move(values);
@@ -100,20 +122,26 @@ Result<std::vector<float>> ClipReader::read_times(std::uint32_t accessor) {
                    " is not later than the one before it");
 }
 
-Result<std::vector<float>> ClipReader::read_values(const GltfSampler& sampler, Path path,
+Result<std::vector<float>> ClipReader::read_values(const GltfSampler& sampler,
+                                                   const GltfChannel& source,
                                                    std::size_t key_count) {
-  const bool rotation = path == Path::rotation;
+  const bool rotation = source.path == GltfPath::rotation;
+  const bool weights = source.path == GltfPath::weights;
   const bool cubic = sampler.interpolation == Interpolation::cubic_spline;
   const std::string use = "values of keys";
-  const std::size_t expected = cubic ? 3 * key_count : key_count;
+  const std::uint64_t expected =
+      std::uint64_t{key_count} * (cubic ? 3 : 1) * (weights ? weights_of(source) : 1);
   if (reader_.count(sampler.values) != expected) {
     return malformed(accessor_label(sampler.values, use) + ": has " +
                      std::to_string(reader_.count(sampler.values)) + " elements, must have " +
                      std::to_string(expected));
   }
+  const ElementType type = weights    ? ElementType::scalar
+                           : rotation ? ElementType::vec4
+                                      : ElementType::vec3;
   Result<std::vector<float>> values =
-      reader_.floats(sampler.values, rotation ? ElementType::vec4 : ElementType::vec3,
-                     rotation ? Storage::floats_or_normalised : Storage::floats, use);
+      reader_.floats(sampler.values, type,
+                     rotation || weights ? Storage::floats_or_normalised : Storage::floats, use);
   if (!values || !rotation || cubic) return values;
   const Result<void> unit = normalise_keys(sampler.values, *values);
   if (!unit) return unit.error();
@@ -135,7 +163,7 @@ Result<void> ClipReader::normalise_keys(std::uint32_t accessor, std::vector<floa
 
 Result<void> ClipReader::require_animatable(const GltfChannel& channel) {
   const std::string node = node_label(document_, *channel.node);
-  if (document_.nodes[*channel.node].has_matrix) {
+  if (document_.nodes[*channel.node].has_matrix && channel.path != GltfPath::weights) {
     return malformed(node + " is animated, but has a matrix");
   }
   if (!targets_.emplace(*channel.node, channel.path).second) {
@@ -147,8 +175,10 @@ Result<void> ClipReader::require_animatable(const GltfChannel& channel) {
 }  // namespace
 
 Result<std::vector<Clip>> read_clips(const GltfDocument& document, const NodeGraph& graph,
-                                     AccessorReader& reader, std::vector<std::string>& warnings) {
-  ClipReader clip_reader(document, graph, reader);
+                                     AccessorReader& reader,
+                                     const std::vector<MorphTarget>& targets,
+                                     std::vector<std::string>& warnings) {
+  ClipReader clip_reader(document, graph, reader, targets);
   std::vector<Clip> clips;
   for (std::uint32_t i = 0; i < document.animations.size(); ++i) {
     Result<Clip> clip = clip_reader.read(i);
@@ -157,7 +187,7 @@ Result<std::vector<Clip>> read_clips(const GltfDocument& document, const NodeGra
   }
   if (clip_reader.passed_over() > 0) {
     warnings.push_back(std::to_string(clip_reader.passed_over()) +
-                       " animation channels are passed over: they move no node (morph weights)");
+                       " animation channels are passed over: they move nothing that has been read");
   }
   return clips;
 }

@@ -5,9 +5,11 @@
 
 namespace pelt::asset {
 
-/// The animations of the document. What Pelt does not animate (morph weights) is passed over with a
-/// warning, but counts for a clip's duration.
+/// The animations of the document. What moves nothing that has been read (no node, no morph target
+/// of `targets`) is passed over with a warning, but counts for a clip's duration.
 Result<std::vector<Clip>> read_clips(const GltfDocument& document, const NodeGraph& graph,
-                                     AccessorReader& reader, std::vector<std::string>& warnings);
+                                     AccessorReader& reader,
+                                     const std::vector<MorphTarget>& targets,
+                                     std::vector<std::string>& warnings);
 
 }  // namespace pelt::asset

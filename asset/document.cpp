@@ -169,10 +169,19 @@ GltfPrimitive read_primitive(const JsonObject& json, std::size_t accessor_count,
   return primitive;
 }
 
+/// What exporters agreed on; whatever else stands in extras is nobody's business.
+std::vector<std::string> read_target_names(const JsonObject& json) {
+  if (!json.is_object("extras")) return {};
+  const JsonObject extras = json.object("extras");
+  return extras.is_list_of_texts("targetNames") ? extras.texts("targetNames")
+                                                : std::vector<std::string>();
+}
+
 GltfMesh read_mesh(const JsonObject& json, std::size_t accessor_count, std::size_t material_count) {
   GltfMesh mesh;
   mesh.name = json.text("name");
   mesh.weights = json.floats("weights");
+  mesh.target_names = read_target_names(json);
   for (const JsonObject& primitive : json.objects("primitives")) {
     mesh.primitives.push_back(read_primitive(primitive, accessor_count, material_count));
   }
@@ -331,6 +340,13 @@ void read_scene_graph(const JsonObject& root, GltfDocument& document) {
 }
 
 }  // namespace
+
+std::size_t GltfMesh::target_count() const {
+  std::size_t count = 0;
+  for (const GltfPrimitive& primitive : primitives)
+    count = std::max(count, primitive.target_positions.size());
+  return count;
+}
 
 std::size_t byte_size(ComponentType type) {
   if (type == ComponentType::i8 || type == ComponentType::u8) return 1;

@@ -78,7 +78,11 @@ struct GltfPrimitive {
 struct GltfMesh {
   std::string name;
   std::vector<GltfPrimitive> primitives;
-  std::vector<float> weights;  ///< of the morph targets; empty: all 0
+  std::vector<float> weights;             ///< of the morph targets; empty: all 0
+  std::vector<std::string> target_names;  ///< of `extras`, as many as there are
+
+  /// Of the primitive that has most; all should have as many.
+  std::size_t target_count() const;
 };
 
 struct GltfSkin {

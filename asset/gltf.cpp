@@ -31,7 +31,8 @@ Result<Asset> read_asset(GltfDocument& document, Buffers& buffers, Budget& budge
   AccessorReader reader(document, buffers, budget);
   const Result<void> merged = merge_meshes(document, *graph, options, reader, budget, asset);
   if (!merged) return merged.error();
-  Result<std::vector<Clip>> clips = read_clips(document, *graph, reader, asset.warnings);
+  Result<std::vector<Clip>> clips =
+      read_clips(document, *graph, reader, asset.morph_targets, asset.warnings);
   if (!clips) return clips.error();
   asset.clips = *std::move(clips);
   asset.nodes = take_nodes(*graph, document);

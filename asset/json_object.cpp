@@ -161,6 +161,17 @@ std::vector<std::string> JsonObject::texts(const char* key) const {
   return values;
 }
 
+bool JsonObject::is_object(const char* key) const {
+  const json* value = find(key);
+  return value && value->is_object();
+}
+
+bool JsonObject::is_list_of_texts(const char* key) const {
+  const json* value = find(key);
+  return value && value->is_array() &&
+         std::all_of(value->begin(), value->end(), [](const json& e) { return e.is_string(); });
+}
+
 JsonObject JsonObject::object(const char* key) const {
   const json* value = find(key);
   return {value ? *value : empty_object(), path_of(key), *errors_};

@@ -33,6 +33,8 @@ class JsonObject {
   JsonObject(const nlohmann::json& value, std::string path, FirstError& errors);
 
   bool has(const char* key) const;
+  bool is_object(const char* key) const;
+  bool is_list_of_texts(const char* key) const;
   std::vector<std::string> keys() const;
 
   std::string text(const char* key) const;  ///< "" where absent

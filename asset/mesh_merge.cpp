@@ -1,6 +1,7 @@
 #include "asset/mesh_merge.hpp"
 #include "asset/joint_table.hpp"
 #include "asset/message.hpp"
+#include "asset/morph_merge.hpp"
 #include "asset/node_choice.hpp"
 #include "asset/primitive.hpp"
 
@@ -28,13 +29,13 @@ class Merger {
   Result<void> add_part(std::uint32_t node, PrimitivePlace place, std::size_t triangle_count);
   const std::vector<std::uint32_t>& drawn_primitives(std::uint32_t mesh);
   bool is_drawn(PrimitivePlace place);
-  void warn_of_targets(std::uint32_t mesh);
 
   const GltfDocument& document_;
   Budget& budget_;
   Asset& asset_;
   JointTable joints_;
   PrimitiveReader primitives_;
+  MorphMerge morphs_;
   Influences influences_;  ///< of all vertices so far
   std::map<std::uint32_t, std::vector<std::uint32_t>> drawn_;
   /// First vertex of each combination of accessors that the node at hand has used: primitives that
@@ -60,16 +61,18 @@ Merger::Merger(const GltfDocument& document, const NodeGraph& graph, AccessorRea
       budget_(budget),
       asset_(asset),
       joints_(document, graph, reader),
-      primitives_(document, reader, budget) {}
+      primitives_(document, reader, budget),
+      morphs_(document, graph, primitives_, budget, asset) {}
 
 Result<void> Merger::add_node(std::uint32_t node) {
   const std::uint32_t mesh = *document_.nodes[node].mesh;
   shared_.clear();
+  morphs_.begin_node(node, mesh);
   for (const std::uint32_t primitive : drawn_primitives(mesh)) {
     const Result<void> added = add_primitive(node, {mesh, primitive});
     if (!added) return prefixed(node_label(document_, node), added.error());
   }
-  return {};
+  return morphs_.end_node();
 }
 
 Result<void> Merger::add_primitive(std::uint32_t node, PrimitivePlace place) {
@@ -100,9 +103,7 @@ Result<std::uint32_t> Merger::vertices(std::uint32_t node, PrimitivePlace place)
 }
 
 Result<std::uint32_t> Merger::add_vertices(std::uint32_t node, PrimitivePlace place) {
-  const std::vector<float>& own = document_.nodes[node].weights;
-  const Result<std::vector<Vec3>> positions =
-      primitives_.positions(place, own.empty() ? document_.meshes[place.mesh].weights : own);
+  const Result<std::vector<Vec3>> positions = primitives_.positions(place);
   if (!positions) return positions.error();
   const Result<Influences> influences = this->influences(node, place, positions->size());
   if (!influences) return influences.error();
@@ -116,6 +117,8 @@ Result<std::uint32_t> Merger::add_vertices(std::uint32_t node, PrimitivePlace pl
     influences_.first.push_back(offset + influences->first[v]);
   }
   influences_.list.insert(influences_.list.end(), influences->list.begin(), influences->list.end());
+  const Result<void> morphed = morphs_.add_vertices(place, first, positions->size());
+  if (!morphed) return morphed.error();
   return first;
 }
 
@@ -160,7 +163,6 @@ Result<void> Merger::add_part(std::uint32_t node, PrimitivePlace place,
 const std::vector<std::uint32_t>& Merger::drawn_primitives(std::uint32_t mesh) {
   const auto known = drawn_.find(mesh);
   if (known != drawn_.end()) return known->second;
-  warn_of_targets(mesh);
   std::vector<std::uint32_t>& drawn = drawn_[mesh];
   for (std::uint32_t i = 0; i < document_.meshes[mesh].primitives.size(); ++i) {
     if (is_drawn({mesh, i})) drawn.push_back(i);
@@ -175,17 +177,6 @@ bool Merger::is_drawn(PrimitivePlace place) {
   asset_.warnings.push_back(primitive_label(document_, place) + " is passed over: it has " +
                             (points_or_lines ? "points or lines" : "no POSITION"));
   return false;
-}
-
-void Merger::warn_of_targets(std::uint32_t mesh) {
-  std::size_t count = 0;
-  for (const GltfPrimitive& primitive : document_.meshes[mesh].primitives) {
-    count = std::max(count, primitive.target_positions.size());
-  }
-  if (count == 0) return;
-  asset_.warnings.push_back(label("mesh", mesh, document_.meshes[mesh].name) + ": its " +
-                            std::to_string(count) +
-                            " morph targets are not animated, they stand at their default weights");
 }
 
 /// Gives every vertex the same number of influences, the largest that any has.

@@ -1,7 +1,6 @@
 #include "asset/primitive.hpp"
 #include "asset/message.hpp"
 
-#include <cmath>
 #include <numeric>
 
 namespace pelt::asset {
@@ -14,10 +13,6 @@ std::vector<Vec3> to_points(const std::vector<float>& values) {
     points[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
   }
   return points;
-}
-
-bool is_finite(const Vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
 std::size_t triangle_count(PrimitiveMode mode, std::size_t corner_count) {
@@ -43,42 +38,27 @@ PrimitiveReader::PrimitiveReader(const GltfDocument& document, AccessorReader& r
                                  Budget& budget)
     : document_(document), reader_(reader), budget_(budget) {}
 
-Result<std::vector<Vec3>> PrimitiveReader::positions(PrimitivePlace place,
-                                                     const std::vector<float>& target_weights) {
+Result<std::vector<Vec3>> PrimitiveReader::positions(PrimitivePlace place) {
   const Result<std::vector<float>> values =
       reader_.floats(*at(place).positions, ElementType::vec3, Storage::floats_or_integers,
                      "POSITION of " + label_of(place));
   if (!values) return values.error();
-  std::vector<Vec3> points = to_points(*values);
-  const std::size_t target_count = at(place).target_positions.size();
-  for (std::uint32_t i = 0; i < target_count && i < target_weights.size(); ++i) {
-    const Result<void> added = add_target(place, i, target_weights[i], points);
-    if (!added) return added.error();
-  }
-  return points;
+  return to_points(*values);
 }
 
-Result<void> PrimitiveReader::add_target(PrimitivePlace place, std::uint32_t target, float weight,
-                                         std::vector<Vec3>& positions) {
-  const std::optional<std::uint32_t> accessor = at(place).target_positions[target];
-  if (!accessor || weight == 0) return {};
+Result<std::vector<Vec3>> PrimitiveReader::displacements(PrimitivePlace place, std::uint32_t target,
+                                                         std::uint64_t vertex_count) {
+  const auto& targets = at(place).target_positions;
+  if (target >= targets.size() || !targets[target]) return std::vector<Vec3>();
+  const std::uint32_t accessor = *targets[target];
   const std::string use =
       "POSITION of morph target " + std::to_string(target) + " of " + label_of(place);
-  const Result<void> same_count = require_count(*accessor, positions.size(), use);
+  const Result<void> same_count = require_count(accessor, vertex_count, use);
   if (!same_count) return same_count.error();
   const Result<std::vector<float>> values =
-      reader_.floats(*accessor, ElementType::vec3, Storage::floats_or_integers, use);
+      reader_.floats(accessor, ElementType::vec3, Storage::floats_or_integers, use);
   if (!values) return values.error();
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    positions[i].x += weight * (*values)[3 * i];
-    positions[i].y += weight * (*values)[3 * i + 1];
-    positions[i].z += weight * (*values)[3 * i + 2];
-    if (!is_finite(positions[i])) {
-      return malformed(accessor_label(*accessor, use) + ": moves vertex " + std::to_string(i) +
-                       " to infinity");
-    }
-  }
-  return {};
+  return to_points(*values);
 }
 
 Result<Influences> PrimitiveReader::influences(PrimitivePlace place,

@@ -27,10 +27,11 @@ class PrimitiveReader {
   /// Borrows all its arguments.
   PrimitiveReader(const GltfDocument& document, AccessorReader& reader, Budget& budget);
 
-  /// Rest positions with the morph targets at `target_weights` added; a weight that is missing is
-  /// 0.
-  Result<std::vector<Vec3>> positions(PrimitivePlace place,
-                                      const std::vector<float>& target_weights);
+  Result<std::vector<Vec3>> positions(PrimitivePlace place);
+
+  /// How far the morph target moves each of `vertex_count` vertices; nothing if it moves none.
+  Result<std::vector<Vec3>> displacements(PrimitivePlace place, std::uint32_t target,
+                                          std::uint64_t vertex_count);
 
   /// Influences of all sets. `joints` has the palette's number of each joint of the skin, which
   /// messages call `skin`.
@@ -43,8 +44,6 @@ class PrimitiveReader {
  private:
   const GltfPrimitive& at(PrimitivePlace place) const;
   std::string label_of(PrimitivePlace place) const;
-  Result<void> add_target(PrimitivePlace place, std::uint32_t target, float weight,
-                          std::vector<Vec3>& positions);
   Result<std::vector<std::uint32_t>> joint_set(PrimitivePlace place, std::uint32_t set,
                                                std::size_t joint_count, const std::string& skin);
   Result<std::vector<float>> weight_set(PrimitivePlace place, std::uint32_t set);

@@ -13,6 +13,10 @@ class EagerMethod final : public Method {
     update_work_ += bodies_.back()->pose.open_all();
   }
 
+  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
+    return bodies_[body]->pose.set_morph_weights(weights);
+  }
+
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
     Result<void> taken = bodies_[body]->pose.set_palette(palette);
     if (taken) update_work_ += bodies_[body]->pose.open_all();

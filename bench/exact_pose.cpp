@@ -7,9 +7,12 @@
 
 namespace pelt::bench {
 
-ExactPose::ExactPose(const detail::Tree& tree)
-    : tree_(tree), palette_(tree.joint_count, tree.rest_extent) {
+ExactPose::ExactPose(const detail::Tree& tree) : tree_(tree), palette_(rest_palette(tree)) {
   close_all();
+}
+
+Result<void> ExactPose::set_morph_weights(std::span<const float> weights) {
+  return palette_.set_morph_weights(weights);
 }
 
 Result<void> ExactPose::set_palette(std::span<const Matrix4> palette) {

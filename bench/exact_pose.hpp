@@ -16,6 +16,9 @@ class ExactPose {
   /// The rest pose, with nothing open yet. `tree` must outlive this.
   explicit ExactPose(const detail::Tree& tree);
 
+  /// Takes the weights of morph targets for the palette set next, or refuses them.
+  Result<void> set_morph_weights(std::span<const float> weights);
+
   /// Takes a joint palette, or refuses it and stays as it was. Nothing is open after it.
   Result<void> set_palette(std::span<const Matrix4> palette);
 

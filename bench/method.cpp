@@ -32,6 +32,10 @@ class OnDemandMethod final : public Method {
  public:
   void add(const SkinnedModel& model) override { poses_.emplace_back(model); }
 
+  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
+    return poses_[body].set_morph_weights(weights);
+  }
+
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
     return poses_[body].set_palette(palette);
   }
@@ -57,9 +61,17 @@ class BodyMethod final : public Method {
     auto& prepared = prepared_[&model.detail()];
     if (!prepared) prepared = std::make_unique<PreparedModel>(model);
     const SkinnedMesh& mesh = prepared->mesh;
-    palettes_.emplace_back(mesh.joint_count, mesh.rest_extent);
+    palettes_.emplace_back(mesh.joint_count, mesh.rest_extent, mesh.morph_extents);
     bodies_.push_back(Traits::make_body(mesh, prepared->prepared));
     update_work_ += Traits::update(*bodies_.back(), palettes_.back());
+  }
+
+  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
+    const bool any = std::any_of(weights.begin(), weights.end(), [](float w) { return w != 0; });
+    if (any && !Traits::kMorphs)
+      return Error{ErrorCode::unsupported,
+                   "this method has no bounds for morph targets: choose another method"};
+    return palettes_[body].set_morph_weights(weights);
   }
 
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
@@ -104,6 +116,7 @@ struct OnDemandTraits {
   using Prepared = Prepared_;
   using Body = Body_;
   static constexpr bool kUpdateCounts = true;
+  static constexpr bool kMorphs = false;
 
   static QueryStats update(Body& body, const Palette&) {
     body.invalidate();
@@ -140,6 +153,7 @@ struct UpdatedTraits {
   using Prepared = Prepared_;
   using Body = Body_;
   static constexpr bool kUpdateCounts = true;
+  static constexpr bool kMorphs = true;
 
   static QueryStats update(Body& body, const Palette& palette) { return body.update(palette); }
   static QueryStats collide(Body& a, const Palette&, Body& b, const Palette&,

@@ -53,6 +53,11 @@ class Method {
   /// Adds a body. What depends on the model alone is prepared here, once for each model.
   virtual void add(const SkinnedModel& model) = 0;
 
+  /// The weights of a body's morph targets, as Pose::set_morph_weights takes them, for the joint
+  /// palette that is set next: nothing is updated before that. Methods that know no morph targets
+  /// refuse weights other than zero.
+  virtual Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) = 0;
+
   /// Gives body `body` its joint palette, and does what the method does before it can answer.
   virtual Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) = 0;
 

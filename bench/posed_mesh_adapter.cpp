@@ -21,6 +21,10 @@ class PosedMeshAdapter final : public Method {
     update(static_cast<std::uint32_t>(bodies_.size() - 1));
   }
 
+  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
+    return bodies_[body].pose.set_morph_weights(weights);
+  }
+
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
     Result<void> taken = bodies_[body].pose.set_palette(palette);
     if (taken) update(body);

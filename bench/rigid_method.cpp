@@ -34,6 +34,7 @@ SkinnedMesh frozen(const SkinnedMesh& mesh, const Palette& palette) {
 struct Frozen {
   Frozen(const SkinnedMesh& mesh, const Palette& palette)
       : joints(palette.joints().begin(), palette.joints().end()),
+        morphs(palette.morphs().all().begin(), palette.morphs().all().end()),
         tree(build(frozen(mesh, palette))),
         pose(tree) {
     pose.open_all();
@@ -44,6 +45,7 @@ struct Frozen {
   }
 
   std::vector<Matrix4> joints;
+  std::vector<float> morphs;
   detail::Tree tree;
   ExactPose pose;
 };
@@ -51,8 +53,12 @@ struct Frozen {
 class RigidBody {
  public:
   explicit RigidBody(const SkinnedMesh& mesh)
-      : mesh_(mesh), palette_(mesh.joint_count, mesh.rest_extent) {
+      : mesh_(mesh), palette_(mesh.joint_count, mesh.rest_extent, mesh.morph_extents) {
     freeze();
+  }
+
+  Result<void> set_morph_weights(std::span<const float> weights) {
+    return palette_.set_morph_weights(weights);
   }
 
   Result<void> set_palette(std::span<const Matrix4> palette) {
@@ -66,7 +72,9 @@ class RigidBody {
  private:
   bool is_of_palette(const Frozen& frozen) const {
     const std::span<const Matrix4> joints = palette_.joints();
-    return std::equal(joints.begin(), joints.end(), frozen.joints.begin());
+    const std::span<const float> morphs = palette_.morphs().all();
+    return std::equal(joints.begin(), joints.end(), frozen.joints.begin()) &&
+           std::equal(morphs.begin(), morphs.end(), frozen.morphs.begin());
   }
 
   void freeze() {
@@ -86,6 +94,10 @@ class RigidMethod final : public Method {
   void add(const SkinnedModel& model) override {
     const auto added = meshes_.try_emplace(&model.detail(), model).first;
     bodies_.push_back(std::make_unique<RigidBody>(added->second.mesh));
+  }
+
+  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
+    return bodies_[body]->set_morph_weights(weights);
   }
 
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {

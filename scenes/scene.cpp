@@ -76,6 +76,22 @@ const asset::Asset& asset_of(const Scene& scene, std::uint32_t instance) {
   return scene.characters[scene.instances[instance].character].asset;
 }
 
+/// What an instance plays at a frame, and where in the clip it is.
+struct ClipTime {
+  const asset::Clip* clip;
+  float seconds;
+};
+
+ClipTime clip_at(const Scene& scene, std::uint32_t instance, std::uint32_t frame) {
+  const Instance& placed = scene.instances[instance];
+  const asset::Clip* clip =
+      placed.clip ? asset_of(scene, instance).find_clip(*placed.clip) : nullptr;
+  PELT_ASSERT(!placed.clip || clip != nullptr);
+  const double duration = clip != nullptr ? static_cast<double>(clip->duration) : 0;
+  const double time = placed.start + placed.speed * frame_time(scene, frame);
+  return {clip, static_cast<float>(wrapped(time, duration))};
+}
+
 }  // namespace
 
 Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOptions& options) {
@@ -114,14 +130,15 @@ double frame_time(const Scene& scene, std::uint32_t frame) { return frame / scen
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette) {
   const Instance& placed = scene.instances[instance];
-  const asset::Asset& asset = asset_of(scene, instance);
-  const double time = frame_time(scene, frame);
-  const asset::Clip* clip = placed.clip ? asset.find_clip(*placed.clip) : nullptr;
-  PELT_ASSERT(!placed.clip || clip != nullptr);
-  const double duration = clip != nullptr ? static_cast<double>(clip->duration) : 0;
-  const double clip_time = wrapped(placed.start + placed.speed * time, duration);
-  asset::sample_palette(asset, clip, static_cast<float>(clip_time), placement(placed, time),
-                        scratch, palette);
+  const auto [clip, seconds] = clip_at(scene, instance, frame);
+  asset::sample_palette(asset_of(scene, instance), clip, seconds,
+                        placement(placed, frame_time(scene, frame)), scratch, palette);
+}
+
+void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
+                            std::span<float> weights) {
+  const auto [clip, seconds] = clip_at(scene, instance, frame);
+  asset::sample_morph_weights(asset_of(scene, instance), clip, seconds, weights);
 }
 
 }  // namespace pelt::scenes

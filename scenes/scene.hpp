@@ -80,4 +80,10 @@ double frame_time(const Scene& scene, std::uint32_t frame);
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette);
 
+/// The weights of the morph targets of one instance at one frame, as its clip plays them. Costs
+/// what `asset::sample_morph_weights` does and O(clips). Precondition: `weights` has as many
+/// elements as the instance's asset has morph targets.
+void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
+                            std::span<float> weights);
+
 }  // namespace pelt::scenes

@@ -51,7 +51,14 @@ struct Part {
                          ///< rest positions are where the default pose has them
 };
 
-enum class Path : std::uint8_t { translation, rotation, scale };
+/// A morph target of one node with a mesh; nodes that share a mesh have targets of their own.
+struct MorphTarget {
+  std::string name;          ///< of the mesh's `extras.targetNames`; may be empty
+  std::uint32_t node = 0;    ///< index into Asset::nodes
+  float default_weight = 0;  ///< the node's, or else the mesh's
+};
+
+enum class Path : std::uint8_t { translation, rotation, scale, weights };
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
 /// One animated property of one node.
@@ -60,7 +67,8 @@ struct Channel {
   Path path = Path::translation;
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times;   ///< [K] seconds, strictly ascending, K >= 1
-  std::vector<float> values;  ///< [K][n], n = 4 for rotation (x y z w), else 3;
+  std::vector<float> values;  ///< [K][n], n = 4 for rotation (x y z w), for weights as many as the
+                              ///< node has morph targets, else 3;
                               ///< [K][3][n] (in-tangent, value, out-tangent) for cubic_spline
 };
 
@@ -73,8 +81,9 @@ struct Clip {
 /// One character: a mesh with all its skins and parts merged, its skeleton and its clips.
 ///
 /// Triangles are numbered in scene order (nodes depth-first, primitives in order, degenerate ones
-/// kept). The arrays take 12 bytes a triangle, 12 + 6 K a vertex, 68 a joint, and 4 for each time
-/// and each number of a clip's keys; nothing else in it grows with the mesh.
+/// kept). The arrays take 12 bytes a triangle, 12 + 6 K a vertex, 68 a joint, 16 for each vertex
+/// that a morph target displaces, and 4 for each time and each number of a clip's keys; nothing
+/// else in it grows with the mesh.
 struct Asset {
   std::vector<Vec3> rest_positions;          ///< [V] see Part::skinned for their frame
   std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
@@ -82,8 +91,14 @@ struct Asset {
   std::vector<std::uint16_t> joint_indices;  ///< [V][K] into `joints`
   std::vector<float> weights;                ///< [V][K] 0 where unused
   std::vector<Joint> joints;                 ///< [J] in the order of the joint palette
-  std::vector<Node> nodes;                   ///< parents first
-  std::vector<Part> parts;                   ///< in order of first_triangle, covering all triangles
+
+  std::vector<MorphTarget> morph_targets;     ///< [M] those of a node one after the other
+  std::vector<std::uint32_t> morph_begin;     ///< [M + 1] into the next two; empty if M is 0
+  std::vector<std::uint32_t> morph_vertices;  ///< of each target ascending; others stay in place
+  std::vector<Vec3> morph_displacements;      ///< not zero; frame as that of `rest_positions`
+
+  std::vector<Node> nodes;  ///< parents first
+  std::vector<Part> parts;  ///< in order of first_triangle, covering all triangles
   std::vector<Clip> clips;
   std::vector<std::string> warnings;  ///< what the file has and Pelt passed over
 
@@ -146,5 +161,11 @@ struct SampleScratch {
 /// O(nodes + J + channels * log keys); allocates nothing after the first call of an asset.
 void sample_palette(const Asset& asset, const Clip* clip, float seconds, const Matrix4& placement,
                     SampleScratch& scratch, std::span<Matrix4> palette);
+
+/// Writes the weights of the morph targets at `seconds` of `clip`, as `sample_palette` does the
+/// joints: those that the clip does not animate have their default. For `Pose::set_morph_weights`.
+/// Precondition: `weights` has M elements. O(M + channels * log keys); allocates nothing.
+void sample_morph_weights(const Asset& asset, const Clip* clip, float seconds,
+                          std::span<float> weights);
 
 }  // namespace pelt::asset

@@ -22,6 +22,7 @@ class MorphWeights {
   void set(std::span<const float> weights);
 
   std::size_t count() const { return weights_.size(); }
+  std::span<const float> all() const { return weights_; }
   float operator[](std::uint32_t target) const { return weights_[target]; }
 
   /// The targets whose weight is not zero, ascending.

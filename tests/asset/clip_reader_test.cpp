@@ -88,7 +88,7 @@ TEST(Clips, MayBeUnnamedEmptyOrWithoutLength) {
   EXPECT_TRUE(asset->clips[1].channels.empty());
 }
 
-TEST(Clips, PassOverMorphWeightsButLastAsLong) {
+TEST(Clips, PassOverWeightsOfNoMorphTargetsButLastAsLong) {
   GltfBuilder builder = test::paper_strip();
   channel(builder)["target"]["path"] = "weights";
   const Result<Asset> asset = builder.load();
@@ -97,6 +97,60 @@ TEST(Clips, PassOverMorphWeightsButLastAsLong) {
   EXPECT_EQ(asset->clips[0].duration, 1);
   ASSERT_EQ(asset->warnings.size(), 1u);
   EXPECT_NE(asset->warnings[0].find("1 animation channels are passed over"), std::string::npos);
+}
+
+/// The strip with two morph targets and weights of three keys, at 0, 1 and 2 seconds.
+GltfBuilder morphing_strip(const char* interpolation, const std::vector<float>& values) {
+  GltfBuilder builder = test::paper_strip();
+  builder.primitive()["targets"] = {{{"POSITION", 1}}, {{"POSITION", 1}}};
+  const std::size_t times = builder.add_accessor(std::vector<float>{0, 1, 2}, "SCALAR");
+  const std::size_t keys = builder.add_accessor(values, "SCALAR");
+  test::json& animation = builder.document["animations"][0];
+  animation["samplers"].push_back(
+      {{"input", times}, {"output", keys}, {"interpolation", interpolation}});
+  const std::size_t sampler = animation["samplers"].size() - 1;
+  animation["channels"].push_back(
+      {{"sampler", sampler}, {"target", {{"node", 0}, {"path", "weights"}}}});
+  return builder;
+}
+
+std::vector<float> weights_at(const Asset& asset, float seconds) {
+  std::vector<float> weights(asset.morph_targets.size());
+  sample_morph_weights(asset, &asset.clips[0], seconds, weights);
+  return weights;
+}
+
+TEST(Clips, PlayMorphWeights) {
+  const Result<Asset> asset = morphing_strip("LINEAR", {0, 1, 0.5, 3, 1, 1}).load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_TRUE(asset->warnings.empty());
+  EXPECT_EQ(weights_at(*asset, -1), (std::vector<float>{0, 1}));
+  EXPECT_EQ(weights_at(*asset, 0.5f), (std::vector<float>{0.25f, 2}));
+  EXPECT_EQ(weights_at(*asset, 1), (std::vector<float>{0.5f, 3}));
+  EXPECT_EQ(weights_at(*asset, 1.75f), (std::vector<float>{0.875f, 1.5f}));
+  EXPECT_EQ(weights_at(*asset, 9), (std::vector<float>{1, 1}));
+}
+
+TEST(Clips, PlayMorphWeightsInSteps) {
+  const Result<Asset> asset = morphing_strip("STEP", {0, 1, 0.5, 3, 1, 1}).load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(weights_at(*asset, 0.99f), (std::vector<float>{0, 1}));
+  EXPECT_EQ(weights_at(*asset, 1.5f), (std::vector<float>{0.5f, 3}));
+}
+
+/// With tangents of zero the curve is 3 t^2 - 2 t^3, and a tangent of 1 adds t^3 - 2 t^2 + t.
+TEST(Clips, PlayMorphWeightsAlongSplines) {
+  const Result<Asset> asset =
+      morphing_strip("CUBICSPLINE", {9, 9, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 9, 9}).load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(weights_at(*asset, 0.25f)[0], 0.15625f);
+  EXPECT_EQ(weights_at(*asset, 0.25f)[1], 1.140625f);
+  EXPECT_EQ(weights_at(*asset, 2), (std::vector<float>{1, 1}));
+}
+
+TEST(Clips, RefuseWeightsThatAreNotOneForEachTarget) {
+  EXPECT_TRUE(refused(morphing_strip("LINEAR", {0, 1, 0.5}).load(),
+                      {"node 0 \"paper\"", "has 3 elements, must have 6"}));
 }
 
 TEST(Clips, PassOverChannelsWithoutANode) {

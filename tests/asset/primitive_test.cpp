@@ -2,6 +2,8 @@
 
 #include "support/gltf_builder.hpp"
 
+#include <pelt/model.hpp>
+
 namespace pelt::asset {
 namespace {
 
@@ -200,38 +202,100 @@ GltfBuilder morphing_stone() {
   return builder;
 }
 
-TEST(MorphTargets, StandAtTheDefaultWeightsOfTheMesh) {
-  GltfBuilder builder = morphing_stone();
-  EXPECT_EQ(builder.load()->rest_positions[0], (Vec3{0, 0, 0}));
-  builder.document["meshes"][0]["weights"] = {0.5, 7, 2};
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->rest_positions, (std::vector<Vec3>{{0.5f, 2, 0}, {1.5f, 2, 0}, {0.5f, 3, 0}}));
-  ASSERT_EQ(asset->warnings.size(), 1u);
-  EXPECT_EQ(asset->warnings[0],
-            "mesh 0 \"rock\": its 3 morph targets are not animated, they stand at their default "
-            "weights");
+std::vector<float> default_weights(const Asset& asset) {
+  std::vector<float> weights(asset.morph_targets.size());
+  sample_morph_weights(asset, nullptr, 0, weights);
+  return weights;
 }
 
-TEST(MorphTargets, StandAtTheWeightsOfTheNodeWhereItHasSome) {
+TEST(MorphTargets, AreReadAndHaveTheDefaultWeightsOfTheMesh) {
+  GltfBuilder builder = morphing_stone();
+  builder.document["meshes"][0]["weights"] = {0.5, 7, 2};
+  builder.document["meshes"][0]["extras"] = {{"targetNames", {"wide", "odd"}}};
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(asset->rest_positions[0], (Vec3{0, 0, 0}));
+  EXPECT_EQ(asset->morph_begin, (std::vector<std::uint32_t>{0, 3, 3, 6}));
+  EXPECT_EQ(asset->morph_vertices, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(asset->morph_displacements[2], (Vec3{1, 0, 0}));
+  EXPECT_EQ(asset->morph_displacements[3], (Vec3{0, 1, 0}));
+  EXPECT_EQ(asset->morph_targets[0].name, "wide");
+  EXPECT_EQ(asset->morph_targets[2].name, "");
+  EXPECT_EQ(asset->morph_targets[2].node, 0u);
+  EXPECT_EQ(default_weights(*asset), (std::vector<float>{0.5f, 7, 2}));
+  EXPECT_TRUE(asset->warnings.empty());
+  EXPECT_EQ(build_model(asset->mesh())->morph_target_count(), 3u);
+}
+
+TEST(MorphTargets, HaveTheWeightsOfTheNodeWhereItHasSome) {
   GltfBuilder builder = morphing_stone();
   builder.document["meshes"][0]["weights"] = {0.5, 0, 2};
   builder.document["nodes"][0]["weights"] = {-1};
-  EXPECT_EQ(builder.load()->rest_positions[1], (Vec3{0, 0, 0}));
+  EXPECT_EQ(default_weights(*builder.load()), (std::vector<float>{-1, 0, 0}));
 }
 
-TEST(MorphTargets, MustHaveOneDeltaForEachVertex) {
+TEST(MorphTargets, AreNumberedNodeAfterNode) {
   GltfBuilder builder = morphing_stone();
-  builder.document["meshes"][0]["weights"] = {0, 0, 1};
+  builder.add("nodes", {{"name", "other"}, {"mesh", 0}, {"weights", {1, 2, 3}}});
+  builder.document["scenes"][0]["nodes"].push_back(1);
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  ASSERT_EQ(asset->morph_targets.size(), 6u);
+  EXPECT_EQ(asset->morph_targets[3].node, 1u);
+  EXPECT_EQ(asset->morph_begin, (std::vector<std::uint32_t>{0, 3, 3, 6, 9, 9, 12}));
+  EXPECT_EQ(asset->morph_vertices[6], 3u);
+  EXPECT_EQ(default_weights(*asset), (std::vector<float>{0, 0, 0, 1, 2, 3}));
+}
+
+/// Sparse displacements take room for what they displace.
+TEST(MorphTargets, KeepOnlyWhatMoves) {
+  GltfBuilder builder = morphing_stone();
+  builder.set_value<float>(1, 3, 0);
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(asset->morph_vertices, (std::vector<std::uint32_t>{0, 2, 0, 1, 2}));
+}
+
+/// The part stands at rest where its node has it, and so do its displacements.
+TEST(MorphTargets, TurnWithTheRestPoseOfAnUnskinnedPart) {
+  GltfBuilder builder = morphing_stone();
+  builder.document["nodes"][0]["scale"] = {2, 3, 4};
+  builder.document["nodes"][0]["translation"] = {5, 6, 7};
+  const Result<Asset> asset = builder.load();
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(asset->morph_displacements[0], (Vec3{2, 0, 0}));
+  EXPECT_EQ(asset->morph_displacements[3], (Vec3{0, 3, 0}));
+}
+
+TEST(MorphTargets, MayHaveNamesThatAreNone) {
+  for (const test::json& extras :
+       {test::json("text"), test::json::array(), test::json{{"targetNames", 7}},
+        test::json{{"targetNames", {1, 2}}}}) {
+    GltfBuilder builder = morphing_stone();
+    builder.document["meshes"][0]["extras"] = extras;
+    const Result<Asset> asset = builder.load();
+    ASSERT_TRUE(asset) << asset.error().message;
+    EXPECT_EQ(asset->morph_targets[0].name, "");
+  }
+}
+
+TEST(MorphTargets, MustHaveOneDisplacementForEachVertex) {
+  GltfBuilder builder = morphing_stone();
   builder.accessor(2)["count"] = 2;
   EXPECT_TRUE(refused(builder.load(), {"accessor 2", "morph target 2", "2 elements for 3"}));
 }
 
-TEST(MorphTargets, MayNotMoveAVertexToInfinity) {
+/// A few bytes must not name targets without end.
+TEST(MorphTargets, AreCountedAgainstTheSizeOfTheFile) {
   GltfBuilder builder = morphing_stone();
-  builder.document["meshes"][0]["weights"] = {3e38};
-  builder.set_value<float>(1, 3, 3);
-  EXPECT_TRUE(refused(builder.load(), {"accessor 1", "morph target 0", "vertex 1", "infinity"}));
+  for (int t = 0; t < 3000; ++t) builder.primitive()["targets"].push_back({{"POSITION", 1}});
+  builder.accessor(0).erase("bufferView");
+  builder.accessor(0)["count"] = 100000;
+  builder.accessor(1).erase("bufferView");
+  builder.accessor(1)["count"] = 100000;
+  builder.accessor(2).erase("bufferView");
+  builder.accessor(2)["count"] = 100000;
+  EXPECT_TRUE(refused(builder.load(), {"out of proportion"}));
 }
 
 }  // namespace

@@ -81,8 +81,34 @@ TEST_F(SharedModels, LoadWithoutASkin) {
   ASSERT_TRUE(asset) << asset.error().message;
   EXPECT_EQ(asset->joints.size(), 1u);
   EXPECT_EQ(asset->clips.size(), 3u);
-  EXPECT_EQ(asset->warnings.size(), 2u);
+  EXPECT_TRUE(asset->warnings.empty());
+  EXPECT_EQ(asset->morph_targets.size(), 8u);
   EXPECT_TRUE(build_model(asset->mesh()));
+}
+
+/// As exported, all sparse values of its face are zero.
+TEST_F(SharedModels, MayHaveMorphTargetsThatDisplaceNothing) {
+  const Result<Asset> asset = load_gltf(kModels / "sintel.glb");
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_EQ(asset->morph_targets.size(), 40u);
+  EXPECT_TRUE(asset->morph_vertices.empty());
+}
+
+TEST_F(SharedModels, PlayTheirMorphTargets) {
+  const Result<Asset> asset = load_gltf(kModels / "morph_stress.glb");
+  ASSERT_TRUE(asset) << asset.error().message;
+  EXPECT_GT(asset->morph_vertices.size(), 500u);
+  Pose pose(*build_model(asset->mesh()));
+  std::vector<float> weights(asset->morph_targets.size());
+  int active = 0;
+  for (const Clip& clip : asset->clips)
+    for (const float share : {0.1f, 0.4f, 0.8f}) {
+      sample_morph_weights(*asset, &clip, share * clip.duration, weights);
+      ASSERT_TRUE(pose.set_morph_weights(weights));
+      EXPECT_EQ(check_bounds(pose), "");
+      for (const float weight : weights) active += weight != 0;
+    }
+  EXPECT_GT(active, 5);
 }
 
 TEST_F(SharedModels, AreRefusedWhereWeightsAreNotNumbers) {

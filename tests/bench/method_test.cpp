@@ -351,6 +351,43 @@ TEST(Methods, RefuseABadPaletteAndKeepTheOldOne) {
   }
 }
 
+/// Those that bound vertices by what joints do to rest positions have no bounds for displaced ones.
+bool knows_morph_targets(MethodKind kind) {
+  return kind != MethodKind::paper && kind != MethodKind::paper_eq2 && kind != MethodKind::bd_tree;
+}
+
+TEST(Methods, AgreeOnMorphedBodiesOrRefuseThem) {
+  Random random(11);
+  Shape limb = test::make_limb(16, 8, kJoints);
+  test::add_morph_targets(random, limb, 7, 0.3, 0.1);
+  const SkinnedModel model = model_of(limb);
+  std::size_t touching = 0;
+  for (int round = 0; round < 4; ++round) {
+    const Scene scene = {
+        {model, model},
+        {bend_limb(random, kJoints, 0.3, {}), bend_limb(random, kJoints, 0.3, random.point(0.3))}};
+    const auto weights = test::make_morph_weights(random, 7, test::Morphing::all);
+    const auto answer = [&](MethodKind kind) {
+      const auto method = method_with(kind, scene);
+      EXPECT_TRUE(method->set_morph_weights(0, std::vector<float>(7)));
+      EXPECT_EQ(bool(method->set_morph_weights(0, weights)), knows_morph_targets(kind));
+      EXPECT_TRUE(method->set_palette(0, scene.palettes[0]));
+      Contacts contacts;
+      method->collide(0, 1, contacts, {});
+      return contacts;
+    };
+    const Contacts expected = answer(MethodKind::brute);
+    for (const MethodKind kind : kKinds) {
+      const Contacts contacts = answer(kind);
+      if (knows_morph_targets(kind)) {
+        EXPECT_EQ(contacts, expected) << name_of(kind);
+      }
+    }
+    touching += !expected.empty();
+  }
+  EXPECT_GT(touching, 1u);
+}
+
 TEST(Methods, AreFoundByName) {
   EXPECT_EQ(method_names().size(), std::size(kKinds));
   for (const MethodKind kind : kKinds) EXPECT_EQ(find_method(name_of(kind)), kind);

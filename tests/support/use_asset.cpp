@@ -10,7 +10,9 @@ bool pose_at(const asset::Asset& asset, const asset::Clip* clip, float seconds, 
   asset::SampleScratch scratch;
   std::vector<Matrix4> palette(asset.joints.size());
   asset::sample_palette(asset, clip, seconds, Matrix4{}, scratch, palette);
-  if (!pose.set_palette(palette)) return false;
+  std::vector<float> weights(asset.morph_targets.size());
+  asset::sample_morph_weights(asset, clip, seconds, weights);
+  if (!pose.set_palette(palette) || !pose.set_morph_weights(weights)) return false;
   std::vector<Vec3> posed(asset.rest_positions.size());
   posed_vertices(pose, posed);
   return true;

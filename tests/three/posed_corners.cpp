@@ -44,8 +44,11 @@ int main(int argc, char** argv) {
     const float seconds = std::strtof(std::strchr(argv[i], ':') + 1, nullptr);
     const asset::Clip* chosen = clip < 0 ? nullptr : &asset->clips[static_cast<std::size_t>(clip)];
     asset::sample_palette(*asset, chosen, seconds, Matrix4{}, scratch, palette);
-    const Result<void> set = pose.set_palette(palette);
+    std::vector<float> weights(asset->morph_targets.size());
+    asset::sample_morph_weights(*asset, chosen, seconds, weights);
+    const Result<void> set = pose.set_palette(palette), morphed = pose.set_morph_weights(weights);
     if (!set) return fail(set.error());
+    if (!morphed) return fail(morphed.error());
     const std::vector<Vec3> points = corners(*asset, pose);
     out.write(reinterpret_cast<const char*>(points.data()),
               static_cast<std::streamsize>(points.size() * sizeof(Vec3)));

@@ -45,7 +45,6 @@ export async function loadModel(path) {
   const gltf = await loader.parseAsync(data, '');
   gltf.scene.traverse((object) => object.quaternion.normalize());
   for (const clip of gltf.animations) {
-    clip.tracks = clip.tracks.filter((track) => !track.name.endsWith('.morphTargetInfluences'));
     clip.tracks.forEach(normaliseRotations);
   }
   return { scene: gltf.scene, clips: gltf.animations, mixer: new THREE.AnimationMixer(gltf.scene) };

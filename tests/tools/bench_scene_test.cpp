@@ -15,6 +15,9 @@ class Forgetful final : public bench::Method {
   explicit Forgetful(int every) : every_(every) {}
 
   void add(const SkinnedModel& model) override { method_->add(model); }
+  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
+    return method_->set_morph_weights(body, weights);
+  }
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
     return method_->set_palette(body, palette);
   }
@@ -98,6 +101,9 @@ class Noting final : public bench::Method {
   explicit Noting(std::vector<float>& places) : places_(places) {}
 
   void add(const SkinnedModel& model) override { method_->add(model); }
+  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
+    return method_->set_morph_weights(body, weights);
+  }
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
     if (body == 0) places_.push_back(palette[0].m[14]);
     return method_->set_palette(body, palette);

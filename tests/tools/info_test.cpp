@@ -18,6 +18,7 @@ TEST(Info, TellsWhatAModelHolds) {
     "vertices": 12, "distinct_positions": 12, "triangles": 8, "degenerate_triangles": 0,
     "influences_per_vertex": 2, "renormalised_vertices": 0, "merged_influences": 0,
     "joints": ["lower", "upper", "fan"],
+    "morph_targets": [],
     "clips": [{"name": "bend", "duration": 1.0}, {"name": "", "duration": 1.0}],
     "parts": [
       {"node": "paper", "mesh": "sheet", "material": "", "first_triangle": 0, "triangles": 6,

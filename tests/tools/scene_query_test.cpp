@@ -141,7 +141,7 @@ TEST(SceneQuery, NamesTheFirstInstanceWhosePaletteAThreadRefused) {
   Palettes palettes;
   sample_palettes(scene, 0, scratch, palettes);
   for (const std::uint32_t refused : {299u, 141u, 140u})
-    palettes[refused][3].m[5] = std::numeric_limits<float>::quiet_NaN();
+    palettes.joints[refused][3].m[5] = std::numeric_limits<float>::quiet_NaN();
   for (const std::uint32_t threads : {1u, 2u, 4u}) {
     SceneQuery crowd = SceneQuery::as_crowd(*colliders, threads);
     const auto posed = crowd.set_palettes(palettes);
@@ -177,7 +177,7 @@ TEST(SceneQuery, RefusedPaletteNamesItsInstance) {
   asset::SampleScratch scratch;
   Palettes palettes;
   sample_palettes(scene, 0, scratch, palettes);
-  palettes[1][3].m[5] = std::numeric_limits<float>::quiet_NaN();
+  palettes.joints[1][3].m[5] = std::numeric_limits<float>::quiet_NaN();
   SceneQuery query(*colliders, bench::MethodKind::paper);
   const auto posed = query.set_palettes(palettes);
   ASSERT_FALSE(posed);

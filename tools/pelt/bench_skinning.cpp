@@ -37,6 +37,8 @@ Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetiti
   for (const std::uint32_t frame : subject.frames) {
     sample_palettes(subject.scene, frame, scratch, palettes);
     for (Skinned& skinned : all) {
+      const auto morphed = skinned.pose.set_morph_weights(palettes.morphs[skinned.instance]);
+      if (!morphed) return morphed.error();
       const auto posed = skinned.pose.set_palette(palettes[skinned.instance]);
       if (!posed) return posed.error();
     }

@@ -77,6 +77,18 @@ ordered_json joints_json(const asset::Asset& asset) {
   return joints;
 }
 
+ordered_json morph_targets_json(const asset::Asset& asset) {
+  ordered_json targets = ordered_json::array();
+  for (std::size_t m = 0; m < asset.morph_targets.size(); ++m) {
+    const asset::MorphTarget& target = asset.morph_targets[m];
+    targets.push_back({{"name", target.name},
+                       {"node", asset.nodes[target.node].name},
+                       {"default_weight", target.default_weight},
+                       {"displaced_vertices", asset.morph_begin[m + 1] - asset.morph_begin[m]}});
+  }
+  return targets;
+}
+
 ordered_json describe(const scenes::Character& character, const SkinnedModel& model) {
   const asset::Asset& asset = character.asset;
   const BuildReport& report = model.report();
@@ -93,6 +105,7 @@ ordered_json describe(const scenes::Character& character, const SkinnedModel& mo
           {"renormalised_vertices", report.renormalised_vertices},
           {"merged_influences", report.merged_influences},
           {"joints", joints_json(asset)},
+          {"morph_targets", morph_targets_json(asset)},
           {"clips", clips_json(asset)},
           {"parts", parts_json(asset)},
           {"warnings", asset.warnings}};
@@ -114,6 +127,8 @@ void print_counts(const ordered_json& info) {
   print_line("weights", number("renormalised_vertices"),
              " vertices renormalised, " + number("merged_influences") + " influences merged");
   print_line("joints", with_commas(info["joints"].size()));
+  if (!info["morph_targets"].empty())
+    print_line("morphs", with_commas(info["morph_targets"].size()), " targets");
   print_line("prepared", number("prepared_bytes"), " bytes");
 }
 

@@ -41,9 +41,10 @@ Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
   return models;
 }
 
-Result<std::vector<Vec3>> pose_vertices(const SkinnedModel& model,
-                                        std::span<const Matrix4> palette) {
+Result<std::vector<Vec3>> pose_vertices(const SkinnedModel& model, std::span<const Matrix4> palette,
+                                        std::span<const float> morph_weights) {
   Pose pose(model);
+  if (const auto morphed = pose.set_morph_weights(morph_weights); !morphed) return morphed.error();
   if (const auto posed = pose.set_palette(palette); !posed) return posed.error();
   std::vector<Vec3> positions(model.vertex_count());
   posed_vertices(pose, positions);
@@ -81,7 +82,8 @@ Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, st
   std::vector<PosedInstance> posed;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const std::uint32_t c = scene.instances[i].character;
-    Result<std::vector<Vec3>> positions = pose_vertices((*models)[c], palettes[i]);
+    Result<std::vector<Vec3>> positions =
+        pose_vertices((*models)[c], palettes[i], palettes.morphs[i]);
     if (!positions) {
       return asset::prefixed("instances[" + std::to_string(i) + "]", positions.error());
     }

@@ -15,10 +15,14 @@ constexpr std::size_t kPalettesWorthAThread = 64;
 
 void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
                      Palettes& palettes) {
-  palettes.resize(scene.instances.size());
+  palettes.joints.resize(scene.instances.size());
+  palettes.morphs.resize(scene.instances.size());
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    palettes[i].resize(scene.characters[scene.instances[i].character].asset.joints.size());
-    scenes::instance_palette(scene, i, frame, scratch, palettes[i]);
+    const asset::Asset& asset = scene.characters[scene.instances[i].character].asset;
+    palettes.joints[i].resize(asset.joints.size());
+    palettes.morphs[i].resize(asset.morph_targets.size());
+    scenes::instance_palette(scene, i, frame, scratch, palettes.joints[i]);
+    scenes::instance_morph_weights(scene, i, frame, palettes.morphs[i]);
   }
 }
 
@@ -54,7 +58,7 @@ Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
   if (crowd_ && set_on_threads(palettes)) return {};
   for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
     const std::uint32_t instance = colliders_[c].instance;
-    const Result<void> posed = set_palette(c, palettes[instance]);
+    const Result<void> posed = set_pose(c, palettes);
     if (!posed) {
       return asset::prefixed("instances[" + std::to_string(instance) + "]", posed.error());
     }
@@ -71,13 +75,21 @@ bool SceneQuery::set_on_threads(const Palettes& palettes) {
   shares_.deal(static_cast<std::uint32_t>(colliders_.size()), count);
   threads_->run(count, [&](std::uint32_t thread) {
     while (const auto c = shares_.take(thread))
-      if (!set_palette(*c, palettes[colliders_[*c].instance])) all_taken = false;
+      if (!set_pose(*c, palettes)) all_taken = false;
   });
   return all_taken;
 }
 
-Result<void> SceneQuery::set_palette(std::uint32_t collider, std::span<const Matrix4> palette) {
-  return crowd_ ? crowd_->set_palette(collider, palette) : method_->set_palette(collider, palette);
+Result<void> SceneQuery::set_pose(std::uint32_t collider, const Palettes& palettes) {
+  const std::uint32_t instance = colliders_[collider].instance;
+  const std::span<const Matrix4> joints = palettes.joints[instance];
+  const std::span<const float> morphs = palettes.morphs[instance];
+  if (!morphs.empty()) {
+    Result<void> taken = crowd_ ? crowd_->set_morph_weights(collider, morphs)
+                                : method_->set_morph_weights(collider, morphs);
+    if (!taken) return taken;
+  }
+  return crowd_ ? crowd_->set_palette(collider, joints) : method_->set_palette(collider, joints);
 }
 
 void SceneQuery::collide(const CollideOptions& options, FrameContacts& found) {

@@ -17,7 +17,12 @@
 namespace pelt::tools {
 
 /// The joint palette of every instance at one frame.
-using Palettes = std::vector<std::vector<Matrix4>>;
+struct Palettes {
+  std::vector<std::vector<Matrix4>> joints;
+  std::vector<std::vector<float>> morphs;  ///< weights of the morph targets
+
+  const std::vector<Matrix4>& operator[](std::size_t instance) const { return joints[instance]; }
+};
 
 /// Resizes `palettes` as needed.
 void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
@@ -69,7 +74,7 @@ class SceneQuery {
 
   void make_crowd(std::uint32_t threads);
   bool set_on_threads(const Palettes& palettes);
-  Result<void> set_palette(std::uint32_t collider, std::span<const Matrix4> palette);
+  Result<void> set_pose(std::uint32_t collider, const Palettes& palettes);
   void collide_crowd(const CollideOptions& options, FrameContacts& found);
   void collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
                     FrameContacts& found);

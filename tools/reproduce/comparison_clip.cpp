@@ -117,7 +117,7 @@ Result<Table> clip_table(const Conditions& conditions) {
                  note_of(*figures, conditions)};
   for (const MethodKind method : kCompared) {
     const tools::Times& hot = times_of(*figures, method, Cache::hot);
-    const Memory memory = memory_of(method, (*colliders)[0].model, palettes);
+    const Memory memory = memory_of(method, (*colliders)[0].model, palettes.joints);
     table.rows.push_back({title_of(method), hot.mean_us, hot.p95_us,
                           times_of(*figures, method, Cache::cold).mean_us, memory.instance,
                           memory.shared});

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "asset/node_graph.hpp"
+#include "asset/primitive.hpp"
+
+namespace pelt::asset {
+
+/// Appends the morph targets of one node's mesh after the other to the asset.
+class MorphMerge {
+ public:
+  /// Borrows all its arguments.
+  MorphMerge(const GltfDocument& document, const NodeGraph& graph, PrimitiveReader& primitives,
+             Budget& budget, Asset& asset);
+
+  void begin_node(std::uint32_t node, std::uint32_t mesh);
+
+  /// Takes the displacements of a primitive's vertices, which the asset has from `first` on.
+  Result<void> add_vertices(PrimitivePlace place, std::uint32_t first, std::size_t count);
+
+  Result<void> end_node();
+
+ private:
+  /// Of one target, in all primitives of the node's mesh.
+  struct Displaced {
+    std::vector<std::uint32_t> vertices;
+    std::vector<Vec3> displacements;
+  };
+
+  void append(std::size_t target);
+
+  const GltfDocument& document_;
+  const NodeGraph& graph_;
+  PrimitiveReader& primitives_;
+  Budget& budget_;
+  Asset& asset_;
+  std::uint32_t node_ = 0, mesh_ = 0;  // at hand
+  std::vector<Displaced> targets_;
+};
+
+}  // namespace pelt::asset
