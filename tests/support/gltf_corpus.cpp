@@ -28,7 +28,9 @@ GltfBuilder morphing() {
   builder.accessor(1)["sparse"] = sparse;
   builder.primitive()["targets"] = json::array({{{"POSITION", target}}, {{"POSITION", 1}}});
   builder.document["meshes"][0]["weights"] = {0.5, 0.25};
-  const json channel = {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}};
+  const std::size_t weights = builder.add_accessor(std::vector<float>{0, 1, 0.5f, -1}, "SCALAR");
+  builder.document["animations"][0]["samplers"].push_back({{"input", 5}, {"output", weights}});
+  const json channel = {{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}};
   builder.document["animations"][0]["channels"].push_back(channel);
   return builder;
 }
