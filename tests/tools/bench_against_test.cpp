@@ -30,7 +30,7 @@ SceneFigures walkers() {
 }
 
 Baseline baseline_of(std::vector<SceneFigures> scenes) {
-  return {"old.json", {"CPU", "GCC", "no asserts", "avx2", 2}, std::move(scenes)};
+  return {"old.json", {"CPU", "GCC", "no asserts", "avx2", 2, {}, {}}, std::move(scenes)};
 }
 
 struct Compared {
