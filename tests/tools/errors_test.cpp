@@ -117,5 +117,39 @@ INSTANTIATE_TEST_SUITE_P(
                 {"--threads", "on_demand among --methods"}},
         Refusal{{"bench", "scene.json", "--frames", "0:13"}, {"--frames", "has frames 0:12"}}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Queries, Refused,
+    ::testing::Values(
+        Refusal{{"bounds", "none.glb"}, {"none.glb", "no such file"}},
+        Refusal{{"bounds", "scene.json", "--by", "bone"}, {"--by", "instance, part or joint"}},
+        Refusal{{"bounds", "scene.json", "--frames", "12:13"}, {"--frames", "has frames 0:12"}},
+        Refusal{{"bounds", "scene.json", "--jsonl", "no/folder/a"},
+                {"no/folder/a: cannot be written"}},
+        Refusal{{"bounds", "scene.json", "--simd", "mmx"}, {"--simd", "\"mmx\""}},
+        Refusal{{"distance", "scene.json", "--within", "-1"}, {"--within", "0 to 1e12"}},
+        Refusal{{"distance", "scene.json", "--within", "nan"}, {"--within", "0 to 1e12"}},
+        Refusal{{"distance", "scene.json", "--by", "joint"}, {"--by", "instance or part"}},
+        Refusal{{"distance", "scene.json", "--frames", "0:13"}, {"--frames", "has frames 0:12"}},
+        Refusal{{"check", "scene.json", "--clearance", "-0.5"}, {"--clearance", "0 to 1e12"}},
+        Refusal{{"check", "scene.json", "--clearance", "nan"}, {"--clearance", "0 to 1e12"}},
+        Refusal{{"check", "scene.json", "--clearance", "1", "--method", "eager"},
+                {"--clearance", "leave out --method"}},
+        Refusal{{"check", "scene.json", "--clearance", "1", "--contacts"},
+                {"--clearance", "--contacts", "one of the two"}},
+        Refusal{{"ray", "scene.json", "--from", "0,0,0"}, {"--to", "see pelt ray --help"}},
+        Refusal{{"ray", "scene.json", "--from", "0,0", "--to", "1,0,0"},
+                {"--from: \"0,0\" is no position", "x,y,z"}},
+        Refusal{{"ray", "scene.json", "--from", "0,0,0", "--to", "1,two,0"}, {"--to", "1,two,0"}},
+        Refusal{{"ray", "scene.json", "--from", "nan,0,0", "--to", "1,0,0"}, {"--from", "nan,0,0"}},
+        Refusal{{"ray", "scene.json", "--from", "0,0,0", "--to", "inf,0,0"}, {"--to", "inf,0,0"}},
+        Refusal{{"ray", "scene.json", "--from", "1,2,3", "--to", "1,2,3"},
+                {"--to: \"1,2,3\" is where --from is", "another point"}},
+        Refusal{{"ray", "scene.json", "--from", "1,2,3", "--from", "1,2,4", "--to", "0,2,3"},
+                {"--to", "1 time and --from 2 times", "both for each ray"}},
+        Refusal{{"ray", "scene.json", "--from", "0,0,0", "--to", "1,0,0", "--facing", "up"},
+                {"--facing", "both, front or back"}},
+        Refusal{{"ray", "scene.json", "--from", "0,0,0", "--to", "1,0,0", "--frames", "3:99"},
+                {"--frames", "has frames 0:12"}}));
+
 }  // namespace
 }  // namespace pelt::test

@@ -1,7 +1,7 @@
 #include <pelt/version.hpp>
 
 #include "tools/pelt/bench_report.hpp"
-#include "tools/pelt/jsonl.hpp"
+#include "tools/pelt/json_lines.hpp"
 #include "tools/pelt/machine.hpp"
 #include "tools/pelt/text.hpp"
 

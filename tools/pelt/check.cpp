@@ -4,12 +4,11 @@
 #include "scenes/nearest_name.hpp"
 #include "tools/pelt/check_scene.hpp"
 #include "tools/pelt/commands.hpp"
-#include "tools/pelt/scene_arguments.hpp"
+#include "tools/pelt/json_lines.hpp"
+#include "tools/pelt/query_arguments.hpp"
 #include "tools/pelt/simd_argument.hpp"
 #include "tools/pelt/text.hpp"
 #include "tools/pelt/verb.hpp"
-
-#include <iostream>
 
 namespace pelt::tools {
 namespace {
@@ -17,7 +16,8 @@ namespace {
 struct Arguments {
   SceneArguments scene;
   std::string frames, by = "instance", method = "on_demand";
-  bool first = false, pairs = false;
+  bool first = false, pairs = false, contacts = false;
+  std::optional<double> clearance;
   std::optional<std::uint32_t> max_contacts, glb_frame;
   std::string jsonl, glb, simd;
 };
@@ -28,6 +28,8 @@ Examples:
   pelt check knight.glb barbarian.glb --clip Walk --clip Attack --at 0,0,-0.5 --at 0,0,0.5 --turn 0 --turn 180
   pelt check knight.glb --clip Walk --by part
   pelt check scene.json --frames 20:40 --jsonl contacts.jsonl --pairs
+  pelt check scene.json --contacts --jsonl contacts.jsonl
+  pelt check scene.json --clearance 0.02
   pelt check scene.json --first --jsonl - > contacts.jsonl
   pelt check scene.json --glb worst.glb
   pelt check scene.json --method brute --frames 24:25
@@ -41,12 +43,6 @@ Result<bench::MethodKind> choose_method(const std::string& name) {
   if (const auto method = bench::find_method(name)) return *method;
   return Error{ErrorCode::invalid_argument, "--method: there is no " + asset::quoted(name) +
                                                 scenes::suggestion(name, bench::method_names())};
-}
-
-Result<Granularity> choose_granularity(const std::string& name) {
-  if (name == "instance") return Granularity::instance;
-  if (name == "part") return Granularity::part;
-  return bad_argument("--by", "there is no " + asset::quoted(name), "give instance or part");
 }
 
 Result<std::optional<std::uint32_t>> choose_limit(const Arguments& arguments) {
@@ -72,11 +68,28 @@ Result<std::optional<std::uint32_t>> choose_glb_frame(const Arguments& arguments
                       "choose one of the frames that are");
 }
 
+Result<std::optional<double>> choose_clearance(const Arguments& arguments,
+                                               bench::MethodKind method) {
+  if (!arguments.clearance) return arguments.clearance;
+  if (!(*arguments.clearance >= 0 && *arguments.clearance <= 1e12))
+    return bad_argument("--clearance", "is out of range", "give a number from 0 to 1e12");
+  if (method != bench::MethodKind::on_demand)
+    return bad_argument("--clearance", "only on_demand answers that", "leave out --method");
+  if (arguments.contacts)
+    return bad_argument("--clearance", "what does not touch has no --contacts",
+                        "give one of the two");
+  return arguments.clearance;
+}
+
 Result<CheckSettings> choose_settings(const Arguments& arguments, scenes::Scene& scene) {
   CheckSettings settings;
   const auto method = choose_method(arguments.method);
   if (!method) return method.error();
   settings.method = *method;
+  const auto clearance = choose_clearance(arguments, settings.method);
+  if (!clearance) return clearance.error();
+  settings.clearance = *clearance;
+  settings.describes_contacts = arguments.contacts;
   const auto granularity = choose_granularity(arguments.by);
   if (!granularity) return granularity.error();
   settings.granularity = *granularity;
@@ -102,9 +115,8 @@ Result<ExitCode> check(const Arguments& arguments) {
   outputs.jsonl = arguments.jsonl;
   outputs.glb = arguments.glb;
   outputs.lists = arguments.pairs ? TriangleLists::written : TriangleLists::left_out;
-  std::ostream& words = arguments.jsonl == kStandardOutput ? std::cerr : std::cout;
-  const Result<CheckReport> report =
-      check_scene(*scene, *settings, arguments.scene.models, outputs, words);
+  const Result<CheckReport> report = check_scene(*scene, *settings, arguments.scene.models, outputs,
+                                                 words_beside(arguments.jsonl));
   if (!report) return report.error();
   return report->totals.contacts > 0 ? ExitCode::contact : ExitCode::success;
 }
@@ -137,6 +149,13 @@ void add_options(Verb& verb, Arguments& arguments) {
               "standard error",
               {.type = "FILE"});
   verb.flag("--pairs", arguments.pairs, "Write the triangle pairs too, not only their number");
+  verb.flag("--contacts", arguments.contacts,
+            "Tell where and how the triangles cut each other: segments, curves, regions, normals, "
+            "depths, joints");
+  verb.option(
+      "--clearance", arguments.clearance,
+      "Find all pairs of triangles that are at most so far apart, not only those that touch",
+      {.type = "DISTANCE"});
   verb.option("--glb", arguments.glb,
               "Write the posed characters of the worst frame, colliding triangles coloured",
               {.type = "FILE"});

@@ -1,6 +1,7 @@
 #include "tools/pelt/check_run.hpp"
 
 #include "asset/message.hpp"
+#include "tools/pelt/clearance_query.hpp"
 #include "tools/pelt/contact_hash.hpp"
 #include "tools/pelt/progress.hpp"
 
@@ -34,20 +35,46 @@ bool is_to_be_kept(std::uint32_t frame, const CheckSettings& settings, const Che
          (report.worst_contacts > 0 && frame == report.worst_frame);
 }
 
-}  // namespace
+/// What is done with the geometry of contacts, if it is asked for.
+class Described {
+ public:
+  Described(const scenes::Scene& scene, std::span<const Collider> colliders)
+      : details_(scene, colliders), tally_(scene, colliders) {}
 
-Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collider> colliders,
-                              const CheckSettings& settings, TouchTally& tally,
-                              JsonlWriter* jsonl) {
+  Result<void> add(std::uint32_t frame, const Palettes& palettes, const FrameContacts& found) {
+    const Result<void> described = details_.describe(palettes, found);
+    if (described) tally_.add(frame, found, details_);
+    return described;
+  }
+
+  const ContactDetails& details() const { return details_; }
+
+  void report(CheckReport& report) const {
+    constexpr std::size_t kMostRows = 10;
+    report.regions = tally_.regions();
+    report.deepest = tally_.deepest(kMostRows);
+  }
+
+ private:
+  ContactDetails details_;
+  DepthTally tally_;
+};
+
+/// `Query` is SceneQuery or ClearanceQuery.
+template <typename Query>
+Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
+                              std::span<const Collider> colliders, const CheckSettings& settings,
+                              TouchTally& tally, JsonlWriter* jsonl) {
   CheckReport report;
   report.worst_frame = settings.frames.begin;
   CollideOptions options;
   if (settings.max_contacts) options.max_contacts = *settings.max_contacts;
-  SceneQuery query(colliders, settings.method);
   asset::SampleScratch scratch;
   Palettes palettes;
   FrameContacts found;
   ContactHash hash;
+  std::optional<Described> described;
+  if (settings.describes_contacts) described.emplace(scene, colliders);
   const std::vector<std::uint32_t> frames = settings.frames.frames();
   Progress progress(frames.size());
   for (const std::uint32_t frame : frames) {
@@ -60,14 +87,32 @@ Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collid
     count_frame(frame, found, report);
     tally.add(found);
     hash.add(frame, found);
-    if (jsonl != nullptr) jsonl->frame(frame, scenes::frame_time(scene, frame), found);
+    if (described) {
+      if (const auto added = described->add(frame, palettes, found); !added) return added.error();
+    }
+    const ContactDetails* const details = described ? &described->details() : nullptr;
+    if (jsonl != nullptr) jsonl->frame(frame, scenes::frame_time(scene, frame), found, details);
     if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
     progress.advance();
   }
   report.totals.work = query.work();
+  if (described) described->report(report);
   if (!settings.max_contacts) report.totals.hash = hash.value();
   if (jsonl != nullptr) jsonl->totals(report.totals);
   return report;
+}
+
+}  // namespace
+
+Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collider> colliders,
+                              const CheckSettings& settings, TouchTally& tally,
+                              JsonlWriter* jsonl) {
+  if (settings.clearance) {
+    ClearanceQuery query(colliders, *settings.clearance);
+    return run_query(query, scene, colliders, settings, tally, jsonl);
+  }
+  SceneQuery query(colliders, settings.method);
+  return run_query(query, scene, colliders, settings, tally, jsonl);
 }
 
 }  // namespace pelt::tools

@@ -2,6 +2,7 @@
 
 /// The heart of `pelt check`: every frame of a scene asked for its contacts.
 
+#include "tools/pelt/depth_tally.hpp"
 #include "tools/pelt/frame_range.hpp"
 #include "tools/pelt/jsonl.hpp"
 #include "tools/pelt/scene_query.hpp"
@@ -15,6 +16,9 @@ struct CheckSettings {
   bench::MethodKind method = bench::MethodKind::on_demand;
   Granularity granularity = Granularity::instance;
   std::optional<std::uint32_t> max_contacts;  ///< of a pair of colliders in a frame
+  /// Nothing: triangles that touch are found; else those that are at most so far apart.
+  std::optional<double> clearance;
+  bool describes_contacts = false;  ///< by their geometry
   FrameRange frames;
   std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
 };
@@ -31,6 +35,8 @@ struct CheckReport {
   std::uint32_t worst_frame = 0;  ///< the first one with the most contacts
   std::uint64_t worst_contacts = 0;
   std::vector<std::uint32_t> frames_in_contact;
+  std::uint64_t regions = 0;  ///< of contacts that are described
+  std::vector<DepthTally::Row> deepest;
   std::vector<double> frame_seconds;  ///< palettes taken and all pairs queried; not the sampling
 };
 

@@ -76,4 +76,9 @@ std::string part_name(const asset::Asset& asset, std::uint32_t part) {
   return (node.empty() ? "part" : node) + ":" + material;
 }
 
+std::string joint_name(const asset::Asset& asset, std::uint32_t joint) {
+  const std::string& name = asset.joint_name(joint);
+  return name.empty() ? "joint " + std::to_string(joint) : name;
+}
+
 }  // namespace pelt::tools

@@ -37,4 +37,7 @@ std::string collider_name(const scenes::Scene& scene, const Collider& collider);
 /// where several parts share that.
 std::string part_name(const asset::Asset& asset, std::uint32_t part);
 
+/// The name of a joint's node; "joint 7" where it has none.
+std::string joint_name(const asset::Asset& asset, std::uint32_t joint);
+
 }  // namespace pelt::tools

@@ -12,6 +12,9 @@ class App;
 namespace pelt::tools {
 
 void add_check(CLI::App& app, Command& chosen);
+void add_bounds(CLI::App& app, Command& chosen);
+void add_distance(CLI::App& app, Command& chosen);
+void add_ray(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_prepare(CLI::App& app, Command& chosen);
 void add_pose(CLI::App& app, Command& chosen);

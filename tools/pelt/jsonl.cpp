@@ -1,7 +1,7 @@
 #include "tools/pelt/jsonl.hpp"
 
-#include <pelt/version.hpp>
-
+#include "tools/pelt/contact_json.hpp"
+#include "tools/pelt/json_lines.hpp"
 #include "tools/pelt/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -10,32 +10,6 @@ namespace pelt::tools {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json inputs_json(const scenes::Scene& scene) {
-  ordered_json inputs = ordered_json::array();
-  for (const scenes::Character& character : scene.characters) {
-    inputs.push_back({{"path", character.source}, {"hash", hex16(character.hash)}});
-  }
-  return inputs;
-}
-
-ordered_json colliders_json(const scenes::Scene& scene, std::span<const Collider> colliders) {
-  ordered_json instances = ordered_json::array();
-  for (std::size_t c = 0; c < colliders.size(); ++c) {
-    const Collider& collider = colliders[c];
-    const scenes::Character& character =
-        scene.characters[scene.instances[collider.instance].character];
-    ordered_json& entry = instances.emplace_back();
-    entry["index"] = c;
-    entry["model"] = character.name;
-    entry["triangles"] = collider.model.triangle_count();
-    if (!collider.part) continue;
-    entry["instance"] = collider.instance;
-    entry["part"] = part_name(character.asset, *collider.part);
-    entry["first_triangle"] = collider.first_triangle;
-  }
-  return instances;
-}
 
 ordered_json triangles_json(std::span<const Contact> contacts) {
   ordered_json triangles = ordered_json::array();
@@ -47,44 +21,43 @@ ordered_json triangles_json(std::span<const Contact> contacts) {
 
 }  // namespace
 
-ordered_json counters_json(const QueryStats& work) {
-  return {{"node_pairs", work.node_pairs},
-          {"refits", work.refits},
-          {"posed_vertices", work.posed_vertices},
-          {"triangle_pairs", work.triangle_pairs}};
-}
-
-void JsonlWriter::header(const scenes::Scene& scene, std::span<const Collider> colliders,
-                         const CheckOptionsShown& options) {
+void JsonlWriter::header(const CheckOptionsShown& options) {
   ordered_json shown = {
       {"method", options.method},
       {"by", options.by},
       {"frames", {options.frames.begin, options.frames.end, options.frames.stride}},
-      {"fps", scene.fps},
+      {"fps", scene_.fps},
       {"max_contacts", nullptr},
-      {"pairs", lists_ == TriangleLists::written}};
+      {"pairs", lists_ == TriangleLists::written},
+      {"contacts", options.contacts},
+      {"clearance", nullptr}};
+  if (options.clearance) shown["clearance"] = *options.clearance;
   if (options.max_contacts) shown["max_contacts"] = *options.max_contacts;
-  line({{"format", "pelt-check"},
-        {"version", 1},
-        {"pelt", PELT_VERSION},
-        {"inputs", inputs_json(scene)},
-        {"instances", colliders_json(scene, colliders)},
-        {"options", std::move(shown)}});
+  ordered_json header = header_json("pelt-check", scene_, colliders_);
+  header["options"] = std::move(shown);
+  write_line(header, out_);
 }
 
-void JsonlWriter::frame(std::uint32_t frame, double time, const FrameContacts& found) {
+void JsonlWriter::frame(std::uint32_t frame, double time, const FrameContacts& found,
+                        const ContactDetails* details) {
   ordered_json pairs = ordered_json::array();
-  for (const FrameContacts::Pair& pair : found.pairs) {
+  for (std::size_t i = 0; i < found.pairs.size(); ++i) {
+    const FrameContacts::Pair& pair = found.pairs[i];
     ordered_json& entry = pairs.emplace_back();
     entry["a"] = pair.a;
     entry["b"] = pair.b;
     entry["contacts"] = pair.end - pair.begin;
     if (lists_ == TriangleLists::written) entry["triangles"] = triangles_json(found.of(pair));
+    if (details != nullptr) {
+      entry.update(contact_geometry_json(scene_, colliders_[pair.a], colliders_[pair.b],
+                                         details->of_pair(i)));
+    }
   }
-  line({{"frame", frame},
-        {"time", time},
-        {"contacts", found.contacts.size()},
-        {"pairs", std::move(pairs)}});
+  write_line({{"frame", frame},
+              {"time", time},
+              {"contacts", found.contacts.size()},
+              {"pairs", std::move(pairs)}},
+             out_);
 }
 
 void JsonlWriter::totals(const CheckTotals& totals) {
@@ -99,12 +72,7 @@ void JsonlWriter::totals(const CheckTotals& totals) {
   } else {
     last["cut_short"] = true;
   }
-  line(last);
-}
-
-/// Names of files may be no UTF-8; JSON must be.
-void JsonlWriter::line(const ordered_json& value) {
-  out_ << value.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  write_line(last, out_);
 }
 
 }  // namespace pelt::tools

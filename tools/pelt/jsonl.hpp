@@ -3,10 +3,9 @@
 /// What `pelt check --jsonl` writes: a header, a line for every frame, the totals.
 
 #include "scenes/scene.hpp"
+#include "tools/pelt/contact_details.hpp"
 #include "tools/pelt/frame_range.hpp"
 #include "tools/pelt/scene_query.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <ostream>
@@ -25,27 +24,31 @@ struct CheckOptionsShown {
   std::string method, by;
   FrameRange frames;
   std::optional<std::uint32_t> max_contacts;
+  std::optional<double> clearance;
+  bool contacts = false;
 };
 
 enum class TriangleLists { left_out, written };
 
 class JsonlWriter {
  public:
-  /// `out` must outlive the writer.
-  JsonlWriter(std::ostream& out, TriangleLists lists) : out_(out), lists_(lists) {}
+  /// All but `lists` must outlive the writer.
+  JsonlWriter(std::ostream& out, TriangleLists lists, const scenes::Scene& scene,
+              std::span<const Collider> colliders)
+      : out_(out), lists_(lists), scene_(scene), colliders_(colliders) {}
 
-  void header(const scenes::Scene& scene, std::span<const Collider> colliders,
-              const CheckOptionsShown& options);
-  void frame(std::uint32_t frame, double time, const FrameContacts& found);
+  void header(const CheckOptionsShown& options);
+
+  /// `details` may be null: then no geometry is written.
+  void frame(std::uint32_t frame, double time, const FrameContacts& found,
+             const ContactDetails* details);
   void totals(const CheckTotals& totals);
 
  private:
-  void line(const nlohmann::ordered_json& value);
-
   std::ostream& out_;
   TriangleLists lists_;
+  const scenes::Scene& scene_;
+  std::span<const Collider> colliders_;
 };
-
-nlohmann::ordered_json counters_json(const QueryStats& work);
 
 }  // namespace pelt::tools

@@ -2,6 +2,7 @@
 
 #include "asset/angles.hpp"
 #include "asset/message.hpp"
+#include "tools/pelt/position_argument.hpp"
 #include "tools/pelt/text.hpp"
 
 #include <algorithm>
@@ -64,18 +65,6 @@ Result<void> check_for_models(const SceneArguments& arguments) {
   return {};
 }
 
-Result<std::array<double, 3>> parse_position(const std::string& text) {
-  std::array<double, 3> position;
-  const std::vector<std::string_view> fields = split(text, ',');
-  bool good = fields.size() == position.size();
-  for (std::size_t i = 0; good && i < position.size(); ++i) {
-    good = parse_number(fields[i], position[i]) && std::fabs(position[i]) <= 1e12;
-  }
-  if (good) return position;
-  return bad_argument("--at", asset::quoted(text) + " is no position",
-                      "give x,y,z as in --at 0.5,0,-1");
-}
-
 /// Around the y axis, which points up; positive turns +z towards +x.
 std::array<double, 4> turned(double degrees) {
   const double half_turns = degrees / 720;
@@ -103,7 +92,7 @@ Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
   }
   instance.rotation = turned(degrees);
   const Result<std::array<double, 3>> position =
-      parse_position(nth<std::string>(arguments.positions, i, "0,0,0"));
+      parse_position("--at", nth<std::string>(arguments.positions, i, "0,0,0"));
   if (!position) return position.error();
   instance.translation = *position;
   return instance;

@@ -5,11 +5,6 @@
 namespace pelt::tools {
 namespace {
 
-std::string joint_name(const asset::Asset& asset, std::uint32_t joint) {
-  const std::string& name = asset.joint_name(joint);
-  return name.empty() ? "joint " + std::to_string(joint) : name;
-}
-
 /// `weight_of_joint` is all zero before and after: memory lent by the caller.
 std::uint32_t dominant_joint(const asset::Asset& asset, const Triangle& triangle,
                              std::vector<float>& weight_of_joint) {

@@ -1,0 +1,128 @@
+/// `pelt check --contacts`: the geometry that it adds agrees with the contacts and with itself.
+
+#include "tools/answer.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+CheckFile described(const TestFolder& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "check");
+  arguments.insert(arguments.end(), {"--contacts", "--pairs", "--jsonl", "-"});
+  const Ended run = run_pelt(folder, arguments);
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  return parse_check_file(run.out);
+}
+
+std::vector<json> pairs_of(const CheckFile& file) {
+  std::vector<json> pairs;
+  for (const json& frame : file.frames)
+    for (const json& pair : frame["pairs"]) pairs.push_back(pair);
+  return pairs;
+}
+
+TEST(CheckContacts, HasATraceForEachContact) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile file = described(folder, {"scene.json"});
+  EXPECT_EQ(file.header["options"]["contacts"], true);
+  const std::vector<json> pairs = pairs_of(file);
+  ASSERT_GE(pairs.size(), 2u);
+  for (const json& pair : pairs) {
+    ASSERT_EQ(pair["traces"].size(), pair["contacts"]);
+    for (std::size_t t = 0; t < pair["traces"].size(); ++t) {
+      const json& trace = pair["traces"][t];
+      EXPECT_EQ(trace["triangles"], pair["triangles"][t]);
+      EXPECT_EQ(trace["joints"].size(), 2u);
+      EXPECT_EQ(trace["joints"][0].get<std::string>().rfind("joint ", 0), 0u);
+    }
+  }
+}
+
+TEST(CheckContacts, ChainsSegmentsToCurves) {
+  const TestFolder folder;
+  write_limbs(folder);
+  std::size_t closed = 0;
+  for (const json& pair : pairs_of(described(folder, {"scene.json"}))) {
+    std::size_t segments = 0, steps = 0;
+    for (const json& trace : pair["traces"]) segments += trace["kind"] == "segment";
+    for (const json& curve : pair["curves"]) {
+      const json &traces = curve["traces"], &points = curve["points"];
+      steps += traces.size();
+      ASSERT_EQ(points.size(), traces.size() + 1);
+      for (std::size_t i = 0; i < traces.size(); ++i) {
+        const json& trace = pair["traces"][traces[i].get<std::size_t>()];
+        const bool forward = trace["from"] == points[i] && trace["to"] == points[i + 1];
+        const bool backward = trace["to"] == points[i] && trace["from"] == points[i + 1];
+        EXPECT_TRUE(forward || backward);
+      }
+      if (!curve["closed"]) continue;
+      ++closed;
+      EXPECT_EQ(points.front(), points.back());
+    }
+    EXPECT_EQ(steps, segments);
+  }
+  EXPECT_GT(closed, 0u);  // both limbs are closed surfaces
+}
+
+TEST(CheckContacts, GathersAllContactsToRegions) {
+  const TestFolder folder;
+  write_limbs(folder);
+  std::size_t regions = 0;
+  for (const json& pair : pairs_of(described(folder, {"scene.json"}))) {
+    std::vector<std::size_t> members;
+    for (const json& region : pair["regions"]) {
+      ++regions;
+      double deepest = 0;
+      for (const std::size_t t : region["traces"]) {
+        members.push_back(t);
+        deepest = std::max(deepest, pair["traces"][t]["depth"].get<double>());
+      }
+      EXPECT_EQ(region["depth"], deepest);
+      EXPECT_GT(region["length"], 0);
+      EXPECT_EQ(region["parts"], json::array({"limb", "limb"}));
+      EXPECT_EQ(region["joints"].size(), 2u);
+    }
+    std::sort(members.begin(), members.end());
+    ASSERT_EQ(members.size(), pair["contacts"]);
+    for (std::size_t i = 0; i < members.size(); ++i) EXPECT_EQ(members[i], i);
+  }
+  EXPECT_GT(regions, 0u);
+}
+
+TEST(CheckContacts, DoesNotDependOnTheMethod) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const auto crowd = pairs_of(described(folder, {"scene.json"}));
+  EXPECT_EQ(pairs_of(described(folder, {"scene.json", "--method", "eager"})), crowd);
+}
+
+TEST(CheckContacts, PartsKeepTheNumbersOfTheModel) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const std::vector<json> pairs = pairs_of(described(folder, {"strip.glb", "--by", "part"}));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0]["traces"][0]["triangles"], pairs[0]["triangles"][0]);
+  EXPECT_EQ(pairs[0]["regions"][0]["parts"], json::array({"paper", "fan"}));
+}
+
+TEST(CheckContacts, AreLeftOutUnlessAskedFor) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});
+  const std::vector<json> pairs = pairs_of(parse_check_file(run.out));
+  ASSERT_GE(pairs.size(), 1u);
+  for (const char* key : {"traces", "curves", "regions"}) EXPECT_FALSE(pairs[0].contains(key));
+  EXPECT_EQ(run.err.find("deepest regions"), std::string::npos);
+}
+
+TEST(CheckContacts, SummaryNamesTheDeepestJoints) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--contacts"});
+  for (const char* words : {"regions    ", "deepest regions", "one 0 joint ", "two 1 joint "})
+    EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+}
+
+}  // namespace
+}  // namespace pelt::test

@@ -1,0 +1,192 @@
+/// `pelt distance` and `pelt check --clearance`, compared with all pairs of triangles at the
+/// positions that `pelt pose` writes.
+
+#include "tools/answer.hpp"
+#include "tools/glb_file.hpp"
+#include "tools/test_scenes.hpp"
+
+#include "base/vec3.hpp"
+
+namespace pelt::test {
+namespace {
+
+CheckFile distances_of(const TestFolder& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "distance");
+  arguments.insert(arguments.end(), {"--jsonl", "-"});
+  const Ended run = run_pelt(folder, arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return parse_check_file(run.out);
+}
+
+GlbFile posed_frame(const TestFolder& folder, int frame) {
+  run_pelt(folder, {"pose", "scene.json", "--frame", std::to_string(frame), "-o", "posed.glb"});
+  return GlbFile(read_text(folder / "posed.glb"));
+}
+
+double distance_of(const json& p, const json& q) {
+  return std::hypot(p[0].get<double>() - q[0].get<double>(),
+                    p[1].get<double>() - q[1].get<double>(),
+                    p[2].get<double>() - q[2].get<double>());
+}
+
+/// Between corners: no less than the distance, and here little more.
+double corner_distance(const GlbFile& file) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : file.positions(0)) {
+    for (const Vec3& q : file.positions(1)) {
+      const detail::Vec3d d = detail::Vec3d(p) - detail::Vec3d(q);
+      least = std::min(least, std::sqrt(dot(d, d)));
+    }
+  }
+  return least;
+}
+
+/// Whether a point is in the box of a triangle, which it is if it is on it.
+bool is_at(const json& point, const Triangle& triangle, std::span<const Vec3> positions) {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::array<double, 3> values;
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3& p = positions[triangle[corner]];
+      values[corner] = double{axis == 0 ? p.x : axis == 1 ? p.y : p.z};
+    }
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const double x = point[axis];
+    if (x < *least - 1e-6 || x > *most + 1e-6) return false;
+  }
+  return true;
+}
+
+TEST(DistanceVerb, TellsWhereThePairsAreNearest) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile file = distances_of(folder, {"scene.json"});
+  EXPECT_EQ(file.header["format"], "pelt-distance");
+  ASSERT_EQ(file.frames.size(), 12u);
+  int apart = 0;
+  for (const int frame : {0, 2, 10, 11}) {
+    const GlbFile posed = posed_frame(folder, frame);
+    const json& pair = file.frames[frame]["pairs"][0];
+    const double distance = pair["distance"];
+    if (distance > 0) ++apart;
+    EXPECT_LE(distance, corner_distance(posed));
+    EXPECT_GE(distance, corner_distance(posed) - 0.1);
+    EXPECT_NEAR(distance_of(pair["points"][0], pair["points"][1]), distance, 1e-6);
+    for (int side = 0; side < 2; ++side) {
+      const std::size_t triangle = pair["triangles"][side];
+      EXPECT_TRUE(
+          is_at(pair["points"][side], posed.triangles(side)[triangle], posed.positions(side)));
+      EXPECT_EQ(pair["parts"][side], "limb");
+      EXPECT_EQ(pair["joints"][side].get<std::string>().rfind("joint ", 0), 0u);
+    }
+  }
+  EXPECT_GE(apart, 2);
+}
+
+TEST(DistanceVerb, IsZeroWhereCheckFindsContact) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile distances = distances_of(folder, {"scene.json"});
+  const CheckFile contacts =
+      parse_check_file(run_pelt(folder, {"check", "scene.json", "--jsonl", "-", "--pairs"}).out);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < distances.frames.size(); ++f) {
+    const json& pair = distances.frames[f]["pairs"][0];
+    least = std::min(least, pair["distance"].get<double>());
+    EXPECT_EQ(pair["distance"] == 0, contacts.frames[f]["contacts"] > 0) << "frame " << f;
+    if (pair["distance"] == 0) {
+      EXPECT_EQ(pair["triangles"], contacts.frames[f]["pairs"][0]["triangles"][0]);
+    }
+  }
+  EXPECT_EQ(least, 0);
+  EXPECT_EQ(distances.totals["totals"]["least"][0]["distance"], 0);
+}
+
+TEST(DistanceVerb, LeavesOutWhatIsNotWithin) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile all = distances_of(folder, {"scene.json"});
+  const CheckFile some = distances_of(folder, {"scene.json", "--within", "0.2"});
+  std::size_t left_out = 0;
+  for (std::size_t f = 0; f < all.frames.size(); ++f) {
+    const json& pair = all.frames[f]["pairs"][0];
+    if (pair["distance"] <= 0.2) {
+      EXPECT_EQ(some.frames[f], all.frames[f]);
+    } else {
+      EXPECT_EQ(some.frames[f]["pairs"], json::array());
+      ++left_out;
+    }
+  }
+  EXPECT_GT(left_out, 0u);
+  EXPECT_LT(left_out, 12u);
+}
+
+TEST(DistanceVerb, SummaryNamesTheNearestPlaces) {
+  const TestFolder folder;
+  write_limbs(folder);
+  write_strip(folder, "strip.glb");
+  const Ended run = run_pelt(folder, {"distance", "scene.json", "--frames", "0:2"});
+  for (const char* words : {"2 instances", "least distances", "frame 1", "one 0 limb (joint "})
+    EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+  const Ended far =
+      run_pelt(folder, {"distance", "scene.json", "--frames", "0:1", "--within", "0"});
+  EXPECT_NE(far.out.find("nothing is so near"), std::string::npos) << far.out;
+  const Ended alone = run_pelt(folder, {"distance", "strip.glb"});
+  EXPECT_NE(alone.out.find("nothing to touch; --by part"), std::string::npos) << alone.out;
+  const Ended parts = run_pelt(folder, {"distance", "strip.glb", "--by", "part"});
+  EXPECT_NE(parts.out.find("strip 0 fan ("), std::string::npos) << parts.out;
+}
+
+json triangles_within(const TestFolder& folder, const std::string& clearance) {
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--clearance", clearance, "--frames",
+                                      "0:8", "--jsonl", "-", "--pairs"});
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  json frames = json::array();
+  for (const json& frame : parse_check_file(run.out).frames)
+    frames.push_back(frame["pairs"].empty() ? json::array() : frame["pairs"][0]["triangles"]);
+  return frames;
+}
+
+TEST(Clearance, GrowsFromTheContacts) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const Ended run =
+      run_pelt(folder, {"check", "scene.json", "--frames", "0:8", "--jsonl", "-", "--pairs"});
+  const std::vector<json> contacts = parse_check_file(run.out).frames;
+  const json zero = triangles_within(folder, "0"), near = triangles_within(folder, "0.05");
+  std::size_t more = 0;
+  for (std::size_t f = 0; f < contacts.size(); ++f) {
+    const json& pairs = contacts[f]["pairs"];
+    EXPECT_EQ(zero[f], pairs.empty() ? json::array() : pairs[0]["triangles"]);
+    EXPECT_TRUE(std::includes(near[f].begin(), near[f].end(), zero[f].begin(), zero[f].end()));
+    more += near[f].size() - zero[f].size();
+  }
+  EXPECT_GT(more, 0u);
+}
+
+TEST(Clearance, FindsAPairExactlyFromItsDistanceOn) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const json pair = distances_of(folder, {"scene.json", "--frames", "2:3"}).frames[0]["pairs"][0];
+  const double distance = pair["distance"];
+  ASSERT_GT(distance, 0);
+  const auto exit_code_within = [&](double tolerance) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", tolerance);
+    return run_pelt(folder, {"check", "scene.json", "--frames", "2:3", "--clearance", text})
+        .exit_code;
+  };
+  EXPECT_EQ(exit_code_within(distance), 1);
+  EXPECT_EQ(exit_code_within(distance * (1 - 1e-12)), 0);
+}
+
+TEST(Clearance, IsNamedInHeaderAndSummary) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const Ended run =
+      run_pelt(folder, {"check", "scene.json", "--clearance", "0.25", "--jsonl", "-"});
+  EXPECT_EQ(parse_check_file(run.out).header["options"]["clearance"], 0.25);
+  EXPECT_NE(run.err.find("what is at most 0.25 apart counts"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace pelt::test

@@ -1,0 +1,68 @@
+/// `pelt distance`: how far characters are from each other, frame by frame.
+
+#include "asset/message.hpp"
+#include "tools/pelt/commands.hpp"
+#include "tools/pelt/distance_scene.hpp"
+#include "tools/pelt/json_lines.hpp"
+#include "tools/pelt/query_arguments.hpp"
+#include "tools/pelt/text.hpp"
+#include "tools/pelt/verb.hpp"
+
+namespace pelt::tools {
+namespace {
+
+struct Arguments {
+  QueryArguments query;
+  std::string by = "instance";
+  std::optional<double> within;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt distance scene.json
+  pelt distance knight.glb barbarian.glb --clip Walk --clip Attack --at 0,0,-0.5 --at 0,0,0.5
+  pelt distance scene.json --frames 0:9 --within 0.5 --jsonl distances.jsonl
+
+The least distance of any two triangles, and where it is: 0 if and only if `pelt check` finds a
+contact. Of pairs of triangles that are equally near the lowest counts. A surface is not a solid:
+one that is wholly inside another has a distance from it.)";
+
+Result<double> choose_within(const std::optional<double>& within) {
+  if (!within) return DistanceSettings().within;
+  if (*within >= 0 && *within <= 1e12) return *within;
+  return bad_argument("--within", "is out of range", "give a number from 0 to 1e12");
+}
+
+Result<ExitCode> distance(const Arguments& arguments) {
+  DistanceSettings settings;
+  const Result<Granularity> granularity = choose_granularity(arguments.by);
+  if (!granularity) return granularity.error();
+  settings.granularity = *granularity;
+  const Result<double> within = choose_within(arguments.within);
+  if (!within) return within.error();
+  settings.within = *within;
+  const Result<QueryInput> input = open_query(arguments.query);
+  if (!input) return input.error();
+  settings.frames = input->frames;
+  const Result<void> answered =
+      distance_scene(input->scene, settings, arguments.query.scene.models, arguments.query.jsonl,
+                     words_beside(arguments.query.jsonl));
+  if (!answered) return answered.error();
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_distance(CLI::App& app, Command& chosen) {
+  Verb verb(app, "distance", "Tell how far characters are from each other in every frame", kFooter);
+  const auto arguments = std::make_shared<Arguments>();
+  add_query_options(verb, arguments->query);
+  verb.option("--by", arguments->by,
+              "Between what: every two instances, or every two parts, also of the same instance",
+              {.type = "instance|part"});
+  verb.option("--within", arguments->within, "Leave out pairs that are further apart: faster",
+              {.type = "DISTANCE"});
+  verb.runs([arguments] { return distance(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools

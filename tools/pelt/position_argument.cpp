@@ -1,0 +1,22 @@
+#include "tools/pelt/position_argument.hpp"
+
+#include "asset/message.hpp"
+#include "tools/pelt/text.hpp"
+
+#include <cmath>
+
+namespace pelt::tools {
+
+Result<std::array<double, 3>> parse_position(const std::string& option, const std::string& text) {
+  std::array<double, 3> position;
+  const std::vector<std::string_view> fields = split(text, ',');
+  bool good = fields.size() == position.size();
+  for (std::size_t i = 0; good && i < position.size(); ++i) {
+    good = parse_number(fields[i], position[i]) && std::fabs(position[i]) <= 1e12;
+  }
+  if (good) return position;
+  return bad_argument(option, asset::quoted(text) + " is no position",
+                      "give x,y,z as in " + option + " 0.5,0,-1");
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <pelt/result.hpp>
+
+#include <array>
+#include <string>
+
+namespace pelt::tools {
+
+/// "x,y,z", each at most 1e12 from 0. The message of an error names `option`.
+Result<std::array<double, 3>> parse_position(const std::string& option, const std::string& text);
+
+}  // namespace pelt::tools
