@@ -1,0 +1,10 @@
+#include <pelt/bounds.hpp>
+
+// For culling, shadows and levels of detail: around the character, whatever it does.
+pelt::Sphere sphere_around(pelt::Pose& pose, std::span<const pelt::Matrix4> palette) {
+  if (!pose.set_palette(palette)) return {};
+  return pelt::bounds(pose).sphere;
+}
+
+// For an exporter: the smallest box.
+pelt::Box smallest_box(pelt::Pose& pose) { return pelt::tight_bounds(pose).box; }

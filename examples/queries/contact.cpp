@@ -1,0 +1,12 @@
+#include <pelt/contact.hpp>
+
+// Where to push `a`, which way and how far, for each region in contact; the surfaces are made once.
+std::vector<pelt::ContactRegion> pushes(pelt::Pose& a, const pelt::Surface& surface_a,
+                                        pelt::Pose& b, const pelt::Surface& surface_b,
+                                        pelt::Scratch& scratch) {
+  std::vector<pelt::Contact> contacts;
+  pelt::collide(a, b, scratch, contacts);
+  pelt::ContactGeometry geometry;
+  pelt::describe_contacts(a, surface_a, b, surface_b, contacts, geometry);
+  return geometry.regions;  // point, normal, depth, joints of both sides
+}

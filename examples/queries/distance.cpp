@@ -1,0 +1,17 @@
+#include <pelt/distance.hpp>
+
+// Frame by frame: the last answer is where the next search begins.
+double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance& nearest) {
+  const pelt::Distance last = nearest;
+  pelt::DistanceOptions options;
+  if (last.found()) options.hint = &last;
+  pelt::distance(a, b, scratch, nearest, options);
+  return nearest.distance;  // nearest.a and nearest.b say where
+}
+
+// Where a hand that reaches for `target` meets the surface.
+pelt::Vec3 nearest_place(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch) {
+  pelt::ClosestPoint closest;
+  pelt::closest_point(pose, target, scratch, closest);
+  return closest.point.position;
+}

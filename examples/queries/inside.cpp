@@ -1,0 +1,9 @@
+#include <pelt/inside.hpp>
+
+// How deep `a` is in the closed surface of `b`; 0 where none of its vertices is inside.
+double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
+                const pelt::Surface& surface_b, pelt::Scratch& scratch) {
+  pelt::Penetration deepest;
+  pelt::deepest_vertex(a, surface_a, b, surface_b, scratch, deepest);
+  return deepest.depth;  // deepest.position and deepest.nearest say where
+}

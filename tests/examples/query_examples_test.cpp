@@ -1,0 +1,102 @@
+/// The programs of docs/queries.md do what they say.
+
+#include "support/skinned_shapes.hpp"
+
+#include <pelt/pelt.hpp>
+
+#include <gtest/gtest.h>
+
+// Defined in examples/queries.
+pelt::Sphere sphere_around(pelt::Pose& pose, std::span<const pelt::Matrix4> palette);
+pelt::Box smallest_box(pelt::Pose& pose);
+bool is_seen(pelt::Pose& pose, const pelt::Matrix4& view_projection, pelt::Scratch& scratch);
+std::vector<std::uint32_t> brushed(pelt::Pose& pose, const pelt::Sphere& brush,
+                                   pelt::Scratch& scratch);
+int picked_joint(pelt::Pose& pose, const pelt::Vec3& eye, const pelt::Vec3& far_away);
+double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance& nearest);
+pelt::Vec3 nearest_place(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch);
+std::vector<pelt::ContactRegion> pushes(pelt::Pose& a, const pelt::Surface& surface_a,
+                                        pelt::Pose& b, const pelt::Surface& surface_b,
+                                        pelt::Scratch& scratch);
+double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
+                const pelt::Surface& surface_b, pelt::Scratch& scratch);
+
+namespace pelt::test {
+namespace {
+
+/// A limb from y = 0 to y = 1 around the axis, moved along x.
+class QueryExamples : public ::testing::Test {
+ protected:
+  static SkinnedModel limb() { return *build_model(make_limb(16, 12, 3).view()); }
+
+  static std::vector<Matrix4> moved(float x) {
+    std::vector<Matrix4> palette(3);
+    for (Matrix4& m : palette) m.m[12] = x;
+    return palette;
+  }
+
+  Pose pose_{limb()};
+  Scratch scratch_;
+};
+
+TEST_F(QueryExamples, Bounds) {
+  const Sphere sphere = sphere_around(pose_, moved(5));
+  const Box box = smallest_box(pose_);
+  EXPECT_GT(sphere.radius, 0.4f);
+  EXPECT_LT(sphere.radius, 2);
+  EXPECT_NEAR(sphere.centre.x, 5, 0.1);
+  EXPECT_NEAR(box.low.x + box.high.x, 10, 0.01);
+}
+
+TEST_F(QueryExamples, Region) {
+  EXPECT_TRUE(is_seen(pose_, Matrix4(), scratch_));  // all between -1 and 1
+  ASSERT_TRUE(pose_.set_palette(moved(5)));
+  EXPECT_FALSE(is_seen(pose_, Matrix4(), scratch_));
+  EXPECT_TRUE(brushed(pose_, {{0, 0.5f, 0}, 1}, scratch_).empty());
+  const std::size_t triangles = pose_.model().triangle_count();
+  EXPECT_EQ(brushed(pose_, {{5, 0.5f, 0}, 2}, scratch_).size(), triangles);
+}
+
+TEST_F(QueryExamples, Ray) {
+  EXPECT_EQ(picked_joint(pose_, {-3, 0.05f, 0.01f}, {3, 0.05f, 0.01f}), 0);
+  EXPECT_EQ(picked_joint(pose_, {-3, 0.95f, 0.01f}, {3, 0.95f, 0.01f}), 2);
+  EXPECT_EQ(picked_joint(pose_, {-3, 5, 0}, {3, 5, 0}), -1);
+}
+
+TEST_F(QueryExamples, Distance) {
+  Pose other(limb());
+  ASSERT_TRUE(other.set_palette(moved(3)));
+  Distance nearest;
+  const double first = gap(pose_, other, scratch_, nearest);
+  EXPECT_GT(first, 2);
+  EXPECT_LT(first, 3);
+  EXPECT_EQ(gap(pose_, other, scratch_, nearest), first);
+  const Vec3 place = nearest_place(pose_, {9, 0.5f, 0}, scratch_);
+  EXPECT_NEAR(place.x, nearest.a.position.x, 0.01);
+}
+
+TEST_F(QueryExamples, Contact) {
+  Pose other(limb());
+  const Surface surface(pose_.model());
+  const Surface surface_of_other(other.model());
+  ASSERT_TRUE(other.set_palette(moved(3)));
+  EXPECT_TRUE(pushes(pose_, surface, other, surface_of_other, scratch_).empty());
+  ASSERT_TRUE(other.set_palette(moved(0.05f)));
+  const auto regions = pushes(pose_, surface, other, surface_of_other, scratch_);
+  ASSERT_FALSE(regions.empty());
+  EXPECT_GT(regions[0].depth, 0);
+}
+
+TEST_F(QueryExamples, Inside) {
+  Pose other(limb());
+  const Surface surface(pose_.model());
+  const Surface surface_of_other(other.model());
+  ASSERT_TRUE(surface_of_other.is_closed());
+  ASSERT_TRUE(other.set_palette(moved(3)));
+  EXPECT_EQ(depth_in(pose_, surface, other, surface_of_other, scratch_), 0);
+  ASSERT_TRUE(other.set_palette(moved(0.05f)));
+  EXPECT_GT(depth_in(pose_, surface, other, surface_of_other, scratch_), 0);
+}
+
+}  // namespace
+}  // namespace pelt::test
