@@ -79,10 +79,10 @@ Table level_table(const SphereTree& binary, const SphereTree& collapsed) {
                  "its Table 2."};
   for (const std::string tree : {"binary", "collapsed"}) {
     table.columns.push_back({tree + "_spheres", tree + ": spheres"});
-    table.columns.push_back({tree + "_most_children", "most children"});
-    table.columns.push_back({tree + "_percent", "mean radius [% of the root's]"});
-    table.columns.push_back({"paper_" + tree + "_percent", "in the paper [%]"});
-    table.columns.push_back({"paper_" + tree + "_radius", "[its units]"});
+    table.columns.push_back({tree + "_most_children", tree + ": most children"});
+    table.columns.push_back({tree + "_percent", tree + ": mean radius [% of the root's]"});
+    table.columns.push_back({"paper_" + tree + "_percent", tree + ", in the paper [%]"});
+    table.columns.push_back({"paper_" + tree + "_radius", tree + ", in the paper [its units]"});
   }
   for (std::size_t level = 0; level < std::max(before.size(), kPaperRadiiBefore.size()); ++level) {
     table.rows.push_back({static_cast<double>(level + 1)});
