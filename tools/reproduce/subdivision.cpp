@@ -84,7 +84,7 @@ Table empty_table(const Position& position) {
     table.columns.push_back(
         {std::string(bench::name_of(method)) + "_us", title_of(method) + " [us]"});
   for (const Column& column : {Column{"paper_refits", "paper on demand: refits"},
-                               {"paper_joints", "joints of a sphere"},
+                               {"paper_joints", "joints of the root's sphere"},
                                {"paper_sphere_pairs", "paper on demand: sphere tests"},
                                {"paper_eager_sphere_pairs", "paper bottom-up: sphere tests"},
                                {"paper_speed_up", "speed-up, paper on demand against bottom-up"},
@@ -94,13 +94,14 @@ Table empty_table(const Position& position) {
   return table;
 }
 
-/// The joints in all joint sets of a sphere, in the mean: what a refit is made of.
-double joints_a_sphere(const scenes::Character& dwarf) {
+/// The joints in all joint sets of the root's sphere: what its refit is made of.
+double joints_of_root(const scenes::Character& dwarf) {
   const Result<Specimen> specimen = make_specimen(dwarf.asset);
   PELT_ASSERT(specimen);
   const paper::SphereModel model = paper::build_sphere_model(specimen->mesh);
-  return static_cast<double>(model.bounds.joints.size()) /
-         static_cast<double>(model.tree.nodes.size());
+  double joints = 0;
+  for (const paper::JointSet& set : model.bounds.sets_of(0)) joints += set.joint_count;
+  return joints;
 }
 
 Result<std::vector<Cell>> subdivision_row(const std::vector<scenes::Character>& dwarves,
@@ -117,7 +118,7 @@ Result<std::vector<Cell>> subdivision_row(const std::vector<scenes::Character>& 
   for (const MethodKind method : kMethods) row.push_back(time(method));
   const QueryStats& work = work_of(*figures, MethodKind::paper);
   for (const double figure :
-       {count(work.refits), joints_a_sphere(dwarf), count(work.node_pairs),
+       {count(work.refits), joints_of_root(dwarf), count(work.node_pairs),
         count(work_of(*figures, MethodKind::paper_eager).node_pairs),
         time(MethodKind::paper_eager) / time(MethodKind::paper), position.speed_ups[level],
         time(MethodKind::eager) / time(MethodKind::on_demand)})
@@ -252,11 +253,12 @@ std::string text_of_joints(const Table& table) {
     return shown(table.rows[row][column_of(table, "paper_joints")]);
   };
   return "A new vertex follows the joints of both ends of its edge, so large spheres gain joint "
-         "sets: a sphere has " +
-         joints(0) + " joints in all its joint sets in the mean, and " +
-         joints(table.rows.size() - 1) +
-         " after the last subdivision. A refit takes time in proportion to these, not to the "
-         "vertices.";
+         "sets, and a refit takes time in proportion to the joints in these, not to the vertices: "
+         "that of the root has " +
+         joints(0) + " before and " + joints(table.rows.size() - 1) +
+         " after the last subdivision. That is why queries of finer dwarves take longer though "
+         "they "
+         "refit no more spheres.";
 }
 
 std::string text_of_drift(const Table& table) {
