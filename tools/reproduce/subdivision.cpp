@@ -256,9 +256,8 @@ std::string text_of_joints(const Table& table) {
          "sets, and a refit takes time in proportion to the joints in these, not to the vertices: "
          "that of the root has " +
          joints(0) + " before and " + joints(table.rows.size() - 1) +
-         " after the last subdivision. That is why queries of finer dwarves take longer though "
-         "they "
-         "refit no more spheres.";
+         " after the last subdivision. Apart, that is why finer dwarves take longer with fewer "
+         "refits.";
 }
 
 std::string text_of_drift(const Table& table) {
