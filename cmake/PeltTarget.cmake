@@ -21,3 +21,11 @@ function(pelt_target target)
     target_link_options(${target} PUBLIC -fsanitize=${PELT_SANITIZE})
   endif()
 endfunction()
+
+# pelt_compiled_fast(TARGET): beside sanitizers what uses the library is not optimised, but the
+# library is: it then compiles in half the time.
+function(pelt_compiled_fast target)
+  if(PELT_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
