@@ -15,6 +15,7 @@
 #include "base/vec3.hpp"
 #include "geometry/exact_determinant.hpp"
 #include "geometry/flat_pair.hpp"
+#include "geometry/plane_sides.hpp"
 #include "geometry/predicates.hpp"
 
 #include <algorithm>
@@ -24,16 +25,6 @@
 namespace pelt::detail {
 namespace {
 
-/// On which side of the other's plane each corner is.
-using Sides = std::array<int, 3>;
-
-Sides sides_of(const TriangleCorners& corners, const TriangleCorners& plane) {
-  const OrientedPlane oriented(plane[0], plane[1], plane[2]);
-  return {oriented.side(corners[0]), oriented.side(corners[1]), oriented.side(corners[2])};
-}
-
-bool all_on_plane(const Sides& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
-
 /// An end of a triangle's interval, on a line from the front of the other's plane to its back.
 struct IntervalEnd {
   Feature feature = Feature::face;
@@ -41,7 +32,7 @@ struct IntervalEnd {
 };
 
 /// The end in a corner that lies on the plane; `other` does not.
-IntervalEnd end_in_corner(const TriangleCorners& t, const Sides& s, std::size_t corner,
+IntervalEnd end_in_corner(const TriangleCorners& t, const PlaneSides& s, std::size_t corner,
                           std::size_t other) {
   const bool in_front = s[other] > 0;
   return {corner_feature(corner), in_front ? &t[other] : &t[corner],
@@ -56,7 +47,7 @@ struct Interval {
 };
 
 /// Precondition: the corners are not all on the plane, nor all on one open side of it.
-Interval interval_of(const TriangleCorners& t, const Sides& s) {
+Interval interval_of(const TriangleCorners& t, const PlaneSides& s) {
   Interval interval;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3, previous = (i + 2) % 3;
@@ -194,7 +185,7 @@ Vec3 edge_through_edge(const Edge& a, const Edge& b) {
 
 Crossing cross_triangles(const TriangleCorners& a, const TriangleCorners& b) {
   if (!triangles_intersect(a, b)) return {};
-  const Sides sides_a = sides_of(a, b), sides_b = sides_of(b, a);
+  const PlaneSides sides_a = sides_of(a, b), sides_b = sides_of(b, a);
   const bool a_on_plane = all_on_plane(sides_a), b_on_plane = all_on_plane(sides_b);
   if (a_on_plane && b_on_plane)
     return {has_collapsed(a) || has_collapsed(b) ? CrossingKind::collapsed : CrossingKind::coplanar,

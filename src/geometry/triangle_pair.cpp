@@ -16,6 +16,7 @@
 #include "geometry/triangle_pair.hpp"
 
 #include "geometry/flat_pair.hpp"
+#include "geometry/plane_sides.hpp"
 #include "geometry/predicates.hpp"
 
 #include <algorithm>
@@ -26,17 +27,7 @@
 namespace pelt::detail {
 namespace {
 
-/// On which side of a plane each corner of a triangle is.
-using Sides = std::array<int, 3>;
-
-Sides sides_of(const TriangleCorners& corners, const TriangleCorners& plane) {
-  const OrientedPlane oriented(plane[0], plane[1], plane[2]);
-  return {oriented.side(corners[0]), oriented.side(corners[1]), oriented.side(corners[2])};
-}
-
-bool all_on_one_open_side(const Sides& s) { return s[0] != 0 && s[0] == s[1] && s[1] == s[2]; }
-
-bool all_on_plane(const Sides& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
+bool all_on_one_open_side(const PlaneSides& s) { return s[0] != 0 && s[0] == s[1] && s[1] == s[2]; }
 
 bool disjoint_range(float a0, float a1, float a2, float b0, float b1, float b2) {
   return std::max(std::max(a0, a1), a2) < std::min(std::min(b0, b1), b2) ||
@@ -51,7 +42,7 @@ bool disjoint_boxes(const TriangleCorners& a, const TriangleCorners& b) {
 
 /// The corner whose side is less than those of both others, or greater than both. Precondition: not
 /// all are equal.
-std::size_t apex_index(const Sides& s) {
+std::size_t apex_index(const PlaneSides& s) {
   if (s[1] == s[2]) return 0;
   if (s[2] == s[0]) return 1;
   if (s[0] == s[1]) return 2;
@@ -63,7 +54,7 @@ struct Turned {
   const Vec3 &p, *q, *r;
   bool apex_behind;  ///< p is behind the other's plane, or the others in front
 
-  Turned(const TriangleCorners& t, const Sides& s, std::size_t apex)
+  Turned(const TriangleCorners& t, const PlaneSides& s, std::size_t apex)
       : p(t[apex]),
         q(&t[(apex + 1) % 3]),
         r(&t[(apex + 2) % 3]),
@@ -72,8 +63,8 @@ struct Turned {
 
 /// Whether the triangles' intervals on the line of their planes overlap. Precondition: neither
 /// triangle is on one open side of the other's plane, or on it.
-bool intervals_overlap(const TriangleCorners& corners_a, const Sides& sides_a,
-                       const TriangleCorners& corners_b, const Sides& sides_b) {
+bool intervals_overlap(const TriangleCorners& corners_a, const PlaneSides& sides_a,
+                       const TriangleCorners& corners_b, const PlaneSides& sides_b) {
   Turned a(corners_a, sides_a, apex_index(sides_a));
   Turned b(corners_b, sides_b, apex_index(sides_b));
   if (a.apex_behind) std::swap(b.q, b.r);  // turns b's plane round
@@ -85,9 +76,9 @@ bool intervals_overlap(const TriangleCorners& corners_a, const Sides& sides_a,
 
 bool triangles_intersect(const TriangleCorners& a, const TriangleCorners& b) {
   if (disjoint_boxes(a, b)) return false;
-  const Sides sides_a = sides_of(a, b);
+  const PlaneSides sides_a = sides_of(a, b);
   if (all_on_one_open_side(sides_a)) return false;
-  const Sides sides_b = sides_of(b, a);
+  const PlaneSides sides_b = sides_of(b, a);
   if (all_on_one_open_side(sides_b)) return false;
 
   // A collapsed triangle has no plane and every corner is on it, so a corner that is not proves
