@@ -1,6 +1,6 @@
 #include <pelt/collide.hpp>
 
-#include "bench/brute_force.hpp"
+#include "contacts_of.hpp"
 #include "support/allocation_count.hpp"
 #include "support/skinned_shapes.hpp"
 
@@ -11,27 +11,12 @@
 namespace pelt {
 namespace {
 
+using test::brute_force;
+using test::contacts_of;
 using test::Motion;
 using test::Random;
 using test::Shape;
 using test::Weights;
-
-std::vector<Contact> brute_force(const Shape& a, const Pose& pose_a, const Shape& b,
-                                 const Pose& pose_b) {
-  std::vector<Vec3> positions_a(a.rest_positions.size()), positions_b(b.rest_positions.size());
-  posed_vertices(pose_a, positions_a);
-  posed_vertices(pose_b, positions_b);
-  std::vector<Contact> contacts;
-  bench::brute_force_collide(a.triangles, positions_a, b.triangles, positions_b, contacts,
-                             UINT32_MAX);
-  return contacts;
-}
-
-std::vector<Contact> contacts_of(Pose& a, Pose& b, Scratch& scratch) {
-  std::vector<Contact> contacts;
-  collide(a, b, scratch, contacts);
-  return contacts;
-}
 
 /// Two limbs that bend and often touch.
 struct Limbs {

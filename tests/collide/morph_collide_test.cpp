@@ -3,7 +3,7 @@
 
 #include <pelt/crowd.hpp>
 
-#include "bench/brute_force.hpp"
+#include "contacts_of.hpp"
 #include "support/allocation_count.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"
@@ -15,27 +15,13 @@
 namespace pelt {
 namespace {
 
+using test::brute_force;
+using test::contacts_of;
 using test::Morphing;
 using test::Motion;
 using test::Random;
 using test::Shape;
 using test::Weights;
-
-std::vector<Contact> brute_force(const Shape& shape, const Pose& a, const Pose& b) {
-  std::vector<Vec3> positions_a(shape.rest_positions.size()), positions_b = positions_a;
-  posed_vertices(a, positions_a);
-  posed_vertices(b, positions_b);
-  std::vector<Contact> contacts;
-  bench::brute_force_collide(shape.triangles, positions_a, shape.triangles, positions_b, contacts,
-                             UINT32_MAX);
-  return contacts;
-}
-
-std::vector<Contact> contacts_of(Pose& a, Pose& b, Scratch& scratch) {
-  std::vector<Contact> contacts;
-  collide(a, b, scratch, contacts);
-  return contacts;
-}
 
 /// How many cases there were, and in how many something touched.
 struct Tally {
@@ -51,13 +37,13 @@ void expect_exact(Random& random, const Shape& shape, Motion motion, Tally& tall
     ASSERT_TRUE(a.set_palette(test::make_palette(random, joints, motion, 1)));
     ASSERT_TRUE(b.set_palette(test::make_palette(random, joints, motion, 1)));
     ASSERT_TRUE(b.set_morph_weights(test::make_morph_weights(random, targets, morphing)));
-    const auto expected = brute_force(shape, a, b);
+    const auto expected = brute_force(shape, a, shape, b);
     ASSERT_EQ(contacts_of(a, b, scratch), expected);
     ++tally.cases;
     tally.touching += !expected.empty();
     // Other weights alone, in the same palettes.
     ASSERT_TRUE(a.set_morph_weights(test::make_morph_weights(random, targets, Morphing::all)));
-    ASSERT_EQ(contacts_of(a, b, scratch), brute_force(shape, a, b));
+    ASSERT_EQ(contacts_of(a, b, scratch), brute_force(shape, a, shape, b));
   }
 }
 
@@ -89,7 +75,7 @@ TEST(MorphCollide, EqualsBruteForceOnLimbs) {
     ASSERT_TRUE(b.set_palette(test::bend_limb(random, 5, 0.4, random.point(0.8))));
     ASSERT_TRUE(a.set_morph_weights(test::make_morph_weights(random, 20, morphing)));
     ASSERT_TRUE(b.set_morph_weights(test::make_morph_weights(random, 20, morphing)));
-    const auto expected = brute_force(limb, a, b);
+    const auto expected = brute_force(limb, a, limb, b);
     ASSERT_EQ(contacts_of(a, b, scratch), expected);
     ++(expected.empty() ? apart : touching);
   }
@@ -129,7 +115,7 @@ struct CrossedLimbs {
     std::vector<Contact> contacts;
     const QueryStats work = collide(*a, *b, scratch, contacts);
     EXPECT_FALSE(contacts.empty());
-    EXPECT_EQ(contacts, brute_force(shape, *a, *b));
+    EXPECT_EQ(contacts, brute_force(shape, *a, shape, *b));
     return work;
   }
 
