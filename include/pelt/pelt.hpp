@@ -10,6 +10,7 @@
 #include <pelt/crowd.hpp>
 #include <pelt/distance.hpp>
 #include <pelt/groups.hpp>
+#include <pelt/height_field.hpp>
 #include <pelt/inside.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>

@@ -16,6 +16,7 @@ class Palette;
 enum class RegionWish;
 struct CapsuleRegion;
 struct FacesRegion;
+struct HeightField;
 struct BoxFound;
 struct NodeBounds;
 struct OpenedNode;
@@ -57,6 +58,8 @@ struct WideCode {
                                    Scratch& scratch, RegionWish wish);
   RegionAnswer (*descend_in_capsule)(const PosedTree& posed, const CapsuleRegion& region,
                                      Scratch& scratch, RegionWish wish);
+  QueryStats (*collide_field)(const PosedTree& posed, const HeightField& field, Scratch& scratch,
+                              std::uint32_t max_contacts);
   QueryStats (*nearest_triangles)(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                                   const SearchLimits& limits, TriangleGap& nearest);
   QueryStats (*triangles_within)(const PosedTree& a, const PosedTree& b, Scratch& scratch,

@@ -20,6 +20,8 @@ std::vector<pelt::ContactRegion> pushes(pelt::Pose& a, const pelt::Surface& surf
                                         pelt::Scratch& scratch);
 double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
                 const pelt::Surface& surface_b, pelt::Scratch& scratch);
+std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
+                                    pelt::Scratch& scratch);
 
 namespace pelt::test {
 namespace {
@@ -96,6 +98,17 @@ TEST_F(QueryExamples, Inside) {
   EXPECT_EQ(depth_in(pose_, surface, other, surface_of_other, scratch_), 0);
   ASSERT_TRUE(other.set_palette(moved(0.05f)));
   EXPECT_GT(depth_in(pose_, surface, other, surface_of_other, scratch_), 0);
+}
+
+TEST_F(QueryExamples, Terrain) {
+  const std::vector<float> heights(11 * 11);
+  const auto ground_at = [&](float y) {
+    return *build_height_field({heights, 11, 11, {-5, y, -5}, 1, 1});
+  };
+  EXPECT_TRUE(grounded(pose_, ground_at(-0.01f), scratch_).empty());
+  const std::size_t triangles = grounded(pose_, ground_at(0.01f), scratch_).size();
+  EXPECT_GT(triangles, 20u);
+  EXPECT_LT(triangles, pose_.model().triangle_count() / 4);
 }
 
 }  // namespace

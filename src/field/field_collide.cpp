@@ -1,0 +1,142 @@
+/// One tree against a height field. Boxes that are above or below all heights under them are done;
+/// under those of triangles that are left the field's triangles are made.
+
+#include "field/field_collide.hpp"
+
+#include "field/field_pairs.hpp"
+#include "pose/open_node.hpp"
+#include "query/slots.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+namespace {
+
+template <std::size_t kCount>
+FieldBox lane_of(const float (&low)[3][kCount], const float (&high)[3][kCount], unsigned lane) {
+  return {{low[0][lane], low[1][lane], low[2][lane]},
+          {high[0][lane], high[1][lane], high[2][lane]}};
+}
+
+FieldBox box_of(const float (&low)[4], const float (&high)[4]) {
+  return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+}
+
+/// Which of the eight boxes from lane `first` on are neither above nor below the heights.
+template <std::size_t kCount>
+unsigned between(const float (&low)[3][kCount], const float (&high)[3][kCount], unsigned first,
+                 const HeightRange& heights) {
+  return ((load8(low[1] + first) <= Float8(heights.high)) &
+          (Float8(heights.low) <= load8(high[1] + first)))
+      .bits();
+}
+
+class FieldDescent {
+ public:
+  FieldDescent(const PosedTree& posed, const HeightField& field, Scratch& scratch,
+               std::uint32_t max_contacts)
+      : posed_(posed),
+        field_(field),
+        nodes_(scratch.nodes),
+        found_(scratch.found),
+        max_contacts_(max_contacts),
+        pairs_(scratch.found, work_) {}
+
+  QueryStats run() {
+    nodes_.clear();
+    found_.clear();
+    ++work_.node_pairs;
+    const RootBox& root = root_box(posed_, work_);
+    if (!is_near(box_of(root.low, root.high))) return work_;
+    make_table(posed_);
+    nodes_.push(0);
+    while (!nodes_.empty() && !is_full()) visit(nodes_.pop());
+    pairs_.flush();
+    if (is_full()) cut();
+    return work_;
+  }
+
+ private:
+  bool is_full() const { return found_.size() >= max_contacts_; }
+
+  void cut() {
+    work_.cut_short = is_unfinished_ || !nodes_.empty() || found_.size() > max_contacts_;
+    found_.shrink(max_contacts_);
+  }
+
+  /// Whether the box is between the heights of what it meets as seen along y.
+  bool is_near(const FieldBox& box) const {
+    FieldRect cells;
+    return find_cells(field_, box, cells) && overlap(heights_of(field_, cells), box);
+  }
+
+  void visit(std::uint32_t index) {
+    ++work_.node_pairs;
+    const Node& node = posed_.tree.nodes.data()[index];
+    const OpenedNode& opened = open_node(posed_, index, work_);
+    FieldRect cells;
+    if (!find_cells(field_, box_of(opened.all_low, opened.all_high), cells)) return;
+    const unsigned all = (1u << (node.cluster_count + node.child_count)) - 1;
+    const HeightRange heights = heights_of(field_, cells);
+    for (SetBits slot(all & between(opened.low, opened.high, 0, heights)); slot; ++slot) {
+      if (!is_near(lane_of(opened.low, opened.high, *slot))) continue;
+      if (*slot >= node.cluster_count) {
+        nodes_.push(child(node, *slot));
+      } else {
+        if (is_full()) return void(is_unfinished_ = true);
+        test({posed_, node, opened, *slot});
+      }
+    }
+  }
+
+  void test(const PosedCluster& cluster) {
+    const TriangleBoxes& boxes = triangle_boxes(posed_, cluster.node, cluster.opened, cluster.slot);
+    const FieldBox box = lane_of(cluster.opened.low, cluster.opened.high, cluster.slot);
+    FieldRect cells;
+    if (!find_cells(field_, box, cells)) return;
+    const HeightRange heights = heights_of(field_, cells);
+    const unsigned near = between(boxes.low, boxes.high, 0, heights) |
+                          between(boxes.low, boxes.high, 8, heights) << 8;
+    const unsigned all = (1u << cluster.cluster().triangle_count) - 1;
+    for (SetBits lane(all & near); lane; ++lane)
+      test(cluster, cluster.cluster().first_triangle + *lane,
+           lane_of(boxes.low, boxes.high, *lane));
+    if (is_impatient()) pairs_.flush();
+  }
+
+  /// Whether so few contacts are wanted that it pays to test candidates at once instead of
+  /// collecting eight.
+  bool is_impatient() const { return max_contacts_ - found_.size() < 8; }
+
+  void test(const PosedCluster& cluster, std::uint32_t place, const FieldBox& box) {
+    FieldRect cells;
+    if (!find_cells(field_, box, cells)) return;
+    const float* positions = cluster.opened.positions;
+    const std::uint16_t* at = posed_.tree.corners.data()[place].data();
+    const PosedTriangle triangle = {posed_.tree.triangle_ids.data()[place],
+                                    {positions + at[0], positions + at[1], positions + at[2]}};
+    const auto visit = [&](const FieldTriangle& other) {
+      if (is_full()) return void(is_unfinished_ = true);
+      pairs_.add(triangle, other);
+    };
+    FieldTriangles(field_, box, cells, visit).run();
+  }
+
+  const PosedTree& posed_;
+  const HeightField& field_;
+  Stack<std::uint32_t>& nodes_;  // the one on top is next
+  Stack<Contact>& found_;
+  std::uint32_t max_contacts_;
+  QueryStats work_;
+  FieldPairs pairs_;
+  bool is_unfinished_ = false;  // a visit ended early
+};
+
+}  // namespace
+
+QueryStats collide_field(const PosedTree& posed, const HeightField& field, Scratch& scratch,
+                         std::uint32_t max_contacts) {
+  return FieldDescent(posed, field, scratch, max_contacts).run();
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "base/target.hpp"
+#include "field/height_field.hpp"
+#include "pose/posed_tree.hpp"
+#include "query/scratch.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// Leaves in `scratch.found` at most `max_contacts` pairs of triangles of the pose and of the field
+/// that intersect, in no particular order.
+QueryStats collide_field(const PosedTree& posed, const HeightField& field, Scratch& scratch,
+                         std::uint32_t max_contacts);
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,36 @@
+#pragma once
+
+/// A height field as queries need it: its vertices by their coordinates, and a pyramid of the least
+/// and greatest heights of square blocks of cells. A block of the lowest level has kBlockCells
+/// cells a side, one of the next twice as many, up to a level that is one block.
+
+#include <pelt/height_field.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace pelt::detail {
+
+/// Blocks of level n have 2^(kBlockShift + n) cells a side.
+inline constexpr std::uint32_t kBlockShift = 2;
+
+struct HeightRange {
+  float low, high;  ///< infinite the wrong way round where there are only holes
+};
+
+struct FieldLevel {
+  std::uint32_t columns = 0, rows = 0;  // of blocks
+  std::vector<HeightRange> blocks;      // [rows][columns]
+};
+
+struct HeightField {
+  std::vector<float> x, z;  // of columns and rows, strictly ascending
+  std::vector<float> y;     // [rows][columns]; NaN: a hole
+  std::vector<FieldLevel> levels;
+  float columns_per_x, rows_per_z;  // about
+
+  std::uint32_t columns() const { return static_cast<std::uint32_t>(x.size()); }
+  std::uint32_t rows() const { return static_cast<std::uint32_t>(z.size()); }
+};
+
+}  // namespace pelt::detail

@@ -1,0 +1,217 @@
+#include "fields.hpp"
+#include "support/allocation_count.hpp"
+#include "support/skinned_shapes.hpp"
+#include "support/targets.hpp"
+
+#include <algorithm>
+
+namespace pelt {
+namespace {
+
+using test::make_hills;
+using test::make_plain;
+using test::Motion;
+using test::Random;
+using test::Shape;
+using test::Terrain;
+using test::Weights;
+
+std::vector<Vec3> posed(const Pose& pose) {
+  std::vector<Vec3> positions(pose.model().vertex_count());
+  posed_vertices(pose, positions);
+  return positions;
+}
+
+std::vector<Contact> contacts_of(Pose& pose, const HeightField& field, Scratch& scratch) {
+  std::vector<Contact> contacts;
+  collide(pose, field, scratch, contacts);
+  return contacts;
+}
+
+/// Asks, and compares with brute force; returns how many contacts there are.
+std::size_t expect_as_brute_force(Pose& pose, const Shape& shape, const HeightField& field,
+                                  Scratch& scratch) {
+  const auto expected = test::brute_force(field, shape.triangles, posed(pose));
+  EXPECT_EQ(contacts_of(pose, field, scratch), expected);
+  EXPECT_EQ(intersects(pose, field, scratch), !expected.empty());
+  return expected.size();
+}
+
+/// Spacings from a fraction of the limb's triangles to its whole length.
+TEST(FieldCollide, EqualsBruteForceOnBendingLimbsOnEachTarget) {
+  test::on_each_target([](Target) {
+    Random random(700);
+    const Shape limb = test::make_limb(16, 8, 4);
+    Pose pose(*build_model(limb.view()));
+    Scratch scratch;
+    int touching = 0, apart = 0;
+    for (int round = 0; round < 100; ++round) {
+      const float spacing = random.uniformf(0.03, 0.4);
+      const std::uint32_t columns = 2 + random.index(20), rows = 2 + random.index(20);
+      const Vec3 origin = {-spacing * static_cast<float>(columns) / 2, 0.3f,
+                           -spacing * static_cast<float>(rows) / 2};
+      const HeightField field =
+          make_hills(random, columns, rows, origin, spacing, 0.5, round % 3 ? 0 : 0.1).build();
+      ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 4, 0.6, random.point(0.4))));
+      ++(expect_as_brute_force(pose, limb, field, scratch) > 0 ? touching : apart);
+    }
+    std::printf("touching %d, apart %d\n", touching, apart);
+    EXPECT_GT(touching, 20);
+    EXPECT_GT(apart, 5);
+  });
+}
+
+TEST(FieldCollide, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
+  Random random(701);
+  Scratch scratch;
+  std::size_t contacts = 0;
+  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
+    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial}) {
+      const Shape soup = test::make_soup(random, 150, 6, 4, weights);
+      Pose pose(*build_model(soup.view()));
+      ASSERT_TRUE(pose.set_palette(test::make_palette(random, 6, motion, 1)));
+      const Vec3 about = posed(pose)[0];
+      const HeightField field =
+          make_hills(random, 18, 21, {about.x - 2, about.y, about.z - 2}, 0.2f, 1, 0.02).build();
+      contacts += expect_as_brute_force(pose, soup, field, scratch);
+    }
+  std::printf("contacts %zu\n", contacts);
+  EXPECT_GT(contacts, 1000u);
+}
+
+/// A soup whose vertices are vertices of the field, or on its edges, diagonals and planes.
+Shape make_soup_on_grid(Random& random, std::uint32_t triangle_count, std::uint32_t side) {
+  Shape soup = test::make_soup(random, triangle_count, 1, 1, Weights::one_joint);
+  for (Vec3& p : soup.rest_positions) {
+    const auto whole = [&] { return static_cast<float>(random.index(side)); };
+    const float along = random.chance(0.5) ? 0.5f : 0.0f;
+    p = {whole(), 0, whole()};
+    switch (random.index(5)) {
+      case 0:  // on an edge along x
+        p.x += along;
+        break;
+      case 1:  // on a diagonal
+        p.x += along, p.z += along;
+        break;
+      case 2:  // above or below
+        p.y = random.chance(0.5) ? 1.0f : -0.25f;
+        break;
+      case 3:  // above by as little as there is
+        p.y = 0x1p-149f;
+        break;
+      default:  // a vertex
+        break;
+    }
+  }
+  return soup;
+}
+
+TEST(FieldCollide, TouchingCountsOnFlatFieldsOnEachTarget) {
+  test::on_each_target([](Target) {
+    Random random(702);
+    Scratch scratch;
+    std::size_t contacts = 0;
+    for (int round = 0; round < 10; ++round) {
+      const HeightField field = make_plain(9, 9, {}, 1).build();
+      const Shape soup = make_soup_on_grid(random, 60, 12);
+      Pose pose(*build_model(soup.view()));
+      contacts += expect_as_brute_force(pose, soup, field, scratch);
+    }
+    std::printf("contacts %zu\n", contacts);
+    EXPECT_GT(contacts, 5000u);
+  });
+}
+
+TEST(FieldCollide, WhatIsWhollyBelowOrBesideTouchesNothing) {
+  Random random(703);
+  const Shape limb = test::make_limb(16, 8, 4);
+  Pose pose(*build_model(limb.view()));
+  Scratch scratch;
+  const HeightField field = make_plain(40, 40, {-4, 0, -4}, 0.2f).build();
+  for (const Vec3& place : {Vec3{0, -5, 0}, Vec3{0, 5, 0}, Vec3{20, 0, 0}, Vec3{0, 0, -20}}) {
+    ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 4, 0.3, place)));
+    std::vector<Contact> contacts;
+    const QueryStats stats = collide(pose, field, scratch, contacts);
+    EXPECT_TRUE(contacts.empty());
+    EXPECT_EQ(stats.posed_vertices, 0u);
+  }
+}
+
+TEST(FieldCollide, LargeTrianglesMeetWhatIsUnderThem) {
+  Random random(704);
+  Shape roof = test::make_soup(random, 4, 1, 1, Weights::one_joint);
+  for (Vec3& p : roof.rest_positions) p = {p.x * 30, p.y, p.z * 30};
+  Pose pose(*build_model(roof.view()));
+  Scratch scratch;
+  const HeightField field = make_hills(random, 150, 130, {-30, 0, -26}, 0.4f, 2, 0).build();
+  EXPECT_GT(expect_as_brute_force(pose, roof, field, scratch), 100u);
+}
+
+TEST(FieldCollide, StopsWhereItIsTold) {
+  Random random(705);
+  const Shape limb = test::make_limb(16, 8, 4);
+  Pose pose(*build_model(limb.view()));
+  ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 4, 0.3, {})));
+  Scratch scratch;
+  const HeightField field = make_plain(40, 40, {-4, 0.2f, -4}, 0.2f).build();
+  const auto all = contacts_of(pose, field, scratch);
+  ASSERT_GT(all.size(), 20u);
+  for (const std::uint32_t limit : {0u, 1u, 5u, 20u}) {
+    std::vector<Contact> contacts;
+    EXPECT_TRUE(collide(pose, field, scratch, contacts, {limit}).cut_short);
+    EXPECT_EQ(contacts.size(), limit);
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), contacts.begin(), contacts.end()));
+  }
+  std::vector<Contact> contacts;
+  EXPECT_FALSE(collide(pose, field, scratch, contacts).cut_short);
+}
+
+/// 4,096 x 4,096 vertices: the work is that of a field which ends around the limb.
+TEST(FieldCollide, WorkDoesNotGrowWithTheField) {
+  Random random(706);
+  const Shape limb = test::make_limb(40, 12, 5);
+  Scratch scratch;
+  std::vector<QueryStats> stats;
+  std::size_t contacts = 0;
+  for (const std::uint32_t side : {64u, 4096u}) {
+    Pose pose(*build_model(limb.view()));
+    const float first = -0.125f * static_cast<float>(side / 2);
+    const HeightField field = make_plain(side, side, {first, 0.25f, first}, 0.125f).build();
+    std::vector<Contact> found;
+    stats.push_back(collide(pose, field, scratch, found));
+    contacts = found.size();
+  }
+  EXPECT_GT(contacts, 10u);
+  EXPECT_EQ(stats[0].node_pairs, stats[1].node_pairs);
+  EXPECT_EQ(stats[0].posed_vertices, stats[1].posed_vertices);
+  EXPECT_EQ(stats[0].triangle_pairs, stats[1].triangle_pairs);
+}
+
+TEST(FieldCollide, DoesNotAllocateOnceReserved) {
+  Random random(707);
+  const Shape limb = test::make_limb(40, 12, 5);
+  Pose pose(*build_model(limb.view()));
+  const HeightField field = make_hills(random, 60, 60, {-3, 0, -3}, 0.1f, 0.5, 0.01).build();
+  Scratch scratch;
+  std::vector<Contact> contacts;
+  constexpr std::size_t kRoom = 100'000;
+  pose.reserve();
+  scratch.reserve(kRoom);
+  contacts.reserve(kRoom);
+  std::size_t most = 0;
+  for (int round = 0; round < 50; ++round) {
+    const auto palette = test::bend_limb(random, 5, 0.5, random.point(0.3));
+    const std::size_t before = test::allocation_count();
+    ASSERT_TRUE(pose.set_palette(palette));
+    contacts.clear();
+    collide(pose, field, scratch, contacts);
+    EXPECT_EQ(intersects(pose, field, scratch), !contacts.empty());
+    EXPECT_EQ(test::allocation_count(), before);
+    most = std::max(most, contacts.size());
+  }
+  EXPECT_GT(most, 50u);
+  EXPECT_LT(most, kRoom);
+}
+
+}  // namespace
+}  // namespace pelt
