@@ -62,4 +62,12 @@ struct TrianglesInRegion {
 QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
                           TrianglesInRegion& triangles);
 
+/// Appends the triangles that touch the region, ascending: the character meets a simple solid. As
+/// `find_triangles`: a region is a solid, so what lies wholly inside touches it too.
+QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
+                   std::vector<std::uint32_t>& triangles);
+
+/// Whether any triangle touches the region; as `collide`, stopping at the first.
+bool intersects(Pose& pose, const Region& region, Scratch& scratch);
+
 }  // namespace pelt

@@ -76,4 +76,17 @@ QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
   return answer.work;
 }
 
+QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
+                   std::vector<std::uint32_t>& triangles) {
+  const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionWish::triangles);
+  detail::Stack<std::uint32_t>& found = scratch.detail().touching;
+  detail::sort_numbers(found, scratch.detail().sorting_numbers);
+  triangles.insert(triangles.end(), found.begin(), found.end());
+  return answer.work;
+}
+
+bool intersects(Pose& pose, const Region& region, Scratch& scratch) {
+  return descend(pose, PreparedRegion(region), scratch, RegionWish::touch).touches;
+}
+
 }  // namespace pelt

@@ -17,10 +17,7 @@ template <typename AnyRegion>
 class RegionDescent {
  public:
   RegionDescent(const PosedTree& posed, const AnyRegion& region, Scratch& scratch, RegionWish wish)
-      : posed_(posed),
-        region_(region),
-        scratch_(scratch),
-        wants_triangles_(wish == RegionWish::triangles) {}
+      : posed_(posed), region_(region), scratch_(scratch), wish_(wish) {}
 
   RegionAnswer run() {
     scratch_.nodes.clear();
@@ -32,8 +29,12 @@ class RegionDescent {
   }
 
  private:
+  bool wants_triangles() const { return wish_ == RegionWish::triangles; }
+
   /// Two triangles, or one that crosses the boundary, tell that the surface does.
-  bool is_answered() const { return !wants_triangles_ && answer_.touches && answer_.leaves; }
+  bool is_answered() const {
+    return !wants_triangles() && answer_.touches && (answer_.leaves || wish_ == RegionWish::touch);
+  }
 
   void place_root() {
     ++answer_.work.node_pairs;
@@ -95,27 +96,27 @@ class RegionDescent {
     answer_.leaves = true;
     if (place == TrianglePlace::apart) return;
     answer_.touches = true;
-    if (wants_triangles_) scratch_.touching.push(posed_.tree.triangle_ids[triangle]);
+    if (wants_triangles()) scratch_.touching.push(posed_.tree.triangle_ids[triangle]);
   }
 
   /// A triangle that is inside.
   void take(std::uint32_t triangle) {
     answer_.touches = true;
-    if (!wants_triangles_) return;
+    if (!wants_triangles()) return;
     scratch_.touching.push(posed_.tree.triangle_ids[triangle]);
     scratch_.inside.push(posed_.tree.triangle_ids[triangle]);
   }
 
   void take_cluster(std::uint32_t index) {
     answer_.touches = true;
-    if (!wants_triangles_) return;
+    if (!wants_triangles()) return;
     const Cluster& cluster = posed_.tree.clusters[index];
     for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) take(cluster.first_triangle + i);
   }
 
   void take_node(std::uint32_t index) {
     answer_.touches = true;
-    if (!wants_triangles_) return;
+    if (!wants_triangles()) return;
     const Node& node = posed_.tree.nodes[index];
     for (std::uint32_t c = 0; c < node.cluster_count; ++c) take_cluster(node.first_cluster + c);
     for (std::uint32_t c = 0; c < node.child_count; ++c) take_node(node.first_child + c);
@@ -124,7 +125,7 @@ class RegionDescent {
   const PosedTree& posed_;
   const AnyRegion& region_;
   Scratch& scratch_;
-  bool wants_triangles_;
+  RegionWish wish_;
   RegionAnswer answer_;
 };
 

@@ -13,8 +13,12 @@ struct RegionAnswer {
   QueryStats work;
 };
 
-/// What is wanted of a region: whether the surface touches and leaves it, or all triangles that do.
-enum class RegionWish { placement, triangles };
+/// What is wanted of a region.
+enum class RegionWish {
+  placement,  ///< whether the surface touches it and leaves it
+  touch,      ///< whether the surface touches it
+  triangles,  ///< all triangles that do, and those inside
+};
 
 inline namespace PELT_TARGET {
 

@@ -97,6 +97,12 @@ struct Asked {
     EXPECT_EQ(found.touching, expected.touching);
     EXPECT_EQ(found.inside, expected.inside);
     EXPECT_EQ(classify(pose, region, scratch).placement, placement);
+    touching = {UINT32_MAX};
+    collide(pose, region, scratch, touching);
+    EXPECT_EQ(touching.front(), UINT32_MAX);
+    touching.erase(touching.begin());
+    EXPECT_EQ(touching, expected.touching);
+    EXPECT_EQ(intersects(pose, region, scratch), !touching.empty());
     return placement;
   }
 
@@ -105,6 +111,7 @@ struct Asked {
   std::vector<Vec3> positions;
   Scratch scratch;
   TrianglesInRegion found = {{7}, {7}};
+  std::vector<std::uint32_t> touching;
 };
 
 TEST(Region, EqualsBruteForceOnBendingLimbsOnEachTarget) {
@@ -249,6 +256,8 @@ TEST(Region, DoesNotAllocateOnceReserved) {
   scratch.reserve(count);
   found.touching.reserve(count);
   found.inside.reserve(count);
+  std::vector<std::uint32_t> touching;
+  touching.reserve(count);
   const auto palette = test::bend_limb(random, 5, 0.5, {});
   std::size_t all = 0;
   for (int round = 0; round < 100; ++round) {
@@ -257,6 +266,9 @@ TEST(Region, DoesNotAllocateOnceReserved) {
     ASSERT_TRUE(pose.set_palette(palette));
     classify(pose, region, scratch);
     find_triangles(pose, region, scratch, found);
+    touching.clear();
+    collide(pose, region, scratch, touching);
+    EXPECT_EQ(intersects(pose, region, scratch), !touching.empty());
     EXPECT_EQ(test::allocation_count(), before);
     all += found.touching.size();
   }
