@@ -64,7 +64,7 @@ Groups group_by_joint(const SkinnedModel& model);
 Box group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group);
 
 /// The exact box of the posed vertices of one group, but that zeros are positive. O(vertices of the
-/// group times influences), and of a pose with morph weights O(V) beside, which then allocates.
+/// group times influences), and O(log V) for each vertex and active target that displaces it.
 /// Precondition and empty groups as above.
 Box tight_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group);
 

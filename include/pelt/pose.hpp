@@ -72,8 +72,8 @@ class Pose {
 /// Writes every posed vertex: the very float32 positions that queries collide, linear blend
 /// skinning of the rest positions (Kavan & Zara 2005, eq. 1), to which the displacements of morph
 /// targets have been added by weight. Precondition: `out` has `vertex_count()` elements. O(V times
-/// influences + displacements), allocates nothing unless a morph weight is set, and is not needed
-/// for any query.
+/// influences) and, where active targets displace vertices, O(log V) for each of these and target;
+/// allocates nothing, and is not needed for any query.
 void posed_vertices(const Pose& pose, std::span<Vec3> out);
 
 }  // namespace pelt

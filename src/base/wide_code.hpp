@@ -35,8 +35,7 @@ class Stack;
 struct WideCode {
   PaletteScan (*scan_palette)(const float* floats, std::size_t joint_count);
   RootBox (*box_root)(const NodeBounds& bounds, const Palette& palette);
-  void (*pose_vertices)(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
-                        std::span<Vec3> out);
+  void (*pose_vertices)(const Tree& tree, const Palette& palette, std::span<Vec3> out);
   const RootBox& (*root_box)(const PosedTree& posed, QueryStats& work);
   const OpenedNode& (*open_node)(const PosedTree& posed, std::uint32_t node, QueryStats& work);
   QueryStats (*open_all_exactly)(const PosedTree& posed);
@@ -46,7 +45,7 @@ struct WideCode {
   BoxFound (*bounding_box)(const PosedTree& posed, std::uint32_t levels);
   float (*bounding_radius)(const NodeBounds& bounds, const Palette& palette, const float* centre);
   BoxFound (*bound_of_set)(const NodeBounds& bounds, std::uint32_t set, const Palette& palette);
-  BoxFound (*box_places)(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
+  BoxFound (*box_places)(const Tree& tree, const Palette& palette,
                          std::span<const std::uint32_t> places);
   QueryStats (*first_hits)(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
                            std::span<RayHit> hits);

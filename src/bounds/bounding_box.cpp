@@ -118,9 +118,9 @@ BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette
   return store(node_box(bounds, set, palette));
 }
 
-BoxFound box_places(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
+BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places) {
-  return store(box_vertices(tree, rest, palette, places));
+  return store(box_vertices(tree, palette, places));
 }
 
 }  // namespace PELT_TARGET

@@ -25,9 +25,8 @@ BoxFound bounding_box(const PosedTree& posed, std::uint32_t levels);
 /// The bound of a set of vertices as a box; the one of an empty set is empty.
 BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette& palette);
 
-/// The exact box of the vertices at these places of the pools, which lie at `rest` before the
-/// joints move them.
-BoxFound box_places(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
+/// The exact box of the vertices at these places of the pools.
+BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places);
 
 }  // namespace PELT_TARGET

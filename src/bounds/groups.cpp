@@ -7,7 +7,6 @@
 #include "bounds/bounding_box.hpp"
 #include "bounds/group_vertices.hpp"
 #include "model/unpack.hpp"
-#include "pose/morphed_rest.hpp"
 #include "pose/pose.hpp"
 #include "skin/sample_poses.hpp"
 
@@ -102,10 +101,7 @@ Box group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
 
 Box tight_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
   PELT_ASSERT(is_pose_of(pose, groups) && group < groups.count());
-  const detail::Tree& tree = pose.model().detail().tree;
-  const detail::Palette& palette = pose.detail().palette;
-  const detail::MorphedRest rest(tree, palette.morphs());
-  return to_box(detail::wide_code().box_places(tree, rest.positions(), palette,
+  return to_box(detail::wide_code().box_places(pose.model().detail().tree, pose.detail().palette,
                                                groups.detail().places_of(group)));
 }
 

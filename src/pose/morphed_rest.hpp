@@ -1,23 +1,69 @@
 #pragma once
 
 #include "model/tree.hpp"
-
-#include <span>
-#include <vector>
+#include "skin/skin.hpp"
 
 namespace pelt::detail {
+inline namespace PELT_TARGET {
 
-/// The rest positions of all vertices, as they lie in the tree, displaced by the active morph
-/// targets. A copy where there are any, the tree's own where not.
+/// The rest positions as they lie in the tree, displaced by the active morph targets, one at a time
+/// and in any order. O(1) in a pool that no active target displaces, else O(log) of the pool's
+/// displacements for each one that does; O(log N) more for a vertex in another pool than the last.
+/// Precondition: the tree has morph targets.
 class MorphedRest {
  public:
-  MorphedRest(const Tree& tree, const MorphWeights& morphs);
+  MorphedRest(const Tree& tree, const MorphWeights& morphs) : tree_(tree), morphs_(morphs) {}
 
-  std::span<const Vec3> positions() const { return positions_; }
+  Vec3 operator()(std::uint32_t place) {
+    if (place < first_place_ || place >= end_place_) find_pool(place);
+    Vec3 v = tree_.rest_positions[place];
+    each_active(begin_, end_, morphs_, [&](const PoolTarget& target) {
+      if (const PlacedDisplacement* found = find(target, place))
+        v = displaced(v, morphs_[target.target], found->by);
+    });
+    return v;
+  }
 
  private:
-  std::vector<Vec3> morphed_;
-  std::span<const Vec3> positions_;
+  /// Finds the last node whose pool does not begin behind `place`. What no triangle uses lies
+  /// behind all pools, as if there were one node more.
+  void find_pool(std::uint32_t place) {
+    const Node* nodes = tree_.nodes.data();
+    const auto node_count = static_cast<std::uint32_t>(tree_.nodes.size());
+    std::uint32_t index = 0;
+    for (std::uint32_t count = node_count; count > 1;) {
+      const std::uint32_t half = count / 2;
+      index += nodes[index + half].first_vertex <= place ? half : 0;
+      count -= half;
+    }
+    first_place_ = nodes[index].first_vertex;
+    end_place_ = first_place_ + nodes[index].vertex_count;
+    if (place >= end_place_) {
+      index = node_count;
+      first_place_ = end_place_;
+      end_place_ = static_cast<std::uint32_t>(tree_.rest_positions.size());
+    }
+    const std::uint32_t* begin = tree_.morphs.node_begin.data() + index;
+    begin_ = tree_.morphs.targets.data() + begin[0];
+    end_ = tree_.morphs.targets.data() + begin[1];
+  }
+
+  /// What the target does to the vertex at `place`; null: nothing.
+  const PlacedDisplacement* find(const PoolTarget& target, std::uint32_t place) const {
+    const PlacedDisplacement* first = tree_.morphs.displacements.data() + target.first_displacement;
+    for (std::uint32_t count = target.displacement_count; count > 1;) {
+      const std::uint32_t half = count / 2;
+      first += first[half].place <= place ? half : 0;
+      count -= half;
+    }
+    return first->place == place ? first : nullptr;
+  }
+
+  const Tree& tree_;
+  const MorphWeights& morphs_;
+  std::uint32_t first_place_ = 0, end_place_ = 0;       // of the pool that was found last
+  const PoolTarget *begin_ = nullptr, *end_ = nullptr;  // its targets
 };
 
+}  // namespace PELT_TARGET
 }  // namespace pelt::detail

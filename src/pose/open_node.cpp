@@ -2,6 +2,7 @@
 
 #include "model/node_box.hpp"
 #include "pose/morph_pool.hpp"
+#include "pose/morphed_rest.hpp"
 #include "skin/skin.hpp"
 
 namespace pelt::detail {
@@ -148,6 +149,21 @@ Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
   return {min(min(a, b), c), max(max(a, b), c)};
 }
 
+/// Calls `visit` with the posed vertices at these places.
+template <typename Visit>
+void each_posed(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at,
+                const Visit& visit) {
+  const Places places(tree);
+  const Matrix4* matrices = palette.joints().data();
+  const auto each = [&](auto rest_at) {
+    for (const std::uint32_t place : at)
+      visit(places.pose(rest_at(place), place, places.influence_count(place), matrices));
+  };
+  if (palette.morphs().any()) return each(MorphedRest(tree, palette.morphs()));
+  const Vec3* rest = tree.rest_positions.data();
+  each([=](std::uint32_t place) { return rest[place]; });
+}
+
 }  // namespace
 
 const RootBox& root_box(const PosedTree& posed, QueryStats& work) {
@@ -210,26 +226,16 @@ QueryStats open_all_exactly(const PosedTree& posed) {
   return work;
 }
 
-void pose_vertices(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
-                   std::span<Vec3> out) {
-  const Places places(tree);
-  const Matrix4* matrices = palette.joints().data();
-  for (std::uint32_t v = 0; v < tree.vertex_count(); ++v) {
-    const std::uint32_t place = tree.vertex_places[v];
-    const Float4 p = places.pose(rest[place], place, places.influence_count(place), matrices);
-    out[v] = {p[0], p[1], p[2]};
-  }
+void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out) {
+  std::size_t v = 0;
+  each_posed(tree, palette, tree.vertex_places, [&](const Float4& p) {
+    out[v++] = {p[0], p[1], p[2]};
+  });
 }
 
-Box4 box_vertices(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
-                  std::span<const std::uint32_t> at) {
-  const Places places(tree);
-  const Matrix4* matrices = palette.joints().data();
+Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at) {
   Box4 box = empty_box();
-  for (const std::uint32_t place : at) {
-    const Float4 p = places.pose(rest[place], place, places.influence_count(place), matrices);
-    box = unite(box, {p, p});
-  }
+  each_posed(tree, palette, at, [&](const Float4& p) { box = unite(box, {p, p}); });
   return box;
 }
 

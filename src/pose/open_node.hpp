@@ -43,13 +43,11 @@ QueryStats open_rest(const PosedTree& posed);
 /// table of opened nodes, and none is open.
 QueryStats open_all_exactly(const PosedTree& posed);
 
-/// Poses all vertices, in the caller's order, from rest positions as they lie in the tree.
-void pose_vertices(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
-                   std::span<Vec3> out);
+/// Poses all vertices, in the caller's order.
+void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out);
 
 /// The box of the posed vertices at these places of the pools.
-Box4 box_vertices(const Tree& tree, std::span<const Vec3> rest, const Palette& palette,
-                  std::span<const std::uint32_t> at);
+Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at);
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

@@ -2,7 +2,6 @@
 
 #include "base/assert.hpp"
 #include "base/wide_code.hpp"
-#include "pose/morphed_rest.hpp"
 
 #include <utility>
 
@@ -36,8 +35,7 @@ void posed_vertices(const Pose& pose, std::span<Vec3> out) {
   const detail::Pose& data = pose.detail();
   const detail::Tree& tree = data.model.detail().tree;
   PELT_ASSERT(out.size() == tree.vertex_count());
-  const detail::MorphedRest rest(tree, data.palette.morphs());
-  detail::wide_code().pose_vertices(tree, rest.positions(), data.palette, out);
+  detail::wide_code().pose_vertices(tree, data.palette, out);
 }
 
 }  // namespace pelt

@@ -127,8 +127,9 @@ TEST(Groups, RefuseLabelsThatAreNotThatOfEachTriangle) {
 }
 
 TEST(Groups, DoNotAllocateWhenAsked) {
-  const Shape limb = test::make_limb(12, 8, 3);
+  const Shape limb = test::make_morphing_limb(12, 8, 3);
   Pose pose(*build_model(limb.view()));
+  ASSERT_TRUE(pose.set_morph_weights(std::vector<float>{0.5f, 0.25f, 1}));
   const Groups groups = group_by_joint(pose.model());
   const std::size_t before = test::allocation_count();
   for (std::uint32_t g = 0; g < groups.count(); ++g) {

@@ -164,6 +164,16 @@ TEST(MorphCollide, ReservedPosesAllocateNothing) {
   EXPECT_GT(work.displacements, 1000u);
 }
 
+TEST(MorphCollide, PosingAllVerticesAllocatesNothing) {
+  CrossedLimbs limbs;
+  ASSERT_TRUE(limbs.a->set_morph_weights(std::vector<float>(CrossedLimbs::kTargets, 0.5f)));
+  std::vector<Vec3> posed(limbs.shape.rest_positions.size());
+  const std::size_t before = test::allocation_count();
+  posed_vertices(*limbs.a, posed);
+  EXPECT_EQ(test::allocation_count(), before);
+  EXPECT_NE(posed[0], limbs.shape.rest_positions[0]);
+}
+
 TEST(MorphCollide, CrowdsSeeTheWeightsOfTheirInstances) {
   Random random(342);
   Shape limb = test::make_limb(30, 12, 5);
