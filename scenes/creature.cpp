@@ -1,124 +1,27 @@
 #include "scenes/creature.hpp"
 
-#include "base/assert.hpp"
-#include "scenes/creature/body_plan.hpp"
+#include "scenes/creature/body.hpp"
 #include "scenes/creature/motion.hpp"
-#include "scenes/creature/polygonise.hpp"
-#include "scenes/creature/remesh.hpp"
 #include "scenes/creature/skeleton.hpp"
-#include "scenes/creature/skin_weights.hpp"
+#include "scenes/option_range.hpp"
 
-#include <cmath>
 #include <string>
 #include <utility>
 
 namespace pelt::scenes {
-namespace {
-
-// Fine enough for fingers and, nearly always, the clefts between them.
-constexpr double kCoarsestSpacing = 0.016;
-constexpr double kTrianglesPerTriangle = 1.6;  // polygonised for one in the end
-
-std::string check_range(const char* name, std::uint32_t value, std::uint32_t low,
-                        std::uint32_t high) {
-  if (value >= low && value <= high) return {};
-  return "creature: " + std::string(name) + " is " + std::to_string(value) + ", expected " +
-         std::to_string(low) + " to " + std::to_string(high);
-}
-
-bool is_like_a_ball(const RawMesh& mesh) {
-  return mesh.positions.size() == mesh.triangles.size() / 2 + 2;
-}
-
-/// A lattice too coarse for the clefts between fingers makes bridges across them; a finer one does
-/// not.
-RawMesh polygonise_without_bridges(const Flesh& flesh, double spacing) {
-  RawMesh raw = polygonise(flesh, spacing);
-  for (int refinement = 0; refinement < 6 && !is_like_a_ball(raw); ++refinement) {
-    spacing *= 0.8;
-    raw = polygonise(flesh, spacing);
-  }
-  PELT_ASSERT(is_like_a_ball(raw));
-  return raw;
-}
-
-RawMesh make_surface(const Flesh& flesh, std::uint32_t triangle_count) {
-  RawMesh raw = polygonise_without_bridges(flesh, kCoarsestSpacing);
-  const double wanted = kTrianglesPerTriangle * triangle_count;
-  const double available = static_cast<double>(raw.triangles.size());
-  if (available < wanted) {
-    raw = polygonise_without_bridges(flesh, kCoarsestSpacing * std::sqrt(available / wanted));
-  }
-  return remesh(flesh, std::move(raw), triangle_count / 2 * 2);
-}
-
-/// Nodes for the kept joints, under a root node; returns the node of each plan joint.
-std::vector<std::uint32_t> add_skeleton(const BodyPlan& plan,
-                                        const std::vector<std::uint32_t>& stands_for,
-                                        asset::Asset& asset) {
-  std::vector<std::uint32_t> nodes(plan.joints.size(), kNone);
-  asset.nodes.emplace_back();
-  asset.nodes.front().name = "creature";
-  for (std::uint32_t j = 0; j < plan.joints.size(); ++j) {
-    if (stands_for[j] != j) continue;
-    const std::uint32_t parent = plan.joints[j].parent;
-    const bool is_root = parent == kNone;
-    const Vec3d origin = is_root ? Vec3d() : plan.joints[stands_for[parent]].position;
-    const Vec3 offset = to_float(plan.joints[j].position - origin);
-    nodes[j] = static_cast<std::uint32_t>(asset.nodes.size());
-    asset.nodes.emplace_back();
-    asset.nodes.back().name = plan.joints[j].name;
-    asset.nodes.back().parent = is_root ? 0 : nodes[stands_for[parent]];
-    asset.nodes.back().local.translation = {offset.x, offset.y, offset.z};
-
-    const Vec3 place = to_float(plan.joints[j].position);
-    asset::Joint joint;
-    joint.node = nodes[j];
-    joint.inverse_bind.m[12] = -place.x;
-    joint.inverse_bind.m[13] = -place.y;
-    joint.inverse_bind.m[14] = -place.z;
-    asset.joints.push_back(joint);
-  }
-  return nodes;
-}
-
-void add_skin(const BodyPlan& plan, const std::vector<std::uint32_t>& stands_for,
-              const std::vector<std::uint32_t>& nodes, const std::vector<Vec3d>& positions,
-              asset::Asset& asset) {
-  SkinWeights skin(plan, stands_for);
-  asset.influences_per_vertex = kInfluences;
-  for (const Vec3d& position : positions) {
-    asset.rest_positions.push_back(to_float(position));
-    const VertexWeights vertex = skin.at(position);
-    for (std::uint32_t k = 0; k < kInfluences; ++k) {
-      // Joints stand in the order of their nodes, after the root node.
-      asset.joint_indices.push_back(static_cast<std::uint16_t>(nodes[vertex.joints[k]] - 1));
-      asset.weights.push_back(static_cast<float>(vertex.weights[k]));
-    }
-  }
-}
-
-}  // namespace
 
 Result<asset::Asset> make_creature(const CreatureOptions& options) {
   for (const std::string& problem :
-       {check_range("triangles", options.triangles, 1000, 1000000),
-        check_range("joints", options.joints, kBaseJoints, kPlanJoints)}) {
+       {check_range("creature", "triangles", options.triangles, 1000, 1000000),
+        check_range("creature", "joints", options.joints, kBaseJoints, kPlanJoints)}) {
     if (!problem.empty()) return Error{ErrorCode::invalid_argument, problem};
   }
   const BodyPlan plan = make_body_plan(draw_proportions(options.seed));
   const std::vector<std::uint32_t> stands_for = choose_joints(plan, options.joints);
-
-  asset::Asset asset;
-  const std::vector<std::uint32_t> nodes = add_skeleton(plan, stands_for, asset);
-  RawMesh surface = make_surface(plan.flesh, options.triangles);
-  add_skin(plan, stands_for, nodes, surface.positions, asset);
-  asset.triangles = std::move(surface.triangles);
-  asset.parts.push_back(
-      {"creature", "body", "hide", 0, static_cast<std::uint32_t>(asset.triangles.size()), true});
-  asset.clips.push_back(walk_clip(plan, stands_for, nodes));
-  asset.clips.push_back(idle_clip(plan, stands_for, nodes));
-  return asset;
+  Body body = grow_body(plan, stands_for, options.triangles / 2 * 2, "creature");
+  body.asset.clips.push_back(walk_clip(plan, stands_for, body.nodes));
+  body.asset.clips.push_back(idle_clip(plan, stands_for, body.nodes));
+  return std::move(body.asset);
 }
 
 }  // namespace pelt::scenes

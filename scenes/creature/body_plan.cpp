@@ -117,6 +117,7 @@ void Sculptor::sculpt_head() {
   const auto on = [&](double x, double y, double z) { return o + k * Vec3d(x, y, z); };
   const std::uint32_t jaw = joint("jaw", head_, on(0, 0.045, 0.02));
   const double reach = 0.10 + 0.11 * p_.snout;
+  plan_.head = {o, k, reach};
 
   limb(0.06);
   cone(neck_1, at(neck_1) - Vec3d(0, 0.05, 0.01), 0.105, at(neck_2), 0.09, 0.07);
@@ -273,6 +274,7 @@ void scale_to_height(BodyPlan& plan) {
     }
   }
   const double scale = kHeight / top;
+  plan.head = {scale * plan.head.origin, scale * plan.head.scale, plan.head.snout};
   for (PlanJoint& joint : plan.joints) joint.position = scale * joint.position;
   for (Limb& limb : plan.flesh.limbs) {
     limb.blend *= scale;
@@ -283,6 +285,16 @@ void scale_to_height(BodyPlan& plan) {
     }
   }
   compute_bounds(plan.flesh);
+}
+
+/// For each joint whether `top` is one of its ancestors, or it is `top` itself.
+std::vector<bool> branch_of(const BodyPlan& plan, std::uint32_t top) {
+  std::vector<bool> in_branch(plan.joints.size());
+  for (std::uint32_t j = top; j < plan.joints.size(); ++j) {
+    const std::uint32_t parent = plan.joints[j].parent;
+    in_branch[j] = j == top || (parent != kNone && in_branch[parent]);
+  }
+  return in_branch;
 }
 
 }  // namespace
@@ -306,6 +318,34 @@ BodyPlan make_body_plan(const Proportions& proportions) {
   BodyPlan plan = Sculptor(proportions).sculpt();
   scale_to_height(plan);
   return plan;
+}
+
+BodyPlan bust_of(const BodyPlan& plan) {
+  const std::uint32_t neck = find_joint(plan, "neck_1");
+  const Vec3d ground(0, plan.joints[neck].position.y, 0);
+  const std::vector<bool> kept = branch_of(plan, neck);
+  std::vector<std::uint32_t> number(plan.joints.size(), kNone);
+  BodyPlan bust;
+  for (std::uint32_t j = 0; j < plan.joints.size(); ++j) {
+    if (!kept[j]) continue;
+    number[j] = static_cast<std::uint32_t>(bust.joints.size());
+    const PlanJoint& joint = plan.joints[j];
+    bust.joints.push_back(
+        {joint.name, j == neck ? kNone : number[joint.parent], joint.position - ground});
+  }
+  for (Limb limb : plan.flesh.limbs) {
+    if (!kept[limb.muscles.front().joint]) continue;
+    for (Muscle& muscle : limb.muscles) {
+      muscle.joint = number[muscle.joint];
+      muscle.shape.a = muscle.shape.a - ground;
+      muscle.shape.b = muscle.shape.b - ground;
+    }
+    bust.flesh.limbs.push_back(std::move(limb));
+  }
+  compute_bounds(bust.flesh);
+  bust.head = plan.head;
+  bust.head.origin = plan.head.origin - ground;
+  return bust;
 }
 
 std::uint32_t find_joint(const BodyPlan& plan, const std::string& name) {

@@ -25,14 +25,27 @@ struct PlanJoint {
   Vec3d position;
 };
 
+/// Where the features of a face are: in coordinates of the head, x to its left, y up, z forwards.
+struct HeadFrame {
+  Vec3d origin;
+  double scale = 1;
+  double snout = 0;  ///< z where it ends, in the head's coordinates
+
+  Vec3d at(double x, double y, double z) const { return origin + scale * Vec3d(x, y, z); }
+};
+
 /// The whole creature at rest: 1.8 units tall, y up, facing +z, arms half raised, feet on y = 0.
 /// Names end in "_l" on the left, where x > 0, and in "_r" on the right.
 struct BodyPlan {
   std::vector<PlanJoint> joints;  ///< [kPlanJoints], "hips" first
   Flesh flesh;                    ///< muscles name plan joints
+  HeadFrame head;
 };
 
 BodyPlan make_body_plan(const Proportions& proportions);
+
+/// Head, neck and ears of a plan, on the ground where the neck begins; "neck_1" is the first joint.
+BodyPlan bust_of(const BodyPlan& plan);
 
 /// Index of the joint. Precondition: there is one of that name.
 std::uint32_t find_joint(const BodyPlan& plan, const std::string& name);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "scenes/creature/body_plan.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace pelt::scenes {
+
+/// The morph targets of a face, in this order.
+enum Expression : std::size_t {
+  kJawOpen,
+  kSmile,
+  kBlinkLeft,
+  kBlinkRight,
+  kBrowsUp,
+  kCheeksPuffed,
+  kExpressions,
+};
+
+inline constexpr std::array<const char*, kExpressions> kExpressionNames = {
+    "jaw_open", "smile", "blink_l", "blink_r", "brows_up", "cheeks_puffed"};
+
+/// How the skin of a bust moves in an expression.
+class Expressions {
+ public:
+  explicit Expressions(const BodyPlan& bust);
+
+  /// Of a point on the skin; exactly zero where the expression does not reach.
+  Vec3d displacement(Expression expression, const Vec3d& point) const;
+
+ private:
+  Vec3d open_jaw(const Vec3d& point) const;
+
+  const BodyPlan& bust_;
+  std::uint32_t jaw_;  ///< the joint
+};
+
+}  // namespace pelt::scenes

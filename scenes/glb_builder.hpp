@@ -1,0 +1,52 @@
+#pragma once
+
+/// A .glb file while it is written: the JSON and the binary chunk grow together.
+
+#include <pelt/mesh.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pelt::scenes {
+
+class GlbBuilder {
+ public:
+  /// "asset", and one scene without nodes.
+  GlbBuilder();
+
+  nlohmann::ordered_json json;
+
+  /// Positions, with the bounds that glTF requires of these. Not empty, as all arrays here.
+  std::size_t add_positions(std::span<const Vec3> positions);
+  std::size_t add_vectors(std::span<const Vec3> vectors);
+  std::size_t add_indices(std::span<const Triangle> triangles);
+
+  /// As an accessor of `count` elements; all these return their numbers.
+  std::size_t add_floats(std::span<const float> floats, std::size_t count, const char* type);
+  std::size_t add_shorts(std::span<const std::uint16_t> shorts, std::size_t count,
+                         const char* type);
+
+  /// Times of keys, with their bounds.
+  std::size_t add_times(std::span<const float> times);
+
+  /// `count` vectors, zero but at these indices, which ascend.
+  std::size_t add_sparse(std::size_t count, std::span<const std::uint32_t> indices,
+                         std::span<const Vec3> vectors);
+
+  /// The whole file.
+  std::vector<std::byte> file();
+
+ private:
+  std::size_t add_view(std::span<const std::byte> bytes);
+  std::size_t add_view(std::span<const std::byte> bytes, int target);
+  std::size_t add_accessor(std::size_t view, int component, std::size_t count, const char* type);
+
+  std::vector<std::byte> binary_;  // every view is a multiple of 4 bytes, so all stay aligned
+};
+
+}  // namespace pelt::scenes
