@@ -18,6 +18,10 @@ std::uint64_t hash_of(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
+Character generated(const char* name, const std::string& source, asset::Asset&& asset) {
+  return {name, source, hash_of(std::as_bytes(std::span(source))), std::move(asset)};
+}
+
 }  // namespace
 
 Result<Character> load_character(const std::filesystem::path& path,
@@ -38,8 +42,15 @@ Result<Character> generate_character(const CreatureOptions& options) {
   if (!creature) return creature.error();
   const std::string source = "creature:" + std::to_string(options.triangles) + ":" +
                              std::to_string(options.joints) + ":" + std::to_string(options.seed);
-  const std::uint64_t hash = hash_of(std::as_bytes(std::span(source)));
-  return Character{"creature", source, hash, std::move(*creature)};
+  return generated("creature", source, std::move(*creature));
+}
+
+Result<Character> generate_character(const FaceOptions& options) {
+  Result<asset::Asset> face = make_face(options);
+  if (!face) return face.error();
+  const std::string source =
+      "face:" + std::to_string(options.triangles) + ":" + std::to_string(options.seed);
+  return generated("face", source, std::move(*face));
 }
 
 }  // namespace pelt::scenes

@@ -20,9 +20,9 @@ constexpr const char* kRelative = ": paths in a scene are relative to its folder
 
 Result<Character> make_character(const SceneFile::Model& model, const std::filesystem::path& folder,
                                  const asset::GltfOptions& options) {
-  if (const auto* creature = std::get_if<CreatureOptions>(&model.source)) {
+  if (const auto* creature = std::get_if<CreatureOptions>(&model.source))
     return generate_character(*creature);
-  }
+  if (const auto* face = std::get_if<FaceOptions>(&model.source)) return generate_character(*face);
   const std::string& path = std::get<std::string>(model.source);
   Result<Character> character = load_character(folder / path, options);
   if (character) character->source = path;
@@ -46,10 +46,11 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
     scene.characters.push_back(std::move(*character));
   }
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    const std::string place = "instances[" + std::to_string(i) + "].clip";
-    if (const auto found = check_clip(scene, i); !found) {
-      return asset::prefixed(place, found.error());
-    }
+    const std::string place = "instances[" + std::to_string(i) + "].";
+    if (const auto found = check_clip(scene, i); !found)
+      return asset::prefixed(place + "clip", found.error());
+    if (const auto found = check_morph_weights(scene, i); !found)
+      return asset::prefixed(place + "morph_weights", found.error());
   }
   return scene;
 }
@@ -72,8 +73,30 @@ Matrix4 placement(const Instance& instance, double seconds) {
   return asset::matrix_of(asset::compose(position, rotation, {scale, scale, scale}));
 }
 
+const Character& character_of(const Scene& scene, std::uint32_t instance) {
+  return scene.characters[scene.instances[instance].character];
+}
+
 const asset::Asset& asset_of(const Scene& scene, std::uint32_t instance) {
-  return scene.characters[scene.instances[instance].character].asset;
+  return character_of(scene, instance).asset;
+}
+
+bool names(const MorphWeight& morph, const asset::Asset& asset, std::size_t target) {
+  if (const auto* index = std::get_if<std::uint32_t>(&morph.target)) return *index == target;
+  return std::get<std::string>(morph.target) == asset.morph_targets[target].name;
+}
+
+/// What is wrong with `morph`, which names no target; begins with the character's name.
+std::string why_none(const MorphWeight& morph, const Character& character) {
+  const auto& targets = character.asset.morph_targets;
+  const std::string begin = asset::quoted(character.name) + " has ";
+  if (targets.empty()) return begin + "no morph targets";
+  if (std::holds_alternative<std::uint32_t>(morph.target))
+    return begin + std::to_string(targets.size()) + " morph targets, found more weights than these";
+  const std::string& name = std::get<std::string>(morph.target);
+  std::vector<std::string_view> known;
+  for (const asset::MorphTarget& target : targets) known.push_back(target.name);
+  return begin + "no morph target " + asset::quoted(name) + suggestion(name, known);
 }
 
 /// What an instance plays at a frame, and where in the clip it is.
@@ -125,6 +148,17 @@ Result<void> check_clip(const Scene& scene, std::uint32_t instance) {
   return Error{ErrorCode::invalid_argument, problem + suggestion(*clip, names)};
 }
 
+Result<void> check_morph_weights(const Scene& scene, std::uint32_t instance) {
+  const Character& character = character_of(scene, instance);
+  for (const MorphWeight& morph : scene.instances[instance].morph_weights) {
+    bool is_known = false;
+    for (std::size_t m = 0; m < character.asset.morph_targets.size(); ++m)
+      is_known |= names(morph, character.asset, m);
+    if (!is_known) return Error{ErrorCode::invalid_argument, why_none(morph, character)};
+  }
+  return {};
+}
+
 double frame_time(const Scene& scene, std::uint32_t frame) { return frame / scene.fps; }
 
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
@@ -138,7 +172,11 @@ void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t 
 void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                             std::span<float> weights) {
   const auto [clip, seconds] = clip_at(scene, instance, frame);
-  asset::sample_morph_weights(asset_of(scene, instance), clip, seconds, weights);
+  const asset::Asset& asset = asset_of(scene, instance);
+  asset::sample_morph_weights(asset, clip, seconds, weights);
+  for (const MorphWeight& morph : scene.instances[instance].morph_weights)
+    for (std::size_t m = 0; m < weights.size(); ++m)
+      if (names(morph, asset, m)) weights[m] = morph.weight;
 }
 
 }  // namespace pelt::scenes

@@ -7,6 +7,7 @@
 #include <pelt/result.hpp>
 
 #include "scenes/creature.hpp"
+#include "scenes/face.hpp"
 
 #include <array>
 #include <cstdint>
@@ -14,16 +15,24 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace pelt::scenes {
 
 /// A character as the scene names it.
 struct Character {
-  std::string name;        ///< key in the scene's "models", or the file's stem
-  std::string source;      ///< the path as it was written, or "creature:13590:56:1"
+  std::string name;    ///< key in the scene's "models", or the file's stem
+  std::string source;  ///< the path as it was written, or "creature:13590:56:1" or "face:4000:1"
   std::uint64_t hash = 0;  ///< FNV-1a 64 of the file's bytes, or of `source`
   asset::Asset asset;
+};
+
+/// A weight that stays as it is, whatever the clip plays.
+struct MorphWeight {
+  /// Index into Asset::morph_targets, or a name, which several may have.
+  std::variant<std::uint32_t, std::string> target;
+  float weight = 0;
 };
 
 struct Instance {
@@ -34,6 +43,7 @@ struct Instance {
   std::array<double, 4> rotation = {0, 0, 0, 1};  ///< x y z w, any length but 0
   double scale = 1;
   std::array<double, 3> velocity = {0, 0, 0};  ///< units per second
+  std::vector<MorphWeight> morph_weights;      ///< of other targets the clip has the say
 };
 
 struct Scene {
@@ -66,9 +76,14 @@ Result<Character> load_character(const std::filesystem::path& path,
 
 /// A generated one. Costs what `make_creature` does.
 Result<Character> generate_character(const CreatureOptions& options);
+Result<Character> generate_character(const FaceOptions& options);
 
 /// Refuses an instance whose clip its character does not have, naming those that it has. O(clips).
 Result<void> check_clip(const Scene& scene, std::uint32_t instance);
+
+/// Refuses an instance with weights of morph targets that its character does not have, naming what
+/// it has. O(weights times targets).
+Result<void> check_morph_weights(const Scene& scene, std::uint32_t instance);
 
 /// Seconds at which frame `frame` stands: frame / fps. O(1).
 double frame_time(const Scene& scene, std::uint32_t frame);
@@ -80,9 +95,10 @@ double frame_time(const Scene& scene, std::uint32_t frame);
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette);
 
-/// The weights of the morph targets of one instance at one frame, as its clip plays them. Costs
-/// what `asset::sample_morph_weights` does and O(clips). Precondition: `weights` has as many
-/// elements as the instance's asset has morph targets.
+/// The weights of the morph targets of one instance at one frame: its own, and where it has none
+/// those that its clip plays. Costs what `asset::sample_morph_weights` and `check_morph_weights` do
+/// and O(clips). Precondition: `weights` has as many elements as the instance's asset has morph
+/// targets.
 void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                             std::span<float> weights);
 

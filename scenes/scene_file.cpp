@@ -29,11 +29,20 @@ CreatureOptions read_creature(const StrictObject& object) {
           object.count("seed", defaults.seed, kAnyCount)};
 }
 
+FaceOptions read_face(const StrictObject& object) {
+  const FaceOptions defaults;
+  return {object.count("triangles", defaults.triangles, kAnyCount),
+          object.count("seed", defaults.seed, kAnyCount)};
+}
+
 SceneFile::Model read_model(const std::string& name, const json& value, const std::string& path,
                             Problem& problem) {
   if (value.is_string()) return {name, value.get<std::string>()};
   const StrictObject object(value, path, kModelKeys, problem);
+  if (object.has("face") && !object.has("creature"))
+    return {name, read_face(object.object("face", kFaceKeys))};
   object.require("creature");
+  if (object.has("face")) object.refuse("face", "a model is a creature or a face, not both");
   return {name, read_creature(object.object("creature", kCreatureKeys))};
 }
 
@@ -79,6 +88,31 @@ std::array<double, N> read_vector(const StrictObject& object, std::string_view k
   return vector;
 }
 
+/// An array of one number for each target, or an object of numbers by names of targets.
+std::vector<MorphWeight> read_morph_weights(const StrictObject& object) {
+  constexpr std::string_view kKey = "morph_weights";
+  std::vector<MorphWeight> weights;
+  const json* value = object.find(kKey);
+  if (value == nullptr) return weights;
+  if (!value->is_array() && !value->is_object()) {
+    object.refuse(kKey, "expected an object or an array, found " + kind_of(*value));
+    return weights;
+  }
+  for (auto member = value->begin(); member != value->end(); ++member) {
+    const std::string place = value->is_array() ? "element " + std::to_string(weights.size())
+                                                : asset::quoted(member.key());
+    const double number = member->is_number() ? member->get<double>() : 0;
+    if (!member->is_number())
+      object.refuse(kKey, "expected a number for " + place + ", found " + kind_of(*member));
+    if (!(std::fabs(number) <= kMaxNumber))
+      object.refuse(kKey, "expected a number within 1e12 for " + place);
+    MorphWeight weight = {static_cast<std::uint32_t>(weights.size()), static_cast<float>(number)};
+    if (value->is_object()) weight.target = member.key();
+    weights.push_back(std::move(weight));
+  }
+  return weights;
+}
+
 Instance read_instance(const StrictObject& object, std::span<const SceneFile::Model> models) {
   Instance instance;
   instance.character = read_character(object, models);
@@ -90,6 +124,7 @@ Instance read_instance(const StrictObject& object, std::span<const SceneFile::Mo
   require_unit_length(object, instance.rotation);
   instance.scale = object.number("scale", instance.scale, {kMinScale, kMaxScale});
   instance.velocity = read_vector(object, "velocity", instance.velocity);
+  instance.morph_weights = read_morph_weights(object);
   return instance;
 }
 

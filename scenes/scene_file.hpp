@@ -14,7 +14,8 @@ namespace pelt::scenes {
 struct SceneFile {
   struct Model {
     std::string name;
-    std::variant<std::string, CreatureOptions> source;  ///< path of a glTF file, or generated
+    /// Path of a glTF file, or generated.
+    std::variant<std::string, CreatureOptions, FaceOptions> source;
   };
 
   std::vector<Model> models;        ///< by name

@@ -11,9 +11,11 @@ namespace pelt::scenes {
 inline constexpr std::array<std::string_view, 4> kSceneKeys = {"$schema", "models", "frames",
                                                                "instances"};
 inline constexpr std::array<std::string_view, 2> kFramesKeys = {"count", "fps"};
-inline constexpr std::array<std::string_view, 1> kModelKeys = {"creature"};
+inline constexpr std::array<std::string_view, 2> kModelKeys = {"creature", "face"};
 inline constexpr std::array<std::string_view, 3> kCreatureKeys = {"triangles", "joints", "seed"};
-inline constexpr std::array<std::string_view, 8> kInstanceKeys = {
-    "model", "clip", "start", "speed", "translation", "rotation", "scale", "velocity"};
+inline constexpr std::array<std::string_view, 2> kFaceKeys = {"triangles", "seed"};
+inline constexpr std::array<std::string_view, 9> kInstanceKeys = {
+    "model",    "clip",  "start",    "speed",        "translation",
+    "rotation", "scale", "velocity", "morph_weights"};
 
 }  // namespace pelt::scenes

@@ -33,6 +33,9 @@ class StrictObject {
 
   bool has(std::string_view key) const { return find(key) != nullptr; }
 
+  /// The value as it is, or null where it is absent.
+  const nlohmann::json* find(std::string_view key) const;
+
   /// A string, or nothing where it is absent or null.
   std::optional<std::string> text(std::string_view key) const;
   double number(std::string_view key, double otherwise, Range range) const;
@@ -57,7 +60,6 @@ class StrictObject {
   std::string path_of(std::string_view key) const;
 
  private:
-  const nlohmann::json* find(std::string_view key) const;
   void read_numbers(std::string_view key, std::span<double> values) const;
   void refuse_unknown_keys(std::span<const std::string_view> keys) const;
 

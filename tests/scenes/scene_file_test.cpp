@@ -18,7 +18,8 @@ TEST(SceneFile, ReadsEveryKey) {
     "frames": {"count": 7, "fps": 12.5},
     "instances": [
       {"model": "b", "clip": "", "start": 0.25, "speed": -2, "translation": [1, 2, 3],
-       "rotation": [0, 0.6, 0, 0.8], "scale": 0.5, "velocity": [0, 0, -1]},
+       "rotation": [0, 0.6, 0, 0.8], "scale": 0.5, "velocity": [0, 0, -1],
+       "morph_weights": {"smile": 0.5}},
       {"model": "a", "clip": null}
     ]})");
   ASSERT_TRUE(file) << file.error().message;
@@ -39,11 +40,28 @@ TEST(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(first.rotation, (std::array<double, 4>{0, 0.6, 0, 0.8}));
   EXPECT_EQ(first.scale, 0.5);
   EXPECT_EQ(first.velocity, (std::array<double, 3>{0, 0, -1}));
+  ASSERT_EQ(first.morph_weights.size(), 1u);
+  EXPECT_EQ(std::get<std::string>(first.morph_weights[0].target), "smile");
+  EXPECT_EQ(first.morph_weights[0].weight, 0.5f);
   const Instance& second = file->instances.at(1);
   EXPECT_EQ(second.character, 0u);
   EXPECT_EQ(second.clip, std::nullopt);
   EXPECT_EQ(second.speed, 1);
   EXPECT_EQ(second.scale, 1);
+}
+
+TEST(SceneFile, ReadsFacesAndWeightsInTheirOrder) {
+  const Result<SceneFile> file = parse_scene_file(R"({
+    "models": {"f": {"face": {"triangles": 2000, "seed": 9}}},
+    "instances": [{"model": "f", "morph_weights": [0, -1.5]}]})");
+  ASSERT_TRUE(file) << file.error().message;
+  const auto& face = std::get<FaceOptions>(file->models.at(0).source);
+  EXPECT_EQ(face.triangles, 2000u);
+  EXPECT_EQ(face.seed, 9u);
+  const auto& weights = file->instances.at(0).morph_weights;
+  ASSERT_EQ(weights.size(), 2u);
+  EXPECT_EQ(std::get<std::uint32_t>(weights[1].target), 1u);
+  EXPECT_EQ(weights[1].weight, -1.5f);
 }
 
 struct Refusal {
@@ -76,6 +94,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "models.a.creature.joints: expected a whole number, found 56.5"},
         Refusal{R"({"models": {"a": {"creature": {"triangle": 1}}}})",
                 "models.a.creature: unknown key \"triangle\", did you mean \"triangles\"?"},
+        Refusal{R"({"models": {"a": {"creature": {}, "face": {}}}, "instances": []})",
+                "models.a.face: a model is a creature or a face, not both"},
+        Refusal{R"({"models": {"a": {"face": {"joints": 7}}}, "instances": []})",
+                "models.a.face: unknown key \"joints\", expected one of \"triangles\", \"seed\""},
         Refusal{R"({"models": {"a": "a"}, "frames": 3, "instances": []})",
                 "frames: expected an object, found a number"},
         Refusal{R"({"models": {"a": "a"}, "frames": {"count": 0}, "instances": []})",
@@ -119,6 +141,14 @@ INSTANTIATE_TEST_SUITE_P(
             "instances[0].velocity: expected numbers within 1e12"},
         Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "scale": 0}]})",
                 "instances[0].scale: "},
+        Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "morph_weights": 1}]})",
+                "instances[0].morph_weights: expected an object or an array, found a number"},
+        Refusal{
+            R"({"models": {"a": "a"}, "instances": [{"model": "a", "morph_weights": [0, "1"]}]})",
+            "instances[0].morph_weights: expected a number for element 1, found a string"},
+        Refusal{
+            R"({"models": {"a": "a"}, "instances": [{"model": "a", "morph_weights": {"b": 1e13}}]})",
+            "instances[0].morph_weights: expected a number within 1e12 for \"b\""},
         Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "scale": -1}]})",
                 "instances[0].scale: "},
         Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "scale": [1, 1, 1]}]})",
@@ -146,6 +176,7 @@ TEST(SceneSchema, HasTheKeysOfTheReader) {
   EXPECT_EQ(keys_of(model), set_of(kModelKeys));
   EXPECT_EQ(keys_of(schema["$defs"]["frames"]), set_of(kFramesKeys));
   EXPECT_EQ(keys_of(schema["$defs"]["creature"]), set_of(kCreatureKeys));
+  EXPECT_EQ(keys_of(schema["$defs"]["face"]), set_of(kFaceKeys));
   EXPECT_EQ(keys_of(schema["$defs"]["instance"]), set_of(kInstanceKeys));
 }
 
@@ -153,7 +184,8 @@ TEST(SceneSchema, HasTheDefaultsOfTheReader) {
   std::ifstream stream(PELT_DOCS_DIR "/scene.schema.json");
   const auto schema = nlohmann::json::parse(stream);
   const Result<SceneFile> file =
-      parse_scene_file(R"({"models": {"a": {"creature": {}}}, "instances": [{"model": "a"}]})");
+      parse_scene_file(R"({"models": {"a": {"creature": {}}, "b": {"face": {}}},
+                           "instances": [{"model": "a"}]})");
   ASSERT_TRUE(file) << file.error().message;
   const auto& frames = schema["$defs"]["frames"]["properties"];
   EXPECT_EQ(frames["count"]["default"], file->frame_count);
@@ -163,6 +195,9 @@ TEST(SceneSchema, HasTheDefaultsOfTheReader) {
   EXPECT_EQ(creature["triangles"]["default"], options.triangles);
   EXPECT_EQ(creature["joints"]["default"], options.joints);
   EXPECT_EQ(creature["seed"]["default"], options.seed);
+  const auto& face = schema["$defs"]["face"]["properties"];
+  EXPECT_EQ(face["triangles"]["default"], std::get<FaceOptions>(file->models[1].source).triangles);
+  EXPECT_EQ(face["seed"]["default"], std::get<FaceOptions>(file->models[1].source).seed);
   const auto& instance = schema["$defs"]["instance"]["properties"];
   EXPECT_EQ(instance["start"]["default"], file->instances[0].start);
   EXPECT_EQ(instance["speed"]["default"], file->instances[0].speed);

@@ -127,6 +127,48 @@ TEST(CheckClip, NamesTheClipsThatExist) {
   EXPECT_EQ(none.error().message, "\"point\" has no clip \"walk\", it has none");
 }
 
+Result<Scene> face_with(const std::string& weights) {
+  return parse_scene(R"({"models": {"f": {"face": {"triangles": 1000}}}, "frames": {"count": 40},
+                         "instances": [{"model": "f", "clip": "talk", "morph_weights": )" +
+                         weights + "}]}",
+                     "");
+}
+
+TEST(MorphWeights, OfAnInstanceStandWhereTheClipMovesOthers) {
+  const Result<Scene> scene = face_with(R"({"smile": 0.25, "blink_l": 0})");
+  ASSERT_TRUE(scene) << scene.error().message;
+  std::vector<float> weights(6), of_clip(6);
+  bool other = false;
+  for (std::uint32_t frame = 0; frame < 40; ++frame) {
+    const asset::Asset& face = scene->characters[0].asset;
+    instance_morph_weights(*scene, 0, frame, weights);
+    asset::sample_morph_weights(face, &face.clips[0], static_cast<float>(frame_time(*scene, frame)),
+                                of_clip);
+    other |= of_clip[2] != 0;
+    of_clip[1] = 0.25f, of_clip[2] = 0;
+    EXPECT_EQ(weights, of_clip) << frame;
+  }
+  EXPECT_TRUE(other) << "else the test tells nothing of the clip";
+}
+
+TEST(MorphWeights, ThatNoTargetHasAreRefused) {
+  const auto refusal = [](const std::string& weights) {
+    const Result<Scene> scene = face_with(weights);
+    return scene ? "" : scene.error().message;
+  };
+  EXPECT_EQ(refusal("[1, 2, 3, 4, 5, 6]"), "");
+  EXPECT_EQ(refusal("[1, 2, 3, 4, 5, 6, 7]"),
+            "instances[0].morph_weights: \"f\" has 6 morph targets, found more weights than these");
+  EXPECT_EQ(refusal(R"({"smle": 1})"),
+            "instances[0].morph_weights: \"f\" has no morph target \"smle\", did you mean "
+            "\"smile\"?");
+  const Result<Scene> creature = parse_scene(R"({"models": {"c": {"creature": {"triangles": 1000}}},
+                      "instances": [{"model": "c", "morph_weights": [1]}]})",
+                                             "");
+  ASSERT_FALSE(creature);
+  EXPECT_EQ(creature.error().message, "instances[0].morph_weights: \"c\" has no morph targets");
+}
+
 TEST(LoadScene, GeneratesCreatures) {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / "pelt_scene_test.json";
