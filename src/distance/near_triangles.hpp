@@ -3,20 +3,21 @@
 /// The triangles of two clusters that may be within reach. Two lower bounds are at hand for all
 /// pairs: their boxes' gap, and their gap along one direction, that of the best pair so far: most
 /// pairs that are as near lie in nearly the same. What is left waits until there are eight pairs,
-/// which get a bound each along a direction of their own (triangle_apart.hpp). The few that this
-/// leaves are measured by the scalar function.
+/// which are measured at once (triangle_distances.hpp).
 ///
 /// A goal says what is looked for:
 ///   double reach() const      how far apart triangles may be to matter; it may only become less
-///   bool keeps_best() const   whether `offer` wants one pair, the best, rather than all
-///   bool offer(gap)           takes a pair if it wants it
+///   bool keeps_best() const   whether it wants one pair, the best, and where that is nearest,
+///                             rather than all
+///   bool wants(gap) const     whether it does, of a pair whose nearest points are not known yet
+///   void take(gap)            takes a pair that it wants
 ///   bool is_done() const      nothing more is wanted
 
 #include "distance/gaps.hpp"
 #include "distance/pair_search.hpp"
 #include "distance/reach.hpp"
 #include "distance/triangle_gaps.hpp"
-#include "geometry/triangle_apart.hpp"
+#include "geometry/triangle_distances.hpp"
 #include "pose/open_node.hpp"
 #include "query/slots.hpp"
 
@@ -44,8 +45,10 @@ class NearTriangles {
     if (near_b == 0) return;
     const Along along(has_way_ ? way_ : direction_between(a, b), origin);
     const TriangleValues high = along.highest(a), low = along.lowest(b);
-    if (!has_way_ && goal_.keeps_best())
-      measure(pair_of(a, highest_of(high), b, lowest_of(low), places));
+    if (!has_way_ && goal_.keeps_best()) {
+      keep(pair_of(a, highest_of(high), b, lowest_of(low), places));
+      flush();
+    }
     for (SetBits row(near_a); row && !goal_.is_done(); ++row) {
       const unsigned lanes = near_b & up_to(low, high.of[*row] + reach_.gap() + error);
       if (lanes == 0) continue;
@@ -56,11 +59,19 @@ class NearTriangles {
     if (!has_way_ || !goal_.keeps_best()) flush();
   }
 
-  /// Offers what was kept.
+  /// Offers what was kept, the nearest first.
   void flush() {
     if (count_ == 0) return;
-    for (std::uint32_t i = count_; i < kBatch; ++i) waiting_[i] = waiting_[0];
-    test();
+    double squared[kBatch];
+    measure(squared);
+    unsigned left = (1u << count_) - 1;
+    while (left != 0 && !goal_.is_done()) {
+      unsigned next = *SetBits(left);
+      for (SetBits lane(left); lane; ++lane)
+        if (squared[*lane] < squared[next]) next = *lane;
+      left &= ~(1u << next);
+      offer(waiting_[next], squared[next]);
+    }
     count_ = 0;
   }
 
@@ -100,13 +111,12 @@ class NearTriangles {
 
   void keep(const Pair& pair) {
     waiting_[count_++] = pair;
-    if (count_ < kBatch) return;
-    test();
-    count_ = 0;
+    if (count_ == kBatch) flush();
   }
 
-  /// Bounds the pairs that wait and measures those within reach, that which seems nearest first.
-  void test() {
+  void measure(double (&squared)[kBatch]) {
+    work_.triangle_pairs += count_;
+    for (std::uint32_t i = count_; i < kBatch; ++i) waiting_[i] = waiting_[0];
     TrianglePairs8 pairs;
     for (std::size_t k = 0; k < 3; ++k) {
       pairs.a[k] =
@@ -114,18 +124,7 @@ class NearTriangles {
       pairs.b[k] =
           corner8([&](const Pair& p) { return corner(*p.tree_b, p.positions_b, p.triangle_b, k); });
     }
-    const Apart8 apart = how_far_apart(pairs);
-    alignas(32) float at_least[kBatch], about[kBatch];
-    apart.at_least.store(at_least);
-    apart.about.store(about);
-    unsigned left = (1u << count_) - 1;
-    while (left != 0 && !goal_.is_done()) {
-      unsigned next = kBatch;
-      for (SetBits lane(left); lane; ++lane)
-        if (next == kBatch || about[*lane] < about[next]) next = *lane;
-      left &= ~(1u << next);
-      if (!(reach_.gap() < at_least[next])) measure(waiting_[next]);
-    }
+    squared_distances(pairs, count_, squared);
   }
 
   static const float* corner(const PosedTree& posed, const float* positions, std::uint32_t triangle,
@@ -139,20 +138,22 @@ class NearTriangles {
     return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
   }
 
-  void measure(const Pair& pair) {
-    ++work_.triangle_pairs;
+  void offer(const Pair& pair, double squared) {
     TriangleGap gap;
+    gap.triangle_a = pair.tree_a->tree.triangle_ids.data()[pair.triangle_a];
+    gap.triangle_b = pair.tree_b->tree.triangle_ids.data()[pair.triangle_b];
+    gap.nearest.squared_distance = squared;
+    if (!goal_.wants(gap)) return;
     for (std::size_t k = 0; k < 3; ++k) {
       const float* a = corner(*pair.tree_a, pair.positions_a, pair.triangle_a, k);
       const float* b = corner(*pair.tree_b, pair.positions_b, pair.triangle_b, k);
       gap.corners_a[k] = {a[0], a[1], a[2]};
       gap.corners_b[k] = {b[0], b[1], b[2]};
     }
-    gap.nearest = nearest_points(gap.corners_a, gap.corners_b);
-    gap.triangle_a = pair.tree_a->tree.triangle_ids.data()[pair.triangle_a];
-    gap.triangle_b = pair.tree_b->tree.triangle_ids.data()[pair.triangle_b];
     gap.places = pair.places;
-    if (!goal_.offer(gap) || !goal_.keeps_best()) return;
+    if (goal_.keeps_best()) gap.nearest = nearest_points(gap.corners_a, gap.corners_b);
+    goal_.take(gap);
+    if (!goal_.keeps_best()) return;
     reach_.set(goal_.reach());
     has_way_ = true;
     way_ = direction_of(point_at(gap.corners_b, gap.nearest.b) -

@@ -30,12 +30,14 @@ class LeastGap {
   bool keeps_best() const { return true; }
   bool is_done() const { return false; }
 
-  bool offer(const TriangleGap& gap) {
-    if (!(is_found_ ? is_better(gap)
-                    : std::sqrt(gap.nearest.squared_distance) <= limits_.max_distance))
-      return false;
+  bool wants(const TriangleGap& gap) const {
+    return is_found_ ? is_better(gap)
+                     : std::sqrt(gap.nearest.squared_distance) <= limits_.max_distance;
+  }
+
+  void take(const TriangleGap& gap) {
     best_ = gap;
-    return is_found_ = true;
+    is_found_ = true;
   }
 
  private:
@@ -61,11 +63,13 @@ class AllWithin {
   bool keeps_best() const { return false; }
   bool is_done() const { return pairs_.size() >= max_pairs_; }
 
-  bool offer(const TriangleGap& gap) {
-    if (!(std::sqrt(gap.nearest.squared_distance) <= distance_)) return false;
-    if (any_touch_ && triangles_intersect(gap.corners_a, gap.corners_b)) return false;
+  bool wants(const TriangleGap& gap) const {
+    return std::sqrt(gap.nearest.squared_distance) <= distance_;
+  }
+
+  void take(const TriangleGap& gap) {
+    if (any_touch_ && triangles_intersect(gap.corners_a, gap.corners_b)) return;
     pairs_.push({gap.triangle_a, gap.triangle_b});
-    return true;
   }
 
  private:

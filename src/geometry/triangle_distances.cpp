@@ -1,0 +1,147 @@
+/// The arithmetic of triangle_distance.cpp, operation by operation, for four pairs of triangles
+/// side by side: what is a branch there is a choice here. Barycentrics are left to it.
+
+#include "geometry/triangle_distances.hpp"
+
+#include "base/double4.hpp"
+
+#include <cfloat>
+#include <cmath>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+namespace {
+
+struct Vec3d4 {
+  Double4 x, y, z;
+};
+
+Vec3d4 operator+(const Vec3d4& a, const Vec3d4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vec3d4 operator-(const Vec3d4& a, const Vec3d4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vec3d4 operator*(const Double4& s, const Vec3d4& v) { return {s * v.x, s * v.y, s * v.z}; }
+
+Double4 dot(const Vec3d4& a, const Vec3d4& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Double4 squared_length(const Vec3d4& v) { return dot(v, v); }
+
+Vec3d4 cross(const Vec3d4& a, const Vec3d4& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The quotient moved into [0, 1].
+Double4 share(const Double4& dividend, const Double4& divisor) {
+  return max(min(dividend / divisor, Double4(1.0)), Double4(0.0));
+}
+
+/// Whether 0 < x < limit.
+MaskDouble4 is_inside(const Double4& x, const Double4& limit) {
+  return (Double4(0.0) < x) & (x < limit);
+}
+
+struct Face4 {
+  explicit Face4(const Vec3d4 (&t)[3])
+      : corner{t[0], t[1], t[2]},
+        edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]},
+        side(t[2] - t[0]),
+        normal(cross(edge[0], side)),
+        squared_edge{squared_length(edge[0]), squared_length(edge[1]), squared_length(edge[2])},
+        squared_normal(squared_length(normal)) {}
+
+  Vec3d4 corner[3], edge[3], side, normal;
+  Double4 squared_edge[3], squared_normal;
+};
+
+class LeastOfFaces {
+ public:
+  LeastOfFaces(const Face4& a, const Face4& b) : a_(a), b_(b) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        way_[i][j] = b.corner[j] - a.corner[i];
+        try_corners(i, j);
+      }
+    for (int i = 0; i < 3; ++i) {
+      try_inside(a.corner[i], b, is_nearer(b.normal, b.squared_normal, way_[i][0]));
+      try_inside(b.corner[i], a, is_nearer(a.normal, a.squared_normal, way_[0][i]));
+    }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) try_edges(i, j);
+  }
+
+  Double4 squared() const { return max(squared_, Double4(DBL_MIN)); }
+
+ private:
+  void keep(const Double4& squared) { squared_ = min(squared, squared_); }
+
+  void keep(const Double4& squared, const MaskDouble4& where) {
+    squared_ = select((squared < squared_) & where, squared, squared_);
+  }
+
+  void try_corners(int i, int j) {
+    const Vec3d4& w = way_[i][j];
+    const Double4 on_b = share(-dot(w, b_.edge[j]), b_.squared_edge[j]);
+    keep(squared_length(w + on_b * b_.edge[j]));
+    const Double4 on_a = share(dot(w, a_.edge[i]), a_.squared_edge[i]);
+    keep(squared_length(w - on_a * a_.edge[i]));
+  }
+
+  MaskDouble4 is_nearer(const Vec3d4& normal, const Double4& squared_normal,
+                        const Vec3d4& way) const {
+    const Double4 along = dot(way, normal);
+    return along * along < squared_ * squared_normal;
+  }
+
+  void try_inside(const Vec3d4& point, const Face4& face, const MaskDouble4& where) {
+    const Vec3d4 w = point - face.corner[0], &u = face.edge[0];
+    const Double4 t_dividend = dot(cross(u, w), face.normal);
+    const MaskDouble4 t_is_inside = where & is_inside(t_dividend, face.squared_normal);
+    if (!t_is_inside.any()) return;
+    const Double4 t = t_dividend / face.squared_normal;
+    const Vec3d4 rest = w - t * face.side;
+    const Double4 s_dividend = dot(rest, u);
+    const Double4 s_limit = (Double4(1.0) - t) * face.squared_edge[0];
+    const Double4 s = s_dividend / face.squared_edge[0];
+    keep(squared_length(rest - s * u), t_is_inside & is_inside(s_dividend, s_limit));
+  }
+
+  void try_edges(int i, int j) {
+    const Vec3d4 &w = way_[i][j], &u = a_.edge[i], &v = b_.edge[j];
+    const Vec3d4 n = cross(u, v);
+    const Double4 squared_n = squared_length(n), s_dividend = dot(cross(w, v), n);
+    const MaskDouble4 s_is_inside = is_nearer(n, squared_n, w) & is_inside(s_dividend, squared_n);
+    if (!s_is_inside.any()) return;
+    const Vec3d4 rest = s_dividend / squared_n * u - w;
+    const Double4 t_dividend = dot(rest, v), t = t_dividend / b_.squared_edge[j];
+    keep(squared_length(rest - t * v), s_is_inside & is_inside(t_dividend, b_.squared_edge[j]));
+  }
+
+  const Face4 &a_, &b_;
+  Vec3d4 way_[3][3];
+  Double4 squared_ = Double4(HUGE_VAL);
+};
+
+/// The first or the last four of eight triangles.
+template <typename Half>
+Face4 face4(const Points8 (&corners)[3], const Half& half) {
+  Vec3d4 t[3];
+  for (int i = 0; i < 3; ++i)
+    t[i] = {Double4(half(corners[i].x)), Double4(half(corners[i].y)), Double4(half(corners[i].z))};
+  return Face4(t);
+}
+
+template <typename Half>
+void measure(const TrianglePairs8& pairs, const Half& half, double* squared) {
+  const Face4 a = face4(pairs.a, half), b = face4(pairs.b, half);
+  LeastOfFaces(a, b).squared().store(squared);
+}
+
+}  // namespace
+
+void squared_distances(const TrianglePairs8& pairs, std::uint32_t count, double (&squared)[8]) {
+  measure(
+      pairs, [](const Float8& v) { return v.low(); }, squared);
+  if (count > 4)
+    measure(
+        pairs, [](const Float8& v) { return v.high(); }, squared + 4);
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,19 @@
+/// Compiled once for each target, so that the test itself runs on any machine.
+#include "distance_lanes.hpp"
+
+#include "geometry/triangle_distances.hpp"
+#include "lane_pairs.hpp"
+
+namespace pelt::test {
+namespace PELT_TARGET {
+
+LaneDistances distance_lanes(const LaneCorners& corners) {
+  double squared[8];
+  detail::squared_distances(lane_pairs(corners), 8, squared);
+  LaneDistances distances;
+  for (int i = 0; i < 8; ++i) distances.data()[i] = squared[i];
+  return distances;
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::test
