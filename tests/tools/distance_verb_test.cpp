@@ -188,5 +188,42 @@ TEST(Clearance, IsNamedInHeaderAndSummary) {
   EXPECT_NE(run.err.find("what is at most 0.25 apart counts"), std::string::npos) << run.err;
 }
 
+TEST(DistanceVerb, TellsWhatIsNearestToPoints) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile file =
+      distances_of(folder, {"scene.json", "--from", "-0.5,0.5,0.4", "--from", "0,2,0"});
+  EXPECT_EQ(file.header["options"]["from"].size(), 2u);
+  const json from[] = {{-0.5, 0.5, 0.4}, {0, 2, 0}};
+  for (const int frame : {0, 5, 11}) {
+    const GlbFile posed = posed_frame(folder, frame);
+    for (int p = 0; p < 2; ++p) {
+      const json& places = file.frames[frame]["points"][p]["places"];
+      ASSERT_EQ(places.size(), 2u);
+      for (int i = 0; i < 2; ++i) {
+        const json& place = places[i];
+        EXPECT_NEAR(distance_of(place["position"], from[p]), place["distance"].get<double>(), 1e-6);
+        const std::size_t triangle = place["triangle"];
+        EXPECT_TRUE(is_at(place["position"], posed.triangles(i)[triangle], posed.positions(i)));
+        for (const Vec3& corner : posed.positions(i))
+          EXPECT_LE(place["distance"].get<double>(),
+                    distance_of({corner.x, corner.y, corner.z}, from[p]) + 1e-6);
+      }
+    }
+  }
+  const json& least = file.totals["totals"]["least"][1];
+  for (const json& frame : file.frames)
+    for (const json& place : frame["points"][1]["places"])
+      EXPECT_LE(least["distance"], place["distance"]);
+}
+
+TEST(DistanceVerb, LeavesOutPlacesThatAreNotWithin) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile file = distances_of(folder, {"scene.json", "--from", "9,0,0", "--within", "1"});
+  for (const json& frame : file.frames) EXPECT_EQ(frame["points"][0]["places"], json::array());
+  EXPECT_EQ(file.totals["totals"]["least"], json::array());
+}
+
 }  // namespace
 }  // namespace pelt::test

@@ -7,8 +7,8 @@
 namespace pelt::test {
 namespace {
 
-constexpr const char* kVerbs[] = {"check",   "bounds", "ray",  "distance", "info",
-                                  "prepare", "pose",   "demo", "bench"};
+constexpr const char* kVerbs[] = {"check", "bounds",  "ray",  "region", "distance",
+                                  "info",  "prepare", "pose", "demo",   "bench"};
 
 TEST(Help, NamesEveryVerb) {
   const TestFolder folder;
@@ -77,8 +77,8 @@ TEST_P(HelpExamples, Run) {
 
 // `demo` has a test of its own: what it does takes long.
 INSTANTIATE_TEST_SUITE_P(Verbs, HelpExamples,
-                         ::testing::Values("check", "bounds", "ray", "distance", "info", "prepare",
-                                           "pose", "bench"));
+                         ::testing::Values("check", "bounds", "ray", "region", "distance", "info",
+                                           "prepare", "pose", "bench"));
 
 TEST(Manual, HasEveryVerbAndOption) {
   const TestFolder folder;

@@ -65,7 +65,7 @@ exit code 3.
     skinning vertices (of all instances), mean_us, ns_per_vertex
     engines  engine (method), query, cache, asked (pairs or crowd), threads, frames (timed ones),
              mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
-    counters of an engine in all frames: node_pairs, refits, posed_vertices, triangle_pairs
+    counters of an engine in all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
 Names that end in _us are microseconds a frame. pelt(1) tells each field, with an example.)";
 
 /// Who asks for more has mistyped.

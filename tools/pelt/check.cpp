@@ -16,7 +16,7 @@ namespace {
 struct Arguments {
   SceneArguments scene;
   std::string frames, by = "instance", method = "on_demand";
-  bool first = false, pairs = false, contacts = false;
+  bool first = false, pairs = false, contacts = false, inside = false;
   std::optional<double> clearance;
   std::optional<std::uint32_t> max_contacts, glb_frame;
   std::string jsonl, glb, simd;
@@ -30,6 +30,7 @@ Examples:
   pelt check scene.json --frames 20:40 --jsonl contacts.jsonl --pairs
   pelt check scene.json --contacts --jsonl contacts.jsonl
   pelt check scene.json --clearance 0.02
+  pelt check scene.json --inside
   pelt check scene.json --first --jsonl - > contacts.jsonl
   pelt check scene.json --glb worst.glb
   pelt check scene.json --method brute --frames 24:25
@@ -37,7 +38,7 @@ Examples:
 Exact: triangles are closed, so touching counts, on the very float32 positions that `pelt pose`
 writes. All methods give the same contacts and the same hash; they differ in their work.
 With --by part, a and b number the colliders of the header's "instances", one for each part.
-Exit codes: 0 no contact, 1 contact, 2 bad input or arguments, 3 internal error.)";
+Exit codes: 0 no contact, 1 contact (or, with --inside, one holds another), 2 bad input or arguments, 3 internal error.)";
 
 Result<bench::MethodKind> choose_method(const std::string& name) {
   if (const auto method = bench::find_method(name)) return *method;
@@ -78,6 +79,9 @@ Result<std::optional<double>> choose_clearance(const Arguments& arguments,
   if (arguments.contacts)
     return bad_argument("--clearance", "what does not touch has no --contacts",
                         "give one of the two");
+  if (arguments.inside)
+    return bad_argument("--clearance", "what is --inside is told of bodies that touch or not",
+                        "give one of the two");
   return arguments.clearance;
 }
 
@@ -90,6 +94,7 @@ Result<CheckSettings> choose_settings(const Arguments& arguments, scenes::Scene&
   if (!clearance) return clearance.error();
   settings.clearance = *clearance;
   settings.describes_contacts = arguments.contacts;
+  settings.asks_inside = arguments.inside;
   const auto granularity = choose_granularity(arguments.by);
   if (!granularity) return granularity.error();
   settings.granularity = *granularity;
@@ -118,7 +123,8 @@ Result<ExitCode> check(const Arguments& arguments) {
   const Result<CheckReport> report = check_scene(*scene, *settings, arguments.scene.models, outputs,
                                                  words_beside(arguments.jsonl));
   if (!report) return report.error();
-  return report->totals.contacts > 0 ? ExitCode::contact : ExitCode::success;
+  const bool is_held = report->inside && !report->inside->frames_held.empty();
+  return report->totals.contacts > 0 || is_held ? ExitCode::contact : ExitCode::success;
 }
 
 std::string listed(std::span<const std::string_view> names) {
@@ -152,6 +158,9 @@ void add_options(Verb& verb, Arguments& arguments) {
   verb.flag("--contacts", arguments.contacts,
             "Tell where and how the triangles cut each other: segments, curves, regions, normals, "
             "depths, joints");
+  verb.flag("--inside", arguments.inside,
+            "Of closed surfaces, tell too which holds another whole, and how deep the deepest "
+            "vertex is where they touch");
   verb.option(
       "--clearance", arguments.clearance,
       "Find all pairs of triangles that are at most so far apart, not only those that touch",

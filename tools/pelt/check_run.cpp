@@ -75,6 +75,11 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
   ContactHash hash;
   std::optional<Described> described;
   if (settings.describes_contacts) described.emplace(scene, colliders);
+  std::optional<InsideQuery> inside;
+  if (settings.asks_inside) {
+    inside.emplace(scene, colliders);
+    report.inside.emplace().closed_colliders = inside->closed_count();
+  }
   const std::vector<std::uint32_t> frames = settings.frames.frames();
   Progress progress(frames.size());
   for (const std::uint32_t frame : frames) {
@@ -90,12 +95,18 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
     if (described) {
       if (const auto added = described->add(frame, palettes, found); !added) return added.error();
     }
-    const ContactDetails* const details = described ? &described->details() : nullptr;
-    if (jsonl != nullptr) jsonl->frame(frame, scenes::frame_time(scene, frame), found, details);
+    if (inside) {
+      if (const auto asked = inside->ask(palettes, found); !asked) return asked.error();
+      report.inside->add(frame, inside->pairs());
+    }
+    const FrameExtras extras = {described ? &described->details() : nullptr,
+                                inside ? &*inside : nullptr};
+    if (jsonl != nullptr) jsonl->frame(frame, scenes::frame_time(scene, frame), found, extras);
     if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
     progress.advance();
   }
   report.totals.work = query.work();
+  if (inside) report.totals.work += inside->work();
   if (described) described->report(report);
   if (!settings.max_contacts) report.totals.hash = hash.value();
   if (jsonl != nullptr) jsonl->totals(report.totals);

@@ -4,6 +4,7 @@
 
 #include "tools/pelt/depth_tally.hpp"
 #include "tools/pelt/frame_range.hpp"
+#include "tools/pelt/inside_query.hpp"
 #include "tools/pelt/jsonl.hpp"
 #include "tools/pelt/scene_query.hpp"
 #include "tools/pelt/touch_tally.hpp"
@@ -19,6 +20,7 @@ struct CheckSettings {
   /// Nothing: triangles that touch are found; else those that are at most so far apart.
   std::optional<double> clearance;
   bool describes_contacts = false;  ///< by their geometry
+  bool asks_inside = false;         ///< what lies inside what
   FrameRange frames;
   std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
 };
@@ -37,6 +39,7 @@ struct CheckReport {
   std::vector<std::uint32_t> frames_in_contact;
   std::uint64_t regions = 0;  ///< of contacts that are described
   std::vector<DepthTally::Row> deepest;
+  std::optional<InsideTally> inside;  ///< if it was asked
   std::vector<double> frame_seconds;  ///< palettes taken and all pairs queried; not the sampling
 };
 

@@ -23,7 +23,8 @@ CheckOptionsShown shown(const CheckSettings& settings) {
           settings.frames,
           settings.max_contacts,
           settings.clearance,
-          settings.describes_contacts};
+          settings.describes_contacts,
+          settings.asks_inside};
 }
 
 }  // namespace

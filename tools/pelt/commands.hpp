@@ -15,6 +15,7 @@ void add_check(CLI::App& app, Command& chosen);
 void add_bounds(CLI::App& app, Command& chosen);
 void add_distance(CLI::App& app, Command& chosen);
 void add_ray(CLI::App& app, Command& chosen);
+void add_region(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_prepare(CLI::App& app, Command& chosen);
 void add_pose(CLI::App& app, Command& chosen);

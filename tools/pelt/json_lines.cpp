@@ -76,7 +76,8 @@ ordered_json counters_json(const QueryStats& work) {
   return {{"node_pairs", work.node_pairs},
           {"refits", work.refits},
           {"posed_vertices", work.posed_vertices},
-          {"triangle_pairs", work.triangle_pairs}};
+          {"triangle_pairs", work.triangle_pairs},
+          {"displacements", work.displacements}};
 }
 
 /// Names of files may be no UTF-8; JSON must be.

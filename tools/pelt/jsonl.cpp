@@ -30,6 +30,7 @@ void JsonlWriter::header(const CheckOptionsShown& options) {
       {"max_contacts", nullptr},
       {"pairs", lists_ == TriangleLists::written},
       {"contacts", options.contacts},
+      {"inside", options.inside},
       {"clearance", nullptr}};
   if (options.clearance) shown["clearance"] = *options.clearance;
   if (options.max_contacts) shown["max_contacts"] = *options.max_contacts;
@@ -39,7 +40,17 @@ void JsonlWriter::header(const CheckOptionsShown& options) {
 }
 
 void JsonlWriter::frame(std::uint32_t frame, double time, const FrameContacts& found,
-                        const ContactDetails* details) {
+                        const FrameExtras& extras) {
+  ordered_json line = {{"frame", frame},
+                       {"time", time},
+                       {"contacts", found.contacts.size()},
+                       {"pairs", pairs_json(found, extras.details)}};
+  if (extras.inside != nullptr) line["inside"] = inside_json(*extras.inside);
+  write_line(line, out_);
+}
+
+ordered_json JsonlWriter::pairs_json(const FrameContacts& found,
+                                     const ContactDetails* details) const {
   ordered_json pairs = ordered_json::array();
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {
     const FrameContacts::Pair& pair = found.pairs[i];
@@ -53,11 +64,27 @@ void JsonlWriter::frame(std::uint32_t frame, double time, const FrameContacts& f
                                          details->of_pair(i)));
     }
   }
-  write_line({{"frame", frame},
-              {"time", time},
-              {"contacts", found.contacts.size()},
-              {"pairs", std::move(pairs)}},
-             out_);
+  return pairs;
+}
+
+ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
+  const auto deepest = [&](const Penetration& found, std::uint32_t outer) -> ordered_json {
+    if (!found.found()) return nullptr;
+    return {{"depth", found.depth},
+            {"position", vector_json(found.position)},
+            {"nearest", vector_json(found.nearest.position)},
+            {"triangle", found.nearest.triangle + colliders_[outer].first_triangle}};
+  };
+  ordered_json pairs = ordered_json::array();
+  for (const InsidePair& pair : inside.pairs()) {
+    ordered_json entry = {{"a", pair.a}, {"b", pair.b}, {"held", nullptr}};
+    if (pair.containment == Containment::a_in_b) entry["held"] = "a";
+    if (pair.containment == Containment::b_in_a) entry["held"] = "b";
+    entry["a_in_b"] = deepest(pair.a_in_b, pair.b);
+    entry["b_in_a"] = deepest(pair.b_in_a, pair.a);
+    pairs.push_back(std::move(entry));
+  }
+  return pairs;
 }
 
 void JsonlWriter::totals(const CheckTotals& totals) {

@@ -5,7 +5,10 @@
 #include "scenes/scene.hpp"
 #include "tools/pelt/contact_details.hpp"
 #include "tools/pelt/frame_range.hpp"
+#include "tools/pelt/inside_query.hpp"
 #include "tools/pelt/scene_query.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <ostream>
@@ -25,10 +28,16 @@ struct CheckOptionsShown {
   FrameRange frames;
   std::optional<std::uint32_t> max_contacts;
   std::optional<double> clearance;
-  bool contacts = false;
+  bool contacts = false, inside = false;
 };
 
 enum class TriangleLists { left_out, written };
+
+/// What is told of a frame beside its contacts; null: nothing.
+struct FrameExtras {
+  const ContactDetails* details = nullptr;
+  const InsideQuery* inside = nullptr;
+};
 
 class JsonlWriter {
  public:
@@ -39,12 +48,15 @@ class JsonlWriter {
 
   void header(const CheckOptionsShown& options);
 
-  /// `details` may be null: then no geometry is written.
   void frame(std::uint32_t frame, double time, const FrameContacts& found,
-             const ContactDetails* details);
+             const FrameExtras& extras);
   void totals(const CheckTotals& totals);
 
  private:
+  nlohmann::ordered_json pairs_json(const FrameContacts& found,
+                                    const ContactDetails* details) const;
+  nlohmann::ordered_json inside_json(const InsideQuery& inside) const;
+
   std::ostream& out_;
   TriangleLists lists_;
   const scenes::Scene& scene_;

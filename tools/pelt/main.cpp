@@ -71,6 +71,7 @@ int run(int argc, char** argv) {
   pelt::tools::add_bounds(app, command);
   pelt::tools::add_distance(app, command);
   pelt::tools::add_ray(app, command);
+  pelt::tools::add_region(app, command);
   pelt::tools::add_info(app, command);
   pelt::tools::add_prepare(app, command);
   pelt::tools::add_pose(app, command);

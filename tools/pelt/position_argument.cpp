@@ -19,4 +19,11 @@ Result<std::array<double, 3>> parse_position(const std::string& option, const st
                       "give x,y,z as in " + option + " 0.5,0,-1");
 }
 
+Result<Vec3> parse_point(const std::string& option, const std::string& text) {
+  const Result<std::array<double, 3>> p = parse_position(option, text);
+  if (!p) return p.error();
+  return Vec3{static_cast<float>((*p)[0]), static_cast<float>((*p)[1]),
+              static_cast<float>((*p)[2])};
+}
+
 }  // namespace pelt::tools

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pelt/math.hpp>
 #include <pelt/result.hpp>
 
 #include <array>
@@ -9,5 +10,8 @@ namespace pelt::tools {
 
 /// "x,y,z", each at most 1e12 from 0. The message of an error names `option`.
 Result<std::array<double, 3>> parse_position(const std::string& option, const std::string& text);
+
+/// The same, rounded to float.
+Result<Vec3> parse_point(const std::string& option, const std::string& text);
 
 }  // namespace pelt::tools

@@ -37,13 +37,6 @@ Result<Facing> choose_facing(const std::string& name) {
   return bad_argument("--facing", "there is no " + asset::quoted(name), "give both, front or back");
 }
 
-Result<Vec3> parse_point(const std::string& option, const std::string& text) {
-  const Result<std::array<double, 3>> p = parse_position(option, text);
-  if (!p) return p.error();
-  return Vec3{static_cast<float>((*p)[0]), static_cast<float>((*p)[1]),
-              static_cast<float>((*p)[2])};
-}
-
 Result<Ray> parse_ray(const std::string& from, const std::string& to, bool beyond) {
   const Result<Vec3> begin = parse_point("--from", from);
   if (!begin) return begin.error();

@@ -64,6 +64,26 @@ void print_deepest(const CheckReport& report, std::ostream& out) {
   out << '\n';
 }
 
+void print_inside(const scenes::Scene& scene, std::span<const Collider> colliders,
+                  const InsideTally& inside, std::uint32_t stride, std::ostream& out) {
+  label(out, "inside");
+  if (inside.closed_colliders == 0) {
+    out << "no surface is closed, so none has an inside\n";
+    return;
+  }
+  if (inside.frames_held.empty()) {
+    out << "nothing is held whole\n";
+  } else {
+    out << "one is held whole in frames " << frame_runs(inside.frames_held, stride) << '\n';
+  }
+  const InsideTally::Deepest& deepest = inside.deepest;
+  if (deepest.depth == 0) return;
+  label(out, "deepest") << "a vertex of " << collider_name(scene, colliders[deepest.inner])
+                        << " is " << fixed(deepest.depth, 6) << " deep in "
+                        << collider_name(scene, colliders[deepest.outer]) << ", frame "
+                        << deepest.frame << '\n';
+}
+
 }  // namespace
 
 void print_summary(const scenes::Scene& scene, std::span<const Collider> colliders,
@@ -77,6 +97,7 @@ void print_summary(const scenes::Scene& scene, std::span<const Collider> collide
   print_contacts(scene, settings, report, out);
   print_touching(scene, report, tally, out);
   if (report.regions > 0) print_deepest(report, out);
+  if (report.inside) print_inside(scene, colliders, *report.inside, settings.frames.stride, out);
   print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.hash) label(out, "hash") << hex16(*report.totals.hash) << '\n';
 }

@@ -63,7 +63,9 @@ void print_costs(std::span<const double> frame_seconds, const QueryStats& work, 
                      << fixed(1e3 * bench::mean(seconds), 3) << " ms a frame\n";
   label(out, "work") << with_commas(work.node_pairs) << " node pairs, " << with_commas(work.refits)
                      << " refits, " << with_commas(work.posed_vertices) << " posed vertices, "
-                     << with_commas(work.triangle_pairs) << " triangle pairs\n";
+                     << with_commas(work.triangle_pairs) << " triangle pairs";
+  if (work.displacements > 0) out << ", " << with_commas(work.displacements) << " displacements";
+  out << '\n';
 }
 
 std::string coordinates(const Vec3& v) {

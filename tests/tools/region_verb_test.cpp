@@ -1,0 +1,113 @@
+/// `pelt region`, compared with the corners of all triangles at the positions that `pelt pose`
+/// writes.
+
+#include "tools/answer.hpp"
+#include "tools/glb_file.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+CheckFile regions_of(const TestFolder& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"region", "scene.json"});
+  arguments.insert(arguments.end(), {"--jsonl", "-"});
+  const Ended run = run_pelt(folder, arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return parse_check_file(run.out);
+}
+
+GlbFile frame_as_posed(const TestFolder& folder, int frame) {
+  run_pelt(folder, {"pose", "scene.json", "--frame", std::to_string(frame), "-o", "posed.glb"});
+  return GlbFile(read_text(folder / "posed.glb"));
+}
+
+/// The triangles all of whose corners are on that side of the plane x = 0.
+std::vector<std::uint32_t> triangles_beside(const GlbFile& file, int instance, double side) {
+  const std::vector<Vec3> positions = file.positions(instance);
+  const std::vector<Triangle> triangles = file.triangles(instance);
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    bool all = true;
+    for (const std::uint32_t v : triangles[t]) all &= side * double{positions[v].x} >= 0;
+    if (all) found.push_back(t);
+  }
+  return found;
+}
+
+TEST(RegionVerb, TellsWhichTrianglesLieInABox) {
+  const TestFolder folder;
+  write_limbs(folder);
+  // All that is beside the plane x = 0, which the limbs pass.
+  const CheckFile file = regions_of(folder, {"--box", "0,-9,-9,9,9,9", "--triangles"});
+  EXPECT_EQ(file.header["format"], "pelt-region");
+  EXPECT_EQ(file.header["options"]["box"], json({0, -9, -9, 9, 9, 9}));
+  ASSERT_EQ(file.frames.size(), 12u);
+  std::map<std::string, int> placements;
+  for (const int frame : {0, 3, 6, 9, 11}) {
+    const GlbFile posed = frame_as_posed(folder, frame);
+    for (int i = 0; i < 2; ++i) {
+      const json& found = file.frames[frame]["placements"][i];
+      EXPECT_EQ(found["index"], i);
+      EXPECT_EQ(found["inside"], json(triangles_beside(posed, i, 1)));
+      const std::size_t beyond = triangles_beside(posed, i, -1).size();
+      EXPECT_GE(found["touching"].size() + beyond, posed.triangles(i).size());
+      const bool all = found["inside"].size() == posed.triangles(i).size();
+      EXPECT_EQ(found["placement"], found["touching"].empty() ? "outside"
+                                    : all                     ? "inside"
+                                                              : "partly");
+      ++placements[found["placement"]];
+    }
+  }
+  EXPECT_EQ(placements.size(), 3u) << "each is met";
+  int frames = 0;
+  for (const char* name : {"outside", "partly", "inside"})
+    frames += file.totals["totals"]["placements"][0][name].get<int>();
+  EXPECT_EQ(frames, 12);
+}
+
+TEST(RegionVerb, TakesEveryKindOfRegion) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const auto first = [&](const std::vector<std::string>& region) {
+    const CheckFile file = regions_of(folder, region);
+    return file.frames[0]["placements"][0]["placement"].get<std::string>();
+  };
+  EXPECT_EQ(first({"--sphere", "0,0.5,0,9"}), "inside");
+  EXPECT_EQ(first({"--sphere", "-0.5,0.5,0,0.2"}), "partly");
+  EXPECT_EQ(first({"--capsule", "5,0,0,5,1,0,0.1"}), "outside");
+  EXPECT_EQ(first({"--camera", "-0.5,0.5,9,-0.5,0.5,0"}), "inside");
+  EXPECT_EQ(first({"--camera", "-0.5,0.5,9,-0.5,0.5,10"}), "outside") << "it looks away";
+  EXPECT_EQ(first({"--camera", "-0.5,0.5,9,-0.5,0.5,0", "--angle", "3", "--aspect", "1"}), "partly")
+      << "from 9 units away, less than half a unit of the limb";
+}
+
+TEST(RegionVerb, RefusesWhatIsNoRegion) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const auto refusal = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"region", "scene.json"});
+    const Ended run = run_pelt(folder, arguments);
+    EXPECT_EQ(run.exit_code, 2);
+    return run.err;
+  };
+  EXPECT_EQ(refusal({}),
+            "pelt: error: --box: there is no region: give one by --box, --sphere, --capsule or "
+            "--camera\n");
+  EXPECT_EQ(refusal({"--sphere", "1,2,3"}),
+            "pelt: error: --sphere: \"1,2,3\" is not 4 numbers: give them as in --sphere "
+            "0,1,0,0.5\n");
+  EXPECT_EQ(refusal({"--sphere", "1,2,3,-4"}),
+            "pelt: error: --sphere: the radius is negative: give one that is not\n");
+  EXPECT_EQ(refusal({"--box", "1,0,0,0,1,1"}),
+            "pelt: error: --box: its lowest corner is above its highest one: give the lowest x, y "
+            "and z first\n");
+  EXPECT_EQ(refusal({"--camera", "1,0,0,1,0,0"}),
+            "pelt: error: --camera: it looks at where it is: give another place to look at\n");
+  EXPECT_EQ(refusal({"--camera", "1,0,0,1,0,1", "--angle", "180"}),
+            "pelt: error: --angle: is out of range: give degrees between 0 and 180\n");
+  EXPECT_EQ(refusal({"--sphere", "1,2,3,4", "--box", "0,0,0,1,1,1"}),
+            "pelt: error: --sphere: there is --box too: give one region\n");
+}
+
+}  // namespace
+}  // namespace pelt::test
