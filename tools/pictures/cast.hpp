@@ -1,0 +1,31 @@
+#pragma once
+
+/// Characters of a scene, posed to be asked and to be painted.
+
+#include <pelt/pose.hpp>
+
+#include "tools/pelt/posed_instances.hpp"
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace pelt::pictures {
+
+struct Actor {
+  Pose pose;
+  tools::PosedInstance posed;
+};
+
+/// One frame of a scene. Exits with a message where the scene is wrong: scenes are written here.
+class Cast {
+ public:
+  Cast(std::string_view scene_text, std::uint32_t frame);
+
+  std::vector<Actor> actors;  ///< in the order of the instances
+
+ private:
+  std::unique_ptr<scenes::Scene> scene_;
+};
+
+}  // namespace pelt::pictures
