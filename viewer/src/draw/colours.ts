@@ -1,0 +1,54 @@
+/** Of what is drawn. Those of the panels stand in style.css. */
+
+export const ACCENT = 0xff6a2b;
+
+const BODIES = [0x6b93a8, 0xd9bd95, 0x8a9a74, 0xa58498, 0x7f86b5, 0xb98f72];
+
+export function bodyColour(instance: number): number {
+  return BODIES[instance % BODIES.length];
+}
+
+export function cssColour(colour: number): string {
+  return `#${colour.toString(16).padStart(6, '0')}`;
+}
+
+/** Kavan & Zara's figure 5: what was refitted, and what did not have to be. */
+export const UNTOUCHED = 0xe0483e;
+export const REFITTED = 0x7fb2ff;
+export const OPENED = 0x2f6fed;
+
+export interface Ambience {
+  sky: number;
+  earth: number;
+  ambient: number;
+  surroundings: number;
+  key: number;
+  rim: number;
+  shadow: number;
+  lines: number;
+  lineOpacity: number;
+}
+
+export const DARK: Ambience = {
+  sky: 0xbfd0e6,
+  earth: 0x2b2622,
+  ambient: 0.5,
+  surroundings: 0.45,
+  key: 2.2,
+  rim: 1.8,
+  shadow: 0.42,
+  lines: 0x8fa3b8,
+  lineOpacity: 0.3,
+};
+
+export const LIGHT: Ambience = {
+  sky: 0xffffff,
+  earth: 0xb9aea0,
+  ambient: 0.8,
+  surroundings: 0.6,
+  key: 2.2,
+  rim: 0.6,
+  shadow: 0.2,
+  lines: 0x52606e,
+  lineOpacity: 0.28,
+};

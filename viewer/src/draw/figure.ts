@@ -1,0 +1,46 @@
+/** One instance's surface, as the worker has posed it. */
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Mesh,
+  MeshStandardMaterial,
+} from 'three';
+import type { CharacterFacts, PosedInstance } from '../worker/protocol';
+import { bodyColour } from './colours';
+
+export class Figure extends Mesh<BufferGeometry, MeshStandardMaterial> {
+  constructor(
+    readonly character: CharacterFacts,
+    instance: number,
+  ) {
+    const geometry = new BufferGeometry();
+    geometry.setIndex(new BufferAttribute(character.triangles, 1));
+    super(geometry, new MeshStandardMaterial({ color: bodyColour(instance), roughness: 0.62 }));
+    this.castShadow = true;
+    this.receiveShadow = true;
+    this.frustumCulled = false; // its bounds would have to be computed anew in each frame
+  }
+
+  show({ positions, normals }: PosedInstance): void {
+    upload(this.geometry, 'position', positions);
+    upload(this.geometry, 'normal', normals);
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+    this.material.dispose();
+  }
+}
+
+function upload(geometry: BufferGeometry, name: string, values: Float32Array): void {
+  const present = geometry.getAttribute(name) as BufferAttribute | undefined;
+  if (!present) {
+    const attribute = new BufferAttribute(values, 3).setUsage(DynamicDrawUsage);
+    geometry.setAttribute(name, attribute);
+    return;
+  }
+  present.array = values;
+  present.needsUpdate = true;
+}

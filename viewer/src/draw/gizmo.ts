@@ -1,0 +1,53 @@
+/** Handles at the selected instance's feet, to place and turn it. */
+
+import { Object3D, type Camera } from 'three';
+import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import type { Quaternion, Vector3 } from '../scene/scene';
+
+export interface GizmoEvents {
+  onMove: (place: Vector3, rotation: Quaternion) => void;
+  /** It has to be drawn anew. */
+  onChange: () => void;
+}
+
+export class Gizmo {
+  readonly helper: Object3D;
+  private readonly handle = new Object3D();
+  private readonly controls: TransformControls;
+
+  constructor(
+    camera: Camera,
+    canvas: HTMLCanvasElement,
+    orbit: OrbitControls,
+    events: GizmoEvents,
+  ) {
+    this.controls = new TransformControls(camera, canvas);
+    this.controls.setSize(0.7);
+    this.controls.addEventListener('change', events.onChange);
+    this.controls.addEventListener('dragging-changed', ({ value }) => (orbit.enabled = !value));
+    this.controls.addEventListener('objectChange', () => {
+      const { position, quaternion } = this.handle;
+      events.onMove(position.toArray(), quaternion.toArray() as Quaternion);
+    });
+    this.helper = new Object3D().add(this.handle, this.controls.getHelper());
+  }
+
+  /** Whether a pointer is on one of the handles. */
+  get isHeld(): boolean {
+    return this.controls.dragging || this.controls.axis !== null;
+  }
+
+  show(place: Vector3, rotation: Quaternion, mode: 'move' | 'turn'): void {
+    if (this.controls.dragging) return;
+    this.handle.position.set(...place);
+    this.handle.quaternion.set(...rotation);
+    this.controls.setMode(mode === 'move' ? 'translate' : 'rotate');
+    this.controls.showX = this.controls.showZ = mode === 'move';
+    this.controls.attach(this.handle);
+  }
+
+  hide(): void {
+    this.controls.detach();
+  }
+}

@@ -1,0 +1,140 @@
+/** The empty stage: camera, light and ground, drawn again only when something has changed. */
+
+import {
+  Box3,
+  DirectionalLight,
+  HemisphereLight,
+  NeutralToneMapping,
+  PCFShadowMap,
+  PerspectiveCamera,
+  PMREMGenerator,
+  Scene,
+  Sphere,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+import type { Ambience } from './colours';
+import { Ground } from './ground';
+
+const FIELD_OF_VIEW = 32;
+/** Pixels. */
+const STILL = { width: 192, height: 192 };
+
+/** Of the picture. */
+const STILL_SHARE = 0.75;
+
+/** Of the distance from which all is seen; at its ends a walk may be cut by the edge. */
+const CLOSENESS = 0.66;
+
+const VIEW_DIRECTION = new Vector3(1, 0.26, 0.42).normalize();
+const KEY_DIRECTION = new Vector3(0.75, 1.5, 0.55).normalize();
+const RIM_DIRECTION = new Vector3(-0.9, 0.8, -0.7).normalize();
+
+export class Studio {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW);
+  readonly canvas: HTMLCanvasElement;
+  readonly orbit: OrbitControls;
+  private readonly renderer: WebGLRenderer;
+  private readonly sky = new HemisphereLight();
+  private readonly key = new DirectionalLight(0xfff2e2);
+  private readonly rim = new DirectionalLight(0xa9c4ff);
+  private readonly ground = new Ground();
+  private isStale = true;
+
+  constructor(private readonly place: HTMLElement) {
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.canvas = this.renderer.domElement;
+    place.append(this.canvas);
+
+    this.orbit = new OrbitControls(this.camera, this.canvas);
+    this.orbit.enableDamping = true;
+    this.orbit.dampingFactor = 0.12;
+    this.orbit.addEventListener('change', () => this.redraw());
+
+    const environment = new PMREMGenerator(this.renderer).fromScene(new RoomEnvironment(), 0.04);
+    this.scene.environment = environment.texture;
+
+    this.key.castShadow = true;
+    this.key.shadow.mapSize.set(2048, 2048);
+    this.key.shadow.radius = 3;
+    this.scene.add(this.sky, this.key, this.key.target, this.rim, this.rim.target, this.ground);
+    new ResizeObserver(() => this.resize()).observe(place);
+    this.renderer.setAnimationLoop(() => this.draw());
+  }
+
+  redraw(): void {
+    this.isStale = true;
+  }
+
+  light(ambience: Ambience): void {
+    this.sky.color.set(ambience.sky);
+    this.sky.groundColor.set(ambience.earth);
+    this.sky.intensity = ambience.ambient;
+    this.scene.environmentIntensity = ambience.surroundings;
+    this.key.intensity = ambience.key;
+    this.rim.intensity = ambience.rim;
+    this.ground.light(ambience);
+    this.redraw();
+  }
+
+  /** Camera, light and ground for what is in the box. */
+  frame(box: Box3): void {
+    const { center, radius } = box.getBoundingSphere(new Sphere());
+    const distance = (CLOSENESS * radius) / Math.sin((FIELD_OF_VIEW * Math.PI) / 360);
+    this.camera.position.copy(center).addScaledVector(VIEW_DIRECTION, distance);
+    this.camera.near = distance / 100;
+    this.camera.far = distance * 20;
+    this.camera.updateProjectionMatrix();
+    this.orbit.target.copy(center);
+    this.orbit.update();
+    this.aim(this.key, KEY_DIRECTION, center, radius);
+    this.aim(this.rim, RIM_DIRECTION, center, radius);
+    this.ground.fit(center, box.min.y, radius);
+    this.redraw();
+  }
+
+  /** The address of an image of the middle of the picture. */
+  photograph(): string {
+    this.renderer.render(this.scene, this.camera);
+    const { width, height } = this.canvas;
+    const side = STILL_SHARE * Math.min(width, height);
+    const still = Object.assign(document.createElement('canvas'), STILL);
+    const context = still.getContext('2d')!;
+    const [left, top] = [(width - side) / 2, (height - side) / 2];
+    context.drawImage(this.canvas, left, top, side, side, 0, 0, STILL.width, STILL.height);
+    return still.toDataURL();
+  }
+
+  private aim(light: DirectionalLight, from: Vector3, centre: Vector3, radius: number): void {
+    light.target.position.copy(centre);
+    light.position.copy(centre).addScaledVector(from, 4 * radius);
+    const reach = 1.6 * radius;
+    Object.assign(light.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach });
+    Object.assign(light.shadow.camera, { near: radius, far: 8 * radius });
+    light.shadow.camera.updateProjectionMatrix();
+    light.shadow.normalBias = radius / 400;
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.place;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(clientWidth, clientHeight);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.redraw();
+  }
+
+  private draw(): void {
+    this.orbit.update();
+    if (!this.isStale) return;
+    this.isStale = false;
+    this.renderer.render(this.scene, this.camera);
+  }
+}

@@ -1,0 +1,108 @@
+/** The picture of the state: what has changed in it is drawn anew, and nothing else. */
+
+import { frameTime, placeAt, translationFor, type Instance } from '../scene/scene';
+import type { Quaternion, Vector3 } from '../scene/scene';
+import type { AnsweredShot, State } from '../state/state';
+import { DARK, LIGHT } from './colours';
+import { Figure } from './figure';
+import { Gizmo } from './gizmo';
+import { Glow } from './glow';
+import { NodeBoxes } from './node_boxes';
+import { watchPointer, type PointerEvents } from './pointer';
+import { sceneBox } from './scene_box';
+import { Studio } from './studio';
+
+export interface ViewEvents extends PointerEvents {
+  onPlace: (instance: number, change: Partial<Instance>) => void;
+}
+
+export class View {
+  private readonly studio: Studio;
+  private readonly glow = new Glow();
+  private readonly boxes = new NodeBoxes();
+  private readonly gizmo: Gizmo;
+  private figures: Figure[] = [];
+  private shown: State | null = null;
+
+  constructor(
+    container: HTMLElement,
+    private readonly events: ViewEvents,
+  ) {
+    this.studio = new Studio(container);
+    const { camera, canvas, orbit, scene } = this.studio;
+    this.gizmo = new Gizmo(camera, canvas, orbit, {
+      onMove: (place, rotation) => this.place(place, rotation),
+      onChange: () => this.studio.redraw(),
+    });
+    scene.add(this.glow, this.boxes, this.gizmo.helper);
+    watchPointer(canvas, camera, {
+      onPoint: (ray, x, y) => events.onPoint(this.gizmo.isHeld ? null : ray, x, y),
+      onClick: () => this.gizmo.isHeld || events.onClick(),
+    });
+  }
+
+  light(isDark: boolean): void {
+    this.studio.light(isDark ? DARK : LIGHT);
+  }
+
+  show(state: State): void {
+    const before = this.shown;
+    this.shown = state;
+    if (state.characters !== before?.characters) this.frame(state);
+    if (state.answer && state.answer !== before?.answer) this.showAnswer(state, state.answer);
+    this.showGizmo(state);
+    this.studio.redraw();
+  }
+
+  /** The address of a small picture of another answer. */
+  photograph(answer: AnsweredShot): string {
+    const state = this.shown!;
+    this.boxes.visible = this.gizmo.helper.visible = false;
+    this.showAnswer(state, answer);
+    const picture = this.studio.photograph();
+    this.boxes.visible = this.gizmo.helper.visible = true;
+    if (state.answer) this.showAnswer(state, state.answer);
+    this.studio.redraw();
+    return picture;
+  }
+
+  private frame({ scene, characters }: State): void {
+    if (!scene) return;
+    const box = sceneBox(scene, characters);
+    this.studio.frame(box);
+    this.glow.scaleTo(box.max.y - box.min.y);
+  }
+
+  private showAnswer({ characters }: State, { shot, instances }: AnsweredShot): void {
+    const cast = shot.scene.instances.map(({ character }) => characters[character]);
+    const fits =
+      cast.length === this.figures.length && this.figures.every((f, i) => f.character === cast[i]);
+    if (!fits) this.replaceFigures(cast.map((character, i) => new Figure(character, i)));
+    this.figures.forEach((figure, i) => figure.show(instances[i]));
+    this.glow.show(cast, instances);
+    this.boxes.show(instances);
+  }
+
+  private replaceFigures(figures: Figure[]): void {
+    for (const figure of this.figures) {
+      figure.removeFromParent();
+      figure.dispose();
+    }
+    this.figures = figures;
+    this.studio.scene.add(...figures);
+  }
+
+  private showGizmo({ scene, selected, frame, gizmo }: State): void {
+    if (!scene || selected === null) return this.gizmo.hide();
+    const instance = scene.instances[selected];
+    this.gizmo.show(placeAt(instance, frameTime(scene, frame)), instance.rotation, gizmo);
+  }
+
+  private place(place: Vector3, rotation: Quaternion): void {
+    const { scene, selected, frame } = this.shown!;
+    if (!scene || selected === null) return;
+    const instance = scene.instances[selected];
+    const translation = translationFor(place, instance, frameTime(scene, frame));
+    this.events.onPlace(selected, { translation, rotation });
+  }
+}

@@ -1,0 +1,37 @@
+/** The page's end of the worker: questions go out, answers come back as promises. */
+
+import EngineWorker from '../worker/main?worker&inline';
+import type { Answers, Kind, Questions, Reply, SweepProgress } from '../worker/protocol';
+
+interface Waiting {
+  resolve: (answer: never) => void;
+  reject: (problem: Error) => void;
+}
+
+export class Client {
+  private readonly worker = new EngineWorker();
+  private readonly waiting = new Map<number, Waiting>();
+  private lastId = 0;
+
+  constructor(
+    private readonly onProgress: (progress: SweepProgress) => void,
+    onFailure: (message: string) => void,
+  ) {
+    this.worker.onerror = ({ message }) => onFailure(message);
+    this.worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
+  }
+
+  ask<K extends Kind>(kind: K, question: Questions[K]): Promise<Answers[K]> {
+    const id = ++this.lastId;
+    this.worker.postMessage({ id, kind, question });
+    return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject }));
+  }
+
+  private receive(reply: Reply): void {
+    if ('progress' in reply) return this.onProgress(reply.progress);
+    const { resolve, reject } = this.waiting.get(reply.id)!;
+    this.waiting.delete(reply.id);
+    if ('problem' in reply) reject(new Error(reply.problem));
+    else resolve(reply.answer as never);
+  }
+}

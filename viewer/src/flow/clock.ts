@@ -1,0 +1,27 @@
+/** While the scene plays, frames follow the time that passes. */
+
+import * as changes from '../state/changes';
+import type { State } from '../state/state';
+import type { Store } from '../state/store';
+
+/** After a pause, of a hidden tab for instance, it goes on where it was. */
+const LONGEST_STEP_SECONDS = 0.25;
+
+export function startClock(store: Store<State>): void {
+  let last = performance.now();
+  let rest = 0; // of a frame that has not come yet
+
+  const tick = (now: number) => {
+    const seconds = Math.min((now - last) / 1000, LONGEST_STEP_SECONDS);
+    last = now;
+    const { scene, isPlaying, frame, answer } = store.state;
+    if (scene && isPlaying && answer) {
+      rest += seconds * scene.fps;
+      const steps = Math.floor(rest);
+      rest -= steps;
+      if (steps > 0) store.update(changes.toFrame(frame + steps));
+    }
+    requestAnimationFrame(tick);
+  };
+  requestAnimationFrame(tick);
+}

@@ -1,0 +1,43 @@
+/** Takes stills of the worst frames, once all have been counted. */
+
+import type { AnsweredShot, State, Still } from '../state/state';
+import type { Store } from '../state/store';
+import type { Client } from './client';
+
+const STILLS = 3;
+
+export class Photographer {
+  constructor(
+    private readonly store: Store<State>,
+    private readonly client: Client,
+    private readonly picture: (answer: AnsweredShot) => string,
+  ) {
+    store.listen((state, before) => {
+      if (state.sweep.total && !before.sweep.total) void this.takeStills();
+    });
+  }
+
+  private async takeStills(): Promise<void> {
+    const { scene, firstContact, sweep } = this.store.state;
+    if (!scene) return;
+    const stills: Still[] = [];
+    for (const frame of worstFrames(sweep.counts)) {
+      const shot = { scene, frame, firstContact, boxLevel: null };
+      const answer = await this.client.ask('still', shot);
+      if (this.store.state.sweep.id !== sweep.id) return;
+      stills.push({ frame, contacts: answer.contacts, picture: this.picture({ ...answer, shot }) });
+    }
+    this.store.update(() => ({ stills }));
+  }
+}
+
+/** In their order in time, and far enough apart to differ. */
+function worstFrames(counts: readonly number[]): number[] {
+  const apart = counts.length / (4 * STILLS);
+  const inContact = [...counts.keys()].filter((frame) => counts[frame] > 0);
+  const worst: number[] = [];
+  for (const frame of inContact.sort((one, other) => counts[other] - counts[one])) {
+    if (worst.every((taken) => Math.abs(taken - frame) > apart)) worst.push(frame);
+  }
+  return worst.slice(0, STILLS).sort((one, other) => one - other);
+}

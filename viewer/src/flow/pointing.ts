@@ -1,0 +1,30 @@
+/** Asks what is under the pointer, one ray at a time: the last one counts. */
+
+import type { Ray } from '../draw/pointer';
+import type { State } from '../state/state';
+import type { Store } from '../state/store';
+import type { Client } from './client';
+
+export class Pointing {
+  private ray: Ray | null = null;
+  private isAsking = false;
+
+  constructor(
+    private readonly store: Store<State>,
+    private readonly client: Client,
+  ) {}
+
+  async point(ray: Ray | null): Promise<void> {
+    this.ray = ray;
+    if (this.isAsking) return;
+    this.isAsking = true;
+    while (this.ray) {
+      const asked = this.ray;
+      const hovered = await this.client.ask('cast', asked);
+      this.store.update(() => ({ hovered }));
+      if (asked === this.ray) break;
+    }
+    this.isAsking = false;
+    if (!this.ray && this.store.state.hovered) this.store.update(() => ({ hovered: null }));
+  }
+}

@@ -1,0 +1,59 @@
+/** What keys do; the page shows the same table. */
+
+import * as changes from './state/changes';
+import type { State, Update } from './state/state';
+
+export interface Key {
+  /** Of `KeyboardEvent.key`, in lower case. */
+  keys: string[];
+  shown: string;
+  meaning: string;
+  change: (state: State, key: string) => Partial<State>;
+}
+
+export const KEYS: Key[] = [
+  { keys: [' '], shown: 'Space', meaning: 'play or pause', change: changes.togglePlaying },
+  { keys: ['arrowright'], shown: '→', meaning: 'next frame', change: changes.step(1) },
+  { keys: ['arrowleft'], shown: '←', meaning: 'previous frame', change: changes.step(-1) },
+  { keys: ['n'], shown: 'N', meaning: 'next contact', change: changes.jumpToContact(1) },
+  { keys: ['p'], shown: 'P', meaning: 'previous contact', change: changes.jumpToContact(-1) },
+  { keys: ['home'], shown: 'Home', meaning: 'first frame', change: changes.toFrame(0) },
+  { keys: ['end'], shown: 'End', meaning: 'last frame', change: changes.toFrame(-1) },
+  {
+    keys: ['1', '2', '3', '4', '5', '6', '7', '8', '9'],
+    shown: '1 – 9',
+    meaning: 'place a character',
+    change: ({ scene }, key) =>
+      Number(key) <= (scene?.instances.length ?? 0) ? { selected: Number(key) - 1 } : {},
+  },
+  { keys: ['escape'], shown: 'Esc', meaning: 'let go of it', change: changes.select(null) },
+  { keys: ['g'], shown: 'G', meaning: 'move it', change: () => ({ gizmo: 'move' }) },
+  { keys: ['r'], shown: 'R', meaning: 'turn it', change: () => ({ gizmo: 'turn' }) },
+  { keys: ['f'], shown: 'F', meaning: 'first contact only', change: changes.toggleFirstContact },
+  { keys: ['b'], shown: 'B', meaning: 'draw bounds', change: changes.toggleBoxes },
+  { keys: ['['], shown: '[', meaning: 'coarser bounds', change: changes.changeBoxLevel(-1) },
+  { keys: [']'], shown: ']', meaning: 'finer bounds', change: changes.changeBoxLevel(1) },
+  { keys: ['t'], shown: 'T', meaning: 'dark or light', change: changes.toggleTheme },
+  { keys: ['?'], shown: '?', meaning: 'these keys', change: changes.toggleHelp },
+];
+
+/** Keys that a field or button has a use for are left to it. */
+export function watchKeys(update: Update): void {
+  document.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || isTaken(event)) return;
+    const pressed = event.key.toLowerCase();
+    const key = KEYS.find(({ keys }) => keys.includes(pressed));
+    if (!key) return;
+    event.preventDefault();
+    update((state) => key.change(state, pressed));
+  });
+}
+
+function isTaken({ target, key }: KeyboardEvent): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.closest('dialog')) return true;
+  if (key === 'Escape') return false;
+  if (target.matches('button, [type=checkbox]')) return key === ' ';
+  if (target.matches('[type=range]')) return /^(Arrow|Home|End)/.test(key);
+  return target.matches('input, select');
+}

@@ -1,0 +1,115 @@
+import { memo } from './memo';
+import { jumpToContact, step, toFrame, togglePlaying } from '../state/changes';
+import { frameTime } from '../scene/scene';
+import type { SweepState } from '../state/state';
+import type { PanelProps } from './app';
+
+export function Timeline({ state, update }: PanelProps) {
+  const { scene, frame, sweep } = state;
+  if (!scene) return <footer class="time" />;
+  return (
+    <footer class="time">
+      <Transport state={state} update={update} />
+      <div class="chart">
+        <Chart counts={sweep.counts} frameCount={scene.frameCount} />
+        <input
+          type="range"
+          min={0}
+          max={scene.frameCount - 1}
+          value={frame}
+          aria-label="Frame"
+          aria-valuetext={`frame ${frame}, ${sweep.counts[frame] ?? 'not yet counted'} contacts`}
+          onInput={({ currentTarget }) =>
+            update((now) => ({ ...toFrame(Number(currentTarget.value))(now), isPlaying: false }))
+          }
+        />
+      </div>
+      <div class="facts">
+        <output>
+          frame <b data-fact="frame">{frame}</b> of {scene.frameCount}
+          <small> · {frameTime(scene, frame).toFixed(3)} s</small>
+        </output>
+        <SweepFacts sweep={sweep} frameCount={scene.frameCount} />
+      </div>
+    </footer>
+  );
+}
+
+function Transport({ state: { isPlaying }, update }: PanelProps) {
+  return (
+    <div class="transport" role="group" aria-label="Playing">
+      <button
+        title="Previous contact (P)"
+        aria-label="Previous contact"
+        onClick={() => update(jumpToContact(-1))}
+      >
+        ⇤
+      </button>
+      <button
+        title="Previous frame (←)"
+        aria-label="Previous frame"
+        onClick={() => update(step(-1))}
+      >
+        ‹
+      </button>
+      <button
+        class="play"
+        title={`${isPlaying ? 'Pause' : 'Play'} (Space)`}
+        aria-label={isPlaying ? 'Pause' : 'Play'}
+        onClick={() => update(togglePlaying)}
+      >
+        {isPlaying ? '❚❚' : '▶'}
+      </button>
+      <button title="Next frame (→)" aria-label="Next frame" onClick={() => update(step(1))}>
+        ›
+      </button>
+      <button
+        title="Next contact (N)"
+        aria-label="Next contact"
+        onClick={() => update(jumpToContact(1))}
+      >
+        ⇥
+      </button>
+    </div>
+  );
+}
+
+interface ChartProps {
+  counts: readonly number[];
+  frameCount: number;
+}
+
+/** A bar a frame; roots, so that a single contact is seen beside thousands. */
+const Chart = memo(({ counts, frameCount }: ChartProps) => {
+  const most = Math.sqrt(Math.max(1, ...counts));
+  const bars = counts.map((count, frame) => {
+    const height = count === 0 ? 0 : 0.06 + (0.94 * Math.sqrt(count)) / most;
+    return `M${frame} 1v${-height}h1v${height}z`;
+  });
+  return (
+    <svg viewBox={`0 0 ${frameCount} 1`} preserveAspectRatio="none" aria-hidden="true">
+      <rect class="counted" width={counts.length} height="1" />
+      <path d={bars.join('')} />
+    </svg>
+  );
+});
+
+function SweepFacts({ sweep, frameCount }: { sweep: SweepState; frameCount: number }) {
+  const { counts, total } = sweep;
+  if (!total) {
+    return <small role="status">counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
+  }
+  const contacts = counts.reduce((sum, count) => sum + count, 0);
+  const touched = counts.filter((count) => count > 0).length;
+  return (
+    <small title="As `pelt check` prints them">
+      <span data-fact="total">{contacts.toLocaleString('en')}</span> contacts in {touched} frames
+      {total.hash && (
+        <>
+          {' · '}
+          <code data-fact="hash">{total.hash}</code>
+        </>
+      )}
+    </small>
+  );
+}

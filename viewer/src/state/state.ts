@@ -1,0 +1,96 @@
+/** All that the page knows. Data flows one way: state, request to the worker, answer, picture. */
+
+import type { Report } from '../report/report';
+import type { Scene } from '../scene/scene';
+import type {
+  CharacterFacts,
+  Costs,
+  FrameAnswer,
+  Shot,
+  Surface,
+  SweepTotal,
+} from '../worker/protocol';
+
+export interface State {
+  scene: Scene | null;
+  characters: CharacterFacts[];
+  /** What is being read, or nothing. */
+  reading: string | null;
+
+  frame: number;
+  isPlaying: boolean;
+  firstContact: boolean;
+
+  /** The instance that the gizmo holds. */
+  selected: number | null;
+  gizmo: 'move' | 'turn';
+  /** The level of the tree whose boxes are drawn. */
+  boxLevel: number | null;
+  /** The contacts that are listed. */
+  listing: 'frame' | 'clip';
+  /** Files are being dragged over the page. */
+  isDropping: boolean;
+  theme: 'system' | 'dark' | 'light';
+  isHelpOpen: boolean;
+
+  /** The worker's last answers, which may be of an earlier frame or scene. */
+  answer: AnsweredShot | null;
+  costs: Costs | null;
+  sweep: SweepState;
+  /** Of the worst frames. */
+  stills: Still[];
+  /** What is under the pointer. */
+  hovered: Surface | null;
+
+  problems: Problem[];
+  /** What the command found, where the page is its report. */
+  report: Report | null;
+}
+
+export interface AnsweredShot extends FrameAnswer {
+  shot: Shot;
+}
+
+export interface SweepState {
+  id: number;
+  /** Of the first frames, as far as they have been counted. */
+  counts: number[];
+  total: SweepTotal | null;
+}
+
+export interface Still {
+  frame: number;
+  contacts: number;
+  /** Address of an image. */
+  picture: string;
+}
+
+export interface Problem {
+  title: string;
+  message: string;
+}
+
+export const initialState: State = {
+  scene: null,
+  characters: [],
+  reading: 'the engine',
+  frame: 0,
+  isPlaying: true,
+  firstContact: false,
+  selected: null,
+  gizmo: 'move',
+  boxLevel: null,
+  listing: 'frame',
+  isDropping: false,
+  theme: 'system',
+  isHelpOpen: false,
+  answer: null,
+  costs: null,
+  sweep: { id: 0, counts: [], total: null },
+  stills: [],
+  hovered: null,
+  problems: [],
+  report: null,
+};
+
+export type Update = (change: (state: State) => Partial<State>) => void;

@@ -1,0 +1,152 @@
+/**
+ * What the page and its worker say to each other. The worker holds the characters and knows no
+ * state of the page: a request carries all that its answer depends on.
+ */
+
+import type { Box, Clip } from 'pelt';
+import type { ModelSource, Scene } from '../scene/scene';
+
+export interface NamedFile {
+  /** As the scene file names it, or as it was dropped. */
+  path: string;
+  bytes: Uint8Array<ArrayBuffer>;
+}
+
+/** How the command read the models; see `ModelOptions` of the engine. */
+export interface ReadingOptions {
+  renormalise?: boolean;
+  noUnskinned?: boolean;
+  exclude?: string[];
+}
+
+/** A scene at one of its frames, and what is asked of it. */
+export interface Shot {
+  scene: Scene;
+  frame: number;
+  firstContact: boolean;
+  /** Of the tree whose boxes are wanted. */
+  boxLevel: number | null;
+}
+
+/** What a request of each kind carries. */
+export interface Questions {
+  /** The scene that the page opens with. */
+  openDemo: Record<never, never>;
+  /** A scene file, with the files that it names; replaces all characters. */
+  openScene: { path: string; files: NamedFile[]; options: ReadingOptions };
+  /** Characters without a scene; replaces all others. */
+  readCharacters: { files: NamedFile[] };
+  pose: Shot;
+  /** As `pose`, of a frame that is not the one shown. */
+  still: Shot;
+  measure: Shot;
+  /** Which triangle a ray meets first, in the poses of the last `pose`. */
+  cast: { origin: number[]; direction: number[] };
+  /** Count the contacts of every frame in the background, and forget the sweep before. */
+  sweep: { id: number; scene: Scene; firstContact: boolean };
+}
+
+export interface Answers {
+  openDemo: Opened;
+  openScene: Opened;
+  readCharacters: Opened;
+  pose: FrameAnswer;
+  still: FrameAnswer;
+  measure: Costs;
+  cast: Surface | null;
+  sweep: null;
+}
+
+export type Kind = keyof Questions;
+
+export type Request = { [K in Kind]: { id: number; kind: K; question: Questions[K] } }[Kind];
+
+export type Reply =
+  | { id: number; answer: Answers[Kind] }
+  | { id: number; problem: string }
+  | { progress: SweepProgress };
+
+/** Characters that the worker has read, and where they stand; without a scene the page decides. */
+export interface Opened {
+  characters: CharacterFacts[];
+  scene: Scene | null;
+}
+
+/** What the page knows of a character. */
+export interface CharacterFacts {
+  name: string;
+  source: ModelSource;
+  triangles: Uint32Array;
+  vertexCount: number;
+  levelCount: number;
+  clips: readonly Clip[];
+  extent: Box;
+  warnings: readonly string[];
+}
+
+/** A place on a character: a part and the joint that it follows most there. */
+export interface Surface {
+  instance: number;
+  part: string;
+  joint: string;
+}
+
+/** Contacts between two such places. */
+export interface Touch {
+  a: Surface;
+  b: Surface;
+  contacts: number;
+}
+
+/** How much was done, of how much there is. */
+export interface Work {
+  openedNodes: number;
+  nodes: number;
+  posedVertices: number;
+  vertices: number;
+  trianglePairs: number;
+}
+
+export interface PosedInstance {
+  positions: Float32Array;
+  normals: Float32Array;
+  /** Numbers of the triangles in contact, each once. */
+  touching: Uint32Array;
+  boxes: Float32Array;
+  boxStates: Uint8Array;
+}
+
+export interface FrameAnswer {
+  instances: PosedInstance[];
+  contacts: number;
+  /** The most contacts first. */
+  touches: Touch[];
+  work: Work;
+}
+
+/** Microseconds and work of one frame's query, on demand and by refitting everything. */
+export interface Costs {
+  onDemand: Cost;
+  eager: Cost;
+}
+
+export interface Cost {
+  microseconds: number;
+  posedVertices: number;
+  refits: number;
+}
+
+export interface SweepProgress {
+  id: number;
+  /** Contacts of the frames from `first` on. */
+  first: number;
+  counts: number[];
+  /** With the last frame. */
+  total: SweepTotal | null;
+}
+
+export interface SweepTotal {
+  /** As `pelt check` prints it; none where only first contacts are looked for. */
+  hash: string | null;
+  touches: Touch[];
+}

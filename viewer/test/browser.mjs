@@ -1,0 +1,140 @@
+// Chromium with the page in it, from disk or over HTTP, and what a test does with both.
+
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const ARGUMENTS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+/** Long enough for the slowest machine to generate two characters. */
+const PATIENCE = 60_000;
+
+export function launch() {
+  const executablePath = process.env.PELT_CHROMIUM ?? '/usr/bin/chromium';
+  return chromium.launch({ executablePath, args: ARGUMENTS });
+}
+
+/** Serves one file at every address; `close()` ends it. */
+export async function serve(file) {
+  const html = readFileSync(file);
+  const server = createServer((_, response) => {
+    response.writeHead(200, { 'content-type': 'text/html; charset=utf-8' }).end(html);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  return { url: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+}
+
+export const urlOf = (file) => pathToFileURL(file).href;
+
+/** Opens the page and waits until it has counted the contacts of every frame. */
+export async function openPage(browser, url, options = {}) {
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 760 },
+    colorScheme: 'dark',
+    ...options,
+  });
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  page.complaints = [];
+  page.fetched = [];
+  page.on('pageerror', (error) => page.complaints.push(error.message));
+  page.on('console', (line) => line.type() === 'error' && page.complaints.push(line.text()));
+  page.on('request', (request) => page.fetched.push(request.url()));
+  await page.goto(url);
+  await counted(page);
+  return page;
+}
+
+export async function counted(page) {
+  await page.waitForSelector('[data-fact=total]');
+}
+
+/** What the page says: the text of `data-fact`. */
+export const fact = (page, name) => page.locator(`[data-fact=${name}]`).innerText();
+
+export const number = async (page, name) => Number((await fact(page, name)).replaceAll(',', ''));
+
+/** Stands still at a frame, which the worker has answered. */
+export async function goToFrame(page, frame) {
+  await page.locator('[aria-label=Frame]').fill(String(frame));
+  await answered(page, frame);
+}
+
+/** Waits for the worker's answer to the frame in the scene as it is now. */
+export async function answered(page, frame) {
+  await page.waitForSelector(`[data-answered="${frame}"]`);
+}
+
+/** Drops files, [{name, bytes}], on the page. */
+export async function dropFiles(page, files) {
+  const sent = files.map(({ name, bytes }) => ({ name, base64: bytes.toString('base64') }));
+  await page.evaluate((dropped) => {
+    const dataTransfer = new DataTransfer();
+    for (const { name, base64 } of dropped) {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      dataTransfer.items.add(new File([bytes], name));
+    }
+    document.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
+  }, sent);
+}
+
+/** The scene as the page saves it. */
+export async function savedScene(page) {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.click('text=Save scene'),
+  ]);
+  return JSON.parse(readFileSync(await download.path(), 'utf8'));
+}
+
+/** Least and most red, green and blue. */
+export const GLOWING = { least: [220, 60, 0], most: [255, 150, 90] };
+export const BLUE = { least: [20, 80, 190], most: [90, 150, 255] };
+export const RED = { least: [90, 20, 20], most: [255, 90, 90] };
+export const RED_HANDLE = { least: [240, 0, 0], most: [255, 20, 20] };
+
+/** How many pixels of the picture have such a colour, where on the page their middle is, and how
+ * many different colours there are in all: a black page has one. */
+export async function pixels(page, wanted = GLOWING) {
+  const picture = await page.locator('#view').screenshot();
+  return page.evaluate(countPixels, { base64: picture.toString('base64'), wanted });
+}
+
+/** Runs in the page. */
+async function countPixels({ base64, wanted: { least, most } }) {
+  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+  context.drawImage(bitmap, 0, 0);
+  const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+  const colours = new Set();
+  let [count, x, y] = [0, 0, 0];
+  for (let pixel = 0; pixel < data.length / 4; ++pixel) {
+    const colour = data.subarray(4 * pixel, 4 * pixel + 3);
+    colours.add(colour.join());
+    if (!colour.every((value, i) => value >= least[i] && value <= most[i])) continue;
+    ++count;
+    x += pixel % bitmap.width;
+    y += Math.floor(pixel / bitmap.width);
+  }
+  return { count, x: x / count, y: y / count, colours: colours.size };
+}
+
+/** Drags the gizmo of the selected character by its handle along x. */
+export async function dragGizmo(page) {
+  const { x, y } = await pixels(page, RED_HANDLE);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 12, y + 6, { steps: 3 });
+  await page.mouse.up();
+}
+
+/** The name of what has the focus, and how that is shown. */
+export function focused(page) {
+  return page.evaluate(() => {
+    const control = document.activeElement;
+    const name = control.ariaLabel ?? control.innerText;
+    return `${name}: ${getComputedStyle(control).outlineStyle}`;
+  });
+}

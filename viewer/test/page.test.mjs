@@ -1,0 +1,289 @@
+// The page in a real browser: what it shows is what the command finds.
+
+import assert from 'node:assert/strict';
+import { mkdirSync } from 'node:fs';
+import path from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import * as browsing from './browser.mjs';
+import { check, posedWalker } from './command.mjs';
+
+const {
+  answered,
+  counted,
+  dragGizmo,
+  dropFiles,
+  fact,
+  focused,
+  goToFrame,
+  number,
+  pixels,
+  savedScene,
+} = browsing;
+const built = path.resolve(process.env.PELT_PAGE ?? 'dist/index.html');
+const pictures = process.env.PELT_PICTURES;
+
+/** Of the walkers: the first has no contact, the second many. */
+const APART = 0;
+const TOGETHER = 90;
+
+let browser, server, page;
+before(async () => {
+  browser = await browsing.launch();
+  server = await browsing.serve(built);
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const isOwn = (url) => /^(data|blob):/.test(url);
+
+test('the page opens over HTTP, with contacts', async () => {
+  const served = await browsing.openPage(browser, server.url);
+  assert.ok((await number(served, 'total')) > 0);
+  assert.ok(served.fetched.every((url) => url.startsWith(server.url) || isOwn(url)));
+  assert.deepEqual(served.complaints, []);
+  await served.close();
+});
+
+describe('the page from disk', () => {
+  before(async () => (page = await browsing.openPage(browser, browsing.urlOf(built))));
+
+  test('opens with walkers that play', async () => {
+    const first = await number(page, 'frame');
+    await page.waitForFunction((frame) => {
+      return Number(document.querySelector('[data-fact=frame]').textContent) !== frame;
+    }, first);
+    assert.equal(await page.locator('.card').count(), 2);
+  });
+
+  test('finds the contacts that the command finds', async (t) => {
+    const answer = check(t, await savedScene(page));
+    assert.equal(await number(page, 'total'), answer.totals.contacts);
+    assert.equal(await fact(page, 'hash'), answer.hash);
+    assert.ok(answer.counts[APART] === 0 && answer.counts[TOGETHER] > 100, 'a scene worth testing');
+    for (const frame of [APART, 70, TOGETHER, answer.counts.length - 1]) {
+      await goToFrame(page, frame);
+      assert.equal(await number(page, 'contacts'), answer.counts[frame], `frame ${frame}`);
+    }
+  });
+
+  test('draws contacts where there are some', async () => {
+    await goToFrame(page, APART);
+    const apart = await pixels(page);
+    await goToFrame(page, TOGETHER);
+    const together = await pixels(page);
+    assert.ok(apart.colours > 500, `${apart.colours} colours`);
+    assert.equal(apart.count, 0);
+    assert.ok(together.count > 200, `${together.count} pixels glow`);
+  });
+
+  test('tells the work, which is less than refitting all', async () => {
+    await goToFrame(page, TOGETHER);
+    for (const name of ['nodes', 'vertices']) {
+      const [some, all] = [await number(page, name), await number(page, `all-${name}`)];
+      assert.ok(some > 0 && some < all, `${name}: ${some} of ${all}`);
+    }
+    assert.ok((await number(page, 'tests')) > 0);
+    await page.waitForFunction(() => {
+      return (
+        Number(document.querySelector('[data-fact=microseconds]').textContent.replace(',', '')) > 0
+      );
+    });
+  });
+
+  test('lists the joints that touch', async () => {
+    await goToFrame(page, TOGETHER);
+    const counts = await page.locator('.touches output').allInnerTexts();
+    assert.ok(counts.length > 1);
+    assert.ok(counts.every((count) => Number(count) > 0));
+  });
+});
+
+describe('the keyboard', () => {
+  const press = (key) => page.keyboard.press(key);
+  const atFrame = (frame) => page.waitForSelector(`[data-fact=frame]:text-is("${frame}")`);
+
+  test('stops, steps and jumps to contacts', async () => {
+    await press('Space');
+    await page.waitForSelector('[aria-label=Pause]');
+    await press('Space');
+    await page.waitForSelector('[aria-label=Play]');
+    await press('Home');
+    await atFrame(0);
+    await press('ArrowRight');
+    await atFrame(1);
+    await press('n');
+    await page.waitForSelector('[data-fact=frame]:not(:text-is("1"))');
+    const first = await number(page, 'frame');
+    await answered(page, first);
+    assert.ok(first > 1 && (await number(page, 'contacts')) > 0);
+    await press('ArrowLeft');
+    await answered(page, first - 1);
+    assert.equal(await number(page, 'contacts'), 0);
+    await press('n');
+    await atFrame(first);
+  });
+
+  test('selects a character', async () => {
+    await press('2');
+    await page.waitForSelector('.card.selected:has-text("sand")');
+    await press('Escape');
+    await page.locator('.card.selected').waitFor({ state: 'detached' });
+  });
+
+  test('draws bounds, of which some are opened and some untouched', async () => {
+    await goToFrame(page, TOGETHER);
+    const without = [];
+    for (const colour of [browsing.BLUE, browsing.RED]) {
+      without.push([colour, (await pixels(page, colour)).count]);
+    }
+    await press('b');
+    await press(']');
+    await page.waitForSelector('.level:has-text("level 4")');
+    await page.waitForFunction(() => {
+      const legend = document.querySelector('.legend').innerText;
+      return /[1-9]\d* opened[^]*[1-9]\d* untouched/.test(legend);
+    });
+    for (const [colour, count] of without) {
+      const more = (await pixels(page, colour)).count - count;
+      assert.ok(more > 100, `${more} more pixels of ${JSON.stringify(colour)}`);
+    }
+  });
+
+  test('shows the keys', async () => {
+    await press('?');
+    const dialog = page.getByRole('dialog', { name: 'Keys' });
+    await dialog.waitFor();
+    await press('Escape');
+    await dialog.waitFor({ state: 'hidden' });
+  });
+
+  test('reaches every control, and shows where it is', async () => {
+    const reached = new Set();
+    for (let i = 0; i < 40; ++i) {
+      await press('Tab');
+      reached.add(await focused(page));
+    }
+    for (const name of ['Open files', 'Save scene', 'Play', 'Next contact', 'Draw bounds']) {
+      assert.ok(reached.has(`${name}: solid`), `${name} in ${[...reached]}`);
+    }
+  });
+});
+
+test(
+  'the page can be looked at',
+  { skip: !pictures && 'PELT_PICTURES names no folder' },
+  async () => {
+    mkdirSync(pictures, { recursive: true });
+    const take = async (name) => {
+      await answered(page, TOGETHER);
+      await page.waitForTimeout(1000);
+      await page.screenshot({ path: path.join(pictures, `viewer_${name}.png`) });
+    };
+    await goToFrame(page, TOGETHER);
+    await page.locator('[aria-label=Frame]').blur();
+    await take('dark_bounds');
+    await page.keyboard.press('t');
+    await take('light_bounds');
+    await page.keyboard.press('b');
+    await take('light');
+    await page.keyboard.press('t');
+    await take('dark');
+  },
+);
+
+describe('the scene changes', () => {
+  test('a character that is moved has the contacts that the command finds', async (t) => {
+    await goToFrame(page, TOGETHER);
+    const contacts = await number(page, 'contacts');
+    await page.keyboard.press('1');
+    await page.getByLabel('x', { exact: true }).fill('-0.05');
+    await answered(page, TOGETHER);
+    assert.notEqual(await number(page, 'contacts'), contacts);
+    const scene = await savedScene(page);
+    assert.equal(scene.instances[0].translation[0], -0.05);
+    await agreesWith(check(t, scene));
+  });
+
+  test('so has one that the gizmo has moved', async (t) => {
+    const place = page.getByLabel('x', { exact: true });
+    const from = Number(await place.inputValue());
+    await dragGizmo(page);
+    assert.notEqual(Number(await place.inputValue()), from);
+    await agreesWith(check(t, await savedScene(page)));
+  });
+
+  test('first contacts are those of --first', async (t) => {
+    const scene = await savedScene(page);
+    await page.keyboard.press('f');
+    await answered(page, TOGETHER);
+    const { counts, totals } = check(t, scene, {}, ['--first']);
+    assert.equal(await number(page, 'contacts'), counts[TOGETHER]);
+    await counted(page);
+    assert.equal(await number(page, 'total'), totals.contacts);
+    assert.equal(await page.locator('[data-fact=hash]').count(), 0);
+    await page.keyboard.press('f');
+  });
+
+  async function agreesWith({ counts, hash }) {
+    await answered(page, TOGETHER);
+    assert.equal(await number(page, 'contacts'), counts[TOGETHER]);
+    await counted(page);
+    assert.equal(await fact(page, 'hash'), hash);
+  }
+});
+
+describe('files', () => {
+  test('a bad one is named, with what is wrong, and the scene stays', async () => {
+    const contacts = await fact(page, 'total');
+    await dropFiles(page, [
+      { name: 'torn.glb', bytes: Buffer.from('glTF, but no more than that') },
+    ]);
+    const problem = page.locator('.problem');
+    assert.match(await problem.innerText(), /torn\.glb[^]*\w{4,}/);
+    assert.equal(await fact(page, 'total'), contacts);
+    await problem.getByRole('button', { name: 'Dismiss' }).click();
+    await problem.waitFor({ state: 'detached' });
+  });
+
+  test('one that is no character is refused', async () => {
+    await dropFiles(page, [{ name: 'notes.txt', bytes: Buffer.from('walk left') }]);
+    assert.match(await page.locator('.problem').innerText(), /notes\.txt[^]*\.glb/);
+    await page.getByRole('button', { name: 'Dismiss' }).click();
+  });
+
+  test('a character that is dropped meets itself, as the command finds', async (t) => {
+    const bytes = posedWalker(t);
+    await dropFiles(page, [{ name: 'walker.glb', bytes }]);
+    await page.waitForSelector('.card:has-text("walker.glb")');
+    await counted(page);
+    const scene = await savedScene(page);
+    const answer = check(t, scene, { 'walker.glb': bytes });
+    assert.equal(scene.instances.length, 2);
+    assert.ok(answer.totals.contacts > 0);
+    assert.equal(await fact(page, 'hash'), answer.hash);
+  });
+
+  test('a scene that is dropped with its files is the one that was saved', async (t) => {
+    const bytes = posedWalker(t);
+    const scene = await savedScene(page);
+    scene.frames.count = 50;
+    const text = Buffer.from(JSON.stringify(scene));
+    await dropFiles(page, [
+      { name: 'fifty.json', bytes: text },
+      { name: 'walker.glb', bytes },
+    ]);
+    await page.waitForSelector('.subject:has-text("fifty.json")');
+    await counted(page);
+    assert.deepEqual(await savedScene(page), scene);
+  });
+});
+
+test('nothing was fetched, and nothing went wrong', () => {
+  assert.deepEqual(
+    page.fetched.filter((url) => !isOwn(url)),
+    [browsing.urlOf(built)],
+  );
+  assert.deepEqual(page.complaints, []);
+});

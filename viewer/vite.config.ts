@@ -1,0 +1,21 @@
+import { defineConfig } from 'vite';
+import { fileURLToPath } from 'node:url';
+import { oneFile } from './build/one_file';
+
+/** The package that bindings/wasm builds; elsewhere if PELT_WASM says so. */
+const folder =
+  process.env.PELT_WASM ?? fileURLToPath(new URL('../build/wasm/package', import.meta.url));
+const engine = `${folder}/pelt.mjs`;
+
+export default defineConfig({
+  resolve: { alias: { pelt: engine } },
+  base: './',
+  esbuild: { jsx: 'automatic', jsxImportSource: 'preact', legalComments: 'inline' },
+  build: {
+    target: 'es2022',
+    modulePreload: false,
+    cssCodeSplit: false,
+    chunkSizeWarningLimit: 8000,
+  },
+  plugins: [oneFile()],
+});
