@@ -6,9 +6,9 @@
 #include "distance/pair_search.hpp"
 
 #include "distance/near_triangles.hpp"
+#include "distance/nearest_cluster.hpp"
 #include "distance/nearest_parts.hpp"
 #include "distance/part.hpp"
-#include "distance/point_search.hpp"
 
 #include <cmath>
 
@@ -103,7 +103,7 @@ class PairSearch {
   PairSearch(const PosedTree& a, const PosedTree& b, Scratch& scratch, Goal& goal)
       : a_(a),
         b_(b),
-        scratch_(scratch),
+        near_point_(scratch.near_part),
         parts_(scratch.near_parts),
         goal_(goal),
         triangles_(goal, extent(root_box(a, work_), root_box(b, work_)), work_) {}
@@ -142,15 +142,10 @@ class PairSearch {
   Places guess() {
     const RootBox& box = a_.root_box;
     const auto middle = [&](int axis) { return box.low[axis] / 2 + box.high[axis] / 2; };
-    const PointGap in_b = nearest_to(b_, {middle(0), middle(1), middle(2)});
-    const PointGap in_a = nearest_to(a_, to_float(point_at(in_b.corners, in_b.nearest.at)));
-    return {in_a.node, in_a.slot, in_b.node, in_b.slot};
-  }
-
-  PointGap nearest_to(const PosedTree& posed, const Vec3& point) {
-    PointGap nearest;
-    work_ += nearest_to_point(posed, point, scratch_, HUGE_VAL, nearest);
-    return nearest;
+    const Vec3 in_a = {middle(0), middle(1), middle(2)};
+    const Part b = nearest_cluster(b_, in_a, near_point_, work_);
+    const Part a = nearest_cluster(a_, nearest_of_box(b_, b, in_a), near_point_, work_);
+    return {a.node, a.slot, b.node, b.slot};
   }
 
   void look_first(const Places& places) {
@@ -207,7 +202,7 @@ class PairSearch {
   }
 
   const PosedTree &a_, &b_;
-  Scratch& scratch_;
+  Stack<NearPart>& near_point_;
   Stack<NearParts>& parts_;  // the one on top is next
   Goal& goal_;
   QueryStats work_;

@@ -62,7 +62,7 @@ class PointSearch {
   }
 
   void visit(const Part& part) {
-    if (is_cluster(posed_, part)) return compare(part);
+    if (is_cluster(posed_, part)) return compare(cluster_of(posed_, part));
     ++work_.node_pairs;
     const std::uint32_t node = node_of(posed_, part);
     const OpenedNode& opened = open_node(posed_, node, work_);
@@ -74,8 +74,7 @@ class PointSearch {
                       });
   }
 
-  void compare(const Part& part) {
-    const PosedCluster cluster = cluster_of(posed_, part);
+  void compare(const PosedCluster& cluster) {
     const TriangleBoxes& boxes =
         triangle_boxes(cluster.posed, cluster.node, cluster.opened, cluster.slot);
     TriangleValues gaps;
@@ -83,20 +82,20 @@ class PointSearch {
     squared_gaps(boxes.low, boxes.high, 8, box_).store(gaps.of + 8);
     const std::uint32_t first = lowest_of(gaps);
     if (!(gaps.of[first] <= reach_.squared_gap())) return;
-    measure(part, cluster, first);
+    measure(cluster, first);
     const unsigned others = ((1u << cluster.cluster().triangle_count) - 1) & ~(1u << first);
     for (SetBits triangle(others & up_to(gaps, reach_.squared_gap())); triangle; ++triangle)
-      if (gaps.of[*triangle] <= reach_.squared_gap()) measure(part, cluster, *triangle);
+      if (gaps.of[*triangle] <= reach_.squared_gap()) measure(cluster, *triangle);
   }
 
-  void measure(const Part& part, const PosedCluster& cluster, std::uint32_t triangle) {
+  void measure(const PosedCluster& cluster, std::uint32_t triangle) {
     ++work_.triangle_pairs;
     const std::uint32_t place = cluster.cluster().first_triangle + triangle;
     const TriangleCorners corners = corners_of(cluster, place);
     const NearestOnTriangle nearest = nearest_on_triangle(Vec3d(point_), corners);
     const std::uint32_t id = posed_.tree.triangle_ids.data()[place];
     if (!is_better(nearest.squared_distance, id)) return;
-    best_ = {id, corners, nearest, part.node, part.slot};
+    best_ = {id, corners, nearest};
     reach_.set(std::sqrt(nearest.squared_distance));
   }
 

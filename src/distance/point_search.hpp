@@ -15,7 +15,6 @@ struct PointGap {
   std::uint32_t triangle = 0;  ///< the caller's number
   TriangleCorners corners = {};
   NearestOnTriangle nearest = {std::numeric_limits<double>::infinity(), {}};
-  std::uint32_t node = 0, slot = 0;  ///< the cluster that it is in
 };
 
 inline namespace PELT_TARGET {

@@ -1,0 +1,57 @@
+#pragma once
+
+/// A place that is not far from the nearest: the cluster whose box is nearest to a point. It takes
+/// no triangle, and opens only nodes whose boxes are nearer than that.
+
+#include "distance/gaps.hpp"
+#include "distance/nearest_parts.hpp"
+#include "distance/part.hpp"
+#include "pose/open_node.hpp"
+#include "query/scratch.hpp"
+
+#include <cmath>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// Precondition: there is a table of opened nodes.
+inline Part nearest_cluster(const PosedTree& posed, const Vec3& point, Stack<NearPart>& parts,
+                            QueryStats& work) {
+  const Box8 box = {{Float8(point.x), Float8(point.y), Float8(point.z)},
+                    {Float8(point.x), Float8(point.y), Float8(point.z)}};
+  NearPart nearest = {HUGE_VALF, 0, Part::kWhole};
+  parts.clear();
+  parts.push({0, 0, Part::kWhole});
+  while (!parts.empty()) {
+    const NearPart near = parts.pop();
+    if (!(near.squared_gap < nearest.squared_gap)) continue;
+    const Part part = {near.node, near.slot};
+    if (is_cluster(posed, part)) {
+      nearest = near;
+      continue;
+    }
+    ++work.node_pairs;
+    const std::uint32_t node = node_of(posed, part);
+    const OpenedNode& opened = open_node(posed, node, work);
+    const Float8 gaps = squared_gaps(opened.low, opened.high, 0, box);
+    const unsigned nearer = (gaps < Float8(nearest.squared_gap)).bits();
+    push_nearest_last(parts, nearer & slots_of(posed.tree.nodes.data()[node]), gaps,
+                      [&](unsigned slot, float gap) {
+                        return NearPart{gap, node, slot};
+                      });
+  }
+  return {nearest.node, nearest.slot};
+}
+
+/// The point of a cluster's box that is nearest to another.
+inline Vec3 nearest_of_box(const PosedTree& posed, const Part& cluster, const Vec3& point) {
+  const OpenedNode& opened = *posed.opened[cluster.node];
+  const auto nearest = [&](int axis, float x) {
+    const float low = opened.low[axis][cluster.slot], high = opened.high[axis][cluster.slot];
+    return x < low ? low : x > high ? high : x;
+  };
+  return {nearest(0, point.x), nearest(1, point.y), nearest(2, point.z)};
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
