@@ -155,11 +155,21 @@ class PairSearch {
     open_node(a_, a.node, work_);
     open_node(b_, b.node, work_);
     compare(a, b);
+    first_a_ = a, first_b_ = b;
+  }
+
+  /// Whether they have been compared already.
+  bool were_first(const Part& a, const Part& b) const {
+    return a.node == first_a_.node && a.slot == first_a_.slot && b.node == first_b_.node &&
+           b.slot == first_b_.slot;
   }
 
   void visit(const Part& a, const Part& b) {
     const bool a_is_cluster = is_cluster(a_, a), b_is_cluster = is_cluster(b_, b);
-    if (a_is_cluster && b_is_cluster) return compare(a, b);
+    if (a_is_cluster && b_is_cluster) {
+      if (!were_first(a, b)) compare(a, b);
+      return;
+    }
     const Box8 box_a = known_box(a_, a), box_b = known_box(b_, b);
     if (!is_within_reach(box_a, box_b)) return;
     if (b_is_cluster || (!a_is_cluster && goes_first(a, box_a, b, box_b))) {
@@ -205,6 +215,7 @@ class PairSearch {
   Stack<NearPart>& near_point_;
   Stack<NearParts>& parts_;  // the one on top is next
   Goal& goal_;
+  Part first_a_, first_b_;  // clusters; wholes if none were
   QueryStats work_;
   NearTriangles<Goal> triangles_;
 };
