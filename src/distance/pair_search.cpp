@@ -114,10 +114,7 @@ class PairSearch {
     if (!is_near()) return work_;
     make_table(a_);
     make_table(b_);
-    if (begin)
-      look_first(*begin);
-    else if (goal_.reach() == HUGE_VAL)
-      look_first(guess());
+    if (begin) look_first(*begin);
     while (!parts_.empty() && !goal_.is_done()) {
       const NearParts pair = parts_.pop();
       if (pair.squared_gap <= triangles_.reach().squared_gap())
@@ -156,6 +153,7 @@ class PairSearch {
     open_node(b_, b.node, work_);
     compare(a, b);
     first_a_ = a, first_b_ = b;
+    has_begun_ = true;
   }
 
   /// Whether they have been compared already.
@@ -166,10 +164,7 @@ class PairSearch {
 
   void visit(const Part& a, const Part& b) {
     const bool a_is_cluster = is_cluster(a_, a), b_is_cluster = is_cluster(b_, b);
-    if (a_is_cluster && b_is_cluster) {
-      if (!were_first(a, b)) compare(a, b);
-      return;
-    }
+    if (a_is_cluster && b_is_cluster) return arrive(a, b);
     const Box8 box_a = known_box(a_, a), box_b = known_box(b_, b);
     if (!is_within_reach(box_a, box_b)) return;
     if (b_is_cluster || (!a_is_cluster && goes_first(a, box_a, b, box_b))) {
@@ -195,6 +190,12 @@ class PairSearch {
     return ((squared_gap(a, b) <= most).bits() & 1) != 0;
   }
 
+  /// The descent has come to two clusters. Before the first ones it looks at what may be nearer.
+  void arrive(const Part& a, const Part& b) {
+    if (!has_begun_ && goal_.keeps_best()) look_first(guess());
+    if (!were_first(a, b)) compare(a, b);
+  }
+
   void compare(const Part& a, const Part& b) {
     triangles_.add(cluster_of(a_, a), cluster_of(b_, b), {a.node, a.slot, b.node, b.slot});
   }
@@ -215,7 +216,8 @@ class PairSearch {
   Stack<NearPart>& near_point_;
   Stack<NearParts>& parts_;  // the one on top is next
   Goal& goal_;
-  Part first_a_, first_b_;  // clusters; wholes if none were
+  bool has_begun_ = false;
+  Part first_a_, first_b_;  // what it has begun with; wholes if it has not
   QueryStats work_;
   NearTriangles<Goal> triangles_;
 };
