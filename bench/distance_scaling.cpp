@@ -4,6 +4,7 @@
 /// may use the machine too. Where the answers differ nothing is printed.
 
 #include "bench/exact_pose.hpp"
+#include "bench/microseconds.hpp"
 #include "bench/statistics.hpp"
 #include "bench/walking_crowd.hpp"
 #include "model/model.hpp"
@@ -13,7 +14,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -40,14 +40,6 @@ Palette moved(std::span<const Matrix4> palette, double x) {
   Palette result(palette.begin(), palette.end());
   for (Matrix4& m : result) m.m[12] += static_cast<float>(x);
   return result;
-}
-
-template <typename Work>
-double microseconds(const Work& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin)
-      .count();
 }
 
 /// One value a frame, for each column.

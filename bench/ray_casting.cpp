@@ -7,6 +7,7 @@
 /// Embree differs, which is not exact, is counted.
 
 #include "base/wide_code.hpp"
+#include "bench/microseconds.hpp"
 #include "bench/statistics.hpp"
 #include "pose/pose.hpp"
 #include "scenes/scene.hpp"
@@ -16,7 +17,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -25,7 +25,7 @@
 #include <vector>
 
 #ifdef PELT_BENCH_PEERS
-#include "peers/embree_rays.hpp"
+#include "peers/embree_mesh.hpp"
 #endif
 
 namespace pelt::bench {
@@ -129,13 +129,6 @@ struct Times {
   double pick_us = 0, batch_us = 0;
 };
 
-double microseconds(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
-
 /// The pose and its rays, all at once; the best of so many runs.
 double best_time(const Way& way, std::span<const Matrix4> palette, std::span<const Ray> rays,
                  std::span<RayHit> hits, std::uint32_t runs) {
@@ -205,7 +198,7 @@ void measure_embree(const Job& job, const Arguments& arguments, const Times& our
                     std::span<const RayHit> hits) {
   using peers::RayCalls;
   Pose pose(job.model);
-  peers::EmbreeRays embree(job.asset.triangles, job.model.vertex_count());
+  peers::EmbreeMesh embree(job.asset.triangles, job.model.vertex_count());
   std::vector<RayHit> theirs;
   for (const auto& [name, calls] : {std::pair("Embree, one by one", RayCalls::one),
                                     std::pair("Embree, eights", RayCalls::eight),

@@ -1,10 +1,14 @@
 /// A geometry of quality REFIT in a scene of quality LOW, which alone is refitted (see embree.cpp);
 /// ROBUST, without which rays slip through edges. One thread.
-#include "peers/embree_rays.hpp"
+#include "peers/embree_mesh.hpp"
+
+#include "geometry/triangle_distance.hpp"
 
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pelt::peers {
@@ -92,11 +96,36 @@ void cast_stream(RTCScene scene, std::span<const Ray> rays, std::span<RayHit> hi
   });
 }
 
+/// What a search for the nearest triangle knows.
+struct NearestSoFar {
+  std::span<const Triangle> triangles;
+  std::span<const Vec3> positions;
+  double squared_distance = std::numeric_limits<double>::infinity();
+  std::uint32_t triangle = 0;
+};
+
+/// Embree asks about each triangle of a leaf within the radius; tells whether that became less.
+bool look_at_triangle(RTCPointQueryFunctionArguments* arguments) {
+  auto& best = *static_cast<NearestSoFar*>(arguments->userPtr);
+  const auto [a, b, c] = best.triangles[arguments->primID];
+  const RTCPointQuery& query = *arguments->query;
+  const double squared =
+      detail::nearest_on_triangle(detail::Vec3d(query.x, query.y, query.z),
+                                  {best.positions[a], best.positions[b], best.positions[c]})
+          .squared_distance;
+  if (squared >= best.squared_distance) return false;
+  best.squared_distance = squared;
+  best.triangle = arguments->primID;
+  arguments->query->radius = static_cast<float>(std::sqrt(squared));
+  return true;
+}
+
 }  // namespace
 
-struct EmbreeRays::Scene {
-  Scene(std::span<const Triangle> triangles, std::size_t vertex_count)
-      : positions(vertex_count + 1),  // Embree reads four bytes beyond the last vertex
+struct EmbreeMesh::Scene {
+  Scene(std::span<const Triangle> t, std::size_t vertex_count)
+      : triangles(t),
+        positions(vertex_count + 1),  // Embree reads four bytes beyond the last vertex
         device(rtcNewDevice("threads=1")),
         scene(rtcNewScene(device)),
         geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE)) {
@@ -117,6 +146,7 @@ struct EmbreeRays::Scene {
     rtcReleaseDevice(device);
   }
 
+  std::span<const Triangle> triangles;
   std::vector<Vec3> positions;
   std::vector<RTCRayHit> queries;
   RTCDevice device;
@@ -124,21 +154,21 @@ struct EmbreeRays::Scene {
   RTCGeometry geometry;
 };
 
-EmbreeRays::EmbreeRays(std::span<const Triangle> triangles, std::size_t vertex_count)
+EmbreeMesh::EmbreeMesh(std::span<const Triangle> triangles, std::size_t vertex_count)
     : scene_(std::make_unique<Scene>(triangles, vertex_count)) {}
-EmbreeRays::~EmbreeRays() = default;
+EmbreeMesh::~EmbreeMesh() = default;
 
-std::span<Vec3> EmbreeRays::positions() {
+std::span<Vec3> EmbreeMesh::positions() {
   return std::span(scene_->positions).first(scene_->positions.size() - 1);
 }
 
-void EmbreeRays::refit() {
+void EmbreeMesh::refit() {
   rtcUpdateGeometryBuffer(scene_->geometry, RTC_BUFFER_TYPE_VERTEX, 0);
   rtcCommitGeometry(scene_->geometry);
   rtcCommitScene(scene_->scene);
 }
 
-void EmbreeRays::cast(std::span<const Ray> rays, std::span<RayHit> hits, RayCalls calls) {
+void EmbreeMesh::cast(std::span<const Ray> rays, std::span<RayHit> hits, RayCalls calls) {
   switch (calls) {
     case RayCalls::one:
       return cast_one(scene_->scene, rays, hits);
@@ -146,6 +176,19 @@ void EmbreeRays::cast(std::span<const Ray> rays, std::span<RayHit> hits, RayCall
       return cast_eight(scene_->scene, rays, hits);
     case RayCalls::stream:
       return cast_stream(scene_->scene, rays, hits, scene_->queries);
+  }
+}
+
+void EmbreeMesh::find_nearest(std::span<const Vec3> points, std::span<ClosestPoint> nearest) {
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3& p = points[i];
+    NearestSoFar best = {scene_->triangles, scene_->positions};
+    RTCPointQuery query = {p.x, p.y, p.z, 0, std::numeric_limits<float>::infinity()};
+    rtcPointQuery(scene_->scene, &query, &context, look_at_triangle, &best);
+    nearest[i].distance = std::sqrt(best.squared_distance);
+    nearest[i].point.triangle = best.triangle;
   }
 }
 
