@@ -109,7 +109,8 @@ Result<void> measure_scene(const Arguments& arguments, std::vector<Row>& rows) {
 Result<void> measure_character(const Arguments& arguments, std::vector<Row>& rows) {
   const bool is_generated = arguments.input.empty();
   const Result<scenes::Character> character =
-      is_generated ? scenes::generate_character({}) : scenes::load_character(arguments.input);
+      is_generated ? scenes::generate_character(scenes::CreatureOptions{})
+                   : scenes::load_character(arguments.input);
   if (!character) return character.error();
   const Result<SkinnedModel> model = build(character->asset);
   if (!model) return model.error();

@@ -226,7 +226,8 @@ void measure_embree(const Job&, const Arguments&, const Times&, std::span<const 
 
 Result<void> measure_model(const std::string& path, const Arguments& arguments) {
   const Result<scenes::Character> character =
-      path.empty() ? scenes::generate_character({}) : scenes::load_character(path);
+      path.empty() ? scenes::generate_character(scenes::CreatureOptions{})
+                   : scenes::load_character(path);
   if (!character) return character.error();
   const Result<SkinnedModel> model =
       build_model(character->asset.mesh(), {.off_weights = OffWeights::renormalise});
