@@ -1,10 +1,13 @@
 #pragma once
 
-/// Terrain that a character meets: a grid of heights as the second operand of `collide`.
+/// Terrain that a character meets: a grid of heights as the second operand of `collide` and
+/// `distance`, and under rays.
 
 #include <pelt/collide.hpp>
+#include <pelt/distance.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
+#include <pelt/ray.hpp>
 #include <pelt/result.hpp>
 
 #include <array>
@@ -80,5 +83,21 @@ QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
 
 /// Whether any triangles intersect; as `collide`, stopping at the first contact.
 bool intersects(Pose& pose, const HeightField& field, Scratch& scratch);
+
+/// The least distance of any triangle of the posed skin from any of the field, as `distance` of two
+/// poses; `Distance::b` is on the field. What is below the ground is as far from it as what is
+/// above. Infinite, too, if the field has nothing but holes.
+QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Distance& nearest,
+                    const DistanceOptions& options = {});
+
+/// Writes what each ray hits first of the field, exactly as `cast` at a pose; `RayHit::place` has
+/// no meaning here. Precondition: `hits` has one element for each ray. Blocks of the field that a
+/// ray enters are looked at in their order, of cells only those below or above it. Allocates
+/// nothing.
+QueryStats cast(const HeightField& field, std::span<const Ray> rays, std::span<RayHit> hits,
+                const CastOptions& options = {});
+
+/// What one ray hits first.
+RayHit cast(const HeightField& field, const Ray& ray, const CastOptions& options = {});
 
 }  // namespace pelt

@@ -59,6 +59,9 @@ struct WideCode {
                                      Scratch& scratch, RegionWish wish);
   QueryStats (*collide_field)(const PosedTree& posed, const HeightField& field, Scratch& scratch,
                               std::uint32_t max_contacts);
+  QueryStats (*nearest_field_triangle)(const PosedTree& posed, const HeightField& field,
+                                       Scratch& scratch, const SearchLimits& limits,
+                                       TriangleGap& nearest);
   QueryStats (*nearest_triangles)(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                                   const SearchLimits& limits, TriangleGap& nearest);
   QueryStats (*triangles_within)(const PosedTree& a, const PosedTree& b, Scratch& scratch,

@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "base/wide_code.hpp"
 #include "collide/sort_contacts.hpp"
+#include "distance/answers.hpp"
 #include "distance/find_triangle.hpp"
 #include "distance/pair_search.hpp"
 #include "distance/point_search.hpp"
@@ -16,16 +17,8 @@ namespace pelt {
 namespace {
 
 using detail::PosedTree;
+using detail::surface_point;
 using detail::wide_code;
-
-SurfacePoint surface_point(std::uint32_t triangle, const detail::TriangleCorners& corners,
-                           const detail::Barycentrics& at) {
-  SurfacePoint point;
-  point.triangle = triangle;
-  for (std::size_t i = 0; i < 3; ++i) point.barycentrics[i] = static_cast<float>(at[i]);
-  point.position = detail::to_float(detail::point_at(corners, at));
-  return point;
-}
 
 /// The lowest pair of those that touch.
 Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact) {
@@ -37,17 +30,6 @@ Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact
   nearest.a = surface_point(contact.triangle_a, found_a.corners, common.a);
   nearest.b = surface_point(contact.triangle_b, found_b.corners, common.b);
   nearest.places = {found_a.node, found_a.slot, found_b.node, found_b.slot};
-  return nearest;
-}
-
-Distance apart(const detail::TriangleGap& gap, const DistanceOptions& options) {
-  Distance nearest;
-  nearest.distance = std::sqrt(gap.nearest.squared_distance);
-  nearest.lower_bound =
-      nearest.found() ? std::max(0.0, nearest.distance - options.tolerance) : options.max_distance;
-  nearest.a = surface_point(gap.triangle_a, gap.corners_a, gap.nearest.a);
-  nearest.b = surface_point(gap.triangle_b, gap.corners_b, gap.nearest.b);
-  nearest.places = gap.places;
   return nearest;
 }
 
@@ -109,7 +91,7 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& nearest,
   const detail::SearchLimits limits = {options.max_distance, options.tolerance,
                                        options.hint ? &hint : nullptr};
   stats += wide_code().nearest_triangles(tree_a, tree_b, scratch.detail(), limits, gap);
-  nearest = apart(gap, options);
+  nearest = detail::distance_apart(gap, options);
   return stats;
 }
 

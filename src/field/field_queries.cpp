@@ -1,26 +1,90 @@
 #include <pelt/height_field.hpp>
 
+#include "base/assert.hpp"
 #include "base/wide_code.hpp"
 #include "collide/sort_contacts.hpp"
+#include "distance/answers.hpp"
+#include "distance/find_triangle.hpp"
+#include "field/field_cast.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 
+#include <algorithm>
+
 namespace pelt {
+namespace {
+
+using detail::PosedTree;
+
+/// Leaves the contacts in `scratch`, in no particular order.
+QueryStats find_contacts(const PosedTree& posed, const HeightField& field, Scratch& scratch,
+                         std::uint32_t max_contacts) {
+  return detail::wide_code().collide_field(posed, field.detail(), scratch.detail(), max_contacts);
+}
+
+/// The lowest pair of those that touch.
+Distance touching(const PosedTree& posed, const HeightField& field, const Contact& contact) {
+  const detail::FoundTriangle found = detail::find_triangle(posed, contact.triangle_a);
+  const detail::TriangleCorners other = field.triangle(contact.triangle_b);
+  const detail::NearestPoints common = detail::common_point(found.corners, other);
+  Distance nearest;
+  nearest.distance = 0;
+  nearest.a = detail::surface_point(contact.triangle_a, found.corners, common.a);
+  nearest.b = detail::surface_point(contact.triangle_b, other, common.b);
+  return nearest;
+}
+
+}  // namespace
 
 QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
                    std::vector<Contact>& contacts, const CollideOptions& options) {
+  const QueryStats stats =
+      find_contacts(pose.detail().posed_tree(), field, scratch, options.max_contacts);
   detail::Stack<Contact>& found = scratch.detail().found;
-  const QueryStats stats = detail::wide_code().collide_field(
-      pose.detail().posed_tree(), field.detail(), scratch.detail(), options.max_contacts);
   detail::sort_contacts(found, scratch.detail().sorting);
   contacts.insert(contacts.end(), found.begin(), found.end());
   return stats;
 }
 
 bool intersects(Pose& pose, const HeightField& field, Scratch& scratch) {
-  detail::wide_code().collide_field(pose.detail().posed_tree(), field.detail(), scratch.detail(),
-                                    1);
+  find_contacts(pose.detail().posed_tree(), field, scratch, 1);
   return !scratch.detail().found.empty();
+}
+
+QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Distance& nearest,
+                    const DistanceOptions& options) {
+  PELT_ASSERT(options.max_distance >= 0 && options.tolerance >= 0);
+  const PosedTree posed = pose.detail().posed_tree();
+  const std::uint32_t wanted = options.tolerance > 0 ? 1 : CollideOptions().max_contacts;
+  QueryStats stats = find_contacts(posed, field, scratch, wanted);
+  stats.cut_short = false;
+  if (detail::Stack<Contact>& found = scratch.detail().found; !found.empty()) {
+    nearest = touching(posed, field, *std::min_element(found.begin(), found.end()));
+    return stats;
+  }
+  const detail::Places hint = options.hint ? options.hint->places : detail::Places{};
+  const detail::SearchLimits limits = {options.max_distance, options.tolerance,
+                                       options.hint ? &hint : nullptr};
+  detail::TriangleGap gap;
+  stats += detail::wide_code().nearest_field_triangle(posed, field.detail(), scratch.detail(),
+                                                      limits, gap);
+  nearest = detail::distance_apart(gap, options);
+  return stats;
+}
+
+QueryStats cast(const HeightField& field, std::span<const Ray> rays, std::span<RayHit> hits,
+                const CastOptions& options) {
+  PELT_ASSERT(hits.size() == rays.size());
+  QueryStats stats;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    hits[i] = detail::cast_at_field(field.detail(), rays[i], options.facing, stats);
+  return stats;
+}
+
+RayHit cast(const HeightField& field, const Ray& ray, const CastOptions& options) {
+  RayHit hit;
+  cast(field, std::span(&ray, 1), std::span(&hit, 1), options);
+  return hit;
 }
 
 }  // namespace pelt

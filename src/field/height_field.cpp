@@ -150,6 +150,18 @@ Problem check_and_fill(const HeightGrid& grid, HeightField& field) {
 }
 
 }  // namespace
+
+std::array<Vec3, 3> HeightField::triangle(std::uint32_t number) const {
+  const std::uint32_t cell = number / 2, column = cell % (columns() - 1);
+  const std::uint32_t row = cell / (columns() - 1);
+  const auto vertex = [&](std::uint32_t c, std::uint32_t r) {
+    return Vec3{x[c], y[std::size_t{r} * columns() + c], z[r]};
+  };
+  const Vec3 first = vertex(column, row), last = vertex(column + 1, row + 1);
+  if (number % 2 == 0) return {first, vertex(column, row + 1), last};
+  return {first, last, vertex(column + 1, row)};
+}
+
 }  // namespace detail
 
 HeightField::HeightField(std::shared_ptr<const detail::HeightField> field)
@@ -162,14 +174,7 @@ std::uint32_t HeightField::triangle_count() const { return 2 * (columns() - 1) *
 
 std::array<Vec3, 3> HeightField::triangle(std::uint32_t triangle) const {
   PELT_ASSERT(triangle < triangle_count());
-  const std::uint32_t cell = triangle / 2, column = cell % (columns() - 1);
-  const std::uint32_t row = cell / (columns() - 1);
-  const auto vertex = [&](std::uint32_t c, std::uint32_t r) {
-    return Vec3{field_->x[c], field_->y[std::size_t{r} * columns() + c], field_->z[r]};
-  };
-  const Vec3 first = vertex(column, row), last = vertex(column + 1, row + 1);
-  if (triangle % 2 == 0) return {first, vertex(column, row + 1), last};
-  return {first, last, vertex(column + 1, row)};
+  return field_->triangle(triangle);
 }
 
 Result<HeightField> build_height_field(const HeightGrid& grid) {

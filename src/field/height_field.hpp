@@ -6,6 +6,7 @@
 
 #include <pelt/height_field.hpp>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct HeightField {
 
   std::uint32_t columns() const { return static_cast<std::uint32_t>(x.size()); }
   std::uint32_t rows() const { return static_cast<std::uint32_t>(z.size()); }
+
+  /// As `pelt::HeightField::triangle`.
+  std::array<Vec3, 3> triangle(std::uint32_t number) const;
 };
 
 }  // namespace pelt::detail

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <pelt/distance.hpp>
+
+#include "distance/pair_search.hpp"
+
+namespace pelt::detail {
+
+SurfacePoint surface_point(std::uint32_t triangle, const TriangleCorners& corners,
+                           const Barycentrics& at);
+
+/// The answer where nothing touches; that of a search within the options' limits.
+Distance distance_apart(const TriangleGap& gap, const DistanceOptions& options);
+
+}  // namespace pelt::detail

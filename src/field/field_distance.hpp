@@ -1,0 +1,17 @@
+#pragma once
+
+#include "distance/pair_search.hpp"
+#include "field/height_field.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// The least distance of a pose and a field that touch nowhere, as `nearest_triangles` has it of
+/// two poses. Of the places the first two are the cluster, the third is a block of the lowest
+/// level.
+QueryStats nearest_field_triangle(const PosedTree& posed, const HeightField& field,
+                                  Scratch& scratch, const SearchLimits& limits,
+                                  TriangleGap& nearest);
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
