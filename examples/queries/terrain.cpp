@@ -1,4 +1,5 @@
 #include <pelt/height_field.hpp>
+#include <pelt/solid.hpp>
 
 // The triangles of a character that are in the ground; `ground` is made once.
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
@@ -10,4 +11,11 @@ std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& g
     if (triangles.empty() || triangles.back() != contact.triangle_a)
       triangles.push_back(contact.triangle_a);
   return triangles;
+}
+
+// How far the whole skin is from a pillar; 0 where it touches.
+double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch& scratch) {
+  pelt::SolidDistance nearest;
+  pelt::distance(pose, pillar, scratch, nearest);
+  return nearest.distance;  // nearest.surface and nearest.solid say where
 }

@@ -22,4 +22,5 @@
 #include <pelt/region.hpp>
 #include <pelt/result.hpp>
 #include <pelt/shapes.hpp>
+#include <pelt/solid.hpp>
 #include <pelt/version.hpp>

@@ -23,10 +23,12 @@ struct OpenedNode;
 struct PaletteScan;
 struct PointGap;
 struct PosedTree;
+struct PreparedSolid;
 struct RegionAnswer;
 struct RootBox;
 struct Scratch;
 struct SearchLimits;
+struct SolidGap;
 struct Tree;
 struct TriangleGap;
 template <typename T>
@@ -68,6 +70,8 @@ struct WideCode {
                                  double tolerance, std::uint32_t max_pairs);
   QueryStats (*nearest_to_point)(const PosedTree& posed, const Vec3& point, Scratch& scratch,
                                  double max_distance, PointGap& nearest);
+  QueryStats (*nearest_to_solid)(const PosedTree& posed, const PreparedSolid& solid,
+                                 Scratch& scratch, double max_distance, SolidGap& nearest);
 };
 
 /// Those of the active target.

@@ -1,6 +1,7 @@
 #include "distance/find_triangle.hpp"
 
 #include "base/assert.hpp"
+#include "base/wide_code.hpp"
 
 #include <algorithm>
 
@@ -32,9 +33,11 @@ FoundTriangle find_triangle(const PosedTree& posed, std::uint32_t id) {
   PELT_ASSERT(number != tree.triangle_ids.end());
   const auto place = static_cast<std::uint32_t>(number - tree.triangle_ids.begin());
   const std::uint32_t cluster = cluster_with(tree, place), node = node_with(tree, cluster);
+  QueryStats work;
+  const OpenedNode& opened = wide_code().open_node(posed, node, work);
   FoundTriangle found = {{}, node, cluster - tree.nodes[node].first_cluster};
   for (std::size_t k = 0; k < 3; ++k) {
-    const float* p = posed.opened[node]->positions + tree.corners[place][k];
+    const float* p = opened.positions + tree.corners[place][k];
     found.corners[k] = {p[0], p[1], p[2]};
   }
   return found;

@@ -13,8 +13,8 @@ struct FoundTriangle {
   std::uint32_t node, slot;  ///< its cluster
 };
 
-/// The triangle with the caller's number `id`, O(T). Preconditions: there is one, and its node is
-/// open.
+/// The triangle with the caller's number `id`, O(T); its node is opened if it was not.
+/// Preconditions: there is one, and a table of opened nodes.
 FoundTriangle find_triangle(const PosedTree& posed, std::uint32_t id);
 
 }  // namespace pelt::detail

@@ -42,45 +42,62 @@ inline Boxes8 load_boxes(const float (&low)[3][kCount], const float (&high)[3][k
           {load8(high[0] + first), load8(high[1] + first), load8(high[2] + first)}};
 }
 
+/// The largest coordinate of each box on each axis.
+struct Reaches8 {
+  Float8 of[3];
+
+  explicit Reaches8(const Boxes8& boxes) {
+    for (int axis = 0; axis < 3; ++axis)
+      of[axis] = max(abs(boxes.low[axis]), abs(boxes.high[axis]));
+  }
+};
+
+/// How far the nearest and the furthest corner of each box are outside of a face, times the length
+/// of its normal, and how much both may be wrong.
+struct OutsideFace {
+  Float8 nearest, furthest, error;
+};
+
+inline OutsideFace outside_of(const FloatFace& face, const Boxes8& boxes, const Reaches8& reaches) {
+  Float8 furthest = Float8(0.0f) - Float8(face.offset), nearest = furthest, size = abs(furthest);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Float8 normal(face.normal[axis]), origin(face.origin[axis]);
+    const bool is_up = face.normal[axis] > 0;
+    const Float8& far = is_up ? boxes.high[axis] : boxes.low[axis];
+    const Float8& near = is_up ? boxes.low[axis] : boxes.high[axis];
+    furthest = furthest + normal * (far - origin);
+    nearest = nearest + normal * (near - origin);
+    size = size + abs(normal) * (reaches.of[axis] + abs(origin));
+  }
+  return {nearest, furthest, size * Float8(0x1p-21f) + Float8(0x1p-80f)};
+}
+
 inline PlacedBoxes place_boxes(const FacesRegion& region, const Boxes8& boxes) {
-  const Float8 zero(0.0f);
-  Float8 reach[3];  // the largest coordinate
-  for (int axis = 0; axis < 3; ++axis)
-    reach[axis] = max(abs(boxes.low[axis]), abs(boxes.high[axis]));
+  const Reaches8 reaches(boxes);
   PlacedBoxes placed{0, 0xFF};
   for (std::uint32_t i = 0; i < region.count; ++i) {
-    const FloatFace& face = region.scaled[i];
-    Float8 furthest = zero - Float8(face.offset), nearest = furthest, size = abs(furthest);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Float8 normal(face.normal[axis]), origin(face.origin[axis]);
-      const bool is_up = face.normal[axis] > 0;
-      const Float8& far = is_up ? boxes.high[axis] : boxes.low[axis];
-      const Float8& near = is_up ? boxes.low[axis] : boxes.high[axis];
-      furthest = furthest + normal * (far - origin);
-      nearest = nearest + normal * (near - origin);
-      size = size + abs(normal) * (reach[axis] + abs(origin));
-    }
-    const Float8 error = size * Float8(0x1p-21f) + Float8(0x1p-80f);
-    placed.outside |= (error < nearest).bits();
-    placed.inside &= (furthest < zero - error).bits();
+    const OutsideFace outside = outside_of(region.scaled[i], boxes, reaches);
+    placed.outside |= (outside.error < outside.nearest).bits();
+    placed.inside &= (outside.furthest < Float8(0.0f) - outside.error).bits();
   }
   return placed;
 }
 
-inline PlacedBoxes place_boxes(const CapsuleRegion& region, const Boxes8& boxes) {
-  const Capsule& capsule = region.capsule;
+/// How far boxes are from a capsule's segment: along a direction certainly more than `clear`, which
+/// is times the direction's length, and in all no more than the root of `far`.
+struct FromSegment {
+  Float8 clear, squared_direction, far, size;
+};
+
+inline FromSegment from_segment(const Capsule& capsule, const Boxes8& boxes) {
   const float a[] = {capsule.a.x, capsule.a.y, capsule.a.z};
   const float e[] = {capsule.b.x - a[0], capsule.b.y - a[1], capsule.b.z - a[2]};
   const float length = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
   const float share = length > 0 ? 1 / length : 0;
-  const Float8 zero(0.0f), one(1.0f), half(0.5f), radius(capsule.radius);
+  const Float8 zero(0.0f), one(1.0f), half(0.5f);
 
   Float8 middle[3], extent[3], along = zero;
-  unsigned beyond = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    beyond |= ((boxes.high[axis] < Float8(region.low[axis])) |
-               (Float8(region.high[axis]) < boxes.low[axis]))
-                  .bits();
     middle[axis] = half * boxes.low[axis] + half * boxes.high[axis];
     extent[axis] = half * boxes.high[axis] - half * boxes.low[axis];
     along = along + (middle[axis] - Float8(a[axis])) * Float8(e[axis]);
@@ -100,14 +117,24 @@ inline PlacedBoxes place_boxes(const CapsuleRegion& region, const Boxes8& boxes)
     far = far + corner * corner;
     size = size + coordinates;
   }
-  const Float8 clear = gap - max(turn, zero) - Float8(0x1p-20f) * slack;
-  const Float8 squared_clear = clear * clear * Float8(1 - 0x1p-18f);
+  return {gap - max(turn, zero) - Float8(0x1p-20f) * slack, squared, far, size};
+}
+
+inline PlacedBoxes place_boxes(const CapsuleRegion& region, const Boxes8& boxes) {
+  unsigned beyond = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    beyond |= ((boxes.high[axis] < Float8(region.low[axis])) |
+               (Float8(region.high[axis]) < boxes.low[axis]))
+                  .bits();
+  const FromSegment from = from_segment(region.capsule, boxes);
+  const Float8 zero(0.0f), radius(region.capsule.radius);
+  const Float8 squared_clear = from.clear * from.clear * Float8(1 - 0x1p-18f);
   const Float8 squared_radius = radius * radius + Float8(0x1p-120f);
-  const Mask8 apart =
-      (zero < clear) & (squared_radius * squared + Float8(0x1p-100f) < squared_clear);
-  const Float8 within = radius - Float8(0x1p-20f) * size;
+  const Mask8 apart = (zero < from.clear) &
+                      (squared_radius * from.squared_direction + Float8(0x1p-100f) < squared_clear);
+  const Float8 within = radius - Float8(0x1p-20f) * from.size;
   const Mask8 enclosed =
-      (zero < within) & (far * Float8(1 + 0x1p-18f) + Float8(0x1p-100f) < within * within);
+      (zero < within) & (from.far * Float8(1 + 0x1p-18f) + Float8(0x1p-100f) < within * within);
   return {beyond | apart.bits(), enclosed.bits()};
 }
 

@@ -15,6 +15,7 @@
 #include "ray/ray_traversal.hpp"
 #include "region/region_descent.hpp"
 #include "skin/palette_scan.hpp"
+#include "solid/solid_search.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
@@ -42,7 +43,8 @@ const WideCode kWideCode = {scan_palette,
                             nearest_field_triangle,
                             nearest_triangles,
                             triangles_within,
-                            nearest_to_point};
+                            nearest_to_point,
+                            nearest_to_solid};
 
 }  // namespace PELT_TARGET
 }  // namespace pelt::detail

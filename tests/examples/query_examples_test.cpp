@@ -22,6 +22,7 @@ double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
                 const pelt::Surface& surface_b, pelt::Scratch& scratch);
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
                                     pelt::Scratch& scratch);
+double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch& scratch);
 
 namespace pelt::test {
 namespace {
@@ -109,6 +110,11 @@ TEST_F(QueryExamples, Terrain) {
   const std::size_t triangles = grounded(pose_, ground_at(0.01f), scratch_).size();
   EXPECT_GT(triangles, 20u);
   EXPECT_LT(triangles, pose_.model().triangle_count() / 4);
+
+  const Capsule pillar = {{5, -9, 0}, {5, 9, 0}, 1};
+  EXPECT_GT(from_pillar(pose_, pillar, scratch_), 3);
+  ASSERT_TRUE(pose_.set_palette(moved(5)));
+  EXPECT_EQ(from_pillar(pose_, pillar, scratch_), 0);
 }
 
 }  // namespace

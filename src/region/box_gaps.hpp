@@ -1,0 +1,60 @@
+#pragma once
+
+/// Lower bounds of how far boxes are from a region, squared, eight at a time, by the bounds of
+/// place_boxes.hpp. Roots and quotients are wrong by less than 2^-20 of themselves, which is taken
+/// off; what underflows comes to less than 2^-50, and is taken off too. Where a bound is NaN it is
+/// 0: of NaN and another number `max` is the second.
+
+#include "region/place_boxes.hpp"
+
+#include <cmath>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+inline Float8 squared_gap_of(const Float8& distance) {
+  const Float8 gap = max(distance * Float8(1 - 0x1p-18f) - Float8(0x1p-50f), Float8(0.0f));
+  return gap * gap;
+}
+
+class FacesGaps {
+ public:
+  explicit FacesGaps(const FacesRegion& region) : region_(region) {
+    for (std::uint32_t i = 0; i < region.count; ++i) {
+      const float* n = region.scaled[i].normal;
+      per_length_[i] = 1 / std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    }
+  }
+
+  /// The furthest that a box is outside of a face.
+  Float8 operator()(const Boxes8& boxes) const {
+    const Reaches8 reaches(boxes);
+    Float8 furthest(0.0f);
+    for (std::uint32_t i = 0; i < region_.count; ++i) {
+      const OutsideFace outside = outside_of(region_.scaled[i], boxes, reaches);
+      furthest = max((outside.nearest - outside.error) * Float8(per_length_[i]), furthest);
+    }
+    return squared_gap_of(furthest);
+  }
+
+ private:
+  const FacesRegion& region_;
+  float per_length_[ConvexPolyhedron::kMaxFaces];
+};
+
+class CapsuleGaps {
+ public:
+  explicit CapsuleGaps(const CapsuleRegion& region) : capsule_(region.capsule) {}
+
+  Float8 operator()(const Boxes8& boxes) const {
+    const FromSegment from = from_segment(capsule_, boxes);
+    const Float8 to_segment = from.clear / sqrt(from.squared_direction);
+    return squared_gap_of(to_segment * Float8(1 - 0x1p-18f) - Float8(capsule_.radius));
+  }
+
+ private:
+  const Capsule& capsule_;
+};
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,67 @@
+#include <pelt/solid.hpp>
+
+#include "base/assert.hpp"
+#include "base/wide_code.hpp"
+#include "distance/answers.hpp"
+#include "distance/find_triangle.hpp"
+#include "pose/pose.hpp"
+#include "query/scratch.hpp"
+#include "region/region_descent.hpp"
+#include "solid/solid_search.hpp"
+
+#include <algorithm>
+
+namespace pelt {
+namespace detail {
+namespace {
+
+Region region_of(const Solid& solid) {
+  return std::visit([](const auto& shape) { return Region(shape); }, solid);
+}
+
+/// Leaves the triangles that touch in `scratch.touching`.
+QueryStats find_touching(const PosedTree& posed, const PreparedRegion& region, Scratch& scratch) {
+  const WideCode& wide = wide_code();
+  return (region.is_capsule
+              ? wide.descend_in_capsule(posed, region.capsule, scratch, RegionWish::triangles)
+              : wide.descend_in_faces(posed, region.faces, scratch, RegionWish::triangles))
+      .work;
+}
+
+SolidDistance touching(const PosedTree& posed, const Solid& solid, std::uint32_t triangle) {
+  make_table(posed);  // what is wholly inside has not been opened
+  const TriangleCorners corners = find_triangle(posed, triangle).corners;
+  SolidDistance nearest;
+  nearest.distance = 0;
+  nearest.surface = surface_point(triangle, corners, common_point(corners, solid));
+  nearest.solid = nearest.surface.position;
+  return nearest;
+}
+
+}  // namespace
+
+PreparedSolid::PreparedSolid(const Solid& s)
+    : solid(s), region(region_of(s)), extent(extent_of(s)) {}
+
+}  // namespace detail
+
+QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDistance& nearest,
+                    const ClosestPointOptions& options) {
+  PELT_ASSERT(options.max_distance >= 0);
+  const detail::PosedTree posed = pose.detail().posed_tree();
+  const detail::PreparedSolid prepared(solid);
+  QueryStats stats = detail::find_touching(posed, prepared.region, scratch.detail());
+  if (detail::Stack<std::uint32_t>& found = scratch.detail().touching; !found.empty()) {
+    nearest = detail::touching(posed, solid, *std::min_element(found.begin(), found.end()));
+    return stats;
+  }
+  detail::SolidGap gap;
+  stats += detail::wide_code().nearest_to_solid(posed, prepared, scratch.detail(),
+                                                options.max_distance, gap);
+  nearest.distance = gap.nearest.distance;
+  nearest.surface = detail::surface_point(gap.triangle, gap.corners, gap.nearest.at);
+  nearest.solid = detail::to_float(gap.nearest.on_solid);
+  return stats;
+}
+
+}  // namespace pelt
