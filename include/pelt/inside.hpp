@@ -43,9 +43,9 @@ struct Penetration {
 /// must be moved to part them.
 ///
 /// Preconditions: `surface_a` and `surface_b` are of the models of `a` and `b`, which are different
-/// poses; `surface_b` is closed. Poses only what of `a` comes near the box of `b`; each vertex
-/// there costs a search for something nearer than the deepest so far, and those that have nothing
-/// such near, some rays.
+/// poses; `surface_b` is closed. Boxes of `a` that the surface of `b` does not touch cost a few
+/// rays each, and what is outside is not posed; each other vertex costs a search for something
+/// nearer than the deepest so far, and those that have nothing such near, some rays.
 QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
                           Scratch& scratch, Penetration& deepest);
 

@@ -1,8 +1,12 @@
+/// Where no triangle of the other body touches the box of a cluster or node, all of its vertices
+/// are on one side, and those outside are done with at once.
+///
 /// A vertex is worth a look only if it is further from the surface than the deepest one so far, so
 /// the nearest point is asked for first, within that depth, and whether the vertex is inside only
 /// where nothing was found.
 
 #include <pelt/inside.hpp>
+#include <pelt/region.hpp>
 
 #include "base/assert.hpp"
 #include "base/wide_code.hpp"
@@ -23,14 +27,10 @@ using detail::Cluster;
 using detail::Node;
 using detail::OpenedNode;
 using detail::PosedTree;
-using detail::RootBox;
 
-/// Whether a slot's box meets the other body's.
-bool meets(const OpenedNode& opened, std::uint32_t slot, const RootBox& box) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (opened.high[axis][slot] < box.low[axis] || box.high[axis] < opened.low[axis][slot])
-      return false;
-  return true;
+Box box_of(const OpenedNode& opened, std::uint32_t slot) {
+  return {{opened.low[0][slot], opened.low[1][slot], opened.low[2][slot]},
+          {opened.high[0][slot], opened.high[1][slot], opened.high[2][slot]}};
 }
 
 class DeepestVertex {
@@ -41,32 +41,42 @@ class DeepestVertex {
         surface_a_(surface_a.detail()),
         b_(b),
         surface_b_(surface_b),
-        scratch_(scratch),
-        box_b_(detail::wide_code().root_box(b.detail().posed_tree(), work_)) {}
+        scratch_(scratch) {}
 
   QueryStats run(Penetration& deepest) {
     make_table(a_);
-    detail::Stack<std::uint32_t>& nodes = scratch_.detail().nodes;
-    nodes.clear();
-    nodes.push(0);
-    while (!nodes.empty()) visit(nodes.pop(), nodes);
+    visit(0, Side::unknown);
     deepest = deepest_;
     return work_;
   }
 
  private:
-  void visit(std::uint32_t index, detail::Stack<std::uint32_t>& nodes) {
+  /// Where all vertices of a slot are, as far as is known.
+  enum class Side { outside, inside, unknown };
+
+  Side side_of_all(const Box& box) {
+    if (intersects(b_, box, scratch_)) return Side::unknown;
+    const bool is_inside = side_of(b_, surface_b_, box.low, scratch_) == PointSide::inside;
+    return is_inside ? Side::inside : Side::outside;
+  }
+
+  void visit(std::uint32_t index, Side side) {
     ++work_.node_pairs;
     const Node& node = a_.tree.nodes[index];
     const OpenedNode& opened = detail::wide_code().open_node(a_, index, work_);
-    for (std::uint32_t slot = 0; slot < node.cluster_count; ++slot)
-      if (meets(opened, slot, box_b_)) visit(a_.tree.clusters[node.first_cluster + slot], opened);
-    for (std::uint32_t child = 0; child < node.child_count; ++child)
-      if (meets(opened, node.cluster_count + child, box_b_)) nodes.push(node.first_child + child);
+    for (std::uint32_t slot = 0; slot < node.cluster_count + node.child_count; ++slot) {
+      const Side of_slot = side == Side::unknown ? side_of_all(box_of(opened, slot)) : side;
+      if (of_slot == Side::outside) continue;
+      if (slot < node.cluster_count) {
+        visit(a_.tree.clusters[node.first_cluster + slot], opened, of_slot);
+      } else {
+        visit(node.first_child + slot - node.cluster_count, of_slot);
+      }
+    }
   }
 
   /// Its vertices, each once.
-  void visit(const Cluster& cluster, const OpenedNode& opened) {
+  void visit(const Cluster& cluster, const OpenedNode& opened, Side side) {
     std::array<std::uint16_t, 3 * detail::kMaxClusterTriangles> seen;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
@@ -77,19 +87,20 @@ class DeepestVertex {
         if (std::find(seen.begin(), seen.begin() + count, offset) != seen.begin() + count) continue;
         seen[count++] = offset;
         const float* at = opened.positions + offset;
-        consider(vertices[corner], {at[0], at[1], at[2]});
+        consider(vertices[corner], {at[0], at[1], at[2]}, side);
       }
     }
   }
 
-  void consider(std::uint32_t vertex, const Vec3& position) {
+  void consider(std::uint32_t vertex, const Vec3& position, Side side) {
     const double depth = deepest_.depth;
     ClosestPoint closest;
     if (deepest_.found()) {
       work_ += closest_point(b_, position, scratch_, closest, {depth});
       if (closest.found() && (closest.distance < depth || vertex >= deepest_.vertex)) return;
     }
-    if (side_of(b_, surface_b_, position, scratch_) != PointSide::inside) return;
+    if (side == Side::unknown && side_of(b_, surface_b_, position, scratch_) != PointSide::inside)
+      return;
     if (!closest.found()) work_ += closest_point(b_, position, scratch_, closest);
     deepest_ = {vertex, position, closest.point, closest.distance};
   }
@@ -100,7 +111,6 @@ class DeepestVertex {
   const Surface& surface_b_;
   Scratch& scratch_;
   QueryStats work_;
-  const RootBox box_b_;
   Penetration deepest_;
 };
 
