@@ -26,7 +26,7 @@ const client = new Client(
 );
 const opener = new Opener(store, client);
 const pointing = new Pointing(store, client);
-const openFiles = (files: File[]) => void opener.openFiles(files);
+const openFiles = (files: File[]) => opener.openFiles(files);
 const chooseAndOpen = () => chooseFiles(openFiles);
 
 const panels = document.getElementById('panels')!;
@@ -57,4 +57,5 @@ watchKeys(update);
 watchDrops(update, openFiles);
 
 const report = findReport(document);
-void (report ? opener.openReport(report) : opener.openDemo());
+if (report) opener.openReport(report);
+else opener.openDemo();

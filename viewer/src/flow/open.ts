@@ -4,51 +4,51 @@ import { filesOf, type Report } from '../report/report';
 import * as changes from '../state/changes';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
-import type { NamedFile, Opened } from '../worker/protocol';
+import { isCharacter, type NamedFile, type Opened } from '../worker/protocol';
 import type { Client } from './client';
 
 export class Opener {
+  private opening = Promise.resolve();
+
   constructor(
     private readonly store: Store<State>,
     private readonly client: Client,
   ) {}
 
-  openDemo(): Promise<void> {
-    return this.show('the generated characters', this.client.ask('openDemo', {}));
+  openDemo(): void {
+    this.show('the generated characters', () => this.client.ask('openDemo', {}));
   }
 
-  openReport(report: Report): Promise<void> {
+  openReport(report: Report): void {
     const { scene, reading, firstContact } = report;
     const question = { path: scene, files: filesOf(report), options: reading };
     this.store.update(() => ({ report, firstContact, listing: 'clip' }));
-    return this.show(scene, this.client.ask('openScene', question));
+    this.show(scene, () => this.client.ask('openScene', question));
   }
 
   /** Characters, or a scene with its characters; on the stage they replace all others. */
-  async openFiles(files: readonly File[]): Promise<void> {
+  openFiles(files: readonly File[]): void {
     const names = files.map((file) => file.name).join(', ');
-    const named = await Promise.all(files.map(readFile));
-    const scene = named.find(({ path }) => /\.json$/i.test(path));
-    if (scene) {
-      const question = { path: scene.path, files: named, options: {} };
-      return this.show(names, this.client.ask('openScene', question));
-    }
-    if (named.some(({ path }) => /\.(glb|gltf)$/i.test(path))) {
-      return this.show(names, this.client.ask('readCharacters', { files: named }));
-    }
-    this.store.update(
-      changes.refuse(names, 'is no character: drop .glb files, or a scene.json with its files'),
-    );
+    this.show(names, async () => this.ask(await Promise.all(files.map(readFile))));
   }
 
-  /** The stage keeps what it has until all is read. */
-  private async show(what: string, opened: Promise<Opened>): Promise<void> {
-    this.store.update(() => ({ reading: what }));
-    try {
-      this.store.update(changes.open(await opened));
-    } catch (error) {
-      this.store.update(changes.refuse(`${what} could not be opened`, (error as Error).message));
-    }
+  private ask(files: NamedFile[]): Promise<Opened> {
+    const scene = files.find(({ path }) => /\.json$/i.test(path));
+    if (scene) return this.client.ask('openScene', { path: scene.path, files, options: {} });
+    if (files.some(isCharacter)) return this.client.ask('readCharacters', { files });
+    throw new Error('No character is in it: drop .glb files, or a scene.json with its files.');
+  }
+
+  /** One after the other. The stage keeps what it has until all is read. */
+  private show(what: string, ask: () => Promise<Opened>): void {
+    this.opening = this.opening.then(async () => {
+      this.store.update(() => ({ reading: what }));
+      try {
+        this.store.update(changes.open(await ask()));
+      } catch (error) {
+        this.store.update(changes.refuse(`${what} could not be opened`, (error as Error).message));
+      }
+    });
   }
 }
 

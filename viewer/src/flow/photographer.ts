@@ -22,6 +22,7 @@ export class Photographer {
     if (!scene) return;
     const stills: Still[] = [];
     for (const frame of worstFrames(sweep.counts)) {
+      if (this.store.state.reading) return;
       const shot = { scene, frame, firstContact, boxLevel: null };
       const answer = await this.client.ask('still', shot);
       if (this.store.state.sweep.id !== sweep.id) return;

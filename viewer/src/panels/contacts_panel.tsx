@@ -57,14 +57,14 @@ function isInStep(shot: Shot, { scene, firstContact, boxLevel }: State): boolean
 
 function Touches({ touches }: { touches: readonly Touch[] }) {
   if (touches.length === 0) return <p class="quiet">Nothing touches.</p>;
-  const parts = new Set(touches.flatMap(({ a, b }) => [a.part, b.part]));
+  const withParts = haveSeveralParts(touches);
   return (
     <>
       <ol class="touches">
         {touches.slice(0, MOST_ROWS).map(({ a, b, contacts }) => (
           <li>
-            <Place surface={a} withPart={parts.size > 1} />
-            <Place surface={b} withPart={parts.size > 1} />
+            <Place surface={a} withPart={withParts} />
+            <Place surface={b} withPart={withParts} />
             <output>{contacts.toLocaleString('en')}</output>
           </li>
         ))}
@@ -76,7 +76,13 @@ function Touches({ touches }: { touches: readonly Touch[] }) {
   );
 }
 
-/** The part is told where there is more than one. */
+/** Whether a character touches with more than one of its parts. */
+function haveSeveralParts(touches: readonly Touch[]): boolean {
+  const places = touches.flatMap(({ a, b }) => [a, b]);
+  const parts = new Set(places.map(({ instance, part }) => `${instance} ${part}`));
+  return parts.size > new Set(places.map(({ instance }) => instance)).size;
+}
+
 export function Place({ surface, withPart }: { surface: Surface; withPart: boolean }) {
   const { instance, part, joint } = surface;
   return (

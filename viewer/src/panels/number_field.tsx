@@ -6,7 +6,10 @@ interface NumberFieldProps {
   onChange: (value: number) => void;
 }
 
-/** What is no number is not taken. */
+/** What the engine can surely pose with. */
+const MOST = 1e6;
+
+/** What is no number, or too large a one, is not taken. */
 export function NumberField({ label, unit, step, value, onChange }: NumberFieldProps) {
   return (
     <label>
@@ -15,10 +18,10 @@ export function NumberField({ label, unit, step, value, onChange }: NumberFieldP
       <input
         type="number"
         step={step}
-        value={Number(value.toFixed(4))}
+        value={Number(value.toFixed(3))}
         onInput={({ currentTarget }) => {
           const given = currentTarget.valueAsNumber;
-          if (Number.isFinite(given)) onChange(given);
+          if (Math.abs(given) <= MOST) onChange(given);
         }}
       />
     </label>

@@ -3,7 +3,7 @@
 import type { Character, Files, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import type { ModelSource, Scene } from '../scene/scene';
-import type { NamedFile, Questions } from './protocol';
+import { isCharacter, type NamedFile, type Questions } from './protocol';
 
 export interface Cast {
   characters: Character[];
@@ -29,7 +29,7 @@ export function readSceneFile(pelt: Pelt, { path, files, options }: Questions['o
 }
 
 export function readCharacters(pelt: Pelt, files: readonly NamedFile[]): Cast {
-  const models = files.filter(({ path }) => /\.(glb|gltf)$/i.test(path));
+  const models = files.filter(isCharacter);
   const byPath: Files = new Map(files.map((file) => [file.path, file.bytes]));
   const characters: Character[] = [];
   try {

@@ -6,7 +6,7 @@ import type { Poses } from './poses';
 import type { Cost, Costs, Shot } from './protocol';
 
 /** Clocks of browsers tick in steps of up to a tenth of a millisecond. */
-const LEAST_MILLISECONDS = 4;
+const LEAST_MILLISECONDS = 2;
 
 type Query = (a: Pose, b: Pose) => Contacts;
 

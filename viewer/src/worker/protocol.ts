@@ -12,6 +12,11 @@ export interface NamedFile {
   bytes: Uint8Array<ArrayBuffer>;
 }
 
+/** The others are what characters refer to. */
+export function isCharacter({ path }: NamedFile): boolean {
+  return /\.(glb|gltf)$/i.test(path);
+}
+
 /** How the command read the models; see `ModelOptions` of the engine. */
 export interface ReadingOptions {
   renormalise?: boolean;
