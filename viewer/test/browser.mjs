@@ -30,7 +30,7 @@ export const urlOf = (file) => pathToFileURL(file).href;
 /** Opens the page and waits until it has counted the contacts of every frame. */
 export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({
-    viewport: { width: 1280, height: 760 },
+    viewport: { width: 960, height: 600 },
     colorScheme: 'dark',
     ...options,
   });

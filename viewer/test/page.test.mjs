@@ -26,6 +26,8 @@ const pictures = process.env.PELT_PICTURES;
 const APART = 0;
 const TOGETHER = 90;
 
+const PICTURE = { width: 1280, height: 760 };
+
 let browser, server, page;
 before(async () => {
   browser = await browsing.launch();
@@ -54,6 +56,8 @@ describe('the page from disk', () => {
     await page.waitForFunction((frame) => {
       return Number(document.querySelector('[data-fact=frame]').textContent) !== frame;
     }, first);
+    await page.keyboard.press('Space');
+    await page.waitForSelector('[aria-label=Play]');
     assert.equal(await page.locator('.card').count(), 2);
   });
 
@@ -176,6 +180,7 @@ test(
   { skip: !pictures && 'PELT_PICTURES names no folder' },
   async () => {
     mkdirSync(pictures, { recursive: true });
+    await page.setViewportSize(PICTURE);
     const take = async (name) => {
       await answered(page, TOGETHER);
       await page.waitForTimeout(1000);

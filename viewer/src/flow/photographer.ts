@@ -34,8 +34,8 @@ export class Photographer {
 
 /** In their order in time, and far enough apart to differ. */
 function worstFrames(counts: readonly number[]): number[] {
-  const apart = counts.length / (4 * STILLS);
   const inContact = [...counts.keys()].filter((frame) => counts[frame] > 0);
+  const apart = inContact.length / (2 * STILLS);
   const worst: number[] = [];
   for (const frame of inContact.sort((one, other) => counts[other] - counts[one])) {
     if (worst.every((taken) => Math.abs(taken - frame) > apart)) worst.push(frame);

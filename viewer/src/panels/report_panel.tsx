@@ -1,19 +1,26 @@
 import { agrees } from '../report/report';
 import type { PanelProps } from './app';
 
+const VERDICTS = { true: 'the page agrees', false: 'the page differs', null: 'counting …' };
+
 /** What the command found, beside what the page finds. */
 export function ReportPanel({ state: { report, sweep } }: PanelProps) {
   if (!report) return null;
-  const { command, answer } = report;
-  const verdict = { true: 'the page agrees', false: 'the page differs', null: 'counting …' };
+  const { command, answer, files } = report;
+  const contacts = answer.counts.reduce((sum, count) => sum + count, 0);
+  const touched = answer.counts.filter((count) => count > 0).length;
   return (
     <section aria-labelledby="report">
-      <h2 id="report">Report</h2>
+      <h2 id="report">
+        Report
+        <small class="number" role="status">
+          {VERDICTS[`${agrees(report, sweep.counts)}`]}
+        </small>
+      </h2>
       <code>{command}</code>
-      <p>
-        {answer.counts.reduce((sum, count) => sum + count, 0).toLocaleString('en')} contacts in{' '}
-        {answer.counts.filter((count) => count > 0).length} of {answer.counts.length} frames:{' '}
-        <strong>{verdict[`${agrees(report, sweep.counts)}`]}</strong>
+      <p class="quiet">
+        {contacts.toLocaleString('en')} contacts in {touched} of {answer.counts.length} frames, from{' '}
+        {Object.keys(files).join(', ')}
       </p>
     </section>
   );
