@@ -14,83 +14,121 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
+/// Lanes in two parts with names: compilers keep these in registers, but arrays of them in memory.
+template <typename Half>
+struct TwoHalves {
+  Half low, high;
+};
+
+template <typename Half>
+TwoHalves<Half> operator+(const TwoHalves<Half>& a, const TwoHalves<Half>& b) {
+  return {a.low + b.low, a.high + b.high};
+}
+template <typename Half>
+TwoHalves<Half> operator-(const TwoHalves<Half>& a, const TwoHalves<Half>& b) {
+  return {a.low - b.low, a.high - b.high};
+}
+template <typename Half>
+TwoHalves<Half> operator-(const TwoHalves<Half>& a) {
+  return {-a.low, -a.high};
+}
+template <typename Half>
+TwoHalves<Half> operator*(const TwoHalves<Half>& a, const TwoHalves<Half>& b) {
+  return {a.low * b.low, a.high * b.high};
+}
+template <typename Half>
+TwoHalves<Half> operator/(const TwoHalves<Half>& a, const TwoHalves<Half>& b) {
+  return {a.low / b.low, a.high / b.high};
+}
+template <typename Half>
+auto operator<(const TwoHalves<Half>& a, const TwoHalves<Half>& b) {
+  return TwoHalves<decltype(a.low < b.low)>{a.low < b.low, a.high < b.high};
+}
+
+inline bool both(bool a, bool b) { return a && b; }
+inline bool is_any(bool yes) { return yes; }
+inline double choose(bool mask, double yes, double no) { return mask ? yes : no; }
+
 #if defined(PELT_TARGET_AVX2)
-using DoubleShare = double __attribute__((vector_size(32)));
-#elif defined(PELT_SCALAR)
-using DoubleShare = double;
+using DoubleLanes = double __attribute__((vector_size(32)));
+using DoubleYes = decltype(DoubleLanes() < DoubleLanes());
+
+inline DoubleLanes double_lanes(double x, double y, double z, double w) {
+  return DoubleLanes{x, y, z, w};
+}
+inline DoubleLanes widened(Lanes f) { return __builtin_convertvector(f, DoubleLanes); }
+inline DoubleYes both(DoubleYes a, DoubleYes b) { return a & b; }
+inline bool is_any(DoubleYes yes) { return _mm256_movemask_pd(DoubleLanes(yes)) != 0; }
+inline DoubleLanes choose(DoubleYes mask, DoubleLanes yes, DoubleLanes no) {
+  return mask ? yes : no;
+}
 #else
-using DoubleShare = double __attribute__((vector_size(16)));
+#if defined(PELT_SCALAR)
+using DoublePair = TwoHalves<double>;
+#else
+using DoublePair = double __attribute__((vector_size(16)));
+using DoubleYes = decltype(DoublePair() < DoublePair());
+
+inline DoubleYes both(DoubleYes a, DoubleYes b) { return a & b; }
+inline bool is_any(DoubleYes yes) { return (yes[0] | yes[1]) != 0; }
+inline DoublePair choose(DoubleYes mask, DoublePair yes, DoublePair no) {
+  return DoublePair((mask & DoubleYes(yes)) | (~mask & DoubleYes(no)));
+}
+#endif
+using DoubleLanes = TwoHalves<DoublePair>;
+
+inline DoubleLanes double_lanes(double x, double y, double z, double w) {
+  return {DoublePair{x, y}, DoublePair{z, w}};
+}
+inline DoubleLanes widened(const Lanes& f) { return double_lanes(f[0], f[1], f[2], f[3]); }
 #endif
 
-inline constexpr int kDoubleShares = 4 * sizeof(double) / sizeof(DoubleShare);
+template <typename Half>
+TwoHalves<Half> both(const TwoHalves<Half>& a, const TwoHalves<Half>& b) {
+  return {both(a.low, b.low), both(a.high, b.high)};
+}
+template <typename Half>
+bool is_any(const TwoHalves<Half>& yes) {
+  return is_any(yes.low) || is_any(yes.high);
+}
+template <typename Yes, typename Half>
+TwoHalves<Half> choose(const TwoHalves<Yes>& mask, const TwoHalves<Half>& yes,
+                       const TwoHalves<Half>& no) {
+  return {choose(mask.low, yes.low, no.low), choose(mask.high, yes.high, no.high)};
+}
 
 struct Double4 {
-  DoubleShare share[kDoubleShares];
+  DoubleLanes lanes;
 
   Double4() = default;
-#if defined(PELT_TARGET_AVX2)
-  explicit Double4(double s) : share{{s, s, s, s}} {}
-  explicit Double4(const Float4& f) : share{__builtin_convertvector(f.lanes, DoubleShare)} {}
-#elif defined(PELT_SCALAR)
-  explicit Double4(double s) : share{s, s, s, s} {}
-  explicit Double4(const Float4& f) : share{f[0], f[1], f[2], f[3]} {}
-#else
-  explicit Double4(double s) : share{{s, s}, {s, s}} {}
-  explicit Double4(const Float4& f) : share{{f[0], f[1]}, {f[2], f[3]}} {}
-#endif
+  explicit Double4(const DoubleLanes& l) : lanes(l) {}
+  explicit Double4(double s) : lanes(double_lanes(s, s, s, s)) {}
+  explicit Double4(const Float4& f) : lanes(widened(f.lanes)) {}
 
-  void store(double* p) const { std::memcpy(p, share, sizeof share); }
+  void store(double* p) const { std::memcpy(p, &lanes, sizeof lanes); }
 };
 
 /// A yes or no for each lane.
 struct MaskDouble4 {
-  decltype(DoubleShare() < DoubleShare()) share[kDoubleShares];
+  decltype(DoubleLanes() < DoubleLanes()) lanes;
 
-  bool any() const {
-#if defined(PELT_TARGET_AVX2)
-    return _mm256_movemask_pd(DoubleShare(share[0])) != 0;
-#elif defined(PELT_SCALAR)
-    return share[0] || share[1] || share[2] || share[3];
-#else
-    const auto both = share[0] | share[1];
-    return (both[0] | both[1]) != 0;
-#endif
-  }
+  bool any() const { return is_any(lanes); }
 };
 
-template <typename Result, typename Operation>
-[[gnu::always_inline]] inline Result each_share(const Operation& operation) {
-  Result result;
-  for (int i = 0; i < kDoubleShares; ++i) result.share[i] = operation(i);
-  return result;
-}
-
-inline Double4 operator+(const Double4& a, const Double4& b) {
-  return each_share<Double4>([&](int i) { return a.share[i] + b.share[i]; });
-}
-inline Double4 operator-(const Double4& a, const Double4& b) {
-  return each_share<Double4>([&](int i) { return a.share[i] - b.share[i]; });
-}
-inline Double4 operator-(const Double4& a) {
-  return each_share<Double4>([&](int i) { return -a.share[i]; });
-}
-inline Double4 operator*(const Double4& a, const Double4& b) {
-  return each_share<Double4>([&](int i) { return a.share[i] * b.share[i]; });
-}
-inline Double4 operator/(const Double4& a, const Double4& b) {
-  return each_share<Double4>([&](int i) { return a.share[i] / b.share[i]; });
-}
-inline MaskDouble4 operator<(const Double4& a, const Double4& b) {
-  return each_share<MaskDouble4>([&](int i) { return a.share[i] < b.share[i]; });
-}
+inline Double4 operator+(const Double4& a, const Double4& b) { return Double4(a.lanes + b.lanes); }
+inline Double4 operator-(const Double4& a, const Double4& b) { return Double4(a.lanes - b.lanes); }
+inline Double4 operator-(const Double4& a) { return Double4(-a.lanes); }
+inline Double4 operator*(const Double4& a, const Double4& b) { return Double4(a.lanes * b.lanes); }
+inline Double4 operator/(const Double4& a, const Double4& b) { return Double4(a.lanes / b.lanes); }
+inline MaskDouble4 operator<(const Double4& a, const Double4& b) { return {a.lanes < b.lanes}; }
 inline MaskDouble4 operator&(const MaskDouble4& a, const MaskDouble4& b) {
-  return each_share<MaskDouble4>([&](int i) { return a.share[i] & b.share[i]; });
+  return {both(a.lanes, b.lanes)};
 }
 inline Double4 select(const MaskDouble4& mask, const Double4& yes, const Double4& no) {
-  return each_share<Double4>([&](int i) { return mask.share[i] ? yes.share[i] : no.share[i]; });
+  return Double4(choose(mask.lanes, yes.lanes, no.lanes));
 }
 
-/// Where a lane of both is not a number: the second's.
+/// Where a lane of either is not a number: the second's.
 inline Double4 min(const Double4& a, const Double4& b) { return select(a < b, a, b); }
 inline Double4 max(const Double4& a, const Double4& b) { return select(b < a, a, b); }
 
