@@ -191,6 +191,14 @@ inline LooseBox morphed_affine_box(const NodeBounds& bounds, const NodeBound& bo
                            : morphed_joint_boxes_box(bounds, bound, palette);
 }
 
+/// Whether any target, active or not, displaces a vertex below the node.
+inline bool has_displacements(const NodeBounds& bounds, const NodeBound& bound) {
+  const std::size_t first =
+      bound.is_affine() ? bounds.joint_boxes.size() + bound.shape : bound.first_record;
+  const std::uint32_t* begin = bounds.displacement_begin.data() + first;
+  return begin[0] != begin[bound.is_affine() ? 1 : bound.joint_count];
+}
+
 inline Box4 rest_box(const NodeBounds& bounds, const NodeBound& bound, const Palette& palette) {
   if (bound.is_affine())
     return affine_box(bounds, bound, bounds.shapes[bound.shape].centre, palette);
@@ -203,7 +211,7 @@ inline Box4 rest_box(const NodeBounds& bounds, const NodeBound& bound, const Pal
 inline Box4 node_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
   const NodeBound& bound = bounds.nodes[node];
   const Float4 margin(bound.margin * palette.extent() + 0x1p-120f);
-  if (palette.morphs().any()) {
+  if (palette.morphs().any() && has_displacements(bounds, bound)) {
     const LooseBox morphed = morphed_box(bounds, bound, palette);
     const Float4 more = margin + morphed.margin;
     return {morphed.box.low - more, morphed.box.high + more};
