@@ -20,6 +20,8 @@ std::vector<pelt::ContactRegion> pushes(pelt::Pose& a, const pelt::Surface& surf
                                         pelt::Scratch& scratch);
 double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
                 const pelt::Surface& surface_b, pelt::Scratch& scratch);
+bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
+               std::span<const float> weights);
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
                                     pelt::Scratch& scratch);
 double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch& scratch);
@@ -115,6 +117,16 @@ TEST_F(QueryExamples, Terrain) {
   EXPECT_GT(from_pillar(pose_, pillar, scratch_), 3);
   ASSERT_TRUE(pose_.set_palette(moved(5)));
   EXPECT_EQ(from_pillar(pose_, pillar, scratch_), 0);
+}
+
+TEST_F(QueryExamples, Morphs) {
+  Pose limb(*build_model(make_morphing_limb(16, 12, 3).view()));
+  ASSERT_TRUE(pose_face(limb, moved(5), std::vector<float>{0, 0, 0}));
+  const Box still = smallest_box(limb);
+  ASSERT_TRUE(pose_face(limb, moved(5), std::vector<float>{2, 2, 2}));
+  const Box displaced = smallest_box(limb);
+  EXPECT_NE(displaced.high.x - displaced.low.x, still.high.x - still.low.x);
+  EXPECT_FALSE(pose_face(limb, moved(5), std::vector<float>{2, 2}));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Picture contact_picture() {
   for (const ContactRegion& region : geometry.regions)
     objects += arrow(Vec3d(region.point), Vec3d(region.point) + 0.35 * Vec3d(region.normal), 0.011,
                      Tone::question);
-  return framed("contact", {{-4.2, 1.45, -0.9}, {0, 0.92, 0}, 42, 16. / 9}, objects);
+  return framed("contact", {{-4.3, 1.45, -0.9}, {0, 0.87, 0}, 44, 16. / 9}, objects);
 }
 
 }  // namespace pelt::pictures

@@ -27,10 +27,11 @@ Picture inside_picture() {
   deepest_vertex(a.pose, Surface(a.pose.model()), b.pose, Surface(b.pose.model()), scratch,
                  deepest);
   const Vec3d vertex(deepest.position), surface(deepest.nearest.position);
-  const std::string objects =
-      painted(a, 0) + unshadowed(painted(b, glass({0.66F, 0.57F, 0.42F}, 0.45), {})) +
-      line(vertex, surface, 0.008, Tone::answer) + dot_at(vertex, 0.022, Tone::answer) +
-      dot_at(surface, 0.022, Tone::answer);
+  const std::string objects = unshadowed(painted(a, glass({0.26F, 0.40F, 0.55F}, 0.35), {})) +
+                              unshadowed(painted(b, glass({0.66F, 0.57F, 0.42F}, 0.45), {})) +
+                              line(vertex, surface, 0.010, Tone::answer) +
+                              dot_at(vertex, 0.022, Tone::answer) +
+                              dot_at(surface, 0.022, Tone::answer);
   return framed("inside", {{-3.0, 1.75, 0.5}, {0, 1.32, -0.03}, 34, 16. / 9}, objects);
 }
 

@@ -41,7 +41,7 @@ Picture morph_picture() {
   for (std::size_t i = 0; i < cast.actors.size(); ++i)
     objects += painted(cast.actors[i], paint({0.26F, 0.40F, 0.55F}),
                        displaced(cast.actors[i], cast.actors[0], 0.9f * static_cast<float>(i)));
-  return framed("morphs", {{0.5, 0.85, 4.2}, {0.02, 0.27, 0}, 48, 2.7}, objects);
+  return framed("morphs", {{0.5, 0.85, 4.2}, {0.08, 0.25, 0}, 45, 2.9}, objects);
 }
 
 }  // namespace pelt::pictures
