@@ -1,9 +1,7 @@
 #include "tools/pelt/bounds_scene.hpp"
 
-#include <pelt/bounds.hpp>
-#include <pelt/groups.hpp>
-
 #include "asset/message.hpp"
+#include "tools/pelt/bounds_query.hpp"
 #include "tools/pelt/json_lines.hpp"
 #include "tools/pelt/scene_poses.hpp"
 #include "tools/pelt/summary_lines.hpp"
@@ -13,91 +11,11 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <limits>
 
 namespace pelt::tools {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-constexpr Box kEmptyBox = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-
-Box united(const Box& a, const Box& b) {
-  return {
-      {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
-      {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
-}
-
-/// Something that has bounds: a collider, or what one of its joints moves.
-struct Bounded {
-  std::uint32_t collider = 0;
-  std::optional<std::uint32_t> joint = std::nullopt;
-  Box box = {};
-  std::optional<Sphere> sphere = std::nullopt;  ///< joints have none
-  Box all_frames = kEmptyBox;
-  float largest_radius = 0;
-};
-
-class BoundsQuery {
- public:
-  BoundsQuery(std::span<const Collider> colliders, const BoundsSettings& settings)
-      : kind_(settings.kind) {
-    for (std::uint32_t c = 0; c < colliders.size(); ++c) {
-      if (settings.by == BoundsBy::joint) {
-        add_joints(c, colliders[c].model);
-      } else {
-        bounded_.push_back({.collider = c});
-      }
-    }
-  }
-
-  QueryStats ask(std::span<Pose> poses) {
-    QueryStats work;
-    for (Bounded& bounded : bounded_) {
-      Pose& pose = poses[bounded.collider];
-      if (bounded.joint) {
-        bounded.box = joint_box(pose, groups_[bounded.collider], *bounded.joint);
-      } else {
-        const Bounds found = kind_ == BoundsKind::exact ? tight_bounds(pose) : pelt::bounds(pose);
-        bounded.box = found.box;
-        bounded.sphere = found.sphere;
-        work += found.stats;
-      }
-    }
-    return work;
-  }
-
-  /// Keeps what all frames together need.
-  void unite() {
-    for (Bounded& bounded : bounded_) {
-      bounded.all_frames = united(bounded.all_frames, bounded.box);
-      if (bounded.sphere)
-        bounded.largest_radius = std::max(bounded.largest_radius, bounded.sphere->radius);
-    }
-  }
-
-  std::span<const Bounded> bounded() const { return bounded_; }
-
- private:
-  void add_joints(std::uint32_t collider, const SkinnedModel& model) {
-    groups_.push_back(group_by_joint(model));
-    for (std::uint32_t j = 0; j < groups_.back().count(); ++j) {
-      if (groups_.back().vertex_count(j) > 0)
-        bounded_.push_back({.collider = collider, .joint = j});
-    }
-  }
-
-  Box joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint) const {
-    return kind_ == BoundsKind::exact ? tight_group_bounds(pose, groups, joint)
-                                      : group_bounds(pose, groups, joint);
-  }
-
-  BoundsKind kind_;
-  std::vector<Groups> groups_;  // of each collider, by joint only
-  std::vector<Bounded> bounded_;
-};
 
 class BoundsWriter {
  public:
