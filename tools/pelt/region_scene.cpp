@@ -131,7 +131,7 @@ void print_placements(const scenes::Scene& scene, std::span<const Collider> coll
     width = std::max(width, names.back().size());
   }
   const auto column = [&](auto text) -> std::ostream& { return out << std::setw(9) << text; };
-  out << "\nframes\n  " << std::string(width, ' ');
+  out << "\nframes\n  " << std::string(width, ' ') << std::right;
   for (const Placement p : {Placement::outside, Placement::partly, Placement::inside})
     column(name_of(p));
   out << '\n';
