@@ -1,9 +1,10 @@
 #pragma once
 
-/// Simple solids that a character is some way from. What touches them `collide` tells, and which
-/// side of them things are on `classify` (pelt/region.hpp).
+/// Simple solids that a character is some way from, and that stand in the way of rays. What touches
+/// them `collide` tells, and which side of them things are on `classify` (pelt/region.hpp).
 
 #include <pelt/distance.hpp>
+#include <pelt/ray.hpp>
 #include <pelt/shapes.hpp>
 
 #include <limits>
@@ -38,5 +39,20 @@ struct SolidDistance {
 /// `collide` does.
 QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDistance& nearest,
                     const ClosestPointOptions& options = {});
+
+/// Where a ray enters a solid.
+struct SolidHit {
+  float t = std::numeric_limits<float>::infinity();
+  Vec3 normal;  ///< out of the solid, of length 1; zero where the ray begins inside, at t_min
+
+  /// Whether anything was hit.
+  explicit operator bool() const { return t < std::numeric_limits<float>::infinity(); }
+};
+
+/// The first point of the ray that is in the solid. Computed in double, unlike what triangles are
+/// hit: the place is off the solid's surface by less than 2^-40 times the largest coordinate in the
+/// query, but for the rounding of t, and a ray that passes as near by may count either way.
+/// Preconditions: as for the solid, and for rays; t_min is finite.
+SolidHit cast(const Solid& solid, const Ray& ray);
 
 }  // namespace pelt

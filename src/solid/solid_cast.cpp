@@ -1,0 +1,123 @@
+/// A solid is convex, or a capsule, which is two balls and what is between them: a ray is in each
+/// piece from one t to another. Balls are asked from the ray's point nearest to their centre, for
+/// from far away the discriminant would be what is left of large numbers.
+
+#include <pelt/solid.hpp>
+
+#include "base/assert.hpp"
+#include "base/vec3.hpp"
+#include "region/prepared_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelt {
+namespace {
+
+using detail::Vec3d;
+
+/// From where to where a ray is in something; empty if not from <= to.
+struct Stay {
+  double from = -HUGE_VAL, to = HUGE_VAL;
+
+  /// Leaves what is where value + t * slope is at most 0; tells whether it begins later now.
+  bool keep_below(double value, double slope) {
+    if (slope == 0 && value > 0) to = -HUGE_VAL;
+    if (slope > 0) to = std::min(to, -value / slope);
+    if (!(slope < 0) || -value / slope <= from) return false;
+    from = -value / slope;
+    return true;
+  }
+};
+
+struct Line {
+  explicit Line(const Ray& ray) : origin(ray.origin), direction(ray.direction) {}
+
+  Vec3d at(double t) const { return origin + t * direction; }
+
+  Vec3d origin, direction;
+};
+
+/// Where |way + t * direction| <= radius.
+Stay stay_near(const Vec3d& way, const Vec3d& direction, double radius) {
+  const double speed = squared_length(direction);
+  const double nearest = speed > 0 ? -dot(way, direction) / speed : 0;
+  const double room = radius * radius - squared_length(way + nearest * direction);
+  if (room < 0) return {HUGE_VAL, -HUGE_VAL};
+  if (speed == 0) return {};
+  const double half = std::sqrt(room / speed);
+  return {nearest - half, nearest + half};
+}
+
+/// Between the ends of a capsule.
+Stay stay_beside(const Line& line, const Capsule& capsule) {
+  const Vec3d edge = Vec3d(capsule.b) - Vec3d(capsule.a), way = line.origin - Vec3d(capsule.a);
+  const double length = squared_length(edge);
+  if (!(length > 0)) return {HUGE_VAL, -HUGE_VAL};
+  const double place = dot(way, edge) / length, slope = dot(line.direction, edge) / length;
+  Stay stay = stay_near(way - place * edge, line.direction - slope * edge, double{capsule.radius});
+  stay.keep_below(-place, -slope);
+  stay.keep_below(place - 1, slope);
+  return stay;
+}
+
+Vec3 unit(const Vec3d& v) {
+  const double length = std::sqrt(squared_length(v));
+  return length > 0 ? to_float((1 / length) * v) : Vec3();
+}
+
+/// From the point of the capsule's segment that is nearest to `p`.
+Vec3 normal_at(const Vec3d& p, const Capsule& capsule) {
+  const Vec3d a(capsule.a), edge = Vec3d(capsule.b) - a;
+  const double length = squared_length(edge);
+  const double share = length > 0 ? std::clamp(dot(p - a, edge) / length, 0.0, 1.0) : 0;
+  return unit(p - a - share * edge);
+}
+
+/// Makes `hit` that of a piece, if the ray is in it earlier; its normal is still to be set if so.
+bool take(const Stay& stay, const Ray& ray, SolidHit& hit) {
+  const double t = std::max(stay.from, double{ray.t_min});
+  if (!(t <= std::min(stay.to, double{ray.t_max})) || !(t < double{hit.t})) return false;
+  hit.t = static_cast<float>(t);
+  return stay.from > double{ray.t_min};
+}
+
+SolidHit cast_at(const detail::FacesRegion& faces, const Ray& ray) {
+  const Line line(ray);
+  Stay stay;
+  Vec3d normal;
+  for (std::uint32_t i = 0; i < faces.count; ++i) {
+    const detail::Face& face = faces.exact[i];
+    const Vec3d n(face.normal);
+    const double value = dot(n, line.origin - Vec3d(face.origin)) - double{face.offset};
+    if (stay.keep_below(value, dot(n, line.direction))) normal = n;
+  }
+  SolidHit hit;
+  if (take(stay, ray, hit)) hit.normal = unit(normal);
+  return hit;
+}
+
+SolidHit cast_at(const Capsule& capsule, const Ray& ray) {
+  const Line line(ray);
+  SolidHit hit;
+  for (const Stay& stay :
+       {stay_near(line.origin - Vec3d(capsule.a), line.direction, double{capsule.radius}),
+        stay_near(line.origin - Vec3d(capsule.b), line.direction, double{capsule.radius}),
+        stay_beside(line, capsule)}) {
+    const float before = hit.t;
+    const bool enters = take(stay, ray, hit);
+    if (hit.t != before) hit.normal = enters ? normal_at(line.at(double{hit.t}), capsule) : Vec3();
+  }
+  return hit;
+}
+
+}  // namespace
+
+SolidHit cast(const Solid& solid, const Ray& ray) {
+  const Region region = std::visit([](const auto& shape) { return Region(shape); }, solid);
+  const detail::PreparedRegion prepared(region);
+  return prepared.is_capsule ? cast_at(prepared.capsule.capsule, ray)
+                             : cast_at(prepared.faces, ray);
+}
+
+}  // namespace pelt

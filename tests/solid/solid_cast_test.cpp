@@ -1,0 +1,74 @@
+#include "solids.hpp"
+
+#include <cstdio>
+
+namespace pelt {
+namespace {
+
+using detail::Vec3d;
+using test::distance_to;
+using test::Random;
+
+Vec3d place_at(const Ray& ray, double t) { return Vec3d(ray.origin) + t * Vec3d(ray.direction); }
+
+/// A hit is on the surface, and what comes before it is outside; without one all is outside.
+void expect_first_point(const Solid& solid, const Ray& ray, const SolidHit& hit, Random& random) {
+  const double end = hit ? double{hit.t} : double{ray.t_max};
+  if (hit) {
+    EXPECT_NEAR(distance_to(solid, place_at(ray, end)), 0, 1e-5);
+    EXPECT_LT(dot(Vec3d(hit.normal), Vec3d(ray.direction)), 1e-3);
+    EXPECT_NEAR(squared_length(Vec3d(hit.normal)), 1, 1e-6);
+  }
+  for (int i = 0; i < 40; ++i) {
+    const double t = double{ray.t_min} + 0.95 * random.unit() * (end - double{ray.t_min});
+    EXPECT_GT(distance_to(solid, place_at(ray, t)), 0) << t << " of " << end;
+  }
+}
+
+TEST(SolidCast, FindsTheFirstPointInside) {
+  Random random(760);
+  int hits = 0, misses = 0, begins_inside = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const Solid solid = test::random_solid(random, {}, 1);
+    Ray ray = segment(random.point(2), random.point(2));
+    ray.t_min = random.uniformf(-0.5, 0.5);
+    ray.t_max = random.uniformf(0.5, 2);
+    const SolidHit hit = cast(solid, ray);
+    if (hit && hit.t == ray.t_min && hit.normal == Vec3()) {
+      EXPECT_LE(distance_to(solid, place_at(ray, double{ray.t_min})), 1e-9);
+      ++begins_inside;
+      continue;
+    }
+    expect_first_point(solid, ray, hit, random);
+    ++(hit ? hits : misses);
+  }
+  std::printf("hits %d, misses %d, begin inside %d\n", hits, misses, begins_inside);
+  EXPECT_GT(hits, 200);
+  EXPECT_GT(misses, 1000);
+  EXPECT_GT(begins_inside, 300);
+}
+
+TEST(SolidCast, GivesPlacesAndNormals) {
+  const Ray down = {{0.25f, 9, 0}, {0, -2, 0}};
+  EXPECT_EQ(cast(HalfSpace{{0, 3, 0}, 3}, down).t, 4);
+  EXPECT_EQ(cast(HalfSpace{{0, 3, 0}, 3}, down).normal, (Vec3{0, 1, 0}));
+  EXPECT_EQ(cast(Box{{0, 0, 0}, {1, 1, 1}}, down).t, 4);
+  EXPECT_EQ(cast(OrientedBox{{0, 0, 0}, {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1, 1, 1}}, down).t,
+            4);
+  EXPECT_EQ(cast(Sphere{{0.25f, 0, 0}, 1}, down).t, 4);
+  EXPECT_EQ(cast(Capsule{{-9, 0, 0}, {9, 0, 0}, 1}, down).t, 4);
+  EXPECT_EQ(cast(Capsule{{-9, 0, 0}, {9, 0, 0}, 1}, down).normal, (Vec3{0, 1, 0}));
+  EXPECT_FALSE(cast(Sphere{{2, 0, 0}, 1}, down));
+  EXPECT_FALSE(cast(Box{{0.5f, 0, 0}, {1, 1, 1}}, down));
+  EXPECT_FALSE(cast(Sphere{{0.25f, 10, 0}, 0.5f}, down));  // behind it
+}
+
+/// From a million units away a ball of one unit is still met where it is.
+TEST(SolidCast, IsRightFromFarAway) {
+  const SolidHit hit = cast(Sphere{{0, 0, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}});
+  EXPECT_EQ(hit.t, (1 << 20) - 1);
+  EXPECT_FALSE(cast(Sphere{{0, 1.0001f, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}}));
+}
+
+}  // namespace
+}  // namespace pelt
