@@ -26,6 +26,8 @@ const pictures = process.env.PELT_PICTURES;
 const APART = 0;
 const TOGETHER = 90;
 
+/** What is worth a picture. */
+const MEETING = 76;
 const PICTURE = { width: 1280, height: 760 };
 
 let browser, server, page;
@@ -182,11 +184,11 @@ test(
     mkdirSync(pictures, { recursive: true });
     await page.setViewportSize(PICTURE);
     const take = async (name) => {
-      await answered(page, TOGETHER);
+      await answered(page, MEETING);
       await page.waitForTimeout(1000);
       await page.screenshot({ path: path.join(pictures, `viewer_${name}.png`) });
     };
-    await goToFrame(page, TOGETHER);
+    await goToFrame(page, MEETING);
     await page.locator('[aria-label=Frame]').blur();
     await take('dark_bounds');
     await page.keyboard.press('t');

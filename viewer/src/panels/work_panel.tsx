@@ -10,8 +10,8 @@ export function WorkPanel({ state }: PanelProps) {
       <h2 id="work">
         Work of this frame
         {ratio && (
-          <small class="number" title="Time of refitting everything first, over time on demand">
-            {ratio.toFixed(ratio < 10 ? 1 : 0)}× less
+          <small class="number" title="Time on demand beside that of refitting everything first">
+            {ratio >= 1 ? `${shortened(ratio)}× less` : `${shortened(1 / ratio)}× more`}
           </small>
         )}
       </h2>
@@ -72,4 +72,8 @@ function Row({ name, fact, value, whole }: RowProps) {
 
 function shown(value: number | undefined): string {
   return value === undefined ? '–' : Math.round(value).toLocaleString('en');
+}
+
+function shortened(ratio: number): string {
+  return ratio.toFixed(ratio < 10 ? 1 : 0);
 }
