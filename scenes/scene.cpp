@@ -99,19 +99,17 @@ std::string why_none(const MorphWeight& morph, const Character& character) {
   return begin + "no morph target " + asset::quoted(name) + suggestion(name, known);
 }
 
-/// What an instance plays at a frame, and where in the clip it is.
+/// What an instance plays at a time, and where in the clip it is.
 struct ClipTime {
   const asset::Clip* clip;
   float seconds;
 };
 
-ClipTime clip_at(const Scene& scene, std::uint32_t instance, std::uint32_t frame) {
-  const Instance& placed = scene.instances[instance];
-  const asset::Clip* clip =
-      placed.clip ? asset_of(scene, instance).find_clip(*placed.clip) : nullptr;
-  PELT_ASSERT(!placed.clip || clip != nullptr);
+ClipTime clip_at(const asset::Asset& asset, const Instance& instance, double seconds) {
+  const asset::Clip* clip = instance.clip ? asset.find_clip(*instance.clip) : nullptr;
+  PELT_ASSERT(!instance.clip || clip != nullptr);
   const double duration = clip != nullptr ? static_cast<double>(clip->duration) : 0;
-  const double time = placed.start + placed.speed * frame_time(scene, frame);
+  const double time = instance.start + instance.speed * seconds;
   return {clip, static_cast<float>(wrapped(time, duration))};
 }
 
@@ -163,18 +161,27 @@ double frame_time(const Scene& scene, std::uint32_t frame) { return frame / scen
 
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette) {
-  const Instance& placed = scene.instances[instance];
-  const auto [clip, seconds] = clip_at(scene, instance, frame);
-  asset::sample_palette(asset_of(scene, instance), clip, seconds,
-                        placement(placed, frame_time(scene, frame)), scratch, palette);
+  instance_palette(asset_of(scene, instance), scene.instances[instance], frame_time(scene, frame),
+                   scratch, palette);
 }
 
 void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                             std::span<float> weights) {
-  const auto [clip, seconds] = clip_at(scene, instance, frame);
-  const asset::Asset& asset = asset_of(scene, instance);
-  asset::sample_morph_weights(asset, clip, seconds, weights);
-  for (const MorphWeight& morph : scene.instances[instance].morph_weights)
+  instance_morph_weights(asset_of(scene, instance), scene.instances[instance],
+                         frame_time(scene, frame), weights);
+}
+
+void instance_palette(const asset::Asset& asset, const Instance& instance, double seconds,
+                      asset::SampleScratch& scratch, std::span<Matrix4> palette) {
+  const auto [clip, clip_seconds] = clip_at(asset, instance, seconds);
+  asset::sample_palette(asset, clip, clip_seconds, placement(instance, seconds), scratch, palette);
+}
+
+void instance_morph_weights(const asset::Asset& asset, const Instance& instance, double seconds,
+                            std::span<float> weights) {
+  const auto [clip, clip_seconds] = clip_at(asset, instance, seconds);
+  asset::sample_morph_weights(asset, clip, clip_seconds, weights);
+  for (const MorphWeight& morph : instance.morph_weights)
     for (std::size_t m = 0; m < weights.size(); ++m)
       if (names(morph, asset, m)) weights[m] = morph.weight;
 }

@@ -102,4 +102,10 @@ void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t 
 void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                             std::span<float> weights);
 
+/// The same of an instance that stands in no scene, at a time. Precondition: `asset` has its clip.
+void instance_palette(const asset::Asset& asset, const Instance& instance, double seconds,
+                      asset::SampleScratch& scratch, std::span<Matrix4> palette);
+void instance_morph_weights(const asset::Asset& asset, const Instance& instance, double seconds,
+                            std::span<float> weights);
+
 }  // namespace pelt::scenes

@@ -59,14 +59,5 @@ TEST(TouchTally, CountsByDominantJointAndPart) {
   EXPECT_EQ(parts[0].contacts, 2u);
 }
 
-TEST(PartName, TellsPartsOfOneNodeApart) {
-  asset::Asset asset = three_triangles();
-  EXPECT_EQ(part_name(asset, 1), "boot");
-  asset.parts[1].node = "body";
-  asset.parts[1].material = "leather";
-  EXPECT_EQ(part_name(asset, 0), "body:0");
-  EXPECT_EQ(part_name(asset, 1), "body:leather");
-}
-
 }  // namespace
 }  // namespace pelt::tools

@@ -1,6 +1,7 @@
 #include "tools/pelt/bounds_scene.hpp"
 
 #include "asset/message.hpp"
+#include "scenes/names.hpp"
 #include "tools/pelt/bounds_query.hpp"
 #include "tools/pelt/json_lines.hpp"
 #include "tools/pelt/scene_poses.hpp"
@@ -61,7 +62,7 @@ class BoundsWriter {
     ordered_json entry = {{"index", bounded.collider}};
     const std::uint32_t character = scene_.instances[collider.instance].character;
     if (bounded.joint)
-      entry["joint"] = joint_name(scene_.characters[character].asset, *bounded.joint);
+      entry["joint"] = scenes::joint_name(scene_.characters[character].asset, *bounded.joint);
     return entry;
   }
 
@@ -78,7 +79,7 @@ std::string name_of(const scenes::Scene& scene, const Collider& collider, const 
   const std::string name = collider_name(scene, collider);
   if (!bounded.joint) return name;
   const std::uint32_t character = scene.instances[collider.instance].character;
-  return name + " " + joint_name(scene.characters[character].asset, *bounded.joint);
+  return name + " " + scenes::joint_name(scene.characters[character].asset, *bounded.joint);
 }
 
 void print_boxes(const scenes::Scene& scene, std::span<const Collider> colliders,

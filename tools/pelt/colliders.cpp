@@ -1,6 +1,7 @@
 #include "tools/pelt/colliders.hpp"
 
-#include "tools/pelt/clip_samples.hpp"
+#include "scenes/clip_samples.hpp"
+#include "scenes/names.hpp"
 
 #include <algorithm>
 
@@ -14,7 +15,7 @@ Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32
                                          Granularity granularity, const ModelArguments& arguments) {
   const Character& character = scene.characters[index];
   const std::vector<Matrix4> samples =
-      clip_samples(character.asset, played_clips(scene, index), arguments.samples);
+      scenes::clip_samples(character.asset, scenes::played_clips(scene, index), arguments.samples);
   const SkinnedMeshView whole = character.asset.mesh();
   std::vector<Collider> colliders;
   const auto add = [&](const SkinnedMeshView& mesh, std::optional<std::uint32_t> part,
@@ -61,24 +62,7 @@ Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granula
 std::string collider_name(const scenes::Scene& scene, const Collider& collider) {
   const Character& character = scene.characters[scene.instances[collider.instance].character];
   const std::string name = character.name + " " + std::to_string(collider.instance);
-  return collider.part ? name + " " + part_name(character.asset, *collider.part) : name;
-}
-
-std::string part_name(const asset::Asset& asset, std::uint32_t part) {
-  const asset::Part& p = asset.parts[part];
-  const auto shares_node = [&](const asset::Part& other) {
-    return &other != &p && other.node == p.node;
-  };
-  const bool alone = std::none_of(asset.parts.begin(), asset.parts.end(), shares_node);
-  const std::string node = p.node.empty() ? p.mesh : p.node;
-  if (alone && !node.empty()) return node;
-  const std::string material = p.material.empty() ? std::to_string(part) : p.material;
-  return (node.empty() ? "part" : node) + ":" + material;
-}
-
-std::string joint_name(const asset::Asset& asset, std::uint32_t joint) {
-  const std::string& name = asset.joint_name(joint);
-  return name.empty() ? "joint " + std::to_string(joint) : name;
+  return collider.part ? name + " " + scenes::part_name(character.asset, *collider.part) : name;
 }
 
 }  // namespace pelt::tools

@@ -33,11 +33,4 @@ Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granula
 /// "knight 0", or "knight 0 Knight_Helmet" for a part.
 std::string collider_name(const scenes::Scene& scene, const Collider& collider);
 
-/// The node of a part, or its mesh where the node has no name; "node:material" or "node:number"
-/// where several parts share that.
-std::string part_name(const asset::Asset& asset, std::uint32_t part);
-
-/// The name of a joint's node; "joint 7" where it has none.
-std::string joint_name(const asset::Asset& asset, std::uint32_t joint);
-
 }  // namespace pelt::tools

@@ -1,5 +1,6 @@
 #include "tools/pelt/contact_json.hpp"
 
+#include "scenes/names.hpp"
 #include "tools/pelt/json_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -24,7 +25,7 @@ class Side {
       : collider_(collider),
         asset_(scene.characters[scene.instances[collider.instance].character].asset) {}
 
-  std::string joint(std::uint16_t joint) const { return joint_name(asset_, joint); }
+  std::string joint(std::uint16_t joint) const { return scenes::joint_name(asset_, joint); }
 
   /// By the triangle's number in the collider's own model.
   std::uint32_t triangle(std::uint32_t own) const { return own + collider_.first_triangle; }
@@ -33,7 +34,7 @@ class Side {
     return static_cast<std::uint32_t>(&asset_.part_of(triangle(own)) - asset_.parts.data());
   }
 
-  std::string part(std::uint32_t part) const { return part_name(asset_, part); }
+  std::string part(std::uint32_t part) const { return scenes::part_name(asset_, part); }
 
  private:
   const Collider& collider_;

@@ -1,5 +1,6 @@
 /// `pelt demo`: two generated characters walk into each other; nothing has to be at hand.
 
+#include "scenes/demo_scene.hpp"
 #include "tools/pelt/check_scene.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/output.hpp"
@@ -27,23 +28,6 @@ Examples:
 Writes scene.json (then try `pelt check pelt-demo/scene.json`), contacts.jsonl (every colliding
 triangle pair of every frame), contacts.glb (the worst frame, for any glTF viewer) and still.png (the
 picture of one frame, by POV-Ray).)";
-
-/// They walk at the speed of their feet (1.2 kWalkSpeed), out of step, and pass with a touch of
-/// shoulders and arms.
-constexpr std::string_view kScene = R"({
-  "models": {
-    "azure": {"creature": {"triangles": 32000, "joints": 56, "seed": 1}},
-    "sand": {"creature": {"triangles": 32000, "joints": 56, "seed": 2}}
-  },
-  "frames": {"count": 90, "fps": 30},
-  "instances": [
-    {"model": "azure", "clip": "walk", "start": -0.267, "speed": 1.2,
-     "translation": [-0.11, 0, -1.35], "velocity": [0, 0, 0.9]},
-    {"model": "sand", "clip": "walk", "start": 0.353, "speed": 1.2,
-     "translation": [0.11, 0, 1.35], "rotation": [0, 1, 0, 0], "velocity": [0, 0, -0.9]}
-  ]
-}
-)";
 
 /// The frame of still.png.
 constexpr std::uint32_t kStillFrame = 40;
@@ -108,7 +92,8 @@ Result<ExitCode> demo(const Arguments& arguments) {
   const fs::path folder = arguments.folder;
   if (const auto made = make_folder(folder); !made) return made.error();
   const fs::path scene_path = folder / "scene.json";
-  if (const auto written = write_text(scene_path, kScene); !written) return written.error();
+  if (const auto written = write_text(scene_path, scenes::kDemoScene); !written)
+    return written.error();
   const Result<scenes::Scene> scene = scenes::load_scene(scene_path);
   if (!scene) return scene.error();
   if (const auto written = write_check(*scene, folder); !written) return written.error();

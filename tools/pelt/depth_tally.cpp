@@ -1,5 +1,7 @@
 #include "tools/pelt/depth_tally.hpp"
 
+#include "scenes/names.hpp"
+
 #include <algorithm>
 
 namespace pelt::tools {
@@ -30,7 +32,7 @@ std::string DepthTally::name(const Place& place) const {
   const Collider& collider = colliders_[place.collider];
   const std::uint32_t character = scene_.instances[collider.instance].character;
   return collider_name(scene_, collider) + " " +
-         joint_name(scene_.characters[character].asset, place.joint);
+         scenes::joint_name(scene_.characters[character].asset, place.joint);
 }
 
 }  // namespace pelt::tools

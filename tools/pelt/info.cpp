@@ -1,7 +1,7 @@
 /// `pelt info`: what a model file holds.
 
+#include "scenes/clip_samples.hpp"
 #include "scenes/scene.hpp"
-#include "tools/pelt/clip_samples.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/model_arguments.hpp"
 #include "tools/pelt/prepared_file.hpp"
@@ -170,7 +170,7 @@ Result<ExitCode> info(const Arguments& arguments) {
   const std::uint32_t samples = arguments.models.samples;
   const Result<SkinnedModel> model =
       build_named_model(character->source, asset.mesh(), arguments.models,
-                        clip_samples(asset, first_clips(asset, samples), samples));
+                        scenes::clip_samples(asset, scenes::first_clips(asset, samples), samples));
   if (!model) return model.error();
   const ordered_json description = describe(*character, *model);
   if (arguments.json) {

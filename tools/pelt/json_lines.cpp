@@ -2,6 +2,7 @@
 
 #include <pelt/version.hpp>
 
+#include "scenes/names.hpp"
 #include "tools/pelt/output.hpp"
 #include "tools/pelt/text.hpp"
 
@@ -34,7 +35,7 @@ ordered_json colliders_json(const scenes::Scene& scene, std::span<const Collider
     entry["triangles"] = collider.model.triangle_count();
     if (!collider.part) continue;
     entry["instance"] = collider.instance;
-    entry["part"] = part_name(character.asset, *collider.part);
+    entry["part"] = scenes::part_name(character.asset, *collider.part);
     entry["first_triangle"] = collider.first_triangle;
   }
   return instances;

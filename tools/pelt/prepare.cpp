@@ -2,8 +2,8 @@
 
 #include <pelt/prepared.hpp>
 
+#include "scenes/clip_samples.hpp"
 #include "scenes/scene.hpp"
-#include "tools/pelt/clip_samples.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/model_arguments.hpp"
 #include "tools/pelt/output.hpp"
@@ -64,7 +64,7 @@ struct Prepared {
 Result<Prepared> build(const scenes::Character& character, const ModelArguments& arguments) {
   const asset::Asset& asset = character.asset;
   const std::vector<Matrix4> samples =
-      clip_samples(asset, first_clips(asset, arguments.samples), arguments.samples);
+      scenes::clip_samples(asset, scenes::first_clips(asset, arguments.samples), arguments.samples);
   Result<SkinnedModel> model = Error{};
   const double build_ms = milliseconds(
       [&] { model = build_named_model(character.source, asset.mesh(), arguments, samples); });

@@ -1,6 +1,7 @@
 #include "tools/pelt/ray_scene.hpp"
 
 #include "asset/message.hpp"
+#include "scenes/names.hpp"
 #include "tools/pelt/json_lines.hpp"
 #include "tools/pelt/scene_poses.hpp"
 #include "tools/pelt/summary_lines.hpp"
@@ -87,7 +88,7 @@ class HitNames {
   std::string part(std::uint32_t instance, const RayHit& hit) const {
     const asset::Asset& asset = asset_of(instance);
     const auto part = &asset.part_of(hit.triangle) - asset.parts.data();
-    return part_name(asset, static_cast<std::uint32_t>(part));
+    return scenes::part_name(asset, static_cast<std::uint32_t>(part));
   }
 
   std::vector<JointShare> joints(std::uint32_t instance, const RayHit& hit) const {
@@ -105,8 +106,8 @@ ordered_json hit_json(const HitNames& names, std::uint32_t instance, const Ray& 
                       const RayHit& hit) {
   ordered_json joints = ordered_json::array();
   for (const JointShare& share : names.joints(instance, hit)) {
-    joints.push_back(
-        {{"joint", joint_name(names.asset_of(instance), share.joint)}, {"share", share.share}});
+    joints.push_back({{"joint", scenes::joint_name(names.asset_of(instance), share.joint)},
+                      {"share", share.share}});
   }
   return {{"index", instance},
           {"part", names.part(instance, hit)},
@@ -175,7 +176,8 @@ void print_nearest(const HitNames& names, const Ray& ray, const RayTally::Neares
   label(out, "nearest") << "frame " << nearest.frame << ": "
                         << collider_name(names.scene(), names.colliders()[nearest.instance]) << ' '
                         << names.part(nearest.instance, hit) << ", triangle " << hit.triangle
-                        << ", " << joint_name(names.asset_of(nearest.instance), joints[0].joint)
+                        << ", "
+                        << scenes::joint_name(names.asset_of(nearest.instance), joints[0].joint)
                         << '\n';
   label(out, "") << "t " << fixed(double{hit.t}, 6) << " at" << coordinates(point_of(ray, hit.t))
                  << ", normal" << coordinates(hit.normal) << '\n';

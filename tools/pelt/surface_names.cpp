@@ -1,5 +1,7 @@
 #include "tools/pelt/surface_names.hpp"
 
+#include "scenes/names.hpp"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -30,7 +32,8 @@ NamedPoint name_point(const scenes::Scene& scene, const Collider& collider,
   const std::uint32_t triangle = point.triangle + collider.first_triangle;
   const auto part = &asset.part_of(triangle) - asset.parts.data();
   const std::uint32_t joint = dominant_joint(asset, asset.triangles[triangle], point.barycentrics);
-  return {triangle, part_name(asset, static_cast<std::uint32_t>(part)), joint_name(asset, joint)};
+  return {triangle, scenes::part_name(asset, static_cast<std::uint32_t>(part)),
+          scenes::joint_name(asset, joint)};
 }
 
 std::string place_words(const scenes::Scene& scene, const Collider& collider,

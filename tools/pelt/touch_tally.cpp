@@ -1,5 +1,7 @@
 #include "tools/pelt/touch_tally.hpp"
 
+#include "scenes/names.hpp"
+
 #include <algorithm>
 
 namespace pelt::tools {
@@ -65,11 +67,11 @@ void TouchTally::add(const FrameContacts& found) {
 }
 
 std::vector<TouchTally::Row> TouchTally::joints(std::size_t most) const {
-  return rows(joints_, most, joint_name);
+  return rows(joints_, most, scenes::joint_name);
 }
 
 std::vector<TouchTally::Row> TouchTally::parts(std::size_t most) const {
-  return rows(parts_, most, part_name);
+  return rows(parts_, most, scenes::part_name);
 }
 
 const asset::Asset& TouchTally::asset_of(std::uint32_t instance) const {

@@ -1,12 +1,12 @@
-#include "tools/pelt/clip_samples.hpp"
+#include "scenes/clip_samples.hpp"
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::scenes {
 
-std::vector<const asset::Clip*> played_clips(const scenes::Scene& scene, std::uint32_t character) {
+std::vector<const asset::Clip*> played_clips(const Scene& scene, std::uint32_t character) {
   std::vector<const asset::Clip*> clips;
-  for (const scenes::Instance& instance : scene.instances) {
+  for (const Instance& instance : scene.instances) {
     if (instance.character != character || !instance.clip) continue;
     const asset::Clip* clip = scene.characters[character].asset.find_clip(*instance.clip);
     if (std::find(clips.begin(), clips.end(), clip) == clips.end()) clips.push_back(clip);
@@ -39,4 +39,4 @@ std::vector<Matrix4> clip_samples(const asset::Asset& asset,
   return palettes;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::scenes

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::scenes {
 
 /// The clips that the instances of a character play, each once.
-std::vector<const asset::Clip*> played_clips(const scenes::Scene& scene, std::uint32_t character);
+std::vector<const asset::Clip*> played_clips(const Scene& scene, std::uint32_t character);
 
 /// The first `count` clips, or fewer where there are fewer.
 std::vector<const asset::Clip*> first_clips(const asset::Asset& asset, std::uint32_t count);
@@ -21,4 +21,4 @@ std::vector<const asset::Clip*> first_clips(const asset::Asset& asset, std::uint
 std::vector<Matrix4> clip_samples(const asset::Asset& asset,
                                   std::span<const asset::Clip* const> clips, std::uint32_t count);
 
-}  // namespace pelt::tools
+}  // namespace pelt::scenes

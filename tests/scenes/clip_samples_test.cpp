@@ -1,10 +1,8 @@
-#include "tools/pelt/clip_samples.hpp"
-
-#include "tools/pelt/model_arguments.hpp"
+#include "scenes/clip_samples.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools {
+namespace pelt::scenes {
 namespace {
 
 /// One joint that moves by one unit along x in a second, in clips of 2 s and 4 s.
@@ -47,7 +45,7 @@ TEST(ClipSamples, AreSharedByClips) {
 }
 
 TEST(ClipSamples, ComeFromThePlayedClipsOfTheCharacter) {
-  scenes::Scene scene;
+  Scene scene;
   scene.characters.push_back({"a", "a.glb", 0, slider()});
   scene.characters.push_back({"b", "b.glb", 0, slider()});
   scene.instances.resize(5);
@@ -65,20 +63,5 @@ TEST(ClipSamples, ComeFromThePlayedClipsOfTheCharacter) {
   EXPECT_EQ(first_clips(scene.characters[0].asset, 6), (Clips{clip(0, 0), clip(0, 1)}));
 }
 
-/// A clip may throw the model out of range at times that nobody asks for.
-TEST(ClipSamples, ThatAModelCannotTakeArePassedOver) {
-  const std::vector<Vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  const std::vector<Triangle> triangles = {{0, 1, 2}};
-  const std::vector<std::uint16_t> joints(3);
-  const std::vector<float> weights(3, 1);
-  const SkinnedMeshView mesh = {positions, triangles, 1, joints, weights, 1};
-  std::vector<Matrix4> far(1);
-  far[0].m[12] = 0x1p100f;
-  ModelOptions options;
-  options.sample_palettes = far;
-  ASSERT_FALSE(build_model(mesh, options));
-  EXPECT_TRUE(build_named_model("a.glb", mesh, {}, far));
-}
-
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::scenes

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string_view>
+
+namespace pelt::scenes {
+
+/// Two generated characters walk into each other: what `pelt demo` shows, and the page first.
+/// They walk at the speed of their feet (1.2 kWalkSpeed), out of step, and pass with a touch of
+/// shoulders and arms.
+inline constexpr std::string_view kDemoScene = R"({
+  "models": {
+    "azure": {"creature": {"triangles": 32000, "joints": 56, "seed": 1}},
+    "sand": {"creature": {"triangles": 32000, "joints": 56, "seed": 2}}
+  },
+  "frames": {"count": 90, "fps": 30},
+  "instances": [
+    {"model": "azure", "clip": "walk", "start": -0.267, "speed": 1.2,
+     "translation": [-0.11, 0, -1.35], "velocity": [0, 0, 0.9]},
+    {"model": "sand", "clip": "walk", "start": 0.353, "speed": 1.2,
+     "translation": [0.11, 0, 1.35], "rotation": [0, 1, 0, 0], "velocity": [0, 0, -0.9]}
+  ]
+}
+)";
+
+}  // namespace pelt::scenes

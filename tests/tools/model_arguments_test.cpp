@@ -1,0 +1,24 @@
+#include "tools/pelt/model_arguments.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelt::tools {
+namespace {
+
+/// A clip may throw the model out of range at times that nobody asks for.
+TEST(BuildNamedModel, PassesOverSamplesThatAModelCannotTake) {
+  const std::vector<Vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  const std::vector<std::uint16_t> joints(3);
+  const std::vector<float> weights(3, 1);
+  const SkinnedMeshView mesh = {positions, triangles, 1, joints, weights, 1};
+  std::vector<Matrix4> far(1);
+  far[0].m[12] = 0x1p100f;
+  ModelOptions options;
+  options.sample_palettes = far;
+  ASSERT_FALSE(build_model(mesh, options));
+  EXPECT_TRUE(build_named_model("a.glb", mesh, {}, far));
+}
+
+}  // namespace
+}  // namespace pelt::tools
