@@ -1,8 +1,7 @@
 #include "asset/meshopt.hpp"
 #include "asset/little_endian.hpp"
+#include "asset/meshopt_decoder.hpp"
 #include "asset/message.hpp"
-
-#include <meshoptimizer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,37 +39,6 @@ std::uint64_t most_elements(const GltfMeshopt& meshopt) {
   return meshopt.mode == MeshoptMode::triangles ? meshopt.length * 3 : meshopt.length;
 }
 
-bool decode(const GltfMeshopt& meshopt, std::span<const std::byte> compressed,
-            std::span<std::byte> out) {
-  const auto* source = reinterpret_cast<const unsigned char*>(compressed.data());
-  const std::size_t size = compressed.size();
-  switch (meshopt.mode) {
-    case MeshoptMode::attributes:
-      return meshopt_decodeVertexBuffer(out.data(), meshopt.count, meshopt.stride, source, size) ==
-             0;
-    case MeshoptMode::triangles:
-      return meshopt_decodeIndexBuffer(out.data(), meshopt.count, meshopt.stride, source, size) ==
-             0;
-    case MeshoptMode::indices:
-      return meshopt_decodeIndexSequence(out.data(), meshopt.count, meshopt.stride, source, size) ==
-             0;
-  }
-  return false;
-}
-
-void decode_filter(const GltfMeshopt& meshopt, std::span<std::byte> bytes) {
-  switch (meshopt.filter) {
-    case MeshoptFilter::none:
-      return;
-    case MeshoptFilter::octahedral:
-      return meshopt_decodeFilterOct(bytes.data(), meshopt.count, meshopt.stride);
-    case MeshoptFilter::quaternion:
-      return decode_quaternion_filter(bytes);
-    case MeshoptFilter::exponential:
-      return meshopt_decodeFilterExp(bytes.data(), meshopt.count, meshopt.stride);
-  }
-}
-
 std::int16_t to_normalised(double value) {
   return static_cast<std::int16_t>(std::clamp(value, -1.0, 1.0) * 32767 + (value < 0 ? -0.5 : 0.5));
 }
@@ -90,8 +58,8 @@ void decode_quaternion(std::int16_t (&q)[4]) {
 
 }  // namespace
 
-// Pelt's own, because the library's takes whatever vector instructions a machine has, and they
-// round differently.
+// Pelt's own, because decoders take whatever vector instructions a machine has, and they round
+// differently.
 void decode_quaternion_filter(std::span<std::byte> bytes) {
   std::int16_t q[4];
   for (std::size_t i = 0; i + sizeof(q) <= bytes.size(); i += sizeof(q)) {
@@ -113,10 +81,11 @@ Result<std::vector<std::byte>> decode_meshopt(const GltfMeshopt& meshopt,
   const Result<void> taken = budget.take(meshopt.count, meshopt.stride, what);
   if (!taken) return taken.error();
   std::vector<std::byte> bytes(meshopt.count * meshopt.stride);
-  if (!bytes.empty() && !decode(meshopt, compressed, bytes)) {
-    return malformed(what + ": the compressed bytes are damaged");
+  if (bytes.empty()) return bytes;
+  if (const Result<void> decompressed = decompress(meshopt, compressed, bytes); !decompressed) {
+    return prefixed(what, decompressed.error());
   }
-  decode_filter(meshopt, bytes);
+  if (meshopt.filter == MeshoptFilter::quaternion) decode_quaternion_filter(bytes);
   return bytes;
 }
 
