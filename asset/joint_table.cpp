@@ -1,9 +1,9 @@
 #include "asset/joint_table.hpp"
 #include "asset/message.hpp"
 #include "asset/transform.hpp"
+#include "base/bits.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace pelt::asset {
 
@@ -33,7 +33,7 @@ Result<std::uint16_t> JointTable::add_node(std::uint32_t node) { return add(node
 
 Result<std::uint16_t> JointTable::add(std::uint32_t node, const Matrix4& inverse_bind) {
   constexpr std::size_t kMost = 65535;
-  const auto key = std::make_pair(node, std::bit_cast<Bits>(inverse_bind.m));
+  const auto key = std::make_pair(node, detail::bits_as<Bits>(inverse_bind.m));
   const auto known = known_.find(key);
   if (known != known_.end()) return known->second;
   if (joints_.size() == kMost) {

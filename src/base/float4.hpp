@@ -10,6 +10,8 @@
 
 #if defined(__SSE2__) && !defined(PELT_SCALAR)
 #include <emmintrin.h>
+#elif defined(__wasm_simd128__) && !defined(PELT_SCALAR)
+#include <wasm_simd128.h>
 #endif
 
 namespace pelt::detail {
@@ -103,7 +105,7 @@ inline Lanes lower(Lanes a, Lanes b) { return _mm_min_ps(a, b); }
 inline Lanes higher(Lanes a, Lanes b) { return _mm_max_ps(a, b); }
 #else
 inline Lanes lower(Lanes a, Lanes b) { return a < b ? a : b; }
-inline Lanes higher(Lanes a, Lanes b) { return a > b ? a : b; }
+inline Lanes higher(Lanes a, Lanes b) { return b < a ? a : b; }
 #endif
 
 struct Mask4 {
@@ -112,6 +114,8 @@ struct Mask4 {
   unsigned bits() const {
 #ifdef __SSE2__
     return static_cast<unsigned>(_mm_movemask_ps(Lanes(lanes)));
+#elif defined(__wasm_simd128__)
+    return wasm_i32x4_bitmask(lanes);
 #else
     const Yes bit = lanes & Yes{1, 2, 4, 8};
     return static_cast<unsigned>(bit[0] | bit[1] | bit[2] | bit[3]);

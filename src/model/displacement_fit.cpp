@@ -44,7 +44,7 @@ void DisplacementFit::box_all(std::vector<Boxes>& bodies, std::size_t first) {
   for (auto run = displaced_.begin(); run != displaced_.end();) {
     const auto end = std::find_if(run, displaced_.end(),
                                   [&](const Displaced& other) { return key(other) != key(*run); });
-    bodies[first + run->body].push_back(box_of({run, end}));
+    bodies[first + run->body].push_back(box_of({&*run, static_cast<std::size_t>(end - run)}));
     run = end;
   }
 }

@@ -1,8 +1,9 @@
 #include "model/weld.hpp"
 
+#include "base/bits.hpp"
+
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 
 namespace pelt::detail {
@@ -15,7 +16,7 @@ struct Key {
 
 Key key_of(const SkinnedMesh& mesh, std::uint32_t vertex) {
   const Vec3& p = mesh.rest_positions[vertex];
-  const auto bits = [](float coordinate) { return std::bit_cast<std::uint32_t>(coordinate); };
+  const auto bits = [](float coordinate) { return bits_as<std::uint32_t>(coordinate); };
   return {{bits(p.x), bits(p.y), bits(p.z)}, vertex};
 }
 

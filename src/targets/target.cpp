@@ -9,9 +9,11 @@
 namespace pelt {
 namespace detail {
 
+#ifdef PELT_HAS_SCALAR
 namespace scalar {
 extern const WideCode kWideCode;
 }
+#endif
 #ifdef PELT_HAS_SIMD128
 namespace simd128 {
 extern const WideCode kWideCode;
@@ -32,7 +34,9 @@ struct Built {
 };
 
 constexpr Built kBuilt[] = {
+#ifdef PELT_HAS_SCALAR
     {Target::scalar, &scalar::kWideCode, [] { return true; }},
+#endif
 #ifdef PELT_HAS_SIMD128
 #ifdef __x86_64__
     {Target::simd128, &simd128::kWideCode, [] { return __builtin_cpu_supports("sse4.1") != 0; }},
