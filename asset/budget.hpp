@@ -15,8 +15,9 @@ class Budget {
  public:
   static constexpr std::uint64_t kExpansion = 256;
   static constexpr std::uint64_t kStart = 16 << 20;  ///< for small files
-  /// Vertices and triangles take 12 bytes at least, so below this their numbers fit 32 bits.
-  static constexpr std::uint64_t kMost = std::uint64_t{48} << 30;
+  /// Vertices and triangles take 12 bytes at least, so below this their numbers fit 32 bits. Where
+  /// addresses have 32 bits, so do all sizes.
+  static constexpr std::uint64_t kMost = std::uint64_t{sizeof(void*) == 8 ? 48 : 1} << 30;
 
   /// The file has `bytes` more than was known.
   void grant(std::uint64_t bytes);

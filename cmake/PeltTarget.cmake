@@ -2,13 +2,20 @@
 # every machine, sanitizers.
 function(pelt_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  if(NOT EMSCRIPTEN)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   # A fused multiply-add rounds once where two operations round twice: it would give posed vertices
   # other bits on machines that have it. Nobody reads errno after a square root; without it the
   # instruction stands alone and can be vectorised.
   target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion)
+  if(EMSCRIPTEN)
+    # The reader counts bytes in 64 bits; its budget keeps them within the 32 of an address.
+    target_compile_options(${target} PRIVATE -msimd128 -Wno-shorten-64-to-32)
+  endif()
   if(PELT_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

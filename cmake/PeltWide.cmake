@@ -1,5 +1,9 @@
 # The targets that the hot code is compiled for (src/base/target.hpp), and their compiler flags.
+# A WebAssembly module has vector instructions or has not, so there is no choice: it has.
 set(PELT_WIDE_TARGETS scalar)
+if(EMSCRIPTEN)
+  set(PELT_WIDE_TARGETS "")
+endif()
 set(PELT_WIDE_FLAGS_scalar -DPELT_TARGET=scalar -DPELT_SCALAR)
 if(NOT PELT_SCALAR)
   list(APPEND PELT_WIDE_TARGETS simd128)
@@ -12,7 +16,7 @@ if(NOT PELT_SCALAR)
 endif()
 
 # pelt_wide_sources(LIBRARY sources...): adds to a library what is compiled for every target. The
-# library is told by PELT_HAS_SIMD128 and PELT_HAS_AVX2 which there are beside the scalar one.
+# library is told by PELT_HAS_SCALAR, PELT_HAS_SIMD128 and PELT_HAS_AVX2 which there are.
 function(pelt_wide_sources library)
   foreach(target IN LISTS PELT_WIDE_TARGETS)
     set(objects ${library}_${target})

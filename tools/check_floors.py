@@ -15,7 +15,7 @@ import sys
 FLOORS = ["include/pelt", "src/base", "src/geometry", "src/skin", "paper", "src/model", "src/pose",
           "src/query", "src/collide", "src/bounds", "src/ray", "src/region", "src/distance",
           "src/field", "src/solid", "src/contact", "src/inside", "src/crowd", "src/targets", "rivals", "peers", "asset",
-          "scenes", "bench", "tools", "tests"]
+          "scenes", "bench", "bindings", "tools", "tests"]
 
 MAY_INCLUDE_PAPER = ("paper", "rivals", "bench", "tools", "tests")
 MAY_INCLUDE_ONLY = {

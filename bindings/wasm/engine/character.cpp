@@ -1,0 +1,213 @@
+/// Characters: read, generated, described.
+
+#include <pelt/bounds.hpp>
+#include <pelt/prepared.hpp>
+
+#include "asset/message.hpp"
+#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/handles.hpp"
+#include "bindings/wasm/engine/normals.hpp"
+#include "bindings/wasm/engine/options.hpp"
+#include "contact/surface.hpp"
+#include "model/model.hpp"
+#include "scenes/clip_samples.hpp"
+#include "scenes/names.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace pelt::wasm {
+namespace {
+
+using nlohmann::json;
+
+/// The remedy as it is called in JavaScript.
+Error in_words_of_javascript(const std::string& source, const Error& error) {
+  Error said = asset::prefixed(source, error);
+  const std::string in_code = "off_weights = OffWeights::renormalise";
+  if (const std::size_t at = said.message.find(in_code); at != said.message.npos)
+    said.message.replace(at, in_code.size(), "renormalise: true");
+  return said;
+}
+
+/// Sample poses that the model cannot take are passed over.
+Result<SkinnedModel> build(const asset::Asset& asset, const Preparation& preparation) {
+  const std::vector<Matrix4> samples =
+      scenes::clip_samples(asset, preparation.clips, preparation.samples);
+  ModelOptions options;
+  if (preparation.renormalise) options.off_weights = OffWeights::renormalise;
+  options.sample_palettes = samples;
+  Result<SkinnedModel> model = build_model(asset.mesh(), options);
+  if (model || samples.empty()) return model;
+  options.sample_palettes = {};
+  return build_model(asset.mesh(), options);
+}
+
+Result<scenes::Character> read_character(std::span<const std::byte> file, const Options& options) {
+  const std::string name = options.text("name");
+  if (is_prepared_model(file))
+    return asset::prefixed(name, asset::unsupported("is a prepared model: read the glTF file "
+                                                    "that it was prepared from"));
+  Result<asset::Asset> read = asset::load_gltf(file, options.text("folder"), options.gltf());
+  if (!read) return asset::prefixed(name, read.error());
+  return scenes::Character{name, name, 0, std::move(*read)};
+}
+
+std::uint32_t answer_handle(Result<CharacterHandle> handle) {
+  if (!handle) return refuse(handle.error());
+  return address_of(new CharacterHandle(std::move(*handle)));
+}
+
+/// The clips that the options name, or the first ones.
+Result<Preparation> choose_preparation(const asset::Asset& asset, const Options& options) {
+  Preparation preparation = options.preparation();
+  const std::optional<std::vector<std::string>> names = options.texts("clips");
+  if (!names) {
+    preparation.clips = scenes::first_clips(asset, preparation.samples);
+    return preparation;
+  }
+  for (const std::string& name : *names) {
+    const asset::Clip* clip = asset.find_clip(name);
+    if (clip == nullptr) {
+      return Error{ErrorCode::invalid_argument, "clips: there is no clip " + asset::quoted(name)};
+    }
+    preparation.clips.push_back(clip);
+  }
+  return preparation;
+}
+
+std::uint32_t prepare_read(Result<scenes::Character> read, const Options& options) {
+  if (!read) return refuse(read.error());
+  const Result<Preparation> preparation = choose_preparation(read->asset, options);
+  if (!preparation) return refuse(asset::prefixed(read->name, preparation.error()));
+  return answer_handle(prepare(std::move(*read), *preparation));
+}
+
+std::uint32_t prepare_generated(Result<scenes::Character> generated, const Options& options) {
+  if (const std::string name = options.text("name"); generated && !name.empty())
+    generated->name = name;
+  return prepare_read(std::move(generated), options);
+}
+
+/// Levels of the tree, counted to the deepest cluster.
+std::uint32_t level_count(const detail::Tree& tree) {
+  std::vector<std::uint32_t> level(tree.nodes.size(), 0);
+  std::uint32_t deepest = 0;
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {  // parents come first
+    const detail::Node& node = tree.nodes[n];
+    for (std::uint32_t c = 0; c < node.child_count; ++c) level[node.first_child + c] = level[n] + 1;
+    deepest = std::max(deepest, level[n] + 1);
+  }
+  return deepest + 1;
+}
+
+json describe_parts(const asset::Asset& asset) {
+  json parts = json::array();
+  for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
+    const asset::Part& part = asset.parts[p];
+    parts.push_back({{"name", scenes::part_name(asset, p)},
+                     {"firstTriangle", part.first_triangle},
+                     {"triangleCount", part.triangle_count},
+                     {"skinned", part.skinned}});
+  }
+  return parts;
+}
+
+json describe(const Character& character) {
+  const asset::Asset& asset = character.asset();
+  const detail::Tree& tree = character.model.detail().tree;
+  json clips = json::array(), joints = json::array(), targets = json::array();
+  for (const asset::Clip& clip : asset.clips)
+    clips.push_back({{"name", clip.name}, {"seconds", clip.duration}});
+  for (std::uint32_t j = 0; j < asset.joints.size(); ++j)
+    joints.push_back(scenes::joint_name(asset, j));
+  for (const asset::MorphTarget& target : asset.morph_targets) targets.push_back(target.name);
+  return {{"name", character.read.name},
+          {"vertexCount", asset.rest_positions.size()},
+          {"triangleCount", asset.triangles.size()},
+          {"jointCount", asset.joints.size()},
+          {"nodeCount", tree.nodes.size()},
+          {"levelCount", level_count(tree)},
+          {"parts", describe_parts(asset)},
+          {"clips", std::move(clips)},
+          {"jointNames", std::move(joints)},
+          {"morphTargetNames", std::move(targets)},
+          {"warnings", asset.warnings}};
+}
+
+}  // namespace
+
+const Surface& Character::get_surface() {
+  if (!surface) surface.emplace(model);
+  return *surface;
+}
+
+const std::vector<std::uint32_t>& Character::get_seams() {
+  if (seams.empty()) seams = find_seams(get_surface(), asset().triangles, model.vertex_count());
+  return seams;
+}
+
+Scratch& scratch() {
+  static Scratch scratch;
+  return scratch;
+}
+
+asset::SampleScratch& sample_scratch() {
+  static asset::SampleScratch scratch;
+  return scratch;
+}
+
+Result<CharacterHandle> prepare(scenes::Character read, const Preparation& preparation) {
+  Result<SkinnedModel> model = build(read.asset, preparation);
+  if (!model) return in_words_of_javascript(read.source, model.error());
+  return CharacterHandle{
+      std::make_shared<Character>(Character{std::move(read), std::move(*model), {}, {}})};
+}
+
+PELT_EXPORT std::uint32_t pelt_read_character(const std::byte* file, std::uint32_t size,
+                                              const char* options) {
+  const Options read(options);
+  return prepare_read(read_character({file, size}, read), read);
+}
+
+PELT_EXPORT std::uint32_t pelt_generate_creature(const char* options) {
+  const Options read(options);
+  return prepare_generated(scenes::generate_character(read.creature()), read);
+}
+
+PELT_EXPORT std::uint32_t pelt_generate_face(const char* options) {
+  const Options read(options);
+  return prepare_generated(scenes::generate_character(read.face()), read);
+}
+
+PELT_EXPORT void pelt_delete_character(CharacterHandle* handle) { delete handle; }
+
+PELT_EXPORT const char* pelt_describe_character(const CharacterHandle* handle) {
+  return answer_json(describe(*handle->character));
+}
+
+PELT_EXPORT void pelt_triangles(const CharacterHandle* handle) {
+  answer_data<Triangle>(handle->character->asset().triangles);
+}
+
+PELT_EXPORT void pelt_rest_positions(const CharacterHandle* handle) {
+  answer_data<Vec3>(handle->character->asset().rest_positions);
+}
+
+PELT_EXPORT void pelt_triangle_joints(const CharacterHandle* handle) {
+  answer_data<std::uint16_t>(handle->character->get_surface().detail().joints);
+}
+
+/// Where the character's default pose lies.
+PELT_EXPORT void pelt_extent(const CharacterHandle* handle) {
+  const Character& character = *handle->character;
+  std::vector<Matrix4> palette(character.asset().joints.size());
+  asset::sample_palette(character.asset(), nullptr, 0, {}, sample_scratch(), palette);
+  Pose pose(character.model);
+  Box box;
+  if (pose.set_palette(palette)) box = tight_bounds(pose).box;
+  answer_numbers({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z});
+}
+
+}  // namespace pelt::wasm

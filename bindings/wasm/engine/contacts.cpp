@@ -1,0 +1,138 @@
+/// The geometry of contacts, in arrays that JavaScript takes one by one.
+
+#include <pelt/contact.hpp>
+
+#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/handles.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace pelt::wasm {
+namespace {
+
+/// What is wrong with contacts that JavaScript hands over, or nothing.
+const char* problem_of(std::span<const Contact> contacts, const SkinnedModel& a,
+                       const SkinnedModel& b) {
+  const auto in_range = [&](const Contact& contact) {
+    return contact.triangle_a < a.triangle_count() && contact.triangle_b < b.triangle_count();
+  };
+  if (!std::all_of(contacts.begin(), contacts.end(), in_range))
+    return "pairs: a triangle is none of the characters'";
+  const auto not_less = [](const Contact& x, const Contact& y) { return !(x < y); };
+  if (std::adjacent_find(contacts.begin(), contacts.end(), not_less) != contacts.end())
+    return "pairs: they are not those of collide, which ascend";
+  return nullptr;
+}
+
+/// The arrays that are given back, each until the next call.
+struct Columns {
+  std::vector<float> segments, normals, depths;
+  std::vector<std::uint8_t> kinds;
+  std::vector<std::uint16_t> joints;
+  std::vector<float> points;          // of all curves
+  std::vector<std::uint32_t> curves;  // [C][3] begin, end, whether it is closed
+  std::vector<double> regions;        // [R][12] as write_region has them
+};
+
+ContactGeometry& geometry() {
+  static ContactGeometry geometry;
+  return geometry;
+}
+
+Columns& columns() {
+  static Columns columns;
+  return columns;
+}
+
+void push(std::vector<float>& floats, const Vec3& v) {
+  floats.insert(floats.end(), {v.x, v.y, v.z});
+}
+
+void write_trace(const ContactTrace& trace, Columns& columns) {
+  push(columns.segments, trace.from);
+  push(columns.segments, trace.to);
+  push(columns.normals, trace.normal);
+  columns.depths.push_back(trace.depth);
+  columns.kinds.push_back(static_cast<std::uint8_t>(trace.kind));
+  columns.joints.insert(columns.joints.end(), {trace.joint_a, trace.joint_b});
+}
+
+/// The ends of a curve's steps, in the direction in which it is walked.
+void write_curve(const ContactGeometry& geometry, const ContactCurve& curve, Columns& columns) {
+  const std::size_t begin = columns.points.size() / 3;
+  for (std::uint32_t s = curve.first; s < curve.first + curve.count; ++s) {
+    const CurveStep& step = geometry.steps[s];
+    const ContactTrace& trace = geometry.traces[step.trace];
+    if (s == curve.first) push(columns.points, step.is_reversed ? trace.to : trace.from);
+    push(columns.points, step.is_reversed ? trace.from : trace.to);
+  }
+  const std::size_t end = columns.points.size() / 3;
+  columns.curves.insert(columns.curves.end(),
+                        {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+                         curve.is_closed ? 1u : 0u});
+}
+
+void write_region(const ContactRegion& region, Columns& columns) {
+  const auto& [x, y, z] = region.point;
+  const auto& [nx, ny, nz] = region.normal;
+  const std::initializer_list<double> row = {static_cast<double>(region.first),
+                                             static_cast<double>(region.first + region.count),
+                                             region.length,
+                                             region.depth,
+                                             x,
+                                             y,
+                                             z,
+                                             nx,
+                                             ny,
+                                             nz,
+                                             static_cast<double>(region.joint_a),
+                                             static_cast<double>(region.joint_b)};
+  columns.regions.insert(columns.regions.end(), row);
+}
+
+void write_columns(const ContactGeometry& geometry, Columns& columns) {
+  columns = {};
+  for (const ContactTrace& trace : geometry.traces) write_trace(trace, columns);
+  for (const ContactCurve& curve : geometry.curves) write_curve(geometry, curve, columns);
+  for (const ContactRegion& region : geometry.regions) write_region(region, columns);
+}
+
+}  // namespace
+
+/// Describes contacts; the arrays wait for pelt_contact_column.
+PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
+                                                 const Contact* contacts, std::uint32_t count) {
+  const std::span<const Contact> given(contacts, count);
+  if (const char* problem = problem_of(given, a->pose.model(), b->pose.model()))
+    return refuse({ErrorCode::invalid_argument, problem});
+  describe_contacts(a->pose, a->character->get_surface(), b->pose, b->character->get_surface(),
+                    given, geometry());
+  write_columns(geometry(), columns());
+  return 1;
+}
+
+PELT_EXPORT void pelt_contact_column(std::uint32_t column) {
+  switch (column) {
+    case 0:
+      return answer_data<float>(columns().segments);
+    case 1:
+      return answer_data<std::uint8_t>(columns().kinds);
+    case 2:
+      return answer_data<float>(columns().normals);
+    case 3:
+      return answer_data<float>(columns().depths);
+    case 4:
+      return answer_data<std::uint16_t>(columns().joints);
+    case 5:
+      return answer_data<float>(columns().points);
+    case 6:
+      return answer_data<std::uint32_t>(columns().curves);
+    case 7:
+      return answer_data<double>(columns().regions);
+    default:
+      return answer_data<std::uint32_t>(geometry().members);
+  }
+}
+
+}  // namespace pelt::wasm

@@ -1,0 +1,71 @@
+#pragma once
+
+/// What JavaScript holds by an address.
+
+#include <pelt/contact.hpp>
+#include <pelt/pose.hpp>
+
+#include "bench/exact_pose.hpp"
+#include "scenes/scene.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pelt::wasm {
+
+/// A character that has been prepared for queries.
+struct Character {
+  scenes::Character read;
+  SkinnedModel model;
+  std::optional<Surface> surface;    ///< this and the next are made when they are first asked for
+  std::vector<std::uint32_t> seams;  ///< see find_seams
+
+  const asset::Asset& asset() const { return read.asset; }
+  const Surface& get_surface();
+  const std::vector<std::uint32_t>& get_seams();
+};
+
+struct CharacterHandle {
+  std::shared_ptr<Character> character;
+};
+
+/// How a character is prepared.
+struct Preparation {
+  std::vector<const asset::Clip*> clips;  ///< to take poses from
+  std::uint32_t samples = 6;
+  bool renormalise = false;
+};
+
+/// As `pelt check` does it. The message of an error begins with the character's source.
+Result<CharacterHandle> prepare(scenes::Character read, const Preparation& preparation);
+
+struct PoseHandle {
+  explicit PoseHandle(std::shared_ptr<Character> owner)
+      : character(std::move(owner)),
+        pose(character->model),
+        palette(character->asset().joints.size()),
+        morphs(character->asset().morph_targets.size()) {}
+
+  std::shared_ptr<Character> character;
+  Pose pose;
+  std::vector<Matrix4> palette;  ///< where JavaScript writes what is to be set
+  std::vector<float> morphs;
+  std::vector<Vec3> vertices, normals;    ///< what JavaScript reads
+  std::optional<bench::ExactPose> eager;  ///< for collideEagerly
+  std::optional<Pose> whole;              ///< all nodes opened, for nodeBoxes
+};
+
+/// How JavaScript knows an object.
+template <typename T>
+std::uint32_t address_of(const T* object) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(object));
+}
+
+/// Memory that all queries share.
+Scratch& scratch();
+asset::SampleScratch& sample_scratch();
+
+}  // namespace pelt::wasm

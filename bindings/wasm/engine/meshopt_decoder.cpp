@@ -1,0 +1,70 @@
+/// The decoder of EXT_meshopt_compression that JavaScript has handed over.
+
+#include "asset/meshopt_decoder.hpp"
+
+#include "asset/message.hpp"
+
+#include <emscripten.h>
+
+namespace pelt::asset {
+namespace {
+
+constexpr const char* kNone =
+    "is compressed (EXT_meshopt_compression): give the option meshoptDecode, which is "
+    "MeshoptDecoder.decodeGltfBuffer of the npm package meshoptimizer";
+
+const char* name_of(MeshoptMode mode) {
+  switch (mode) {
+    case MeshoptMode::attributes:
+      return "ATTRIBUTES";
+    case MeshoptMode::triangles:
+      return "TRIANGLES";
+    case MeshoptMode::indices:
+      return "INDICES";
+  }
+  return "";
+}
+
+const char* name_of(MeshoptFilter filter) {
+  switch (filter) {
+    case MeshoptFilter::none:
+    case MeshoptFilter::quaternion:  // Pelt's own
+      return "NONE";
+    case MeshoptFilter::octahedral:
+      return "OCTAHEDRAL";
+    case MeshoptFilter::exponential:
+      return "EXPONENTIAL";
+  }
+  return "";
+}
+
+}  // namespace
+
+// 0: there is no decoder; 1: it has thrown; 2: done.
+EM_JS(int, call_meshopt_decode,
+      (void* target, unsigned count, unsigned stride, const void* source, unsigned size,
+       const char* mode, const char* filter),
+      {
+        if (!Module["meshoptDecode"]) return 0;
+        try {
+          Module["meshoptDecode"](HEAPU8.subarray(target, target + count * stride), count, stride,
+                                  HEAPU8.subarray(source, source + size), UTF8ToString(mode),
+                                  UTF8ToString(filter));
+          return 2;
+        } catch (error) {
+          return 1;
+        }
+      })
+
+Result<void> decompress(const GltfMeshopt& meshopt, std::span<const std::byte> compressed,
+                        std::span<std::byte> out) {
+  const int end = call_meshopt_decode(out.data(), static_cast<unsigned>(meshopt.count),
+                                      static_cast<unsigned>(meshopt.stride), compressed.data(),
+                                      static_cast<unsigned>(compressed.size()),
+                                      name_of(meshopt.mode), name_of(meshopt.filter));
+  if (end == 0) return unsupported(kNone);
+  if (end == 1) return malformed("the compressed bytes are damaged");
+  return {};
+}
+
+}  // namespace pelt::asset

@@ -1,0 +1,61 @@
+#include "bindings/wasm/engine/options.hpp"
+
+#include "asset/json_object.hpp"
+
+namespace pelt::wasm {
+
+Options::Options(std::string_view json) {
+  if (Result<nlohmann::json> parsed = asset::parse_json(json)) values_ = *std::move(parsed);
+}
+
+std::string Options::text(const char* key) const {
+  const auto found = values_.find(key);
+  return found != values_.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::optional<std::vector<std::string>> Options::texts(const char* key) const {
+  const auto found = values_.find(key);
+  if (found == values_.end() || !found->is_array()) return std::nullopt;
+  std::vector<std::string> texts;
+  for (const nlohmann::json& element : *found)
+    if (element.is_string()) texts.push_back(element.get<std::string>());
+  return texts;
+}
+
+asset::GltfOptions Options::gltf() const {
+  asset::GltfOptions options;
+  options.unskinned_parts = !flag("noUnskinned");
+  options.exclude_nodes = texts("exclude").value_or(std::vector<std::string>());
+  return options;
+}
+
+scenes::CreatureOptions Options::creature() const {
+  const scenes::CreatureOptions defaults;
+  return {count("triangles", defaults.triangles), count("joints", defaults.joints),
+          count("seed", defaults.seed)};
+}
+
+scenes::FaceOptions Options::face() const {
+  const scenes::FaceOptions defaults;
+  return {count("triangles", defaults.triangles), count("seed", defaults.seed)};
+}
+
+Preparation Options::preparation() const {
+  Preparation preparation;
+  preparation.samples = count("samples", preparation.samples);
+  preparation.renormalise = flag("renormalise");
+  return preparation;
+}
+
+bool Options::flag(const char* key) const {
+  const auto found = values_.find(key);
+  return found != values_.end() && found->is_boolean() && found->get<bool>();
+}
+
+std::uint32_t Options::count(const char* key, std::uint32_t otherwise) const {
+  const auto found = values_.find(key);
+  const bool is_there = found != values_.end() && found->is_number_unsigned();
+  return is_there ? found->get<std::uint32_t>() : otherwise;
+}
+
+}  // namespace pelt::wasm

@@ -1,0 +1,72 @@
+/// Poses: what they take and what can be asked of one.
+
+#include <pelt/bounds.hpp>
+#include <pelt/ray.hpp>
+
+#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/handles.hpp"
+#include "bindings/wasm/engine/normals.hpp"
+
+namespace pelt::wasm {
+namespace {
+
+void answer_bounds(const Bounds& bounds) {
+  const auto& [low, high] = bounds.box;
+  const Vec3& centre = bounds.sphere.centre;
+  answer_numbers({low.x, low.y, low.z, high.x, high.y, high.z, centre.x, centre.y, centre.z,
+                  bounds.sphere.radius});
+}
+
+}  // namespace
+
+PELT_EXPORT std::uint32_t pelt_make_pose(const CharacterHandle* handle) {
+  return address_of(new PoseHandle(handle->character));
+}
+
+PELT_EXPORT void pelt_delete_pose(PoseHandle* handle) { delete handle; }
+
+/// Where JavaScript writes a palette, and weights.
+PELT_EXPORT float* pelt_pose_palette(PoseHandle* handle) { return handle->palette[0].m.data(); }
+PELT_EXPORT float* pelt_pose_weights(PoseHandle* handle) { return handle->morphs.data(); }
+
+PELT_EXPORT std::uint32_t pelt_set_palette(PoseHandle* handle) {
+  return done(handle->pose.set_palette(handle->palette));
+}
+
+PELT_EXPORT std::uint32_t pelt_set_morph_weights(PoseHandle* handle) {
+  return done(handle->pose.set_morph_weights(handle->morphs));
+}
+
+PELT_EXPORT void pelt_posed_vertices(PoseHandle* handle) {
+  handle->vertices.resize(handle->pose.model().vertex_count());
+  posed_vertices(handle->pose, handle->vertices);
+  answer_data<Vec3>(handle->vertices);
+}
+
+PELT_EXPORT void pelt_normals(PoseHandle* handle) {
+  pelt_posed_vertices(handle);
+  Character& character = *handle->character;
+  handle->normals.resize(handle->vertices.size());
+  smooth_normals(handle->vertices, character.asset().triangles, character.get_seams(),
+                 handle->normals);
+  answer_data<Vec3>(handle->normals);
+}
+
+PELT_EXPORT void pelt_bounds(PoseHandle* handle, std::uint32_t levels) {
+  answer_bounds(bounds(handle->pose, {levels}));
+}
+
+PELT_EXPORT void pelt_tight_bounds(PoseHandle* handle) {
+  answer_bounds(tight_bounds(handle->pose));
+}
+
+PELT_EXPORT std::uint32_t pelt_cast(PoseHandle* handle, float ox, float oy, float oz, float dx,
+                                    float dy, float dz, float most) {
+  const RayHit hit = cast(handle->pose, Ray{{ox, oy, oz}, {dx, dy, dz}, 0, most});
+  const auto& [u, v, w] = hit.weights;
+  answer_numbers({static_cast<double>(hit.triangle), hit.t, u, v, w, hit.normal.x, hit.normal.y,
+                  hit.normal.z});
+  return hit ? 1 : 0;
+}
+
+}  // namespace pelt::wasm

@@ -1,0 +1,75 @@
+/// Scene files, read as the command reads them.
+
+#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/handles.hpp"
+#include "bindings/wasm/engine/options.hpp"
+#include "scenes/clip_samples.hpp"
+#include "scenes/demo_scene.hpp"
+
+namespace pelt::wasm {
+namespace {
+
+using nlohmann::json;
+
+/// By numbers or names of targets, as the scene file has them.
+json describe(const std::vector<scenes::MorphWeight>& weights) {
+  json described = json::object();
+  for (const scenes::MorphWeight& morph : weights) {
+    const auto* number = std::get_if<std::uint32_t>(&morph.target);
+    const auto* name = std::get_if<std::string>(&morph.target);
+    described[name != nullptr ? *name : std::to_string(*number)] = morph.weight;
+  }
+  return described;
+}
+
+json describe(const scenes::Instance& instance) {
+  return {{"character", instance.character},
+          {"clip", instance.clip ? json(*instance.clip) : json(nullptr)},
+          {"start", instance.start},
+          {"speed", instance.speed},
+          {"translation", instance.translation},
+          {"rotation", instance.rotation},
+          {"scale", instance.scale},
+          {"velocity", instance.velocity},
+          {"morphWeights", describe(instance.morph_weights)}};
+}
+
+Result<std::vector<CharacterHandle>> prepare_all(scenes::Scene& scene, const Options& options) {
+  std::vector<CharacterHandle> handles;
+  for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
+    Preparation preparation = options.preparation();
+    preparation.clips = scenes::played_clips(scene, c);
+    Result<CharacterHandle> handle = prepare(std::move(scene.characters[c]), preparation);
+    if (!handle) return handle.error();
+    handles.push_back(std::move(*handle));
+  }
+  return handles;
+}
+
+json describe(const scenes::Scene& scene, std::vector<CharacterHandle> characters) {
+  json handles = json::array(), instances = json::array();
+  for (CharacterHandle& character : characters)
+    handles.push_back(address_of(new CharacterHandle(std::move(character))));
+  for (const scenes::Instance& instance : scene.instances) instances.push_back(describe(instance));
+  return {{"name", scene.name},
+          {"characters", std::move(handles)},
+          {"instances", std::move(instances)},
+          {"frameCount", scene.frame_count},
+          {"fps", scene.fps}};
+}
+
+}  // namespace
+
+/// The scene as JSON, its characters as handles; null if it is refused.
+PELT_EXPORT const char* pelt_read_scene(const char* path, const char* options) {
+  const Options read(options);
+  Result<scenes::Scene> scene = scenes::load_scene(path, read.gltf());
+  if (!scene) return refuse(scene.error()), nullptr;
+  Result<std::vector<CharacterHandle>> characters = prepare_all(*scene, read);
+  if (!characters) return refuse(characters.error()), nullptr;
+  return answer_json(describe(*scene, std::move(*characters)));
+}
+
+PELT_EXPORT const char* pelt_demo_scene() { return answer_text(std::string(scenes::kDemoScene)); }
+
+}  // namespace pelt::wasm

@@ -1,0 +1,88 @@
+import { alive } from './memory.mjs';
+
+const kRemove = '_pelt_delete_pose';
+
+export const NodeState = Object.freeze({ untouched: 0, refitted: 1, opened: 2 });
+
+export class Pose {
+  #memory;
+  #handle;
+
+  constructor(memory, character) {
+    this.#memory = memory;
+    this.character = character;
+    this.#handle = memory.own(this, memory.module._pelt_make_pose(character.handle), kRemove);
+  }
+
+  /** For Pelt's own files. */
+  get handle() {
+    return alive(this.#handle, `pose of ${this.character.name}`);
+  }
+
+  setPalette(palette) {
+    const { module } = this.#memory;
+    const floats = 16 * this.character.jointCount;
+    const address = module._pelt_pose_palette(this.handle);
+    this.#memory.write(Float32Array, address, palette, floats, 'palette');
+    this.#memory.accepted(module._pelt_set_palette(this.handle));
+  }
+
+  setMorphWeights(weights) {
+    const { module } = this.#memory;
+    const floats = this.character.morphTargetNames.length;
+    const address = module._pelt_pose_weights(this.handle);
+    this.#memory.write(Float32Array, address, weights, floats, 'weights');
+    this.#memory.accepted(module._pelt_set_morph_weights(this.handle));
+  }
+
+  posedVertices(out = undefined) {
+    this.#memory.module._pelt_posed_vertices(this.handle);
+    return this.#memory.data(Float32Array, 3, out);
+  }
+
+  normals(out = undefined) {
+    this.#memory.module._pelt_normals(this.handle);
+    return this.#memory.data(Float32Array, 3, out);
+  }
+
+  bounds(levels = 0) {
+    this.#memory.module._pelt_bounds(this.handle, levels);
+    return this.#bounds();
+  }
+
+  tightBounds() {
+    this.#memory.module._pelt_tight_bounds(this.handle);
+    return this.#bounds();
+  }
+
+  get openedNodeCount() {
+    return this.#memory.module._pelt_opened_node_count(this.handle);
+  }
+
+  nodeBoxes(level) {
+    const states = this.#memory.module._pelt_node_boxes(this.handle, level);
+    const boxes = this.#memory.data(Float32Array, 1);
+    const count = boxes.length / 6;
+    return { count, boxes, states: this.#memory.copy(Uint8Array, states, count) };
+  }
+
+  cast(origin, direction, maxT = Infinity) {
+    const { module } = this.#memory;
+    if (!module._pelt_cast(this.handle, ...origin, ...direction, maxT)) return null;
+    const [triangle, t, ...rest] = this.#memory.numbers(0, 8);
+    return { triangle, t, weights: rest.slice(0, 3), normal: rest.slice(3) };
+  }
+
+  delete() {
+    this.#handle = this.#memory.disown(this, this.#handle, kRemove);
+  }
+
+  #bounds() {
+    const n = this.#memory.numbers(0, 10);
+    return {
+      box: { low: n.slice(0, 3), high: n.slice(3, 6) },
+      centre: n.slice(6, 9),
+      radius: n[9],
+    };
+  }
+}

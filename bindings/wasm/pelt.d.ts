@@ -1,0 +1,449 @@
+/**
+ * Exact collision detection for skinned characters, in the browser, in Web Workers and in Node.
+ *
+ * A Character is read or generated, a Pose moves it, a query asks two Poses, Contacts come out: the
+ * very ones that the C++ library finds, bit for bit. Terms are those of its headers.
+ *
+ * Arrays are typed and flat; a shape [N][3] has the element (i, j) at 3 * i + j. Matrices are 16
+ * floats, column-major, as three.js and glTF have them. What is returned belongs to the caller (and
+ * can be transferred to another thread); an `out` of the right length is written instead of a new
+ * array where one is offered.
+ *
+ * Input that breaks a rule is refused by a PeltError, which leaves everything as it was. Characters,
+ * poses, crowds and hashes live in the engine's memory: `delete()` gives that back at once; what is
+ * forgotten is given back when JavaScript's garbage collector finds it.
+ */
+
+/** Loads the engine: a module with memory of its own. A Web Worker loads its own. */
+export function loadPelt(): Promise<Pelt>;
+
+export type ErrorCode =
+  /** An argument breaks a stated rule. */
+  | 'invalid_argument'
+  /** A file is missing. */
+  | 'unreadable_file'
+  /** A file breaks its format. */
+  | 'malformed_file'
+  /** A file is well-formed but needs something that Pelt does not do. */
+  | 'unsupported';
+
+/** The message names the thing (file, array, index, value) and, where there is one, the remedy. */
+export class PeltError extends Error {
+  readonly code: ErrorCode;
+}
+
+/** The engine. */
+export interface Pelt {
+  readonly version: string;
+
+  /**
+   * A character from the bytes of a glTF file, .glb or .gltf; those of a .gltf's own files, by their
+   * names beside it, in `files`. Prepared for queries, which takes about a third of a second for
+   * 26,756 triangles.
+   */
+  readCharacter(file: Uint8Array, options: ReadOptions): Character;
+
+  /** A walking biped made by code, 1.8 units tall, facing +z, with the clips "walk" and "idle". */
+  generateCreature(options?: CreatureOptions): Character;
+
+  /** A face made by code that has morph targets, with the clip "talk". */
+  generateFace(options?: FaceOptions): Character;
+
+  /**
+   * A scene as the command `pelt` reads it (docs/scenes.md), and prepared as by `pelt check`, so that
+   * contacts and counters are the same. `files` has the file `path` and all that it names, by
+   * paths as they would lie on disk ("knight.glb", "models/coat.glb"); one of them may be a Map or
+   * an object.
+   */
+  readScene(path: string, files: Files, options?: ModelOptions): Scene;
+
+  /** A scene of one's own. Its parts may be changed at any time: nothing is copied. */
+  makeScene(parts: SceneParts): Scene;
+
+  /** The text of the scene of `pelt demo`: two generated characters walk into each other. */
+  readonly demoScene: string;
+
+  /** Every pair of triangles that intersect, ascending. Preconditions: two different poses. */
+  collide(a: Pose, b: Pose, options?: CollideOptions): Contacts;
+
+  /** Whether any do. */
+  intersects(a: Pose, b: Pose): boolean;
+
+  /**
+   * The same contacts as an engine without refit on demand finds them: all vertices skinned, the
+   * exact boxes of all nodes taken bottom-up, then the same descent. Does all that anew at each
+   * call, and counts it. Poses keep what queries on demand have opened.
+   */
+  collideEagerly(a: Pose, b: Pose, options?: CollideOptions): Contacts;
+
+  /**
+   * Where and how the contacts' triangles cut each other, chained to curves and gathered to regions.
+   * `pairs` are those of `collide`, in the poses as they are now.
+   */
+  describeContacts(a: Pose, b: Pose, pairs: Uint32Array): ContactGeometry;
+
+  /** The least distance of two posed surfaces; null if it is more than `maxDistance`. */
+  distance(a: Pose, b: Pose, options?: DistanceOptions): Distance | null;
+
+  /** Many instances at once, as `pelt check` asks them. */
+  makeCrowd(): Crowd;
+
+  /** The hash that `pelt check` prints. */
+  makeContactHash(): ContactHash;
+
+  /** Heap in use by what has not been deleted. For tests and for finding leaks. */
+  readonly bytesInUse: number;
+}
+
+export type Files = ReadonlyMap<string, Uint8Array> | Readonly<Record<string, Uint8Array>>;
+
+/** `MeshoptDecoder.decodeGltfBuffer` of the npm package meshoptimizer, once its `ready` is. */
+export type MeshoptDecode = (
+  target: Uint8Array,
+  count: number,
+  size: number,
+  source: Uint8Array,
+  mode: string,
+  filter?: string,
+) => void;
+
+export interface ModelOptions {
+  /** For files compressed by EXT_meshopt_compression; without it they are refused. */
+  meshoptDecode?: MeshoptDecode;
+  /** Accept weights that do not sum to 1: divide them by their sum, as renderers do. */
+  renormalise?: boolean;
+  /** Leave out meshes without a skin (weapons, armour). */
+  noUnskinned?: boolean;
+  /** Names of mesh nodes to leave out, with their children. */
+  exclude?: readonly string[];
+  /** Poses taken from the clips to prepare for; no answer depends on it. Default 6. */
+  samples?: number;
+}
+
+export interface ReadOptions extends ModelOptions {
+  /** What messages and tables call it. */
+  name: string;
+  files?: Files;
+  /** The clips to prepare for; default: the first ones. */
+  clips?: readonly string[];
+}
+
+export interface CreatureOptions {
+  name?: string; // "creature"
+  clips?: readonly string[]; // as in ReadOptions
+  triangles?: number; // 1,000 to 1,000,000; default 13,590
+  joints?: number; // 20 to 64; default 56
+  seed?: number; // proportions; default 1
+}
+
+export interface FaceOptions {
+  name?: string; // "face"
+  clips?: readonly string[]; // as in ReadOptions
+  triangles?: number; // 1,000 to 200,000; default 4,000
+  seed?: number; // default 1
+}
+
+/** A range of triangles that came from one primitive of the file. */
+export interface Part {
+  /** Of its node, "node:material" where several share that; as `pelt check` names it. */
+  readonly name: string;
+  readonly firstTriangle: number;
+  readonly triangleCount: number;
+  readonly skinned: boolean;
+}
+
+export interface Clip {
+  readonly name: string;
+  readonly seconds: number;
+}
+
+export interface Character {
+  /** As it was given when it was read; names a character of a scene. */
+  readonly name: string;
+  readonly vertexCount: number;
+  readonly triangleCount: number;
+  readonly jointCount: number;
+  /** Of the tree over the triangles. */
+  readonly nodeCount: number;
+  /** Of the tree: `Pose.nodeBoxes` takes the levels 0 to levelCount - 1. */
+  readonly levelCount: number;
+  readonly parts: readonly Part[];
+  readonly clips: readonly Clip[];
+  /** [J] "joint 7" where the file has no name. */
+  readonly jointNames: readonly string[];
+  /** [M] */
+  readonly morphTargetNames: readonly string[];
+  /** What the file has and Pelt passed over. */
+  readonly warnings: readonly string[];
+  /** [T][3] indices of vertices. A copy is made at the first use, as with the next three. */
+  readonly triangles: Uint32Array;
+  /** [V][3] before skinning. */
+  readonly restPositions: Float32Array;
+  /** [T] into `parts`. */
+  readonly triangleParts: Uint16Array;
+  /** [T] into `jointNames`: the joint that a triangle's corners follow most. */
+  readonly triangleJoints: Uint16Array;
+  /** Of the default pose. */
+  readonly extent: Box;
+
+  /**
+   * [J] matrices at `seconds` of a clip, clamped to its range; null: the default pose. `placement`
+   * stands before everything, as the instance's world matrix.
+   */
+  palette(
+    clip: string | null,
+    seconds: number,
+    placement?: ArrayLike<number>,
+    out?: Float32Array,
+  ): Float32Array;
+
+  /** [M] weights of the morph targets as the clip has them. */
+  morphWeights(clip: string | null, seconds: number, out?: Float32Array): Float32Array;
+
+  /** In the rest positions at first. Poses may outlive their character's `delete`. */
+  makePose(): Pose;
+
+  delete(): void;
+}
+
+/** One instance of a character in one posture. */
+export interface Pose {
+  readonly character: Character;
+
+  /** [J] matrices. This and the next are the whole update: nothing has to be refitted. */
+  setPalette(palette: Float32Array): void;
+  setMorphWeights(weights: Float32Array): void;
+
+  /** [V][3] the very positions that queries collide. */
+  posedVertices(out?: Float32Array): Float32Array;
+
+  /**
+   * [V][3] area weighted normals of unit length, for drawing; vertices in the same place share
+   * theirs, so that no seam shows.
+   */
+  normals(out?: Float32Array): Float32Array;
+
+  /** A box and a sphere that surely enclose the surface, from the palette and `levels` of the tree. */
+  bounds(levels?: number): Bounds;
+  /** The box is exact. */
+  tightBounds(): Bounds;
+
+  /** How many nodes queries have opened since the palette was set. */
+  readonly openedNodeCount: number;
+
+  /**
+   * The boxes of one level of the tree in this pose, and what queries have done with them since the
+   * palette was set: Kavan & Zara's Figure 5. Level 0 is the root. Where a branch ends above `level`,
+   * its end is there: the boxes of each level enclose the whole surface. Opens nothing.
+   */
+  nodeBoxes(level: number): NodeBoxes;
+
+  /** The first triangle on the ray origin + t direction, 0 <= t <= maxT; null: none. */
+  cast(
+    origin: ArrayLike<number>,
+    direction: ArrayLike<number>,
+    maxT?: number,
+  ): RayHit | null;
+
+  delete(): void;
+}
+
+export interface Box {
+  readonly low: readonly [number, number, number];
+  readonly high: readonly [number, number, number];
+}
+
+export interface Bounds {
+  readonly box: Box;
+  readonly centre: readonly [number, number, number];
+  readonly radius: number;
+}
+
+export interface NodeBoxes {
+  readonly count: number;
+  /** [N][6] low x y z, high x y z. */
+  readonly boxes: Float32Array;
+  /** [N] a NodeState each. */
+  readonly states: Uint8Array;
+}
+
+export const NodeState: {
+  /** No query has come near: the box has not been asked for. */
+  readonly untouched: 0;
+  /** The box has been refitted, because what is around it was opened, and that was enough. */
+  readonly refitted: 1;
+  /** What is inside has been asked for: vertices are skinned, boxes inside refitted. */
+  readonly opened: 2;
+};
+
+export interface RayHit {
+  readonly triangle: number;
+  readonly t: number;
+  /** Of the triangle's corners. */
+  readonly weights: readonly [number, number, number];
+  readonly normal: readonly [number, number, number];
+}
+
+export interface CollideOptions {
+  /** Stop at the first contact; `stats.cutShort` tells. */
+  firstContact?: boolean;
+  /** Stop after so many. */
+  maxContacts?: number;
+}
+
+/** The work of a query, in counts that are the same on every machine. */
+export interface QueryStats {
+  /** Nodes compared with nodes. */
+  readonly nodePairs: number;
+  /** Boxes computed for the current palettes. */
+  readonly refits: number;
+  /** Vertices skinned, once for each node that has them. */
+  readonly posedVertices: number;
+  readonly trianglePairs: number;
+  /** By active morph targets. */
+  readonly displacements: number;
+  readonly cutShort: boolean;
+}
+
+export interface Contacts {
+  readonly count: number;
+  /** [N][2] triangles of `a` and `b`, ascending. */
+  readonly pairs: Uint32Array;
+  readonly stats: QueryStats;
+}
+
+export const ContactKind: {
+  readonly segment: 0;
+  readonly point: 1;
+  /** They overlap, or touch, in one plane; there are no ends. */
+  readonly coplanar: 2;
+  /** One triangle has collapsed to a segment or a point; there are no ends. */
+  readonly collapsed: 3;
+};
+
+export interface ContactGeometry {
+  /** [N][6] the ends of the segment that the triangles of contact i share. */
+  readonly segments: Float32Array;
+  /** [N] a ContactKind each. */
+  readonly kinds: Uint8Array;
+  /** [N][3] in which direction a should move to leave b. */
+  readonly normals: Float32Array;
+  /** [N] how far a's triangle reaches behind b's. */
+  readonly depths: Float32Array;
+  /** [N][2] joints of a and b, into `jointNames`. */
+  readonly joints: Uint16Array;
+  readonly curves: readonly ContactCurve[];
+  /** The one with the most contacts first. */
+  readonly regions: readonly ContactRegion[];
+}
+
+/** Where the surfaces cut each other, as a line. */
+export interface ContactCurve {
+  readonly isClosed: boolean;
+  /** [K][3]; of a closed curve the last point is the first. */
+  readonly points: Float32Array;
+}
+
+/** Contacts that hang together. */
+export interface ContactRegion {
+  /** Numbers of its contacts, into `pairs`. */
+  readonly contacts: Uint32Array;
+  readonly length: number;
+  readonly depth: number;
+  readonly point: readonly [number, number, number];
+  readonly normal: readonly [number, number, number];
+  /** That most of the contacts name, into `jointNames`. */
+  readonly jointA: number;
+  readonly jointB: number;
+}
+
+export interface DistanceOptions {
+  maxDistance?: number;
+}
+
+export interface SurfacePoint {
+  readonly triangle: number;
+  readonly position: readonly [number, number, number];
+}
+
+export interface Distance {
+  readonly distance: number;
+  readonly a: SurfacePoint;
+  readonly b: SurfacePoint;
+  readonly stats: QueryStats;
+}
+
+/** Where a character stands in a scene and what it plays, as in a scene file. Plain data. */
+export interface Instance {
+  /** Index into `Scene.characters`. */
+  character: number;
+  /** null: the default pose. */
+  clip: string | null;
+  /** Clip time = (start + speed * time) modulo the clip's length. */
+  start: number; // 0
+  speed: number; // 1
+  translation: [number, number, number]; // 0 0 0
+  rotation: [number, number, number, number]; // quaternion x y z w, any length but 0; 0 0 0 1
+  scale: number; // 1
+  velocity: [number, number, number]; // units per second; 0 0 0
+  /** Weights that morph targets keep, whatever the clip plays: by name, or number of the target. */
+  morphWeights: Record<string, number>; // none
+}
+
+export interface SceneParts {
+  name?: string;
+  characters: Character[];
+  /** What is left out has the default that stands beside it. */
+  instances: (Pick<Instance, 'character'> & Partial<Instance>)[];
+  frameCount?: number; // 1
+  fps?: number; // 30
+}
+
+/** Characters, where they stand and what they play. */
+export interface Scene {
+  readonly name: string;
+  characters: Character[];
+  /** May be changed, added to and removed from at any time. */
+  instances: Instance[];
+  frameCount: number;
+  fps: number;
+
+  /** [J] matrices of an instance at a frame, bit for bit those of `pelt check`. */
+  palette(instance: number, frame: number, out?: Float32Array): Float32Array;
+  morphWeights(instance: number, frame: number, out?: Float32Array): Float32Array;
+
+  /** Gives a pose, of the instance's character, its palette and morph weights. */
+  setPose(pose: Pose, instance: number, frame: number): void;
+
+  /** Deletes its characters. */
+  delete(): void;
+}
+
+/** Instances that are asked for all their contacts at once. */
+export interface Crowd {
+  /** Adds an instance and returns its number. */
+  add(character: Character): number;
+  setPalette(instance: number, palette: Float32Array): void;
+  setMorphWeights(instance: number, weights: Float32Array): void;
+  /** All pairs of triangles of any two instances that intersect; `maxContacts` is of each two. */
+  collide(options?: CollideOptions): CrowdContacts;
+  delete(): void;
+}
+
+export interface CrowdContacts {
+  readonly count: number;
+  /** [N][4] instances a < b and triangles of a and b, ascending. */
+  readonly contacts: Uint32Array;
+  readonly stats: QueryStats;
+}
+
+/** FNV-1a 64 of all contacts of a run: the same for the same answer, as `pelt check` prints it. */
+export interface ContactHash {
+  /** Contacts of the instances a < b in a frame; frames, a and b ascending. */
+  add(frame: number, a: number, b: number, pairs: Uint32Array): void;
+  /** All contacts of a crowd in a frame. */
+  addCrowd(frame: number, contacts: Uint32Array): void;
+  /** 16 hexadecimal digits. */
+  readonly value: string;
+  delete(): void;
+}

@@ -1,0 +1,74 @@
+/** What the tests of the npm package share: the package itself, the command, and files. */
+
+import { spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+
+const kPackage = process.env.PELT_WASM_PACKAGE;
+export const kScenes = process.env.PELT_SCENES_DIR;
+export const kShared = process.env.PELT_SHARED_DIR;
+export const kGenerated = process.env.PELT_GENERATED_DIR;
+
+export const { loadPelt, NodeState, PeltError } = await import(path.join(kPackage, 'pelt.mjs'));
+export const pelt = await loadPelt();
+
+/** Runs the command `pelt`. */
+export function runCommand(...args) {
+  const ended = spawnSync(process.env.PELT_COMMAND, args, { encoding: 'utf8', maxBuffer: 1 << 28 });
+  if (ended.error) throw ended.error;
+  return { status: ended.status, out: ended.stdout, err: ended.stderr };
+}
+
+/** What `pelt check` writes in the last line of its answer. */
+export function nativeTotals(scene, frames) {
+  const { out, err } = runCommand('check', scene, '--frames', frames, '--jsonl', '-');
+  const last = out.trim().split('\n').at(-1);
+  if (!last.startsWith('{"totals"')) throw new Error(err);
+  return JSON.parse(last);
+}
+
+/** The files that a scene file on disk names, with itself, by their paths below `root`. */
+export function filesOfScene(scene, root) {
+  const files = new Map();
+  const add = (file) => files.set(path.relative(root, file), fs.readFileSync(file));
+  add(scene);
+  for (const model of Object.values(JSON.parse(fs.readFileSync(scene, 'utf8')).models)) {
+    if (typeof model === 'string') add(path.resolve(path.dirname(scene), model));
+  }
+  return files;
+}
+
+/** The frames of "A:B" or "A:B:S". */
+export function framesOf(range) {
+  const [begin, end, stride = 1] = range.split(':').map(Number);
+  const frames = [];
+  for (let frame = begin; frame < end; frame += stride) frames.push(frame);
+  return frames;
+}
+
+/** The positions of each node of a .glb that `pelt pose` has written. */
+export function posedByCommand(...args) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-'));
+  try {
+    const file = path.join(folder, 'posed.glb');
+    const { status, err } = runCommand('pose', ...args, '-o', file);
+    if (status !== 0) throw new Error(err);
+    return readPositions(fs.readFileSync(file));
+  } finally {
+    fs.rmSync(folder, { recursive: true });
+  }
+}
+
+function readPositions(glb) {
+  const jsonLength = glb.readUInt32LE(12);
+  const gltf = JSON.parse(glb.toString('utf8', 20, 20 + jsonLength));
+  const binary = 20 + jsonLength + 8;
+  return gltf.meshes.map(({ primitives: [{ attributes }] }) => {
+    const accessor = gltf.accessors[attributes.POSITION];
+    const view = gltf.bufferViews[accessor.bufferView];
+    const begin = binary + (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
+    const bytes = Uint8Array.from(glb.subarray(begin, begin + 12 * accessor.count));
+    return new Float32Array(bytes.buffer);
+  });
+}
