@@ -20,7 +20,7 @@ export class Gizmo {
     camera: Camera,
     canvas: HTMLCanvasElement,
     orbit: OrbitControls,
-    events: GizmoEvents,
+    private readonly events: GizmoEvents,
   ) {
     this.controls = new TransformControls(camera, canvas);
     this.controls.setSize(0.7);
@@ -45,6 +45,7 @@ export class Gizmo {
     this.controls.setMode(mode === 'move' ? 'translate' : 'rotate');
     this.controls.showX = this.controls.showZ = mode === 'move';
     this.controls.attach(this.handle);
+    this.events.onChange();
   }
 
   hide(): void {

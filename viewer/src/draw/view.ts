@@ -3,7 +3,7 @@
 import { frameTime, placeAt, translationFor, type Instance } from '../scene/scene';
 import type { Quaternion, Vector3 } from '../scene/scene';
 import type { AnsweredShot, State } from '../state/state';
-import { DARK, LIGHT } from './colours';
+import { DARK, LIGHT, type Ambience } from './colours';
 import { Figure } from './figure';
 import { Gizmo } from './gizmo';
 import { Glow } from './glow';
@@ -23,6 +23,7 @@ export class View {
   private readonly gizmo: Gizmo;
   private figures: Figure[] = [];
   private shown: State | null = null;
+  private ambience: Ambience | null = null;
 
   constructor(
     container: HTMLElement,
@@ -42,7 +43,10 @@ export class View {
   }
 
   light(isDark: boolean): void {
-    this.studio.light(isDark ? DARK : LIGHT);
+    const ambience = isDark ? DARK : LIGHT;
+    if (ambience === this.ambience) return;
+    this.ambience = ambience;
+    this.studio.light(ambience);
   }
 
   show(state: State): void {
@@ -51,7 +55,6 @@ export class View {
     if (state.characters !== before?.characters) this.frame(state);
     if (state.answer && state.answer !== before?.answer) this.showAnswer(state, state.answer);
     this.showGizmo(state);
-    this.studio.redraw();
   }
 
   /** The address of a small picture of another answer. */
@@ -62,7 +65,6 @@ export class View {
     const picture = this.studio.photograph();
     this.boxes.visible = this.gizmo.helper.visible = true;
     if (state.answer) this.showAnswer(state, state.answer);
-    this.studio.redraw();
     return picture;
   }
 
@@ -81,6 +83,7 @@ export class View {
     this.figures.forEach((figure, i) => figure.show(instances[i]));
     this.glow.show(cast, instances);
     this.boxes.show(instances);
+    this.studio.redraw();
   }
 
   private replaceFigures(figures: Figure[]): void {

@@ -143,8 +143,7 @@ export interface Cost {
 
 export interface SweepProgress {
   id: number;
-  /** Contacts of the frames from `first` on. */
-  first: number;
+  /** Contacts of the frames after those of the progress before. */
   counts: number[];
   /** With the last frame. */
   total: SweepTotal | null;

@@ -7,11 +7,16 @@ import { TouchTally } from './touches';
 /** So long may a frame that is wanted now have to wait. */
 const SLICE_MILLISECONDS = 6;
 
+const REPORT_MILLISECONDS = 100;
+
 export class Sweep {
   private readonly crowd: Crowd;
   private readonly hash: ContactHash;
   private readonly tally: TouchTally;
   private next = 0;
+  /** Not yet reported, and when the last were. */
+  private counts: number[] = [];
+  private reported = 0;
   private timer: ReturnType<typeof setTimeout>;
 
   constructor(
@@ -35,13 +40,17 @@ export class Sweep {
   }
 
   private advance(): void {
-    const first = this.next;
-    const counts: number[] = [];
     const end = performance.now() + SLICE_MILLISECONDS;
-    while (!this.isDone() && performance.now() < end) counts.push(this.countFrame());
-    const total = this.isDone() ? this.total() : null;
-    this.report({ id: this.question.id, first, counts, total });
+    while (!this.isDone() && performance.now() < end) this.counts.push(this.countFrame());
+    if (this.isDone() || end - this.reported > REPORT_MILLISECONDS) this.reportCounts();
     if (!this.isDone()) this.timer = setTimeout(() => this.advance());
+  }
+
+  private reportCounts(): void {
+    const total = this.isDone() ? this.total() : null;
+    this.report({ id: this.question.id, counts: this.counts, total });
+    this.counts = [];
+    this.reported = performance.now();
   }
 
   private isDone(): boolean {
