@@ -52,8 +52,8 @@ export interface Pelt {
   /**
    * A scene as the command `pelt` reads it (docs/scenes.md), and prepared as by `pelt check`, so that
    * contacts and counters are the same. `files` has the file `path` and all that it names, by
-   * paths as they would lie on disk ("knight.glb", "models/coat.glb"); one of them may be a Map or
-   * an object.
+   * paths in one folder that has them all: "scenes/duel.json" may name "../models/knight.glb", which
+   * is "models/knight.glb" then.
    */
   readScene(path: string, files: Files, options?: ModelOptions): Scene;
 
