@@ -36,3 +36,14 @@ function(pelt_compiled_fast target)
     target_compile_options(${target} PRIVATE -O0)
   endif()
 endfunction()
+
+# pelt_compiled_together(TARGET [ALONE sources...]): beside sanitizers the files of TARGET are
+# compiled eight at a time, for most of their time goes into headers that they share. Those that use
+# a name of another file for something else stay alone.
+function(pelt_compiled_together target)
+  cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})
+  if(PELT_SANITIZE)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+    set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+endfunction()
