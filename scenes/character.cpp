@@ -18,8 +18,10 @@ std::uint64_t hash_of(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
-Character generated(const char* name, const std::string& source, asset::Asset&& asset) {
-  return {name, source, hash_of(std::as_bytes(std::span(source))), std::move(asset)};
+template <typename Options>
+Character generated(const char* name, const std::string& source, asset::Asset&& asset,
+                    const Options& options) {
+  return {name, source, hash_of(std::as_bytes(std::span(source))), std::move(asset), options};
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ Result<Character> load_character(const std::filesystem::path& path,
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   Result<asset::Asset> asset = asset::load_gltf(*file, folder, options);
   if (!asset) return asset::prefixed(path.string(), asset.error());
-  return Character{path.stem().string(), path.string(), hash_of(*file), std::move(*asset)};
+  return Character{path.stem().string(), path.string(), hash_of(*file), std::move(*asset), path};
 }
 
 Result<Character> generate_character(const CreatureOptions& options) {
@@ -42,7 +44,7 @@ Result<Character> generate_character(const CreatureOptions& options) {
   if (!creature) return creature.error();
   const std::string source = "creature:" + std::to_string(options.triangles) + ":" +
                              std::to_string(options.joints) + ":" + std::to_string(options.seed);
-  return generated("creature", source, std::move(*creature));
+  return generated("creature", source, std::move(*creature), options);
 }
 
 Result<Character> generate_character(const FaceOptions& options) {
@@ -50,7 +52,7 @@ Result<Character> generate_character(const FaceOptions& options) {
   if (!face) return face.error();
   const std::string source =
       "face:" + std::to_string(options.triangles) + ":" + std::to_string(options.seed);
-  return generated("face", source, std::move(*face));
+  return generated("face", source, std::move(*face), options);
 }
 
 }  // namespace pelt::scenes

@@ -26,6 +26,8 @@ struct Character {
   std::string source;  ///< the path as it was written, or "creature:13590:56:1" or "face:4000:1"
   std::uint64_t hash = 0;  ///< FNV-1a 64 of the file's bytes, or of `source`
   asset::Asset asset;
+  /// The path of its file from the working directory, or what it was generated from.
+  std::variant<std::filesystem::path, CreatureOptions, FaceOptions> origin;
 };
 
 /// A weight that stays as it is, whatever the clip plays.
@@ -46,12 +48,19 @@ struct Instance {
   std::vector<MorphWeight> morph_weights;      ///< of other targets the clip has the say
 };
 
+/// Names of parts or joints whose contacts with each other do not count. A `*` stands for any
+/// characters; "knight/Cape" is a name of one character alone.
+struct NamePair {
+  std::string a, b;
+};
+
 struct Scene {
   std::string name;  ///< file name of the scene, for reports
   std::vector<Character> characters;
   std::vector<Instance> instances;
   std::uint32_t frame_count = 1;
   double fps = 30;
+  std::vector<NamePair> ignore;
 };
 
 inline constexpr std::uint32_t kMaxFrames = 1'000'000;

@@ -138,6 +138,27 @@ std::vector<Instance> read_instances(const StrictObject& file,
   return instances;
 }
 
+/// An array of pairs of names.
+std::vector<NamePair> read_ignore(const StrictObject& file) {
+  constexpr std::string_view kKey = "ignore";
+  std::vector<NamePair> pairs;
+  const json* value = file.find(kKey);
+  if (value == nullptr) return pairs;
+  if (!value->is_array()) {
+    file.refuse(kKey, "expected an array of pairs of names, found " + kind_of(*value));
+    return pairs;
+  }
+  for (const json& pair : *value) {
+    if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string()) {
+      file.refuse(kKey, "expected two names for element " + std::to_string(pairs.size()) +
+                            ", as in [\"cape\", \"spine\"]");
+      return pairs;
+    }
+    pairs.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
+  }
+  return pairs;
+}
+
 }  // namespace
 
 Result<SceneFile> parse_scene_file(std::string_view text) {
@@ -151,6 +172,7 @@ Result<SceneFile> parse_scene_file(std::string_view text) {
   scene.frame_count = frames.count("count", scene.frame_count, {1, kMaxFrames});
   scene.fps = frames.number("fps", scene.fps, {kMinFps, kMaxFps});
   scene.instances = read_instances(file, scene.models);
+  scene.ignore = read_ignore(file);
   if (problem) return asset::malformed(*problem);
   return scene;
 }

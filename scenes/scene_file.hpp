@@ -22,6 +22,7 @@ struct SceneFile {
   std::vector<Instance> instances;  ///< `character` is an index into `models`
   std::uint32_t frame_count = 1;
   double fps = 30;
+  std::vector<NamePair> ignore;
 };
 
 /// The message of an error begins with the path inside the file. O(text) but for looking up the

@@ -8,8 +8,8 @@
 
 namespace pelt::scenes {
 
-inline constexpr std::array<std::string_view, 4> kSceneKeys = {"$schema", "models", "frames",
-                                                               "instances"};
+inline constexpr std::array<std::string_view, 5> kSceneKeys = {"$schema", "models", "frames",
+                                                               "instances", "ignore"};
 inline constexpr std::array<std::string_view, 2> kFramesKeys = {"count", "fps"};
 inline constexpr std::array<std::string_view, 2> kModelKeys = {"creature", "face"};
 inline constexpr std::array<std::string_view, 3> kCreatureKeys = {"triangles", "joints", "seed"};

@@ -1,6 +1,6 @@
 #include "tools/reproduce/report.hpp"
 
-#include "tools/reproduce/base64.hpp"
+#include "tools/pelt/base64.hpp"
 #include "tools/reproduce/files.hpp"
 #include "tools/reproduce/html.hpp"
 
@@ -35,12 +35,12 @@ TEST(Shown, KeepsThreeDigitsOrMore) {
 }
 
 TEST(Base64, IsThatOfTheRfc) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+  EXPECT_EQ(tools::base64(""), "");
+  EXPECT_EQ(tools::base64("f"), "Zg==");
+  EXPECT_EQ(tools::base64("fo"), "Zm8=");
+  EXPECT_EQ(tools::base64("foo"), "Zm9v");
+  EXPECT_EQ(tools::base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(tools::base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(Csv, QuotesWhatHasToBe) {

@@ -43,7 +43,7 @@ TEST(TouchTally, CountsByDominantJointAndPart) {
   found.contacts = {{0, 0}, {0, 2}, {1, 2}, {2, 1}};
   found.pairs = {{0, 1, 0, 4}};
   TouchTally tally(scene, *colliders);
-  tally.add(found);
+  tally.add(0, found);
 
   const std::vector<TouchTally::Row> joints = tally.joints(10);
   ASSERT_EQ(joints.size(), 3u);

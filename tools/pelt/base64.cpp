@@ -1,9 +1,9 @@
-#include "tools/reproduce/base64.hpp"
+#include "tools/pelt/base64.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-namespace pelt::reproduce {
+namespace pelt::tools {
 
 std::string base64(const std::string& bytes) {
   constexpr const char* kDigits =
@@ -20,4 +20,4 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-}  // namespace pelt::reproduce
+}  // namespace pelt::tools

@@ -9,6 +9,7 @@
 #include "tools/pelt/simd_argument.hpp"
 #include "tools/pelt/text.hpp"
 #include "tools/pelt/verb.hpp"
+#include "tools/pelt/viewer_page.hpp"
 
 namespace pelt::tools {
 namespace {
@@ -19,7 +20,9 @@ struct Arguments {
   bool first = false, pairs = false, contacts = false, inside = false;
   std::optional<double> clearance;
   std::optional<std::uint32_t> max_contacts, glb_frame;
-  std::string jsonl, glb, simd;
+  std::vector<std::string> ignore;
+  std::string baseline, fail_on;
+  std::string jsonl, glb, html, simd, words;
 };
 
 constexpr const char* kFooter = R"(
@@ -33,12 +36,18 @@ Examples:
   pelt check scene.json --inside
   pelt check scene.json --first --jsonl - > contacts.jsonl
   pelt check scene.json --glb worst.glb
+  pelt check scene.json --html report.html
   pelt check scene.json --method brute --frames 24:25
+  pelt check scene.json --ignore cape,spine* --ignore knight/hand_r,sword
+  pelt check scene.json --baseline contacts.jsonl
 
 Exact: triangles are closed, so touching counts, on the very float32 positions that `pelt pose`
 writes. All methods give the same contacts and the same hash; they differ in their work.
 With --by part, a and b number the colliders of the header's "instances", one for each part.
-Exit codes: 0 no contact, 1 contact (or, with --inside, one holds another), 2 bad input or arguments, 3 internal error.)";
+Names of --ignore are those of parts and joints, of one model as in knight/hand_r; * stands for any
+characters. A baseline is an earlier --jsonl: then only what is new or has grown fails.
+Exit codes: 0 no contact, 1 contact (or what --fail-on says; with --inside also one that holds
+another), 2 bad input or arguments, 3 internal error.)";
 
 Result<bench::MethodKind> choose_method(const std::string& name) {
   if (const auto method = bench::find_method(name)) return *method;
@@ -85,8 +94,69 @@ Result<std::optional<double>> choose_clearance(const Arguments& arguments,
   return arguments.clearance;
 }
 
+/// "A,B": the last comma parts the names.
+Result<scenes::NamePair> parse_name_pair(const std::string& text) {
+  const std::size_t comma = text.rfind(',');
+  if (comma != std::string::npos && comma > 0 && comma + 1 < text.size())
+    return scenes::NamePair{text.substr(0, comma), text.substr(comma + 1)};
+  return bad_argument("--ignore", asset::quoted(text) + " is not a pair of names",
+                      "give two parts or joints as in --ignore cape,spine");
+}
+
+Result<std::vector<scenes::NamePair>> choose_ignored(const Arguments& arguments,
+                                                     const scenes::Scene& scene) {
+  std::vector<scenes::NamePair> pairs = scene.ignore;
+  for (const std::string& text : arguments.ignore) {
+    const auto pair = parse_name_pair(text);
+    if (!pair) return pair.error();
+    pairs.push_back(*pair);
+  }
+  if (pairs.empty() || (!arguments.first && !arguments.max_contacts)) return pairs;
+  return bad_argument(arguments.first ? "--first" : "--max-contacts",
+                      "the contacts found first may be those to ignore", "leave it out");
+}
+
+Result<std::optional<KnownTouches>> choose_baseline(const Arguments& arguments) {
+  if (arguments.baseline.empty()) return std::optional<KnownTouches>();
+  if (arguments.first || arguments.max_contacts)
+    return bad_argument("--baseline", "needs all contacts", "leave out --first and --max-contacts");
+  Result<KnownTouches> known =
+      KnownTouches::read(arguments.baseline, {arguments.by, arguments.clearance});
+  if (!known) return known.error();
+  return std::optional<KnownTouches>(std::move(*known));
+}
+
+Result<FailOn> choose_fail_on(const Arguments& arguments) {
+  if (arguments.fail_on.empty())
+    return arguments.baseline.empty() ? FailOn::contact : FailOn::grown;
+  const auto fail_on = find_fail_on(arguments.fail_on);
+  if (!fail_on)
+    return bad_argument("--fail-on", "there is no " + asset::quoted(arguments.fail_on),
+                        "give contact, grown, new or never");
+  const bool needs_baseline = *fail_on == FailOn::grown || *fail_on == FailOn::newly;
+  if (needs_baseline && arguments.baseline.empty())
+    return bad_argument("--fail-on", arguments.fail_on + " needs something to compare with",
+                        "name an earlier answer with --baseline FILE");
+  return *fail_on;
+}
+
+/// The page counts contacts of instances itself: it can show no answer to another question.
+Result<void> check_for_page(const Arguments& arguments) {
+  if (arguments.html.empty()) return {};
+  const auto refused = [](const char* option) {
+    return bad_argument("--html", std::string("the page does not know ") + option, "leave it out");
+  };
+  if (arguments.by != "instance") return refused("--by part");
+  if (arguments.clearance) return refused("--clearance");
+  if (arguments.max_contacts) return refused("--max-contacts");
+  // What is missing should be said before long work.
+  if (const auto viewer = read_viewer(); !viewer) return viewer.error();
+  return check_writable(arguments.html);
+}
+
 Result<CheckSettings> choose_settings(const Arguments& arguments, scenes::Scene& scene) {
   CheckSettings settings;
+  if (const auto checked = check_for_page(arguments); !checked) return checked.error();
   const auto method = choose_method(arguments.method);
   if (!method) return method.error();
   settings.method = *method;
@@ -104,6 +174,15 @@ Result<CheckSettings> choose_settings(const Arguments& arguments, scenes::Scene&
   const auto frames = choose_frames(arguments.frames, arguments.scene, scene);
   if (!frames) return frames.error();
   settings.frames = *frames;
+  const auto ignore = choose_ignored(arguments, scene);
+  if (!ignore) return ignore.error();
+  settings.ignore = *ignore;
+  auto known = choose_baseline(arguments);
+  if (!known) return known.error();
+  settings.known = std::move(*known);
+  const auto fail_on = choose_fail_on(arguments);
+  if (!fail_on) return fail_on.error();
+  settings.fail_on = *fail_on;
   const auto glb_frame = choose_glb_frame(arguments, settings.frames);
   if (!glb_frame) return glb_frame.error();
   settings.frame_to_keep = *glb_frame;
@@ -119,12 +198,16 @@ Result<ExitCode> check(const Arguments& arguments) {
   CheckOutputs outputs;
   outputs.jsonl = arguments.jsonl;
   outputs.glb = arguments.glb;
+  outputs.html = arguments.html;
+  outputs.words = arguments.words;
   outputs.lists = arguments.pairs ? TriangleLists::written : TriangleLists::left_out;
   const Result<CheckReport> report = check_scene(*scene, *settings, arguments.scene.models, outputs,
                                                  words_beside(arguments.jsonl));
   if (!report) return report.error();
   const bool is_held = report->inside && !report->inside->frames_held.empty();
-  return report->totals.contacts > 0 || is_held ? ExitCode::contact : ExitCode::success;
+  const bool is_failed =
+      report->verdict.is_failed || (is_held && settings->fail_on != FailOn::never);
+  return is_failed ? ExitCode::contact : ExitCode::success;
 }
 
 std::string listed(std::span<const std::string_view> names) {
@@ -150,6 +233,16 @@ void add_options(Verb& verb, Arguments& arguments) {
   verb.option("--max-contacts", arguments.max_contacts,
               "Stop after so many contacts of each pair in each frame",
               {.type = "N", .excludes = "--first"});
+  verb.option("--ignore", arguments.ignore,
+              "Contacts of two parts or joints that do not count; may be given several times",
+              {.type = "A,B"});
+  verb.option("--baseline", arguments.baseline,
+              "Compare with the --jsonl of an earlier check: fail only on parts and joints that "
+              "touch newly, or with more contacts in their worst frame",
+              {.type = "FILE"});
+  verb.option("--fail-on", arguments.fail_on,
+              "What makes the exit code 1 (default: contact, with a baseline grown)",
+              {.type = "contact|grown|new|never"});
   verb.option("--jsonl", arguments.jsonl,
               "Write the answer, a JSON object a line; -: to standard output, the summary then to "
               "standard error",
@@ -165,6 +258,10 @@ void add_options(Verb& verb, Arguments& arguments) {
       "--clearance", arguments.clearance,
       "Find all pairs of triangles that are at most so far apart, not only those that touch",
       {.type = "DISTANCE"});
+  verb.option(
+      "--html", arguments.html,
+      "Write the report: a page that plays the scene and finds its contacts, all in one file",
+      {.type = "FILE"});
   verb.option("--glb", arguments.glb,
               "Write the posed characters of the worst frame, colliding triangles coloured",
               {.type = "FILE"});
@@ -177,6 +274,7 @@ void add_check(CLI::App& app, Command& chosen) {
   Verb verb(app, "check", "Find every colliding triangle pair of every frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_options(verb, *arguments);
+  verb.tells(arguments->words);
   verb.runs([arguments] { return check(*arguments); }, chosen);
 }
 

@@ -3,6 +3,7 @@
 #include "asset/message.hpp"
 #include "tools/pelt/clearance_query.hpp"
 #include "tools/pelt/contact_hash.hpp"
+#include "tools/pelt/ignored_pairs.hpp"
 #include "tools/pelt/progress.hpp"
 
 #include <chrono>
@@ -19,6 +20,7 @@ double seconds_since(Clock::time_point begin) {
 void count_frame(std::uint32_t frame, const FrameContacts& found, CheckReport& report) {
   const std::uint64_t contacts = found.contacts.size();
   ++report.totals.frames;
+  report.frame_contacts.push_back(contacts);
   report.totals.contacts += contacts;
   if (contacts == 0) return;
   ++report.totals.frames_in_contact;
@@ -65,6 +67,8 @@ template <typename Query>
 Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
                               std::span<const Collider> colliders, const CheckSettings& settings,
                               TouchTally& tally, JsonlWriter* jsonl) {
+  const Result<IgnoredPairs> ignored = IgnoredPairs::make(scene, colliders, settings.ignore);
+  if (!ignored) return ignored.error();
   CheckReport report;
   report.worst_frame = settings.frames.begin;
   CollideOptions options;
@@ -89,15 +93,16 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
     if (!posed) return asset::prefixed("frame " + std::to_string(frame), posed.error());
     query.collide(options, found);
     report.frame_seconds.push_back(seconds_since(begin));
-    count_frame(frame, found, report);
-    tally.add(found);
-    hash.add(frame, found);
-    if (described) {
-      if (const auto added = described->add(frame, palettes, found); !added) return added.error();
-    }
     if (inside) {
       if (const auto asked = inside->ask(palettes, found); !asked) return asked.error();
       report.inside->add(frame, inside->pairs());
+    }
+    report.totals.ignored += ignored->take_out(found);
+    count_frame(frame, found, report);
+    tally.add(frame, found);
+    hash.add(frame, found);
+    if (described) {
+      if (const auto added = described->add(frame, palettes, found); !added) return added.error();
     }
     const FrameExtras extras = {described ? &described->details() : nullptr,
                                 inside ? &*inside : nullptr};
@@ -109,7 +114,10 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
   if (inside) report.totals.work += inside->work();
   if (described) described->report(report);
   if (!settings.max_contacts) report.totals.hash = hash.value();
-  if (jsonl != nullptr) jsonl->totals(report.totals);
+  const std::vector<Touch> touches = tally.touches();
+  report.verdict =
+      judge(scene, touches, settings.known ? &*settings.known : nullptr, settings.fail_on);
+  if (jsonl != nullptr) jsonl->totals(report.totals, touches, report.verdict);
   return report;
 }
 

@@ -21,6 +21,9 @@ struct CheckSettings {
   std::optional<double> clearance;
   bool describes_contacts = false;  ///< by their geometry
   bool asks_inside = false;         ///< what lies inside what
+  std::vector<scenes::NamePair> ignore;
+  std::optional<KnownTouches> known;  ///< the baseline
+  FailOn fail_on = FailOn::contact;   ///< `grown` and `newly` need a baseline
   FrameRange frames;
   std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
 };
@@ -33,11 +36,13 @@ struct CheckReport {
   };
 
   CheckTotals totals;
+  Verdict verdict;
   Kept kept;
   std::uint32_t worst_frame = 0;  ///< the first one with the most contacts
   std::uint64_t worst_contacts = 0;
   std::vector<std::uint32_t> frames_in_contact;
-  std::uint64_t regions = 0;  ///< of contacts that are described
+  std::vector<std::uint64_t> frame_contacts;  ///< of every frame
+  std::uint64_t regions = 0;                  ///< of contacts that are described
   std::vector<DepthTally::Row> deepest;
   std::optional<InsideTally> inside;  ///< if it was asked
   std::vector<double> frame_seconds;  ///< palettes taken and all pairs queried; not the sampling

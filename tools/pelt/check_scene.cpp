@@ -4,6 +4,7 @@
 #include "tools/pelt/json_lines.hpp"
 #include "tools/pelt/scene_glb.hpp"
 #include "tools/pelt/summary.hpp"
+#include "tools/pelt/viewer_page.hpp"
 
 namespace pelt::tools {
 namespace {
@@ -16,6 +17,18 @@ Result<void> write_contacts_glb(const std::string& path, const scenes::Scene& sc
   return write_file(path, contacts_glb(*posed, touching_triangles(*posed, colliders, kept.found)));
 }
 
+Result<void> write_report(const CheckOutputs& outputs, const scenes::Scene& scene,
+                          const CheckSettings& settings, const CheckReport& report,
+                          const ModelArguments& models) {
+  PageData data;
+  data.command = outputs.words;
+  data.first_contact = settings.max_contacts.has_value();
+  data.answer = {settings.frames, report.frame_contacts, report.totals.hash};
+  const Result<std::string> page = page_of_scene(scene, models, data);
+  if (!page) return page.error();
+  return write_file(outputs.html, std::as_bytes(std::span(*page)));
+}
+
 CheckOptionsShown shown(const CheckSettings& settings) {
   const bool parts = settings.granularity == Granularity::part;
   return {std::string(bench::name_of(settings.method)),
@@ -24,7 +37,8 @@ CheckOptionsShown shown(const CheckSettings& settings) {
           settings.max_contacts,
           settings.clearance,
           settings.describes_contacts,
-          settings.asks_inside};
+          settings.asks_inside,
+          settings.ignore};
 }
 
 }  // namespace
@@ -46,6 +60,10 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
   if (const auto closed = lines.close(); !closed) return closed.error();
   if (!outputs.glb.empty()) {
     const auto written = write_contacts_glb(outputs.glb, scene, *colliders, report->kept, models);
+    if (!written) return written.error();
+  }
+  if (!outputs.html.empty()) {
+    const auto written = write_report(outputs, scene, settings, *report, models);
     if (!written) return written.error();
   }
   print_summary(scene, *colliders, settings, *report, tally, words);

@@ -12,6 +12,7 @@ class App;
 namespace pelt::tools {
 
 void add_check(CLI::App& app, Command& chosen);
+void add_view(CLI::App& app, Command& chosen);
 void add_bounds(CLI::App& app, Command& chosen);
 void add_distance(CLI::App& app, Command& chosen);
 void add_ray(CLI::App& app, Command& chosen);

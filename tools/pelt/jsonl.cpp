@@ -19,6 +19,18 @@ ordered_json triangles_json(std::span<const Contact> contacts) {
   return triangles;
 }
 
+ordered_json verdict_json(const scenes::Scene& scene, const Verdict& verdict) {
+  ordered_json json = {
+      {"fail_on", name_of(verdict.fail_on)}, {"failed", verdict.is_failed}, {"worse", nullptr}};
+  if (!verdict.has_baseline) return json;
+  json["worse"] = ordered_json::array();
+  for (const Worse& worse : verdict.worse) {
+    json["worse"].push_back(touch_json(scene, worse.touch));
+    json["worse"].back()["known"] = worse.known;
+  }
+  return json;
+}
+
 }  // namespace
 
 void JsonlWriter::header(const CheckOptionsShown& options) {
@@ -32,6 +44,8 @@ void JsonlWriter::header(const CheckOptionsShown& options) {
       {"contacts", options.contacts},
       {"inside", options.inside},
       {"clearance", nullptr}};
+  shown["ignore"] = ordered_json::array();
+  for (const scenes::NamePair& pair : options.ignore) shown["ignore"].push_back({pair.a, pair.b});
   if (options.clearance) shown["clearance"] = *options.clearance;
   if (options.max_contacts) shown["max_contacts"] = *options.max_contacts;
   ordered_json header = header_json("pelt-check", scene_, colliders_);
@@ -87,11 +101,13 @@ ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
   return pairs;
 }
 
-void JsonlWriter::totals(const CheckTotals& totals) {
+void JsonlWriter::totals(const CheckTotals& totals, std::span<const Touch> touches,
+                         const Verdict& verdict) {
   ordered_json last = {{"totals",
                         {{"frames", totals.frames},
                          {"frames_in_contact", totals.frames_in_contact},
-                         {"contacts", totals.contacts}}},
+                         {"contacts", totals.contacts},
+                         {"ignored", totals.ignored}}},
                        {"counters", counters_json(totals.work)},
                        {"hash", nullptr}};
   if (totals.hash) {
@@ -99,6 +115,9 @@ void JsonlWriter::totals(const CheckTotals& totals) {
   } else {
     last["cut_short"] = true;
   }
+  last["touches"] = ordered_json::array();
+  for (const Touch& touch : touches) last["touches"].push_back(touch_json(scene_, touch));
+  last["verdict"] = verdict_json(scene_, verdict);
   write_line(last, out_);
 }
 

@@ -7,6 +7,7 @@
 #include "tools/pelt/frame_range.hpp"
 #include "tools/pelt/inside_query.hpp"
 #include "tools/pelt/scene_query.hpp"
+#include "tools/pelt/verdict.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -18,6 +19,7 @@ namespace pelt::tools {
 
 struct CheckTotals {
   std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
+  std::uint64_t ignored = 0;  ///< contacts that do not count
   QueryStats work;
   std::optional<std::uint64_t> hash;  ///< nothing where a limit on contacts was in force
 };
@@ -29,6 +31,7 @@ struct CheckOptionsShown {
   std::optional<std::uint32_t> max_contacts;
   std::optional<double> clearance;
   bool contacts = false, inside = false;
+  std::vector<scenes::NamePair> ignore;
 };
 
 enum class TriangleLists { left_out, written };
@@ -50,7 +53,7 @@ class JsonlWriter {
 
   void frame(std::uint32_t frame, double time, const FrameContacts& found,
              const FrameExtras& extras);
-  void totals(const CheckTotals& totals);
+  void totals(const CheckTotals& totals, std::span<const Touch> touches, const Verdict& verdict);
 
  private:
   nlohmann::ordered_json pairs_json(const FrameContacts& found,

@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   pelt::tools::Command command;
   pelt::tools::add_check(app, command);
+  pelt::tools::add_view(app, command);
   pelt::tools::add_bounds(app, command);
   pelt::tools::add_distance(app, command);
   pelt::tools::add_ray(app, command);

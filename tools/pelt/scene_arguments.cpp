@@ -155,13 +155,13 @@ Result<Scene> scene_of_file(const SceneArguments& arguments) {
 
 }  // namespace
 
-void add_scene_options(Verb& verb, SceneArguments& arguments) {
+void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded needed) {
   const auto placing = [&verb](const char* name, auto& values, const char* type, const char* help) {
     constexpr const char* kGroup = "Placing models (each repeatable, in the order of the models)";
     verb.option(name, values, help, {.type = type, .group = kGroup});
   };
   verb.option("INPUT", arguments.inputs, "SCENE.json, or models: A.glb B.gltf ...",
-              {.is_required = true});
+              {.is_required = needed == InputsNeeded::one});
   placing("--clip", arguments.clips, "NAME",
           "Animation clip, looped; \"\": the unnamed clip, -: the default pose");
   placing("--start", arguments.starts, "SECONDS", "Time in the clip at frame 0");

@@ -21,7 +21,10 @@ struct SceneArguments {
   ModelArguments models;
 };
 
-void add_scene_options(Verb& verb, SceneArguments& arguments);
+enum class InputsNeeded { one, none };
+
+void add_scene_options(Verb& verb, SceneArguments& arguments,
+                       InputsNeeded needed = InputsNeeded::one);
 
 /// Loads what the arguments name. A scene made of models lasts as long as its longest clip.
 Result<scenes::Scene> open_scene(const SceneArguments& arguments);

@@ -52,6 +52,20 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
   out << '\n';
 }
 
+/// What is worse than in the baseline.
+void print_worse(const scenes::Scene& scene, const CheckSettings& settings, const Verdict& verdict,
+                 std::ostream& out) {
+  label(out, "baseline") << with_commas(verdict.worse.size()) << " new or grown beside "
+                         << with_commas(settings.known->size()) << " known touches\n";
+  for (std::size_t i = 0; i < std::min(verdict.worse.size(), kMostRows); ++i) {
+    const auto& [touch, known] = verdict.worse[i];
+    out << std::right << std::setw(12) << with_commas(touch.worst) << " ("
+        << (known == 0 ? "new" : "was " + with_commas(known)) << ")  frame " << touch.worst_frame
+        << "  " << in_words(touch_name(scene, touch.a)) << "  "
+        << in_words(touch_name(scene, touch.b)) << '\n';
+  }
+}
+
 void print_deepest(const CheckReport& report, std::ostream& out) {
   label(out, "regions") << with_commas(report.regions) << " in all\n\ndeepest regions\n";
   std::size_t width = 0;
@@ -95,7 +109,10 @@ void print_summary(const scenes::Scene& scene, std::span<const Collider> collide
   if (settings.clearance)
     label(out, "clearance") << "what is at most " << *settings.clearance << " apart counts\n";
   print_contacts(scene, settings, report, out);
+  if (report.totals.ignored > 0)
+    label(out, "ignored") << counted(report.totals.ignored, "contact") << '\n';
   print_touching(scene, report, tally, out);
+  if (report.verdict.has_baseline) print_worse(scene, settings, report.verdict, out);
   if (report.regions > 0) print_deepest(report, out);
   if (report.inside) print_inside(scene, colliders, *report.inside, settings.frames.stride, out);
   print_costs(report.frame_seconds, report.totals.work, out);

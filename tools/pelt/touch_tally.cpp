@@ -5,32 +5,6 @@
 #include <algorithm>
 
 namespace pelt::tools {
-namespace {
-
-/// `weight_of_joint` is all zero before and after: memory lent by the caller.
-std::uint32_t dominant_joint(const asset::Asset& asset, const Triangle& triangle,
-                             std::vector<float>& weight_of_joint) {
-  const std::uint32_t influences = asset.influences_per_vertex;
-  const auto for_each_influence = [&](const auto& visit) {
-    for (const std::uint32_t v : triangle) {
-      for (std::size_t i = std::size_t{v} * influences; i < (v + std::size_t{1}) * influences; ++i)
-        visit(asset.joint_indices[i], asset.weights[i]);
-    }
-  };
-  std::uint32_t dominant = 0;
-  float most = 0;
-  for_each_influence([&](std::uint32_t joint, float weight) {
-    const float sum = weight_of_joint[joint] += weight;
-    if (sum > most || (sum == most && joint < dominant)) {
-      most = sum;
-      dominant = joint;
-    }
-  });
-  for_each_influence([&](std::uint32_t joint, float) { weight_of_joint[joint] = 0; });
-  return dominant;
-}
-
-}  // namespace
 
 TouchTally::TouchTally(const scenes::Scene& scene, std::span<const Collider> colliders)
     : scene_(scene), colliders_(colliders) {
@@ -39,56 +13,69 @@ TouchTally::TouchTally(const scenes::Scene& scene, std::span<const Collider> col
   }
 }
 
-TouchTally::Labels TouchTally::label_triangles(const asset::Asset& asset) {
-  Labels labels;
-  std::vector<float> weight_of_joint(asset.joints.size());
-  for (const Triangle& triangle : asset.triangles) {
-    labels.joint.push_back(dominant_joint(asset, triangle, weight_of_joint));
-  }
-  labels.part.resize(asset.triangles.size());
-  for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
-    const asset::Part& part = asset.parts[p];
-    std::fill_n(labels.part.begin() + part.first_triangle, part.triangle_count, p);
-  }
-  return labels;
+const TriangleLabels& TouchTally::labels_of(std::uint32_t instance) const {
+  return labels_[scene_.instances[instance].character];
 }
 
-void TouchTally::add(const FrameContacts& found) {
+void TouchTally::add(std::uint32_t frame, const FrameContacts& found) {
+  std::map<Places, std::uint64_t> contacts;
   for (const FrameContacts::Pair& pair : found.pairs) {
     const std::uint32_t a = colliders_[pair.a].instance, b = colliders_[pair.b].instance;
-    const Labels& labels_a = labels_[scene_.instances[a].character];
-    const Labels& labels_b = labels_[scene_.instances[b].character];
+    const TriangleLabels &labels_a = labels_of(a), &labels_b = labels_of(b);
     for (const Contact& contact : found.of(pair)) {
       const std::uint32_t s = contact.triangle_a, t = contact.triangle_b;
-      ++joints_[{Place{a, labels_a.joint[s]}, Place{b, labels_b.joint[t]}}];
-      ++parts_[{Place{a, labels_a.part[s]}, Place{b, labels_b.part[t]}}];
+      ++contacts[{TouchPlace{a, labels_a.part[s], labels_a.joint[s]},
+                  TouchPlace{b, labels_b.part[t], labels_b.joint[t]}}];
     }
   }
+  add_frame(frame, contacts);
+}
+
+void TouchTally::add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts) {
+  for (const auto& [places, count] : contacts) {
+    Touch& touch = touches_[places];
+    touch.a = places.first;
+    touch.b = places.second;
+    touch.contacts += count;
+    ++touch.frames;
+    if (count <= touch.worst) continue;
+    touch.worst = count;
+    touch.worst_frame = frame;
+  }
+}
+
+std::vector<Touch> TouchTally::touches() const {
+  std::vector<Touch> touches;
+  for (const auto& [places, touch] : touches_) touches.push_back(touch);
+  std::stable_sort(touches.begin(), touches.end(),
+                   [](const Touch& a, const Touch& b) { return a.contacts > b.contacts; });
+  return touches;
 }
 
 std::vector<TouchTally::Row> TouchTally::joints(std::size_t most) const {
-  return rows(joints_, most, scenes::joint_name);
+  return rows(&TouchPlace::joint, most, scenes::joint_name);
 }
 
 std::vector<TouchTally::Row> TouchTally::parts(std::size_t most) const {
-  return rows(parts_, most, scenes::part_name);
+  return rows(&TouchPlace::part, most, scenes::part_name);
 }
 
-const asset::Asset& TouchTally::asset_of(std::uint32_t instance) const {
-  return scene_.characters[scene_.instances[instance].character].asset;
-}
-
-std::vector<TouchTally::Row> TouchTally::rows(const Counts& counts, std::size_t most,
+std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, std::size_t most,
                                               Name name) const {
-  const auto full_name = [&](const Place& place) {
-    const std::string& character =
-        scene_.characters[scene_.instances[place.instance].character].name;
-    return character + " " + std::to_string(place.instance) + " " +
-           name(asset_of(place.instance), place.index);
+  using Key = std::pair<std::uint32_t, std::uint32_t>;  // instance, part or joint
+  std::map<std::pair<Key, Key>, std::uint64_t> counts;
+  for (const auto& [places, touch] : touches_) {
+    const auto& [a, b] = places;
+    counts[{Key{a.instance, a.*index}, Key{b.instance, b.*index}}] += touch.contacts;
+  }
+  const auto full_name = [&](const Key& key) {
+    const scenes::Character& character = scene_.characters[scene_.instances[key.first].character];
+    return character.name + " " + std::to_string(key.first) + " " +
+           name(character.asset, key.second);
   };
   std::vector<Row> rows;
-  for (const auto& [places, contacts] : counts) {
-    rows.push_back({full_name(places.first), full_name(places.second), contacts});
+  for (const auto& [keys, contacts] : counts) {
+    rows.push_back({full_name(keys.first), full_name(keys.second), contacts});
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.contacts > b.contacts; });

@@ -1,8 +1,9 @@
 #pragma once
 
-/// Which parts and joints touch: contacts counted by the names that a person thinks in.
+/// What touches what: contacts counted by the names that a person thinks in.
 
 #include "tools/pelt/scene_query.hpp"
+#include "tools/pelt/triangle_labels.hpp"
 
 #include <map>
 #include <string>
@@ -10,12 +11,32 @@
 
 namespace pelt::tools {
 
+/// Where on an instance: a part of it, and a joint that triangles of this part follow.
+struct TouchPlace {
+  std::uint32_t instance = 0, part = 0, joint = 0;
+
+  friend auto operator<=>(const TouchPlace&, const TouchPlace&) = default;
+};
+
+/// The contacts of two places over all frames.
+struct Touch {
+  TouchPlace a, b;
+  std::uint64_t contacts = 0;
+  std::uint32_t frames = 0;       ///< that have any
+  std::uint64_t worst = 0;        ///< the most contacts of one frame
+  std::uint32_t worst_frame = 0;  ///< the first one with as many
+};
+
 class TouchTally {
  public:
   /// Both arguments must outlive the tally.
   TouchTally(const scenes::Scene& scene, std::span<const Collider> colliders);
 
-  void add(const FrameContacts& found);
+  /// Adds the contacts of a frame, once for each frame.
+  void add(std::uint32_t frame, const FrameContacts& found);
+
+  /// Those with the most contacts first.
+  std::vector<Touch> touches() const;
 
   struct Row {
     std::string a, b;  ///< "knight 0 Hips"
@@ -27,29 +48,17 @@ class TouchTally {
   std::vector<Row> parts(std::size_t most) const;
 
  private:
-  /// A joint or part of an instance.
-  struct Place {
-    std::uint32_t instance = 0, index = 0;
-
-    friend auto operator<=>(const Place&, const Place&) = default;
-  };
-  using Counts = std::map<std::pair<Place, Place>, std::uint64_t>;
+  using Places = std::pair<TouchPlace, TouchPlace>;
   using Name = std::string (*)(const asset::Asset&, std::uint32_t index);
 
-  /// For each triangle of a character: its joint (of the greatest weight, summed over the three
-  /// vertices) and its part.
-  struct Labels {
-    std::vector<std::uint32_t> joint, part;
-  };
-  static Labels label_triangles(const asset::Asset& asset);
-
-  const asset::Asset& asset_of(std::uint32_t instance) const;
-  std::vector<Row> rows(const Counts& counts, std::size_t most, Name name) const;
+  const TriangleLabels& labels_of(std::uint32_t instance) const;
+  void add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts);
+  std::vector<Row> rows(std::uint32_t TouchPlace::*index, std::size_t most, Name name) const;
 
   const scenes::Scene& scene_;
   std::span<const Collider> colliders_;
-  std::vector<Labels> labels_;  // by character
-  Counts joints_, parts_;
+  std::vector<TriangleLabels> labels_;  // by character
+  std::map<Places, Touch> touches_;
 };
 
 }  // namespace pelt::tools

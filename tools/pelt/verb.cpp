@@ -19,6 +19,31 @@ constexpr bool kIsList = false;
 template <typename T>
 constexpr bool kIsList<std::vector<T>> = true;
 
+/// As a shell would take it again.
+std::string shell_word(const std::string& word) {
+  constexpr const char* kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./,:=+@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string words_of(const CLI::App& verb) {
+  std::string arguments, options;
+  for (const CLI::Option* option : verb.get_options()) {
+    const bool is_flag = option->get_items_expected_max() == 0;
+    for (const std::string& result : option->results()) {
+      if (!option->nonpositional()) {
+        arguments += " " + shell_word(result);
+      } else {
+        options += " " + option->get_name() + (is_flag ? "" : " " + shell_word(result));
+      }
+    }
+  }
+  return "pelt " + verb.get_name() + arguments + options;
+}
+
 }  // namespace
 
 Verb::Verb(CLI::App& app, const char* name, const char* description, const char* footer)
@@ -54,7 +79,10 @@ void Verb::flag(const char* name, bool& value, const char* help) {
 }
 
 void Verb::runs(Command command, Command& chosen) {
-  verb_.callback([command = std::move(command), &chosen] { chosen = command; });
+  verb_.callback([command = std::move(command), &chosen, &verb = verb_, words = words_] {
+    if (words) *words = words_of(verb);
+    chosen = command;
+  });
 }
 
 }  // namespace pelt::tools

@@ -35,11 +35,16 @@ class Verb {
   /// Adds an option without a value.
   void flag(const char* name, bool& value, const char* help);
 
+  /// When the command line names this verb, `words` becomes what it says: "pelt check a.glb
+  /// --first".
+  void tells(std::string& words) { words_ = &words; }
+
   /// `chosen` becomes `command` when the command line names this verb.
   void runs(Command command, Command& chosen);
 
  private:
   CLI::App& verb_;
+  std::string* words_ = nullptr;
 };
 
 }  // namespace pelt::tools

@@ -1,0 +1,83 @@
+#include "scenes/scene_text.hpp"
+
+#include "base/assert.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace pelt::scenes {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Names of models are keys, so none may stand twice.
+std::vector<std::string> distinct_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Character& character : scene.characters) {
+    std::string name = character.name;
+    for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i)
+      name = character.name + " " + std::to_string(i);
+    names.push_back(name);
+  }
+  return names;
+}
+
+ordered_json model_json(const Character& character, const std::string& path) {
+  if (const auto* creature = std::get_if<CreatureOptions>(&character.origin)) {
+    return {{"creature",
+             {{"triangles", creature->triangles},
+              {"joints", creature->joints},
+              {"seed", creature->seed}}}};
+  }
+  if (const auto* face = std::get_if<FaceOptions>(&character.origin))
+    return {{"face", {{"triangles", face->triangles}, {"seed", face->seed}}}};
+  return path;
+}
+
+ordered_json morph_weights_json(std::span<const MorphWeight> weights) {
+  const auto* by_index = std::get_if<std::uint32_t>(&weights[0].target);
+  ordered_json json = by_index ? ordered_json::array() : ordered_json::object();
+  for (const MorphWeight& weight : weights) {
+    if (by_index) {
+      json.push_back(weight.weight);
+    } else {
+      json[std::get<std::string>(weight.target)] = weight.weight;
+    }
+  }
+  return json;
+}
+
+ordered_json instance_json(const Instance& instance, const std::string& model) {
+  ordered_json json = {{"model", model},
+                       {"clip", nullptr},
+                       {"start", instance.start},
+                       {"speed", instance.speed},
+                       {"translation", instance.translation},
+                       {"rotation", instance.rotation},
+                       {"scale", instance.scale},
+                       {"velocity", instance.velocity}};
+  if (instance.clip) json["clip"] = *instance.clip;
+  if (!instance.morph_weights.empty())
+    json["morph_weights"] = morph_weights_json(instance.morph_weights);
+  return json;
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene, std::span<const std::string> paths) {
+  PELT_ASSERT(paths.size() == scene.characters.size());
+  const std::vector<std::string> names = distinct_names(scene);
+  ordered_json models = ordered_json::object(), instances = ordered_json::array();
+  for (std::size_t c = 0; c < names.size(); ++c)
+    models[names[c]] = model_json(scene.characters[c], paths[c]);
+  for (const Instance& instance : scene.instances)
+    instances.push_back(instance_json(instance, names[instance.character]));
+  ordered_json file = {{"models", std::move(models)},
+                       {"frames", {{"count", scene.frame_count}, {"fps", scene.fps}}},
+                       {"instances", std::move(instances)}};
+  for (const NamePair& pair : scene.ignore) file["ignore"].push_back({pair.a, pair.b});
+  return file.dump(2) + "\n";
+}
+
+}  // namespace pelt::scenes

@@ -1,0 +1,132 @@
+/// `pelt check` for a build server: what is ignored, what is known, what fails.
+
+#include "tools/answer.hpp"
+#include "tools/test_scenes.hpp"
+
+#include <algorithm>
+
+namespace pelt::test {
+namespace {
+
+/// The answer to the limbs' scene, with the triangles.
+CheckFile check_limbs(const TestFolder& folder, std::vector<std::string> options, int exit_code) {
+  std::vector<std::string> arguments = {"check", "scene.json", "--jsonl", "-", "--pairs"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Ended run = run_pelt(folder, arguments);
+  EXPECT_EQ(run.exit_code, exit_code) << run.err;
+  return parse_check_file(run.out);
+}
+
+std::uint64_t contacts_of(const CheckFile& file) { return file.totals["totals"]["contacts"]; }
+
+/// The limbs' scene with one of them moved closer: what touched then touches more.
+void move_limb(const TestFolder& folder) {
+  std::string text = read_text(folder / "scene.json");
+  const std::string place = "[0.5, 0, 0.03]";
+  ASSERT_NE(text.find(place), std::string::npos);
+  write_text(folder / "scene.json", text.replace(text.find(place), place.size(), "[0.5, 0, 0.0]"));
+}
+
+TEST(CheckTouches, AddUpToAllContacts) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile file = check_limbs(folder, {}, 1);
+  std::uint64_t contacts = 0;
+  for (const json& touch : file.totals["touches"]) {
+    contacts += touch["contacts"].get<std::uint64_t>();
+    EXPECT_LE(touch["worst"]["contacts"], touch["contacts"]);
+    const json frame = file.frames[touch["worst"]["frame"].get<std::size_t>()];
+    EXPECT_GE(frame["contacts"], touch["worst"]["contacts"]);
+    EXPECT_EQ(touch["a"]["model"], "one");
+    EXPECT_EQ(touch["b"]["instance"], 1);
+  }
+  EXPECT_GT(file.totals["touches"].size(), 2u);
+  EXPECT_EQ(contacts, contacts_of(file));
+}
+
+TEST(CheckBaseline, OfTheSameSceneFindsNothingWorse) {
+  const TestFolder folder;
+  write_limbs(folder);
+  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
+  const CheckFile file = check_limbs(folder, {"--baseline", "known.jsonl"}, 0);
+  EXPECT_EQ(file.totals["verdict"],
+            json({{"fail_on", "grown"}, {"failed", false}, {"worse", json::array()}}));
+  EXPECT_GT(contacts_of(file), 0u);
+}
+
+TEST(CheckBaseline, TellsWhatIsNewAndWhatHasGrown) {
+  const TestFolder folder;
+  write_limbs(folder);
+  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
+  move_limb(folder);
+  const CheckFile file = check_limbs(folder, {"--baseline", "known.jsonl"}, 1);
+  const CheckFile known = parse_check_file(read_text(folder / "known.jsonl"));
+  const json worse = file.totals["verdict"]["worse"];
+  std::size_t expected = 0;
+  for (const json& touch : file.totals["touches"]) {
+    const auto then =
+        std::find_if(known.totals["touches"].begin(), known.totals["touches"].end(),
+                     [&](const json& k) { return k["a"] == touch["a"] && k["b"] == touch["b"]; });
+    const std::uint64_t contacts =
+        then == known.totals["touches"].end() ? 0 : (*then)["worst"]["contacts"].get<unsigned>();
+    if (touch["worst"]["contacts"] <= contacts) continue;
+    json entry = touch;
+    entry["known"] = contacts;
+    EXPECT_NE(std::find(worse.begin(), worse.end(), entry), worse.end()) << entry;
+    ++expected;
+  }
+  EXPECT_GT(expected, 0u);
+  EXPECT_EQ(worse.size(), expected);
+}
+
+TEST(CheckBaseline, SaysInWordsWhatIsWorse) {
+  const TestFolder folder;
+  write_limbs(folder);
+  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--frames", "0:1", "--jsonl", "known.jsonl"})
+                .exit_code,
+            0);
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--baseline", "known.jsonl"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("new or grown beside 0 known touches"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("(new)  frame "), std::string::npos) << run.out;
+}
+
+TEST(CheckFailOn, DecidesTheExitCode) {
+  const TestFolder folder;
+  write_limbs(folder);
+  check_limbs(folder, {"--fail-on", "never"}, 0);
+  check_limbs(folder, {"--fail-on", "contact"}, 1);
+  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
+  check_limbs(folder, {"--baseline", "known.jsonl", "--fail-on", "contact"}, 1);
+  check_limbs(folder, {"--baseline", "known.jsonl", "--fail-on", "new"}, 0);
+}
+
+TEST(CheckIgnore, LeavesOutWhatItNamesAndNothingElse) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile all = check_limbs(folder, {}, 1);
+  const json touch = all.totals["touches"][0];
+  const std::string a = touch["a"]["joint"], b = touch["b"]["joint"];
+  const CheckFile file = check_limbs(folder, {"--ignore", "one/" + a + "," + "two/" + b}, 1);
+  EXPECT_EQ(contacts_of(file) + touch["contacts"].get<std::uint64_t>(), contacts_of(all));
+  EXPECT_EQ(file.totals["totals"]["ignored"], touch["contacts"]);
+  json others = all.totals["touches"];
+  others.erase(0);
+  EXPECT_EQ(file.totals["touches"], others);
+  EXPECT_EQ(file.totals["hash"], hash_of(file));
+}
+
+TEST(CheckIgnore, IsInTheSceneFileToo) {
+  const TestFolder folder;
+  write_limbs(folder);
+  std::string text = read_text(folder / "scene.json");
+  text.insert(text.rfind('}'), R"(, "ignore": [["joint*", "two/*"]])");
+  write_text(folder / "scene.json", text);
+  const CheckFile file = check_limbs(folder, {}, 0);
+  EXPECT_EQ(contacts_of(file), 0u);
+  EXPECT_GT(file.totals["totals"]["ignored"], 100u);
+  EXPECT_EQ(file.header["options"]["ignore"], json({{"joint*", "two/*"}}));
+}
+
+}  // namespace
+}  // namespace pelt::test
