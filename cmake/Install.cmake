@@ -52,4 +52,7 @@ if(TARGET pelt_command)
   set_target_properties(pelt_command PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
   install(TARGETS pelt_command)
   install(FILES docs/pelt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  # The page of `pelt view` and `pelt check --html`, where scripts/build-viewer has built it.
+  install(FILES viewer/dist/index.html DESTINATION ${CMAKE_INSTALL_DATADIR}/pelt
+          RENAME viewer.html OPTIONAL)
 endif()

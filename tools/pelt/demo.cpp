@@ -7,6 +7,7 @@
 #include "tools/pelt/run_program.hpp"
 #include "tools/pelt/still.hpp"
 #include "tools/pelt/verb.hpp"
+#include "tools/pelt/viewer_page.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -26,8 +27,8 @@ Examples:
   pelt demo -o pictures
 
 Writes scene.json (then try `pelt check pelt-demo/scene.json`), contacts.jsonl (every colliding
-triangle pair of every frame), contacts.glb (the worst frame, for any glTF viewer) and still.png (the
-picture of one frame, by POV-Ray).)";
+triangle pair of every frame), contacts.glb (the worst frame, for any glTF viewer), report.html (the
+whole clip, playing in a browser) and still.png (the picture of one frame, by POV-Ray).)";
 
 /// The frame of still.png.
 constexpr std::uint32_t kStillFrame = 40;
@@ -44,13 +45,17 @@ Result<void> make_folder(const fs::path& folder) {
                folder.string() + ": is no folder and cannot be made: choose another with -o"};
 }
 
-Result<void> write_check(const scenes::Scene& scene, const fs::path& folder) {
+/// With a report where `viewer` is a page.
+Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
+                         const Result<std::string>& viewer) {
   CheckSettings settings;
   settings.frames = {0, scene.frame_count};
   CheckOutputs outputs;
   outputs.jsonl = (folder / "contacts.jsonl").string();
   outputs.lists = TriangleLists::written;
   outputs.glb = (folder / "contacts.glb").string();
+  if (viewer) outputs.html = (folder / "report.html").string();
+  outputs.words = "pelt demo";
   const Result<CheckReport> report = check_scene(scene, settings, {}, outputs, std::cout);
   if (!report) return report.error();
   return {};
@@ -96,9 +101,16 @@ Result<ExitCode> demo(const Arguments& arguments) {
     return written.error();
   const Result<scenes::Scene> scene = scenes::load_scene(scene_path);
   if (!scene) return scene.error();
-  if (const auto written = write_check(*scene, folder); !written) return written.error();
+  // A missing viewer is no failure of the demo either.
+  const Result<std::string> viewer = read_viewer();
+  if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
   for (const char* name : {"scene.json", "contacts.jsonl", "contacts.glb"}) {
     std::cout << "wrote " << (folder / name).string() << '\n';
+  }
+  if (viewer) {
+    std::cout << "wrote " << (folder / "report.html").string() << '\n';
+  } else {
+    std::cout << "no report: " << viewer.error().message << '\n';
   }
   const Result<StillFrame> still = take_still(*scene, kStillFrame);
   if (!still) return still.error();
