@@ -27,7 +27,7 @@ struct Character {
   std::uint64_t hash = 0;  ///< FNV-1a 64 of the file's bytes, or of `source`
   asset::Asset asset;
   /// The path of its file from the working directory, or what it was generated from.
-  std::variant<std::filesystem::path, CreatureOptions, FaceOptions> origin;
+  std::variant<std::filesystem::path, CreatureOptions, FaceOptions> origin = {};
 };
 
 /// A weight that stays as it is, whatever the clip plays.

@@ -99,7 +99,8 @@ TEST_F(CheckHtml, TakesTheBuffersOfAGltfFile) {
 TEST_F(CheckHtml, RefusesWhatThePageCannotShow) {
   for (const std::vector<std::string>& option : {std::vector<std::string>{"--by", "part"},
                                                  {"--clearance", "0.1"},
-                                                 {"--max-contacts", "3"}}) {
+                                                 {"--max-contacts", "3"},
+                                                 {"--ignore", "one/*,two/*"}}) {
     std::vector<std::string> arguments = {"check", "scene.json", "--html", "report.html"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     const Ended run = run_pelt(folder_, arguments);

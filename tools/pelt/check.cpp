@@ -141,7 +141,7 @@ Result<FailOn> choose_fail_on(const Arguments& arguments) {
 }
 
 /// The page counts contacts of instances itself: it can show no answer to another question.
-Result<void> check_for_page(const Arguments& arguments) {
+Result<void> check_for_page(const Arguments& arguments, const scenes::Scene& scene) {
   if (arguments.html.empty()) return {};
   const auto refused = [](const char* option) {
     return bad_argument("--html", std::string("the page does not know ") + option, "leave it out");
@@ -149,6 +149,10 @@ Result<void> check_for_page(const Arguments& arguments) {
   if (arguments.by != "instance") return refused("--by part");
   if (arguments.clearance) return refused("--clearance");
   if (arguments.max_contacts) return refused("--max-contacts");
+  if (!arguments.ignore.empty()) return refused("--ignore");
+  if (!scene.ignore.empty())
+    return bad_argument("--html", "the page does not know what " + scene.name + " ignores",
+                        "leave out its \"ignore\"");
   // What is missing should be said before long work.
   if (const auto viewer = read_viewer(); !viewer) return viewer.error();
   return check_writable(arguments.html);
@@ -156,7 +160,7 @@ Result<void> check_for_page(const Arguments& arguments) {
 
 Result<CheckSettings> choose_settings(const Arguments& arguments, scenes::Scene& scene) {
   CheckSettings settings;
-  if (const auto checked = check_for_page(arguments); !checked) return checked.error();
+  if (const auto checked = check_for_page(arguments, scene); !checked) return checked.error();
   const auto method = choose_method(arguments.method);
   if (!method) return method.error();
   settings.method = *method;

@@ -24,24 +24,25 @@ std::string shell_word(const std::string& word) {
   constexpr const char* kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./,:=+@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
+  std::string quoted(1, '\'');
+  for (const char c : word) quoted.append(c == '\'' ? "'\\''" : std::string(1, c));
+  return quoted.append(1, '\'');
 }
 
 std::string words_of(const CLI::App& verb) {
-  std::string arguments, options;
+  std::vector<std::string> arguments, options;
   for (const CLI::Option* option : verb.get_options()) {
     const bool is_flag = option->get_items_expected_max() == 0;
     for (const std::string& result : option->results()) {
-      if (!option->nonpositional()) {
-        arguments += " " + shell_word(result);
-      } else {
-        options += " " + option->get_name() + (is_flag ? "" : " " + shell_word(result));
-      }
+      if (option->nonpositional()) options.push_back(option->get_name());
+      if (!is_flag) (option->nonpositional() ? options : arguments).push_back(shell_word(result));
     }
   }
-  return "pelt " + verb.get_name() + arguments + options;
+  std::string words = "pelt " + verb.get_name();
+  for (const auto* list : {&arguments, &options}) {
+    for (const std::string& word : *list) words.append(" ").append(word);
+  }
+  return words;
 }
 
 }  // namespace

@@ -2,12 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
-import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import * as browsing from './browser.mjs';
-import { check, temporaryFolder } from './command.mjs';
+import { check, checkToPage } from './command.mjs';
 
-const built = path.resolve(process.env.PELT_PAGE ?? 'dist/index.html');
 const PLACE = '<script type="application/json" id="pelt-data">';
 
 const scene = {
@@ -25,25 +23,13 @@ const scene = {
   ],
 };
 
-/** The page with the command's answer to the scene, changed by `change`. */
+/** What `pelt check --html` leaves, its data changed by `change`. */
 function writeReport(t, change = (report) => report) {
-  const { counts, hash } = check(t, scene);
-  const report = change({
-    format: 'pelt-report',
-    version: 1,
-    command: 'pelt check <scene.json>',
-    scene: 'scene.json',
-    files: { 'scene.json': Buffer.from(JSON.stringify(scene)).toString('base64') },
-    reading: {},
-    firstContact: false,
-    answer: { frames: [0, 12, 1], counts, hash },
-  });
-  const data = JSON.stringify(report).replaceAll('<', '\\u003c');
-  const file = path.join(temporaryFolder(t), 'report.html');
-  writeFileSync(
-    file,
-    readFileSync(built, 'utf8').replace(PLACE, () => PLACE + data),
-  );
+  const file = checkToPage(t, scene);
+  const [head, rest] = readFileSync(file, 'utf8').split(PLACE);
+  const end = rest.indexOf('</script>');
+  const data = JSON.stringify(change(JSON.parse(rest.slice(0, end))));
+  writeFileSync(file, head + PLACE + data.replaceAll('<', '\\u003c') + rest.slice(end));
   return browsing.urlOf(file);
 }
 
@@ -55,7 +41,7 @@ describe('a report', () => {
   test('plays the scene and finds what the command found', async (t) => {
     const page = await browsing.openPage(browser, writeReport(t));
     const report = page.locator('section:has(#report)');
-    assert.match(await report.innerText(), /the page agrees[^]*pelt check <scene\.json>/);
+    assert.match(await report.innerText(), /the page agrees[^]*pelt check [^]*scene\.json --html/);
     assert.equal(await browsing.fact(page, 'hash'), check(t, scene).hash);
     assert.equal(await page.locator('.card').count(), 2);
     assert.deepEqual(page.complaints, []);

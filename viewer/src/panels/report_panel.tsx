@@ -5,7 +5,7 @@ const VERDICTS = { true: 'the page agrees', false: 'the page differs', null: 'co
 
 /** What the command found, beside what the page finds. */
 export function ReportPanel({ state: { report, sweep } }: PanelProps) {
-  if (!report) return null;
+  if (!report?.answer) return null;
   const { command, answer, files } = report;
   const contacts = answer.counts.reduce((sum, count) => sum + count, 0);
   const touched = answer.counts.filter((count) => count > 0).length;
@@ -14,7 +14,7 @@ export function ReportPanel({ state: { report, sweep } }: PanelProps) {
       <h2 id="report">
         Report
         <small class="number" role="status">
-          {VERDICTS[`${agrees(report, sweep.counts)}`]}
+          {VERDICTS[`${agrees(answer, sweep.counts)}`]}
         </small>
       </h2>
       <code>{command}</code>

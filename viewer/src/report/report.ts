@@ -1,4 +1,4 @@
-/** What `pelt check --html` has left in the page; README.md tells the format. */
+/** What `pelt check --html` and `pelt view` have left in the page; README.md tells the format. */
 
 import type { NamedFile, ReadingOptions } from '../worker/protocol';
 
@@ -13,7 +13,8 @@ export interface Report {
   files: Record<string, string>;
   reading: ReadingOptions;
   firstContact: boolean;
-  answer: ReportAnswer;
+  /** None from `pelt view`, which leaves it to the page to find one. */
+  answer: ReportAnswer | null;
 }
 
 export interface ReportAnswer {
@@ -40,7 +41,7 @@ function decode(base64: string): Uint8Array<ArrayBuffer> {
 }
 
 /** Whether the page counts as the command did; nothing until it has counted all of its frames. */
-export function agrees({ answer }: Report, counts: readonly number[]): boolean | null {
+export function agrees(answer: ReportAnswer, counts: readonly number[]): boolean | null {
   const [first, end, step] = answer.frames;
   if (counts.length < end) return null;
   return answer.counts.every((count, i) => counts[first + i * step] === count);
