@@ -47,6 +47,17 @@ describe('a report', () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  test('tells which of many instances touch', async (t) => {
+    const third = { ...scene.instances[0], translation: [9, 0, 0], velocity: [0, 0, 0] };
+    const crowd = { ...scene, instances: [...scene.instances, third] };
+    const page = await browsing.openPage(browser, browsing.urlOf(checkToPage(t, crowd)));
+    await page.locator('.choice button', { hasText: 'whole clip' }).click();
+    const rows = await page.locator('.pairs tr').allInnerTexts();
+    const { contacts } = check(t, crowd).totals;
+    assert.equal(rows.length, 1);
+    assert.match(rows[0], new RegExp(`small 0\\s+small 1\\s+${contacts.toLocaleString('en')}`));
+  });
+
   test('says where it finds something else', async (t) => {
     const url = writeReport(t, (report) => {
       ++report.answer.counts[5];

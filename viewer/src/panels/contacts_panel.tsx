@@ -3,6 +3,7 @@ import { toggleFirstContact } from '../state/changes';
 import type { State } from '../state/state';
 import type { Shot, Surface, Touch } from '../worker/protocol';
 import type { PanelProps } from './app';
+import { Pairs } from './pairs';
 import { Stills } from './stills';
 
 const MOST_ROWS = 6;
@@ -45,6 +46,7 @@ export function ContactsPanel({ state, update }: PanelProps) {
         </label>
       </div>
       {listing === 'clip' && <Stills state={state} update={update} />}
+      {listing === 'clip' && <Pairs state={state} touches={touches ?? []} />}
       <Touches touches={touches ?? []} />
     </section>
   );
