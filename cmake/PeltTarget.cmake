@@ -37,12 +37,13 @@ function(pelt_compiled_fast target)
   endif()
 endfunction()
 
-# pelt_compiled_together(TARGET [ALONE sources...]): beside sanitizers the files of TARGET are
-# compiled eight at a time, for most of their time goes into headers that they share. Those that use
-# a name of another file for something else stay alone.
+# pelt_compiled_together(TARGET [ALONE sources...]): where PELT_COMPILE_TOGETHER is on, the files of
+# TARGET are compiled eight at a time, for most of their time goes into headers that they share. Those
+# that use a name of another file for something else stay alone.
+option(PELT_COMPILE_TOGETHER "Compile many small files at once: a first build is shorter" OFF)
 function(pelt_compiled_together target)
   cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})
-  if(PELT_SANITIZE)
+  if(PELT_COMPILE_TOGETHER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
     set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
