@@ -37,8 +37,8 @@ int main(int argc, char** argv) {
   };
   constexpr Entry kAll[] = {{"bounds", bounds_picture},   {"culling", culling_picture},
                             {"ray", ray_picture},         {"distance", distance_picture},
-                            {"contact", contact_picture}, {"inside", inside_picture},
-                            {"morphs", morph_picture}};
+                            {"contact", contact_picture}, {"terrain", terrain_picture},
+                            {"inside", inside_picture},   {"morphs", morph_picture}};
   for (const auto& [name, draw] : kAll) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
     const std::filesystem::path png = folder / (std::string(name) + ".png");

@@ -13,6 +13,7 @@ Picture culling_picture();   // culling_picture.cpp
 Picture ray_picture();       // ray_picture.cpp
 Picture distance_picture();  // distance_picture.cpp
 Picture contact_picture();   // contact_picture.cpp
+Picture terrain_picture();   // terrain_picture.cpp
 Picture inside_picture();    // inside_picture.cpp
 Picture morph_picture();     // morph_picture.cpp
 
