@@ -125,7 +125,7 @@ TEST(CheckIgnore, IsInTheSceneFileToo) {
   const CheckFile file = check_limbs(folder, {}, 0);
   EXPECT_EQ(contacts_of(file), 0u);
   EXPECT_GT(file.totals["totals"]["ignored"], 100u);
-  EXPECT_EQ(file.header["options"]["ignore"], json({{"joint*", "two/*"}}));
+  EXPECT_EQ(file.header["options"]["ignore"], json::parse(R"([["joint*", "two/*"]])"));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Examples:
   pelt check scene.json --glb worst.glb
   pelt check scene.json --html report.html
   pelt check scene.json --method brute --frames 24:25
-  pelt check scene.json --ignore cape,spine* --ignore knight/hand_r,sword
+  pelt check scene.json --ignore limb,joint*
   pelt check scene.json --baseline contacts.jsonl
 
 Exact: triangles are closed, so touching counts, on the very float32 positions that `pelt pose`

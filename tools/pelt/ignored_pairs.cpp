@@ -24,13 +24,17 @@ std::vector<bool> named(std::string_view pattern, const scenes::Character& chara
   return result;
 }
 
+/// Each once, in their order.
 std::vector<std::string> all_names(const scenes::Scene& scene) {
   std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
   for (const scenes::Character& character : scene.characters) {
     for (std::uint32_t p = 0; p < character.asset.parts.size(); ++p)
-      names.push_back(scenes::part_name(character.asset, p));
+      add(scenes::part_name(character.asset, p));
     for (std::uint32_t j = 0; j < character.asset.joints.size(); ++j)
-      names.push_back(scenes::joint_name(character.asset, j));
+      add(scenes::joint_name(character.asset, j));
   }
   return names;
 }
