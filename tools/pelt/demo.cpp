@@ -19,12 +19,14 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::string folder = "pelt-demo";
+  bool no_picture = false;
 };
 
 constexpr const char* kFooter = R"(
 Examples:
   pelt demo
   pelt demo -o pictures
+  pelt demo --no-picture
 
 Writes scene.json (then try `pelt check pelt-demo/scene.json`), contacts.jsonl (every colliding
 triangle pair of every frame), contacts.glb (the worst frame, for any glTF viewer), report.html (the
@@ -112,6 +114,7 @@ Result<ExitCode> demo(const Arguments& arguments) {
   } else {
     std::cout << "no report: " << viewer.error().message << '\n';
   }
+  if (arguments.no_picture) return ExitCode::success;
   const Result<StillFrame> still = take_still(*scene, kStillFrame);
   if (!still) return still.error();
   const fs::path description = folder / "still.pov";
@@ -128,6 +131,7 @@ void add_demo(CLI::App& app, Command& chosen) {
   Verb verb(app, "demo", "Let two generated characters collide", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("-o,--output", arguments->folder, "Folder for the files", {.type = "DIR"});
+  verb.flag("--no-picture", arguments->no_picture, "Leave out the picture, which takes longest");
   verb.runs([arguments] { return demo(*arguments); }, chosen);
 }
 
