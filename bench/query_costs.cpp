@@ -7,6 +7,7 @@
 /// which is not exact: there it is counted how often it is wrong by more than a 10,000th.
 
 #include "base/wide_code.hpp"
+#include "bench/measure_each.hpp"
 #include "bench/microseconds.hpp"
 #include "bench/query_stage.hpp"
 #include "bench/statistics.hpp"
@@ -285,14 +286,8 @@ int parse_and_run(int argc, char** argv) {
   app.add_option("--points", arguments.points, "Points of a batch")->capture_default_str();
   app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  if (arguments.models.empty()) arguments.models.emplace_back();
-  for (const std::string& model : arguments.models) {
-    const Result<void> measured = measure_model(model, arguments);
-    if (measured) continue;
-    std::fprintf(stderr, "query_costs: %s\n", measured.error().message.c_str());
-    return 1;
-  }
-  return 0;
+  return measure_each("query_costs", arguments.models,
+                      [&](const std::string& model) { return measure_model(model, arguments); });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 /// Embree differs, which is not exact, is counted.
 
 #include "base/wide_code.hpp"
+#include "bench/measure_each.hpp"
 #include "bench/microseconds.hpp"
 #include "bench/statistics.hpp"
 #include "pose/pose.hpp"
@@ -258,14 +259,8 @@ int parse_and_run(int argc, char** argv) {
   app.add_option("--poses", arguments.poses, "Poses along the first clip")->capture_default_str();
   app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  if (arguments.models.empty()) arguments.models.emplace_back();
-  for (const std::string& model : arguments.models) {
-    const Result<void> measured = measure_model(model, arguments);
-    if (measured) continue;
-    std::fprintf(stderr, "ray_casting: %s\n", measured.error().message.c_str());
-    return 1;
-  }
-  return 0;
+  return measure_each("ray_casting", arguments.models,
+                      [&](const std::string& model) { return measure_model(model, arguments); });
 }
 
 }  // namespace

@@ -22,15 +22,21 @@ inline Float8 squared_gap(const Box8& a, const Box8& b) {
   return x * x + y * y + z * z;
 }
 
+/// The eight boxes from lane `first` on.
+template <std::size_t kCount>
+[[gnu::always_inline]] inline Box8 boxes_from(const float (&low)[3][kCount],
+                                              const float (&high)[3][kCount], unsigned first) {
+  return {{load8(low[0] + first), load8(low[1] + first), load8(low[2] + first)},
+          {load8(high[0] + first), load8(high[1] + first), load8(high[2] + first)}};
+}
+
 /// The squares of the distances of the boxes from lane `first` on from `box`, or a little less or
 /// more (reach.hpp).
 template <std::size_t kCount>
 [[gnu::always_inline]] inline Float8 squared_gaps(const float (&low)[3][kCount],
                                                   const float (&high)[3][kCount], unsigned first,
                                                   const Box8& box) {
-  return squared_gap({{load8(low[0] + first), load8(low[1] + first), load8(low[2] + first)},
-                      {load8(high[0] + first), load8(high[1] + first), load8(high[2] + first)}},
-                     box);
+  return squared_gap(boxes_from(low, high, first), box);
 }
 
 }  // namespace PELT_TARGET

@@ -5,6 +5,7 @@
 
 #include "distance/pair_search.hpp"
 
+#include "distance/least_gap.hpp"
 #include "distance/near_triangles.hpp"
 #include "distance/nearest_cluster.hpp"
 #include "distance/nearest_parts.hpp"
@@ -15,43 +16,6 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
-
-/// The pair with the least distance.
-class LeastGap {
- public:
-  LeastGap(const SearchLimits& limits, TriangleGap& best) : limits_(limits), best_(best) {}
-
-  double reach() const {
-    if (!is_found_) return limits_.max_distance;
-    const double reach = std::sqrt(best_.nearest.squared_distance) - limits_.tolerance;
-    return reach > 0 ? reach : 0;
-  }
-
-  bool keeps_best() const { return true; }
-  bool is_done() const { return false; }
-
-  bool wants(const TriangleGap& gap) const {
-    return is_found_ ? is_better(gap)
-                     : std::sqrt(gap.nearest.squared_distance) <= limits_.max_distance;
-  }
-
-  void take(const TriangleGap& gap) {
-    best_ = gap;
-    is_found_ = true;
-  }
-
- private:
-  bool is_better(const TriangleGap& gap) const {
-    const double squared = gap.nearest.squared_distance, best = best_.nearest.squared_distance;
-    if (squared != best) return squared < best;
-    if (gap.triangle_a != best_.triangle_a) return gap.triangle_a < best_.triangle_a;
-    return gap.triangle_b < best_.triangle_b;
-  }
-
-  const SearchLimits& limits_;
-  TriangleGap& best_;
-  bool is_found_ = false;
-};
 
 /// All pairs up to a distance, beside those that touch.
 class AllWithin {

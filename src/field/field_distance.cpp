@@ -5,6 +5,7 @@
 #include "field/field_distance.hpp"
 
 #include "distance/gaps.hpp"
+#include "distance/least_gap.hpp"
 #include "distance/nearest_parts.hpp"
 #include "distance/part.hpp"
 #include "distance/reach.hpp"
@@ -86,7 +87,7 @@ class FieldSearch {
         field_(field),
         parts_(scratch.near_parts),
         limits_(limits),
-        best_(best),
+        goal_(limits, best),
         top_{static_cast<std::uint32_t>(field.levels.size()) - 1, 0},
         reach_(extent(root_box(posed, work_), box_of(top_))) {
     reach_.set(limits.max_distance);
@@ -258,28 +259,17 @@ class FieldSearch {
     gap.nearest = nearest_points(gap.corners_a, gap.corners_b);
     gap.triangle_a = posed_.tree.triangle_ids.data()[place];
     gap.triangle_b = other.number;
-    if (!is_better(gap)) return;
+    if (!goal_.wants(gap)) return;
     gap.places = places;
-    best_ = gap;
-    is_found_ = true;
-    const double reach = std::sqrt(gap.nearest.squared_distance) - limits_.tolerance;
-    reach_.set(reach > 0 ? reach : 0);
-  }
-
-  bool is_better(const TriangleGap& gap) const {
-    const double squared = gap.nearest.squared_distance, best = best_.nearest.squared_distance;
-    if (!is_found_) return std::sqrt(squared) <= limits_.max_distance;
-    if (squared != best) return squared < best;
-    if (gap.triangle_a != best_.triangle_a) return gap.triangle_a < best_.triangle_a;
-    return gap.triangle_b < best_.triangle_b;
+    goal_.take(gap);
+    reach_.set(goal_.reach());
   }
 
   const PosedTree& posed_;
   const HeightField& field_;
   Stack<NearParts>& parts_;  // the one on top is next
   const SearchLimits& limits_;
-  TriangleGap& best_;
-  bool is_found_ = false;
+  LeastGap goal_;
   Block top_;
   QueryStats work_;
   Reach reach_;

@@ -1,0 +1,92 @@
+#pragma once
+
+/// The descent of a tree that looks for the triangle nearest to one thing, a point or a solid: as
+/// that of two trees (pair_search.cpp), with the thing instead of the second.
+
+#include "distance/gaps.hpp"
+#include "distance/nearest_parts.hpp"
+#include "distance/part.hpp"
+#include "distance/reach.hpp"
+#include "distance/triangle_gaps.hpp"
+#include "pose/open_node.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+/// `Goal` has the best triangle so far, and tells
+///   double extent(const RootBox&) const: no less than any difference of two coordinates;
+///   Float8 squared_gaps(const Box8&) const: lower bounds for eight boxes, of which `Reach` says
+///     what they may be wrong by;
+///   bool takes(triangle, corners): whether that triangle is better, and now the best;
+///   double reach() const: how near a better one has to be.
+template <typename Goal>
+class TriangleSearch {
+ public:
+  TriangleSearch(const PosedTree& posed, Scratch& scratch, Goal& goal)
+      : posed_(posed),
+        parts_(scratch.near_part),
+        goal_(goal),
+        reach_(goal.extent(root_box(posed, work_))) {
+    reach_.set(goal.reach());
+  }
+
+  QueryStats run() {
+    parts_.clear();
+    ++work_.node_pairs;
+    const RootBox& root = root_box(posed_, work_);
+    if ((near(goal_.squared_gaps(point_box(root.low, root.high))) & 1) == 0) return work_;
+    make_table(posed_);
+    parts_.push({0, 0, Part::kWhole});
+    while (!parts_.empty()) {
+      const NearPart part = parts_.pop();
+      if (part.squared_gap <= reach_.squared_gap()) visit({part.node, part.slot});
+    }
+    return work_;
+  }
+
+ private:
+  unsigned near(const Float8& gaps) const { return (gaps <= Float8(reach_.squared_gap())).bits(); }
+
+  void visit(const Part& part) {
+    if (is_cluster(posed_, part)) return compare(cluster_of(posed_, part));
+    ++work_.node_pairs;
+    const std::uint32_t node = node_of(posed_, part);
+    const OpenedNode& opened = open_node(posed_, node, work_);
+    const Float8 gaps = goal_.squared_gaps(boxes_from(opened.low, opened.high, 0));
+    push_nearest_last(parts_, near(gaps) & slots_of(posed_.tree.nodes.data()[node]), gaps,
+                      [&](unsigned slot, float gap) {
+                        return NearPart{gap, node, slot};
+                      });
+  }
+
+  /// The triangle with the nearest box goes first.
+  void compare(const PosedCluster& cluster) {
+    const TriangleBoxes& boxes =
+        triangle_boxes(cluster.posed, cluster.node, cluster.opened, cluster.slot);
+    TriangleValues gaps;
+    goal_.squared_gaps(boxes_from(boxes.low, boxes.high, 0)).store(gaps.of);
+    goal_.squared_gaps(boxes_from(boxes.low, boxes.high, 8)).store(gaps.of + 8);
+    const std::uint32_t first = lowest_of(gaps);
+    if (!(gaps.of[first] <= reach_.squared_gap())) return;
+    measure(cluster, first);
+    const unsigned others = ((1u << cluster.cluster().triangle_count) - 1) & ~(1u << first);
+    for (SetBits triangle(others & up_to(gaps, reach_.squared_gap())); triangle; ++triangle)
+      if (gaps.of[*triangle] <= reach_.squared_gap()) measure(cluster, *triangle);
+  }
+
+  void measure(const PosedCluster& cluster, std::uint32_t triangle) {
+    ++work_.triangle_pairs;
+    const std::uint32_t place = cluster.cluster().first_triangle + triangle;
+    if (goal_.takes(posed_.tree.triangle_ids.data()[place], corners_of(cluster, place)))
+      reach_.set(goal_.reach());
+  }
+
+  const PosedTree& posed_;
+  Stack<NearPart>& parts_;  // the one on top is next
+  Goal& goal_;
+  QueryStats work_;
+  Reach reach_;
+};
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
