@@ -1,6 +1,9 @@
 import { defineConfig } from 'vite';
 import { fileURLToPath } from 'node:url';
+import { notices } from './build/notices';
 import { oneFile } from './build/one_file';
+
+const here = fileURLToPath(new URL('.', import.meta.url));
 
 /** The package that bindings/wasm builds; elsewhere if PELT_WASM says so. */
 const folder =
@@ -17,5 +20,5 @@ export default defineConfig({
     cssCodeSplit: false,
     chunkSizeWarningLimit: 8000,
   },
-  plugins: [oneFile()],
+  plugins: [oneFile(notices(here, folder))],
 });

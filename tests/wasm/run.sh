@@ -13,4 +13,4 @@ command -v node >/dev/null || skip "node is not installed"
   skip "meshoptimizer is not installed; run 'npm ci' in tests/wasm"
 PELT_WASM_PACKAGE=$(cd "$1" && pwd)
 export PELT_WASM_PACKAGE
-exec node --test "$here"
+exec node --test "$here"/*.test.mjs

@@ -4,13 +4,17 @@ import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 
-const kPackage = process.env.PELT_WASM_PACKAGE;
+export const kPackage = process.env.PELT_WASM_PACKAGE;
 export const kScenes = process.env.PELT_SCENES_DIR;
 export const kShared = process.env.PELT_SHARED_DIR;
 export const kGenerated = process.env.PELT_GENERATED_DIR;
+export const kFaces = fileURLToPath(new URL('faces.json', import.meta.url));
 
-export const { loadPelt, NodeState, PeltError } = await import(path.join(kPackage, 'pelt.mjs'));
+export const { ContactKind, loadPelt, NodeState, PeltError } = await import(
+  path.join(kPackage, 'pelt.mjs')
+);
 export const pelt = await loadPelt();
 
 /** Runs the command `pelt`. */
@@ -20,16 +24,43 @@ export function runCommand(...args) {
   return { status: ended.status, out: ended.stdout, err: ended.stderr };
 }
 
-/** What `pelt check` writes in the last line of its answer. */
-export function nativeTotals(scene, frames) {
-  const { out, err } = runCommand('check', scene, '--frames', frames, '--jsonl', '-');
-  const last = out.trim().split('\n').at(-1);
-  if (!last.startsWith('{"totals"')) throw new Error(err);
-  return JSON.parse(last);
+/** The lines that a command which asks a scene answers. */
+export function jsonLines(...args) {
+  const { out, err } = runCommand(...args, '--jsonl', '-');
+  if (out === '') throw new Error(err);
+  return out
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line));
 }
 
-/** The files that a scene file on disk names, with itself, by their paths below `root`. */
-export function filesOfScene(scene, root) {
+const inCamelCase = (name) => name.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+
+/** Contacts, hash and work as `pelt check` tells them of all frames. */
+export function nativeTotals(scene, frames) {
+  const { totals, hash, counters } = jsonLines('check', scene, '--frames', frames).at(-1);
+  const work = Object.entries(counters).map(([name, count]) => [inCamelCase(name), count]);
+  return { contacts: totals.contacts, hash, work: Object.fromEntries(work) };
+}
+
+/** A folder for the length of `use(folder)`. */
+export function withFolder(use) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-'));
+  try {
+    return use(folder);
+  } finally {
+    fs.rmSync(folder, { recursive: true });
+  }
+}
+
+/** A scene file on disk as the package reads it. */
+export function readSceneFile(file, options = {}) {
+  const root = path.resolve(path.dirname(file), '..');
+  return pelt.readScene(path.relative(root, file), filesOfScene(file, root), options);
+}
+
+/** The files that a scene file names, with itself, by their paths below `root`. */
+function filesOfScene(scene, root) {
   const files = new Map();
   const add = (file) => files.set(path.relative(root, file), fs.readFileSync(file));
   add(scene);
@@ -49,15 +80,12 @@ export function framesOf(range) {
 
 /** The positions of each node of a .glb that `pelt pose` has written. */
 export function posedByCommand(...args) {
-  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-'));
-  try {
+  return withFolder((folder) => {
     const file = path.join(folder, 'posed.glb');
     const { status, err } = runCommand('pose', ...args, '-o', file);
     if (status !== 0) throw new Error(err);
     return readPositions(fs.readFileSync(file));
-  } finally {
-    fs.rmSync(folder, { recursive: true });
-  }
+  });
 }
 
 function readPositions(glb) {

@@ -12,7 +12,8 @@ const POLICY = [
   'connect-src data: blob:',
 ].join('; ');
 
-export function oneFile(): Plugin {
+/** `notices` is text that the page carries along. */
+export function oneFile(notices: string): Plugin {
   return {
     name: 'one-file',
     enforce: 'post',
@@ -26,7 +27,7 @@ export function oneFile(): Plugin {
         delete bundle[name];
       }
       const policy = `<meta http-equiv="Content-Security-Policy" content="${POLICY}" />`;
-      page.source = html.replace(
+      page.source = withNotices(html, notices).replace(
         '<meta charset="utf-8" />',
         (charset) => `${charset}\n    ${policy}`,
       );
@@ -44,4 +45,10 @@ function withScript(html: string, code: string): string {
 
 function withStyle(html: string, source: string | Uint8Array): string {
   return html.replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${String(source)}</style>`);
+}
+
+/** Where a reader of the source finds it; no browser shows or runs it. */
+function withNotices(html: string, notices: string): string {
+  const element = `<script type="text/plain" id="licences">\n${notices}</script>`;
+  return html.replace('</body>', () => `${element}\n  </body>`);
 }

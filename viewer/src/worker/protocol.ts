@@ -22,6 +22,7 @@ export interface ReadingOptions {
   renormalise?: boolean;
   noUnskinned?: boolean;
   exclude?: string[];
+  samples?: number;
 }
 
 /** A scene at one of its frames, and what is asked of it. */

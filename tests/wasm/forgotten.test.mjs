@@ -1,0 +1,37 @@
+/** What is forgotten without `delete` is given back when the garbage collector finds it. */
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import v8 from 'node:v8';
+import vm from 'node:vm';
+import { pelt } from './support.mjs';
+
+v8.setFlagsFromString('--expose-gc');
+const collectGarbage = vm.runInNewContext('gc');
+const nextTurn = () => new Promise((resolve) => setTimeout(resolve, 1));
+
+function useAndForget() {
+  const face = pelt.generateFace({ triangles: 1000 });
+  const [a, b] = [face.makePose(), face.makePose()];
+  pelt.collide(a, b);
+  const crowd = pelt.makeCrowd();
+  crowd.add(face);
+  crowd.collide();
+  pelt.makeContactHash();
+}
+
+test('characters, poses, crowds and hashes that are forgotten are given back', async () => {
+  useAndForget();
+  for (let turn = 0; turn < 20; ++turn) {
+    collectGarbage();
+    await nextTurn();
+  }
+  const before = pelt.bytesInUse;
+  for (let i = 0; i < 5; ++i) useAndForget();
+  assert.ok(pelt.bytesInUse > before + 200_000, `${pelt.bytesInUse - before} bytes are not enough`);
+  for (let turn = 0; turn < 1000 && pelt.bytesInUse > before; ++turn) {
+    collectGarbage();
+    await nextTurn();
+  }
+  assert.ok(pelt.bytesInUse - before < 1024, `${pelt.bytesInUse - before} bytes are kept`);
+});

@@ -1,0 +1,289 @@
+/**
+ * Uses all that the package exports, as a user would: package.test.mjs compiles it against the
+ * installed package, runs it, and sees to it that every name of pelt.d.ts occurs.
+ */
+
+import {
+  type Bounds,
+  type Box,
+  type Character,
+  type Clip,
+  type ContactCurve,
+  type ContactGeometry,
+  type ContactHash,
+  ContactKind,
+  type ContactRegion,
+  type Contacts,
+  type CollideOptions,
+  type CreatureOptions,
+  type Crowd,
+  type CrowdContacts,
+  type Distance,
+  type DistanceOptions,
+  type ErrorCode,
+  type FaceOptions,
+  type Files,
+  type Instance,
+  loadPelt,
+  type MeshoptDecode,
+  type ModelOptions,
+  type NodeBoxes,
+  NodeState,
+  type Part,
+  type Pelt,
+  PeltError,
+  type Pose,
+  type QueryStats,
+  type RayHit,
+  type ReadOptions,
+  type Scene,
+  type SceneParts,
+  type SurfacePoint,
+} from 'pelt-collision';
+
+type Point = readonly [number, number, number];
+
+function check(holds: boolean, what: string): void {
+  if (!holds) throw new Error(what);
+}
+
+const decode: MeshoptDecode = (
+  target: Uint8Array,
+  count: number,
+  size: number,
+  source: Uint8Array,
+  mode: string,
+  filter?: string,
+) => {
+  throw new Error(`${target.length} ${count} ${size} ${source.length} ${mode} ${filter ?? ''}`);
+};
+
+const modelOptions: ModelOptions = {
+  meshoptDecode: decode,
+  renormalise: true,
+  noUnskinned: false,
+  exclude: ['cape'],
+  samples: 2,
+};
+const creatureOptions: CreatureOptions = {
+  name: 'walker',
+  clips: ['walk'],
+  triangles: 2000,
+  joints: 30,
+  seed: 2,
+};
+const faceOptions: FaceOptions = { name: 'face', clips: ['talk'], triangles: 1000, seed: 2 };
+
+function readMissing(pelt: Pelt): ErrorCode {
+  const files: Files = { 'a.bin': new Uint8Array(3) };
+  const options: ReadOptions = { ...modelOptions, name: 'a.gltf', files, clips: [] };
+  try {
+    const read: Character = pelt.readCharacter(new Uint8Array(3), options);
+    read.delete();
+  } catch (error) {
+    if (error instanceof PeltError) return error.code;
+  }
+  throw new Error('three bytes were taken for a character');
+}
+
+function useCharacter(character: Character): void {
+  const { name, vertexCount, triangleCount, jointCount, nodeCount, levelCount } = character;
+  check(name === 'walker' && nodeCount > levelCount, 'sizes');
+  const parts: readonly Part[] = character.parts;
+  for (const { name, firstTriangle, triangleCount, skinned } of parts) {
+    check(name !== '' && firstTriangle === 0 && triangleCount === 2000 && skinned, 'part');
+  }
+  const clips: readonly Clip[] = character.clips;
+  for (const { name, seconds } of clips) check(name !== '' && seconds > 0, 'clip');
+  const names: readonly string[] = [
+    ...character.jointNames,
+    ...character.morphTargetNames,
+    ...character.warnings,
+  ];
+  check(names.length >= jointCount, 'names');
+  const triangles: Uint32Array = character.triangles;
+  const restPositions: Float32Array = character.restPositions;
+  check(triangles.length === 3 * triangleCount, 'triangles');
+  check(restPositions.length === 3 * vertexCount, 'restPositions');
+  const triangleParts: Uint16Array = character.triangleParts;
+  const triangleJoints: Uint16Array = character.triangleJoints;
+  check(triangleParts.length === triangleJoints.length, 'triangleJoints');
+  const { low, high }: Box = character.extent;
+  check(low[1] < high[1], 'extent');
+}
+
+function useMorphs(face: Character): void {
+  const pose = face.makePose();
+  const weights: Float32Array = face.morphWeights('talk', 0.5);
+  pose.setMorphWeights(face.morphWeights(null, 0, weights));
+  pose.delete();
+}
+
+function usePose(pose: Pose): void {
+  const vertices: Float32Array = pose.posedVertices();
+  check(pose.normals(vertices) === vertices, 'out');
+  const bounds: Bounds[] = [pose.bounds(), pose.bounds(3), pose.tightBounds()];
+  for (const { box, centre, radius } of bounds) {
+    const corner: Point = box.high;
+    check(corner[0] >= centre[0] && radius > 0, 'bounds');
+  }
+  const opened: number = pose.openedNodeCount;
+  const { count, boxes, states }: NodeBoxes = pose.nodeBoxes(2);
+  check(boxes.length === 6 * count && opened >= 0, 'nodeBoxes');
+  const known: number[] = [NodeState.untouched, NodeState.refitted, NodeState.opened];
+  check(
+    states.every((state) => known.includes(state)),
+    'states',
+  );
+  const hit: RayHit | null = pose.cast([0, 0.9, 9], Float32Array.of(0, 0, -1), 100);
+  if (hit !== null) {
+    const { triangle, t, weights, normal } = hit;
+    const numbers: number[] = [triangle, t, ...weights, ...normal];
+    check(numbers.length === 8, 'hit');
+  }
+}
+
+function useStats(stats: QueryStats): void {
+  const { nodePairs, refits, posedVertices, trianglePairs, displacements } = stats;
+  check(nodePairs + refits + posedVertices + trianglePairs + displacements > 0, 'stats');
+  check(stats.cutShort === false, 'cutShort');
+}
+
+function useContacts(pelt: Pelt, a: Pose, b: Pose): void {
+  const found: Contacts = pelt.collide(a, b);
+  const { count, pairs, stats } = found;
+  check(count > 0 && pairs.length === 2 * count, 'pairs');
+  useStats(stats);
+  const options: CollideOptions = { firstContact: true, maxContacts: 4 };
+  check(pelt.collideEagerly(a, b, options).count === 1, 'firstContact');
+  const touch: boolean = pelt.intersects(a, b);
+  check(touch, 'intersects');
+  const geometry: ContactGeometry = pelt.describeContacts(a, b, pairs);
+  const floats: Float32Array[] = [geometry.segments, geometry.normals, geometry.depths];
+  check(floats[2]?.length === count && geometry.joints.length === 2 * count, 'geometry');
+  const kinds: number[] = Object.values(ContactKind);
+  const all =
+    ContactKind.segment + ContactKind.point + ContactKind.coplanar + ContactKind.collapsed;
+  check(all === 6 && geometry.kinds.every((kind) => kinds.includes(kind)), 'kinds');
+  const curves: readonly ContactCurve[] = geometry.curves;
+  for (const { isClosed, points } of curves) check(isClosed || points.length > 3, 'curve');
+  const regions: readonly ContactRegion[] = geometry.regions;
+  for (const { contacts, length, depth, point, normal, jointA, jointB } of regions) {
+    const numbers: number[] = [length, depth, ...point, ...normal, jointA, jointB];
+    check(contacts.length > 0 && numbers.length === 10, 'region');
+  }
+}
+
+function useDistance(pelt: Pelt, a: Pose, b: Pose): void {
+  const options: DistanceOptions = { maxDistance: 50 };
+  const nearest: Distance | null = pelt.distance(a, b, options);
+  if (nearest === null) throw new Error('distance');
+  useStats(nearest.stats);
+  const points: SurfacePoint[] = [nearest.a, nearest.b];
+  for (const { triangle, position } of points) check(triangle + position[0] > -9, 'point');
+  check(nearest.distance === 0, 'they touch');
+}
+
+function useScene(pelt: Pelt, walker: Character): void {
+  const parts: SceneParts = {
+    name: 'own',
+    characters: [walker],
+    instances: [
+      { character: 0, clip: 'walk' },
+      { character: 0, translation: [0.1, 0, 0] },
+    ],
+    frameCount: 10,
+    fps: 24,
+  };
+  const scene: Scene = pelt.makeScene(parts);
+  const instance: Instance = {
+    character: 0,
+    clip: null,
+    start: 0,
+    speed: 1,
+    translation: [0, 0, 0],
+    rotation: [0, 1, 0, 0],
+    scale: 1,
+    velocity: [0, 0, 1],
+    morphWeights: {},
+  };
+  scene.instances.push(instance);
+  check(scene.name === 'own' && scene.frameCount / scene.fps < 1, 'scene');
+  const poses = scene.instances.map(({ character }) => scene.characters[character]!.makePose());
+  poses.forEach((pose, i) => scene.setPose(pose, i, 3));
+  const [a, b] = [poses[0]!, poses[1]!];
+  check(a.character === walker, 'character');
+  usePose(a);
+  useContacts(pelt, a, b);
+  useDistance(pelt, a, b);
+  useCrowd(pelt, scene);
+  for (const pose of poses) pose.delete();
+}
+
+function useCrowd(pelt: Pelt, scene: Scene): void {
+  const crowd: Crowd = pelt.makeCrowd();
+  for (const { character } of scene.instances) {
+    const instance: number = crowd.add(scene.characters[character]!);
+    crowd.setPalette(instance, scene.palette(instance, 3));
+    crowd.setMorphWeights(instance, scene.morphWeights(instance, 3));
+  }
+  const { count, contacts, stats }: CrowdContacts = crowd.collide();
+  check(contacts.length === 4 * count, 'crowd');
+  useStats(stats);
+  const hash: ContactHash = pelt.makeContactHash();
+  hash.addCrowd(3, contacts);
+  hash.add(4, 0, 1, new Uint32Array(2));
+  const value: string = hash.value;
+  check(value.length === 16, 'hash');
+  hash.delete();
+  crowd.delete();
+}
+
+function useDemo(pelt: Pelt): void {
+  const text = Uint8Array.from(pelt.demoScene, (letter) => letter.charCodeAt(0));
+  const files: Files = new Map([['demo.json', text]]);
+  const scene = pelt.readScene('demo.json', files, modelOptions);
+  check(scene.instances.length === 2, 'demo');
+  scene.delete();
+}
+
+/** Each line is wrong, and the compiler says so. Never called. */
+export function misuse(pelt: Pelt, pose: Pose, character: Character, scene: Scene): void {
+  // @ts-expect-error a name is needed
+  pelt.readCharacter(new Uint8Array(3), {});
+  // @ts-expect-error there is no such option
+  pelt.generateCreature({ triangels: 2000 });
+  // @ts-expect-error a number, and no text
+  pelt.generateFace({ triangles: '2000' });
+  // @ts-expect-error a pose, and no character
+  pelt.collide(pose, character);
+  // @ts-expect-error null has no distance
+  pelt.distance(pose, pose).distance;
+  // @ts-expect-error there may be no hit
+  pose.cast([0, 0, 0], [0, 0, 1]).triangle;
+  // @ts-expect-error floats
+  pose.setPalette(new Float64Array(16));
+  // @ts-expect-error a clip is a name or null
+  character.palette(3, 0);
+  // @ts-expect-error for reading only
+  character.name = 'other';
+  // @ts-expect-error three numbers
+  scene.instances[0]!.translation = [0, 1];
+  // @ts-expect-error instances belong to a character
+  pelt.makeScene({ characters: [character], instances: [{ clip: 'walk' }] });
+  // @ts-expect-error for reading only
+  pelt.version = '2';
+  // @ts-expect-error an engine is loaded, not made
+  new PeltError();
+}
+
+const pelt = await loadPelt();
+check(/^\d+\.\d+\.\d+/.test(pelt.version), 'version');
+check(pelt.bytesInUse > 0, 'bytesInUse');
+check(readMissing(pelt) === 'malformed_file', 'the code of an error');
+const walker = pelt.generateCreature(creatureOptions);
+useCharacter(walker);
+useScene(pelt, walker);
+useMorphs(pelt.generateFace(faceOptions));
+useDemo(pelt);
+check(walker.palette('walk', 0.5, undefined, new Float32Array(16 * 30)).length === 480, 'palette');
