@@ -3,6 +3,7 @@
 #include "contact/sets.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
+#include "skin/main_joint.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,25 +24,6 @@ void find_places(const Tree& tree, Surface& surface) {
       }
     }
   }
-}
-
-/// The joint with the largest sum of weights over the corners, the lowest of equal ones.
-std::uint16_t main_joint(const SkinnedMesh& mesh, const Triangle& corners,
-                         std::vector<Influence>& sums) {
-  sums.clear();
-  for (const std::uint32_t vertex : corners)
-    for (const Influence& influence : mesh.influences_of(vertex)) {
-      const auto same = [&](const Influence& sum) { return sum.joint == influence.joint; };
-      const auto known = std::find_if(sums.begin(), sums.end(), same);
-      if (known == sums.end())
-        sums.push_back(influence);
-      else
-        known->weight += influence.weight;
-    }
-  const auto less = [](const Influence& a, const Influence& b) {
-    return a.weight < b.weight || (a.weight == b.weight && a.joint > b.joint);
-  };
-  return static_cast<std::uint16_t>(std::max_element(sums.begin(), sums.end(), less)->joint);
 }
 
 /// The first triangle of each part that hangs together by its corners.
@@ -84,9 +66,7 @@ Surface::Surface(const SkinnedModel& m)
   const Tree& tree = model.detail().tree;
   find_places(tree, *this);
   SkinnedMesh mesh = unpack_mesh(tree);
-  std::vector<Influence> sums;
-  for (const Triangle& triangle : mesh.triangles)
-    joints.push_back(main_joint(mesh, triangle, sums));
+  joints = main_joints(mesh);
   components = find_components(mesh.triangles, mesh.vertex_count());
   corners = std::move(mesh.triangles);
   is_closed = edges_pair_up(corners);

@@ -12,7 +12,7 @@ struct Surface {
   std::vector<Triangle> corners;      // [T] vertices that are alike in every bit have one number
   std::vector<std::uint32_t> places;  // [T] in the tree
   std::vector<std::uint32_t> nodes;   // [T] whose pool has the corners
-  std::vector<std::uint16_t> joints;  // [T] that the corners follow most
+  std::vector<std::uint16_t> joints;  // [T] see main_joints
   std::vector<std::uint32_t> components;  // a triangle of each part that hangs together
   bool is_closed = false;
 };

@@ -42,17 +42,18 @@ TEST(TouchTally, CountsByDominantJointAndPart) {
   FrameContacts found;
   found.contacts = {{0, 0}, {0, 2}, {1, 2}, {2, 1}};
   found.pairs = {{0, 1, 0, 4}};
-  TouchTally tally(scene, *colliders);
-  tally.add(0, found);
+  Result<TouchTally> tally = TouchTally::make(scene, *colliders);
+  ASSERT_TRUE(tally) << tally.error().message;
+  tally->add(0, found);
 
-  const std::vector<TouchTally::Row> joints = tally.joints(10);
+  const std::vector<TouchTally::Row> joints = tally->joints(10);
   ASSERT_EQ(joints.size(), 3u);
   EXPECT_EQ(joints[0].a, "man 0 leg");
   EXPECT_EQ(joints[0].b, "man 1 leg");
   EXPECT_EQ(joints[0].contacts, 2u);
   EXPECT_EQ(joints[1].a, "man 0 arm");
 
-  const std::vector<TouchTally::Row> parts = tally.parts(2);
+  const std::vector<TouchTally::Row> parts = tally->parts(2);
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].a, "man 0 body");
   EXPECT_EQ(parts[0].b, "man 1 boot");

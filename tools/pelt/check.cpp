@@ -1,6 +1,7 @@
 /// `pelt check`: which triangles collide, frame by frame.
 
 #include "asset/message.hpp"
+#include "scenes/ignored_pairs.hpp"
 #include "scenes/nearest_name.hpp"
 #include "tools/pelt/check_scene.hpp"
 #include "tools/pelt/commands.hpp"
@@ -103,15 +104,33 @@ Result<scenes::NamePair> parse_name_pair(const std::string& text) {
                       "give two parts or joints as in --ignore cape,spine");
 }
 
-Result<std::vector<scenes::NamePair>> choose_ignored(const Arguments& arguments,
-                                                     const scenes::Scene& scene) {
-  std::vector<scenes::NamePair> pairs = scene.ignore;
-  for (const std::string& text : arguments.ignore) {
+/// With --exclude or --no-unskinned a scene's rules may name what is left out.
+bool is_read_whole(const ModelArguments& models) {
+  return models.exclude.empty() && !models.no_unskinned;
+}
+
+Result<std::vector<scenes::NamePair>> parse_ignored(const std::vector<std::string>& texts) {
+  std::vector<scenes::NamePair> pairs;
+  for (const std::string& text : texts) {
     const auto pair = parse_name_pair(text);
     if (!pair) return pair.error();
     pairs.push_back(*pair);
   }
-  if (pairs.empty() || (!arguments.first && !arguments.max_contacts)) return pairs;
+  return pairs;
+}
+
+Result<std::vector<scenes::NamePair>> choose_ignored(const Arguments& arguments,
+                                                     const scenes::Scene& scene) {
+  const std::vector<const scenes::Character*> characters = scenes::characters_of(scene);
+  auto pairs = parse_ignored(arguments.ignore);
+  if (!pairs) return pairs.error();
+  if (const auto known = scenes::check_names(characters, *pairs); !known)
+    return asset::prefixed("--ignore", known.error());
+  if (const auto known = scenes::check_names(characters, scene.ignore);
+      !known && is_read_whole(arguments.scene.models))
+    return asset::prefixed(scene.name + ": ignore", known.error());
+  pairs->insert(pairs->begin(), scene.ignore.begin(), scene.ignore.end());
+  if (pairs->empty() || (!arguments.first && !arguments.max_contacts)) return *pairs;
   return bad_argument(arguments.first ? "--first" : "--max-contacts",
                       "the contacts found first may be those to ignore", "leave it out");
 }

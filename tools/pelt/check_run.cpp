@@ -3,7 +3,7 @@
 #include "asset/message.hpp"
 #include "tools/pelt/clearance_query.hpp"
 #include "tools/pelt/contact_hash.hpp"
-#include "tools/pelt/ignored_pairs.hpp"
+#include "tools/pelt/ignored_contacts.hpp"
 #include "tools/pelt/progress.hpp"
 
 #include <chrono>
@@ -67,7 +67,7 @@ template <typename Query>
 Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
                               std::span<const Collider> colliders, const CheckSettings& settings,
                               TouchTally& tally, JsonlWriter* jsonl) {
-  const Result<IgnoredPairs> ignored = IgnoredPairs::make(scene, colliders, settings.ignore);
+  const auto ignored = scenes::IgnoredPairs::make(scenes::characters_of(scene), settings.ignore);
   if (!ignored) return ignored.error();
   CheckReport report;
   report.worst_frame = settings.frames.begin;
@@ -97,7 +97,7 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
       if (const auto asked = inside->ask(palettes, found); !asked) return asked.error();
       report.inside->add(frame, inside->pairs());
     }
-    report.totals.ignored += ignored->take_out(found);
+    report.totals.ignored += take_ignored_out(*ignored, scene, colliders, found);
     count_frame(frame, found, report);
     tally.add(frame, found);
     hash.add(frame, found);

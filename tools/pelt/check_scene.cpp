@@ -48,14 +48,15 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
                                 std::ostream& words) {
   const auto colliders = make_colliders(scene, settings.granularity, models);
   if (!colliders) return colliders.error();
+  Result<TouchTally> tally = TouchTally::make(scene, *colliders);
+  if (!tally) return tally.error();
   LineOutput lines;
   if (const auto opened = lines.open(outputs.jsonl); !opened) return opened.error();
   std::optional<JsonlWriter> jsonl;
   if (lines.stream() != nullptr) jsonl.emplace(*lines.stream(), outputs.lists, scene, *colliders);
   if (jsonl) jsonl->header(shown(settings));
-  TouchTally tally(scene, *colliders);
   JsonlWriter* const writer = jsonl ? &*jsonl : nullptr;
-  Result<CheckReport> report = run_check(scene, *colliders, settings, tally, writer);
+  Result<CheckReport> report = run_check(scene, *colliders, settings, *tally, writer);
   if (!report) return asset::prefixed(scene.name, report.error());
   if (const auto closed = lines.close(); !closed) return closed.error();
   if (!outputs.glb.empty()) {
@@ -66,7 +67,7 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
     const auto written = write_report(outputs, scene, settings, *report, models);
     if (!written) return written.error();
   }
-  print_summary(scene, *colliders, settings, *report, tally, words);
+  print_summary(scene, *colliders, settings, *report, *tally, words);
   return report;
 }
 

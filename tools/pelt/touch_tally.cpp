@@ -1,27 +1,33 @@
 #include "tools/pelt/touch_tally.hpp"
 
+#include "asset/message.hpp"
 #include "scenes/names.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pelt::tools {
 
-TouchTally::TouchTally(const scenes::Scene& scene, std::span<const Collider> colliders)
-    : scene_(scene), colliders_(colliders) {
+Result<TouchTally> TouchTally::make(const scenes::Scene& scene,
+                                    std::span<const Collider> colliders) {
+  TouchTally tally(scene, colliders);
   for (const scenes::Character& character : scene.characters) {
-    labels_.push_back(label_triangles(character.asset));
+    Result<scenes::TriangleLabels> labels = scenes::label_triangles(character.asset);
+    if (!labels) return asset::prefixed(character.source, labels.error());
+    tally.labels_.push_back(std::move(*labels));
   }
+  return tally;
 }
 
-const TriangleLabels& TouchTally::labels_of(std::uint32_t instance) const {
-  return labels_[scene_.instances[instance].character];
+const scenes::TriangleLabels& TouchTally::labels_of(std::uint32_t instance) const {
+  return labels_[scene_->instances[instance].character];
 }
 
 void TouchTally::add(std::uint32_t frame, const FrameContacts& found) {
   std::map<Places, std::uint64_t> contacts;
   for (const FrameContacts::Pair& pair : found.pairs) {
     const std::uint32_t a = colliders_[pair.a].instance, b = colliders_[pair.b].instance;
-    const TriangleLabels &labels_a = labels_of(a), &labels_b = labels_of(b);
+    const scenes::TriangleLabels &labels_a = labels_of(a), &labels_b = labels_of(b);
     for (const Contact& contact : found.of(pair)) {
       const std::uint32_t s = contact.triangle_a, t = contact.triangle_b;
       ++contacts[{TouchPlace{a, labels_a.part[s], labels_a.joint[s]},
@@ -69,7 +75,7 @@ std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, 
     counts[{Key{a.instance, a.*index}, Key{b.instance, b.*index}}] += touch.contacts;
   }
   const auto full_name = [&](const Key& key) {
-    const scenes::Character& character = scene_.characters[scene_.instances[key.first].character];
+    const scenes::Character& character = scene_->characters[scene_->instances[key.first].character];
     return character.name + " " + std::to_string(key.first) + " " +
            name(character.asset, key.second);
   };

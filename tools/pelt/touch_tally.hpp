@@ -2,8 +2,8 @@
 
 /// What touches what: contacts counted by the names that a person thinks in.
 
+#include "scenes/triangle_labels.hpp"
 #include "tools/pelt/scene_query.hpp"
-#include "tools/pelt/triangle_labels.hpp"
 
 #include <map>
 #include <string>
@@ -29,8 +29,8 @@ struct Touch {
 
 class TouchTally {
  public:
-  /// Both arguments must outlive the tally.
-  TouchTally(const scenes::Scene& scene, std::span<const Collider> colliders);
+  /// Both arguments must outlive the tally. Refuses what no model could be built of.
+  static Result<TouchTally> make(const scenes::Scene& scene, std::span<const Collider> colliders);
 
   /// Adds the contacts of a frame, once for each frame.
   void add(std::uint32_t frame, const FrameContacts& found);
@@ -51,13 +51,16 @@ class TouchTally {
   using Places = std::pair<TouchPlace, TouchPlace>;
   using Name = std::string (*)(const asset::Asset&, std::uint32_t index);
 
-  const TriangleLabels& labels_of(std::uint32_t instance) const;
+  TouchTally(const scenes::Scene& scene, std::span<const Collider> colliders)
+      : scene_(&scene), colliders_(colliders) {}
+
+  const scenes::TriangleLabels& labels_of(std::uint32_t instance) const;
   void add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts);
   std::vector<Row> rows(std::uint32_t TouchPlace::*index, std::size_t most, Name name) const;
 
-  const scenes::Scene& scene_;
+  const scenes::Scene* scene_;
   std::span<const Collider> colliders_;
-  std::vector<TriangleLabels> labels_;  // by character
+  std::vector<scenes::TriangleLabels> labels_;  // by character
   std::map<Places, Touch> touches_;
 };
 

@@ -1,6 +1,6 @@
-#include "tools/pelt/name_pattern.hpp"
+#include "scenes/name_pattern.hpp"
 
-namespace pelt::tools {
+namespace pelt::scenes {
 
 bool matches(std::string_view pattern, std::string_view text) {
   std::size_t p = 0, t = 0;
@@ -24,4 +24,4 @@ bool matches(std::string_view pattern, std::string_view text) {
   return p == pattern.size();
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::scenes

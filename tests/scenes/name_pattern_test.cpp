@@ -1,8 +1,8 @@
-#include "tools/pelt/name_pattern.hpp"
+#include "scenes/name_pattern.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools {
+namespace pelt::scenes {
 namespace {
 
 TEST(NamePattern, AStarStandsForAnyCharacters) {
@@ -20,4 +20,4 @@ TEST(NamePattern, AStarStandsForAnyCharacters) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::scenes

@@ -1,0 +1,144 @@
+#include "scenes/ignored_pairs.hpp"
+
+#include "asset/message.hpp"
+#include "scenes/name_pattern.hpp"
+#include "scenes/names.hpp"
+#include "scenes/nearest_name.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace pelt::scenes {
+namespace {
+
+/// Which parts and joints of a character a pattern means.
+struct Named {
+  std::vector<bool> parts, joints;
+
+  bool is_any() const {
+    const auto is_meant = [](bool meant) { return meant; };
+    return std::any_of(parts.begin(), parts.end(), is_meant) ||
+           std::any_of(joints.begin(), joints.end(), is_meant);
+  }
+};
+
+std::string with_model(const Character& character, const std::string& name) {
+  return character.name + "/" + name;
+}
+
+Named find_named(std::string_view pattern, const Character& character) {
+  const asset::Asset& asset = character.asset;
+  const auto is_meant = [&](const std::string& name) {
+    return matches(pattern, name) || matches(pattern, with_model(character, name));
+  };
+  Named named;
+  for (std::uint32_t p = 0; p < asset.parts.size(); ++p)
+    named.parts.push_back(is_meant(part_name(asset, p)));
+  for (std::uint32_t j = 0; j < asset.joints.size(); ++j)
+    named.joints.push_back(is_meant(joint_name(asset, j)));
+  return named;
+}
+
+/// Each once, in their order; with their models if so wanted.
+std::vector<std::string> all_names(CharacterSpan characters, bool with_models) {
+  std::vector<std::string> names;
+  const auto add = [&](const Character& character, const std::string& bare) {
+    const std::string name = with_models ? with_model(character, bare) : bare;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const Character* character : characters) {
+    const asset::Asset& asset = character->asset;
+    for (std::uint32_t p = 0; p < asset.parts.size(); ++p) add(*character, part_name(asset, p));
+    for (std::uint32_t j = 0; j < asset.joints.size(); ++j) add(*character, joint_name(asset, j));
+  }
+  return names;
+}
+
+Error unknown_name(CharacterSpan characters, std::string_view name) {
+  const bool with_models = name.find('/') != name.npos;
+  const std::vector<std::string> names = all_names(characters, with_models);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return {ErrorCode::invalid_argument,
+          "no part and no joint is named " + asset::quoted(name) + suggestion(name, known)};
+}
+
+/// [triangle] whether the pattern means it.
+std::vector<bool> find_meant(std::string_view pattern, const Character& character,
+                             const TriangleLabels& labels) {
+  const Named named = find_named(pattern, character);
+  std::vector<bool> meant;
+  for (std::size_t t = 0; t < labels.part.size(); ++t)
+    meant.push_back(named.parts[labels.part[t]] || named.joints[labels.joint[t]]);
+  return meant;
+}
+
+bool are_all_meant(const std::vector<bool>& meant, const IgnoredPairs::Body& body) {
+  const auto first = meant.begin() + body.first_triangle;
+  return std::find(first, first + body.triangle_count, false) == first + body.triangle_count;
+}
+
+}  // namespace
+
+std::vector<const Character*> characters_of(const Scene& scene) {
+  std::vector<const Character*> characters;
+  for (const Character& character : scene.characters) characters.push_back(&character);
+  return characters;
+}
+
+Result<void> check_names(CharacterSpan characters, std::span<const NamePair> pairs) {
+  const auto has = [&](const std::string& name) {
+    return std::any_of(characters.begin(), characters.end(), [&](const Character* character) {
+      return find_named(name, *character).is_any();
+    });
+  };
+  for (const NamePair& pair : pairs) {
+    if (!has(pair.a)) return unknown_name(characters, pair.a);
+    if (!has(pair.b)) return unknown_name(characters, pair.b);
+  }
+  return {};
+}
+
+Result<IgnoredPairs> IgnoredPairs::make(CharacterSpan characters, std::span<const NamePair> pairs) {
+  IgnoredPairs ignored;
+  if (pairs.empty()) return ignored;
+  ignored.rules_.resize(pairs.size());
+  for (const Character* character : characters) {
+    const Result<TriangleLabels> labels = label_triangles(character->asset);
+    if (!labels) return asset::prefixed(character->source, labels.error());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      ignored.rules_[i].a.push_back(find_meant(pairs[i].a, *character, *labels));
+      ignored.rules_[i].b.push_back(find_meant(pairs[i].b, *character, *labels));
+    }
+  }
+  return ignored;
+}
+
+bool IgnoredPairs::is_ignored(std::uint32_t character_a, std::uint32_t triangle_a,
+                              std::uint32_t character_b, std::uint32_t triangle_b) const {
+  const auto means = [&](const Meant& x, const Meant& y) {
+    return x[character_a][triangle_a] && y[character_b][triangle_b];
+  };
+  return std::any_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
+    return means(rule.a, rule.b) || means(rule.b, rule.a);
+  });
+}
+
+bool IgnoredPairs::are_ignored(const Body& a, const Body& b) const {
+  const auto mean = [&](const Meant& x, const Meant& y) {
+    return are_all_meant(x[a.character], a) && are_all_meant(y[b.character], b);
+  };
+  return std::any_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
+    return mean(rule.a, rule.b) || mean(rule.b, rule.a);
+  });
+}
+
+std::size_t IgnoredPairs::keep_counted(std::uint32_t character_a, std::uint32_t character_b,
+                                       std::span<Contact> contacts) const {
+  const auto ignored = [&](const Contact& contact) {
+    return is_ignored(character_a, contact.triangle_a, character_b, contact.triangle_b);
+  };
+  const auto end = std::remove_if(contacts.begin(), contacts.end(), ignored);
+  return static_cast<std::size_t>(end - contacts.begin());
+}
+
+}  // namespace pelt::scenes

@@ -1,0 +1,101 @@
+#include "scenes/ignored_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelt::scenes {
+namespace {
+
+/// Four triangles: "body" has two that follow "hips" and one that follows "arm", "cape" one that
+/// follows "spine".
+Character person(const std::string& name) {
+  Character character;
+  character.name = character.source = name;
+  asset::Asset& asset = character.asset;
+  asset.rest_positions.resize(12, Vec3{0, 0, 0});
+  asset.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}};
+  asset.joint_indices = {0, 0, 0, 0, 0, 0, 1, 1, 1, 2, 2, 2};
+  asset.weights.assign(12, 1);
+  asset.joints.resize(3);
+  asset.nodes.resize(3);
+  for (std::uint32_t j = 0; j < 3; ++j) asset.joints[j].node = j;
+  asset.nodes[0].name = "hips";
+  asset.nodes[1].name = "arm";
+  asset.nodes[2].name = "spine";
+  asset.parts.resize(2);
+  asset.parts[0] = {"body", "", "", 0, 3, true};
+  asset.parts[1] = {"cape", "", "", 3, 1, true};
+  return character;
+}
+
+class IgnoredPairsOfTwo : public ::testing::Test {
+ protected:
+  IgnoredPairs make(const std::vector<NamePair>& pairs) {
+    EXPECT_TRUE(check_names(characters_, pairs));
+    const auto ignored = IgnoredPairs::make(characters_, pairs);
+    EXPECT_TRUE(ignored) << ignored.error().message;
+    return *ignored;
+  }
+
+  std::string refusal(const std::string& name) {
+    const std::vector<NamePair> pairs = {{"cape", name}};
+    const Result<void> checked = check_names(characters_, pairs);
+    return checked ? "" : checked.error().message;
+  }
+
+ private:
+  Character knight_ = person("knight"), thief_ = person("thief");
+  std::vector<const Character*> characters_ = {&knight_, &thief_};
+};
+
+TEST_F(IgnoredPairsOfTwo, AreNoneWithoutNames) {
+  EXPECT_TRUE(make({}).is_empty());
+  EXPECT_FALSE(make({}).is_ignored(0, 0, 1, 0));
+}
+
+TEST_F(IgnoredPairsOfTwo, MeanPartsAndJointsInEitherOrder) {
+  const IgnoredPairs ignored = make({{"cape", "arm"}});
+  EXPECT_FALSE(ignored.is_empty());
+  EXPECT_TRUE(ignored.is_ignored(0, 3, 1, 2));
+  EXPECT_TRUE(ignored.is_ignored(0, 2, 1, 3));
+  EXPECT_TRUE(ignored.is_ignored(1, 2, 1, 3));
+  EXPECT_FALSE(ignored.is_ignored(0, 3, 1, 3));
+  EXPECT_FALSE(ignored.is_ignored(0, 2, 1, 2));
+  EXPECT_FALSE(ignored.is_ignored(0, 3, 1, 0));
+}
+
+TEST_F(IgnoredPairsOfTwo, AreConfinedToAModelByItsName) {
+  const IgnoredPairs ignored = make({{"knight/cape", "arm"}});
+  EXPECT_TRUE(ignored.is_ignored(0, 3, 1, 2));
+  EXPECT_TRUE(ignored.is_ignored(1, 2, 0, 3));
+  EXPECT_FALSE(ignored.is_ignored(1, 3, 0, 2));
+}
+
+TEST_F(IgnoredPairsOfTwo, LeaveTheOtherContactsInTheirOrder) {
+  std::vector<Contact> contacts = {{0, 0}, {3, 2}, {1, 3}, {2, 3}, {3, 3}};
+  ASSERT_EQ(make({{"cape", "arm"}}).keep_counted(0, 1, contacts), 3u);
+  contacts.resize(3);
+  EXPECT_EQ(contacts, (std::vector<Contact>{{0, 0}, {1, 3}, {3, 3}}));
+}
+
+TEST_F(IgnoredPairsOfTwo, MeanBodiesOnlyWhereOneRuleMeansAllOfThem) {
+  using Body = IgnoredPairs::Body;
+  const Body knight = {0, 0, 4}, thief = {1, 0, 4}, cape = {0, 3, 1};
+  EXPECT_TRUE(make({{"thief/*", "knight/*"}}).are_ignored(knight, thief));
+  EXPECT_TRUE(make({{"cape", "thief/*"}}).are_ignored(cape, thief));
+  EXPECT_TRUE(make({{"cape", "thief/*"}}).are_ignored(thief, cape));
+  EXPECT_FALSE(make({{"cape", "thief/*"}}).are_ignored(knight, thief));
+  EXPECT_FALSE(make({{"body", "thief/*"}, {"cape", "thief/*"}}).are_ignored(knight, thief));
+  EXPECT_FALSE(make({{"cape", "thief/body"}}).are_ignored(cape, thief));
+}
+
+TEST_F(IgnoredPairsOfTwo, RefuseNamesThatNothingHas) {
+  EXPECT_EQ(refusal("kape"), R"(no part and no joint is named "kape", did you mean "cape"?)");
+  EXPECT_EQ(refusal("knigth/hips"),
+            R"(no part and no joint is named "knigth/hips", did you mean "knight/hips"?)");
+  EXPECT_EQ(refusal("*wing*"), R"(no part and no joint is named "*wing*", expected one of "body", )"
+                               R"("cape", "hips", "arm", "spine")");
+  EXPECT_EQ(refusal("thief/*i*"), "");
+}
+
+}  // namespace
+}  // namespace pelt::scenes
