@@ -71,8 +71,9 @@ export interface Pelt {
 
   /**
    * The same contacts as an engine without refit on demand finds them: all vertices skinned, the
-   * exact boxes of all nodes taken bottom-up, then the same descent. Does all that anew at each
-   * call, and counts it. Poses keep what queries on demand have opened.
+   * exact boxes of all nodes taken bottom-up, then the same descent. A pose that has not been refitted
+   * since its palette was set is, which counts as work of this query (see `Pose.refitAll`). Poses keep
+   * what queries on demand have opened.
    */
   collideEagerly(a: Pose, b: Pose, options?: CollideOptions): Contacts;
 
@@ -222,6 +223,12 @@ export interface Pose {
    * theirs, so that no seam shows.
    */
   normals(out?: Float32Array): Float32Array;
+
+  /**
+   * Skins all vertices and takes the exact boxes of all nodes, for `collideEagerly`: once a frame, an
+   * engine without refit on demand does that to every instance. To compare with.
+   */
+  refitAll(): QueryStats;
 
   /** A box and a sphere that surely enclose the surface, from the palette and `levels` of the tree. */
   bounds(levels?: number): Bounds;

@@ -114,6 +114,37 @@ test('poses asked two by two answer as a crowd does, and eagerly too', () => {
   assert.ok(2 * demand < eager, `${demand} vertices on demand, ${eager} eagerly`);
 });
 
+test('a pose is refitted once for its palette, or when it is told to', () => {
+  poseDemo(44);
+  const [a, b] = poses;
+  const whole = a.refitAll();
+  assert.ok(whole.posedVertices >= a.character.vertexCount && whole.refits > 0);
+  assert.deepEqual(a.refitAll(), whole);
+  const first = pelt.collideEagerly(a, b).stats;
+  assert.ok(first.posedVertices > 0, 'the second one has not been refitted yet');
+  assert.equal(first.posedVertices, b.refitAll().posedVertices);
+  assert.equal(pelt.collideEagerly(a, b).stats.posedVertices, 0);
+  poseDemo(45);
+  const { stats, pairs } = pelt.collideEagerly(a, b);
+  assert.equal(stats.posedVertices, first.posedVertices + whole.posedVertices);
+  assert.deepEqual(pairs, pelt.collide(a, b).pairs);
+});
+
+test('vertices and normals are of the palette that was set last', () => {
+  const [pose] = poses;
+  const shape = () => [pose.posedVertices(), pose.normals()];
+  poseDemo(44);
+  const before = shape();
+  poseDemo(60);
+  const [vertices, normals] = shape();
+  assert.notDeepEqual(vertices, before[0]);
+  poseDemo(44);
+  assert.deepEqual(pose.normals(), before[1]);
+  assert.deepEqual(pose.posedVertices(), before[0]);
+  pose.setPalette(demo.palette(0, 60));
+  assert.deepEqual(shape(), [vertices, normals]);
+});
+
 test('queries stop where they are told to', () => {
   poseDemo(44);
   const all = pelt.collide(...poses);

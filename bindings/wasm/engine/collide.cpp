@@ -16,12 +16,13 @@ std::vector<Contact>& found() {
 }
 
 /// Gives the eager pose what the other one has, and skins all of it.
-QueryStats open_all(PoseHandle& handle) {
+QueryStats refit_all(PoseHandle& handle) {
   const detail::Palette& palette = handle.pose.detail().palette;
   if (!handle.eager) handle.eager.emplace(handle.pose.model().detail().tree);
   bench::ExactPose& eager = *handle.eager;
   if (!handle.morphs.empty()) (void)eager.set_morph_weights(palette.morphs().all());
   (void)eager.set_palette(palette.joints());
+  handle.is_refitted = true;
   return eager.open_all();
 }
 
@@ -40,10 +41,13 @@ PELT_EXPORT void pelt_collide(PoseHandle* a, PoseHandle* b, std::uint32_t most) 
   answer_data<Contact>(found());
 }
 
+PELT_EXPORT void pelt_refit_all(PoseHandle* handle) { answer_stats(refit_all(*handle)); }
+
 PELT_EXPORT void pelt_collide_eagerly(PoseHandle* a, PoseHandle* b, std::uint32_t most) {
   found().clear();
-  QueryStats stats = open_all(*a);
-  stats += open_all(*b);
+  QueryStats stats;
+  for (PoseHandle* handle : {a, b})
+    if (!handle->is_refitted) stats += refit_all(*handle);
   stats += bench::collide(*a->eager, *b->eager, scratch().detail(), found(), {most});
   answer_stats(stats);
   answer_data<Contact>(found());

@@ -56,6 +56,11 @@ struct PoseHandle {
   std::vector<Vec3> vertices, normals;    ///< what JavaScript reads
   std::optional<bench::ExactPose> eager;  ///< for collideEagerly
   std::optional<Pose> whole;              ///< all nodes opened, for nodeBoxes
+  bool has_vertices = false;              ///< those of the pose as it is now
+  bool is_refitted = false;               ///< so is `eager`
+
+  /// Another palette, or other weights, have been set.
+  void moved() { has_vertices = is_refitted = false; }
 };
 
 /// How JavaScript knows an object.

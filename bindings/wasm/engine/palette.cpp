@@ -62,6 +62,7 @@ const asset::Clip* clip_of(const asset::Asset& asset, std::int32_t clip) {
 }
 
 Result<void> take(PoseHandle& handle) {
+  handle.moved();
   if (!handle.morphs.empty()) {
     if (Result<void> taken = handle.pose.set_morph_weights(handle.morphs); !taken) return taken;
   }

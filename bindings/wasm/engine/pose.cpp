@@ -17,6 +17,15 @@ void answer_bounds(const Bounds& bounds) {
                   bounds.sphere.radius});
 }
 
+/// Skins them unless the pose has them already: who draws wants normals, too.
+std::span<const Vec3> pose_vertices(PoseHandle& handle) {
+  if (handle.has_vertices) return handle.vertices;
+  handle.vertices.resize(handle.pose.model().vertex_count());
+  posed_vertices(handle.pose, handle.vertices);
+  handle.has_vertices = true;
+  return handle.vertices;
+}
+
 }  // namespace
 
 PELT_EXPORT std::uint32_t pelt_make_pose(const CharacterHandle* handle) {
@@ -30,21 +39,21 @@ PELT_EXPORT float* pelt_pose_palette(PoseHandle* handle) { return handle->palett
 PELT_EXPORT float* pelt_pose_weights(PoseHandle* handle) { return handle->morphs.data(); }
 
 PELT_EXPORT std::uint32_t pelt_set_palette(PoseHandle* handle) {
+  handle->moved();
   return done(handle->pose.set_palette(handle->palette));
 }
 
 PELT_EXPORT std::uint32_t pelt_set_morph_weights(PoseHandle* handle) {
+  handle->moved();
   return done(handle->pose.set_morph_weights(handle->morphs));
 }
 
 PELT_EXPORT void pelt_posed_vertices(PoseHandle* handle) {
-  handle->vertices.resize(handle->pose.model().vertex_count());
-  posed_vertices(handle->pose, handle->vertices);
-  answer_data<Vec3>(handle->vertices);
+  answer_data<Vec3>(pose_vertices(*handle));
 }
 
 PELT_EXPORT void pelt_normals(PoseHandle* handle) {
-  pelt_posed_vertices(handle);
+  pose_vertices(*handle);
   Character& character = *handle->character;
   handle->normals.resize(handle->vertices.size());
   smooth_normals(handle->vertices, character.asset().triangles, character.get_seams(),

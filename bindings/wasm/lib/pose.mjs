@@ -1,4 +1,5 @@
 import { alive } from './memory.mjs';
+import { readStats } from './queries.mjs';
 
 const kRemove = '_pelt_delete_pose';
 
@@ -43,6 +44,11 @@ export class Pose {
   normals(out = undefined) {
     this.#memory.module._pelt_normals(this.handle);
     return this.#memory.data(Float32Array, 3, out);
+  }
+
+  refitAll() {
+    this.#memory.module._pelt_refit_all(this.handle);
+    return readStats(this.#memory);
   }
 
   bounds(levels = 0) {
