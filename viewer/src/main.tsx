@@ -2,10 +2,12 @@
 
 import { render } from 'preact';
 import { View } from './draw/view';
+import { Asker } from './flow/asker';
 import { Client } from './flow/client';
 import { startClock } from './flow/clock';
 import { Director } from './flow/director';
 import { chooseFiles, watchDrops } from './flow/drops';
+import { Meter } from './flow/meter';
 import { Opener } from './flow/open';
 import { Photographer } from './flow/photographer';
 import { Pointing } from './flow/pointing';
@@ -25,7 +27,8 @@ const client = new Client(
   (message) => update(changes.refuse('The engine has failed: load the page again', message)),
 );
 const opener = new Opener(store, client);
-const pointing = new Pointing(store, client);
+const asker = new Asker(store, client);
+const pointing = new Pointing(store, asker);
 const openFiles = (files: File[]) => opener.openFiles(files);
 const chooseAndOpen = () => chooseFiles(openFiles);
 
@@ -40,9 +43,16 @@ const view = new View(document.getElementById('view')!, {
   onClick: () => update(({ hovered }) => ({ selected: hovered?.instance ?? null })),
 });
 
+/** Written only when it changes: the whole page is styled anew by it. */
+function wear(theme: 'dark' | 'light'): void {
+  const { dataset } = document.documentElement;
+  if (dataset.theme !== theme) dataset.theme = theme;
+}
+
 function show(state: State): void {
   const dark = isDark(state.theme);
-  document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+  wear(dark ? 'dark' : 'light');
+  document.title = state.scene ? `${state.scene.name} · Pelt` : 'Pelt';
   view.light(dark);
   view.show(state);
   render(<App state={state} update={update} openFiles={chooseAndOpen} />, panels);
@@ -50,8 +60,9 @@ function show(state: State): void {
 
 store.listen(show);
 onSystemTheme(() => show(store.state));
-new Director(store, client);
-new Photographer(store, client, (answer) => view.photograph(answer));
+new Director(store, asker);
+new Meter(store, asker);
+new Photographer(store, asker, (answer) => view.photograph(answer));
 startClock(store);
 watchKeys(update);
 watchDrops(update, openFiles);

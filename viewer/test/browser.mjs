@@ -27,8 +27,9 @@ export async function serve(file) {
 
 export const urlOf = (file) => pathToFileURL(file).href;
 
-/** Opens the page and waits until it has counted the contacts of every frame. */
-export async function openPage(browser, url, options = {}) {
+/** Opens the page and waits until it has counted the contacts of every frame; `prepare`, a
+ * function and its argument, runs in it before all else. */
+export async function openPage(browser, url, options = {}, prepare = []) {
   const context = await browser.newContext({
     viewport: { width: 960, height: 600 },
     colorScheme: 'dark',
@@ -36,6 +37,7 @@ export async function openPage(browser, url, options = {}) {
   });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
+  if (prepare.length > 0) await page.addInitScript(...prepare);
   page.complaints = [];
   page.fetched = [];
   page.on('pageerror', (error) => page.complaints.push(error.message));

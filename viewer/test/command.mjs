@@ -24,7 +24,7 @@ function run(words) {
   return stdout;
 }
 
-/** The frames' numbers of contacts and the hash; `files` lie beside the scene, by their names. */
+/** The frames' numbers of contacts, the work and the hash; `files` lie beside the scene, by their names. */
 export function check(test, scene, files = {}, options = []) {
   const folder = temporaryFolder(test);
   for (const [name, bytes] of Object.entries(files)) writeFileSync(path.join(folder, name), bytes);
@@ -34,8 +34,9 @@ export function check(test, scene, files = {}, options = []) {
     .trim()
     .split('\n')
     .map((line) => JSON.parse(line));
-  const { totals, hash } = lines.at(-1);
-  return { counts: lines.slice(1, -1).map(({ contacts }) => contacts), totals, hash };
+  const { totals, counters, hash } = lines.at(-1);
+  const counts = lines.slice(1, -1).map(({ contacts }) => contacts);
+  return { counts, totals, counters, hash };
 }
 
 /** The report of `pelt check --html`. */

@@ -1,14 +1,9 @@
 /** One instance's surface, as the worker has posed it. */
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DynamicDrawUsage,
-  Mesh,
-  MeshStandardMaterial,
-} from 'three';
+import { BufferAttribute, BufferGeometry, Mesh, MeshStandardMaterial } from 'three';
 import type { CharacterFacts, PosedInstance } from '../worker/protocol';
 import { bodyColour } from './colours';
+import { upload } from './upload';
 
 export class Figure extends Mesh<BufferGeometry, MeshStandardMaterial> {
   constructor(
@@ -32,15 +27,4 @@ export class Figure extends Mesh<BufferGeometry, MeshStandardMaterial> {
     this.geometry.dispose();
     this.material.dispose();
   }
-}
-
-function upload(geometry: BufferGeometry, name: string, values: Float32Array): void {
-  const present = geometry.getAttribute(name) as BufferAttribute | undefined;
-  if (!present) {
-    const attribute = new BufferAttribute(values, 3).setUsage(DynamicDrawUsage);
-    geometry.setAttribute(name, attribute);
-    return;
-  }
-  present.array = values;
-  present.needsUpdate = true;
 }

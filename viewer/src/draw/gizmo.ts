@@ -5,6 +5,8 @@ import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Quaternion, Vector3 } from '../scene/scene';
 
+const MODES = { move: 'translate', turn: 'rotate' } as const;
+
 export interface GizmoEvents {
   onMove: (place: Vector3, rotation: Quaternion) => void;
   /** It has to be drawn anew. */
@@ -39,10 +41,10 @@ export class Gizmo {
   }
 
   show(place: Vector3, rotation: Quaternion, mode: 'move' | 'turn'): void {
-    if (this.controls.dragging) return;
+    if (this.controls.dragging || this.isAt(place, rotation, mode)) return;
     this.handle.position.set(...place);
     this.handle.quaternion.set(...rotation);
-    this.controls.setMode(mode === 'move' ? 'translate' : 'rotate');
+    this.controls.setMode(MODES[mode]);
     this.controls.showX = this.controls.showZ = mode === 'move';
     this.controls.attach(this.handle);
     this.events.onChange();
@@ -50,5 +52,16 @@ export class Gizmo {
 
   hide(): void {
     this.controls.detach();
+  }
+
+  private isAt(place: Vector3, rotation: Quaternion, mode: 'move' | 'turn'): boolean {
+    const { object, mode: presentMode } = this.controls;
+    const { position, quaternion } = this.handle;
+    return (
+      object === this.handle &&
+      presentMode === MODES[mode] &&
+      position.toArray().every((value, i) => value === place[i]) &&
+      quaternion.toArray().every((value, i) => value === rotation[i])
+    );
   }
 }

@@ -1,7 +1,6 @@
 /** Triangles in contact: lit where they are seen, a shimmer where something is before them. */
 
 import {
-  BufferAttribute,
   BufferGeometry,
   DoubleSide,
   Group,
@@ -11,8 +10,9 @@ import {
   ShaderMaterial,
   Color,
 } from 'three';
-import type { CharacterFacts, PosedInstance } from '../worker/protocol';
+import type { Glow as Contacts } from '../worker/protocol';
 import { ACCENT } from './colours';
+import { upload } from './upload';
 
 const SHIMMER = 0.22;
 const HALO_OPACITY = 0.05;
@@ -86,38 +86,10 @@ export class Glow extends Group {
     this.halo.uniforms.heightInPixels.value = heightInPixels;
   }
 
-  show(characters: readonly CharacterFacts[], instances: readonly PosedInstance[]): void {
-    const positions = cornersOf(characters, instances);
-    this.triangles.dispose();
-    this.centres.dispose();
-    this.triangles.setAttribute('position', new BufferAttribute(positions, 3));
-    this.centres.setAttribute('position', new BufferAttribute(centresOf(positions), 3));
+  show({ triangles, corners, centres }: Contacts): void {
+    upload(this.triangles, 'position', corners);
+    upload(this.centres, 'position', centres);
+    this.triangles.setDrawRange(0, 3 * triangles);
+    this.centres.setDrawRange(0, triangles);
   }
-}
-
-/** Of all triangles in contact, one after the other. */
-function cornersOf(
-  characters: readonly CharacterFacts[],
-  instances: readonly PosedInstance[],
-): Float32Array {
-  const count = instances.reduce((sum, { touching }) => sum + touching.length, 0);
-  const corners = new Float32Array(9 * count);
-  let next = 0;
-  instances.forEach(({ touching, positions }, i) => {
-    const { triangles } = characters[i];
-    for (const triangle of touching) {
-      for (let corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-        const vertex = 3 * triangles[corner];
-        for (let axis = 0; axis < 3; ++axis) corners[next++] = positions[vertex + axis];
-      }
-    }
-  });
-  return corners;
-}
-
-function centresOf(corners: Float32Array): Float32Array {
-  return Float32Array.from({ length: corners.length / 3 }, (_, i) => {
-    const first = 9 * Math.floor(i / 3) + (i % 3);
-    return (corners[first] + corners[first + 3] + corners[first + 6]) / 3;
-  });
 }

@@ -77,16 +77,23 @@ class BoxLines extends LineSegments<InstancedBufferGeometry> {
     this.frustumCulled = false;
   }
 
+  /** What is not drawn takes no memory. */
   show(posed: PosedInstance | undefined): void {
     const count = posed?.boxStates.length ?? 0;
     this.visible = count > 0;
-    if (!posed || count === 0) return;
+    if (!posed || count === 0) return this.forget();
     const boxes = new InstancedInterleavedBuffer(posed.boxes, 6);
     this.geometry.dispose();
     this.geometry.setAttribute('low', new InterleavedBufferAttribute(boxes, 3, 0));
     this.geometry.setAttribute('high', new InterleavedBufferAttribute(boxes, 3, 3));
     this.geometry.setAttribute('state', new InstancedBufferAttribute(posed.boxStates, 1));
     this.geometry.instanceCount = count;
+  }
+
+  private forget(): void {
+    if (!this.geometry.hasAttribute('state')) return;
+    this.geometry.dispose();
+    for (const name of ['low', 'high', 'state']) this.geometry.deleteAttribute(name);
   }
 }
 

@@ -10,6 +10,7 @@ import {
   PMREMGenerator,
   Scene,
   Sphere,
+  type Texture,
   Vector3,
   WebGLRenderer,
 } from 'three';
@@ -57,8 +58,7 @@ export class Studio {
     this.orbit.dampingFactor = 0.12;
     this.orbit.addEventListener('change', () => this.redraw());
 
-    const environment = new PMREMGenerator(this.renderer).fromScene(new RoomEnvironment(), 0.04);
-    this.scene.environment = environment.texture;
+    this.scene.environment = makeSurroundings(this.renderer);
 
     this.key.castShadow = true;
     this.key.shadow.mapSize.set(2048, 2048);
@@ -137,4 +137,14 @@ export class Studio {
     this.isStale = false;
     this.renderer.render(this.scene, this.camera);
   }
+}
+
+/** What surfaces mirror, blurred. */
+function makeSurroundings(renderer: WebGLRenderer): Texture {
+  const generator = new PMREMGenerator(renderer);
+  const room = new RoomEnvironment();
+  const { texture } = generator.fromScene(room, 0.04);
+  generator.dispose();
+  room.dispose();
+  return texture;
 }

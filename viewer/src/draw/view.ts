@@ -75,13 +75,13 @@ export class View {
     this.glow.scaleTo(box.max.y - box.min.y);
   }
 
-  private showAnswer({ characters }: State, { shot, instances }: AnsweredShot): void {
+  private showAnswer({ characters }: State, { shot, instances, glow }: AnsweredShot): void {
     const cast = shot.scene.instances.map(({ character }) => characters[character]);
     const fits =
       cast.length === this.figures.length && this.figures.every((f, i) => f.character === cast[i]);
     if (!fits) this.replaceFigures(cast.map((character, i) => new Figure(character, i)));
     this.figures.forEach((figure, i) => figure.show(instances[i]));
-    this.glow.show(cast, instances);
+    this.glow.show(glow);
     this.boxes.show(instances);
     this.studio.redraw();
   }

@@ -4,7 +4,7 @@ import EngineWorker from '../worker/main?worker&inline';
 import type { Answers, Kind, Questions, Reply, SweepProgress } from '../worker/protocol';
 
 interface Waiting {
-  resolve: (answer: never) => void;
+  resolve: (answer: Answers[Kind]) => void;
   reject: (problem: Error) => void;
 }
 
@@ -21,10 +21,13 @@ export class Client {
     this.worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
   }
 
+  /** Arrays that the page is done with, or has no use for, change hands instead of being copied. */
   ask<K extends Kind>(kind: K, question: Questions[K]): Promise<Answers[K]> {
     const id = ++this.lastId;
-    this.worker.postMessage({ id, kind, question });
-    return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject }));
+    this.worker.postMessage({ id, kind, question }, buffersOf(question));
+    return new Promise<Answers[Kind]>((resolve, reject) => {
+      this.waiting.set(id, { resolve, reject });
+    }) as Promise<Answers[K]>;
   }
 
   private receive(reply: Reply): void {
@@ -32,6 +35,16 @@ export class Client {
     const { resolve, reject } = this.waiting.get(reply.id)!;
     this.waiting.delete(reply.id);
     if ('problem' in reply) reject(new Error(reply.problem));
-    else resolve(reply.answer as never);
+    else resolve(reply.answer);
   }
+}
+
+function buffersOf(question: Questions[Kind]): Transferable[] {
+  const arrays =
+    'spares' in question
+      ? question.spares.flatMap(({ positions, normals }) => [positions, normals])
+      : 'files' in question
+        ? question.files.map(({ bytes }) => bytes)
+        : [];
+  return arrays.map(({ buffer }) => buffer as ArrayBuffer);
 }

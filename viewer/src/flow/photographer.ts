@@ -2,14 +2,14 @@
 
 import type { AnsweredShot, State, Still } from '../state/state';
 import type { Store } from '../state/store';
-import type { Client } from './client';
+import type { Asker } from './asker';
 
 const STILLS = 3;
 
 export class Photographer {
   constructor(
     private readonly store: Store<State>,
-    private readonly client: Client,
+    private readonly asker: Asker,
     private readonly picture: (answer: AnsweredShot) => string,
   ) {
     store.listen((state, before) => {
@@ -24,8 +24,8 @@ export class Photographer {
     for (const frame of worstFrames(sweep.counts)) {
       if (this.store.state.reading) return;
       const shot = { scene, frame, firstContact, boxLevel: null };
-      const answer = await this.client.ask('still', shot);
-      if (this.store.state.sweep.id !== sweep.id) return;
+      const answer = await this.asker.ask('still', shot);
+      if (!answer || this.store.state.sweep.id !== sweep.id) return;
       stills.push({ frame, contacts: answer.contacts, picture: this.picture({ ...answer, shot }) });
     }
     this.store.update(() => ({ stills }));

@@ -3,7 +3,7 @@
 import type { Ray } from '../draw/pointer';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
-import type { Client } from './client';
+import type { Asker } from './asker';
 
 export class Pointing {
   private ray: Ray | null = null;
@@ -11,7 +11,7 @@ export class Pointing {
 
   constructor(
     private readonly store: Store<State>,
-    private readonly client: Client,
+    private readonly asker: Asker,
   ) {}
 
   async point(ray: Ray | null): Promise<void> {
@@ -20,8 +20,7 @@ export class Pointing {
     this.isAsking = true;
     while (this.ray) {
       const asked = this.ray;
-      const hovered = await this.client.ask('cast', asked);
-      this.store.update(() => ({ hovered }));
+      await this.asker.ask('cast', asked, (hovered) => ({ hovered }));
       if (asked === this.ray) break;
     }
     this.isAsking = false;

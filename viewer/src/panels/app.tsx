@@ -10,7 +10,22 @@ import { Hover } from './hover';
 import { Problems } from './problems';
 import { ReportPanel } from './report_panel';
 import { Timeline } from './timeline';
+import { watch } from './watch';
 import { WorkPanel } from './work_panel';
+
+/** Each looks after itself: see `watch`. */
+const panels = {
+  Header: watch(Header),
+  Report: watch(ReportPanel),
+  Characters: watch(CharactersPanel),
+  Contacts: watch(ContactsPanel),
+  Work: watch(WorkPanel),
+  Boxes: watch(BoxesPanel),
+  Timeline: watch(Timeline),
+  Hover: watch(Hover),
+  Problems: watch(Problems),
+  Help: watch(Help),
+};
 
 export interface PanelProps {
   state: State;
@@ -20,19 +35,19 @@ export interface PanelProps {
 export function App({ state, update, openFiles }: PanelProps & { openFiles: () => void }) {
   return (
     <>
-      <Header state={state} update={update} openFiles={openFiles} />
+      <panels.Header state={state} update={update} openFiles={openFiles} />
       <aside class="side" aria-label="Scene and answers">
-        <ReportPanel state={state} update={update} />
-        <CharactersPanel state={state} update={update} />
-        <ContactsPanel state={state} update={update} />
-        <WorkPanel state={state} update={update} />
-        <BoxesPanel state={state} update={update} />
+        <panels.Report state={state} update={update} />
+        <panels.Characters state={state} update={update} />
+        <panels.Contacts state={state} update={update} />
+        <panels.Work state={state} update={update} />
+        <panels.Boxes state={state} update={update} />
       </aside>
-      <Timeline state={state} update={update} />
-      <Hover state={state} update={update} />
-      <Problems state={state} update={update} />
+      <panels.Timeline state={state} update={update} />
+      <panels.Hover state={state} update={update} />
+      <panels.Problems state={state} update={update} />
       {state.isDropping && <div class="drop">Drop .glb files here</div>}
-      <Help state={state} update={update} />
+      <panels.Help state={state} update={update} />
     </>
   );
 }

@@ -1,8 +1,9 @@
-import { memo } from './memo';
 import { jumpToContact, step, toFrame, togglePlaying } from '../state/changes';
 import { frameTime } from '../scene/scene';
 import type { SweepState } from '../state/state';
 import type { PanelProps } from './app';
+import { Chart } from './chart';
+import { memo } from './memo';
 
 export function Timeline({ state, update }: PanelProps) {
   const { scene, frame, sweep } = state;
@@ -74,27 +75,12 @@ function Transport({ state: { isPlaying }, update }: PanelProps) {
   );
 }
 
-interface ChartProps {
-  counts: readonly number[];
+interface SweepFactsProps {
+  sweep: SweepState;
   frameCount: number;
 }
 
-/** A bar a frame; roots, so that a single contact is seen beside thousands. */
-const Chart = memo(({ counts, frameCount }: ChartProps) => {
-  const most = Math.sqrt(Math.max(1, ...counts));
-  const bars = counts.map((count, frame) => {
-    const height = count === 0 ? 0 : 0.06 + (0.94 * Math.sqrt(count)) / most;
-    return `M${frame} 1v${-height}h1v${height}z`;
-  });
-  return (
-    <svg viewBox={`0 0 ${frameCount} 1`} preserveAspectRatio="none" aria-hidden="true">
-      <rect class="counted" width={counts.length} height="1" />
-      <path d={bars.join('')} />
-    </svg>
-  );
-});
-
-function SweepFacts({ sweep, frameCount }: { sweep: SweepState; frameCount: number }) {
+const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
   const { counts, total } = sweep;
   if (!total) {
     return <small role="status">counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
@@ -112,4 +98,4 @@ function SweepFacts({ sweep, frameCount }: { sweep: SweepState; frameCount: numb
       )}
     </small>
   );
-}
+});

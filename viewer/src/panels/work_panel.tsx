@@ -1,19 +1,18 @@
+import { isSameQuery } from '../state/shots';
+import type { AnsweredShot, MeasuredShot } from '../state/state';
 import type { PanelProps } from './app';
 
-export function WorkPanel({ state }: PanelProps) {
-  const { answer, costs } = state;
+/** The counts are of the frame shown. What has to be measured may be of an earlier one, and says so. */
+export function WorkPanel({ state: { answer, costs } }: PanelProps) {
   if (!answer) return null;
   const { work } = answer;
-  const ratio = costs && costs.eager.microseconds / costs.onDemand.microseconds;
+  const isEarlier = costs !== null && !isSameQuery(costs.shot, answer.shot);
+  const measured = isEarlier ? `in frame ${costs.shot.frame}` : null;
   return (
     <section aria-labelledby="work">
       <h2 id="work">
         Work of this frame
-        {ratio && (
-          <small class="number" title="Time on demand beside that of refitting everything first">
-            {ratio >= 1 ? `${shortened(ratio)}× less` : `${shortened(1 / ratio)}× more`}
-          </small>
-        )}
+        {costs && <Ratio costs={costs} answer={answer} />}
       </h2>
       <table class="work">
         <thead>
@@ -24,22 +23,30 @@ export function WorkPanel({ state }: PanelProps) {
           </tr>
         </thead>
         <tbody>
-          <Row name="nodes opened" fact="nodes" value={work.openedNodes} whole={work.nodes} />
+          <Row name="boxes refitted" fact="boxes" value={work.refits} whole={work.allRefits} />
           <Row
             name="vertices skinned"
             fact="vertices"
             value={work.posedVertices}
-            whole={work.vertices}
+            whole={work.allVertices}
           />
           <Row
             name="triangle tests"
             fact="tests"
             value={work.trianglePairs}
-            whole={work.trianglePairs}
+            whole={isEarlier ? undefined : costs?.eager.trianglePairs}
+          />
+          <Row
+            name="nodes opened"
+            fact="nodes"
+            note={measured}
+            value={costs?.openedNodes}
+            whole={costs?.nodes}
           />
           <Row
             name="microseconds"
             fact="microseconds"
+            note={measured}
             value={costs?.onDemand.microseconds}
             whole={costs?.eager.microseconds}
           />
@@ -49,18 +56,33 @@ export function WorkPanel({ state }: PanelProps) {
   );
 }
 
+function Ratio({ costs, answer }: { costs: MeasuredShot; answer: AnsweredShot }) {
+  const ratio = costs.eager.microseconds / costs.onDemand.microseconds;
+  const isEarlier = !isSameQuery(costs.shot, answer.shot);
+  return (
+    <small
+      class={isEarlier ? 'number earlier' : 'number'}
+      title={`Time on demand beside that of refitting everything first, in frame ${costs.shot.frame}`}
+    >
+      {ratio >= 1 ? `${shortened(ratio)}× less` : `${shortened(1 / ratio)}× more`}
+    </small>
+  );
+}
+
 interface RowProps {
   name: string;
   /** For whoever looks for the numbers in the page. */
   fact: string;
+  /** Where the numbers are not of the frame shown. */
+  note?: string | null;
   value: number | undefined;
   whole: number | undefined;
 }
 
-function Row({ name, fact, value, whole }: RowProps) {
+function Row({ name, fact, note = null, value, whole }: RowProps) {
   const share = value !== undefined && whole ? Math.min(1, value / whole) : 0;
   return (
-    <tr>
+    <tr class={note ? 'earlier' : ''} title={note ?? ''}>
       <th scope="row">{name}</th>
       <td data-fact={fact} style={{ '--share': share }}>
         {shown(value)}

@@ -35,7 +35,7 @@ export interface State {
 
   /** The worker's last answers, which may be of an earlier frame or scene. */
   answer: AnsweredShot | null;
-  costs: Costs | null;
+  costs: MeasuredShot | null;
   sweep: SweepState;
   /** Of the worst frames. */
   stills: Still[];
@@ -48,6 +48,10 @@ export interface State {
 }
 
 export interface AnsweredShot extends FrameAnswer {
+  shot: Shot;
+}
+
+export interface MeasuredShot extends Costs {
   shot: Shot;
 }
 

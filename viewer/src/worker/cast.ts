@@ -30,7 +30,8 @@ export function readSceneFile(pelt: Pelt, { path, files, options }: Questions['o
 
 export function readCharacters(pelt: Pelt, files: readonly NamedFile[]): Cast {
   const models = files.filter(isCharacter);
-  const byPath: Files = new Map(files.map((file) => [file.path, file.bytes]));
+  const others = files.filter((file) => !isCharacter(file));
+  const byPath: Files = new Map(others.map((file) => [file.path, file.bytes]));
   const characters: Character[] = [];
   try {
     for (const { path, bytes } of models) {

@@ -1,44 +1,97 @@
-/** What a frame's query costs, and what refitting everything first would have cost. */
+/**
+ * What a frame's query costs, and what refitting everything first costs: measured in steps, so that
+ * a frame that is wanted meanwhile need not wait.
+ */
 
-import type { Contacts, Pelt, Pose, Scene as EngineScene } from 'pelt';
-import { queryPairs } from './pairs';
-import type { Poses } from './poses';
-import type { Cost, Costs, Shot } from './protocol';
+import type { Pelt, Pose, Scene as EngineScene } from 'pelt';
+import { collidingPairs } from './colliding_pairs';
+import type { Cost, Costs, Questions, Shot } from './protocol';
+import { Stage } from './stage';
+import { Stopwatch } from './stopwatch';
 
 /** Clocks of browsers tick in steps of up to a tenth of a millisecond. */
 const LEAST_MILLISECONDS = 2;
 
-type Query = (a: Pose, b: Pose) => Contacts;
+const SLICE_MILLISECONDS = 4;
 
-export function measureCosts(pelt: Pelt, poses: Poses, scene: EngineScene, shot: Shot): Costs {
-  const options = { firstContact: shot.firstContact };
-  const cost = (query: Query) => measure(poses, scene, shot.frame, query);
-  const onDemand = cost((a, b) => pelt.collide(a, b, options));
-  const eager = cost((a, b) => pelt.collideEagerly(a, b, options));
-  return { onDemand, eager: oncePerInstance(eager, poses.all.length) };
-}
+type Steps<Result> = Generator<undefined, Result>;
 
-/** Repeats the query in fresh poses until a clock can tell how long it takes. */
-function measure(poses: Poses, scene: EngineScene, frame: number, query: Query): Cost {
-  let [milliseconds, rounds, posedVertices, refits] = [0, 0, 0, 0];
-  do {
-    poses.set(scene, frame);
-    const begin = performance.now();
-    const pairs = queryPairs(poses.all, query);
-    milliseconds += performance.now() - begin;
-    ++rounds;
-    posedVertices = pairs.reduce((sum, { contacts }) => sum + contacts.stats.posedVertices, 0);
-    refits = pairs.reduce((sum, { contacts }) => sum + contacts.stats.refits, 0);
-  } while (milliseconds < LEAST_MILLISECONDS);
-  return { microseconds: (1000 * milliseconds) / rounds, posedVertices, refits };
-}
+export class CostMeter {
+  private readonly stage: Stage;
+  private readonly watch = new Stopwatch();
+  private id = -1;
+  private steps: Steps<Costs> | null = null;
 
-/** `collideEagerly` refits an instance for each other one; an engine that does so would do it once. */
-function oncePerInstance(cost: Cost, instances: number): Cost {
-  const share = 1 / Math.max(1, instances - 1);
-  return {
-    microseconds: cost.microseconds * share,
-    posedVertices: cost.posedVertices * share,
-    refits: cost.refits * share,
-  };
+  constructor(private readonly pelt: Pelt) {
+    this.stage = new Stage(pelt);
+  }
+
+  /** Works for a few milliseconds; null: ask again, there is more to do. */
+  advance({ id, shot }: Questions['measure'], scene: EngineScene): Costs | null {
+    if (id !== this.id || !this.steps) this.steps = this.measure(scene, shot);
+    this.id = id;
+    const end = performance.now() + SLICE_MILLISECONDS;
+    this.watch.goOn();
+    let step = this.steps.next();
+    while (!step.done && performance.now() < end) step = this.steps.next();
+    this.watch.pause();
+    return step.done ? step.value : null;
+  }
+
+  clear(): void {
+    this.steps = null;
+    this.stage.clear();
+  }
+
+  private *measure(scene: EngineScene, { frame, firstContact }: Shot): Steps<Costs> {
+    this.stage.set(scene, frame);
+    yield;
+    const onDemand = yield* this.cost(() => this.askOnDemand(firstContact));
+    const eager = yield* this.cost(() => this.askEagerly(firstContact));
+    return { onDemand, eager, ...this.countNodes(firstContact) };
+  }
+
+  /** Twice as many rounds each time, until a clock can tell how long they take. */
+  private *cost(round: () => Steps<number>): Steps<Cost> {
+    for (let rounds = 1; ; rounds *= 2) {
+      let trianglePairs = 0;
+      this.watch.start();
+      for (let i = 0; i < rounds; ++i) trianglePairs = yield* round();
+      const { milliseconds } = this.watch;
+      if (milliseconds < LEAST_MILLISECONDS) continue;
+      return { microseconds: (1000 * milliseconds) / rounds, trianglePairs };
+    }
+  }
+
+  private *askOnDemand(firstContact: boolean): Steps<number> {
+    const { stats } = this.stage.collide(firstContact);
+    yield;
+    return stats.trianglePairs;
+  }
+
+  /** Every instance is refitted once, and then compared with all those that it is near. */
+  private *askEagerly(firstContact: boolean): Steps<number> {
+    const { poses } = this.stage;
+    for (const pose of poses) {
+      pose.refitAll();
+      yield;
+    }
+    let trianglePairs = 0;
+    for (const [a, b] of collidingPairs(poses)) {
+      trianglePairs += this.pelt.collideEagerly(a, b, { firstContact }).stats.trianglePairs;
+      yield;
+    }
+    return trianglePairs;
+  }
+
+  private countNodes(firstContact: boolean): { openedNodes: number; nodes: number } {
+    const { poses } = this.stage;
+    for (const [a, b] of collidingPairs(poses)) this.pelt.collide(a, b, { firstContact });
+    const sum = (count: (pose: Pose) => number) =>
+      poses.reduce((total, pose) => total + count(pose), 0);
+    return {
+      openedNodes: sum((pose) => pose.openedNodeCount),
+      nodes: sum((pose) => pose.character.nodeCount),
+    };
+  }
 }

@@ -3,27 +3,32 @@
 import type { Pelt, Scene as EngineScene } from 'pelt';
 import type { Scene } from '../scene/scene';
 import { readCharacters, readDemo, readSceneFile, type Cast } from './cast';
-import { measureCosts } from './costs';
+import { CostMeter } from './costs';
 import { factsOf } from './facts';
 import { answerFrame } from './frame';
-import { Poses } from './poses';
 import type { Answers, Kind, Opened, Questions, Request, SweepProgress } from './protocol';
+import { Stage } from './stage';
 import { firstSurface } from './surfaces';
 import { Sweep } from './sweep';
 
 export class Desk {
   private cast: Cast = { characters: [], sources: [], scene: null };
   /** As the page shows them, and the same again for what is asked apart from that. */
-  private readonly shown = new Poses();
-  private readonly apart = new Poses();
+  private readonly shown: Stage;
+  private readonly apart: Stage;
+  private readonly meter: CostMeter;
   private sweep: Sweep | null = null;
 
   constructor(
     private readonly pelt: Pelt,
     private readonly report: (progress: SweepProgress) => void,
-  ) {}
+  ) {
+    this.shown = new Stage(pelt);
+    this.apart = new Stage(pelt);
+    this.meter = new CostMeter(pelt);
+  }
 
-  answer({ kind, question }: Request): Answers[Kind] {
+  answer({ kind, question }: Request): Answers[Kind] | Promise<Answers[Kind]> {
     switch (kind) {
       case 'openDemo':
         return this.replaceCast(readDemo(this.pelt));
@@ -31,14 +36,16 @@ export class Desk {
         return this.replaceCast(readSceneFile(this.pelt, question));
       case 'readCharacters':
         return this.replaceCast(readCharacters(this.pelt, question.files));
-      case 'pose':
-        return answerFrame(this.pelt, this.shown, this.engineScene(question.scene), question);
+      case 'pose': {
+        const { shot, spares } = question;
+        return answerFrame(this.pelt, this.shown, this.engineScene(shot.scene), shot, spares);
+      }
       case 'still':
         return answerFrame(this.pelt, this.apart, this.engineScene(question.scene), question);
       case 'measure':
-        return measureCosts(this.pelt, this.apart, this.engineScene(question.scene), question);
+        return this.meter.advance(question, this.engineScene(question.shot.scene));
       case 'cast':
-        return firstSurface(this.shown.all, question.origin, question.direction);
+        return firstSurface(this.shown.poses, question.origin, question.direction);
       case 'sweep':
         return this.startSweep(question);
     }
@@ -49,6 +56,7 @@ export class Desk {
     this.stopSweep();
     this.shown.clear();
     this.apart.clear();
+    this.meter.clear();
     for (const character of this.cast.characters) character.delete();
     this.cast = cast;
     return {
@@ -57,10 +65,10 @@ export class Desk {
     };
   }
 
-  private startSweep(question: Questions['sweep']): null {
+  private startSweep(question: Questions['sweep']): Promise<null> {
     this.stopSweep();
     this.sweep = new Sweep(this.pelt, this.engineScene(question.scene), question, this.report);
-    return null;
+    return this.sweep.ended;
   }
 
   private stopSweep(): void {

@@ -1,62 +1,67 @@
 /** One frame: everything posed, every pair asked, all that the page draws and tells. */
 
-import type { Pelt, Pose, Scene as EngineScene } from 'pelt';
-import { queryPairs, type PairContacts } from './pairs';
-import type { Poses } from './poses';
-import type { FrameAnswer, PosedInstance, Shot, Work } from './protocol';
+import type { Pelt, Pose, QueryStats, Scene as EngineScene } from 'pelt';
+import { collidingPairs } from './colliding_pairs';
+import { glowOf } from './glow';
+import type { FrameAnswer, PosedInstance, Shot, Spare, Work } from './protocol';
+import type { Stage } from './stage';
 import { TouchTally } from './touches';
+import { wholeWorkOf } from './whole_work';
 
-export function answerFrame(pelt: Pelt, poses: Poses, scene: EngineScene, shot: Shot): FrameAnswer {
-  const { frame, firstContact, boxLevel } = shot;
-  poses.set(scene, frame);
-  const pairs = queryPairs(poses.all, (a, b) => pelt.collide(a, b, { firstContact }));
-  const touching = touchingTriangles(poses.all, pairs);
+/** `spares` has arrays for the instances to be drawn with, where the page is done with some. */
+export function answerFrame(
+  pelt: Pelt,
+  stage: Stage,
+  scene: EngineScene,
+  { frame, firstContact, boxLevel }: Shot,
+  spares: readonly Spare[] = [],
+): FrameAnswer {
+  stage.set(scene, frame);
+  const { count, contacts, stats } = stage.collide(firstContact);
+  if (boxLevel !== null) openNodes(pelt, stage.poses, firstContact);
+  const tally = new TouchTally(stage.characters);
+  tally.addAll(frame, contacts);
+  const instances = stage.poses.map((pose, i) => drawn(pose, boxLevel, spares[i]));
+  const touching = stage.sets.gather(contacts);
   return {
-    instances: poses.all.map((pose, i) => drawn(pose, touching[i], boxLevel)),
-    contacts: pairs.reduce((sum, { contacts }) => sum + contacts.count, 0),
-    touches: tallied(poses.all, pairs),
-    work: workOf(poses.all, pairs),
+    instances: instances.map((instance, i) => ({ ...instance, touching: touching[i] })),
+    glow: glowOf(stage.characters, instances, touching),
+    contacts: count,
+    touches: tally.sorted(),
+    work: workOf(stage.poses, stats),
   };
 }
 
-function touchingTriangles(poses: readonly Pose[], pairs: readonly PairContacts[]): Uint32Array[] {
-  const sets = poses.map(() => new Set<number>());
-  for (const { a, b, contacts } of pairs) {
-    contacts.pairs.forEach((triangle, i) => sets[i % 2 === 0 ? a : b].add(triangle));
-  }
-  return sets.map((set) => Uint32Array.from(set));
-}
-
-function tallied(poses: readonly Pose[], pairs: readonly PairContacts[]) {
-  const tally = new TouchTally(poses.map((pose) => pose.character));
-  for (const { a, b, contacts } of pairs) {
-    for (let i = 0; i < contacts.pairs.length; i += 2) {
-      tally.add(a, b, contacts.pairs[i], contacts.pairs[i + 1]);
-    }
-  }
-  return tally.sorted();
+/** A crowd keeps no opened nodes: the same query of two poses at a time does. */
+function openNodes(pelt: Pelt, poses: readonly Pose[], firstContact: boolean): void {
+  for (const [a, b] of collidingPairs(poses)) pelt.collide(a, b, { firstContact });
 }
 
 /** After the queries, which pose only what they need: the boxes tell what these have opened. */
-function drawn(pose: Pose, touching: Uint32Array, boxLevel: number | null): PosedInstance {
+function drawn(
+  pose: Pose,
+  boxLevel: number | null,
+  spare: Spare | undefined,
+): Omit<PosedInstance, 'touching'> {
   const deepest = pose.character.levelCount - 1;
   const boxes = boxLevel === null ? null : pose.nodeBoxes(Math.min(boxLevel, deepest));
+  const length = 3 * pose.character.vertexCount;
+  const fits = spare?.positions.length === length && spare.normals.length === length;
   return {
-    positions: pose.posedVertices(),
-    normals: pose.normals(),
-    touching,
+    positions: pose.posedVertices(fits ? spare.positions : undefined),
+    normals: pose.normals(fits ? spare.normals : undefined),
     boxes: boxes?.boxes ?? new Float32Array(),
     boxStates: boxes?.states ?? new Uint8Array(),
   };
 }
 
-function workOf(poses: readonly Pose[], pairs: readonly PairContacts[]): Work {
-  const sum = (values: readonly number[]) => values.reduce((total, value) => total + value, 0);
+function workOf(poses: readonly Pose[], stats: QueryStats): Work {
+  const whole = poses.map((pose) => wholeWorkOf(pose.character));
   return {
-    openedNodes: sum(poses.map((pose) => pose.openedNodeCount)),
-    nodes: sum(poses.map((pose) => pose.character.nodeCount)),
-    posedVertices: sum(pairs.map(({ contacts }) => contacts.stats.posedVertices)),
-    vertices: sum(poses.map((pose) => pose.character.vertexCount)),
-    trianglePairs: sum(pairs.map(({ contacts }) => contacts.stats.trianglePairs)),
+    refits: stats.refits,
+    allRefits: whole.reduce((sum, { refits }) => sum + refits, 0),
+    posedVertices: stats.posedVertices,
+    allVertices: whole.reduce((sum, { posedVertices }) => sum + posedVertices, 0),
+    trianglePairs: stats.trianglePairs,
   };
 }

@@ -19,16 +19,16 @@ async function openDesk(): Promise<Desk> {
 
 async function answer(request: Request): Promise<Reply> {
   try {
-    return { id: request.id, answer: (await desk).answer(request) };
+    return { id: request.id, answer: await (await desk).answer(request) };
   } catch (error) {
     return { id: request.id, problem: error instanceof Error ? error.message : String(error) };
   }
 }
 
 /** The large arrays of a frame change hands instead of being copied. */
-function buffersOf(reply: Reply): ArrayBuffer[] {
+function buffersOf(reply: Reply): Transferable[] {
   if (!('answer' in reply) || !reply.answer || !('instances' in reply.answer)) return [];
-  return reply.answer.instances.flatMap((instance) =>
-    Object.values(instance).map((array: Float32Array<ArrayBuffer>) => array.buffer),
-  );
+  const { instances, glow } = reply.answer;
+  const arrays = instances.flatMap(({ positions, normals, boxes }) => [positions, normals, boxes]);
+  return [...arrays, glow.corners, glow.centres].map(({ buffer }) => buffer as ArrayBuffer);
 }

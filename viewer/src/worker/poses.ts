@@ -1,29 +1,23 @@
 import type { Pose, Scene as EngineScene } from 'pelt';
+import type { SceneCrowd } from './scene_crowd';
 
-/** A pose for each instance of a scene, kept from frame to frame. */
+/** A pose for each instance of a scene: what is drawn, and what a single instance is asked. */
 export class Poses {
-  all: Pose[] = [];
+  readonly all: Pose[];
 
-  /** Closes all nodes that queries have opened. */
-  set(scene: EngineScene, frame: number): void {
-    if (!this.fits(scene)) this.make(scene);
-    this.all.forEach((pose, instance) => scene.setPose(pose, instance, frame));
-  }
-
-  clear(): void {
-    for (const pose of this.all) pose.delete();
-    this.all = [];
-  }
-
-  private fits({ instances, characters }: EngineScene): boolean {
-    return (
-      instances.length === this.all.length &&
-      instances.every(({ character }, i) => this.all[i].character === characters[character])
-    );
-  }
-
-  private make({ instances, characters }: EngineScene): void {
-    this.clear();
+  constructor({ instances, characters }: EngineScene) {
     this.all = instances.map(({ character }) => characters[character].makePose());
+  }
+
+  /** Takes what the crowd has been set to. Closes all nodes that queries have opened. */
+  follow({ palettes, morphWeights }: SceneCrowd): void {
+    this.all.forEach((pose, i) => {
+      pose.setMorphWeights(morphWeights[i]);
+      pose.setPalette(palettes[i]);
+    });
+  }
+
+  delete(): void {
+    for (const pose of this.all) pose.delete();
   }
 }

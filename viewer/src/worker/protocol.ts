@@ -42,13 +42,15 @@ export interface Questions {
   openScene: { path: string; files: NamedFile[]; options: ReadingOptions };
   /** Characters without a scene; replaces all others. */
   readCharacters: { files: NamedFile[] };
-  pose: Shot;
+  pose: { shot: Shot; spares: Spare[] };
   /** As `pose`, of a frame that is not the one shown. */
   still: Shot;
-  measure: Shot;
+  /** Bit by bit: the same again until there is an answer. Each measurement has its own number. */
+  measure: { id: number; shot: Shot };
   /** Which triangle a ray meets first, in the poses of the last `pose`. */
   cast: { origin: number[]; direction: number[] };
-  /** Count the contacts of every frame in the background, and forget the sweep before. */
+  /** Count the contacts of every frame in the background, and forget the sweep before. Answered when
+   * that is done, or given up. */
   sweep: { id: number; scene: Scene; firstContact: boolean };
 }
 
@@ -58,7 +60,7 @@ export interface Answers {
   readCharacters: Opened;
   pose: FrameAnswer;
   still: FrameAnswer;
-  measure: Costs;
+  measure: Costs | null;
   cast: Surface | null;
   sweep: null;
 }
@@ -102,15 +104,23 @@ export interface Touch {
   a: Surface;
   b: Surface;
   contacts: number;
+  /** The frame with the most of them. */
+  worst: { frame: number; contacts: number };
 }
 
-/** How much was done, of how much there is. */
+/** How much a query did, as the command counts it, and how much refitting everything does. */
 export interface Work {
-  openedNodes: number;
-  nodes: number;
+  refits: number;
+  allRefits: number;
   posedVertices: number;
-  vertices: number;
+  allVertices: number;
   trianglePairs: number;
+}
+
+/** Arrays that the page is done with, to be filled anew. */
+export interface Spare {
+  positions: Float32Array;
+  normals: Float32Array;
 }
 
 export interface PosedInstance {
@@ -122,24 +132,35 @@ export interface PosedInstance {
   boxStates: Uint8Array;
 }
 
+/** All triangles in contact, one after the other; there is room for more in the arrays. */
+export interface Glow {
+  triangles: number;
+  /** [T][3][3] positions, and [T][3] of their middles. */
+  corners: Float32Array;
+  centres: Float32Array;
+}
+
 export interface FrameAnswer {
   instances: PosedInstance[];
+  glow: Glow;
   contacts: number;
   /** The most contacts first. */
   touches: Touch[];
   work: Work;
 }
 
-/** Microseconds and work of one frame's query, on demand and by refitting everything. */
+/** One frame's query, on demand and by refitting everything. */
 export interface Costs {
   onDemand: Cost;
   eager: Cost;
+  /** On demand, out of so many. */
+  openedNodes: number;
+  nodes: number;
 }
 
 export interface Cost {
   microseconds: number;
-  posedVertices: number;
-  refits: number;
+  trianglePairs: number;
 }
 
 export interface SweepProgress {

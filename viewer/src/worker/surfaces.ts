@@ -11,6 +11,28 @@ export function surfaceOf(character: Character, instance: number, triangle: numb
   };
 }
 
+/** A number for the part and joint of each triangle: the same number, the same names. */
+export interface Places {
+  ofTriangle: Uint32Array;
+  count: number;
+}
+
+const known = new WeakMap<Character, Places>();
+
+export function placesOf(character: Character): Places {
+  const places = known.get(character) ?? numberPlaces(character);
+  known.set(character, places);
+  return places;
+}
+
+function numberPlaces({ triangleParts, triangleJoints, jointCount, parts }: Character): Places {
+  const ofTriangle = new Uint32Array(triangleParts.length);
+  for (let t = 0; t < ofTriangle.length; ++t) {
+    ofTriangle[t] = triangleParts[t] * jointCount + triangleJoints[t];
+  }
+  return { ofTriangle, count: parts.length * jointCount };
+}
+
 /** What a ray meets first. */
 export function firstSurface(
   poses: readonly Pose[],

@@ -1,7 +1,8 @@
 /** Counts the contacts of every frame in the background, a few milliseconds at a time. */
 
-import type { ContactHash, Crowd, CrowdContacts, Pelt, Scene as EngineScene } from 'pelt';
+import type { ContactHash, Pelt, Scene as EngineScene } from 'pelt';
 import type { Questions, SweepProgress, SweepTotal } from './protocol';
+import { SceneCrowd } from './scene_crowd';
 import { TouchTally } from './touches';
 
 /** So long may a frame that is wanted now have to wait. */
@@ -10,14 +11,17 @@ const SLICE_MILLISECONDS = 6;
 const REPORT_MILLISECONDS = 100;
 
 export class Sweep {
-  private readonly crowd: Crowd;
+  /** Settled when all is counted or given up, rejected when a frame cannot be. */
+  readonly ended: Promise<null>;
+  private readonly crowd: SceneCrowd;
   private readonly hash: ContactHash;
   private readonly tally: TouchTally;
   private next = 0;
   /** Not yet reported, and when the last were. */
   private counts: number[] = [];
   private reported = 0;
-  private timer: ReturnType<typeof setTimeout>;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private end!: (problem?: unknown) => void;
 
   constructor(
     pelt: Pelt,
@@ -25,25 +29,38 @@ export class Sweep {
     private readonly question: Questions['sweep'],
     private readonly report: (progress: SweepProgress) => void,
   ) {
-    const characters = scene.instances.map(({ character }) => scene.characters[character]);
-    this.crowd = pelt.makeCrowd();
-    for (const character of characters) this.crowd.add(character);
+    this.crowd = new SceneCrowd(pelt, scene);
     this.hash = pelt.makeContactHash();
-    this.tally = new TouchTally(characters);
-    this.timer = setTimeout(() => this.advance());
+    this.tally = new TouchTally(this.crowd.characters);
+    this.ended = new Promise((resolve, reject) => {
+      this.end = (problem) => (problem === undefined ? resolve(null) : reject(problem));
+    });
+    this.goOn();
   }
 
   stop(): void {
     clearTimeout(this.timer);
     this.crowd.delete();
     this.hash.delete();
+    this.end();
+  }
+
+  private goOn(): void {
+    this.timer = setTimeout(() => {
+      try {
+        this.advance();
+      } catch (problem) {
+        this.end(problem);
+      }
+    });
   }
 
   private advance(): void {
     const end = performance.now() + SLICE_MILLISECONDS;
     while (!this.isDone() && performance.now() < end) this.counts.push(this.countFrame());
     if (this.isDone() || end - this.reported > REPORT_MILLISECONDS) this.reportCounts();
-    if (!this.isDone()) this.timer = setTimeout(() => this.advance());
+    if (this.isDone()) this.end();
+    else this.goOn();
   }
 
   private reportCounts(): void {
@@ -59,20 +76,11 @@ export class Sweep {
 
   private countFrame(): number {
     const frame = this.next++;
-    this.scene.instances.forEach((_, instance) => {
-      this.crowd.setPalette(instance, this.scene.palette(instance, frame));
-      this.crowd.setMorphWeights(instance, this.scene.morphWeights(instance, frame));
-    });
-    const found = this.crowd.collide({ firstContact: this.question.firstContact });
-    this.hash.addCrowd(frame, found.contacts);
-    this.addTouches(found);
-    return found.count;
-  }
-
-  private addTouches({ contacts }: CrowdContacts): void {
-    for (let i = 0; i < contacts.length; i += 4) {
-      this.tally.add(contacts[i], contacts[i + 1], contacts[i + 2], contacts[i + 3]);
-    }
+    this.crowd.set(this.scene, frame);
+    const { count, contacts } = this.crowd.collide(this.question.firstContact);
+    this.hash.addCrowd(frame, contacts);
+    this.tally.addAll(frame, contacts);
+    return count;
   }
 
   private total(): SweepTotal {

@@ -1,36 +1,66 @@
 import type { Character } from 'pelt';
 import type { Touch } from './protocol';
-import { surfaceOf } from './surfaces';
+import { placesOf, surfaceOf, type Places } from './surfaces';
 
-/** Counts contacts by the parts and joints that they are between. */
+/** A touch, and its contacts in the last of its frames. */
+interface Counted {
+  touch: Touch;
+  last: { frame: number; contacts: number };
+}
+
+/** Counts contacts by the parts and joints that they are between, frame after frame. */
 export class TouchTally {
-  private readonly touches = new Map<string, Touch>();
+  private readonly places: Places[];
+  private readonly mostPlaces: number;
+  /** By `keyOf`: texts would cost more than the query. */
+  private readonly touches = new Map<number, Counted>();
 
   /** `characters` has that of each instance. */
-  constructor(private readonly characters: readonly Character[]) {}
+  constructor(private readonly characters: readonly Character[]) {
+    this.places = characters.map(placesOf);
+    this.mostPlaces = Math.max(1, ...this.places.map(({ count }) => count));
+  }
 
-  add(a: number, b: number, triangleA: number, triangleB: number): void {
-    const key = `${this.placeOf(a, triangleA)} ${this.placeOf(b, triangleB)}`;
-    const touch = this.touches.get(key);
-    if (touch) ++touch.contacts;
-    else this.touches.set(key, this.makeTouch(a, b, triangleA, triangleB));
+  /** `contacts` as a crowd has them. */
+  addAll(frame: number, contacts: Uint32Array): void {
+    for (let i = 0; i < contacts.length; i += 4) {
+      this.add(frame, contacts[i], contacts[i + 1], contacts[i + 2], contacts[i + 3]);
+    }
   }
 
   /** The most contacts first. */
   sorted(): Touch[] {
-    return [...this.touches.values()].sort((one, other) => other.contacts - one.contacts);
+    const touches = [...this.touches.values()].map(({ touch }) => touch);
+    return touches.sort((one, other) => other.contacts - one.contacts);
   }
 
-  private placeOf(instance: number, triangle: number): string {
-    const { triangleParts, triangleJoints } = this.characters[instance];
-    return `${instance}:${triangleParts[triangle]}:${triangleJoints[triangle]}`;
+  private add(frame: number, a: number, b: number, triangleA: number, triangleB: number): void {
+    const key = this.keyOf(a, b, triangleA, triangleB);
+    const counted = this.touches.get(key) ?? this.begin(key, a, b, triangleA, triangleB);
+    const { touch } = counted;
+    if (counted.last.frame !== frame) counted.last = { frame, contacts: 0 };
+    ++touch.contacts;
+    ++counted.last.contacts;
+    if (counted.last.contacts > touch.worst.contacts) touch.worst = counted.last;
   }
 
-  private makeTouch(a: number, b: number, triangleA: number, triangleB: number): Touch {
-    return {
+  /** A number for two places of two instances; exact for all scenes that fit into memory. */
+  private keyOf(a: number, b: number, triangleA: number, triangleB: number): number {
+    const instances = a * this.characters.length + b;
+    const placeA = this.places[a].ofTriangle[triangleA];
+    const placeB = this.places[b].ofTriangle[triangleB];
+    return (instances * this.mostPlaces + placeA) * this.mostPlaces + placeB;
+  }
+
+  private begin(key: number, a: number, b: number, triangleA: number, triangleB: number): Counted {
+    const touch = {
       a: surfaceOf(this.characters[a], a, triangleA),
       b: surfaceOf(this.characters[b], b, triangleB),
-      contacts: 1,
+      contacts: 0,
+      worst: { frame: -1, contacts: 0 },
     };
+    const counted = { touch, last: { frame: -1, contacts: 0 } };
+    this.touches.set(key, counted);
+    return counted;
   }
 }

@@ -1,0 +1,79 @@
+/** Has costs measured: now and then while the scene plays, and carefully while it stands still. */
+
+import type { MeasuredShot, State } from '../state/state';
+import type { Store } from '../state/store';
+import type { Cost, Costs, Shot } from '../worker/protocol';
+import type { Asker } from './asker';
+import { isSameQuery } from '../state/shots';
+
+/** Between two measurements. */
+const PAUSE_MILLISECONDS = { playing: 600, still: 200 };
+
+/** The least time of so many is the one undisturbed. */
+const ROUNDS = 6;
+
+/** Of all instances together. More are not refitted in passing, and too many not at all. */
+const MOST_VERTICES = { playing: 100_000, still: 2_000_000 };
+
+export class Meter {
+  private isMeasuring = false;
+  private rounds = 0;
+  private lastId = 0;
+
+  constructor(
+    private readonly store: Store<State>,
+    private readonly asker: Asker,
+  ) {
+    store.listen((state, before) => {
+      if (state.answer !== before.answer) void this.measure();
+    });
+  }
+
+  /** As long as there is something to be found out. */
+  private async measure(): Promise<void> {
+    if (this.isMeasuring) return;
+    this.isMeasuring = true;
+    for (let shot = this.wanted(); shot; shot = this.wanted()) {
+      await this.measureOnce(shot);
+      const { isPlaying } = this.store.state;
+      await pause(PAUSE_MILLISECONDS[isPlaying ? 'playing' : 'still']);
+    }
+    this.isMeasuring = false;
+  }
+
+  private wanted(): Shot | null {
+    const { answer, costs, isPlaying, reading, scene } = this.store.state;
+    if (!answer || reading || answer.shot.scene !== scene) return null;
+    if (answer.work.allVertices > MOST_VERTICES[isPlaying ? 'playing' : 'still']) return null;
+    const isMeasured = costs !== null && isSameQuery(costs.shot, answer.shot);
+    if (!isMeasured) this.rounds = 0;
+    return this.rounds < ROUNDS ? answer.shot : null;
+  }
+
+  /** Bit by bit, and on to the end even where the scene has gone on: of one frame, or of none. */
+  private async measureOnce(shot: Shot): Promise<void> {
+    const id = ++this.lastId;
+    while (shot.scene === this.store.state.scene && !this.store.state.reading) {
+      const costs = await this.asker.ask('measure', { id, shot });
+      if (costs === undefined) this.rounds = ROUNDS;
+      if (costs) this.store.update(({ costs: before }) => ({ costs: better(before, costs, shot) }));
+      if (costs !== null) break;
+    }
+    ++this.rounds;
+  }
+}
+
+function better(before: MeasuredShot | null, costs: Costs, shot: Shot): MeasuredShot {
+  if (!before || !isSameQuery(before.shot, shot)) return { ...costs, shot };
+  const least = (a: Cost, b: Cost) => (a.microseconds < b.microseconds ? a : b);
+  return {
+    ...costs,
+    shot,
+    onDemand: least(before.onDemand, costs.onDemand),
+    eager: least(before.eager, costs.eager),
+  };
+}
+
+function pause(milliseconds: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, milliseconds));
+}

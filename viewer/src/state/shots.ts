@@ -1,0 +1,22 @@
+/** What the state wants to see. */
+
+import type { State } from './state';
+import type { Shot } from '../worker/protocol';
+
+/** While other characters are being read, the worker may have given up those of the scene. */
+export function shotOf({ scene, reading, frame, firstContact, boxLevel }: State): Shot | null {
+  return scene && !reading ? { scene, frame, firstContact, boxLevel } : null;
+}
+
+export function isSameShot(one: Shot, other: Shot): boolean {
+  return isSameQuery(one, other) && one.boxLevel === other.boxLevel;
+}
+
+/** Whether it does the same work. */
+export function isSameQuery(one: Shot, other: Shot): boolean {
+  return (
+    one.scene === other.scene &&
+    one.frame === other.frame &&
+    one.firstContact === other.firstContact
+  );
+}

@@ -1,0 +1,17 @@
+import type { Bounds, Pose } from 'pelt';
+
+/** The pairs of poses that could touch, as far as boxes around them tell. */
+export function collidingPairs(poses: readonly Pose[]): [Pose, Pose][] {
+  const boxes = poses.map((pose) => pose.bounds().box);
+  return poses.flatMap((a, i) =>
+    poses
+      .slice(i + 1)
+      .flatMap((b, j): [Pose, Pose][] => (overlap(boxes[i], boxes[i + 1 + j]) ? [[a, b]] : [])),
+  );
+}
+
+function overlap(one: Bounds['box'], other: Bounds['box']): boolean {
+  return [0, 1, 2].every(
+    (axis) => one.low[axis] <= other.high[axis] && other.low[axis] <= one.high[axis],
+  );
+}

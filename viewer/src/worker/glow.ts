@@ -1,0 +1,50 @@
+/** The triangles in contact as the page draws them: corners and centres, ready to be uploaded. */
+
+import type { Character } from 'pelt';
+import type { PosedInstance, Glow } from './protocol';
+
+/** Lengths are powers of two of triangles, so that arrays of the same length follow each other. */
+const LEAST_TRIANGLES = 64;
+
+export function glowOf(
+  characters: readonly Character[],
+  instances: readonly Pick<PosedInstance, 'positions'>[],
+  touching: readonly Uint32Array[],
+): Glow {
+  const triangles = touching.reduce((sum, { length }) => sum + length, 0);
+  const room = roomFor(triangles);
+  const glow = {
+    triangles,
+    corners: new Float32Array(9 * room),
+    centres: new Float32Array(3 * room),
+  };
+  let next = 0;
+  instances.forEach(({ positions }, i) => {
+    const corners = characters[i].triangles;
+    for (const triangle of touching[i]) {
+      writeTriangle(glow, next++, positions, corners.subarray(3 * triangle, 3 * triangle + 3));
+    }
+  });
+  return glow;
+}
+
+export function roomFor(triangles: number): number {
+  let room = LEAST_TRIANGLES;
+  while (room < triangles) room *= 2;
+  return room;
+}
+
+function writeTriangle(
+  { corners, centres }: Glow,
+  at: number,
+  positions: Float32Array,
+  vertices: Uint32Array,
+): void {
+  for (let corner = 0; corner < 3; ++corner) {
+    for (let axis = 0; axis < 3; ++axis) {
+      const place = positions[3 * vertices[corner] + axis];
+      corners[9 * at + 3 * corner + axis] = place;
+      centres[3 * at + axis] += place / 3;
+    }
+  }
+}

@@ -1,0 +1,153 @@
+// Parts of the page that need no browser.
+
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { createServer } from 'vite';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+let vite;
+const load = (file) => vite.ssrLoadModule(`/src/${file}`);
+
+before(async () => {
+  vite = await createServer({
+    root,
+    configFile: false,
+    appType: 'custom',
+    logLevel: 'error',
+    server: { middlewareMode: true, hmr: false, ws: false, watch: null },
+    optimizeDeps: { noDiscovery: true },
+    esbuild: { jsx: 'automatic', jsxImportSource: 'preact' },
+  });
+});
+after(() => vite.close());
+
+describe('turns around y', () => {
+  const quaternion = (degrees) => {
+    const half = (degrees * Math.PI) / 360;
+    return [0, Math.sin(half), 0, Math.cos(half)];
+  };
+
+  test('are read from -180 to 180 degrees', async () => {
+    const { turnOf } = await load('scene/turn.ts');
+    for (const degrees of [-179, -90, 0, 30, 180]) {
+      assert.ok(Math.abs(turnOf(quaternion(degrees)) - degrees) < 1e-9, `${degrees}`);
+    }
+    assert.ok(Math.abs(turnOf(quaternion(270)) + 90) < 1e-9);
+  });
+
+  test('are set whatever else a rotation does', async () => {
+    const { turnOf, withTurn } = await load('scene/turn.ts');
+    const leaning = [0.2, 0.1, -0.3, Math.sqrt(1 - 0.04 - 0.01 - 0.09)];
+    for (const degrees of [-120, 0, 45]) {
+      const turned = withTurn(leaning, degrees);
+      assert.ok(Math.abs(turnOf(turned) - degrees) < 1e-9, `${turnOf(turned)}`);
+      assert.ok(Math.abs(Math.hypot(...turned) - 1) < 1e-12);
+    }
+  });
+});
+
+describe('the tally of touches', () => {
+  /** Of 4 triangles, in two parts that follow two joints. */
+  const character = {
+    parts: [{ name: 'coat' }, { name: 'arm' }],
+    jointNames: ['hip', 'hand'],
+    jointCount: 2,
+    triangleParts: Uint16Array.of(0, 0, 1, 1),
+    triangleJoints: Uint16Array.of(0, 1, 1, 1),
+  };
+
+  test('is by instances, parts and joints, the most contacts first', async () => {
+    const { TouchTally } = await load('worker/touches.ts');
+    const tally = new TouchTally([character, character, character]);
+    tally.addAll(0, Uint32Array.of(0, 1, 0, 0, 0, 1, 1, 2, 0, 1, 1, 3, 1, 2, 1, 2));
+    tally.addAll(7, Uint32Array.of(0, 1, 1, 2, 0, 1, 1, 3, 0, 1, 1, 3));
+    const place = ({ instance, part, joint }) => `${instance} ${part} ${joint}`;
+    assert.deepEqual(
+      tally.sorted().map(({ a, b, contacts, worst }) => [place(a), place(b), contacts, worst]),
+      [
+        ['0 coat hand', '1 arm hand', 5, { frame: 7, contacts: 3 }],
+        ['0 coat hip', '1 coat hip', 1, { frame: 0, contacts: 1 }],
+        ['1 coat hand', '2 arm hand', 1, { frame: 0, contacts: 1 }],
+      ],
+    );
+  });
+});
+
+describe('triangles in contact', () => {
+  test('are gathered once each, by instances, also in the next frame', async () => {
+    const { TriangleSets } = await load('worker/triangle_sets.ts');
+    const sets = new TriangleSets([10, 10, 10]);
+    const contacts = Uint32Array.of(0, 1, 3, 4, 0, 1, 3, 5, 0, 2, 3, 9);
+    for (const round of [1, 2]) {
+      assert.deepEqual(
+        sets.gather(contacts).map((set) => [...set]),
+        [[3], [4, 5], [9]],
+        `${round}`,
+      );
+    }
+    assert.deepEqual(
+      sets.gather(new Uint32Array()).map((set) => [...set]),
+      [[], [], []],
+    );
+  });
+
+  test('come as corners and centres, with room for more', async () => {
+    const { glowOf, roomFor } = await load('worker/glow.ts');
+    const triangles = Uint32Array.of(0, 1, 2, 2, 1, 3);
+    const positions = Float32Array.of(0, 0, 0, 3, 0, 0, 0, 3, 0, 3, 3, 3);
+    const glow = glowOf(
+      [{ triangles }, { triangles }],
+      [{ positions }, { positions }],
+      [Uint32Array.of(1), Uint32Array.of(0)],
+    );
+    assert.equal(glow.triangles, 2);
+    assert.deepEqual(
+      [...glow.corners.subarray(0, 18)],
+      [0, 3, 0, 3, 0, 0, 3, 3, 3, 0, 0, 0, 3, 0, 0, 0, 3, 0],
+    );
+    assert.deepEqual([...glow.centres.subarray(0, 6)], [2, 2, 1, 1, 1, 0]);
+    assert.deepEqual([0, 64, 65, 1000].map(roomFor), [64, 64, 128, 1024]);
+    assert.equal(glow.corners.length, 9 * 64);
+  });
+});
+
+describe('boxes', () => {
+  test('that overlap or meet make a pair', async () => {
+    const { collidingPairs } = await load('worker/colliding_pairs.ts');
+    const pose = (low, high) => ({ bounds: () => ({ box: { low, high } }) });
+    const [a, b, c] = [
+      pose([0, 0, 0], [1, 1, 1]),
+      pose([1, 0, 0], [2, 1, 1]),
+      pose([0, 0, 1.5], [2, 2, 2]),
+    ];
+    assert.deepEqual(collidingPairs([a, b, c]), [[a, b]]);
+  });
+});
+
+describe('the chart', () => {
+  test('shows the most of the frames that share a bar', async () => {
+    const { mostOfEach } = await load('panels/chart.tsx');
+    assert.deepEqual(mostOfEach([1, 5, 0, 0, 7], 2), [5, 0, 7]);
+    assert.deepEqual(mostOfEach([], 3), []);
+    const million = new Array(1_000_000).fill(1);
+    assert.equal(mostOfEach(million, 500).length, 2000);
+  });
+});
+
+describe('a panel', () => {
+  test('is rendered anew when a fact changes that it has read, and only then', async () => {
+    const { watch } = await load('panels/watch.ts');
+    const Watched = watch(({ state }) => [state.frame, state.scene?.name]);
+    const state = { frame: 3, scene: null, answer: 1 };
+    const panel = new Watched({ state });
+    panel.props = { state };
+    const { type, props } = panel.render();
+    assert.deepEqual(type(props), [3, undefined]);
+    const changes = (change) => panel.shouldComponentUpdate({ state: { ...state, ...change } });
+    assert.equal(changes({}), false);
+    assert.equal(changes({ answer: 2 }), false);
+    assert.equal(changes({ frame: 4 }), true);
+    assert.equal(changes({ scene: { name: 'walk' } }), true);
+  });
+});
