@@ -201,8 +201,12 @@ export interface Character {
   /** [M] weights of the morph targets as the clip has them. */
   morphWeights(clip: string | null, seconds: number, out?: Float32Array): Float32Array;
 
-  /** In the rest positions at first. Poses may outlive their character's `delete`. */
-  makePose(): Pose;
+  /**
+   * In the rest positions at first. Poses may outlive their character's `delete`. With an index into
+   * `parts` only that part collides, and is prepared for that at the first use; all else, numbers of
+   * triangles too, is as of the whole. A part without triangles is refused.
+   */
+  makePose(part?: number | null): Pose;
 
   delete(): void;
 }
@@ -210,6 +214,8 @@ export interface Character {
 /** One instance of a character in one posture. */
 export interface Pose {
   readonly character: Character;
+  /** What of it collides; null: all parts together. */
+  readonly part: number | null;
 
   /** [J] matrices. This and the next are the whole update: nothing has to be refitted. */
   setPalette(palette: Float32Array): void;
@@ -234,6 +240,9 @@ export interface Pose {
   bounds(levels?: number): Bounds;
   /** The box is exact. */
   tightBounds(): Bounds;
+
+  /** Of the tree over the triangles that collide. */
+  readonly nodeCount: number;
 
   /** How many nodes queries have opened since the palette was set. */
   readonly openedNodeCount: number;
@@ -404,7 +413,14 @@ export interface SceneParts {
   instances: (Pick<Instance, 'character'> & Partial<Instance>)[];
   frameCount?: number; // 1
   fps?: number; // 30
+  ignore?: NamePair[]; // none
 }
+
+/**
+ * Names of parts or joints whose contacts with each other do not count, as in a scene file
+ * (docs/scenes.md): `*` stands for any characters, "knight/Cape" is a name of one character alone.
+ */
+export type NamePair = readonly [string, string];
 
 /** Characters, where they stand and what they play. */
 export interface Scene {
@@ -414,6 +430,8 @@ export interface Scene {
   instances: Instance[];
   frameCount: number;
   fps: number;
+  /** For `Crowd.ignore`: a scene itself asks nothing. */
+  ignore: NamePair[];
 
   /** [J] matrices of an instance at a frame, bit for bit those of `pelt check`. */
   palette(instance: number, frame: number, out?: Float32Array): Float32Array;
@@ -428,10 +446,16 @@ export interface Scene {
 
 /** Instances that are asked for all their contacts at once. */
 export interface Crowd {
-  /** Adds an instance and returns its number. */
-  add(character: Character): number;
+  /** Adds an instance and returns its number. With a part only that collides, as in `makePose`. */
+  add(character: Character, part?: number | null): number;
   setPalette(instance: number, palette: Float32Array): void;
   setMorphWeights(instance: number, weights: Float32Array): void;
+  /**
+   * From now on `collide` leaves out contacts of what these names mean, and none else; what is added
+   * later, too. A name that nothing has means nothing (`readScene` refuses it). Where anything is
+   * ignored, `collide` takes no limit: the contacts found first may be those to ignore.
+   */
+  ignore(pairs: readonly NamePair[]): void;
   /** All pairs of triangles of any two instances that intersect; `maxContacts` is of each two. */
   collide(options?: CollideOptions): CrowdContacts;
   delete(): void;
@@ -441,6 +465,8 @@ export interface CrowdContacts {
   readonly count: number;
   /** [N][4] instances a < b and triangles of a and b, ascending. */
   readonly contacts: Uint32Array;
+  /** How many more there are that do not count. */
+  readonly ignored: number;
   readonly stats: QueryStats;
 }
 

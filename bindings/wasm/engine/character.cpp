@@ -32,16 +32,17 @@ Error in_words_of_javascript(const std::string& source, const Error& error) {
 }
 
 /// Sample poses that the model cannot take are passed over.
-Result<SkinnedModel> build(const asset::Asset& asset, const Preparation& preparation) {
+Result<SkinnedModel> build(const asset::Asset& asset, const SkinnedMeshView& mesh,
+                           const Preparation& preparation) {
   const std::vector<Matrix4> samples =
       scenes::clip_samples(asset, preparation.clips, preparation.samples);
   ModelOptions options;
   if (preparation.renormalise) options.off_weights = OffWeights::renormalise;
   options.sample_palettes = samples;
-  Result<SkinnedModel> model = build_model(asset.mesh(), options);
+  Result<SkinnedModel> model = build_model(mesh, options);
   if (model || samples.empty()) return model;
   options.sample_palettes = {};
-  return build_model(asset.mesh(), options);
+  return build_model(mesh, options);
 }
 
 Result<scenes::Character> read_character(std::span<const std::byte> file, const Options& options) {
@@ -116,7 +117,7 @@ json describe_parts(const asset::Asset& asset) {
 
 json describe(const Character& character) {
   const asset::Asset& asset = character.asset();
-  const detail::Tree& tree = character.model.detail().tree;
+  const detail::Tree& tree = character.whole.model.detail().tree;
   json clips = json::array(), joints = json::array(), targets = json::array();
   for (const asset::Clip& clip : asset.clips)
     clips.push_back({{"name", clip.name}, {"seconds", clip.duration}});
@@ -138,14 +139,33 @@ json describe(const Character& character) {
 
 }  // namespace
 
-const Surface& Character::get_surface() {
+const Surface& Body::get_surface() {
   if (!surface) surface.emplace(model);
   return *surface;
 }
 
 const std::vector<std::uint32_t>& Character::get_seams() {
-  if (seams.empty()) seams = find_seams(get_surface(), asset().triangles, model.vertex_count());
+  if (seams.empty())
+    seams = find_seams(whole.get_surface(), asset().triangles, whole.model.vertex_count());
   return seams;
+}
+
+Result<Body*> Character::body(std::uint32_t number) {
+  if (number == kWhole) return &whole;
+  parts.resize(asset().parts.size());
+  if (number >= parts.size() || asset().parts[number].triangle_count == 0) {
+    return Error{ErrorCode::invalid_argument, "part: " + asset::quoted(read.name) +
+                                                  " has no part " + std::to_string(number) +
+                                                  " with triangles"};
+  }
+  if (parts[number]) return parts[number].get();
+  const asset::Part& part = asset().parts[number];
+  SkinnedMeshView mesh = asset().mesh();
+  mesh.triangles = mesh.triangles.subspan(part.first_triangle, part.triangle_count);
+  Result<SkinnedModel> model = build(asset(), mesh, preparation);
+  if (!model) return in_words_of_javascript(read.source, model.error());
+  parts[number] = std::make_unique<Body>(Body{std::move(*model), part.first_triangle, {}});
+  return parts[number].get();
 }
 
 Scratch& scratch() {
@@ -159,10 +179,10 @@ asset::SampleScratch& sample_scratch() {
 }
 
 Result<CharacterHandle> prepare(scenes::Character read, const Preparation& preparation) {
-  Result<SkinnedModel> model = build(read.asset, preparation);
+  Result<SkinnedModel> model = build(read.asset, read.asset.mesh(), preparation);
   if (!model) return in_words_of_javascript(read.source, model.error());
-  return CharacterHandle{
-      std::make_shared<Character>(Character{std::move(read), std::move(*model), {}, {}})};
+  return CharacterHandle{std::make_shared<Character>(
+      Character{std::move(read), preparation, {std::move(*model), 0, {}}, {}, {}})};
 }
 
 PELT_EXPORT std::uint32_t pelt_read_character(const std::byte* file, std::uint32_t size,
@@ -196,7 +216,7 @@ PELT_EXPORT void pelt_rest_positions(const CharacterHandle* handle) {
 }
 
 PELT_EXPORT void pelt_triangle_joints(const CharacterHandle* handle) {
-  answer_data<std::uint16_t>(handle->character->get_surface().detail().joints);
+  answer_data<std::uint16_t>(handle->character->whole.get_surface().detail().joints);
 }
 
 /// Where the character's default pose lies.
@@ -204,7 +224,7 @@ PELT_EXPORT void pelt_extent(const CharacterHandle* handle) {
   const Character& character = *handle->character;
   std::vector<Matrix4> palette(character.asset().joints.size());
   asset::sample_palette(character.asset(), nullptr, 0, {}, sample_scratch(), palette);
-  Pose pose(character.model);
+  Pose pose(character.whole.model);
   Box box;
   if (pose.set_palette(palette)) box = tight_bounds(pose).box;
   answer_numbers({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z});

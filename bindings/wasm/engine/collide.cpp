@@ -26,8 +26,17 @@ QueryStats refit_all(PoseHandle& handle) {
   return eager.open_all();
 }
 
-void answer_point(std::size_t at, const SurfacePoint& point) {
-  answer().numbers[at] = point.triangle;
+/// As the characters number their triangles.
+void answer_contacts(const PoseHandle& a, const PoseHandle& b) {
+  for (Contact& contact : found()) {
+    contact.triangle_a += a.body.first_triangle;
+    contact.triangle_b += b.body.first_triangle;
+  }
+  answer_data<Contact>(found());
+}
+
+void answer_point(std::size_t at, const SurfacePoint& point, const PoseHandle& handle) {
+  answer().numbers[at] = static_cast<double>(handle.body.first_triangle) + point.triangle;
   answer().numbers[at + 1] = point.position.x;
   answer().numbers[at + 2] = point.position.y;
   answer().numbers[at + 3] = point.position.z;
@@ -38,7 +47,7 @@ void answer_point(std::size_t at, const SurfacePoint& point) {
 PELT_EXPORT void pelt_collide(PoseHandle* a, PoseHandle* b, std::uint32_t most) {
   found().clear();
   answer_stats(collide(a->pose, b->pose, scratch(), found(), {most}));
-  answer_data<Contact>(found());
+  answer_contacts(*a, *b);
 }
 
 PELT_EXPORT void pelt_refit_all(PoseHandle* handle) { answer_stats(refit_all(*handle)); }
@@ -50,7 +59,7 @@ PELT_EXPORT void pelt_collide_eagerly(PoseHandle* a, PoseHandle* b, std::uint32_
     if (!handle->is_refitted) stats += refit_all(*handle);
   stats += bench::collide(*a->eager, *b->eager, scratch().detail(), found(), {most});
   answer_stats(stats);
-  answer_data<Contact>(found());
+  answer_contacts(*a, *b);
 }
 
 PELT_EXPORT std::uint32_t pelt_intersects(PoseHandle* a, PoseHandle* b) {
@@ -64,8 +73,8 @@ PELT_EXPORT std::uint32_t pelt_distance(PoseHandle* a, PoseHandle* b, double mos
   options.max_distance = most;
   answer_stats(distance(a->pose, b->pose, scratch(), nearest, options));
   answer().numbers[6] = nearest.distance;
-  answer_point(7, nearest.a);
-  answer_point(11, nearest.b);
+  answer_point(7, nearest.a, *a);
+  answer_point(11, nearest.b, *b);
   return nearest.found() ? 1 : 0;
 }
 

@@ -11,6 +11,15 @@
 namespace pelt::wasm {
 namespace {
 
+/// As the models number their triangles. What is none of theirs gets too large a number.
+std::vector<Contact> in_models(std::span<const Contact> contacts, const Body& a, const Body& b) {
+  std::vector<Contact> result;
+  for (const Contact& contact : contacts)
+    result.push_back(
+        {contact.triangle_a - a.first_triangle, contact.triangle_b - b.first_triangle});
+  return result;
+}
+
 /// What is wrong with contacts that JavaScript hands over, or nothing.
 const char* problem_of(std::span<const Contact> contacts, const SkinnedModel& a,
                        const SkinnedModel& b) {
@@ -103,11 +112,11 @@ void write_columns(const ContactGeometry& geometry, Columns& columns) {
 /// Describes contacts; the arrays wait for pelt_contact_column.
 PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
                                                  const Contact* contacts, std::uint32_t count) {
-  const std::span<const Contact> given(contacts, count);
+  const std::vector<Contact> given = in_models({contacts, count}, a->body, b->body);
   if (const char* problem = problem_of(given, a->pose.model(), b->pose.model()))
     return refuse({ErrorCode::invalid_argument, problem});
-  describe_contacts(a->pose, a->character->get_surface(), b->pose, b->character->get_surface(),
-                    given, geometry());
+  describe_contacts(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(), given,
+                    geometry());
   write_columns(geometry(), columns());
   return 1;
 }

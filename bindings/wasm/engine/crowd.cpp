@@ -2,26 +2,94 @@
 
 #include <pelt/crowd.hpp>
 
+#include "asset/json_object.hpp"
 #include "base/hash.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
+#include "scenes/ignored_pairs.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace pelt::wasm {
 namespace {
 
+/// What the crowd's instance of that number is.
+struct Member {
+  std::uint32_t character = 0;  ///< among the crowd's
+  std::uint32_t first_triangle = 0;
+};
+
 struct CrowdHandle {
   Crowd crowd;
-  std::vector<float> input;  ///< where JavaScript writes a palette or weights
+  std::vector<Member> members;
+  std::vector<std::shared_ptr<Character>> characters;  ///< each once
+  std::vector<scenes::NamePair> ignore;
+  std::optional<scenes::IgnoredPairs> ignored;  ///< of these characters; made when it is needed
+  std::vector<float> input;                     ///< where JavaScript writes a palette or weights
   std::vector<CrowdContact> found;
+
+  std::uint32_t number_of(const std::shared_ptr<Character>& character) {
+    const auto known = std::find(characters.begin(), characters.end(), character);
+    if (known != characters.end()) return static_cast<std::uint32_t>(known - characters.begin());
+    ignored.reset();
+    characters.push_back(character);
+    return static_cast<std::uint32_t>(characters.size() - 1);
+  }
 };
+
+Result<void> know_ignored(CrowdHandle& handle) {
+  if (handle.ignored) return {};
+  std::vector<const scenes::Character*> characters;
+  for (const auto& character : handle.characters) characters.push_back(&character->read);
+  Result<scenes::IgnoredPairs> made = scenes::IgnoredPairs::make(characters, handle.ignore);
+  if (!made) return made.error();
+  handle.ignored = std::move(*made);
+  return {};
+}
+
+/// As the characters number their triangles.
+void number_triangles(CrowdHandle& handle) {
+  for (CrowdContact& contact : handle.found) {
+    contact.triangle_a += handle.members[contact.instance_a].first_triangle;
+    contact.triangle_b += handle.members[contact.instance_b].first_triangle;
+  }
+}
+
+/// Returns how many contacts that were.
+std::size_t take_ignored_out(CrowdHandle& handle) {
+  if (handle.ignored->is_empty()) return 0;
+  return std::erase_if(handle.found, [&](const CrowdContact& contact) {
+    return handle.ignored->is_ignored(
+        handle.members[contact.instance_a].character, contact.triangle_a,
+        handle.members[contact.instance_b].character, contact.triangle_b);
+  });
+}
 
 }  // namespace
 
 PELT_EXPORT std::uint32_t pelt_make_crowd() { return address_of(new CrowdHandle); }
 PELT_EXPORT void pelt_delete_crowd(CrowdHandle* handle) { delete handle; }
 
-PELT_EXPORT std::uint32_t pelt_add_to_crowd(CrowdHandle* handle, const CharacterHandle* character) {
-  return handle->crowd.add(character->character->model);
+/// Adds a part, or the whole, and answers with its number.
+PELT_EXPORT std::uint32_t pelt_add_to_crowd(CrowdHandle* handle, const CharacterHandle* character,
+                                            std::uint32_t part) {
+  const Result<Body*> body = character->character->body(part);
+  if (!body) return refuse(body.error());
+  answer_numbers({static_cast<double>(handle->crowd.add((*body)->model))});
+  handle->members.push_back({handle->number_of(character->character), (*body)->first_triangle});
+  return 1;
+}
+
+/// `pairs` is the JSON of an array of pairs of names.
+PELT_EXPORT void pelt_ignore_in_crowd(CrowdHandle* handle, const char* pairs) {
+  handle->ignored.reset();
+  handle->ignore.clear();
+  const auto parsed = asset::parse_json(pairs);
+  if (!parsed) return;
+  for (const nlohmann::json& pair : *parsed)
+    handle->ignore.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
 }
 
 PELT_EXPORT float* pelt_crowd_input(CrowdHandle* handle, std::uint32_t floats) {
@@ -37,12 +105,17 @@ PELT_EXPORT std::uint32_t pelt_set_crowd_weights(CrowdHandle* handle, std::uint3
   return done(handle->crowd.set_morph_weights(instance, handle->input));
 }
 
-PELT_EXPORT void pelt_collide_crowd(CrowdHandle* handle, std::uint32_t most) {
+/// The stats, then how many contacts are ignored, and the others.
+PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t most) {
+  if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
   handle->found.clear();
   CrowdOptions options;
   options.max_contacts = most;
   answer_stats(handle->crowd.collide(handle->found, options).work);
+  number_triangles(*handle);
+  answer().numbers[6] = static_cast<double>(take_ignored_out(*handle));
   answer_data<CrowdContact>(handle->found);
+  return 1;
 }
 
 PELT_EXPORT std::uint32_t pelt_make_hash() { return address_of(new detail::Fnv1a64); }

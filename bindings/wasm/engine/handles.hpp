@@ -16,22 +16,6 @@
 
 namespace pelt::wasm {
 
-/// A character that has been prepared for queries.
-struct Character {
-  scenes::Character read;
-  SkinnedModel model;
-  std::optional<Surface> surface;    ///< this and the next are made when they are first asked for
-  std::vector<std::uint32_t> seams;  ///< see find_seams
-
-  const asset::Asset& asset() const { return read.asset; }
-  const Surface& get_surface();
-  const std::vector<std::uint32_t>& get_seams();
-};
-
-struct CharacterHandle {
-  std::shared_ptr<Character> character;
-};
-
 /// How a character is prepared.
 struct Preparation {
   std::vector<const asset::Clip*> clips;  ///< to take poses from
@@ -39,17 +23,50 @@ struct Preparation {
   bool renormalise = false;
 };
 
+/// What collides: a character, or one part of it.
+struct Body {
+  SkinnedModel model;
+  std::uint32_t first_triangle = 0;  ///< the character's number of the model's first one
+  std::optional<Surface> surface;    ///< made when it is first asked for
+
+  const Surface& get_surface();
+};
+
+/// Names a character as a whole where a part is asked for.
+inline constexpr std::uint32_t kWhole = 0xFFFFFFFF;
+
+/// A character that has been prepared for queries.
+struct Character {
+  scenes::Character read;
+  Preparation preparation;
+  Body whole;
+  std::vector<std::unique_ptr<Body>> parts;  ///< these and the next are made when first asked for
+  std::vector<std::uint32_t> seams;          ///< see find_seams
+
+  const asset::Asset& asset() const { return read.asset; }
+  const std::vector<std::uint32_t>& get_seams();
+
+  /// The whole, or one of the asset's parts; refuses a part that has no triangles.
+  Result<Body*> body(std::uint32_t part);
+};
+
+struct CharacterHandle {
+  std::shared_ptr<Character> character;
+};
+
 /// As `pelt check` does it. The message of an error begins with the character's source.
 Result<CharacterHandle> prepare(scenes::Character read, const Preparation& preparation);
 
 struct PoseHandle {
-  explicit PoseHandle(std::shared_ptr<Character> owner)
+  PoseHandle(std::shared_ptr<Character> owner, Body& posed)
       : character(std::move(owner)),
-        pose(character->model),
+        body(posed),
+        pose(posed.model),
         palette(character->asset().joints.size()),
         morphs(character->asset().morph_targets.size()) {}
 
   std::shared_ptr<Character> character;
+  Body& body;  ///< the character's
   Pose pose;
   std::vector<Matrix4> palette;  ///< where JavaScript writes what is to be set
   std::vector<float> morphs;

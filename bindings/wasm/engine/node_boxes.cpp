@@ -4,6 +4,7 @@
 #include "base/wide_code.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
+#include "model/model.hpp"
 #include "pose/pose.hpp"
 
 namespace pelt::wasm {
@@ -96,6 +97,10 @@ class Descent {
 };
 
 }  // namespace
+
+PELT_EXPORT std::uint32_t pelt_node_count(const PoseHandle* handle) {
+  return static_cast<std::uint32_t>(handle->pose.model().detail().tree.nodes.size());
+}
 
 PELT_EXPORT std::uint32_t pelt_opened_node_count(const PoseHandle* handle) {
   const detail::Pose& pose = handle->pose.detail();

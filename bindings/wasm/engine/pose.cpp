@@ -28,8 +28,11 @@ std::span<const Vec3> pose_vertices(PoseHandle& handle) {
 
 }  // namespace
 
-PELT_EXPORT std::uint32_t pelt_make_pose(const CharacterHandle* handle) {
-  return address_of(new PoseHandle(handle->character));
+/// Of a part, or of the whole.
+PELT_EXPORT std::uint32_t pelt_make_pose(const CharacterHandle* handle, std::uint32_t part) {
+  const Result<Body*> body = handle->character->body(part);
+  if (!body) return refuse(body.error());
+  return address_of(new PoseHandle(handle->character, **body));
 }
 
 PELT_EXPORT void pelt_delete_pose(PoseHandle* handle) { delete handle; }
@@ -73,8 +76,8 @@ PELT_EXPORT std::uint32_t pelt_cast(PoseHandle* handle, float ox, float oy, floa
                                     float dy, float dz, float most) {
   const RayHit hit = cast(handle->pose, Ray{{ox, oy, oz}, {dx, dy, dz}, 0, most});
   const auto& [u, v, w] = hit.weights;
-  answer_numbers({static_cast<double>(hit.triangle), hit.t, u, v, w, hit.normal.x, hit.normal.y,
-                  hit.normal.z});
+  answer_numbers({static_cast<double>(handle->body.first_triangle) + hit.triangle, hit.t, u, v, w,
+                  hit.normal.x, hit.normal.y, hit.normal.z});
   return hit ? 1 : 0;
 }
 

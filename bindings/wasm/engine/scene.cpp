@@ -1,10 +1,12 @@
 /// Scene files, read as the command reads them.
 
+#include "asset/message.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 #include "bindings/wasm/engine/options.hpp"
 #include "scenes/clip_samples.hpp"
 #include "scenes/demo_scene.hpp"
+#include "scenes/ignored_pairs.hpp"
 
 namespace pelt::wasm {
 namespace {
@@ -34,6 +36,13 @@ json describe(const scenes::Instance& instance) {
           {"morphWeights", describe(instance.morph_weights)}};
 }
 
+/// A name that nothing has is refused, unless what had it may have been left out.
+Result<void> check_ignored(const scenes::Scene& scene, const asset::GltfOptions& options) {
+  if (!options.unskinned_parts || !options.exclude_nodes.empty()) return {};
+  const auto known = scenes::check_names(scenes::characters_of(scene), scene.ignore);
+  return known ? known : asset::prefixed(scene.name + ": ignore", known.error());
+}
+
 Result<std::vector<CharacterHandle>> prepare_all(scenes::Scene& scene, const Options& options) {
   std::vector<CharacterHandle> handles;
   for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
@@ -47,15 +56,17 @@ Result<std::vector<CharacterHandle>> prepare_all(scenes::Scene& scene, const Opt
 }
 
 json describe(const scenes::Scene& scene, std::vector<CharacterHandle> characters) {
-  json handles = json::array(), instances = json::array();
+  json handles = json::array(), instances = json::array(), ignore = json::array();
   for (CharacterHandle& character : characters)
     handles.push_back(address_of(new CharacterHandle(std::move(character))));
   for (const scenes::Instance& instance : scene.instances) instances.push_back(describe(instance));
+  for (const scenes::NamePair& pair : scene.ignore) ignore.push_back({pair.a, pair.b});
   return {{"name", scene.name},
           {"characters", std::move(handles)},
           {"instances", std::move(instances)},
           {"frameCount", scene.frame_count},
-          {"fps", scene.fps}};
+          {"fps", scene.fps},
+          {"ignore", std::move(ignore)}};
 }
 
 }  // namespace
@@ -65,6 +76,8 @@ PELT_EXPORT const char* pelt_read_scene(const char* path, const char* options) {
   const Options read(options);
   Result<scenes::Scene> scene = scenes::load_scene(path, read.gltf());
   if (!scene) return refuse(scene.error()), nullptr;
+  if (const auto checked = check_ignored(*scene, read.gltf()); !checked)
+    return refuse(checked.error()), nullptr;
   Result<std::vector<CharacterHandle>> characters = prepare_all(*scene, read);
   if (!characters) return refuse(characters.error()), nullptr;
   return answer_json(describe(*scene, std::move(*characters)));

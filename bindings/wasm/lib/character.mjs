@@ -2,6 +2,9 @@ import { alive, invalid } from './memory.mjs';
 import { Pose } from './pose.mjs';
 
 const kRemove = '_pelt_delete_character';
+
+/** Stands for all parts together. */
+const kWhole = 0xffffffff;
 const kIdentity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 export class Character {
@@ -61,8 +64,8 @@ export class Character {
     return this.#memory.data(Float32Array, 1, out);
   }
 
-  makePose() {
-    return new Pose(this.#memory, this);
+  makePose(part = null) {
+    return new Pose(this.#memory, this, part);
   }
 
   delete() {
@@ -76,6 +79,13 @@ export class Character {
     if (number >= 0) return number;
     const known = this.clips.map((clip) => JSON.stringify(clip.name)).join(', ') || 'none';
     throw invalid(`${JSON.stringify(this.name)} has no clip ${JSON.stringify(name)}; it has ${known}`);
+  }
+
+  /** For Pelt's own files. */
+  partNumber(part) {
+    if (part === null) return kWhole;
+    if (Number.isInteger(part) && part >= 0 && part < this.parts.length) return part;
+    throw invalid(`part: ${JSON.stringify(this.name)} has no part ${part}`);
   }
 
   #array(name, type, width) {

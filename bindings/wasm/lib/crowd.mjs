@@ -8,14 +8,18 @@ export class Crowd {
   #memory;
   #handle;
   #characters = [];
+  #ignores = false;
 
   constructor(memory) {
     this.#memory = memory;
     this.#handle = memory.own(this, memory.module._pelt_make_crowd(), kRemoveCrowd);
   }
 
-  add(character) {
-    const number = this.#memory.module._pelt_add_to_crowd(this.#alive(), character.handle);
+  add(character, part = null) {
+    const { module } = this.#memory;
+    const named = character.partNumber(part);
+    this.#memory.accepted(module._pelt_add_to_crowd(this.#alive(), character.handle, named));
+    const number = this.#memory.number(0);
     this.#characters[number] = character;
     return number;
   }
@@ -33,10 +37,26 @@ export class Crowd {
     this.#memory.accepted(module._pelt_set_crowd_weights(this.#handle, instance));
   }
 
+  ignore(pairs) {
+    const names = JSON.stringify(checkedPairs(pairs));
+    const { module } = this.#memory;
+    this.#memory.withText(names, (json) => module._pelt_ignore_in_crowd(this.#alive(), json));
+    this.#ignores = pairs.length > 0;
+  }
+
   collide(options = {}) {
-    this.#memory.module._pelt_collide_crowd(this.#alive(), mostContacts(options));
+    const most = mostContacts(options);
+    if (this.#ignores && most !== mostContacts()) {
+      throw invalid('a limit: the contacts found first may be those to ignore');
+    }
+    this.#memory.accepted(this.#memory.module._pelt_collide_crowd(this.#alive(), most));
     const contacts = this.#memory.data(Uint32Array, 4);
-    return { count: contacts.length / 4, contacts, stats: readStats(this.#memory) };
+    return {
+      count: contacts.length / 4,
+      contacts,
+      ignored: this.#memory.number(6),
+      stats: readStats(this.#memory),
+    };
   }
 
   delete() {
@@ -57,6 +77,13 @@ export class Crowd {
     const address = this.#memory.module._pelt_crowd_input(this.#alive(), floats);
     this.#memory.write(Float32Array, address, numbers, floats, name);
   }
+}
+
+function checkedPairs(pairs) {
+  const isPair = (pair) =>
+    Array.isArray(pair) && pair.length === 2 && pair.every((name) => typeof name === 'string');
+  if (Array.isArray(pairs) && pairs.every(isPair)) return pairs;
+  throw invalid('ignore: expected an array of pairs of names');
 }
 
 export class ContactHash {

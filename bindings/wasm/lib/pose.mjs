@@ -9,10 +9,12 @@ export class Pose {
   #memory;
   #handle;
 
-  constructor(memory, character) {
+  constructor(memory, character, part) {
     this.#memory = memory;
     this.character = character;
-    this.#handle = memory.own(this, memory.module._pelt_make_pose(character.handle), kRemove);
+    this.part = part;
+    const handle = memory.module._pelt_make_pose(character.handle, character.partNumber(part));
+    this.#handle = memory.own(this, memory.accepted(handle), kRemove);
   }
 
   /** For Pelt's own files. */
@@ -59,6 +61,10 @@ export class Pose {
   tightBounds() {
     this.#memory.module._pelt_tight_bounds(this.handle);
     return this.#bounds();
+  }
+
+  get nodeCount() {
+    return this.#memory.module._pelt_node_count(this.handle);
   }
 
   get openedNodeCount() {

@@ -32,9 +32,9 @@ function keptWeights(morphWeights, names) {
 export class Scene {
   #memory;
 
-  constructor(memory, { name = 'scene', characters, instances, frameCount = 1, fps = 30 }) {
+  constructor(memory, { name = 'scene', characters, instances, frameCount = 1, fps = 30, ignore = [] }) {
     this.#memory = memory;
-    Object.assign(this, { name, characters, frameCount, fps });
+    Object.assign(this, { name, characters, frameCount, fps, ignore });
     this.instances = instances.map(complete);
   }
 

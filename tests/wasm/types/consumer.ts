@@ -27,6 +27,7 @@ import {
   loadPelt,
   type MeshoptDecode,
   type ModelOptions,
+  type NamePair,
   type NodeBoxes,
   NodeState,
   type Part,
@@ -113,13 +114,15 @@ function useCharacter(character: Character): void {
 }
 
 function useMorphs(face: Character): void {
-  const pose = face.makePose();
+  const pose = face.makePose(0);
+  check(pose.part === 0 && pose.nodeCount <= face.nodeCount, 'part');
   const weights: Float32Array = face.morphWeights('talk', 0.5);
   pose.setMorphWeights(face.morphWeights(null, 0, weights));
   pose.delete();
 }
 
 function usePose(pose: Pose): void {
+  useStats(pose.refitAll());
   const vertices: Float32Array = pose.posedVertices();
   check(pose.normals(vertices) === vertices, 'out');
   const bounds: Bounds[] = [pose.bounds(), pose.bounds(3), pose.tightBounds()];
@@ -223,12 +226,14 @@ function useScene(pelt: Pelt, walker: Character): void {
 function useCrowd(pelt: Pelt, scene: Scene): void {
   const crowd: Crowd = pelt.makeCrowd();
   for (const { character } of scene.instances) {
-    const instance: number = crowd.add(scene.characters[character]!);
+    const instance: number = crowd.add(scene.characters[character]!, null);
     crowd.setPalette(instance, scene.palette(instance, 3));
     crowd.setMorphWeights(instance, scene.morphWeights(instance, 3));
   }
-  const { count, contacts, stats }: CrowdContacts = crowd.collide();
-  check(contacts.length === 4 * count, 'crowd');
+  const pairs: NamePair[] = [['nobody', 'no*'], ...scene.ignore];
+  crowd.ignore(pairs);
+  const { count, contacts, ignored, stats }: CrowdContacts = crowd.collide();
+  check(contacts.length === 4 * count && ignored === 0, 'crowd');
   useStats(stats);
   const hash: ContactHash = pelt.makeContactHash();
   hash.addCrowd(3, contacts);
