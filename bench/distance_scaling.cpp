@@ -3,11 +3,11 @@
 /// in turn, so each finds the caches as the others leave them, and the medians count, for others
 /// may use the machine too. Where the answers differ nothing is printed.
 
-#include "bench/exact_pose.hpp"
 #include "bench/microseconds.hpp"
 #include "bench/statistics.hpp"
 #include "bench/walking_crowd.hpp"
 #include "model/model.hpp"
+#include "rivals/exact_pose.hpp"
 #include "scenes/scene.hpp"
 
 #include <pelt/distance.hpp>
@@ -60,7 +60,7 @@ struct Walkers {
 
   SkinnedModel model;
   Pose a, b;
-  ExactPose exact_a, exact_b;
+  rivals::ExactPose exact_a, exact_b;
   Scratch scratch;
 };
 

@@ -1,7 +1,7 @@
 #include "bench/eager_method.hpp"
 
-#include "bench/exact_pose.hpp"
 #include "model/model.hpp"
+#include "rivals/exact_pose.hpp"
 
 namespace pelt::bench {
 namespace {
@@ -25,7 +25,7 @@ class EagerMethod final : public Method {
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      const CollideOptions& options) override {
-    return bench::collide(bodies_[a]->pose, bodies_[b]->pose, scratch_, contacts, options);
+    return rivals::collide(bodies_[a]->pose, bodies_[b]->pose, scratch_, contacts, options);
   }
 
   QueryStats update_work() const override { return update_work_; }
@@ -35,7 +35,7 @@ class EagerMethod final : public Method {
     explicit Body(const SkinnedModel& m) : model(m), pose(model.detail().tree) {}
 
     SkinnedModel model;
-    ExactPose pose;
+    rivals::ExactPose pose;
   };
 
   std::vector<std::unique_ptr<Body>> bodies_;

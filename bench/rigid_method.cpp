@@ -1,9 +1,9 @@
 #include "bench/rigid_method.hpp"
 
-#include "bench/exact_pose.hpp"
 #include "model/model.hpp"
 #include "model/tree_build.hpp"
 #include "model/unpack.hpp"
+#include "rivals/exact_pose.hpp"
 #include "skin/skin.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ struct Frozen {
   std::vector<Matrix4> joints;
   std::vector<float> morphs;
   detail::Tree tree;
-  ExactPose pose;
+  rivals::ExactPose pose;
 };
 
 class RigidBody {
@@ -67,7 +67,7 @@ class RigidBody {
     return taken;
   }
 
-  ExactPose& pose() { return now_->pose; }
+  rivals::ExactPose& pose() { return now_->pose; }
 
  private:
   bool is_of_palette(const Frozen& frozen) const {
@@ -108,7 +108,7 @@ class RigidMethod final : public Method {
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      const CollideOptions& options) override {
-    return bench::collide(bodies_[a]->pose(), bodies_[b]->pose(), scratch_, contacts, options);
+    return rivals::collide(bodies_[a]->pose(), bodies_[b]->pose(), scratch_, contacts, options);
   }
 
   QueryStats update_work() const override { return {}; }

@@ -3,16 +3,14 @@
 #include <pelt/pose.hpp>
 
 #include "asset/message.hpp"
-#include "base/vec3.hpp"
+#include "scenes/smooth_normals.hpp"
 #include "tools/pelt/scene_query.hpp"
 
-#include <cmath>
+#include <array>
 #include <map>
 
 namespace pelt::tools {
 namespace {
-
-using detail::Vec3d;
 
 /// What the instances take in a .glb, positions, normals and indices: its sizes are 32 bits wide.
 Result<void> check_glb_size(const scenes::Scene& scene) {
@@ -62,13 +60,6 @@ std::vector<std::uint32_t> first_at_place(std::span<const Vec3> positions) {
   return result;
 }
 
-Vec3 unit(const Vec3d& v) {
-  const double length = std::sqrt(dot(v, v));
-  if (!(length > 0)) return {0, 1, 0};
-  return {static_cast<float>(v.x / length), static_cast<float>(v.y / length),
-          static_cast<float>(v.z / length)};
-}
-
 }  // namespace
 
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
@@ -93,17 +84,10 @@ Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, st
   return posed;
 }
 
-std::vector<Vec3> smooth_normals(std::span<const Vec3> positions,
-                                 std::span<const Triangle> triangles) {
-  const std::vector<std::uint32_t> place = first_at_place(positions);
-  std::vector<Vec3d> sums(positions.size(), Vec3d(0, 0, 0));
-  for (const Triangle& t : triangles) {
-    const Vec3d a(positions[t[0]]), b(positions[t[1]]), c(positions[t[2]]);
-    const Vec3d twice_area = cross(b - a, c - a);
-    for (const std::uint32_t v : t) sums[place[v]] = sums[place[v]] + twice_area;
-  }
-  std::vector<Vec3> normals;
-  for (std::size_t v = 0; v < positions.size(); ++v) normals.push_back(unit(sums[place[v]]));
+std::vector<Vec3> normals_of(const PosedInstance& instance) {
+  std::vector<Vec3> normals(instance.positions.size());
+  scenes::smooth_normals(instance.positions, instance.triangles, first_at_place(instance.positions),
+                         normals);
   return normals;
 }
 

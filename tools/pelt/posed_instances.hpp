@@ -23,9 +23,7 @@ struct PosedInstance {
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
                                                   const ModelArguments& arguments);
 
-/// Unit normals for smooth shading: triangles weigh by their area, and vertices at the same place
-/// share one normal, so that seams of the texture do not show.
-std::vector<Vec3> smooth_normals(std::span<const Vec3> positions,
-                                 std::span<const Triangle> triangles);
+/// Smooth normals, which vertices at the same place share.
+std::vector<Vec3> normals_of(const PosedInstance& instance);
 
 }  // namespace pelt::tools

@@ -52,8 +52,7 @@ std::string pov_camera(const PovCamera& camera) {
 std::string pov_mesh(const PosedInstance& instance, const std::vector<bool>& touching,
                      const std::string& skin, Shading shading) {
   std::string normals;
-  if (shading == Shading::smooth)
-    normals = vectors("normal_vectors", smooth_normals(instance.positions, instance.triangles), 3);
+  if (shading == Shading::smooth) normals = vectors("normal_vectors", normals_of(instance), 3);
   return "mesh2 {\n" + vectors("vertex_vectors", instance.positions, 6) + normals +
          "  texture_list {1, texture {Glow}}\n" + faces(instance.triangles, touching) +
          "  texture {" + skin + "}\n}\n";

@@ -77,7 +77,7 @@ std::vector<std::byte> contacts_glb(std::span<const PosedInstance> instances,
   std::vector<std::vector<Vec3>> normals;
   for (std::size_t i = 0; i < instances.size(); ++i) {
     sorted.push_back(sort_triangles(instances[i].triangles, touching[i]));
-    normals.push_back(smooth_normals(instances[i].positions, instances[i].triangles));
+    normals.push_back(normals_of(instances[i]));
   }
   std::vector<GlbMesh> meshes;
   for (std::size_t i = 0; i < instances.size(); ++i) {

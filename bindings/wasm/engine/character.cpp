@@ -6,8 +6,9 @@
 #include "asset/message.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
-#include "bindings/wasm/engine/normals.hpp"
 #include "bindings/wasm/engine/options.hpp"
+#include "bindings/wasm/engine/seams.hpp"
+#include "bounds/level_boxes.hpp"
 #include "contact/surface.hpp"
 #include "model/model.hpp"
 #include "scenes/clip_samples.hpp"
@@ -91,18 +92,6 @@ std::uint32_t prepare_generated(Result<scenes::Character> generated, const Optio
   return prepare_read(std::move(generated), options);
 }
 
-/// Levels of the tree, counted to the deepest cluster.
-std::uint32_t level_count(const detail::Tree& tree) {
-  std::vector<std::uint32_t> level(tree.nodes.size(), 0);
-  std::uint32_t deepest = 0;
-  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {  // parents come first
-    const detail::Node& node = tree.nodes[n];
-    for (std::uint32_t c = 0; c < node.child_count; ++c) level[node.first_child + c] = level[n] + 1;
-    deepest = std::max(deepest, level[n] + 1);
-  }
-  return deepest + 1;
-}
-
 json describe_parts(const asset::Asset& asset) {
   json parts = json::array();
   for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
@@ -129,7 +118,7 @@ json describe(const Character& character) {
           {"triangleCount", asset.triangles.size()},
           {"jointCount", asset.joints.size()},
           {"nodeCount", tree.nodes.size()},
-          {"levelCount", level_count(tree)},
+          {"levelCount", detail::level_count(tree)},
           {"parts", describe_parts(asset)},
           {"clips", std::move(clips)},
           {"jointNames", std::move(joints)},

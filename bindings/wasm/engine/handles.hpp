@@ -5,7 +5,7 @@
 #include <pelt/contact.hpp>
 #include <pelt/pose.hpp>
 
-#include "bench/exact_pose.hpp"
+#include "rivals/exact_pose.hpp"
 #include "scenes/scene.hpp"
 
 #include <memory>
@@ -70,11 +70,11 @@ struct PoseHandle {
   Pose pose;
   std::vector<Matrix4> palette;  ///< where JavaScript writes what is to be set
   std::vector<float> morphs;
-  std::vector<Vec3> vertices, normals;    ///< what JavaScript reads
-  std::optional<bench::ExactPose> eager;  ///< for collideEagerly
-  std::optional<Pose> whole;              ///< all nodes opened, for nodeBoxes
-  bool has_vertices = false;              ///< those of the pose as it is now
-  bool is_refitted = false;               ///< so is `eager`
+  std::vector<Vec3> vertices, normals;     ///< what JavaScript reads
+  std::optional<rivals::ExactPose> eager;  ///< for collideEagerly
+  std::optional<Pose> whole;               ///< all nodes opened, for nodeBoxes
+  bool has_vertices = false;               ///< those of the pose as it is now
+  bool is_refitted = false;                ///< so is `eager`
 
   /// Another palette, or other weights, have been set.
   void moved() { has_vertices = is_refitted = false; }

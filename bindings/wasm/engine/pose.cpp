@@ -5,7 +5,7 @@
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
-#include "bindings/wasm/engine/normals.hpp"
+#include "scenes/smooth_normals.hpp"
 
 namespace pelt::wasm {
 namespace {
@@ -59,8 +59,8 @@ PELT_EXPORT void pelt_normals(PoseHandle* handle) {
   pose_vertices(*handle);
   Character& character = *handle->character;
   handle->normals.resize(handle->vertices.size());
-  smooth_normals(handle->vertices, character.asset().triangles, character.get_seams(),
-                 handle->normals);
+  scenes::smooth_normals(handle->vertices, character.asset().triangles, character.get_seams(),
+                         handle->normals);
   answer_data<Vec3>(handle->normals);
 }
 

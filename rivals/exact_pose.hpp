@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::rivals {
 
 class ExactPose {
  public:
@@ -51,4 +51,4 @@ QueryStats collide(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
 QueryStats distance(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
                     detail::TriangleGap& nearest);
 
-}  // namespace pelt::bench
+}  // namespace pelt::rivals

@@ -1,11 +1,11 @@
-#include "bench/exact_pose.hpp"
+#include "rivals/exact_pose.hpp"
 
 #include "base/wide_code.hpp"
 #include "collide/sort_contacts.hpp"
 
 #include <limits>
 
-namespace pelt::bench {
+namespace pelt::rivals {
 
 ExactPose::ExactPose(const detail::Tree& tree) : tree_(tree), palette_(rest_palette(tree)) {
   close_all();
@@ -49,4 +49,4 @@ QueryStats distance(ExactPose& a, ExactPose& b, detail::Scratch& scratch,
                                                nearest);
 }
 
-}  // namespace pelt::bench
+}  // namespace pelt::rivals

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
 
 #include <cstdint>
@@ -17,10 +16,5 @@ namespace pelt::wasm {
 /// split vertices where a texture has a seam.
 std::vector<std::uint32_t> find_seams(const Surface& surface, std::span<const Triangle> triangles,
                                       std::uint32_t vertex_count);
-
-/// Normals of unit length, of triangles weighted by their area. Vertices that no triangle uses, or
-/// only collapsed ones, get +y.
-void smooth_normals(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                    std::span<const std::uint32_t> seams, std::span<Vec3> normals);
 
 }  // namespace pelt::wasm
