@@ -11,6 +11,17 @@ export interface Key {
   change: (state: State, key: string) => Partial<State>;
 }
 
+/** Radians by which a key turns the camera. */
+const TURN = Math.PI / 18;
+const TURNS: Record<string, { right: number; up: number }> = {
+  w: { right: 0, up: TURN },
+  a: { right: -TURN, up: 0 },
+  s: { right: 0, up: -TURN },
+  d: { right: TURN, up: 0 },
+};
+
+const ZOOM = 1.15;
+
 export const KEYS: Key[] = [
   { keys: [' '], shown: 'Space', meaning: 'play or pause', change: changes.togglePlaying },
   { keys: ['arrowright'], shown: '→', meaning: 'next frame', change: changes.step(1) },
@@ -20,19 +31,43 @@ export const KEYS: Key[] = [
   { keys: ['home'], shown: 'Home', meaning: 'first frame', change: changes.toFrame(0) },
   { keys: ['end'], shown: 'End', meaning: 'last frame', change: changes.toFrame(-1) },
   {
-    keys: ['1', '2', '3', '4', '5', '6', '7', '8', '9'],
-    shown: '1 – 9',
+    keys: ['0', '1', '2', '3', '4', '5', '6', '7', '8', '9'],
+    shown: '0 – 9',
     meaning: 'place a character',
     change: ({ scene }, key) =>
-      Number(key) <= (scene?.instances.length ?? 0) ? { selected: Number(key) - 1 } : {},
+      Number(key) < (scene?.instances.length ?? 0) ? { selected: Number(key) } : {},
   },
-  { keys: ['escape'], shown: 'Esc', meaning: 'let go of it', change: changes.select(null) },
+  {
+    keys: ['escape'],
+    shown: 'Esc',
+    meaning: 'let go',
+    change: () => ({ selected: null, spot: null }),
+  },
   { keys: ['g'], shown: 'G', meaning: 'move it', change: () => ({ gizmo: 'move' }) },
   { keys: ['r'], shown: 'R', meaning: 'turn it', change: () => ({ gizmo: 'turn' }) },
   { keys: ['f'], shown: 'F', meaning: 'first contact only', change: changes.toggleFirstContact },
   { keys: ['b'], shown: 'B', meaning: 'draw bounds', change: changes.toggleBoxes },
   { keys: ['['], shown: '[', meaning: 'coarser bounds', change: changes.changeBoxLevel(-1) },
   { keys: [']'], shown: ']', meaning: 'finer bounds', change: changes.changeBoxLevel(1) },
+  {
+    keys: ['w', 'a', 's', 'd'],
+    shown: 'W A S D',
+    meaning: 'turn the camera',
+    change: (state, key) => changes.moveCamera({ kind: 'turn', ...TURNS[key] })(state),
+  },
+  {
+    keys: ['+', '=', '-'],
+    shown: '+ −',
+    meaning: 'nearer, farther',
+    change: (state, key) =>
+      changes.moveCamera({ kind: 'zoom', factor: key === '-' ? 1 / ZOOM : ZOOM })(state),
+  },
+  {
+    keys: ['c'],
+    shown: 'C',
+    meaning: 'the whole scene',
+    change: changes.moveCamera({ kind: 'whole' }),
+  },
   { keys: ['t'], shown: 'T', meaning: 'dark or light', change: changes.toggleTheme },
   { keys: ['?'], shown: '?', meaning: 'these keys', change: changes.toggleHelp },
 ];
@@ -53,7 +88,7 @@ function isTaken({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.closest('dialog')) return true;
   if (key === 'Escape') return false;
-  if (target.matches('button, [type=checkbox]')) return key === ' ';
+  if (target.matches('button, summary, [type=checkbox]')) return key === ' ';
   if (target.matches('[type=range]')) return /^(Arrow|Home|End)/.test(key);
   return target.matches('input, select');
 }

@@ -6,21 +6,21 @@ import { Asker } from './flow/asker';
 import { Client } from './flow/client';
 import { startClock } from './flow/clock';
 import { Director } from './flow/director';
-import { chooseFiles, watchDrops } from './flow/drops';
+import { chooseFiles, watchDrops, type DroppedFile } from './flow/drops';
 import { Meter } from './flow/meter';
 import { Opener } from './flow/open';
 import { Photographer } from './flow/photographer';
 import { Pointing } from './flow/pointing';
 import { watchKeys } from './keys';
 import { App } from './panels/app';
-import { findReport } from './report/report';
+import { findReport, type Report } from './report/report';
 import * as changes from './state/changes';
 import { initialState, type State } from './state/state';
 import { Store } from './state/store';
 import './style.css';
-import { isDark, onSystemTheme } from './theme';
+import { isDark, keepTheme, keptTheme, onSystemTheme } from './theme';
 
-const store = new Store<State>(initialState);
+const store = new Store<State>({ ...initialState, theme: keptTheme() });
 const { update } = store;
 const client = new Client(
   (progress) => update(changes.sweepOn(progress)),
@@ -29,19 +29,31 @@ const client = new Client(
 const opener = new Opener(store, client);
 const asker = new Asker(store, client);
 const pointing = new Pointing(store, asker);
-const openFiles = (files: File[]) => opener.openFiles(files);
+const openFiles = (files: DroppedFile[]) => opener.openFiles(files);
 const chooseAndOpen = () => chooseFiles(openFiles);
 
 const panels = document.getElementById('panels')!;
-const view = new View(document.getElementById('view')!, {
-  onPlace: (instance, change) => update(changes.changeInstance(instance, change)),
-  onPoint: (ray, x, y) => {
-    panels.style.setProperty('--x', `${x}px`);
-    panels.style.setProperty('--y', `${y}px`);
-    void pointing.point(ray);
-  },
-  onClick: () => update(({ hovered }) => ({ selected: hovered?.instance ?? null })),
-});
+const view = makeView(document.getElementById('view')!);
+
+/** Without WebGL there is no picture, but all that is counted. */
+function makeView(place: HTMLElement): View | null {
+  try {
+    return new View(place, {
+      onPlace: (instance, change) => update(changes.changeInstance(instance, change)),
+      onPoint: (ray, x, y) => {
+        panels.style.setProperty('--x', `${x}px`);
+        panels.style.setProperty('--y', `${y}px`);
+        void pointing.point(ray);
+      },
+      onClick: (ray) => void pointing.select(ray),
+    });
+  } catch {
+    place.classList.add('without-picture');
+    place.textContent =
+      'No picture: this browser gives the page no WebGL. All else is counted as ever.';
+    return null;
+  }
+}
 
 /** Written only when it changes: the whole page is styled anew by it. */
 function wear(theme: 'dark' | 'light'): void {
@@ -52,21 +64,32 @@ function wear(theme: 'dark' | 'light'): void {
 function show(state: State): void {
   const dark = isDark(state.theme);
   wear(dark ? 'dark' : 'light');
-  document.title = state.scene ? `${state.scene.name} · Pelt` : 'Pelt';
-  view.light(dark);
-  view.show(state);
+  view?.light(dark);
+  view?.show(state);
   render(<App state={state} update={update} openFiles={chooseAndOpen} />, panels);
 }
 
 store.listen(show);
+store.listen((state, before) => {
+  if (state.theme !== before.theme) keepTheme(state.theme);
+  if (state.scene?.name !== before.scene?.name) document.title = `${state.scene?.name} · Pelt`;
+});
 onSystemTheme(() => show(store.state));
 new Director(store, asker);
 new Meter(store, asker);
-new Photographer(store, asker, (answer) => view.photograph(answer));
+if (view) new Photographer(store, asker, (answer) => view.photograph(answer));
 startClock(store);
 watchKeys(update);
 watchDrops(update, openFiles);
 
-const report = findReport(document);
-if (report) opener.openReport(report);
-else opener.openDemo();
+try {
+  open(findReport(document));
+} catch (error) {
+  update(() => ({ reading: null }));
+  update(changes.refuse('The report in this page cannot be read', (error as Error).message));
+}
+
+function open(report: Report | null): void {
+  if (report) opener.openReport(report);
+  else opener.openDemo();
+}

@@ -15,8 +15,9 @@ export function temporaryFolder(test) {
 }
 
 /** What the command prints. */
-function run(words) {
-  const { status, stdout, stderr } = spawnSync(command, words, {
+function run(words, folder = '.') {
+  const { status, stdout, stderr } = spawnSync(path.resolve(command), words, {
+    cwd: folder,
     encoding: 'utf8',
     maxBuffer: 2 ** 28,
   });
@@ -26,11 +27,15 @@ function run(words) {
 
 /** The frames' numbers of contacts, the work and the hash; `files` lie beside the scene, by their names. */
 export function check(test, scene, files = {}, options = []) {
+  const text = Buffer.from(JSON.stringify(scene));
+  return checkFiles(test, { ...files, 'scene.json': text }, ['scene.json', ...options]);
+}
+
+/** The same for `pelt check WORDS...` in a folder with files. */
+export function checkFiles(test, files, words) {
   const folder = temporaryFolder(test);
   for (const [name, bytes] of Object.entries(files)) writeFileSync(path.join(folder, name), bytes);
-  const file = path.join(folder, 'scene.json');
-  writeFileSync(file, JSON.stringify(scene));
-  const lines = run(['check', file, '--jsonl', '-', ...options])
+  const lines = run(['check', ...words, '--jsonl', '-'], folder)
     .trim()
     .split('\n')
     .map((line) => JSON.parse(line));

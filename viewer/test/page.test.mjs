@@ -136,7 +136,7 @@ describe('the keyboard', () => {
   });
 
   test('selects a character', async () => {
-    await press('2');
+    await press('1');
     await page.waitForSelector('.card.selected:has-text("sand")');
     await press('Escape');
     await page.locator('.card.selected').waitFor({ state: 'detached' });
@@ -175,7 +175,14 @@ describe('the keyboard', () => {
       await press('Tab');
       reached.add(await focused(page));
     }
-    for (const name of ['Open files', 'Save scene', 'Play', 'Next contact', 'Draw bounds']) {
+    for (const name of [
+      'Open files',
+      'Save scene',
+      'Play',
+      'Next contact',
+      'Whole scene',
+      'Draw bounds',
+    ]) {
       assert.ok(reached.has(`${name}: solid`), `${name} in ${[...reached]}`);
     }
   });
@@ -208,7 +215,7 @@ describe('the scene changes', () => {
   test('a character that is moved has the contacts that the command finds', async (t) => {
     await goToFrame(page, TOGETHER);
     const contacts = await number(page, 'contacts');
-    await page.keyboard.press('1');
+    await page.keyboard.press('0');
     await page.getByLabel('x', { exact: true }).fill('-0.05');
     await answered(page, TOGETHER);
     assert.notEqual(await number(page, 'contacts'), contacts);

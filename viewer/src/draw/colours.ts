@@ -2,7 +2,10 @@
 
 export const ACCENT = 0xff6a2b;
 
-const BODIES = [0x6b93a8, 0xd9bd95, 0x8a9a74, 0xa58498, 0x7f86b5, 0xb98f72];
+const BODIES = [
+  0x6b93a8, 0xd9bd95, 0x8a9a74, 0xa58498, 0x7f86b5, 0xb98f72, 0x5f9c95, 0xc9a3ad, 0xa9a45f,
+  0x8c8f97,
+];
 
 export function bodyColour(instance: number): number {
   return BODIES[instance % BODIES.length];
@@ -10,6 +13,12 @@ export function bodyColour(instance: number): number {
 
 export function cssColour(colour: number): string {
   return `#${colour.toString(16).padStart(6, '0')}`;
+}
+
+/** For text on a colour. */
+export function inkOn(colour: number): string {
+  const [r, g, b] = [16, 8, 0].map((shift) => (colour >> shift) & 255);
+  return 0.3 * r + 0.59 * g + 0.11 * b > 130 ? '#14181d' : '#ffffff';
 }
 
 /** Kavan & Zara's figure 5: what was refitted, and what did not have to be. */

@@ -15,6 +15,8 @@ import { ACCENT } from './colours';
 import { upload } from './upload';
 
 const SHIMMER = 0.22;
+/** Of what is lit beside the spot that is looked at. */
+const BESIDE = 0.3;
 const HALO_OPACITY = 0.05;
 
 /** Of the characters' height. */
@@ -39,6 +41,7 @@ const FRAGMENT = `
 
 export class Glow extends Group {
   private readonly triangles = new BufferGeometry();
+  private readonly beside: Mesh;
   private readonly centres = new BufferGeometry();
   private readonly halo = new ShaderMaterial({
     vertexShader: VERTEX,
@@ -57,11 +60,14 @@ export class Glow extends Group {
   constructor() {
     super();
     const surface = { color: ACCENT, side: DoubleSide, toneMapped: false };
-    const seen = new MeshBasicMaterial({
+    const before = { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 };
+    const seen = new MeshBasicMaterial({ ...surface, ...before });
+    const faint = new MeshBasicMaterial({
       ...surface,
-      polygonOffset: true,
-      polygonOffsetFactor: -2,
-      polygonOffsetUnits: -2,
+      ...before,
+      transparent: true,
+      opacity: BESIDE,
+      depthWrite: false,
     });
     const hidden = new MeshBasicMaterial({
       ...surface,
@@ -70,7 +76,9 @@ export class Glow extends Group {
       depthTest: false,
       depthWrite: false,
     });
+    this.beside = new Mesh(new BufferGeometry(), faint);
     this.add(
+      this.beside,
       new Mesh(this.triangles, seen),
       new Mesh(this.triangles, hidden),
       new Points(this.centres, this.halo),
@@ -86,7 +94,12 @@ export class Glow extends Group {
     this.halo.uniforms.heightInPixels.value = heightInPixels;
   }
 
-  show({ triangles, corners, centres }: Contacts): void {
+  /** Those of the spot, if there is one, and the others beside it. */
+  show(all: Contacts, spot: Contacts | null): void {
+    const { triangles, corners, centres } = spot ?? all;
+    this.beside.visible = spot !== null;
+    if (spot) upload(this.beside.geometry, 'position', all.corners);
+    this.beside.geometry.setDrawRange(0, 3 * all.triangles);
     upload(this.triangles, 'position', corners);
     upload(this.centres, 'position', centres);
     this.triangles.setDrawRange(0, 3 * triangles);

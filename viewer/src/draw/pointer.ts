@@ -12,18 +12,21 @@ const CLICK_PIXELS = 4;
 export interface PointerEvents {
   /** With the place on the page; nothing where the pointer has left. */
   onPoint: (ray: Ray | null, x: number, y: number) => void;
-  onClick: () => void;
+  onClick: (ray: Ray) => void;
 }
 
 export function watchPointer(canvas: HTMLCanvasElement, camera: Camera, events: PointerEvents) {
   const caster = new Raycaster();
+  const rayAt = (x: number, y: number): Ray => {
+    caster.setFromCamera(onScreen(canvas, x, y), camera);
+    const { origin, direction } = caster.ray;
+    return { origin: origin.toArray(), direction: direction.toArray() };
+  };
   let pressed = { x: 0, y: 0 };
 
   canvas.addEventListener('pointermove', ({ clientX, clientY, buttons }) => {
     if (buttons !== 0) return events.onPoint(null, clientX, clientY);
-    caster.setFromCamera(onScreen(canvas, clientX, clientY), camera);
-    const { origin, direction } = caster.ray;
-    events.onPoint({ origin: origin.toArray(), direction: direction.toArray() }, clientX, clientY);
+    events.onPoint(rayAt(clientX, clientY), clientX, clientY);
   });
   canvas.addEventListener('pointerleave', () => events.onPoint(null, 0, 0));
   canvas.addEventListener('pointerdown', ({ clientX, clientY }) => {
@@ -31,7 +34,7 @@ export function watchPointer(canvas: HTMLCanvasElement, camera: Camera, events: 
   });
   canvas.addEventListener('click', ({ clientX, clientY }) => {
     const distance = Math.hypot(clientX - pressed.x, clientY - pressed.y);
-    if (distance <= CLICK_PIXELS) events.onClick();
+    if (distance <= CLICK_PIXELS) events.onClick(rayAt(clientX, clientY));
   });
 }
 

@@ -10,12 +10,14 @@ import {
   PMREMGenerator,
   Scene,
   Sphere,
+  Spherical,
   type Texture,
   Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+import { CameraFlight } from './camera_flight';
 import type { Ambience } from './colours';
 import { Ground } from './ground';
 
@@ -26,8 +28,13 @@ const STILL = { width: 192, height: 192 };
 /** Of the picture. */
 const STILL_SHARE = 0.75;
 
-/** Of the distance from which all is seen; at its ends a walk may be cut by the edge. */
-const CLOSENESS = 0.66;
+/** Of the distance from which all is seen. At its ends a walk may be cut by the edge. */
+const CLOSENESS = { standing: 0.95, walking: 0.66 };
+
+/** What is looked at closely, with what is around it. */
+const SURROUNDINGS = 3;
+/** Of the whole scene: no nearer, however small it is. */
+const NEAREST = 0.16;
 
 const VIEW_DIRECTION = new Vector3(1, 0.26, 0.42).normalize();
 const KEY_DIRECTION = new Vector3(0.75, 1.5, 0.55).normalize();
@@ -43,6 +50,9 @@ export class Studio {
   private readonly key = new DirectionalLight(0xfff2e2);
   private readonly rim = new DirectionalLight(0xa9c4ff);
   private readonly ground = new Ground();
+  private readonly whole = new Sphere();
+  private distance = 1;
+  private flight: CameraFlight | null = null;
   private isStale = true;
 
   constructor(private readonly place: HTMLElement) {
@@ -57,6 +67,7 @@ export class Studio {
     this.orbit.enableDamping = true;
     this.orbit.dampingFactor = 0.12;
     this.orbit.addEventListener('change', () => this.redraw());
+    this.orbit.addEventListener('start', () => (this.flight = null));
 
     this.scene.environment = makeSurroundings(this.renderer);
 
@@ -84,11 +95,13 @@ export class Studio {
   }
 
   /** Camera, light and ground for what is in the box. */
-  frame(box: Box3): void {
-    const { center, radius } = box.getBoundingSphere(new Sphere());
-    const distance = (CLOSENESS * radius) / Math.sin((FIELD_OF_VIEW * Math.PI) / 360);
+  frame(box: Box3, kind: 'standing' | 'walking'): void {
+    const { center, radius } = box.getBoundingSphere(this.whole);
+    const distance = distanceOf(CLOSENESS[kind] * radius) / Math.min(1, this.camera.aspect);
+    this.distance = distance;
+    this.flight = null;
     this.camera.position.copy(center).addScaledVector(VIEW_DIRECTION, distance);
-    this.camera.near = distance / 100;
+    this.camera.near = distance / 200;
     this.camera.far = distance * 20;
     this.camera.updateProjectionMatrix();
     this.orbit.target.copy(center);
@@ -97,6 +110,35 @@ export class Studio {
     this.aim(this.rim, RIM_DIRECTION, center, radius);
     this.ground.fit(center, box.min.y, radius);
     this.redraw();
+  }
+
+  /** The camera flies to where it was at first. */
+  seeWhole(): void {
+    const { center } = this.whole;
+    this.fly(center.clone().addScaledVector(VIEW_DIRECTION, this.distance), center.clone());
+  }
+
+  /** The camera flies to what is in the box, from the side that it is on. */
+  lookAt(box: Box3): void {
+    const { center, radius } = box.getBoundingSphere(new Sphere());
+    const distance = distanceOf(Math.max(SURROUNDINGS * radius, NEAREST * this.whole.radius));
+    const away = this.camera.position.clone().sub(this.orbit.target).normalize();
+    this.fly(center.clone().addScaledVector(away, distance), center);
+  }
+
+  /** Around what the camera looks at; radians. */
+  turnCamera(right: number, up: number): void {
+    const away = new Spherical().setFromVector3(
+      this.camera.position.clone().sub(this.orbit.target),
+    );
+    away.theta += right;
+    away.phi -= up;
+    this.putCamera(new Vector3().setFromSpherical(away.makeSafe()));
+  }
+
+  /** To or from what the camera looks at. */
+  zoom(factor: number): void {
+    this.putCamera(this.camera.position.clone().sub(this.orbit.target).divideScalar(factor));
   }
 
   /** The address of an image of the middle of the picture. */
@@ -109,6 +151,17 @@ export class Studio {
     const [left, top] = [(width - side) / 2, (height - side) / 2];
     context.drawImage(this.canvas, left, top, side, side, 0, 0, STILL.width, STILL.height);
     return still.toDataURL();
+  }
+
+  private fly(position: Vector3, target: Vector3): void {
+    const from = { position: this.camera.position.clone(), target: this.orbit.target.clone() };
+    this.flight = new CameraFlight(from, { position, target });
+  }
+
+  private putCamera(away: Vector3): void {
+    this.flight = null;
+    this.camera.position.copy(this.orbit.target).add(away);
+    this.redraw();
   }
 
   private aim(light: DirectionalLight, from: Vector3, centre: Vector3, radius: number): void {
@@ -132,6 +185,7 @@ export class Studio {
   }
 
   private draw(): void {
+    if (this.flight?.move(this.camera, this.orbit.target, performance.now())) this.flight = null;
     this.orbit.update();
     if (!this.isStale) return;
     this.isStale = false;
@@ -147,4 +201,9 @@ function makeSurroundings(renderer: WebGLRenderer): Texture {
   generator.dispose();
   room.dispose();
   return texture;
+}
+
+/** From where a ball of that radius fills the picture. */
+function distanceOf(radius: number): number {
+  return radius / Math.sin((FIELD_OF_VIEW * Math.PI) / 360);
 }

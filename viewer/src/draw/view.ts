@@ -1,8 +1,9 @@
 /** The picture of the state: what has changed in it is drawn anew, and nothing else. */
 
+import { Box3 } from 'three';
 import { frameTime, placeAt, translationFor, type Instance } from '../scene/scene';
 import type { Quaternion, Vector3 } from '../scene/scene';
-import type { AnsweredShot, State } from '../state/state';
+import type { AnsweredShot, CameraMove, State } from '../state/state';
 import { DARK, LIGHT, type Ambience } from './colours';
 import { Figure } from './figure';
 import { Gizmo } from './gizmo';
@@ -24,6 +25,8 @@ export class View {
   private figures: Figure[] = [];
   private shown: State | null = null;
   private ambience: Ambience | null = null;
+  /** The spot that the camera went to last. */
+  private visited: State['spot'] = null;
 
   constructor(
     container: HTMLElement,
@@ -38,7 +41,7 @@ export class View {
     scene.add(this.glow, this.boxes, this.gizmo.helper);
     watchPointer(canvas, camera, {
       onPoint: (ray, x, y) => events.onPoint(this.gizmo.isHeld ? null : ray, x, y),
-      onClick: () => this.gizmo.isHeld || events.onClick(),
+      onClick: (ray) => this.gizmo.isHeld || events.onClick(ray),
     });
   }
 
@@ -53,7 +56,13 @@ export class View {
     const before = this.shown;
     this.shown = state;
     if (state.characters !== before?.characters) this.frame(state);
-    if (state.answer && state.answer !== before?.answer) this.showAnswer(state, state.answer);
+    if (state.arrangement !== before?.arrangement) this.frame(state);
+    const { cameraMove } = state;
+    if (cameraMove && cameraMove !== before?.cameraMove) this.move(cameraMove);
+    if (state.answer && state.answer !== before?.answer) {
+      this.showAnswer(state, state.answer);
+      this.visit(state.answer);
+    }
     this.showGizmo(state);
   }
 
@@ -71,17 +80,34 @@ export class View {
   private frame({ scene, characters }: State): void {
     if (!scene) return;
     const box = sceneBox(scene, characters);
-    this.studio.frame(box);
+    const isWalk = scene.instances.some(({ velocity }) => velocity.some((speed) => speed !== 0));
+    this.studio.frame(box, isWalk ? 'walking' : 'standing');
     this.glow.scaleTo(box.max.y - box.min.y);
   }
 
-  private showAnswer({ characters }: State, { shot, instances, glow }: AnsweredShot): void {
+  private move(move: CameraMove): void {
+    if (move.kind === 'whole') this.studio.seeWhole();
+    else if (move.kind === 'turn') this.studio.turnCamera(move.right, move.up);
+    else this.studio.zoom(move.factor);
+  }
+
+  /** The camera goes once to a spot that has been chosen. */
+  private visit({ shot, spot }: AnsweredShot): void {
+    if (shot.spot === this.visited) return;
+    this.visited = shot.spot;
+    if (!spot || spot.glow.triangles === 0) return;
+    const corners = spot.glow.corners.subarray(0, 9 * spot.glow.triangles);
+    this.studio.lookAt(new Box3().setFromArray(corners));
+  }
+
+  private showAnswer({ characters }: State, answer: AnsweredShot): void {
+    const { shot, instances, glow, spot } = answer;
     const cast = shot.scene.instances.map(({ character }) => characters[character]);
     const fits =
       cast.length === this.figures.length && this.figures.every((f, i) => f.character === cast[i]);
     if (!fits) this.replaceFigures(cast.map((character, i) => new Figure(character, i)));
     this.figures.forEach((figure, i) => figure.show(instances[i]));
-    this.glow.show(glow);
+    this.glow.show(glow, spot?.glow ?? null);
     this.boxes.show(instances);
     this.studio.redraw();
   }

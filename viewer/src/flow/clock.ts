@@ -14,8 +14,8 @@ export function startClock(store: Store<State>): void {
   const tick = (now: number) => {
     const seconds = Math.min((now - last) / 1000, LONGEST_STEP_SECONDS);
     last = now;
-    const { scene, isPlaying, frame, answer } = store.state;
-    if (scene && isPlaying && answer) {
+    const { scene, isPlaying, frame, answer, reading } = store.state;
+    if (scene && isPlaying && answer && !reading) {
       rest += seconds * scene.fps;
       const steps = Math.floor(rest);
       rest -= steps;

@@ -1,11 +1,20 @@
-/** Files dropped anywhere on the page, or chosen in a dialog. */
+/** Files and folders dropped anywhere on the page, or chosen in a dialog. */
 
 import type { Update } from '../state/state';
 
-export function watchDrops(update: Update, open: (files: File[]) => void): void {
+export interface DroppedFile {
+  /** From the folder that was dropped on. */
+  path: string;
+  file: File;
+}
+
+type Open = (files: DroppedFile[]) => void;
+
+export function watchDrops(update: Update, open: Open): void {
   document.addEventListener('dragover', (event) => {
+    if (!event.dataTransfer?.types.includes('Files')) return;
     event.preventDefault();
-    update(() => ({ isDropping: true }));
+    update(({ isDropping }) => (isDropping ? {} : { isDropping: true }));
   });
   document.addEventListener('dragleave', ({ relatedTarget }) => {
     if (relatedTarget === null) update(() => ({ isDropping: false }));
@@ -13,14 +22,52 @@ export function watchDrops(update: Update, open: (files: File[]) => void): void 
   document.addEventListener('drop', (event) => {
     event.preventDefault();
     update(() => ({ isDropping: false }));
-    const files = [...(event.dataTransfer?.files ?? [])];
-    if (files.length > 0) open(files);
+    if (event.dataTransfer) void droppedFiles(event.dataTransfer).then(open);
   });
 }
 
-export function chooseFiles(open: (files: File[]) => void): void {
+export function chooseFiles(open: Open): void {
   const input = document.createElement('input');
   Object.assign(input, { type: 'file', multiple: true, accept: '.glb,.gltf,.bin,.json' });
-  input.addEventListener('change', () => open([...(input.files ?? [])]));
+  input.addEventListener('change', () => open([...(input.files ?? [])].map(alone)));
   input.click();
+}
+
+/** Those of folders, too. What was dropped can only be asked for at once, before any wait. */
+async function droppedFiles({ items, files }: DataTransfer): Promise<DroppedFile[]> {
+  const entries = [...items].map((item) => item.webkitGetAsEntry());
+  if (entries.some((entry) => entry === null)) return [...files].map(alone);
+  return (await Promise.all(entries.map((entry) => filesIn(entry!)))).flat();
+}
+
+function alone(file: File): DroppedFile {
+  return { path: file.name, file };
+}
+
+async function filesIn(entry: FileSystemEntry, folder = ''): Promise<DroppedFile[]> {
+  const path = folder + entry.name;
+  if (isFile(entry)) return [{ path, file: await fileOf(entry) }];
+  const inside = await entriesIn(entry as FileSystemDirectoryEntry);
+  return (await Promise.all(inside.map((one) => filesIn(one, `${path}/`)))).flat();
+}
+
+function isFile(entry: FileSystemEntry): entry is FileSystemFileEntry {
+  return entry.isFile;
+}
+
+function fileOf(entry: FileSystemFileEntry): Promise<File> {
+  return new Promise((resolve, reject) => entry.file(resolve, reject));
+}
+
+/** Browsers give a folder's entries in batches, the last of them empty. */
+async function entriesIn(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
+  const reader = folder.createReader();
+  const all: FileSystemEntry[] = [];
+  for (;;) {
+    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => {
+      reader.readEntries(resolve, reject);
+    });
+    if (batch.length === 0) return all;
+    all.push(...batch);
+  }
 }

@@ -6,6 +6,10 @@ import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { isCharacter, type NamedFile, type Opened } from '../worker/protocol';
 import type { Client } from './client';
+import type { DroppedFile } from './drops';
+
+/** In the midst of it. */
+const FIRST_FRAME_OF_DEMO = 76;
 
 export class Opener {
   private opening = Promise.resolve();
@@ -16,7 +20,8 @@ export class Opener {
   ) {}
 
   openDemo(): void {
-    this.show('the generated characters', () => this.client.ask('openDemo', {}));
+    const ask = () => this.client.ask('openDemo', {});
+    this.show('the generated characters', ask, FIRST_FRAME_OF_DEMO);
   }
 
   openReport(report: Report): void {
@@ -27,31 +32,44 @@ export class Opener {
   }
 
   /** Characters, or a scene with its characters; on the stage they replace all others. */
-  openFiles(files: readonly File[]): void {
-    const names = files.map((file) => file.name).join(', ');
+  openFiles(files: readonly DroppedFile[]): void {
+    const names = files.map(({ path }) => path).join(', ');
     this.show(names, async () => this.ask(await Promise.all(files.map(readFile))));
   }
 
   private ask(files: NamedFile[]): Promise<Opened> {
-    const scene = files.find(({ path }) => /\.json$/i.test(path));
+    const scenes = files.filter(isScene);
+    if (scenes.length > 1) {
+      throw new Error(`Several scenes are in it: drop only one of ${pathsOf(scenes)}.`);
+    }
+    const [scene] = scenes;
     if (scene) return this.client.ask('openScene', { path: scene.path, files, options: {} });
     if (files.some(isCharacter)) return this.client.ask('readCharacters', { files });
     throw new Error('No character is in it: drop .glb files, or a scene.json with its files.');
   }
 
   /** One after the other. The stage keeps what it has until all is read. */
-  private show(what: string, ask: () => Promise<Opened>): void {
+  private show(what: string, ask: () => Promise<Opened>, frame = 0): void {
     this.opening = this.opening.then(async () => {
       this.store.update(() => ({ reading: what }));
       try {
-        this.store.update(changes.open(await ask()));
+        this.store.update(changes.open(await ask(), frame));
       } catch (error) {
+        this.store.update(() => ({ reading: null }));
         this.store.update(changes.refuse(`${what} could not be opened`, (error as Error).message));
       }
     });
   }
 }
 
-async function readFile(file: File): Promise<NamedFile> {
-  return { path: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+async function readFile({ path, file }: DroppedFile): Promise<NamedFile> {
+  return { path, bytes: new Uint8Array(await file.arrayBuffer()) };
+}
+
+function isScene({ path }: NamedFile): boolean {
+  return /\.json$/i.test(path);
+}
+
+function pathsOf(files: readonly NamedFile[]): string {
+  return files.map(({ path }) => path).join(', ');
 }

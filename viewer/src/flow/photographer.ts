@@ -23,7 +23,7 @@ export class Photographer {
     const stills: Still[] = [];
     for (const frame of worstFrames(sweep.counts)) {
       if (this.store.state.reading) return;
-      const shot = { scene, frame, firstContact, boxLevel: null };
+      const shot = { scene, frame, firstContact, boxLevel: null, spot: null };
       const answer = await this.asker.ask('still', shot);
       if (!answer || this.store.state.sweep.id !== sweep.id) return;
       stills.push({ frame, contacts: answer.contacts, picture: this.picture({ ...answer, shot }) });

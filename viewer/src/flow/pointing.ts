@@ -1,5 +1,6 @@
 /** Asks what is under the pointer, one ray at a time: the last one counts. */
 
+import * as changes from '../state/changes';
 import type { Ray } from '../draw/pointer';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -13,6 +14,12 @@ export class Pointing {
     private readonly store: Store<State>,
     private readonly asker: Asker,
   ) {}
+
+  /** Takes the character that the ray meets, by mouse or by touch. */
+  async select(ray: Ray): Promise<void> {
+    const surface = await this.asker.ask('cast', ray);
+    this.store.update(changes.select(surface?.instance ?? null));
+  }
 
   async point(ray: Ray | null): Promise<void> {
     this.ray = ray;

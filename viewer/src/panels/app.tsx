@@ -1,12 +1,12 @@
 /** The page around the picture. */
 
 import type { State, Update } from '../state/state';
-import { BoxesPanel } from './boxes_panel';
 import { CharactersPanel } from './characters_panel';
 import { ContactsPanel } from './contacts_panel';
 import { Header } from './header';
 import { Help } from './help';
 import { Hover } from './hover';
+import { PictureBar } from './picture_bar';
 import { Problems } from './problems';
 import { ReportPanel } from './report_panel';
 import { Timeline } from './timeline';
@@ -20,7 +20,7 @@ const panels = {
   Characters: watch(CharactersPanel),
   Contacts: watch(ContactsPanel),
   Work: watch(WorkPanel),
-  Boxes: watch(BoxesPanel),
+  PictureBar: watch(PictureBar),
   Timeline: watch(Timeline),
   Hover: watch(Hover),
   Problems: watch(Problems),
@@ -41,12 +41,12 @@ export function App({ state, update, openFiles }: PanelProps & { openFiles: () =
         <panels.Characters state={state} update={update} />
         <panels.Contacts state={state} update={update} />
         <panels.Work state={state} update={update} />
-        <panels.Boxes state={state} update={update} />
       </aside>
+      <panels.PictureBar state={state} update={update} />
       <panels.Timeline state={state} update={update} />
       <panels.Hover state={state} update={update} />
       <panels.Problems state={state} update={update} />
-      {state.isDropping && <div class="drop">Drop .glb files here</div>}
+      {state.isDropping && <div class="drop">Drop .glb files, or a folder with a scene</div>}
       <panels.Help state={state} update={update} />
     </>
   );

@@ -1,29 +1,51 @@
+import { useRef } from 'preact/hooks';
+
 interface NumberFieldProps {
   label: string;
   unit?: string;
+  title?: string;
   step: number;
   value: number;
+  least?: number;
+  most?: number;
   onChange: (value: number) => void;
 }
 
 /** What the engine can surely pose with. */
 const MOST = 1e6;
 
-/** What is no number, or too large a one, is not taken. */
-export function NumberField({ label, unit, step, value, onChange }: NumberFieldProps) {
+/** More than what is shown leaves out of a number. */
+const TOLERANCE = 1e-3;
+
+/** What is being typed stays as it is typed, as long as it means the value. What is no number, or
+ * out of range, is not taken. */
+export function NumberField(props: NumberFieldProps) {
+  const { label, unit, title, step, value, least = -MOST, most = MOST, onChange } = props;
+  const typed = useRef<{ text: string; value: number } | null>(null);
+  const isTyped = typed.current && Math.abs(typed.current.value - value) < TOLERANCE;
   return (
-    <label>
+    <label title={title}>
       {label}
       {unit && <small> {unit}</small>}
       <input
         type="number"
         step={step}
-        value={Number(value.toFixed(3))}
+        value={isTyped ? typed.current!.text : format(value)}
         onInput={({ currentTarget }) => {
-          const given = currentTarget.valueAsNumber;
-          if (Math.abs(given) <= MOST) onChange(given);
+          const { value: text, valueAsNumber: given } = currentTarget;
+          const isTaken = given >= least && given <= most;
+          typed.current = { text, value: isTaken ? given : value };
+          if (isTaken) onChange(given);
+        }}
+        onBlur={({ currentTarget }) => {
+          typed.current = null;
+          currentTarget.value = format(value);
         }}
       />
     </label>
   );
+}
+
+function format(value: number): string {
+  return String(Number(value.toFixed(3)));
 }

@@ -1,25 +1,28 @@
-import { bodyColour, cssColour } from '../draw/colours';
 import type { State } from '../state/state';
 import type { Touch } from '../worker/protocol';
+import { Badge } from './badge';
 
-/** Which instances touch, where there are more than two. */
+/** Which instances touch: in a report, and where there are more than two. */
 export function Pairs({ state, touches }: { state: State; touches: readonly Touch[] }) {
-  if (touches.length === 0 || (state.scene?.instances.length ?? 0) < 3) return null;
+  const isWanted = state.report !== null || (state.scene?.instances.length ?? 0) > 2;
+  if (touches.length === 0 || !isWanted) return null;
   return (
-    <table class="pairs">
-      <caption class="quiet">instances that touch</caption>
-      {contactsOfPairs(touches).map(({ a, b, contacts }) => (
-        <tr>
-          <td>
-            <Name state={state} instance={a} />
-          </td>
-          <td>
-            <Name state={state} instance={b} />
-          </td>
-          <td class="number">{contacts.toLocaleString('en')}</td>
-        </tr>
-      ))}
-    </table>
+    <div class="pairs">
+      <table>
+        <caption class="quiet">characters that touch</caption>
+        {contactsOfPairs(touches).map(({ a, b, contacts }) => (
+          <tr>
+            <td>
+              <Name state={state} instance={a} />
+            </td>
+            <td>
+              <Name state={state} instance={b} />
+            </td>
+            <td>{contacts.toLocaleString('en')}</td>
+          </tr>
+        ))}
+      </table>
+    </div>
   );
 }
 
@@ -27,8 +30,8 @@ function Name({ state, instance }: { state: State; instance: number }) {
   const character = state.scene?.instances[instance]?.character;
   return (
     <span class="place">
-      <i class="dot" style={{ background: cssColour(bodyColour(instance)) }} />
-      {character === undefined ? '' : state.characters[character].name} <small>{instance}</small>
+      <Badge instance={instance} />
+      {character === undefined ? '' : state.characters[character].name}
     </span>
   );
 }

@@ -1,13 +1,14 @@
 import { jumpToContact, step, toFrame, togglePlaying } from '../state/changes';
 import { frameTime } from '../scene/scene';
-import type { SweepState } from '../state/state';
+import type { State, SweepState } from '../state/state';
 import type { PanelProps } from './app';
 import { Chart } from './chart';
 import { memo } from './memo';
 
 export function Timeline({ state, update }: PanelProps) {
-  const { scene, frame, sweep } = state;
+  const { scene, sweep } = state;
   if (!scene) return <footer class="time" />;
+  const frame = frameInPicture(state);
   return (
     <footer class="time">
       <Transport state={state} update={update} />
@@ -16,8 +17,8 @@ export function Timeline({ state, update }: PanelProps) {
         <input
           type="range"
           min={0}
-          max={scene.frameCount - 1}
-          value={frame}
+          max={String(scene.frameCount - 1)}
+          value={String(frame)}
           aria-label="Frame"
           aria-valuetext={`frame ${frame}, ${sweep.counts[frame] ?? 'not yet counted'} contacts`}
           onInput={({ currentTarget }) =>
@@ -34,6 +35,11 @@ export function Timeline({ state, update }: PanelProps) {
       </div>
     </footer>
   );
+}
+
+/** While the scene plays, that which all numbers and the picture are of. */
+function frameInPicture({ isPlaying, scene, answer, frame }: State): number {
+  return isPlaying && answer?.shot.scene === scene ? answer.shot.frame : frame;
 }
 
 function Transport({ state: { isPlaying }, update }: PanelProps) {
@@ -83,7 +89,7 @@ interface SweepFactsProps {
 const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
   const { counts, total } = sweep;
   if (!total) {
-    return <small role="status">counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
+    return <small>counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
   }
   const contacts = counts.reduce((sum, count) => sum + count, 0);
   const touched = counts.filter((count) => count > 0).length;

@@ -1,6 +1,7 @@
 /** A scene, as docs/scenes.md has it: what the command reads, the page shows. */
 
 import type { Instance } from 'pelt';
+import type { CharacterFacts } from '../worker/protocol';
 
 export type { Instance };
 
@@ -17,6 +18,22 @@ export interface Scene {
   fps: number;
   /** Their `character` is an index into `State.characters`. */
   instances: Instance[];
+}
+
+/** More are neither counted in reasonable time nor told apart in a chart. */
+export const MOST_FRAMES = 100_000;
+
+/** As many as `pelt check A.glb B.glb --clip ...` asks. */
+export function framesOfLongestClip(
+  { instances, fps }: Scene,
+  characters: readonly CharacterFacts[],
+): number {
+  const longest = Math.max(...instances.map((instance) => clipSeconds(instance, characters)));
+  return Math.min(Math.max(1, Math.ceil(longest * fps)), MOST_FRAMES);
+}
+
+function clipSeconds({ character, clip }: Instance, characters: readonly CharacterFacts[]): number {
+  return characters[character].clips.find(({ name }) => name === clip)?.seconds ?? 0;
 }
 
 /** Seconds at which a frame stands. */
@@ -40,4 +57,20 @@ export function withInstance(scene: Scene, index: number, change: Partial<Instan
     i === index ? { ...instance, ...change } : instance,
   );
   return { ...scene, instances };
+}
+
+/** The same seconds in other steps. */
+export function withFps(scene: Scene, fps: number): Scene {
+  const frameCount = Math.round((scene.frameCount * fps) / scene.fps);
+  return { ...scene, fps, frameCount: Math.min(Math.max(1, frameCount), MOST_FRAMES) };
+}
+
+/** The second scene, as long as its longest clip where the first was as long as its own. */
+export function inWholeClips(
+  scene: Scene,
+  changed: Scene,
+  characters: readonly CharacterFacts[],
+): Scene {
+  if (scene.frameCount !== framesOfLongestClip(scene, characters)) return changed;
+  return { ...changed, frameCount: framesOfLongestClip(changed, characters) };
 }

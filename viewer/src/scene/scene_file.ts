@@ -4,10 +4,11 @@ import type { CharacterFacts } from '../worker/protocol';
 import type { Instance, Scene } from './scene';
 
 export function sceneFile(scene: Scene, characters: readonly CharacterFacts[]): string {
-  const models = Object.fromEntries(characters.map(({ name, source }) => [name, source]));
+  const names = distinct(characters.map(({ name }) => name));
+  const models = Object.fromEntries(characters.map(({ source }, i) => [names[i], source]));
   const frames = { count: scene.frameCount, fps: scene.fps };
   const instances = scene.instances.map(({ character, morphWeights, ...rest }) => ({
-    model: characters[character].name,
+    model: names[character],
     ...rest,
     ...keptWeights(morphWeights),
   }));
@@ -20,4 +21,15 @@ function keptWeights(weights: Instance['morphWeights']) {
   if (targets.length === 0) return {};
   const areNumbers = targets.every((target) => /^\d+$/.test(target));
   return { morph_weights: areNumbers ? Object.values(weights) : weights };
+}
+
+/** Names that two have are told apart by numbers. */
+function distinct(names: readonly string[]): string[] {
+  const taken = new Set<string>();
+  return names.map((name) => {
+    let free = name;
+    for (let number = 2; taken.has(free); ++number) free = `${name} (${number})`;
+    taken.add(free);
+    return free;
+  });
 }

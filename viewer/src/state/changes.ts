@@ -1,10 +1,10 @@
 /** How the state may change, one function for each thing that one can do. */
 
-import { arrange } from '../scene/arrange';
-import { withInstance, type Instance } from '../scene/scene';
-import type { Opened, SweepProgress } from '../worker/protocol';
-import { isDark } from '../theme';
-import type { Problem, State } from './state';
+import { arrange, usualArrangement } from '../scene/arrange';
+import { inWholeClips, withFps, withInstance, type Instance } from '../scene/scene';
+import type { CharacterFacts, Opened, Spot, SweepProgress } from '../worker/protocol';
+import { isDark, wantsStillness } from '../theme';
+import type { CameraMove, Problem, State } from './state';
 
 type Change = (state: State) => Partial<State>;
 
@@ -39,36 +39,100 @@ function nextContact(counts: readonly number[], from: number, direction: 1 | -1)
 
 export const togglePlaying: Change = ({ isPlaying }) => ({ isPlaying: !isPlaying });
 export const toggleFirstContact: Change = ({ firstContact }) => ({ firstContact: !firstContact });
-export const toggleBoxes: Change = ({ boxLevel }) => ({ boxLevel: boxLevel === null ? 3 : null });
 export const toggleTheme: Change = ({ theme }) => ({ theme: isDark(theme) ? 'light' : 'dark' });
 export const toggleHelp: Change = ({ isHelpOpen }) => ({ isHelpOpen: !isHelpOpen });
 
-/** Levels of the deepest tree; less than the root's hides the boxes. */
-export function changeBoxLevel(by: 1 | -1): Change {
-  return ({ boxLevel, characters }) => {
-    const deepest = Math.max(...characters.map(({ levelCount }) => levelCount - 1));
-    const level = Math.min(deepest, (boxLevel ?? -1) + by);
-    return { boxLevel: level < 0 ? null : level };
+export const toggleBoxes: Change = (state) =>
+  state.boxLevel === null ? toBoxLevel(state.lastBoxLevel)(state) : { boxLevel: null };
+
+/** A level of the deepest tree, and no deeper. */
+export function toBoxLevel(level: number): Change {
+  return ({ characters }) => {
+    const boxLevel = Math.min(level, deepestLevel(characters));
+    return { boxLevel, lastBoxLevel: boxLevel };
   };
+}
+
+/** Less than the root's level hides the boxes. */
+export function changeBoxLevel(by: 1 | -1): Change {
+  return (state) => {
+    const level = (state.boxLevel ?? -1) + by;
+    return level < 0 ? { boxLevel: null } : toBoxLevel(level)(state);
+  };
+}
+
+export function deepestLevel(characters: readonly CharacterFacts[]): number {
+  return Math.max(0, ...characters.map(({ levelCount }) => levelCount - 1));
 }
 
 export function select(instance: number | null): Change {
   return () => ({ selected: instance });
 }
 
-export function changeInstance(instance: number, change: Partial<Instance>): Change {
-  return ({ scene }) => ({ scene: scene && withInstance(scene, instance, change) });
+/** Looks closely at contacts, in a frame that has some; nothing: at none of them. */
+export function lookAt(spot: Spot | null, frame?: number): Change {
+  return (state) => ({
+    spot: spot && { ...spot },
+    ...(frame === undefined ? {} : toFrame(frame)(state)),
+    ...(spot && { isPlaying: false }),
+  });
 }
 
-/** The new characters take the stage from its first frame on. */
-export function open({ characters, scene }: Opened): Change {
-  return () => ({
-    characters,
-    scene: scene ?? arrange(characters),
-    reading: null,
+export function moveCamera(move: CameraMove): Change {
+  return () => ({ cameraMove: { ...move } });
+}
+
+/** Another clip may make the scene longer or shorter. */
+export function changeInstance(instance: number, change: Partial<Instance>): Change {
+  return ({ scene, characters, frame }) => {
+    if (!scene) return {};
+    const changed = withInstance(scene, instance, change);
+    if (!('clip' in change)) return { scene: changed };
+    const whole = inWholeClips(scene, changed, characters);
+    return { scene: whole, frame: Math.min(frame, whole.frameCount - 1) };
+  };
+}
+
+export function changeFrameCount(frameCount: number): Change {
+  return ({ scene, frame }) => ({
+    scene: scene && { ...scene, frameCount },
+    frame: Math.min(frame, frameCount - 1),
+  });
+}
+
+export function changeFps(fps: number): Change {
+  return ({ scene, characters, frame }) => {
+    if (!scene) return {};
+    const changed = inWholeClips(scene, withFps(scene, fps), characters);
+    const sameTime = Math.round((frame * fps) / scene.fps);
+    return { scene: changed, frame: Math.min(sameTime, changed.frameCount - 1) };
+  };
+}
+
+/** Places everyone anew. */
+export function rearrange(arrangement: State['arrangement']): Change {
+  return ({ characters, opened }) => ({
+    arrangement,
+    scene: arrangement === 'opened' ? opened : arrange(characters, arrangement),
     frame: 0,
-    isPlaying: true,
     selected: null,
+    spot: null,
+  });
+}
+
+/** The new characters take the stage, from its first frame on if no other is named. */
+export function open({ characters, scene }: Opened, frame = 0): Change {
+  return ({ boxLevel }) => ({
+    characters,
+    scene: scene ?? arrange(characters, usualArrangement(characters)),
+    opened: scene,
+    arrangement: scene ? 'opened' : usualArrangement(characters),
+    reading: null,
+    frame,
+    isPlaying: !wantsStillness(),
+    selected: null,
+    spot: null,
+    boxLevel: boxLevel && Math.min(boxLevel, deepestLevel(characters)),
     answer: null,
     costs: null,
     hovered: null,
@@ -80,7 +144,7 @@ export function open({ characters, scene }: Opened): Change {
 export function refuse(title: string, message: string): Change {
   return ({ problems }) => {
     const others = problems.filter((problem) => problem.message !== message);
-    return { reading: null, problems: [...others, { title, message }] };
+    return { problems: [...others, { title, message }] };
   };
 }
 

@@ -4,12 +4,19 @@ import type { State } from './state';
 import type { Shot } from '../worker/protocol';
 
 /** While other characters are being read, the worker may have given up those of the scene. */
-export function shotOf({ scene, reading, frame, firstContact, boxLevel }: State): Shot | null {
-  return scene && !reading ? { scene, frame, firstContact, boxLevel } : null;
+export function shotOf({
+  scene,
+  reading,
+  frame,
+  firstContact,
+  boxLevel,
+  spot,
+}: State): Shot | null {
+  return scene && !reading ? { scene, frame, firstContact, boxLevel, spot } : null;
 }
 
 export function isSameShot(one: Shot, other: Shot): boolean {
-  return isSameQuery(one, other) && one.boxLevel === other.boxLevel;
+  return isSameQuery(one, other) && one.boxLevel === other.boxLevel && one.spot === other.spot;
 }
 
 /** Whether it does the same work. */

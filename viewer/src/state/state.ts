@@ -1,18 +1,24 @@
 /** All that the page knows. Data flows one way: state, request to the worker, answer, picture. */
 
 import type { Report } from '../report/report';
+import type { Arrangement } from '../scene/arrange';
 import type { Scene } from '../scene/scene';
 import type {
   CharacterFacts,
   Costs,
   FrameAnswer,
   Shot,
+  Spot,
   Surface,
   SweepTotal,
 } from '../worker/protocol';
 
 export interface State {
   scene: Scene | null;
+  /** As it was opened, where it came with a place for everyone. */
+  opened: Scene | null;
+  /** How everyone was placed last. */
+  arrangement: Arrangement | 'opened';
   characters: CharacterFacts[];
   /** What is being read, or nothing. */
   reading: string | null;
@@ -26,8 +32,14 @@ export interface State {
   gizmo: 'move' | 'turn';
   /** The level of the tree whose boxes are drawn. */
   boxLevel: number | null;
+  /** The one that was drawn last. */
+  lastBoxLevel: number;
   /** The contacts that are listed. */
   listing: 'frame' | 'clip';
+  /** Those that are looked at more closely; each time that they are chosen it is another object. */
+  spot: Spot | null;
+  /** Where the camera was told to go last. */
+  cameraMove: CameraMove | null;
   /** Files are being dragged over the page. */
   isDropping: boolean;
   theme: 'system' | 'dark' | 'light';
@@ -46,6 +58,12 @@ export interface State {
   /** What the command found, where the page is its report. */
   report: Report | null;
 }
+
+/** Another object each time. The angles, in radians, lead to the right and up. */
+export type CameraMove =
+  | { kind: 'whole' }
+  | { kind: 'turn'; right: number; up: number }
+  | { kind: 'zoom'; factor: number };
 
 export interface AnsweredShot extends FrameAnswer {
   shot: Shot;
@@ -76,6 +94,8 @@ export interface Problem {
 
 export const initialState: State = {
   scene: null,
+  opened: null,
+  arrangement: 'opened',
   characters: [],
   reading: 'the engine',
   frame: 0,
@@ -84,7 +104,10 @@ export const initialState: State = {
   selected: null,
   gizmo: 'move',
   boxLevel: null,
+  lastBoxLevel: 3,
   listing: 'frame',
+  spot: null,
+  cameraMove: null,
   isDropping: false,
   theme: 'system',
   isHelpOpen: false,

@@ -1,8 +1,9 @@
 /** Characters for the stage, and the scene that came with them. */
 
-import type { Character, Files, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
+import type { Character, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import type { ModelSource, Scene } from '../scene/scene';
+import { buffersOf, filesOfScene } from './find_files';
 import { isCharacter, type NamedFile, type Questions } from './protocol';
 
 export interface Cast {
@@ -19,23 +20,26 @@ export function readDemo(pelt: Pelt): Cast {
   const file = JSON.parse(pelt.demoScene);
   file.frames = { count: 2 * file.frames.count, fps: 2 * file.frames.fps };
   const text = new TextEncoder().encode(JSON.stringify(file));
-  return castOf(pelt.readScene(DEMO, { [DEMO]: text }), file.models);
+  return castOf(pelt.readScene(DEMO, { [DEMO]: text }), file.models, DEMO);
 }
 
-export function readSceneFile(pelt: Pelt, { path, files, options }: Questions['openScene']): Cast {
-  const byPath = new Map(files.map((file) => [file.path, file.bytes]));
-  const scene = pelt.readScene(path, byPath, { ...options, meshoptDecode });
-  return castOf(scene, JSON.parse(new TextDecoder().decode(byPath.get(path))).models);
+export function readSceneFile(
+  pelt: Pelt,
+  { path, files: dropped, options }: Questions['openScene'],
+): Cast {
+  const { path: place, files } = filesOfScene(path, dropped);
+  const scene = pelt.readScene(place, files, { ...options, meshoptDecode });
+  const { models } = JSON.parse(new TextDecoder().decode(files.get(place)));
+  return castOf(scene, models, path);
 }
 
 export function readCharacters(pelt: Pelt, files: readonly NamedFile[]): Cast {
   const models = files.filter(isCharacter);
-  const others = files.filter((file) => !isCharacter(file));
-  const byPath: Files = new Map(others.map((file) => [file.path, file.bytes]));
   const characters: Character[] = [];
   try {
-    for (const { path, bytes } of models) {
-      characters.push(pelt.readCharacter(bytes, { name: path, files: byPath, meshoptDecode }));
+    for (const model of models) {
+      const options = { name: model.path, files: buffersOf(model, files), meshoptDecode };
+      characters.push(pelt.readCharacter(model.bytes, options));
     }
   } catch (error) {
     for (const character of characters) character.delete();
@@ -44,8 +48,11 @@ export function readCharacters(pelt: Pelt, files: readonly NamedFile[]): Cast {
   return { characters, sources: models.map(({ path }) => path), scene: null };
 }
 
-function castOf(scene: EngineScene, models: Record<string, ModelSource>): Cast {
-  const { name, characters, frameCount, fps, instances } = scene;
+function castOf(
+  { characters, frameCount, fps, instances }: EngineScene,
+  models: Record<string, ModelSource>,
+  name: string,
+): Cast {
   return {
     characters,
     sources: characters.map((character) => models[character.name]),

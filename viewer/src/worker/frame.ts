@@ -3,7 +3,8 @@
 import type { Pelt, Pose, QueryStats, Scene as EngineScene } from 'pelt';
 import { collidingPairs } from './colliding_pairs';
 import { glowOf } from './glow';
-import type { FrameAnswer, PosedInstance, Shot, Spare, Work } from './protocol';
+import type { FrameAnswer, PosedInstance, Shot, Spare, Spot, SpotAnswer, Work } from './protocol';
+import { contactsInSpot } from './spots';
 import type { Stage } from './stage';
 import { TouchTally } from './touches';
 import { wholeWorkOf } from './whole_work';
@@ -13,7 +14,7 @@ export function answerFrame(
   pelt: Pelt,
   stage: Stage,
   scene: EngineScene,
-  { frame, firstContact, boxLevel }: Shot,
+  { frame, firstContact, boxLevel, spot }: Shot,
   spares: readonly Spare[] = [],
 ): FrameAnswer {
   stage.set(scene, frame);
@@ -26,10 +27,22 @@ export function answerFrame(
   return {
     instances: instances.map((instance, i) => ({ ...instance, touching: touching[i] })),
     glow: glowOf(stage.characters, instances, touching),
+    spot: spot && answerSpot(stage, instances, contacts, spot),
     contacts: count,
     touches: tally.sorted(),
     work: workOf(stage.poses, stats),
   };
+}
+
+function answerSpot(
+  { characters, sets }: Stage,
+  instances: readonly Spare[],
+  all: Uint32Array,
+  spot: Spot,
+): SpotAnswer {
+  const contacts = contactsInSpot(characters, all, spot);
+  const pairs = contacts.filter((_, i) => i % 4 >= 2);
+  return { pairs, glow: glowOf(characters, instances, sets.gather(contacts)) };
 }
 
 /** A crowd keeps no opened nodes: the same query of two poses at a time does. */

@@ -32,6 +32,8 @@ export interface Shot {
   firstContact: boolean;
   /** Of the tree whose boxes are wanted. */
   boxLevel: number | null;
+  /** The contacts that are wanted one by one. */
+  spot: Spot | null;
 }
 
 /** What a request of each kind carries. */
@@ -99,10 +101,14 @@ export interface Surface {
   joint: string;
 }
 
-/** Contacts between two such places. */
-export interface Touch {
+/** Two such places, of different instances in ascending order. */
+export interface Spot {
   a: Surface;
   b: Surface;
+}
+
+/** Contacts between them. */
+export interface Touch extends Spot {
   contacts: number;
   /** The frame with the most of them. */
   worst: { frame: number; contacts: number };
@@ -140,12 +146,20 @@ export interface Glow {
   centres: Float32Array;
 }
 
+/** The contacts of a spot. */
+export interface SpotAnswer {
+  /** [N][2] triangles of its first and its second place. */
+  pairs: Uint32Array;
+  glow: Glow;
+}
+
 export interface FrameAnswer {
   instances: PosedInstance[];
   glow: Glow;
   contacts: number;
   /** The most contacts first. */
   touches: Touch[];
+  spot: SpotAnswer | null;
   work: Work;
 }
 

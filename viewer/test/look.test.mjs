@@ -1,0 +1,81 @@
+// What the page looks like, by any light and without any picture.
+
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import * as browsing from './browser.mjs';
+
+const { answered, counted, fact, goToFrame, number, pixels } = browsing;
+const built = path.resolve(process.env.PELT_PAGE ?? 'dist/index.html');
+const url = browsing.urlOf(built);
+
+let browser;
+before(async () => (browser = await browsing.launch()));
+after(() => browser.close());
+
+/** How bright the middle of the page's picture and its panels are, from 0 to 255. */
+function brightness(page) {
+  return page.evaluate(() => {
+    const [r, g, b] = getComputedStyle(document.body).color.match(/\d+/g).map(Number);
+    return 255 - (r + g + b) / 3; // of what the text stands on
+  });
+}
+
+test('is as dark as the system, and as was chosen the last time', async () => {
+  const page = await browsing.openPage(browser, url, { colorScheme: 'light' });
+  assert.ok((await brightness(page)) > 200);
+  await page.keyboard.press('t');
+  await page.waitForSelector('html[data-theme=dark]');
+  assert.ok((await brightness(page)) < 50);
+  await page.reload();
+  await page.waitForSelector('html[data-theme=dark]');
+  await page.close();
+});
+
+test('stands still, in contact, where the system asks for little movement', async () => {
+  const page = await browsing.openPage(browser, url, { reducedMotion: 'reduce' });
+  await page.waitForSelector('[aria-label=Play]');
+  const frame = await number(page, 'frame');
+  await answered(page, frame);
+  assert.ok((await number(page, 'contacts')) > 0);
+  await page.waitForTimeout(300);
+  assert.equal(await number(page, 'frame'), frame);
+  await page.close();
+});
+
+test('the camera goes where keys send it, and a tap selects', async () => {
+  const page = await browsing.openPage(browser, url, { reducedMotion: 'reduce', hasTouch: true });
+  await goToFrame(page, 90);
+  await page.locator('[aria-label=Frame]').blur();
+  const seen = async () => (await pixels(page)).count;
+  const whole = await seen();
+  for (let i = 0; i < 5; ++i) await page.keyboard.press('+');
+  const near = await seen();
+  assert.ok(near > 1.5 * whole, `${near} glowing pixels of ${whole}`);
+  for (let i = 0; i < 9; ++i) await page.keyboard.press('d');
+  assert.notEqual(await seen(), near);
+  await page.keyboard.press('c');
+  assert.equal(await seen(), whole);
+  const { x, y } = await pixels(page);
+  await page.touchscreen.tap(x, y);
+  await page.waitForSelector('.card.selected');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('without WebGL, says so and counts all the same', async () => {
+  const context = await browser.newContext();
+  await context.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  const page = await context.newPage();
+  await page.goto(url);
+  assert.match(await page.locator('#view').innerText(), /No picture: .*WebGL/);
+  await counted(page);
+  assert.ok((await number(page, 'total')) > 0);
+  assert.match(await fact(page, 'hash'), /^[0-9a-f]{16}$/);
+  await page.getByRole('button', { name: 'whole clip' }).click();
+  await page.locator('.touch').first().click();
+  await page.locator('.triangles').waitFor();
+  await context.close();
+});
