@@ -9,9 +9,15 @@
  * can be transferred to another thread); an `out` of the right length is written instead of a new
  * array where one is offered.
  *
- * Input that breaks a rule is refused by a PeltError, which leaves everything as it was. Characters,
- * poses, crowds and hashes live in the engine's memory: `delete()` gives that back at once; what is
- * forgotten is given back when JavaScript's garbage collector finds it.
+ * What breaks a rule (an array too short, NaN, a pose of another engine, an option that there is not)
+ * is refused by a PeltError, which leaves everything as it was. Only if the engine runs out of memory
+ * in the midst of a call, or fails, is it at its end: `Pelt.hasEnded` says so, and every later call
+ * of it and of its objects is refused by a PeltError with the code 'engine_ended'. `delete()` still
+ * may be called, and arrays that have been returned stay good.
+ *
+ * Characters, poses, crowds and hashes live in the engine's memory, which has 2 GB at most. `delete()`
+ * gives theirs back at once; what is forgotten is given back when JavaScript's garbage collector
+ * finds it.
  */
 
 /** Loads the engine: a module with memory of its own. A Web Worker loads its own. */
@@ -25,23 +31,32 @@ export type ErrorCode =
   /** A file breaks its format. */
   | 'malformed_file'
   /** A file is well-formed but needs something that Pelt does not do. */
-  | 'unsupported';
+  | 'unsupported'
+  /** The engine's memory does not suffice; see `Pelt.hasEnded` for whether it can be used on. */
+  | 'out_of_memory'
+  /** The engine has failed, or is called after its end: load a new one. */
+  | 'engine_ended';
 
 /** The message names the thing (file, array, index, value) and, where there is one, the remedy. */
 export class PeltError extends Error {
   private constructor();
   readonly code: ErrorCode;
+  /** What a decoder has thrown, or the engine. */
+  readonly cause?: unknown;
 }
 
 /** The engine. */
 export interface Pelt {
   readonly version: string;
 
+  /** Whether it takes no more calls, and a new one has to be loaded. */
+  readonly hasEnded: boolean;
+
   /**
    * A character from the bytes of a glTF file, .glb or .gltf; those of a .gltf's own files, by their
    * names beside it, in `files`. Prepared for queries, which takes some tenths of a second.
    */
-  readCharacter(file: Uint8Array, options: ReadOptions): Character;
+  readCharacter(file: Bytes, options: ReadOptions): Character;
 
   /** A walking biped made by code, 1.8 units tall, facing +z, with the clips "walk" and "idle". */
   generateCreature(options?: CreatureOptions): Character;
@@ -57,7 +72,7 @@ export interface Pelt {
    */
   readScene(path: string, files: Files, options?: ModelOptions): Scene;
 
-  /** A scene of one's own. Its parts may be changed at any time: nothing is copied. */
+  /** A scene of one's own: a copy of the parts, which may then be changed in it at any time. */
   makeScene(parts: SceneParts): Scene;
 
   /** The text of the scene of `pelt demo`: two generated characters walk into each other. */
@@ -96,9 +111,15 @@ export interface Pelt {
   readonly bytesInUse: number;
 }
 
-export type Files = ReadonlyMap<string, Uint8Array> | Readonly<Record<string, Uint8Array>>;
+export type Bytes = ArrayBuffer | ArrayBufferView;
 
-/** `MeshoptDecoder.decodeGltfBuffer` of the npm package meshoptimizer, once its `ready` is. */
+/** By their paths in one folder, which they do not leave. */
+export type Files = ReadonlyMap<string, Bytes> | Readonly<Record<string, Bytes>>;
+
+/**
+ * `MeshoptDecoder.decodeGltfBuffer` of the npm package meshoptimizer, once its `ready` is. What it
+ * throws is the `cause` of the PeltError that follows. It may not call the engine.
+ */
 export type MeshoptDecode = (
   target: Uint8Array,
   count: number,
@@ -131,7 +152,8 @@ export interface ReadOptions extends ModelOptions {
 
 export interface CreatureOptions {
   name?: string; // "creature"
-  clips?: readonly string[]; // as in ReadOptions
+  clips?: readonly string[]; // as in ReadOptions, and the next too
+  samples?: number;
   triangles?: number; // 1,000 to 1,000,000; default 13,590
   joints?: number; // 20 to 64; default 56
   seed?: number; // proportions; default 1
@@ -139,7 +161,8 @@ export interface CreatureOptions {
 
 export interface FaceOptions {
   name?: string; // "face"
-  clips?: readonly string[]; // as in ReadOptions
+  clips?: readonly string[]; // as in ReadOptions, and the next too
+  samples?: number;
   triangles?: number; // 1,000 to 200,000; default 4,000
   seed?: number; // default 1
 }
@@ -303,7 +326,7 @@ export interface RayHit {
 export interface CollideOptions {
   /** Stop at the first contact; `stats.cutShort` tells. */
   firstContact?: boolean;
-  /** Stop after so many. */
+  /** Stop after so many, at least 1. */
   maxContacts?: number;
 }
 
@@ -374,6 +397,7 @@ export interface ContactRegion {
 }
 
 export interface DistanceOptions {
+  /** Not negative; default: Infinity. */
   maxDistance?: number;
 }
 
@@ -389,7 +413,10 @@ export interface Distance {
   readonly stats: QueryStats;
 }
 
-/** Where a character stands in a scene and what it plays, as in a scene file. Plain data. */
+/**
+ * Where a character stands in a scene and what it plays, as in a scene file. Plain data, which is
+ * checked whenever it is used: other keys are refused, and numbers beyond 1e12.
+ */
 export interface Instance {
   /** Index into `Scene.characters`. */
   character: number;
@@ -400,7 +427,7 @@ export interface Instance {
   speed: number; // 1
   translation: [number, number, number]; // 0 0 0
   rotation: [number, number, number, number]; // quaternion x y z w, any length but 0; 0 0 0 1
-  scale: number; // 1
+  scale: number; // 1e-6 to 1e6; 1
   velocity: [number, number, number]; // units per second; 0 0 0
   /** Weights that morph targets keep, whatever the clip plays: by name, or number of the target. */
   morphWeights: Record<string, number>; // none
@@ -411,8 +438,8 @@ export interface SceneParts {
   characters: Character[];
   /** What is left out has the default that stands beside it. */
   instances: (Pick<Instance, 'character'> & Partial<Instance>)[];
-  frameCount?: number; // 1
-  fps?: number; // 30
+  frameCount?: number; // at least 1; 1
+  fps?: number; // 1e-6 to 1e6; 30
   ignore?: NamePair[]; // none
 }
 

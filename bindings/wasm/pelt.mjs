@@ -2,13 +2,16 @@
 
 import makeModule from './engine.mjs';
 import { Character } from './lib/character.mjs';
+import * as check from './lib/checks.mjs';
 import { ContactHash, Crowd } from './lib/crowd.mjs';
+import { withDecoder } from './lib/decoder.mjs';
 import { withFiles } from './lib/files.mjs';
 import { Memory } from './lib/memory.mjs';
+import { kCreatureRules, kFaceRules, kModelRules, kReadRules, readObject, readOptions } from './lib/options.mjs';
 import { describeContacts, different, distance, mostContacts, readContacts } from './lib/queries.mjs';
 import { Scene } from './lib/scene.mjs';
 
-export { PeltError } from './lib/memory.mjs';
+export { PeltError } from './lib/errors.mjs';
 export { NodeState } from './lib/pose.mjs';
 export { ContactKind } from './lib/queries.mjs';
 
@@ -37,38 +40,49 @@ class Pelt {
     return this.#module._pelt_bytes_in_use();
   }
 
-  readCharacter(file, { meshoptDecode, files, ...options }) {
-    this.#module.meshoptDecode = meshoptDecode;
+  get hasEnded() {
+    return this.#memory.gate.hasEnded;
+  }
+
+  readCharacter(file, given) {
+    const options = readObject(this.#memory, given, kReadRules);
+    const { meshoptDecode, files, name, ...rest } = options;
+    check.text(name, 'name');
+    const bytes = check.bytes(file, 'file');
     const read = (folder) =>
-      this.#memory.withBytes(file, (address) =>
-        this.#withOptions({ ...options, folder }, (json) =>
-          this.#character(this.#module._pelt_read_character(address, file.length, json)),
+      this.#memory.withBytes(bytes, (address) =>
+        this.#withOptions({ ...rest, name, folder }, (json) =>
+          this.#character(this.#module._pelt_read_character(address, bytes.length, json)),
         ),
       );
-    return files === undefined ? read('') : withFiles(this.#module, files, read);
+    return withDecoder(this.#memory, meshoptDecode, () =>
+      files === undefined ? read('') : withFiles(this.#memory, files, read),
+    );
   }
 
   generateCreature(options = {}) {
-    return this.#withOptions(options, (json) =>
+    return this.#withOptions(readObject(this.#memory, options, kCreatureRules), (json) =>
       this.#character(this.#module._pelt_generate_creature(json)),
     );
   }
 
   generateFace(options = {}) {
-    return this.#withOptions(options, (json) =>
+    return this.#withOptions(readObject(this.#memory, options, kFaceRules), (json) =>
       this.#character(this.#module._pelt_generate_face(json)),
     );
   }
 
-  readScene(path, files, { meshoptDecode, ...options } = {}) {
-    this.#module.meshoptDecode = meshoptDecode;
+  readScene(path, files, given) {
+    const { meshoptDecode, ...options } = readOptions(this.#memory, given, kModelRules);
     const read = () =>
-      this.#memory.withText(path, (address) =>
+      this.#memory.withText(check.path(path, 'path'), (address) =>
         this.#withOptions(options, (json) =>
           this.#memory.accepted(this.#module._pelt_read_scene(address, json)),
         ),
       );
-    const parts = this.#memory.json(withFiles(this.#module, files, read));
+    const parts = this.#memory.json(
+      withDecoder(this.#memory, meshoptDecode, () => withFiles(this.#memory, files, read)),
+    );
     parts.characters = parts.characters.map((handle) => new Character(this.#memory, handle));
     return new Scene(this.#memory, parts);
   }
@@ -77,25 +91,27 @@ class Pelt {
     return new Scene(this.#memory, parts);
   }
 
-  collide(a, b, options = {}) {
-    this.#module._pelt_collide(...different(a, b), mostContacts(options));
+  collide(a, b, options = undefined) {
+    const most = mostContacts(this.#memory, options);
+    this.#module._pelt_collide(...different(this.#memory, a, b), most);
     return readContacts(this.#memory);
   }
 
-  collideEagerly(a, b, options = {}) {
-    this.#module._pelt_collide_eagerly(...different(a, b), mostContacts(options));
+  collideEagerly(a, b, options = undefined) {
+    const most = mostContacts(this.#memory, options);
+    this.#module._pelt_collide_eagerly(...different(this.#memory, a, b), most);
     return readContacts(this.#memory);
   }
 
   intersects(a, b) {
-    return this.#module._pelt_intersects(...different(a, b)) !== 0;
+    return this.#module._pelt_intersects(...different(this.#memory, a, b)) !== 0;
   }
 
   describeContacts(a, b, pairs) {
     return describeContacts(this.#memory, a, b, pairs);
   }
 
-  distance(a, b, options = {}) {
+  distance(a, b, options = undefined) {
     return distance(this.#memory, a, b, options);
   }
 

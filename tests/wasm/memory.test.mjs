@@ -2,40 +2,17 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { encode, rock, skinnedRock } from './gltf.mjs';
 import { pelt } from './support.mjs';
-
-function encode(json) {
-  return new TextEncoder().encode(JSON.stringify(json));
-}
-
-/** A tetrahedron that rides on a node. */
-function rock() {
-  const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
-  const corners = Uint16Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
-  const bytes = Buffer.concat([Buffer.from(positions.buffer), Buffer.from(corners.buffer)]);
-  const uri = `data:application/octet-stream;base64,${bytes.toString('base64')}`;
-  return encode({
-    asset: { version: '2.0' },
-    scene: 0,
-    scenes: [{ nodes: [0] }],
-    nodes: [{ name: 'rock', mesh: 0 }],
-    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
-    accessors: [
-      { bufferView: 0, componentType: 5126, type: 'VEC3', count: 4 },
-      { bufferView: 1, componentType: 5123, type: 'SCALAR', count: 12 },
-    ],
-    bufferViews: [
-      { buffer: 0, byteLength: 48 },
-      { buffer: 0, byteOffset: 48, byteLength: 24 },
-    ],
-    buffers: [{ byteLength: 72, uri }],
-  });
-}
 
 const kFiles = {
   'scenes/rocks.json': encode({
     models: { rock: '../models/rock.gltf' },
     instances: [{ model: 'rock' }, { model: 'rock', translation: [0.2, 0.2, 0.2] }],
+  }),
+  'scenes/two.json': encode({
+    models: { rock: '../models/rock.gltf', zero: '../models/half.gltf' },
+    instances: [{ model: 'rock' }, { model: 'zero' }],
   }),
   'models/rock.gltf': rock(),
 };
@@ -59,8 +36,21 @@ function useEverything() {
   for (const { character } of scene.instances) crowd.add(scene.characters[character]);
   hash.addCrowd(0, crowd.collide().contacts);
   for (const made of [crowd, hash, ...poses, scene]) made.delete();
-  assert.throws(() => pelt.readCharacter(rock().subarray(0, 300), { name: 'half' }));
-  assert.throws(() => pelt.readScene('scenes/rocks.json', { ...kFiles, 'models/rock.gltf': [] }));
+  refuseBroken();
+}
+
+/** The second scene is refused when a model has been read, and the third when one has been prepared. */
+function refuseBroken() {
+  const half = rock().subarray(0, 300);
+  const refused = (use, message) => assert.throws(use, { name: 'PeltError', message });
+  refused(() => pelt.readCharacter(half, { name: 'half' }), /^half: /);
+  refused(() => pelt.readScene('scenes/rocks.json', { ...kFiles, 'models/rock.gltf': half }),
+          /models\.rock: .*the JSON text is wrong/);
+  refused(() => pelt.readScene('scenes/two.json', { ...kFiles, 'models/half.gltf': half }),
+          /models\.zero: .*the JSON text is wrong/);
+  const light = skinnedRock({ weight: 0.5 });
+  refused(() => pelt.readScene('scenes/two.json', { ...kFiles, 'models/half.gltf': light }),
+          /weights of vertex 0 sum to 0\.5/);
 }
 
 test('the engine uses no more memory after many scenes than after one', () => {

@@ -9,6 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -25,6 +26,9 @@ struct Answer {
   const void* data = nullptr;
   std::uint32_t count = 0;  ///< elements of `data`
 };
+static_assert(offsetof(Answer, data) == 16 * sizeof(double) && sizeof(void*) == 4 &&
+                  offsetof(Answer, count) == offsetof(Answer, data) + 4,
+              "JavaScript reads 16 numbers, then two of 32 bits");
 
 Answer& answer();
 

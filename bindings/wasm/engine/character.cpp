@@ -176,18 +176,21 @@ Result<CharacterHandle> prepare(scenes::Character read, const Preparation& prepa
 
 PELT_EXPORT std::uint32_t pelt_read_character(const std::byte* file, std::uint32_t size,
                                               const char* options) {
-  const Options read(options);
-  return prepare_read(read_character({file, size}, read), read);
+  const Result<Options> read = Options::read(options);
+  if (!read) return refuse(read.error());
+  return prepare_read(read_character({file, size}, *read), *read);
 }
 
 PELT_EXPORT std::uint32_t pelt_generate_creature(const char* options) {
-  const Options read(options);
-  return prepare_generated(scenes::generate_character(read.creature()), read);
+  const Result<Options> read = Options::read(options);
+  if (!read) return refuse(read.error());
+  return prepare_generated(scenes::generate_character(read->creature()), *read);
 }
 
 PELT_EXPORT std::uint32_t pelt_generate_face(const char* options) {
-  const Options read(options);
-  return prepare_generated(scenes::generate_character(read.face()), read);
+  const Result<Options> read = Options::read(options);
+  if (!read) return refuse(read.error());
+  return prepare_generated(scenes::generate_character(read->face()), *read);
 }
 
 PELT_EXPORT void pelt_delete_character(CharacterHandle* handle) { delete handle; }
@@ -209,14 +212,16 @@ PELT_EXPORT void pelt_triangle_joints(const CharacterHandle* handle) {
 }
 
 /// Where the character's default pose lies.
-PELT_EXPORT void pelt_extent(const CharacterHandle* handle) {
+PELT_EXPORT std::uint32_t pelt_extent(const CharacterHandle* handle) {
   const Character& character = *handle->character;
   std::vector<Matrix4> palette(character.asset().joints.size());
   asset::sample_palette(character.asset(), nullptr, 0, {}, sample_scratch(), palette);
   Pose pose(character.whole.model);
-  Box box;
-  if (pose.set_palette(palette)) box = tight_bounds(pose).box;
-  answer_numbers({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z});
+  if (const Result<void> set = pose.set_palette(palette); !set)
+    return refuse(asset::prefixed(character.read.name, set.error()));
+  const auto& [low, high] = tight_bounds(pose).box;
+  answer_numbers({low.x, low.y, low.z, high.x, high.y, high.z});
+  return 1;
 }
 
 }  // namespace pelt::wasm

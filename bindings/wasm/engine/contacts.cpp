@@ -121,25 +121,38 @@ PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
   return 1;
 }
 
-PELT_EXPORT void pelt_contact_column(std::uint32_t column) {
+/// In the order in which JavaScript takes them (queries.mjs).
+enum class Column : std::uint32_t {
+  segments,
+  normals,
+  depths,
+  kinds,
+  joints,
+  points,
+  curves,
+  regions,
+  members,
+};
+
+PELT_EXPORT void pelt_contact_column(Column column) {
   switch (column) {
-    case 0:
+    case Column::segments:
       return answer_data<float>(columns().segments);
-    case 1:
-      return answer_data<std::uint8_t>(columns().kinds);
-    case 2:
+    case Column::normals:
       return answer_data<float>(columns().normals);
-    case 3:
+    case Column::depths:
       return answer_data<float>(columns().depths);
-    case 4:
+    case Column::kinds:
+      return answer_data<std::uint8_t>(columns().kinds);
+    case Column::joints:
       return answer_data<std::uint16_t>(columns().joints);
-    case 5:
+    case Column::points:
       return answer_data<float>(columns().points);
-    case 6:
+    case Column::curves:
       return answer_data<std::uint32_t>(columns().curves);
-    case 7:
+    case Column::regions:
       return answer_data<double>(columns().regions);
-    default:
+    case Column::members:
       return answer_data<std::uint32_t>(geometry().members);
   }
 }

@@ -3,6 +3,7 @@
 #include <pelt/crowd.hpp>
 
 #include "asset/json_object.hpp"
+#include "asset/message.hpp"
 #include "base/hash.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
@@ -67,6 +68,14 @@ std::size_t take_ignored_out(CrowdHandle& handle) {
   });
 }
 
+void add(detail::Fnv1a64& hash, std::uint32_t frame, const CrowdContact& contact) {
+  hash.add_u32(frame);
+  hash.add_u32(contact.instance_a);
+  hash.add_u32(contact.instance_b);
+  hash.add_u32(contact.triangle_a);
+  hash.add_u32(contact.triangle_b);
+}
+
 }  // namespace
 
 PELT_EXPORT std::uint32_t pelt_make_crowd() { return address_of(new CrowdHandle); }
@@ -83,13 +92,14 @@ PELT_EXPORT std::uint32_t pelt_add_to_crowd(CrowdHandle* handle, const Character
 }
 
 /// `pairs` is the JSON of an array of pairs of names.
-PELT_EXPORT void pelt_ignore_in_crowd(CrowdHandle* handle, const char* pairs) {
+PELT_EXPORT std::uint32_t pelt_ignore_in_crowd(CrowdHandle* handle, const char* pairs) {
+  const auto parsed = asset::parse_json(pairs);
+  if (!parsed) return refuse(asset::prefixed("ignore", parsed.error()));
   handle->ignored.reset();
   handle->ignore.clear();
-  const auto parsed = asset::parse_json(pairs);
-  if (!parsed) return;
   for (const nlohmann::json& pair : *parsed)
     handle->ignore.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
+  return 1;
 }
 
 PELT_EXPORT float* pelt_crowd_input(CrowdHandle* handle, std::uint32_t floats) {
@@ -121,8 +131,15 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t 
 PELT_EXPORT std::uint32_t pelt_make_hash() { return address_of(new detail::Fnv1a64); }
 PELT_EXPORT void pelt_delete_hash(detail::Fnv1a64* hash) { delete hash; }
 
-PELT_EXPORT void pelt_add_to_hash(detail::Fnv1a64* hash, std::uint32_t value) {
-  hash->add_u32(value);
+PELT_EXPORT void pelt_hash_pairs(detail::Fnv1a64* hash, std::uint32_t frame, std::uint32_t a,
+                                 std::uint32_t b, const Contact* contacts, std::uint32_t count) {
+  for (const Contact& contact : std::span(contacts, count))
+    add(*hash, frame, {a, b, contact.triangle_a, contact.triangle_b});
+}
+
+PELT_EXPORT void pelt_hash_crowd(detail::Fnv1a64* hash, std::uint32_t frame,
+                                 const CrowdContact* contacts, std::uint32_t count) {
+  for (const CrowdContact& contact : std::span(contacts, count)) add(*hash, frame, contact);
 }
 
 PELT_EXPORT void pelt_hash_value(const detail::Fnv1a64* hash) {

@@ -6,6 +6,9 @@
 
 #include <emscripten.h>
 
+#include <array>
+#include <string>
+
 namespace pelt::asset {
 namespace {
 
@@ -40,31 +43,32 @@ const char* name_of(MeshoptFilter filter) {
 
 }  // namespace
 
-// 0: there is no decoder; 1: it has thrown; 2: done.
+// 0: there is no decoder. Otherwise `problem` is what the decoder (decoder.mjs) says has gone
+// wrong, or empty.
 EM_JS(int, call_meshopt_decode,
       (void* target, unsigned count, unsigned stride, const void* source, unsigned size,
-       const char* mode, const char* filter),
+       const char* mode, const char* filter, char* problem, unsigned room),
       {
         if (!Module["meshoptDecode"]) return 0;
-        try {
-          Module["meshoptDecode"](HEAPU8.subarray(target, target + count * stride), count, stride,
-                                  HEAPU8.subarray(source, source + size), UTF8ToString(mode),
-                                  UTF8ToString(filter));
-          return 2;
-        } catch (error) {
-          return 1;
-        }
+        const words = Module["meshoptDecode"](HEAPU8.subarray(target, target + count * stride),
+                                              count, stride, HEAPU8.subarray(source, source + size),
+                                              UTF8ToString(mode), UTF8ToString(filter));
+        stringToUTF8(words, problem, room);
+        return 1;
       })
 
 Result<void> decompress(const GltfMeshopt& meshopt, std::span<const std::byte> compressed,
                         std::span<std::byte> out) {
-  const int end = call_meshopt_decode(out.data(), static_cast<unsigned>(meshopt.count),
-                                      static_cast<unsigned>(meshopt.stride), compressed.data(),
-                                      static_cast<unsigned>(compressed.size()),
-                                      name_of(meshopt.mode), name_of(meshopt.filter));
-  if (end == 0) return unsupported(kNone);
-  if (end == 1) return malformed("the compressed bytes are damaged");
-  return {};
+  std::array<char, 200> problem = {};
+  const int there = call_meshopt_decode(
+      out.data(), static_cast<unsigned>(meshopt.count), static_cast<unsigned>(meshopt.stride),
+      compressed.data(), static_cast<unsigned>(compressed.size()), name_of(meshopt.mode),
+      name_of(meshopt.filter), problem.data(), static_cast<unsigned>(problem.size()));
+  if (there == 0) return unsupported(kNone);
+  if (problem[0] == '\0') return {};
+  return malformed(std::string("the compressed bytes are damaged, or meshoptDecode is not what it "
+                               "should be or not ready; it says: ") +
+                   problem.data());
 }
 
 }  // namespace pelt::asset

@@ -1,11 +1,17 @@
 #include "bindings/wasm/engine/options.hpp"
 
 #include "asset/json_object.hpp"
+#include "asset/message.hpp"
+#include "bindings/wasm/engine/answer.hpp"
+#include "scenes/nearest_name.hpp"
 
 namespace pelt::wasm {
 
-Options::Options(std::string_view json) {
-  if (Result<nlohmann::json> parsed = asset::parse_json(json)) values_ = *std::move(parsed);
+Result<Options> Options::read(std::string_view json) {
+  Result<nlohmann::json> parsed = asset::parse_json(json);
+  if (!parsed)
+    return Error{ErrorCode::invalid_argument, asset::prefixed("options", parsed.error()).message};
+  return Options(*std::move(parsed));
 }
 
 std::string Options::text(const char* key) const {
@@ -56,6 +62,15 @@ std::uint32_t Options::count(const char* key, std::uint32_t otherwise) const {
   const auto found = values_.find(key);
   const bool is_there = found != values_.end() && found->is_number_unsigned();
   return is_there ? found->get<std::uint32_t>() : otherwise;
+}
+
+/// How a message goes on that begins with an unknown name; `words` has it, and then the known ones.
+PELT_EXPORT const char* pelt_suggestion(const char* words) {
+  const Result<nlohmann::json> parsed = asset::parse_json(words);
+  if (!parsed) return "";
+  const auto names = parsed->get<std::vector<std::string>>();
+  const std::vector<std::string_view> known(names.begin() + 1, names.end());
+  return answer_text(scenes::suggestion(names.front(), known));
 }
 
 }  // namespace pelt::wasm

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What JavaScript hands over as an object: JSON that memory.mjs has written, so keys that are
-/// there have the right types.
+/// What JavaScript hands over as an object: JSON that pelt.mjs writes once options.mjs has checked
+/// it, so the keys that are there are known and have the right types.
 
 #include "bindings/wasm/engine/handles.hpp"
 #include "scenes/face.hpp"
@@ -17,7 +17,8 @@ namespace pelt::wasm {
 
 class Options {
  public:
-  explicit Options(std::string_view json);
+  /// Refuses text that is no Unicode, which JavaScript lets strings be.
+  static Result<Options> read(std::string_view json);
 
   /// Empty where there is none.
   std::string text(const char* key) const;
@@ -31,6 +32,8 @@ class Options {
   Preparation preparation() const;
 
  private:
+  explicit Options(nlohmann::json values) : values_(std::move(values)) {}
+
   bool flag(const char* key) const;
   std::uint32_t count(const char* key, std::uint32_t otherwise) const;
 

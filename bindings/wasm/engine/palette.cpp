@@ -2,14 +2,16 @@
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
+#include "pose/pose.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 namespace pelt::wasm {
 namespace {
 
-/// An instance as JavaScript writes it.
+/// An instance as JavaScript writes it, which has checked it.
 struct PlacedNumbers {
   double clip;  ///< its number; -1: none
   double start, speed;
@@ -18,7 +20,14 @@ struct PlacedNumbers {
   double scale;
   std::array<double, 3> velocity;
 };
-static_assert(sizeof(PlacedNumbers) == 14 * sizeof(double), "JavaScript writes 14 numbers");
+static_assert(sizeof(PlacedNumbers) == 14 * sizeof(double) &&
+                  offsetof(PlacedNumbers, start) == 1 * sizeof(double) &&
+                  offsetof(PlacedNumbers, speed) == 2 * sizeof(double) &&
+                  offsetof(PlacedNumbers, translation) == 3 * sizeof(double) &&
+                  offsetof(PlacedNumbers, rotation) == 6 * sizeof(double) &&
+                  offsetof(PlacedNumbers, scale) == 10 * sizeof(double) &&
+                  offsetof(PlacedNumbers, velocity) == 11 * sizeof(double),
+              "JavaScript writes 14 numbers in this order (scene.mjs)");
 
 /// Where JavaScript writes the weights that morph targets keep; NaN: the clip's.
 std::vector<float>& kept_weights() {
@@ -61,10 +70,14 @@ const asset::Clip* clip_of(const asset::Asset& asset, std::int32_t clip) {
   return clip < 0 ? nullptr : &asset.clips[static_cast<std::size_t>(clip)];
 }
 
+/// Both or neither: what may be refused is tried on a copy.
 Result<void> take(PoseHandle& handle) {
   handle.moved();
   if (!handle.morphs.empty()) {
-    if (Result<void> taken = handle.pose.set_morph_weights(handle.morphs); !taken) return taken;
+    detail::Palette tried = handle.pose.detail().palette;
+    if (Result<void> set = tried.set_morph_weights(handle.morphs); !set) return set;
+    if (Result<void> set = tried.set(handle.palette); !set) return set;
+    (void)handle.pose.set_morph_weights(handle.morphs);
   }
   return handle.pose.set_palette(handle.palette);
 }

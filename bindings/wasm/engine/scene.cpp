@@ -73,12 +73,13 @@ json describe(const scenes::Scene& scene, std::vector<CharacterHandle> character
 
 /// The scene as JSON, its characters as handles; null if it is refused.
 PELT_EXPORT const char* pelt_read_scene(const char* path, const char* options) {
-  const Options read(options);
-  Result<scenes::Scene> scene = scenes::load_scene(path, read.gltf());
+  const Result<Options> read = Options::read(options);
+  if (!read) return refuse(read.error()), nullptr;
+  Result<scenes::Scene> scene = scenes::load_scene(path, read->gltf());
   if (!scene) return refuse(scene.error()), nullptr;
-  if (const auto checked = check_ignored(*scene, read.gltf()); !checked)
+  if (const auto checked = check_ignored(*scene, read->gltf()); !checked)
     return refuse(checked.error()), nullptr;
-  Result<std::vector<CharacterHandle>> characters = prepare_all(*scene, read);
+  Result<std::vector<CharacterHandle>> characters = prepare_all(*scene, *read);
   if (!characters) return refuse(characters.error()), nullptr;
   return answer_json(describe(*scene, std::move(*characters)));
 }

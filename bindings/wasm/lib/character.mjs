@@ -1,26 +1,21 @@
-import { alive, invalid } from './memory.mjs';
+import * as check from './checks.mjs';
+import { clipNumber } from './lookup.mjs';
 import { Pose } from './pose.mjs';
 
 const kRemove = '_pelt_delete_character';
-
-/** Stands for all parts together. */
-const kWhole = 0xffffffff;
 const kIdentity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 export class Character {
   #memory;
-  #handle;
   #arrays = new Map();
 
-  constructor(memory, handle) {
+  constructor(memory, address) {
     this.#memory = memory;
-    this.#handle = memory.own(this, handle, kRemove);
-    Object.assign(this, memory.json(memory.module._pelt_describe_character(handle)));
-  }
-
-  /** For Pelt's own files. */
-  get handle() {
-    return alive(this.#handle, `character ${this.name}`);
+    const description = memory.json(memory.module._pelt_describe_character(address));
+    memory.handles.own(this, address, kRemove, `character ${description.name}`);
+    Object.values(description).forEach(Object.freeze);
+    Object.assign(this, description);
+    Object.freeze(this);
   }
 
   get triangles() {
@@ -47,20 +42,22 @@ export class Character {
   }
 
   get extent() {
-    this.#memory.module._pelt_extent(this.handle);
+    this.#memory.accepted(this.#memory.module._pelt_extent(this.#handle));
     return { low: this.#memory.numbers(0, 3), high: this.#memory.numbers(3, 6) };
   }
 
   palette(clip, seconds, placement = kIdentity, out = undefined) {
     const { module } = this.#memory;
+    const number = this.#clipNumber(clip, seconds);
+    check.vector(placement, 16, 'placement');
     this.#memory.write(Float32Array, module._pelt_placement(), placement, 16, 'placement');
-    module._pelt_sample_palette(this.handle, this.clipNumber(clip), seconds);
+    module._pelt_sample_palette(this.#handle, number, seconds);
     return this.#memory.data(Float32Array, 16, out);
   }
 
   morphWeights(clip, seconds, out = undefined) {
-    const { module } = this.#memory;
-    module._pelt_sample_morph_weights(this.handle, this.clipNumber(clip), seconds);
+    const number = this.#clipNumber(clip, seconds);
+    this.#memory.module._pelt_sample_morph_weights(this.#handle, number, seconds);
     return this.#memory.data(Float32Array, 1, out);
   }
 
@@ -69,28 +66,21 @@ export class Character {
   }
 
   delete() {
-    this.#handle = this.#memory.disown(this, this.#handle, kRemove);
+    this.#memory.handles.delete(this);
   }
 
-  /** For Pelt's own files: -1 is no clip. */
-  clipNumber(name) {
-    if (name === null || name === undefined) return -1;
-    const number = this.clips.findIndex((clip) => clip.name === name);
-    if (number >= 0) return number;
-    const known = this.clips.map((clip) => JSON.stringify(clip.name)).join(', ') || 'none';
-    throw invalid(`${JSON.stringify(this.name)} has no clip ${JSON.stringify(name)}; it has ${known}`);
+  get #handle() {
+    return this.#memory.handles.of(this);
   }
 
-  /** For Pelt's own files. */
-  partNumber(part) {
-    if (part === null) return kWhole;
-    if (Number.isInteger(part) && part >= 0 && part < this.parts.length) return part;
-    throw invalid(`part: ${JSON.stringify(this.name)} has no part ${part}`);
+  #clipNumber(clip, seconds) {
+    check.number(seconds, 'seconds');
+    return clipNumber(this, clip);
   }
 
   #array(name, type, width) {
     if (!this.#arrays.has(name)) {
-      this.#memory.module[name](this.handle);
+      this.#memory.module[name](this.#handle);
       this.#arrays.set(name, this.#memory.data(type, width));
     }
     return this.#arrays.get(name);

@@ -1,24 +1,25 @@
-import { alive, invalid } from './memory.mjs';
-import { mostContacts, readStats } from './queries.mjs';
-
-const kRemoveCrowd = '_pelt_delete_crowd';
-const kRemoveHash = '_pelt_delete_hash';
+import { Character } from './character.mjs';
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+import { partNumber } from './lookup.mjs';
+import { mostContacts } from './queries.mjs';
+import { readStats } from './stats.mjs';
 
 export class Crowd {
   #memory;
-  #handle;
   #characters = [];
   #ignores = false;
 
   constructor(memory) {
     this.#memory = memory;
-    this.#handle = memory.own(this, memory.module._pelt_make_crowd(), kRemoveCrowd);
+    memory.handles.own(this, memory.module._pelt_make_crowd(), '_pelt_delete_crowd', 'crowd');
   }
 
   add(character, part = null) {
-    const { module } = this.#memory;
-    const named = character.partNumber(part);
-    this.#memory.accepted(module._pelt_add_to_crowd(this.#alive(), character.handle, named));
+    const { module, handles } = this.#memory;
+    const given = handles.given(character, Character, 'character');
+    const named = partNumber(character, part);
+    this.#memory.accepted(module._pelt_add_to_crowd(this.#handle, given, named));
     const number = this.#memory.number(0);
     this.#characters[number] = character;
     return number;
@@ -38,18 +39,20 @@ export class Crowd {
   }
 
   ignore(pairs) {
-    const names = JSON.stringify(checkedPairs(pairs));
+    const names = JSON.stringify(check.namePairs(pairs, 'ignore'));
     const { module } = this.#memory;
-    this.#memory.withText(names, (json) => module._pelt_ignore_in_crowd(this.#alive(), json));
+    this.#memory.withText(names, (json) =>
+      this.#memory.accepted(module._pelt_ignore_in_crowd(this.#handle, json)),
+    );
     this.#ignores = pairs.length > 0;
   }
 
-  collide(options = {}) {
-    const most = mostContacts(options);
-    if (this.#ignores && most !== mostContacts()) {
+  collide(options = undefined) {
+    const most = mostContacts(this.#memory, options);
+    if (this.#ignores && most !== check.kMostCount) {
       throw invalid('a limit: the contacts found first may be those to ignore');
     }
-    this.#memory.accepted(this.#memory.module._pelt_collide_crowd(this.#alive(), most));
+    this.#memory.accepted(this.#memory.module._pelt_collide_crowd(this.#handle, most));
     const contacts = this.#memory.data(Uint32Array, 4);
     return {
       count: contacts.length / 4,
@@ -60,65 +63,58 @@ export class Crowd {
   }
 
   delete() {
-    this.#handle = this.#memory.disown(this, this.#handle, kRemoveCrowd);
+    this.#memory.handles.delete(this);
   }
 
-  #alive() {
-    return alive(this.#handle, 'crowd');
+  get #handle() {
+    return this.#memory.handles.of(this);
   }
 
   #character(instance) {
-    const character = this.#characters[instance];
-    if (character === undefined) throw invalid(`instance: the crowd has no instance ${instance}`);
-    return character;
+    const character = this.#characters[check.count(instance, 'instance')];
+    if (character !== undefined) return character;
+    throw invalid(`instance: the crowd has no instance ${instance}`);
   }
 
   #write(numbers, floats, name) {
-    const address = this.#memory.module._pelt_crowd_input(this.#alive(), floats);
+    const address = this.#memory.module._pelt_crowd_input(this.#handle, floats);
     this.#memory.write(Float32Array, address, numbers, floats, name);
   }
 }
 
-function checkedPairs(pairs) {
-  const isPair = (pair) =>
-    Array.isArray(pair) && pair.length === 2 && pair.every((name) => typeof name === 'string');
-  if (Array.isArray(pairs) && pairs.every(isPair)) return pairs;
-  throw invalid('ignore: expected an array of pairs of names');
-}
-
 export class ContactHash {
   #memory;
-  #handle;
 
   constructor(memory) {
     this.#memory = memory;
-    this.#handle = memory.own(this, memory.module._pelt_make_hash(), kRemoveHash);
+    memory.handles.own(this, memory.module._pelt_make_hash(), '_pelt_delete_hash', 'hash');
   }
 
   add(frame, a, b, pairs) {
-    for (let i = 0; i < pairs.length; i += 2) {
-      for (const value of [frame, a, b, pairs[i], pairs[i + 1]]) this.#add(value);
-    }
+    const before = [check.count(frame, 'frame'), check.count(a, 'a'), check.count(b, 'b')];
+    this.#memory.withBytes(check.rows(pairs, 2, 'pairs'), (address) =>
+      this.#memory.module._pelt_hash_pairs(this.#handle, ...before, address, pairs.length / 2),
+    );
   }
 
   addCrowd(frame, contacts) {
-    for (let i = 0; i < contacts.length; i += 4) {
-      this.#add(frame);
-      for (const value of contacts.subarray(i, i + 4)) this.#add(value);
-    }
+    check.count(frame, 'frame');
+    this.#memory.withBytes(check.rows(contacts, 4, 'contacts'), (address) =>
+      this.#memory.module._pelt_hash_crowd(this.#handle, frame, address, contacts.length / 4),
+    );
   }
 
   get value() {
-    this.#memory.module._pelt_hash_value(alive(this.#handle, 'hash'));
+    this.#memory.module._pelt_hash_value(this.#handle);
     const hex = (number) => number.toString(16).padStart(8, '0');
     return hex(this.#memory.number(0)) + hex(this.#memory.number(1));
   }
 
   delete() {
-    this.#handle = this.#memory.disown(this, this.#handle, kRemoveHash);
+    this.#memory.handles.delete(this);
   }
 
-  #add(value) {
-    this.#memory.module._pelt_add_to_hash(alive(this.#handle, 'hash'), value);
+  get #handle() {
+    return this.#memory.handles.of(this);
   }
 }

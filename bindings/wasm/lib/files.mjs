@@ -1,11 +1,12 @@
 /** Files that are only in memory, for readers that open files by their names. */
 
-import { invalid } from './memory.mjs';
+import * as check from './checks.mjs';
+import { invalid, PeltError } from './errors.mjs';
 
 const kFolder = '/files';
 
 function parentOf(path) {
-  return path.slice(0, path.lastIndexOf('/'));
+  return path.slice(0, Math.max(1, path.lastIndexOf('/')));
 }
 
 /** What a path means in the folder; refuses those that lead out of it. */
@@ -18,33 +19,62 @@ function absolute(path) {
   return [kFolder, ...parts].join('/');
 }
 
+function isFolder(fs, path) {
+  return fs.isDir(fs.stat(path).mode);
+}
+
 function makeFolder(fs, path) {
-  if (fs.analyzePath(path).exists) return;
+  if (fs.analyzePath(path).exists) {
+    if (!isFolder(fs, path)) throw invalid(`files: ${path.slice(kFolder.length + 1)} is a folder, too`);
+    return;
+  }
   makeFolder(fs, parentOf(path));
   fs.mkdir(path);
 }
 
 function remove(fs, path) {
-  if (!fs.isDir(fs.stat(path).mode)) return fs.unlink(path);
+  if (!isFolder(fs, path)) return fs.unlink(path);
   for (const name of fs.readdir(path)) {
     if (name !== '.' && name !== '..') remove(fs, `${path}/${name}`);
   }
   fs.rmdir(path);
 }
 
-/** Calls `use(folder)` while the files are there, with their folder as working directory. */
-export function withFiles({ FS: fs }, files, use) {
-  makeFolder(fs, kFolder);
-  const entries = files instanceof Map ? files : Object.entries(files);
+/** [path, bytes] of a Map or of an object. */
+function entriesOf(files) {
+  const entries = files instanceof Map ? [...files] : Object.entries(check.object(files, 'files'));
+  return entries.map(([path, bytes]) => [
+    check.path(path, 'files'),
+    check.bytes(bytes, `files: ${path}`),
+  ]);
+}
+
+function write(fs, path, bytes) {
+  const place = absolute(path);
   try {
-    for (const [path, bytes] of entries) {
-      makeFolder(fs, parentOf(absolute(path)));
-      fs.writeFile(absolute(path), bytes);
+    makeFolder(fs, parentOf(place));
+    if (fs.analyzePath(place).exists && isFolder(fs, place)) {
+      throw invalid(`files: ${path} is a folder, too`);
     }
-    fs.chdir(kFolder);
-    return use(kFolder);
-  } finally {
-    fs.chdir('/');
-    remove(fs, kFolder);
+    fs.writeFile(place, bytes);
+  } catch (error) {
+    if (error instanceof PeltError) throw error;
+    throw new PeltError('out_of_memory', `files: ${path} does not fit into memory`, error);
   }
+}
+
+/** Calls `use(folder)` while the files are there, with their folder as working directory. */
+export function withFiles(memory, files, use) {
+  const entries = entriesOf(files);
+  return memory.withFileSystem((fs) => {
+    makeFolder(fs, kFolder);
+    try {
+      for (const [path, bytes] of entries) write(fs, path, bytes);
+      fs.chdir(kFolder);
+      return use(kFolder);
+    } finally {
+      fs.chdir('/');
+      remove(fs, kFolder);
+    }
+  });
 }

@@ -3,8 +3,16 @@
  * move its memory whenever it takes more, so views of it are taken anew each time and never kept.
  */
 
-/** The answer's numbers, then the address and the number of elements of its data. */
+import * as check from './checks.mjs';
+import { invalid, PeltError } from './errors.mjs';
+import { Gate } from './gate.mjs';
+import { Handles } from './handles.mjs';
+
+/** The answer's numbers, then the address and the number of elements of its data (answer.hpp). */
 const kNumbers = 16;
+
+/** Addresses have 32 bits, and Emscripten gives half of what they reach. */
+const kMostBytes = 2 ** 31;
 
 const kHeap = new Map([
   [Uint8Array, 'HEAPU8'],
@@ -14,34 +22,27 @@ const kHeap = new Map([
   [Float64Array, 'HEAPF64'],
 ]);
 
-export class PeltError extends Error {
-  constructor(code, message) {
-    super(message);
-    this.name = 'PeltError';
-    this.code = code;
-  }
-}
-
-export function invalid(message) {
-  return new PeltError('invalid_argument', message);
-}
-
 export class Memory {
-  constructor(module) {
-    this.module = module;
-    this.answer = module._pelt_answer();
-    this.graves = new FinalizationRegistry(({ remove, handle }) => module[remove](handle));
+  #engine;
+
+  constructor(engine) {
+    this.#engine = engine;
+    this.gate = new Gate(engine);
+    /** The engine's functions, behind the gate. */
+    this.module = this.gate.calls();
+    this.handles = new Handles(this.gate, this.module);
+    this.answer = this.module._pelt_answer();
   }
 
   /** A view of `length` elements; not to be kept. */
   view(type, address, length) {
-    const heap = this.module[kHeap.get(type)];
+    const heap = this.#engine[kHeap.get(type)];
     const first = address / type.BYTES_PER_ELEMENT;
     return heap.subarray(first, first + length);
   }
 
   number(i) {
-    return this.module.HEAPF64[this.answer / 8 + i];
+    return this.#engine.HEAPF64[this.answer / 8 + i];
   }
 
   numbers(begin, end) {
@@ -64,33 +65,49 @@ export class Memory {
 
   /** Writes numbers where the engine expects so many. */
   write(type, address, numbers, length, name) {
-    if (numbers.length !== length) {
-      throw invalid(`${name}: expected ${length} numbers, found ${numbers.length}`);
-    }
+    check.numbers(numbers, length, name);
     if (length > 0) this.view(type, address, length).set(numbers);
   }
 
   text(address) {
-    return this.module.UTF8ToString(address);
+    return this.#engine.UTF8ToString(address);
   }
 
   json(address) {
     return JSON.parse(this.text(address));
   }
 
-  /** Calls `use(address)` with bytes that are there meanwhile. */
-  withBytes(bytes, use) {
-    const address = this.module._malloc(Math.max(bytes.length, 1));
-    this.module.HEAPU8.set(bytes, address);
+  /** Calls `use(address)` with the bytes of a typed array, which are there meanwhile. */
+  withBytes({ buffer, byteOffset, byteLength }, use) {
+    const address = this.#allocate(byteLength);
+    const bytes = new Uint8Array(buffer, byteOffset, byteLength);
+    this.view(Uint8Array, address, byteLength).set(bytes);
     try {
       return use(address);
     } finally {
-      this.module._free(address);
+      if (!this.gate.hasEnded) this.module._free(address);
     }
   }
 
   withText(text, use) {
     return this.withBytes(new TextEncoder().encode(`${text}\0`), use);
+  }
+
+  /** Calls `use(files)` with the file system that the engine reads. */
+  withFileSystem(use) {
+    this.gate.requireOpen();
+    return use(this.#engine.FS);
+  }
+
+  /** Calls `use()`, in which the engine may call `decode` (meshopt_decoder.cpp). */
+  withDecoder(decode, use) {
+    this.gate.requireOpen();
+    this.#engine.meshoptDecode = decode;
+    try {
+      return use();
+    } finally {
+      this.#engine.meshoptDecode = undefined;
+    }
   }
 
   /** What the engine returned, or the reason why it has refused. */
@@ -100,23 +117,19 @@ export class Memory {
     throw new PeltError(code, message);
   }
 
-  /** Sees to it that `owner`'s handle is given back when it is forgotten. */
-  own(owner, handle, remove) {
-    this.graves.register(owner, { remove, handle }, owner);
-    return handle;
+  /** How a message goes on that begins with an unknown name. */
+  suggestion(name, known) {
+    const words = JSON.stringify([name, ...known]);
+    return this.withText(words, (address) => this.text(this.module._pelt_suggestion(address)));
   }
 
-  /** Gives it back now. */
-  disown(owner, handle, remove) {
-    if (handle === 0) return 0;
-    this.graves.unregister(owner);
-    this.module[remove](handle);
-    return 0;
+  #allocate(bytes) {
+    const address = bytes < kMostBytes ? this.module._malloc(Math.max(bytes, 1)) : 0;
+    if (address !== 0) return address;
+    throw new PeltError(
+      'out_of_memory',
+      `${bytes} bytes do not fit into the engine's memory, which has 2 GB at most: delete() what ` +
+        'is not needed any longer, or load another engine',
+    );
   }
-}
-
-/** A deleted object says so instead of breaking the engine's memory. */
-export function alive(handle, name) {
-  if (handle === 0) throw invalid(`the ${name} has been deleted`);
-  return handle;
 }

@@ -1,5 +1,6 @@
-import { alive } from './memory.mjs';
-import { readStats } from './queries.mjs';
+import * as check from './checks.mjs';
+import { partNumber } from './lookup.mjs';
+import { readStats } from './stats.mjs';
 
 const kRemove = '_pelt_delete_pose';
 
@@ -7,72 +8,71 @@ export const NodeState = Object.freeze({ untouched: 0, refitted: 1, opened: 2 })
 
 export class Pose {
   #memory;
-  #handle;
 
   constructor(memory, character, part) {
     this.#memory = memory;
+    const made = memory.module._pelt_make_pose(
+      memory.handles.of(character),
+      partNumber(character, part),
+    );
+    memory.handles.own(this, memory.accepted(made), kRemove, `pose of ${character.name}`);
     this.character = character;
     this.part = part;
-    const handle = memory.module._pelt_make_pose(character.handle, character.partNumber(part));
-    this.#handle = memory.own(this, memory.accepted(handle), kRemove);
-  }
-
-  /** For Pelt's own files. */
-  get handle() {
-    return alive(this.#handle, `pose of ${this.character.name}`);
+    Object.freeze(this);
   }
 
   setPalette(palette) {
     const { module } = this.#memory;
     const floats = 16 * this.character.jointCount;
-    const address = module._pelt_pose_palette(this.handle);
+    const address = module._pelt_pose_palette(this.#handle);
     this.#memory.write(Float32Array, address, palette, floats, 'palette');
-    this.#memory.accepted(module._pelt_set_palette(this.handle));
+    this.#memory.accepted(module._pelt_set_palette(this.#handle));
   }
 
   setMorphWeights(weights) {
     const { module } = this.#memory;
     const floats = this.character.morphTargetNames.length;
-    const address = module._pelt_pose_weights(this.handle);
+    const address = module._pelt_pose_weights(this.#handle);
     this.#memory.write(Float32Array, address, weights, floats, 'weights');
-    this.#memory.accepted(module._pelt_set_morph_weights(this.handle));
+    this.#memory.accepted(module._pelt_set_morph_weights(this.#handle));
   }
 
   posedVertices(out = undefined) {
-    this.#memory.module._pelt_posed_vertices(this.handle);
+    this.#memory.module._pelt_posed_vertices(this.#handle);
     return this.#memory.data(Float32Array, 3, out);
   }
 
   normals(out = undefined) {
-    this.#memory.module._pelt_normals(this.handle);
+    this.#memory.module._pelt_normals(this.#handle);
     return this.#memory.data(Float32Array, 3, out);
   }
 
   refitAll() {
-    this.#memory.module._pelt_refit_all(this.handle);
+    this.#memory.module._pelt_refit_all(this.#handle);
     return readStats(this.#memory);
   }
 
   bounds(levels = 0) {
-    this.#memory.module._pelt_bounds(this.handle, levels);
+    this.#memory.module._pelt_bounds(this.#handle, check.count(levels, 'levels'));
     return this.#bounds();
   }
 
   tightBounds() {
-    this.#memory.module._pelt_tight_bounds(this.handle);
+    this.#memory.module._pelt_tight_bounds(this.#handle);
     return this.#bounds();
   }
 
   get nodeCount() {
-    return this.#memory.module._pelt_node_count(this.handle);
+    return this.#memory.module._pelt_node_count(this.#handle);
   }
 
   get openedNodeCount() {
-    return this.#memory.module._pelt_opened_node_count(this.handle);
+    return this.#memory.module._pelt_opened_node_count(this.#handle);
   }
 
   nodeBoxes(level) {
-    const states = this.#memory.module._pelt_node_boxes(this.handle, level);
+    check.count(level, 'level');
+    const states = this.#memory.module._pelt_node_boxes(this.#handle, level);
     const boxes = this.#memory.data(Float32Array, 1);
     const count = boxes.length / 6;
     return { count, boxes, states: this.#memory.copy(Uint8Array, states, count) };
@@ -80,13 +80,20 @@ export class Pose {
 
   cast(origin, direction, maxT = Infinity) {
     const { module } = this.#memory;
-    if (!module._pelt_cast(this.handle, ...origin, ...direction, maxT)) return null;
+    const [x, y, z] = check.vector(origin, 3, 'origin');
+    const [dx, dy, dz] = check.vector(direction, 3, 'direction');
+    check.number(maxT, 'maxT', 0, Infinity);
+    if (!module._pelt_cast(this.#handle, x, y, z, dx, dy, dz, maxT)) return null;
     const [triangle, t, ...rest] = this.#memory.numbers(0, 8);
     return { triangle, t, weights: rest.slice(0, 3), normal: rest.slice(3) };
   }
 
   delete() {
-    this.#handle = this.#memory.disown(this, this.#handle, kRemove);
+    this.#memory.handles.delete(this);
+  }
+
+  get #handle() {
+    return this.#memory.handles.of(this);
   }
 
   #bounds() {

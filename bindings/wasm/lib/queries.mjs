@@ -1,32 +1,32 @@
 /** What is asked of two poses. */
 
-import { invalid } from './memory.mjs';
-
-const kAll = 0xffffffff;
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+import { readOptions } from './options.mjs';
+import { Pose } from './pose.mjs';
+import { readStats } from './stats.mjs';
 
 export const ContactKind = Object.freeze({ segment: 0, point: 1, coplanar: 2, collapsed: 3 });
 
-export function mostContacts({ firstContact = false, maxContacts = kAll } = {}) {
-  return firstContact ? 1 : maxContacts;
-}
+const kCollideRules = {
+  firstContact: check.flag,
+  maxContacts: (most, name) => (most === Infinity ? check.kMostCount : check.count(most, name, 1)),
+};
 
-export function readStats(memory) {
-  const [nodePairs, refits, posedVertices, trianglePairs, displacements, cutShort] =
-    memory.numbers(0, 6);
-  return {
-    nodePairs,
-    refits,
-    posedVertices,
-    trianglePairs,
-    displacements,
-    cutShort: cutShort !== 0,
-  };
+const kDistanceRules = {
+  maxDistance: (most, name) => check.number(most, name, 0, Infinity),
+};
+
+export function mostContacts(memory, options) {
+  const read = readOptions(memory, options, kCollideRules);
+  return read.firstContact ? 1 : read.maxContacts ?? check.kMostCount;
 }
 
 /** The two handles. */
-export function different(a, b) {
+export function different(memory, a, b) {
+  const handles = [memory.handles.given(a, Pose, 'a'), memory.handles.given(b, Pose, 'b')];
   if (a === b) throw invalid('a and b: expected two different poses');
-  return [a.handle, b.handle];
+  return handles;
 }
 
 export function readContacts(memory) {
@@ -34,25 +34,38 @@ export function readContacts(memory) {
   return { count: pairs.length / 2, pairs, stats: readStats(memory) };
 }
 
-export function describeContacts(memory, a, b, pairs) {
-  const { module } = memory;
-  const handles = different(a, b);
-  const bytes = new Uint8Array(pairs.buffer, pairs.byteOffset, pairs.byteLength);
-  memory.withBytes(bytes, (address) =>
-    memory.accepted(module._pelt_describe_contacts(...handles, address, pairs.length >> 1)),
+/** In the order of contacts.cpp. */
+const kColumns = [
+  ['segments', Float32Array],
+  ['normals', Float32Array],
+  ['depths', Float32Array],
+  ['kinds', Uint8Array],
+  ['joints', Uint16Array],
+  ['points', Float32Array],
+  ['curves', Uint32Array],
+  ['regions', Float64Array],
+  ['members', Uint32Array],
+];
+
+function readColumns(memory) {
+  return Object.fromEntries(
+    kColumns.map(([name, type], column) => {
+      memory.module._pelt_contact_column(column);
+      return [name, memory.data(type, 1)];
+    }),
   );
-  const column = (number, type) => {
-    module._pelt_contact_column(number);
-    return memory.data(type, 1);
-  };
+}
+
+export function describeContacts(memory, a, b, pairs) {
+  const handles = different(memory, a, b);
+  memory.withBytes(check.rows(pairs, 2, 'pairs'), (address) =>
+    memory.accepted(memory.module._pelt_describe_contacts(...handles, address, pairs.length / 2)),
+  );
+  const { points, curves, regions, members, ...columns } = readColumns(memory);
   return {
-    segments: column(0, Float32Array),
-    normals: column(2, Float32Array),
-    depths: column(3, Float32Array),
-    kinds: column(1, Uint8Array),
-    joints: column(4, Uint16Array),
-    curves: readCurves(column(6, Uint32Array), column(5, Float32Array)),
-    regions: readRegions(column(7, Float64Array), column(8, Uint32Array)),
+    ...columns,
+    curves: readCurves(curves, points),
+    regions: readRegions(regions, members),
   };
 }
 
@@ -82,8 +95,9 @@ function readRegions(rows, members) {
   return regions;
 }
 
-export function distance(memory, a, b, { maxDistance = Infinity } = {}) {
-  if (!memory.module._pelt_distance(...different(a, b), maxDistance)) return null;
+export function distance(memory, a, b, options) {
+  const { maxDistance = Infinity } = readOptions(memory, options, kDistanceRules);
+  if (!memory.module._pelt_distance(...different(memory, a, b), maxDistance)) return null;
   const point = (i) => ({ triangle: memory.number(i), position: memory.numbers(i + 1, i + 4) });
   return { distance: memory.number(6), a: point(7), b: point(11), stats: readStats(memory) };
 }

@@ -1,27 +1,80 @@
-import { invalid } from './memory.mjs';
+import { Character } from './character.mjs';
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+import { clipNumber } from './lookup.mjs';
+import { readObject } from './options.mjs';
+import { Pose } from './pose.mjs';
 
-const kDefaults = {
-  clip: null,
-  start: 0,
-  speed: 1,
-  translation: [0, 0, 0],
-  rotation: [0, 0, 0, 1],
-  scale: 1,
-  velocity: [0, 0, 0],
-  morphWeights: {},
+/** As in a scene file (docs/scenes.md): far beyond any use, near enough to keep arithmetic finite. */
+const kMostNumber = 1e12;
+const kMostFactor = 1e6; // of scales and frames a second; the least is its inverse
+
+const number = (value, name) => check.number(value, name, -kMostNumber, kMostNumber);
+const factor = (value, name) => check.number(value, name, 1 / kMostFactor, kMostFactor);
+const vector = (value, name) => Array.from(check.vector(value, 3, name, kMostNumber));
+
+function quaternion(value, name) {
+  const q = Array.from(check.vector(value, 4, name, kMostNumber));
+  if (Math.hypot(...q) === 0) throw invalid(`${name}: expected a quaternion, found one of length 0`);
+  return q;
+}
+
+function weights(value, name) {
+  for (const [target, weight] of Object.entries(check.object(value, name))) {
+    number(weight, `${name}.${target}`);
+  }
+  return { ...value };
+}
+
+function list(value, name) {
+  if (!Array.isArray(value)) throw invalid(`${name}: expected an array, found ${check.kindOf(value)}`);
+  return value;
+}
+
+const kInstanceRules = {
+  character: check.count,
+  clip: check.optionalText,
+  start: number,
+  speed: number,
+  translation: vector,
+  rotation: quaternion,
+  scale: factor,
+  velocity: vector,
+  morphWeights: weights,
 };
 
-/** A copy of an instance, with every key. */
-function complete(instance) {
-  return structuredClone({ ...kDefaults, ...instance });
+const kPartsRules = {
+  name: check.text,
+  characters: list,
+  instances: list,
+  frameCount: (count, name) => check.count(count, name, 1),
+  fps: factor,
+  ignore: check.namePairs,
+};
+
+/** A checked copy of an instance, with every key. */
+function complete(memory, instance, place) {
+  return {
+    clip: null,
+    start: 0,
+    speed: 1,
+    translation: [0, 0, 0],
+    rotation: [0, 0, 0, 1],
+    scale: 1,
+    velocity: [0, 0, 0],
+    morphWeights: {},
+    ...readObject(memory, instance, kInstanceRules, place),
+  };
 }
 
 /** [M] what each target keeps; NaN: what the clip says. Targets go by name or else by number. */
-function keptWeights(morphWeights, names) {
+function keptWeights(morphWeights, names, place) {
   const kept = new Float32Array(names.length).fill(NaN);
   for (const [target, weight] of Object.entries(morphWeights)) {
     const isTarget = (name, m) => name === target || (!names.includes(target) && `${m}` === target);
-    if (!names.some(isTarget)) throw invalid(`morphWeights: there is no morph target "${target}"`);
+    if (!names.some(isTarget)) {
+      throw invalid(`${place}.morphWeights: there is no morph target ${JSON.stringify(target)}`);
+    }
     names.forEach((name, m) => {
       if (isTarget(name, m)) kept[m] = weight;
     });
@@ -32,60 +85,62 @@ function keptWeights(morphWeights, names) {
 export class Scene {
   #memory;
 
-  constructor(memory, { name = 'scene', characters, instances, frameCount = 1, fps = 30, ignore = [] }) {
+  constructor(memory, parts) {
+    const read = readObject(memory, parts, kPartsRules, 'parts');
+    const { name = 'scene', characters = [], instances = [], frameCount = 1, fps = 30, ignore = [] } = read;
+    characters.forEach((character, c) => {
+      memory.handles.given(character, Character, `parts.characters[${c}]`);
+    });
     this.#memory = memory;
-    Object.assign(this, { name, characters, frameCount, fps, ignore });
-    this.instances = instances.map(complete);
+    Object.assign(this, { name, characters: [...characters], frameCount, fps, ignore });
+    this.instances = instances.map((one, i) => complete(memory, one, `parts.instances[${i}]`));
   }
 
   palette(instance, frame, out = undefined) {
-    const character = this.#write(instance);
-    this.#memory.module._pelt_instance_palette(character.handle, frame / this.fps);
+    const { address, seconds } = this.#hand(instance, frame);
+    this.#memory.module._pelt_instance_palette(address, seconds);
     return this.#memory.data(Float32Array, 16, out);
   }
 
   morphWeights(instance, frame, out = undefined) {
-    const character = this.#write(instance);
-    this.#memory.module._pelt_instance_morph_weights(character.handle, frame / this.fps);
+    const { address, seconds } = this.#hand(instance, frame);
+    this.#memory.module._pelt_instance_morph_weights(address, seconds);
     return this.#memory.data(Float32Array, 1, out);
   }
 
   setPose(pose, instance, frame) {
-    if (this.#write(instance) !== pose.character) {
+    const { module, handles } = this.#memory;
+    const given = handles.given(pose, Pose, 'pose');
+    const { character, seconds } = this.#hand(instance, frame);
+    if (character !== pose.character) {
       throw invalid(`pose: it is of ${pose.character.name}, and not of the instance's character`);
     }
-    const { module } = this.#memory;
-    this.#memory.accepted(module._pelt_pose_instance(pose.handle, frame / this.fps));
+    this.#memory.accepted(module._pelt_pose_instance(given, seconds));
   }
 
   delete() {
     for (const character of this.characters) character.delete();
   }
 
-  /** Hands the instance over; returns its character. */
-  #write(number) {
-    const instance = this.instances[number];
-    if (instance === undefined) throw invalid(`instance: the scene has no instance ${number}`);
+  /** Hands the instance over; returns its character, and the seconds at which the frame stands. */
+  #hand(number, frame) {
+    const { module, handles } = this.#memory;
+    const seconds = check.number(frame, 'frame') / factor(this.fps, 'fps');
+    const place = `instances[${check.count(number, 'instance')}]`;
+    if (!(number in this.instances)) throw invalid(`instance: the scene has no instance ${number}`);
+    const instance = complete(this.#memory, this.instances[number], place);
     const character = this.characters[instance.character];
-    if (character === undefined) {
-      throw invalid(`instances[${number}].character: the scene has no character ${instance.character}`);
-    }
-    const { module } = this.#memory;
-    const { start, speed, translation, rotation, scale, velocity, morphWeights } = { ...kDefaults, ...instance };
-    const numbers = [
-      character.clipNumber(instance.clip),
-      start,
-      speed,
-      ...translation,
-      ...rotation,
-      scale,
-      ...velocity,
-    ];
-    const place = `instances[${number}]`;
-    this.#memory.write(Float64Array, module._pelt_instance(), numbers, 14, place);
-    const kept = keptWeights(morphWeights, character.morphTargetNames);
-    const address = module._pelt_kept_weights(kept.length);
-    this.#memory.write(Float32Array, address, kept, kept.length, place);
-    return character;
+    const address = handles.given(character, Character, `characters[${instance.character}]`);
+    const kept = keptWeights(instance.morphWeights, character.morphTargetNames, place);
+    const numbers = numbersOf(instance, clipNumber(character, instance.clip));
+    this.#memory.view(Float64Array, module._pelt_instance(), numbers.length).set(numbers);
+    const weights = module._pelt_kept_weights(kept.length);
+    if (kept.length > 0) this.#memory.view(Float32Array, weights, kept.length).set(kept);
+    return { character, address, seconds };
   }
+}
+
+/** In the order of PlacedNumbers (palette.cpp). */
+function numbersOf({ start, speed, translation, rotation, scale, velocity }, clip) {
+  return [clip, start, speed, ...translation, ...rotation, scale, ...velocity];
 }

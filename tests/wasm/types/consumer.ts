@@ -6,6 +6,7 @@
 import {
   type Bounds,
   type Box,
+  type Bytes,
   type Character,
   type Clip,
   type ContactCurve,
@@ -79,10 +80,11 @@ function readMissing(pelt: Pelt): ErrorCode {
   const files: Files = { 'a.bin': new Uint8Array(3) };
   const options: ReadOptions = { ...modelOptions, name: 'a.gltf', files, clips: [] };
   try {
-    const read: Character = pelt.readCharacter(new Uint8Array(3), options);
+    const bytes: Bytes = new ArrayBuffer(3);
+    const read: Character = pelt.readCharacter(bytes, options);
     read.delete();
   } catch (error) {
-    if (error instanceof PeltError) return error.code;
+    if (error instanceof PeltError && error.cause === undefined) return error.code;
   }
   throw new Error('three bytes were taken for a character');
 }
@@ -159,6 +161,7 @@ function useContacts(pelt: Pelt, a: Pose, b: Pose): void {
   useStats(stats);
   const options: CollideOptions = { firstContact: true, maxContacts: 4 };
   check(pelt.collideEagerly(a, b, options).count === 1, 'firstContact');
+  useStats(b.refitAll());
   const touch: boolean = pelt.intersects(a, b);
   check(touch, 'intersects');
   const geometry: ContactGeometry = pelt.describeContacts(a, b, pairs);
@@ -286,6 +289,7 @@ const pelt = await loadPelt();
 check(/^\d+\.\d+\.\d+/.test(pelt.version), 'version');
 check(pelt.bytesInUse > 0, 'bytesInUse');
 check(readMissing(pelt) === 'malformed_file', 'the code of an error');
+check(!pelt.hasEnded, 'hasEnded');
 const walker = pelt.generateCreature(creatureOptions);
 useCharacter(walker);
 useScene(pelt, walker);

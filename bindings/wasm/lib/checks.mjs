@@ -1,0 +1,110 @@
+/** What callers hand over is what it has to be, or is refused by its name. */
+
+import { invalid } from './errors.mjs';
+
+export const kMostCount = 0xffffffff;
+
+/** What a value is, for messages: "NaN", "a string", "an Array". */
+export function kindOf(value) {
+  if (value === undefined) return 'nothing';
+  if (value === null || typeof value === 'number' || typeof value === 'boolean') return `${value}`;
+  const kind = typeof value === 'object' ? value.constructor?.name || 'object' : typeof value;
+  return `${/^[aeiou]/i.test(kind) ? 'an' : 'a'} ${kind}`;
+}
+
+function refuse(name, expected, value) {
+  throw invalid(`${name}: expected ${expected}, found ${kindOf(value)}`);
+}
+
+function isWithin(value, least, most) {
+  return typeof value === 'number' && value >= least && value <= most;
+}
+
+export function number(value, name, least = -Number.MAX_VALUE, most = Number.MAX_VALUE) {
+  if (isWithin(value, least, most)) return value;
+  const isAny = least === -Number.MAX_VALUE && most === Number.MAX_VALUE;
+  return refuse(name, isAny ? 'a finite number' : `a number from ${least} to ${most}`, value);
+}
+
+export function count(value, name, least = 0, most = kMostCount) {
+  if (Number.isInteger(value) && isWithin(value, least, most)) return value;
+  return refuse(name, `a whole number from ${least} to ${most}`, value);
+}
+
+export function flag(value, name) {
+  return typeof value === 'boolean' ? value : refuse(name, 'true or false', value);
+}
+
+export function text(value, name) {
+  return typeof value === 'string' ? value : refuse(name, 'a string', value);
+}
+
+/** C++ ends a path at its first zero. */
+export function path(value, name) {
+  if (text(value, name).includes('\0')) throw invalid(`${name}: a path has no character 0`);
+  return value;
+}
+
+export function texts(value, name) {
+  if (!Array.isArray(value)) refuse(name, 'an array of strings', value);
+  return Array.from(value, (element, i) => text(element, `${name}[${i}]`));
+}
+
+export function namePairs(value, name) {
+  const isPair = (pair) =>
+    Array.isArray(pair) && pair.length === 2 && pair.every((part) => typeof part === 'string');
+  if (Array.isArray(value) && value.every(isPair)) return value;
+  throw invalid(`${name}: expected an array of pairs of names`);
+}
+
+/** null: none. */
+export function optionalText(value, name) {
+  return value === null ? null : text(value, name);
+}
+
+export function callable(value, name) {
+  return typeof value === 'function' ? value : refuse(name, 'a function', value);
+}
+
+function isArrayOfNumbers(value) {
+  if (Array.isArray(value)) return value.every((element) => typeof element === 'number');
+  return ArrayBuffer.isView(value) && (value.length === 0 || typeof value[0] === 'number');
+}
+
+/** An Array or typed array of so many numbers, which may be NaN. */
+export function numbers(value, length, name) {
+  if (!isArrayOfNumbers(value)) refuse(name, `an array of ${length} numbers`, value);
+  if (value.length === length) return value;
+  throw invalid(`${name}: expected ${length} numbers, found ${value.length}`);
+}
+
+/** The same, all finite. */
+export function vector(value, length, name, most = Number.MAX_VALUE) {
+  numbers(value, length, name);
+  for (let i = 0; i < length; ++i) {
+    if (!isWithin(value[i], -most, most)) number(value[i], `${name}[${i}]`, -most, most);
+  }
+  return value;
+}
+
+/** Numbers of triangles or instances, `width` by `width`. */
+export function rows(value, width, name) {
+  if (!(value instanceof Uint32Array)) refuse(name, 'a Uint32Array', value);
+  if (value.length % width === 0) return value;
+  throw invalid(`${name}: expected a multiple of ${width} numbers, found ${value.length}`);
+}
+
+/** Of an ArrayBuffer or of what is a view of one. */
+export function bytes(value, name) {
+  if (value instanceof Uint8Array) return value;
+  if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+  if (value instanceof ArrayBuffer) return new Uint8Array(value);
+  return refuse(name, 'a Uint8Array or an ArrayBuffer', value);
+}
+
+/** A plain object; arrays, maps and the like are none. */
+export function object(value, name) {
+  return Object.prototype.toString.call(value) === '[object Object]'
+    ? value
+    : refuse(name, 'an object', value);
+}

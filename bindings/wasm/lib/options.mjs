@@ -1,0 +1,48 @@
+/** Objects that callers hand over: each key is known and has the right kind of value. */
+
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+
+/**
+ * The values by their keys, without those that are undefined. `rules` has for each known key what
+ * checks its value; `place` names the object in messages, and is empty for options.
+ */
+export function readObject(memory, given, rules, place = '') {
+  const values = {};
+  const known = Object.keys(rules);
+  for (const [key, value] of Object.entries(check.object(given, place || 'options'))) {
+    if (!known.includes(key)) throw unknown(memory, key, known, place);
+    if (value !== undefined) values[key] = rules[key](value, place ? `${place}.${key}` : key);
+  }
+  return values;
+}
+
+function unknown(memory, key, known, place) {
+  const what = place ? `${place}: unknown key` : 'unknown option';
+  return invalid(`${what} ${JSON.stringify(key)}${memory.suggestion(key, known)}`);
+}
+
+/** Options that few calls have. */
+export function readOptions(memory, options, rules) {
+  return options === undefined ? {} : readObject(memory, options, rules);
+}
+
+export const kModelRules = {
+  meshoptDecode: check.callable,
+  renormalise: check.flag,
+  noUnskinned: check.flag,
+  exclude: check.texts,
+  samples: check.count,
+};
+
+export const kReadRules = { ...kModelRules, name: check.text, files: (files) => files, clips: check.texts };
+
+export const kFaceRules = {
+  name: check.text,
+  clips: check.texts,
+  samples: check.count,
+  triangles: check.count,
+  seed: check.count,
+};
+
+export const kCreatureRules = { ...kFaceRules, joints: check.count };

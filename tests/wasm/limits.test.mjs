@@ -1,0 +1,104 @@
+/** Where memory ends: what can be refused is, and what cannot ends the engine, which says so. */
+
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { rock } from './gltf.mjs';
+import { kGenerated, loadPelt, pelt } from './support.mjs';
+
+const kPage = 65536;
+const { grow } = WebAssembly.Memory.prototype;
+
+/** Calls `use()` while the system gives no engine more than so many bytes, as a phone would. */
+function withLittleMemory(bytes, use) {
+  WebAssembly.Memory.prototype.grow = function (pages) {
+    if (this.buffer.byteLength + pages * kPage > bytes) throw new RangeError('no more memory');
+    return grow.call(this, pages);
+  };
+  try {
+    return use();
+  } finally {
+    WebAssembly.Memory.prototype.grow = grow;
+  }
+}
+
+function refused(use, code, message) {
+  assert.throws(use, { name: 'PeltError', code, message });
+}
+
+function works(engine) {
+  const character = engine.readCharacter(rock(), { name: 'rock' });
+  assert.equal(character.extent.high[0], 1);
+  character.delete();
+}
+
+test('a file that does not fit is refused, and the engine goes on', () => {
+  const read = (bytes) => pelt.readCharacter(new Uint8Array(bytes), { name: 'large' });
+  const words = (bytes) => new RegExp(`^${bytes} bytes do not fit into the engine's memory`);
+  refused(() => read(2 ** 31), 'out_of_memory', words(2 ** 31));
+  withLittleMemory(2 ** 26, () => {
+    refused(() => read(2 ** 27), 'out_of_memory', words(2 ** 27));
+  });
+  assert.equal(pelt.hasEnded, false);
+  works(pelt);
+});
+
+test('an engine that has run out of memory says so, and so do its objects', async () => {
+  const engine = await loadPelt();
+  const character = engine.generateCreature({ triangles: 1000, joints: 20 });
+  const [a, b] = [character.makePose(), character.makePose()];
+  const [crowd, hash] = [engine.makeCrowd(), engine.makeContactHash()];
+  const scene = engine.makeScene({ characters: [character], instances: [{ character: 0 }] });
+  const { triangles } = character;
+  const large = () => engine.generateCreature({ triangles: 200_000 });
+  withLittleMemory(2 ** 26, () => {
+    refused(large, 'out_of_memory', /^the engine ran out of memory and has ended: load a new one/);
+  });
+  assert.equal(engine.hasEnded, true);
+  const calls = [
+    large,
+    () => engine.readCharacter(rock(), { name: 'rock', files: {}, meshoptDecode: () => {} }),
+    () => engine.readScene('s.json', {}),
+    () => engine.collide(a, b),
+    () => engine.distance(a, b),
+    () => engine.makeCrowd(),
+    () => engine.version,
+    () => character.makePose(),
+    () => character.palette('walk', 0),
+    () => character.extent,
+    () => a.posedVertices(),
+    () => a.setPalette(new Float32Array(20 * 16)),
+    () => crowd.add(character),
+    () => hash.value,
+    () => scene.setPose(a, 0, 0),
+  ];
+  for (const call of calls) {
+    refused(call, 'engine_ended', /^the engine has ended, for it ran out of memory: load a new one/);
+  }
+  assert.deepEqual(character.triangles, triangles);
+  for (const made of [hash, crowd, a, b, scene, character]) made.delete();
+  works(await loadPelt());
+  works(pelt);
+});
+
+test('an engine that has failed otherwise says how', async () => {
+  const engine = await loadPelt();
+  const spite = new Error('in spite of all');
+  const meshoptDecode = () => {
+    throw { toString: () => { throw spite; } };
+  };
+  const read = () => engine.readCharacter(compressedFile(), { name: 'fox', meshoptDecode });
+  assert.throws(read, {
+    name: 'PeltError',
+    code: 'engine_ended',
+    message: /^the engine failed \(Error: in spite of all\) and has ended: load a new one/,
+    cause: spite,
+  });
+  assert.equal(engine.hasEnded, true);
+});
+
+function compressedFile() {
+  const files = fs.readdirSync(kGenerated).map((name) => fs.readFileSync(path.join(kGenerated, name)));
+  return files.find((bytes) => bytes.includes('EXT_meshopt_compression'));
+}
