@@ -28,6 +28,11 @@ export class Desk {
     this.meter = new CostMeter(pelt);
   }
 
+  /** Then it cannot be asked any more. */
+  get hasEnded(): boolean {
+    return this.pelt.hasEnded;
+  }
+
   answer({ kind, question }: Request): Answers[Kind] | Promise<Answers[Kind]> {
     switch (kind) {
       case 'openDemo':

@@ -1,0 +1,63 @@
+/** Keeps an engine at work: one that has ended, for want of memory as a rule, gives way to another. */
+
+import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import { loadPelt, PeltError } from 'pelt';
+import { Desk } from './desk';
+import type { Reply, Request, SweepProgress } from './protocol';
+
+export class Keeper {
+  private desk: Promise<Desk>;
+  /** What has filled the stage, to be read again. */
+  private onStage: Request | null = null;
+  /** Why the stage is empty. */
+  private lost = '';
+
+  constructor(private readonly report: (progress: SweepProgress) => void) {
+    this.desk = this.openDesk();
+  }
+
+  async answer(request: Request): Promise<Reply> {
+    const { id } = request;
+    if (this.lost && !isOpening(request)) return { id, problem: this.lost };
+    const { desk } = this;
+    try {
+      const answer = await (await desk).answer(request);
+      if (isOpening(request)) [this.onStage, this.lost] = [request, ''];
+      return { id, answer };
+    } catch (error) {
+      const problem = error instanceof Error ? error.message : String(error);
+      const hasEnded = await desk.then(
+        (asked) => asked.hasEnded,
+        () => false,
+      );
+      return { id, problem: hasEnded ? this.replace(desk, request, reasonOf(error)) : problem };
+    }
+  }
+
+  /** What did not fit is left out; what was on the stage did, unless it was this that failed. */
+  private replace(ended: Promise<Desk>, request: Request, reason: string): string {
+    if (this.desk === ended) {
+      const isStageGood = isOpening(request) && this.lost === '';
+      this.lost = isStageGood ? '' : `${reason} Open smaller files, or fewer at once.`;
+      this.desk = this.openDesk(isStageGood ? this.onStage : null);
+    }
+    return this.lost || `${reason} The stage is as it was.`;
+  }
+
+  private async openDesk(onStage: Request | null = null): Promise<Desk> {
+    const [pelt] = await Promise.all([loadPelt(), MeshoptDecoder.ready]);
+    const desk = new Desk(pelt, this.report);
+    if (onStage) await desk.answer(onStage);
+    return desk;
+  }
+}
+
+function reasonOf(error: unknown): string {
+  const isMemory = error instanceof PeltError && error.code === 'out_of_memory';
+  const what = isMemory ? 'That takes more memory than there is' : 'The engine has failed';
+  return `${what}, and it had to start anew.`;
+}
+
+function isOpening({ kind }: Request): boolean {
+  return kind === 'openDemo' || kind === 'openScene' || kind === 'readCharacters';
+}
