@@ -10,7 +10,10 @@ const built = path.resolve(process.env.PELT_PAGE ?? 'dist/index.html');
 
 /** Of the walkers: all of them in contact. */
 const FIRST = 80;
-const FRAMES = 12;
+const FRAMES = 6;
+
+/** What is counted does not depend on it. */
+const SMALL = { viewport: { width: 640, height: 360 } };
 
 /** Of bytes, and of corners: only the characters have so many. */
 const LARGE = { upload: 100_000, draw: 10_000 };
@@ -66,7 +69,7 @@ describe('while the scene goes on', () => {
   let browser, page;
   before(async () => {
     browser = await browsing.launch();
-    page = await browsing.openPage(browser, browsing.urlOf(built), {}, [countWork, LARGE]);
+    page = await browsing.openPage(browser, browsing.urlOf(built), SMALL, [countWork, LARGE]);
     if (await page.locator('[aria-label=Pause]').count()) await page.keyboard.press('Space');
     await goToFrame(page, FIRST);
     await page.locator('[aria-label=Frame]').blur();

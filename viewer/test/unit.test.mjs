@@ -10,6 +10,7 @@ let vite;
 const load = (file) => vite.ssrLoadModule(`/src/${file}`);
 
 before(async () => {
+  globalThis.matchMedia = () => ({ matches: false, addEventListener: () => {} });
   vite = await createServer({
     root,
     configFile: false,
@@ -149,5 +150,125 @@ describe('a panel', () => {
     assert.equal(changes({ answer: 2 }), false);
     assert.equal(changes({ frame: 4 }), true);
     assert.equal(changes({ scene: { name: 'walk' } }), true);
+  });
+});
+
+describe('what one can do', () => {
+  const state = {
+    scene: { frameCount: 9 },
+    frame: 4,
+    sweep: { counts: [0, 2, 1, 0, 3, 0, 0, 5, 0] },
+  };
+
+  test('frames follow each other in a circle', async () => {
+    const { step } = await load('state/changes.ts');
+    assert.equal(step(1)({ ...state, frame: 8 }).frame, 0);
+    assert.equal(step(-1)({ ...state, frame: 0 }).frame, 8);
+    assert.equal(step(1)(state).isPlaying, false);
+  });
+
+  test('jumps lead to where contacts begin, round the clip', async () => {
+    const { jumpToContact } = await load('state/changes.ts');
+    const jump = (frame, direction) => jumpToContact(direction)({ ...state, frame }).frame;
+    assert.deepEqual(
+      [0, 1, 4, 7].map((frame) => jump(frame, 1)),
+      [1, 4, 7, 1],
+    );
+    assert.deepEqual(
+      [1, 2, 5, 8].map((frame) => jump(frame, -1)),
+      [7, 1, 4, 7],
+    );
+    assert.deepEqual(jumpToContact(1)({ ...state, sweep: { counts: [0, 0] } }), {});
+  });
+});
+
+describe('who asks the worker', () => {
+  /** An asker whose worker answers so, and its state. */
+  async function askerOf(answer) {
+    const { Asker } = await load('flow/asker.ts');
+    const { Store } = await load('state/store.ts');
+    const store = new Store({ problems: [], reading: 'coat.glb', hovered: null });
+    return { store, asker: new Asker(store, { ask: answer }) };
+  }
+
+  test('changes the state by the answer', async () => {
+    const { store, asker } = await askerOf(async () => 'arm');
+    assert.equal(await asker.ask('cast', {}, (hovered) => ({ hovered })), 'arm');
+    assert.equal(store.state.hovered, 'arm');
+    assert.deepEqual(store.state.problems, []);
+  });
+
+  test('tells of a failure once, and goes on', async () => {
+    const { store, asker } = await askerOf(async () => {
+      throw new Error('no more memory');
+    });
+    for (const _ of [1, 2]) assert.equal(await asker.ask('cast', {}), undefined);
+    assert.equal(store.state.problems.length, 1);
+    assert.match(store.state.problems[0].message, /no more memory/);
+  });
+});
+
+describe('costs', () => {
+  const scene = {};
+  const shot = (frame) => ({ scene, frame, firstContact: false, boxLevel: null });
+  const answer = (frame, allVertices = 10) => ({ shot: shot(frame), work: { allVertices } });
+  const costs = (microseconds) => ({
+    onDemand: { microseconds },
+    eager: { microseconds: 2 * microseconds },
+  });
+
+  /** A state that costs are measured for, and what was asked; `reply` answers a question. */
+  async function meterOf(state, reply) {
+    const { Meter } = await load('flow/meter.ts');
+    const { Store } = await load('state/store.ts');
+    const store = new Store({ scene, answer: null, costs: null, reading: null, ...state });
+    const asked = [];
+    const ask = async (_, { id, shot: wanted }) => {
+      asked.push({ id, frame: wanted.frame });
+      return reply(asked.length, store);
+    };
+    new Meter(store, { ask });
+    return { store, asked };
+  }
+
+  const passing = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
+
+  test('are of one frame, whichever is shown when they are known', async () => {
+    const { store, asked } = await meterOf({ isPlaying: true }, (questions, { update }) => {
+      update(() => ({ answer: answer(questions) })); // the scene goes on
+      return questions < 3 ? null : costs(100);
+    });
+    store.update(() => ({ answer: answer(0) }));
+    await passing(50);
+    assert.deepEqual(
+      asked,
+      [1, 1, 1].map((id) => ({ id, frame: 0 })),
+    );
+    assert.equal(store.state.costs.shot.frame, 0);
+    assert.equal(store.state.answer.shot.frame, 3);
+    store.update(() => ({ reading: 'the end of the test' }));
+  });
+
+  test('are the least of several while the scene stands still', async () => {
+    const times = [300, 100, 200];
+    const { store } = await meterOf({ isPlaying: false }, (questions, { update }) => {
+      if (questions === times.length) update(() => ({ reading: 'the end of the test' }));
+      return costs(times[questions - 1]);
+    });
+    store.update(() => ({ answer: answer(5) }));
+    await passing(700);
+    assert.equal(store.state.costs.onDemand.microseconds, 100);
+    assert.equal(store.state.costs.eager.microseconds, 200);
+  });
+
+  test('of very many vertices are not measured while the scene plays', async () => {
+    const { store, asked } = await meterOf({ isPlaying: true }, () => costs(100));
+    store.update(() => ({ answer: answer(0, 1_000_000) }));
+    await passing(20);
+    assert.equal(asked.length, 0);
+    store.update(() => ({ answer: answer(1, 1_000_000), isPlaying: false }));
+    await passing(20);
+    assert.equal(asked.length, 1);
+    store.update(() => ({ reading: 'the end of the test' }));
   });
 });
