@@ -49,8 +49,14 @@ TEST(CheckBaseline, OfTheSameSceneFindsNothingWorse) {
   write_limbs(folder);
   ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
   const CheckFile file = check_limbs(folder, {"--baseline", "known.jsonl"}, 0);
-  EXPECT_EQ(file.totals["verdict"],
-            json({{"fail_on", "grown"}, {"failed", false}, {"worse", json::array()}}));
+  const json none = json::array();
+  EXPECT_EQ(file.totals["verdict"], json({{"fail_on", "grown"},
+                                          {"failed", false},
+                                          {"worse", none},
+                                          {"gone", none},
+                                          {"newly_held", none},
+                                          {"no_longer_held", none},
+                                          {"notes", none}}));
   EXPECT_GT(contacts_of(file), 0u);
 }
 
@@ -89,6 +95,54 @@ TEST(CheckBaseline, SaysInWordsWhatIsWorse) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.out.find("new or grown beside 0 known touches"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("(new)  frame "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("note       frames was [0,1,1] in the baseline and is [0,12,1] here"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST(CheckBaseline, SaysHowManyMoreThereAreThanItLists) {
+  const TestFolder folder;
+  write_limbs(folder);
+  run_pelt(folder, {"check", "scene.json", "--frames", "0:1", "--jsonl", "known.jsonl"});
+  json scene = json::parse(read_text(folder / "scene.json"));
+  for (const double x : {-0.2, 0.0, 0.2}) {
+    scene["instances"].push_back(scene["instances"][0]);
+    scene["instances"].back()["translation"] = {x, 0, 0.05};
+  }
+  write_text(folder / "scene.json", scene.dump());
+  const CheckFile all = check_limbs(folder, {"--baseline", "known.jsonl"}, 1);
+  const std::size_t worse = all.totals["verdict"]["worse"].size();
+  ASSERT_GT(worse, 10u);
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--baseline", "known.jsonl"});
+  EXPECT_NE(run.out.find("... and " + std::to_string(worse - 10) + " more, see --jsonl\n"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST(CheckBaseline, TellsWhatIsGone) {
+  const TestFolder folder;
+  write_limbs(folder);
+  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
+  const std::size_t known =
+      parse_check_file(read_text(folder / "known.jsonl")).totals["touches"].size();
+  const std::string count = std::to_string(known);
+  const Ended fewer =
+      run_pelt(folder, {"check", "scene.json", "--frames", "0:1", "--baseline", "known.jsonl"});
+  EXPECT_EQ(fewer.exit_code, 0);
+  EXPECT_NE(fewer.out.find("gone       " + count + " of " + count + " known touches\n"),
+            std::string::npos)
+      << fewer.out;
+  std::string text = read_text(folder / "scene.json");
+  text.replace(text.find("[0.5, 0, 0.03]"), 14, "[9.5, 0, 0.03]");
+  write_text(folder / "scene.json", text);
+  const CheckFile apart = check_limbs(folder, {"--baseline", "known.jsonl"}, 0);
+  const json gone = apart.totals["verdict"]["gone"];
+  ASSERT_EQ(gone.size(), known);
+  EXPECT_EQ(gone[0]["a"]["model"], "one");
+  EXPECT_GT(gone[0]["known"], 0);
+  const Ended run = run_pelt(folder, {"check", "scene.json", "--baseline", "known.jsonl"});
+  EXPECT_NE(run.out.find(count + " known touches: write a new baseline\n"), std::string::npos)
+      << run.out;
 }
 
 TEST(CheckFailOn, DecidesTheExitCode) {

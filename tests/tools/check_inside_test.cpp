@@ -57,6 +57,69 @@ TEST(CheckInside, HasTheExitCodeOfContactWhereNothingTouches) {
             1);
 }
 
+/// The answer to the first frame of kLeaving, in which one limb holds the other.
+CheckFile check_held(const TestFolder& folder, std::vector<std::string> options, int exit_code) {
+  std::vector<std::string> arguments = {"check",    "leaving.json", "--frames", "0:1",
+                                        "--inside", "--jsonl",      "-"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Ended run = run_pelt(folder, arguments);
+  EXPECT_EQ(run.exit_code, exit_code) << run.err;
+  CheckFile file = parse_check_file(run.out);
+  EXPECT_EQ(file.totals["verdict"]["failed"], exit_code == 1);
+  return file;
+}
+
+TEST(CheckInside, IsPartOfTheVerdict) {
+  const TestFolder folder;
+  write_limbs(folder);
+  write_text(folder / "leaving.json", kLeaving);
+  const CheckFile file = check_held(folder, {}, 1);
+  EXPECT_EQ(file.totals["held"],
+            json::parse(R"([{"inner": {"instance": 1, "model": "two", "copy": 0},
+                             "outer": {"instance": 0, "model": "one", "copy": 0},
+                             "frames": 1, "first_frame": 0}])"));
+  check_held(folder, {"--fail-on", "contact"}, 1);
+  check_held(folder, {"--fail-on", "never"}, 0);
+}
+
+TEST(CheckInside, MayBeKnownToTheBaseline) {
+  const TestFolder folder;
+  write_limbs(folder);
+  write_text(folder / "leaving.json", kLeaving);
+  write_text(folder / "known.jsonl",
+             run_pelt(folder, {"check", "leaving.json", "--inside", "--jsonl", "-"}).out);
+  const CheckFile known = check_held(folder, {"--baseline", "known.jsonl"}, 0);
+  EXPECT_EQ(known.totals["verdict"]["newly_held"], json::array());
+  check_held(folder, {"--baseline", "known.jsonl", "--fail-on", "contact"}, 1);
+  write_text(folder / "free.jsonl", run_pelt(folder, {"check", "leaving.json", "--inside",
+                                                      "--frames", "4:5", "--jsonl", "-"})
+                                        .out);
+  for (const char* fail_on : {"grown", "new"}) {
+    const CheckFile file =
+        check_held(folder, {"--baseline", "free.jsonl", "--fail-on", fail_on}, 1);
+    EXPECT_EQ(file.totals["verdict"]["newly_held"], file.totals["held"]);
+  }
+  const Ended left = run_pelt(folder, {"check", "leaving.json", "--inside", "--frames", "4:5",
+                                       "--baseline", "known.jsonl", "--jsonl", "-"});
+  EXPECT_EQ(parse_check_file(left.out).totals["verdict"]["no_longer_held"],
+            json::parse(R"([{"inner": {"model": "two", "copy": 0},
+                             "outer": {"model": "one", "copy": 0}}])"));
+  EXPECT_NE(left.err.find(" known touches, and 1 that held another whole"), std::string::npos)
+      << left.err;
+}
+
+TEST(CheckInside, IsIgnoredWhereBothBodiesAreNamedWhole) {
+  const TestFolder folder;
+  write_limbs(folder);
+  write_text(folder / "leaving.json", kLeaving);
+  const CheckFile file = check_held(folder, {"--ignore", "one/*,two/*"}, 0);
+  EXPECT_EQ(file.totals["held"], json::array());
+  EXPECT_EQ(file.frames[0]["inside"], json::array());
+  check_held(folder, {"--ignore", "two/limb,one/limb"}, 0);
+  check_held(folder, {"--ignore", "one/*,one/*"}, 1);
+  check_held(folder, {"--ignore", "one/*,two/joint 0"}, 1);
+}
+
 TEST(CheckInside, SaysWhereNothingIsClosed) {
   const TestFolder folder;
   write_strip(folder, "strip.glb");

@@ -61,7 +61,7 @@ void write_bytes(const std::filesystem::path& path, const std::vector<std::byte>
              static_cast<std::streamsize>(bytes.size()));
 }
 
-std::vector<std::byte> swaying_limb(std::uint32_t sides) {
+GltfBuilder build_limb(std::uint32_t sides) {
   constexpr std::uint32_t kJoints = 4;
   const Shape limb = make_limb(24, sides, kJoints);
   GltfBuilder builder;
@@ -70,8 +70,10 @@ std::vector<std::byte> swaying_limb(std::uint32_t sides) {
   add_sway(kJoints, builder);
   builder.add("nodes", {{"name", "limb"}, {"mesh", 0}, {"skin", 0}});
   builder.add("scenes", {{"nodes", {0, kJoints}}});
-  return builder.glb();
+  return builder;
 }
+
+std::vector<std::byte> swaying_limb(std::uint32_t sides) { return build_limb(sides).glb(); }
 
 std::string write_limbs(const TestFolder& folder) {
   write_bytes(folder / "one.glb", swaying_limb(24));

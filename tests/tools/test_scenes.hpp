@@ -15,6 +15,9 @@ void write_bytes(const std::filesystem::path& path, const std::vector<std::byte>
 /// A closed tube of 24 rings, 1 unit high along y, with a clip "sway" (1 s) that bends its joints.
 std::vector<std::byte> swaying_limb(std::uint32_t sides);
 
+/// The same to be changed: one primitive in mesh 0, the node "limb" last.
+GltfBuilder build_limb(std::uint32_t sides);
+
 /// Two limbs that pass through each other: apart at first and at last, in contact between.
 inline constexpr const char* kLimbsScene = R"({
   "models": {"one": "one.glb", "two": "two.glb"},

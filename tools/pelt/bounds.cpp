@@ -2,7 +2,7 @@
 
 #include "tools/pelt/bounds_scene.hpp"
 #include "tools/pelt/commands.hpp"
-#include "tools/pelt/json_lines.hpp"
+#include "tools/pelt/line_output.hpp"
 #include "tools/pelt/query_arguments.hpp"
 #include "tools/pelt/text.hpp"
 #include "tools/pelt/verb.hpp"

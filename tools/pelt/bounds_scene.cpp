@@ -4,6 +4,7 @@
 #include "scenes/names.hpp"
 #include "tools/pelt/bounds_query.hpp"
 #include "tools/pelt/json_lines.hpp"
+#include "tools/pelt/line_output.hpp"
 #include "tools/pelt/scene_poses.hpp"
 #include "tools/pelt/summary_lines.hpp"
 #include "tools/pelt/text.hpp"

@@ -37,29 +37,55 @@ bool is_to_be_kept(std::uint32_t frame, const CheckSettings& settings, const Che
          (report.worst_contacts > 0 && frame == report.worst_frame);
 }
 
-/// What is done with the geometry of contacts, if it is asked for.
-class Described {
+/// What is asked of a frame beside its contacts, where it is wanted.
+class ExtraQueries {
  public:
-  Described(const scenes::Scene& scene, std::span<const Collider> colliders)
-      : details_(scene, colliders), tally_(scene, colliders) {}
-
-  Result<void> add(std::uint32_t frame, const Palettes& palettes, const FrameContacts& found) {
-    const Result<void> described = details_.describe(palettes, found);
-    if (described) tally_.add(frame, found, details_);
-    return described;
+  /// All arguments must outlive this.
+  ExtraQueries(const scenes::Scene& scene, std::span<const Collider> colliders,
+               const CheckSettings& settings, const scenes::IgnoredPairs& ignored) {
+    if (settings.asks_inside) inside_.emplace(scene, colliders, ignored);
+    if (!settings.describes_contacts) return;
+    details_.emplace(scene, colliders);
+    depths_.emplace(scene, colliders);
   }
 
-  const ContactDetails& details() const { return details_; }
+  /// `found` has all contacts, those to be ignored among them.
+  Result<void> ask_inside(std::uint32_t frame, const Palettes& palettes,
+                          const FrameContacts& found) {
+    if (!inside_) return {};
+    if (const auto asked = inside_->ask(palettes, found); !asked) return asked;
+    insides_.add(frame, inside_->pairs());
+    return {};
+  }
+
+  Result<void> describe(std::uint32_t frame, const Palettes& palettes, const FrameContacts& found) {
+    if (!details_) return {};
+    if (const auto described = details_->describe(palettes, found); !described) return described;
+    depths_->add(frame, found, *details_);
+    return {};
+  }
+
+  FrameExtras of_frame() const {
+    return {details_ ? &*details_ : nullptr, inside_ ? &*inside_ : nullptr};
+  }
 
   void report(CheckReport& report) const {
     constexpr std::size_t kMostRows = 10;
-    report.regions = tally_.regions();
-    report.deepest = tally_.deepest(kMostRows);
+    if (depths_) {
+      report.regions = depths_->regions();
+      report.deepest = depths_->deepest(kMostRows);
+    }
+    if (!inside_) return;
+    report.inside = insides_;
+    report.inside->closed_colliders = inside_->closed_count();
+    report.totals.work += inside_->work();
   }
 
  private:
-  ContactDetails details_;
-  DepthTally tally_;
+  std::optional<InsideQuery> inside_;
+  InsideTally insides_;
+  std::optional<ContactDetails> details_;
+  std::optional<DepthTally> depths_;
 };
 
 /// `Query` is SceneQuery or ClearanceQuery.
@@ -77,13 +103,7 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
   Palettes palettes;
   FrameContacts found;
   ContactHash hash;
-  std::optional<Described> described;
-  if (settings.describes_contacts) described.emplace(scene, colliders);
-  std::optional<InsideQuery> inside;
-  if (settings.asks_inside) {
-    inside.emplace(scene, colliders);
-    report.inside.emplace().closed_colliders = inside->closed_count();
-  }
+  ExtraQueries extras(scene, colliders, settings, *ignored);
   const std::vector<std::uint32_t> frames = settings.frames.frames();
   Progress progress(frames.size());
   for (const std::uint32_t frame : frames) {
@@ -93,32 +113,44 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
     if (!posed) return asset::prefixed("frame " + std::to_string(frame), posed.error());
     query.collide(options, found);
     report.frame_seconds.push_back(seconds_since(begin));
-    if (inside) {
-      if (const auto asked = inside->ask(palettes, found); !asked) return asked.error();
-      report.inside->add(frame, inside->pairs());
-    }
+    if (const auto asked = extras.ask_inside(frame, palettes, found); !asked) return asked.error();
     report.totals.ignored += take_ignored_out(*ignored, scene, colliders, found);
     count_frame(frame, found, report);
     tally.add(frame, found);
     hash.add(frame, found);
-    if (described) {
-      if (const auto added = described->add(frame, palettes, found); !added) return added.error();
-    }
-    const FrameExtras extras = {described ? &described->details() : nullptr,
-                                inside ? &*inside : nullptr};
-    if (jsonl != nullptr) jsonl->frame(frame, scenes::frame_time(scene, frame), found, extras);
+    if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked.error();
+    if (jsonl != nullptr)
+      jsonl->frame(frame, scenes::frame_time(scene, frame), found, extras.of_frame());
     if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
     progress.advance();
   }
   report.totals.work = query.work();
-  if (inside) report.totals.work += inside->work();
-  if (described) described->report(report);
+  extras.report(report);
   if (!settings.max_contacts) report.totals.hash = hash.value();
-  const std::vector<Touch> touches = tally.touches();
-  report.verdict =
-      judge(scene, touches, settings.known ? &*settings.known : nullptr, settings.fail_on);
-  if (jsonl != nullptr) jsonl->totals(report.totals, touches, report.verdict);
   return report;
+}
+
+/// What is known only of all frames.
+void conclude(const scenes::Scene& scene, std::span<const Collider> colliders,
+              const CheckSettings& settings, const TouchTally& tally, CheckReport& report,
+              JsonlWriter* jsonl) {
+  const std::vector<Touch> touches = tally.touches();
+  Findings found = {touches, {}};
+  if (report.inside) found.held = report.inside->held;
+  const CheckBaseline* const baseline = settings.baseline ? &*settings.baseline : nullptr;
+  report.verdict = judge(scene, colliders, found, baseline, settings.fail_on);
+  if (jsonl != nullptr) jsonl->totals(report.totals, found, report.verdict);
+}
+
+Result<CheckReport> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
+                               const CheckSettings& settings, TouchTally& tally,
+                               JsonlWriter* jsonl) {
+  if (settings.clearance) {
+    ClearanceQuery query(colliders, *settings.clearance);
+    return run_query(query, scene, colliders, settings, tally, jsonl);
+  }
+  SceneQuery query(colliders, settings.method);
+  return run_query(query, scene, colliders, settings, tally, jsonl);
 }
 
 }  // namespace
@@ -126,12 +158,9 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
 Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collider> colliders,
                               const CheckSettings& settings, TouchTally& tally,
                               JsonlWriter* jsonl) {
-  if (settings.clearance) {
-    ClearanceQuery query(colliders, *settings.clearance);
-    return run_query(query, scene, colliders, settings, tally, jsonl);
-  }
-  SceneQuery query(colliders, settings.method);
-  return run_query(query, scene, colliders, settings, tally, jsonl);
+  Result<CheckReport> report = run_frames(scene, colliders, settings, tally, jsonl);
+  if (report) conclude(scene, colliders, settings, tally, *report, jsonl);
+  return report;
 }
 
 }  // namespace pelt::tools

@@ -2,8 +2,8 @@
 
 /// The heart of `pelt check`: every frame of a scene asked for its contacts.
 
+#include "tools/pelt/check_settings.hpp"
 #include "tools/pelt/depth_tally.hpp"
-#include "tools/pelt/frame_range.hpp"
 #include "tools/pelt/inside_query.hpp"
 #include "tools/pelt/jsonl.hpp"
 #include "tools/pelt/scene_query.hpp"
@@ -12,21 +12,6 @@
 #include <optional>
 
 namespace pelt::tools {
-
-struct CheckSettings {
-  bench::MethodKind method = bench::MethodKind::on_demand;
-  Granularity granularity = Granularity::instance;
-  std::optional<std::uint32_t> max_contacts;  ///< of a pair of colliders in a frame
-  /// Nothing: triangles that touch are found; else those that are at most so far apart.
-  std::optional<double> clearance;
-  bool describes_contacts = false;  ///< by their geometry
-  bool asks_inside = false;         ///< what lies inside what
-  std::vector<scenes::NamePair> ignore;
-  std::optional<KnownTouches> known;  ///< the baseline
-  FailOn fail_on = FailOn::contact;   ///< `grown` and `newly` need a baseline
-  FrameRange frames;
-  std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
-};
 
 struct CheckReport {
   /// The contacts of one frame, and its number.

@@ -1,7 +1,7 @@
 #include "tools/pelt/check_scene.hpp"
 
 #include "asset/message.hpp"
-#include "tools/pelt/json_lines.hpp"
+#include "tools/pelt/line_output.hpp"
 #include "tools/pelt/scene_glb.hpp"
 #include "tools/pelt/summary.hpp"
 #include "tools/pelt/viewer_page.hpp"
@@ -29,18 +29,6 @@ Result<void> write_report(const CheckOutputs& outputs, const scenes::Scene& scen
   return write_file(outputs.html, std::as_bytes(std::span(*page)));
 }
 
-CheckOptionsShown shown(const CheckSettings& settings) {
-  const bool parts = settings.granularity == Granularity::part;
-  return {std::string(bench::name_of(settings.method)),
-          parts ? "part" : "instance",
-          settings.frames,
-          settings.max_contacts,
-          settings.clearance,
-          settings.describes_contacts,
-          settings.asks_inside,
-          settings.ignore};
-}
-
 }  // namespace
 
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
@@ -53,8 +41,9 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
   LineOutput lines;
   if (const auto opened = lines.open(outputs.jsonl); !opened) return opened.error();
   std::optional<JsonlWriter> jsonl;
-  if (lines.stream() != nullptr) jsonl.emplace(*lines.stream(), outputs.lists, scene, *colliders);
-  if (jsonl) jsonl->header(shown(settings));
+  const CheckQuestion question = question_of(settings, scene, models);
+  if (lines.stream() != nullptr) jsonl.emplace(*lines.stream(), question, scene, *colliders);
+  if (jsonl) jsonl->header();
   JsonlWriter* const writer = jsonl ? &*jsonl : nullptr;
   Result<CheckReport> report = run_check(scene, *colliders, settings, *tally, writer);
   if (!report) return asset::prefixed(scene.name, report.error());

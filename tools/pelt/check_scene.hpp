@@ -13,7 +13,6 @@ namespace pelt::tools {
 
 struct CheckOutputs {
   std::string jsonl;  ///< file, kStandardOutput or "" for none
-  TriangleLists lists = TriangleLists::left_out;
   std::string glb;    ///< file for the frame that is kept, or "" for none
   std::string html;   ///< file for the report, or "" for none
   std::string words;  ///< by which the report was made

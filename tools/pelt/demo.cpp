@@ -52,9 +52,9 @@ Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
                          const Result<std::string>& viewer) {
   CheckSettings settings;
   settings.frames = {0, scene.frame_count};
+  settings.lists_triangles = true;
   CheckOutputs outputs;
   outputs.jsonl = (folder / "contacts.jsonl").string();
-  outputs.lists = TriangleLists::written;
   outputs.glb = (folder / "contacts.glb").string();
   if (viewer) outputs.html = (folder / "report.html").string();
   outputs.words = "pelt demo";

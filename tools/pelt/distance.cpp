@@ -3,7 +3,7 @@
 #include "asset/message.hpp"
 #include "tools/pelt/commands.hpp"
 #include "tools/pelt/distance_scene.hpp"
-#include "tools/pelt/json_lines.hpp"
+#include "tools/pelt/line_output.hpp"
 #include "tools/pelt/nearest_scene.hpp"
 #include "tools/pelt/position_argument.hpp"
 #include "tools/pelt/query_arguments.hpp"

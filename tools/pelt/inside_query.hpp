@@ -4,6 +4,7 @@
 
 #include <pelt/inside.hpp>
 
+#include "scenes/ignored_pairs.hpp"
 #include "tools/pelt/scene_poses.hpp"
 
 #include <span>
@@ -19,6 +20,12 @@ struct InsidePair {
               b_in_a = {};  ///< of those that are closed; triangles as the model numbers them
 };
 
+/// A collider that another one holds whole.
+struct Held {
+  std::uint32_t inner = 0, outer = 0;
+  std::uint32_t frames = 0, first_frame = 0;  ///< how many, and the first of them
+};
+
 /// Of all frames.
 struct InsideTally {
   struct Deepest {
@@ -30,13 +37,16 @@ struct InsideTally {
 
   std::size_t closed_colliders = 0;        ///< those that have an inside
   std::vector<std::uint32_t> frames_held;  ///< in which one collider holds another whole
+  std::vector<Held> held;                  ///< in the order in which they were found
   Deepest deepest;                         ///< of what touches; no depth: no vertex was inside
 };
 
 class InsideQuery {
  public:
-  /// Both arguments must outlive this.
-  InsideQuery(const scenes::Scene& scene, std::span<const Collider> colliders);
+  /// Pairs of colliders that `ignored` means whole are not asked. `scene` and `colliders` must
+  /// outlive this.
+  InsideQuery(const scenes::Scene& scene, std::span<const Collider> colliders,
+              const scenes::IgnoredPairs& ignored);
 
   /// Replaces what is known by what holds in these palettes. `found` has the contacts of the frame:
   /// what touches is asked how deep it is, the others whether one holds the other. Of the former
@@ -50,10 +60,12 @@ class InsideQuery {
 
  private:
   void ask_pair(std::uint32_t a, std::uint32_t b, bool touches);
+  bool is_ignored(std::uint32_t a, std::uint32_t b) const;
   Penetration deepest(std::uint32_t a, std::uint32_t b);
 
   std::span<const Collider> colliders_;
   std::vector<Surface> surfaces_;  // of each collider
+  std::vector<bool> is_ignored_;   // [a][b] of all pairs; empty: none is
   ScenePoses posed_;
   Scratch scratch_;
   QueryStats work_;

@@ -3,12 +3,9 @@
 #include <pelt/version.hpp>
 
 #include "scenes/names.hpp"
-#include "tools/pelt/output.hpp"
 #include "tools/pelt/text.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <iostream>
 
 namespace pelt::tools {
 namespace {
@@ -41,26 +38,11 @@ ordered_json colliders_json(const scenes::Scene& scene, std::span<const Collider
   return instances;
 }
 
+std::string json_text(const ordered_json& value) {
+  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
 }  // namespace
-
-Result<void> LineOutput::open(const std::string& path) {
-  path_ = path;
-  if (path.empty()) return {};
-  const bool standard = path == kStandardOutput;
-  if (!standard) file_.open(path, std::ios::binary);
-  stream_ = standard ? &std::cout : &file_;
-  return *stream_ ? Result<void>() : unwritable(path_);
-}
-
-Result<void> LineOutput::close() {
-  if (stream_ == nullptr) return {};
-  stream_->flush();
-  return *stream_ ? Result<void>() : unwritable(path_);
-}
-
-std::ostream& words_beside(const std::string& jsonl) {
-  return jsonl == kStandardOutput ? std::cerr : std::cout;
-}
 
 ordered_json header_json(const char* format, const scenes::Scene& scene,
                          std::span<const Collider> colliders) {
@@ -81,9 +63,14 @@ ordered_json counters_json(const QueryStats& work) {
           {"displacements", work.displacements}};
 }
 
-/// Names of files may be no UTF-8; JSON must be.
-void write_line(const ordered_json& value, std::ostream& out) {
-  out << value.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+nlohmann::json as_json_holds(const ordered_json& value) {
+  return nlohmann::json::parse(json_text(value));
 }
+
+std::string as_json_holds(const std::string& text) {
+  return as_json_holds(ordered_json(text)).get<std::string>();
+}
+
+void write_line(const ordered_json& value, std::ostream& out) { out << json_text(value) << '\n'; }
 
 }  // namespace pelt::tools

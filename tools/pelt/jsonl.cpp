@@ -19,37 +19,17 @@ ordered_json triangles_json(std::span<const Contact> contacts) {
   return triangles;
 }
 
-ordered_json verdict_json(const scenes::Scene& scene, const Verdict& verdict) {
-  ordered_json json = {
-      {"fail_on", name_of(verdict.fail_on)}, {"failed", verdict.is_failed}, {"worse", nullptr}};
-  if (!verdict.has_baseline) return json;
-  json["worse"] = ordered_json::array();
-  for (const Worse& worse : verdict.worse) {
-    json["worse"].push_back(touch_json(scene, worse.touch));
-    json["worse"].back()["known"] = worse.known;
-  }
-  return json;
+ordered_json gone_json(const GoneTouch& gone) {
+  return {{"a", name_json(gone.names.first)},
+          {"b", name_json(gone.names.second)},
+          {"known", gone.known}};
 }
 
 }  // namespace
 
-void JsonlWriter::header(const CheckOptionsShown& options) {
-  ordered_json shown = {
-      {"method", options.method},
-      {"by", options.by},
-      {"frames", {options.frames.begin, options.frames.end, options.frames.stride}},
-      {"fps", scene_.fps},
-      {"max_contacts", nullptr},
-      {"pairs", lists_ == TriangleLists::written},
-      {"contacts", options.contacts},
-      {"inside", options.inside},
-      {"clearance", nullptr}};
-  shown["ignore"] = ordered_json::array();
-  for (const scenes::NamePair& pair : options.ignore) shown["ignore"].push_back({pair.a, pair.b});
-  if (options.clearance) shown["clearance"] = *options.clearance;
-  if (options.max_contacts) shown["max_contacts"] = *options.max_contacts;
+void JsonlWriter::header() {
   ordered_json header = header_json("pelt-check", scene_, colliders_);
-  header["options"] = std::move(shown);
+  header["options"] = question_json(question_);
   write_line(header, out_);
 }
 
@@ -72,7 +52,7 @@ ordered_json JsonlWriter::pairs_json(const FrameContacts& found,
     entry["a"] = pair.a;
     entry["b"] = pair.b;
     entry["contacts"] = pair.end - pair.begin;
-    if (lists_ == TriangleLists::written) entry["triangles"] = triangles_json(found.of(pair));
+    if (question_.pairs) entry["triangles"] = triangles_json(found.of(pair));
     if (details != nullptr) {
       entry.update(contact_geometry_json(scene_, colliders_[pair.a], colliders_[pair.b],
                                          details->of_pair(i)));
@@ -101,8 +81,31 @@ ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
   return pairs;
 }
 
-void JsonlWriter::totals(const CheckTotals& totals, std::span<const Touch> touches,
-                         const Verdict& verdict) {
+ordered_json JsonlWriter::held_list(std::span<const Held> held) const {
+  ordered_json list = ordered_json::array();
+  for (const Held& h : held) list.push_back(held_json(scene_, colliders_, h));
+  return list;
+}
+
+ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
+  ordered_json json = {{"fail_on", name_of(verdict.fail_on)}, {"failed", verdict.is_failed}};
+  for (const char* key : {"worse", "gone", "newly_held", "no_longer_held", "notes"})
+    json[key] = verdict.comparison ? ordered_json::array() : ordered_json();
+  if (!verdict.comparison) return json;
+  const Comparison& comparison = *verdict.comparison;
+  for (const Worse& worse : comparison.worse) {
+    json["worse"].push_back(touch_json(scene_, worse.touch));
+    json["worse"].back()["known"] = worse.known;
+  }
+  for (const GoneTouch& gone : comparison.gone) json["gone"].push_back(gone_json(gone));
+  json["newly_held"] = held_list(comparison.newly_held);
+  for (const auto& [inner, outer] : comparison.no_longer_held)
+    json["no_longer_held"].push_back({{"inner", name_json(inner)}, {"outer", name_json(outer)}});
+  json["notes"] = comparison.notes;
+  return json;
+}
+
+void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict) {
   ordered_json last = {{"totals",
                         {{"frames", totals.frames},
                          {"frames_in_contact", totals.frames_in_contact},
@@ -116,8 +119,9 @@ void JsonlWriter::totals(const CheckTotals& totals, std::span<const Touch> touch
     last["cut_short"] = true;
   }
   last["touches"] = ordered_json::array();
-  for (const Touch& touch : touches) last["touches"].push_back(touch_json(scene_, touch));
-  last["verdict"] = verdict_json(scene_, verdict);
+  for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(scene_, touch));
+  if (question_.inside) last["held"] = held_list(found.held);
+  last["verdict"] = verdict_json(verdict);
   write_line(last, out_);
 }
 

@@ -3,8 +3,8 @@
 /// What `pelt check --jsonl` writes: a header, a line for every frame, the totals.
 
 #include "scenes/scene.hpp"
+#include "tools/pelt/check_question.hpp"
 #include "tools/pelt/contact_details.hpp"
-#include "tools/pelt/frame_range.hpp"
 #include "tools/pelt/inside_query.hpp"
 #include "tools/pelt/scene_query.hpp"
 #include "tools/pelt/verdict.hpp"
@@ -24,18 +24,6 @@ struct CheckTotals {
   std::optional<std::uint64_t> hash;  ///< nothing where a limit on contacts was in force
 };
 
-/// The options that decide the answer, for the header.
-struct CheckOptionsShown {
-  std::string method, by;
-  FrameRange frames;
-  std::optional<std::uint32_t> max_contacts;
-  std::optional<double> clearance;
-  bool contacts = false, inside = false;
-  std::vector<scenes::NamePair> ignore;
-};
-
-enum class TriangleLists { left_out, written };
-
 /// What is told of a frame beside its contacts; null: nothing.
 struct FrameExtras {
   const ContactDetails* details = nullptr;
@@ -44,24 +32,27 @@ struct FrameExtras {
 
 class JsonlWriter {
  public:
-  /// All but `lists` must outlive the writer.
-  JsonlWriter(std::ostream& out, TriangleLists lists, const scenes::Scene& scene,
+  /// All arguments must outlive the writer.
+  JsonlWriter(std::ostream& out, const CheckQuestion& question, const scenes::Scene& scene,
               std::span<const Collider> colliders)
-      : out_(out), lists_(lists), scene_(scene), colliders_(colliders) {}
+      : out_(out), question_(question), scene_(scene), colliders_(colliders) {}
 
-  void header(const CheckOptionsShown& options);
+  void header();
 
   void frame(std::uint32_t frame, double time, const FrameContacts& found,
              const FrameExtras& extras);
-  void totals(const CheckTotals& totals, std::span<const Touch> touches, const Verdict& verdict);
+  void totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict);
 
  private:
   nlohmann::ordered_json pairs_json(const FrameContacts& found,
                                     const ContactDetails* details) const;
   nlohmann::ordered_json inside_json(const InsideQuery& inside) const;
 
+  nlohmann::ordered_json held_list(std::span<const Held> held) const;
+  nlohmann::ordered_json verdict_json(const Verdict& verdict) const;
+
   std::ostream& out_;
-  TriangleLists lists_;
+  const CheckQuestion& question_;
   const scenes::Scene& scene_;
   std::span<const Collider> colliders_;
 };

@@ -3,6 +3,7 @@
 #include "asset/message.hpp"
 #include "scenes/names.hpp"
 #include "tools/pelt/json_lines.hpp"
+#include "tools/pelt/line_output.hpp"
 #include "tools/pelt/scene_poses.hpp"
 #include "tools/pelt/summary_lines.hpp"
 #include "tools/pelt/text.hpp"

@@ -1,7 +1,7 @@
 /// `pelt region`: which characters are in a region of space, frame by frame.
 
 #include "tools/pelt/commands.hpp"
-#include "tools/pelt/json_lines.hpp"
+#include "tools/pelt/line_output.hpp"
 #include "tools/pelt/query_arguments.hpp"
 #include "tools/pelt/region_scene.hpp"
 #include "tools/pelt/verb.hpp"

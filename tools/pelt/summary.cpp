@@ -52,18 +52,57 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
   out << '\n';
 }
 
-/// What is worse than in the baseline.
-void print_worse(const scenes::Scene& scene, const CheckSettings& settings, const Verdict& verdict,
-                 std::ostream& out) {
-  label(out, "baseline") << with_commas(verdict.worse.size()) << " new or grown beside "
-                         << with_commas(settings.known->size()) << " known touches\n";
-  for (std::size_t i = 0; i < std::min(verdict.worse.size(), kMostRows); ++i) {
-    const auto& [touch, known] = verdict.worse[i];
+/// How many a list leaves out.
+void print_rest(std::size_t count, std::ostream& out) {
+  if (count > kMostRows)
+    out << std::setw(12) << "..."
+        << " and " << with_commas(count - kMostRows) << " more, see --jsonl\n";
+}
+
+std::string held_words(const scenes::Scene& scene, std::span<const Collider> colliders,
+                       const Held& held) {
+  return collider_name(scene, colliders[held.inner]) + " is held whole by " +
+         collider_name(scene, colliders[held.outer]) + " in " + counted(held.frames, "frame") +
+         ", first " + std::to_string(held.first_frame);
+}
+
+void print_held(const scenes::Scene& scene, std::span<const Collider> colliders, const char* name,
+                std::span<const Held> held, std::ostream& out) {
+  for (std::size_t i = 0; i < std::min(held.size(), kMostRows); ++i)
+    label(out, name) << held_words(scene, colliders, held[i]) << '\n';
+  print_rest(held.size(), out);
+}
+
+void print_worse(const scenes::Scene& scene, std::span<const Worse> worse, std::ostream& out) {
+  for (std::size_t i = 0; i < std::min(worse.size(), kMostRows); ++i) {
+    const auto& [touch, known] = worse[i];
     out << std::right << std::setw(12) << with_commas(touch.worst) << " ("
         << (known == 0 ? "new" : "was " + with_commas(known)) << ")  frame " << touch.worst_frame
-        << "  " << in_words(touch_name(scene, touch.a)) << "  "
-        << in_words(touch_name(scene, touch.b)) << '\n';
+        << "  " << in_words(scene, touch.a) << "  " << in_words(scene, touch.b) << '\n';
   }
+  print_rest(worse.size(), out);
+}
+
+/// What the baseline knows and this check has not found.
+void print_gone(const Comparison& comparison, std::ostream& out) {
+  const std::size_t touches = comparison.gone.size(), held = comparison.no_longer_held.size();
+  if (touches + held == 0) return;
+  label(out, "gone") << with_commas(touches) << " of " << with_commas(comparison.known_touches)
+                     << " known touches";
+  if (held > 0) out << ", and " << with_commas(held) << " that held another whole";
+  // What was asked otherwise can come again.
+  out << (comparison.notes.empty() ? ": write a new baseline\n" : "\n");
+}
+
+/// What differs from the baseline.
+void print_comparison(const scenes::Scene& scene, std::span<const Collider> colliders,
+                      const Comparison& comparison, std::ostream& out) {
+  for (const std::string& note : comparison.notes) label(out, "note") << note << '\n';
+  label(out, "baseline") << with_commas(comparison.worse.size()) << " new or grown beside "
+                         << with_commas(comparison.known_touches) << " known touches\n";
+  print_worse(scene, comparison.worse, out);
+  print_held(scene, colliders, "new", comparison.newly_held, out);
+  print_gone(comparison, out);
 }
 
 void print_deepest(const CheckReport& report, std::ostream& out) {
@@ -89,6 +128,7 @@ void print_inside(const scenes::Scene& scene, std::span<const Collider> collider
     out << "nothing is held whole\n";
   } else {
     out << "one is held whole in frames " << frame_runs(inside.frames_held, stride) << '\n';
+    print_held(scene, colliders, "", inside.held, out);
   }
   const InsideTally::Deepest& deepest = inside.deepest;
   if (deepest.depth == 0) return;
@@ -112,7 +152,8 @@ void print_summary(const scenes::Scene& scene, std::span<const Collider> collide
   if (report.totals.ignored > 0)
     label(out, "ignored") << counted(report.totals.ignored, "contact") << '\n';
   print_touching(scene, report, tally, out);
-  if (report.verdict.has_baseline) print_worse(scene, settings, report.verdict, out);
+  if (report.verdict.comparison)
+    print_comparison(scene, colliders, *report.verdict.comparison, out);
   if (report.regions > 0) print_deepest(report, out);
   if (report.inside) print_inside(scene, colliders, *report.inside, settings.frames.stride, out);
   print_costs(report.frame_seconds, report.totals.work, out);

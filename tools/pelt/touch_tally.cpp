@@ -4,9 +4,33 @@
 #include "scenes/names.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace pelt::tools {
+namespace {
+
+using NameOf = std::string (*)(const asset::Asset&, std::uint32_t index);
+
+/// Replaces each index by the lowest that has the same name.
+template <typename Index>
+void unite_equal_names(const asset::Asset& asset, std::size_t count, NameOf name_of,
+                       std::vector<Index>& indices) {
+  std::map<std::string, Index> by_name;
+  std::vector<Index> lowest;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto index = static_cast<Index>(i);
+    lowest.push_back(by_name.try_emplace(name_of(asset, index), index).first->second);
+  }
+  for (Index& index : indices) index = lowest[index];
+}
+
+template <typename T>
+std::pair<T, T> ascending(const T& a, const T& b) {
+  return b < a ? std::pair(b, a) : std::pair(a, b);
+}
+
+}  // namespace
 
 Result<TouchTally> TouchTally::make(const scenes::Scene& scene,
                                     std::span<const Collider> colliders) {
@@ -14,25 +38,26 @@ Result<TouchTally> TouchTally::make(const scenes::Scene& scene,
   for (const scenes::Character& character : scene.characters) {
     Result<scenes::TriangleLabels> labels = scenes::label_triangles(character.asset);
     if (!labels) return asset::prefixed(character.source, labels.error());
+    const asset::Asset& asset = character.asset;
+    unite_equal_names(asset, asset.parts.size(), scenes::part_name, labels->part);
+    unite_equal_names(asset, asset.joints.size(), scenes::joint_name, labels->joint);
     tally.labels_.push_back(std::move(*labels));
   }
   return tally;
 }
 
-const scenes::TriangleLabels& TouchTally::labels_of(std::uint32_t instance) const {
-  return labels_[scene_->instances[instance].character];
+TouchPlace TouchTally::place_of(std::uint32_t collider, std::uint32_t triangle) const {
+  const std::uint32_t instance = colliders_[collider].instance;
+  const scenes::TriangleLabels& labels = labels_[scene_->instances[instance].character];
+  return {instance, labels.part[triangle], labels.joint[triangle]};
 }
 
 void TouchTally::add(std::uint32_t frame, const FrameContacts& found) {
   std::map<Places, std::uint64_t> contacts;
   for (const FrameContacts::Pair& pair : found.pairs) {
-    const std::uint32_t a = colliders_[pair.a].instance, b = colliders_[pair.b].instance;
-    const scenes::TriangleLabels &labels_a = labels_of(a), &labels_b = labels_of(b);
-    for (const Contact& contact : found.of(pair)) {
-      const std::uint32_t s = contact.triangle_a, t = contact.triangle_b;
-      ++contacts[{TouchPlace{a, labels_a.part[s], labels_a.joint[s]},
-                  TouchPlace{b, labels_b.part[t], labels_b.joint[t]}}];
-    }
+    for (const Contact& contact : found.of(pair))
+      ++contacts[ascending(place_of(pair.a, contact.triangle_a),
+                           place_of(pair.b, contact.triangle_b))];
   }
   add_frame(frame, contacts);
 }
@@ -72,7 +97,7 @@ std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, 
   std::map<std::pair<Key, Key>, std::uint64_t> counts;
   for (const auto& [places, touch] : touches_) {
     const auto& [a, b] = places;
-    counts[{Key{a.instance, a.*index}, Key{b.instance, b.*index}}] += touch.contacts;
+    counts[ascending(Key{a.instance, a.*index}, Key{b.instance, b.*index})] += touch.contacts;
   }
   const auto full_name = [&](const Key& key) {
     const scenes::Character& character = scene_->characters[scene_->instances[key.first].character];

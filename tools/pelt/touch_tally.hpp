@@ -20,13 +20,15 @@ struct TouchPlace {
 
 /// The contacts of two places over all frames.
 struct Touch {
-  TouchPlace a, b;
+  TouchPlace a, b;  ///< a <= b
   std::uint64_t contacts = 0;
   std::uint32_t frames = 0;       ///< that have any
   std::uint64_t worst = 0;        ///< the most contacts of one frame
   std::uint32_t worst_frame = 0;  ///< the first one with as many
 };
 
+/// Parts of equal names count as one, the first of them, and so do joints: by names nobody could
+/// tell them apart.
 class TouchTally {
  public:
   /// Both arguments must outlive the tally. Refuses what no model could be built of.
@@ -48,13 +50,13 @@ class TouchTally {
   std::vector<Row> parts(std::size_t most) const;
 
  private:
-  using Places = std::pair<TouchPlace, TouchPlace>;
+  using Places = std::pair<TouchPlace, TouchPlace>;  // ascending
   using Name = std::string (*)(const asset::Asset&, std::uint32_t index);
 
   TouchTally(const scenes::Scene& scene, std::span<const Collider> colliders)
       : scene_(&scene), colliders_(colliders) {}
 
-  const scenes::TriangleLabels& labels_of(std::uint32_t instance) const;
+  TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
   void add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts);
   std::vector<Row> rows(std::uint32_t TouchPlace::*index, std::size_t most, Name name) const;
 

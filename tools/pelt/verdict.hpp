@@ -2,18 +2,20 @@
 
 /// Whether a check has failed: on what was found, or on what is worse than in an earlier check.
 
-#include "tools/pelt/known_touches.hpp"
+#include "tools/pelt/check_baseline.hpp"
 
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace pelt::tools {
 
 enum class FailOn {
-  contact,  ///< any contact
-  grown,    ///< a touch that is new, or has more contacts in its worst frame than it had
-  newly,    ///< a touch that is new
+  contact,  ///< any contact, and any body that is held whole
+  grown,    ///< what is new, or a touch that has more contacts in its worst frame than it had
+  newly,    ///< what is new: a touch, or a body that is held whole
   never,
 };
 
@@ -21,25 +23,45 @@ enum class FailOn {
 std::optional<FailOn> find_fail_on(std::string_view name);
 const char* name_of(FailOn fail_on);
 
+/// What a check has found.
+struct Findings {
+  std::span<const Touch> touches;
+  std::span<const Held> held;  ///< none where that was not asked
+};
+
 /// A touch that is worse than it was.
 struct Worse {
   Touch touch;
   std::uint64_t known = 0;  ///< contacts of its worst frame then; 0: it is new
 };
 
-/// What has become worse since `known`, most contacts first.
-std::vector<Worse> find_worse(const scenes::Scene& scene, std::span<const Touch> touches,
-                              const KnownTouches& known);
+/// A touch of the baseline that is none any more.
+struct GoneTouch {
+  CheckBaseline::TouchNames names;
+  std::uint64_t known = 0;  ///< contacts of its worst frame then
+};
+
+/// What differs from a baseline.
+struct Comparison {
+  std::size_t known_touches = 0;  ///< how many the baseline has
+  std::vector<Worse> worse;       ///< most contacts first
+  std::vector<GoneTouch> gone;
+  std::vector<Held> newly_held;
+  std::vector<CheckBaseline::HeldNames> no_longer_held;
+  std::vector<std::string> notes;  ///< how the earlier check differed from this one
+};
+
+Comparison compare(const scenes::Scene& scene, std::span<const Collider> colliders,
+                   const Findings& found, const CheckBaseline& baseline);
 
 struct Verdict {
   FailOn fail_on = FailOn::contact;
   bool is_failed = false;
-  bool has_baseline = false;
-  std::vector<Worse> worse;  ///< since the baseline
+  std::optional<Comparison> comparison;  ///< with a baseline
 };
 
-/// `known` may be null only where `fail_on` asks for nothing that was known.
-Verdict judge(const scenes::Scene& scene, std::span<const Touch> touches, const KnownTouches* known,
-              FailOn fail_on);
+/// `baseline` may be null only where `fail_on` asks for nothing that was known.
+Verdict judge(const scenes::Scene& scene, std::span<const Collider> colliders,
+              const Findings& found, const CheckBaseline* baseline, FailOn fail_on);
 
 }  // namespace pelt::tools

@@ -1,0 +1,92 @@
+/// What `pelt check` refuses of ignored names and baselines, before it writes anything.
+
+#include "tools/answer.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+struct RefusedCheck {
+  std::vector<std::string> options;
+  std::vector<std::string> words;  ///< in the message
+  std::string scene = "scene.json";
+};
+
+class CheckRefuses : public ::testing::TestWithParam<RefusedCheck> {};
+
+/// Each beside a --jsonl file, which stays as it was.
+TEST_P(CheckRefuses, WithAMessageAndWritesNothing) {
+  const TestFolder folder;
+  write_limbs(folder);
+  write_text(folder / "answer.jsonl", "an earlier answer\n");
+  run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"});
+  std::string text = read_text(folder / "scene.json");
+  text.insert(text.rfind('}'), R"(, "ignore": [["limb", "wing"]])");
+  write_text(folder / "rotten.json", text);
+  std::vector<std::string> arguments = {"check", GetParam().scene, "--jsonl", "answer.jsonl"};
+  arguments.insert(arguments.end(), GetParam().options.begin(), GetParam().options.end());
+  const Ended run = run_pelt(folder, arguments);
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
+  for (const std::string& word : GetParam().words)
+    EXPECT_NE(run.err.find(word), std::string::npos) << word << " is not in: " << run.err;
+  EXPECT_EQ(read_text(folder / "answer.jsonl"), "an earlier answer\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "answer.jsonl.partial"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Ignore, CheckRefuses,
+    ::testing::Values(
+        RefusedCheck{{"--ignore", "limb,wing"},
+                     {"error: --ignore: no part and no joint is named \"wing\"", "\"limb\""}},
+        RefusedCheck{{"--ignore", "onee/limb,two/*"}, {"\"onee/limb\", did you mean \"one/limb\""}},
+        RefusedCheck{{"--ignore", "limb"}, {"--ignore: \"limb\" is no", "--ignore cape,spine"}},
+        RefusedCheck{{"--ignore", ",limb"}, {"--ignore: \",limb\" is no"}},
+        RefusedCheck{{"--ignore", "limb,"}, {"--ignore: \"limb,\" is no"}},
+        RefusedCheck{{"--ignore", "limb,limb", "--first"}, {"--first: the contacts found first"}},
+        RefusedCheck{{"--ignore", "limb,limb", "--max-contacts", "3"},
+                     {"--max-contacts: the contacts found first"}},
+        RefusedCheck{{},
+                     {"error: rotten.json: ignore: no part and no joint is named \"wing\""},
+                     "rotten.json"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Baseline, CheckRefuses,
+    ::testing::Values(
+        RefusedCheck{{"--baseline", "known.jsonl", "--first"},
+                     {"--baseline: needs all contacts", "leave out --first"}},
+        RefusedCheck{{"--baseline", "known.jsonl", "--max-contacts", "9"}, {"needs all contacts"}},
+        RefusedCheck{{"--baseline", "answer.jsonl"}, {"--jsonl: is the --baseline itself"}},
+        RefusedCheck{{"--baseline", "./answer.jsonl"}, {"--jsonl: is the --baseline itself"}},
+        RefusedCheck{{"--baseline", "known.jsonl", "--glb", "known.jsonl"},
+                     {"--glb: is the --baseline itself"}},
+        RefusedCheck{{"--baseline", "known.jsonl", "--by", "part"}, {"by: is not part as here"}},
+        RefusedCheck{{"--baseline", "known.jsonl", "--clearance", "0.1"},
+                     {"clearance: is not as here"}},
+        RefusedCheck{{"--baseline", "known.jsonl", "--inside"}, {"inside: was not asked there"}},
+        RefusedCheck{{"--fail-on", "worse"}, {"--fail-on", "contact, grown, new or never"}},
+        RefusedCheck{{"--fail-on", "new"}, {"--fail-on: new needs", "--baseline FILE"}},
+        RefusedCheck{{"--fail-on", "grown"}, {"--fail-on: grown needs", "--baseline FILE"}}));
+
+TEST(CheckIgnore, MayNameInASceneWhatIsLeftOut) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  write_text(folder / "scene.json", R"({
+    "models": {"strip": "strip.glb"},
+    "instances": [{"model": "strip"}, {"model": "strip", "translation": [0.25, 0, 0.1]}],
+    "ignore": [["fan", "paper"]]})");
+  EXPECT_LT(run_pelt(folder, {"check", "scene.json"}).exit_code, 2);
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--exclude", "fan"}, {"--no-unskinned"}}) {
+    std::vector<std::string> arguments = {"check", "scene.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Ended run = run_pelt(folder, arguments);
+    EXPECT_LT(run.exit_code, 2) << run.err;
+    arguments.insert(arguments.end(), {"--ignore", "fan,paper"});
+    EXPECT_EQ(run_pelt(folder, arguments).exit_code, 2);
+  }
+}
+
+}  // namespace
+}  // namespace pelt::test

@@ -1,0 +1,192 @@
+#include "tools/pelt/check_baseline.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::json;
+
+/// Instances of models with these names, without any mesh.
+scenes::Scene scene_of(const std::vector<std::string>& models) {
+  scenes::Scene scene;
+  for (const std::string& model : models) {
+    scenes::Character character;
+    character.name = model;
+    scenes::Instance instance;
+    instance.character = static_cast<std::uint32_t>(scene.characters.size());
+    scene.characters.push_back(std::move(character));
+    scene.instances.push_back(instance);
+  }
+  return scene;
+}
+
+CheckQuestion asked() {
+  CheckQuestion question;
+  question.method = "on_demand";
+  question.by = "instance";
+  question.frames = {0, 10, 1};
+  return question;
+}
+
+json place(const std::string& model, std::uint32_t copy, const std::string& joint) {
+  return {{"instance", 7}, {"model", model}, {"copy", copy}, {"part", "body"}, {"joint", joint}};
+}
+
+/// What `pelt check --jsonl` writes of a knight and a thief, to be changed.
+struct Answer {
+  json header = {
+      {"format", "pelt-check"},
+      {"version", 1},
+      {"instances", {{{"index", 0}, {"model", "knight"}}, {{"index", 1}, {"model", "thief"}}}},
+      {"options", question_json(asked())}};
+  json totals = {{"touches", json::array({{{"a", place("knight", 0, "arm")},
+                                           {"b", place("thief", 0, "hips")},
+                                           {"worst", {{"frame", 3}, {"contacts", 12}}}}})}};
+
+  std::string text() const { return header.dump() + "\n{\"frame\":0}\n" + totals.dump() + "\n"; }
+};
+
+Result<CheckBaseline> parse(const Answer& answer, const CheckQuestion& question = asked(),
+                            const std::vector<std::string>& models = {"knight", "thief"}) {
+  return CheckBaseline::parse("b.jsonl", answer.text(), question, scene_of(models));
+}
+
+std::string message_of(const Result<CheckBaseline>& result) {
+  return result ? "" : result.error().message;
+}
+
+TouchName name(const std::string& model, std::uint32_t copy, const std::string& joint) {
+  return {{model, copy, "body"}, joint};
+}
+
+TEST(KnownBaseline, KnowsTheWorstFrameOfTwoPlacesInTheirOrder) {
+  const Result<CheckBaseline> baseline = parse({});
+  ASSERT_TRUE(baseline) << baseline.error().message;
+  EXPECT_EQ(baseline->worst({name("knight", 0, "arm"), name("thief", 0, "hips")}), 12u);
+  EXPECT_EQ(baseline->worst({name("knight", 0, "arm"), name("thief", 1, "hips")}), 0u);
+  EXPECT_EQ(baseline->touches().size(), 1u);
+  EXPECT_TRUE(baseline->notes().empty());
+}
+
+TEST(KnownBaseline, TakesTwoPlacesInAnyOrderAndTheWorstOfEqualNames) {
+  Answer answer;
+  json again = answer.totals["touches"][0];
+  std::swap(again["a"], again["b"]);
+  again["worst"]["contacts"] = 5;
+  answer.totals["touches"].push_back(again);
+  const Result<CheckBaseline> baseline = parse(answer);
+  ASSERT_TRUE(baseline) << baseline.error().message;
+  EXPECT_EQ(baseline->touches().size(), 1u);
+  EXPECT_EQ(baseline->worst({name("knight", 0, "arm"), name("thief", 0, "hips")}), 12u);
+}
+
+TEST(KnownBaseline, KnowsWhatWasHeldWholeIfThatIsAsked) {
+  Answer answer;
+  answer.header["options"]["inside"] = true;
+  answer.totals["held"] =
+      json::array({{{"inner", {{"model", "thief"}, {"copy", 0}}},
+                    {"outer", {{"model", "knight"}, {"copy", 0}, {"part", "hall"}}}}});
+  CheckQuestion question = asked();
+  EXPECT_TRUE(parse(answer, question)->held().empty());
+  question.inside = true;
+  const Result<CheckBaseline> baseline = parse(answer, question);
+  ASSERT_TRUE(baseline) << baseline.error().message;
+  EXPECT_EQ(baseline->held(),
+            (std::set<CheckBaseline::HeldNames>{{{"thief", 0, ""}, {"knight", 0, "hall"}}}));
+  answer.totals.erase("held");
+  EXPECT_NE(message_of(parse(answer, question)).find("held: is missing"), std::string::npos);
+}
+
+TEST(KnownBaseline, RefusesTheAnswerToAnotherQuestion) {
+  struct Case {
+    const char* key;
+    json value;
+    const char* words;
+  };
+  for (const auto& [key, value, words] :
+       {Case{"by", "part", "options.by: is not instance as here"},
+        Case{"clearance", 0.5, "options.clearance: is not as here"},
+        Case{"max_contacts", 1, "options.max_contacts: left contacts out"}}) {
+    Answer answer;
+    answer.header["options"][key] = value;
+    const std::string message = message_of(parse(answer));
+    EXPECT_EQ(message.rfind(std::string("--baseline: b.jsonl: ") + words, 0), 0u) << message;
+    EXPECT_NE(message.find("name a file that pelt check --jsonl wrote"), std::string::npos);
+  }
+  CheckQuestion question = asked();
+  question.inside = true;
+  EXPECT_NE(message_of(parse({}, question)).find("options.inside: was not asked there"),
+            std::string::npos);
+}
+
+TEST(KnownBaseline, RefusesWhatIsNoAnswer) {
+  Answer other;
+  other.header["format"] = "pelt-bounds";
+  EXPECT_NE(message_of(parse(other)).find("format: must be pelt-check"), std::string::npos);
+  Answer later;
+  later.header["version"] = 2;
+  EXPECT_NE(message_of(parse(later)).find("version: must be 1"), std::string::npos);
+  Answer bare;
+  bare.header["options"] = 3;
+  EXPECT_NE(message_of(parse(bare)).find("options: must be an object"), std::string::npos);
+  Answer nameless;
+  nameless.totals["touches"][0]["a"].erase("copy");
+  EXPECT_NE(message_of(parse(nameless)).find("touches[0].a.copy"), std::string::npos)
+      << message_of(parse(nameless));
+}
+
+TEST(KnownBaseline, RefusesAFileThatIsCutShort) {
+  const std::string text = Answer().text();
+  const auto of = [](const std::string& cut) {
+    return message_of(CheckBaseline::parse("b.jsonl", cut, asked(), scene_of({"knight"})));
+  };
+  EXPECT_NE(of(text.substr(0, text.size() - 9)).find("the JSON text"), std::string::npos);
+  EXPECT_NE(
+      of(text.substr(0, text.find("\n{\"touches"))).find("touches: is missing from the last line"),
+      std::string::npos);
+  EXPECT_NE(of("").find("the JSON text"), std::string::npos);
+}
+
+TEST(KnownBaseline, RefusesAnotherScene) {
+  EXPECT_NE(message_of(parse({}, asked(), {"elf", "orc"}))
+                .find("is of another scene, one of \"knight\", \"thief\", and here are \"elf\", "
+                      "\"orc\""),
+            std::string::npos);
+}
+
+TEST(KnownBaseline, NotesWhatElseDiffers) {
+  CheckQuestion question = asked();
+  question.frames = {0, 20, 2};
+  question.ignore = {{"cape", "arm"}};
+  const Result<CheckBaseline> baseline = parse({}, question, {"knight", "thief", "thief"});
+  ASSERT_TRUE(baseline) << baseline.error().message;
+  EXPECT_EQ(
+      std::vector<std::string>(baseline->notes().begin(), baseline->notes().end()),
+      (std::vector<std::string>{
+          "frames was [0,10,1] in the baseline and is [0,20,2] here",
+          "ignore was [] in the baseline and is [[\"cape\",\"arm\"]] here",
+          "instances were 2 of \"knight\", \"thief\" in the baseline and are 3 of \"knight\", "
+          "\"thief\" here"}));
+}
+
+TEST(KnownBaseline, CountsInstancesOnceWhosePartsAreColliders) {
+  Answer answer;
+  answer.header["instances"] = {{{"index", 0}, {"model", "knight"}, {"instance", 0}},
+                                {{"index", 1}, {"model", "knight"}, {"instance", 0}},
+                                {{"index", 2}, {"model", "thief"}, {"instance", 1}}};
+  const Result<CheckBaseline> baseline = parse(answer);
+  ASSERT_TRUE(baseline) << baseline.error().message;
+  EXPECT_TRUE(baseline->notes().empty()) << baseline->notes()[0];
+}
+
+TEST(KnownBaseline, KnowsNamesThatAreNoText) {
+  const Result<CheckBaseline> baseline = parse({}, asked(), {"knight", "thief", "caf\xE9"});
+  ASSERT_TRUE(baseline);
+  EXPECT_NE(baseline->notes()[0].find("caf\xEF\xBF\xBD"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelt::tools

@@ -1,0 +1,43 @@
+#include "tools/pelt/touch_name.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelt::tools {
+namespace {
+
+/// Instances of a knight, a thief and a knight again, whose two parts have one name.
+scenes::Scene knights_and_thief() {
+  scenes::Scene scene;
+  for (const char* name : {"knight", "thief", "caf\xE9"}) {
+    scenes::Character character;
+    character.name = name;
+    character.asset.parts.resize(2);
+    character.asset.parts[0].node = character.asset.parts[1].node = "body";
+    character.asset.parts[0].material = character.asset.parts[1].material = "skin";
+    character.asset.nodes.resize(1);
+    character.asset.nodes[0].name = "hips";
+    character.asset.joints.resize(1);
+    scene.characters.push_back(std::move(character));
+  }
+  for (const std::uint32_t character : {0u, 1u, 0u, 2u}) {
+    scenes::Instance instance;
+    instance.character = character;
+    scene.instances.push_back(instance);
+  }
+  return scene;
+}
+
+TEST(TouchName, CountsInstancesByTheirModel) {
+  const scenes::Scene scene = knights_and_thief();
+  EXPECT_EQ(touch_name(scene, {0, 1, 0}), (TouchName{{"knight", 0, "body:skin"}, "hips"}));
+  EXPECT_EQ(touch_name(scene, {1, 1, 0}), (TouchName{{"thief", 0, "body:skin"}, "hips"}));
+  EXPECT_EQ(touch_name(scene, {2, 1, 0}), (TouchName{{"knight", 1, "body:skin"}, "hips"}));
+  EXPECT_EQ(in_words(scene, {2, 1, 0}), "knight 2 body:skin hips");
+}
+
+TEST(TouchName, IsTextAsAFileHoldsIt) {
+  EXPECT_EQ(touch_name(knights_and_thief(), {3, 0, 0}).body.model, "caf\xEF\xBF\xBD");
+}
+
+}  // namespace
+}  // namespace pelt::tools
