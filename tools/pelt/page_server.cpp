@@ -39,8 +39,8 @@ Result<int> bind(httplib::Server& server, std::uint16_t port) {
 
 /// Names of other hosts that lead here would let their pages read the scene (DNS rebinding).
 bool is_own_name(const std::string& host, int port) {
-  const std::string suffix = ":" + std::to_string(port);
-  return host == kLoopback + suffix || host == "localhost" + suffix;
+  const std::string number = std::to_string(port);
+  return host == std::string(kLoopback) + ':' + number || host == "localhost:" + number;
 }
 
 /// Serves the page under its own names only; nobody keeps a copy of it.
