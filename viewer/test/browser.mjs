@@ -94,7 +94,7 @@ export async function savedScene(page) {
 export const GLOWING = { least: [220, 60, 0], most: [255, 150, 90] };
 export const BLUE = { least: [20, 80, 190], most: [90, 150, 255] };
 export const RED = { least: [90, 20, 20], most: [255, 90, 90] };
-export const RED_HANDLE = { least: [240, 0, 0], most: [255, 20, 20] };
+export const RED_HANDLE = { least: [209, 64, 75], most: [219, 74, 85] };
 
 /** How many pixels of the picture have such a colour, where on the page their middle is, and how
  * many different colours there are in all: a black page has one. */

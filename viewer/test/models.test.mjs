@@ -27,6 +27,17 @@ async function drop(dropped) {
   await counted(page);
 }
 
+/** Counts the changes after which the page says so, until the answer is asked for. */
+async function watchFor(words) {
+  await page.evaluate((words) => {
+    window.timesSaid = 0;
+    new MutationObserver(() => {
+      if (document.body.innerText.includes(words)) ++window.timesSaid;
+    }).observe(document.body, { childList: true, characterData: true, subtree: true });
+  }, words);
+  return () => page.evaluate(() => window.timesSaid);
+}
+
 async function agreesWith({ counts, hash }) {
   await counted(page);
   assert.equal(await fact(page, 'hash'), hash);
@@ -36,10 +47,13 @@ async function agreesWith({ counts, hash }) {
 }
 
 test('two that are dropped stand together for their whole clip, as the command has them', async (t) => {
+  await page.getByRole('button', { name: 'whole clip' }).click();
+  const rashWords = await watchFor('Nothing touches');
   await drop([
     { name: 'body.glb', bytes: body },
     { name: 'coat.glb', bytes: coat },
   ]);
+  assert.equal(await rashWords(), 0, 'said before it was known');
   const words = ['body.glb', 'coat.glb', '--clip', 'walk', '--clip', 'walk'];
   const answer = checkFiles(t, files, words);
   await page.keyboard.press('Home');
@@ -122,7 +136,6 @@ describe('what plays, and where', () => {
 
 describe('what touches', () => {
   test('is listed in full, and leads to its worst frame and its triangles', async () => {
-    await page.getByRole('button', { name: 'whole clip' }).click();
     const rows = page.locator('.touch');
     await page.locator('.touches .more').click();
     const sum = (await rows.locator('output').allInnerTexts())
@@ -143,6 +156,16 @@ describe('what touches', () => {
     assert.ok((await pixels(page)).count > far.count + 500, 'the camera is near the contacts');
     await page.keyboard.press('Escape');
     await page.locator('.triangles').waitFor({ state: 'detached' });
+  });
+
+  test('is shown by stills, which lead to their frames', async () => {
+    const still = page.locator('.stills button').first();
+    const { length } = await still.locator('img').getAttribute('src');
+    assert.ok(length > 2000, 'a picture of something');
+    const [, frame] = (await still.getAttribute('title')).match(/(\d+)/);
+    await still.click();
+    await answered(page, frame);
+    assert.match(await still.innerText(), new RegExp(`^${await fact(page, 'contacts')} `));
   });
 
   const asNumber = (text) => Number(text.replaceAll(',', ''));

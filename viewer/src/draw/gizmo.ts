@@ -4,6 +4,7 @@ import { Object3D, type Camera } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Quaternion, Vector3 } from '../scene/scene';
+import { ACCENT, AXES } from './colours';
 
 const MODES = { move: 'translate', turn: 'rotate' } as const;
 
@@ -26,6 +27,7 @@ export class Gizmo {
   ) {
     this.controls = new TransformControls(camera, canvas);
     this.controls.setSize(0.7);
+    this.controls.setColors(AXES.x, AXES.y, AXES.z, ACCENT);
     this.controls.addEventListener('change', events.onChange);
     this.controls.addEventListener('dragging-changed', ({ value }) => (orbit.enabled = !value));
     this.controls.addEventListener('objectChange', () => {

@@ -1,5 +1,6 @@
 /** Files and folders dropped anywhere on the page, or chosen in a dialog. */
 
+import { refuse } from '../state/changes';
 import type { Update } from '../state/state';
 
 export interface DroppedFile {
@@ -22,7 +23,7 @@ export function watchDrops(update: Update, open: Open): void {
   document.addEventListener('drop', (event) => {
     event.preventDefault();
     update(() => ({ isDropping: false }));
-    if (event.dataTransfer) void droppedFiles(event.dataTransfer).then(open);
+    if (event.dataTransfer?.files.length) void openDropped(event.dataTransfer, update, open);
   });
 }
 
@@ -33,9 +34,18 @@ export function chooseFiles(open: Open): void {
   input.click();
 }
 
+async function openDropped(dropped: DataTransfer, update: Update, open: Open): Promise<void> {
+  try {
+    open(await droppedFiles(dropped));
+  } catch (error) {
+    update(refuse('What was dropped cannot be read', (error as Error).message));
+  }
+}
+
 /** Those of folders, too. What was dropped can only be asked for at once, before any wait. */
 async function droppedFiles({ items, files }: DataTransfer): Promise<DroppedFile[]> {
-  const entries = [...items].map((item) => item.webkitGetAsEntry());
+  const dropped = [...items].filter(({ kind }) => kind === 'file');
+  const entries = dropped.map((item) => item.webkitGetAsEntry());
   if (entries.some((entry) => entry === null)) return [...files].map(alone);
   return (await Promise.all(entries.map((entry) => filesIn(entry!)))).flat();
 }

@@ -9,12 +9,16 @@ import { Badge } from './badge';
 import { memo } from './memo';
 import { NumberField } from './number_field';
 
+/** So many show what they play without being selected. */
+const FEW = 4;
+
 /** Of a scene. */
 const FPS = { least: 1, most: 1000 };
 const SCALE = { least: 1e-3, most: 1e3 };
 
 export function CharactersPanel({ state, update }: PanelProps) {
   const { scene, opened, arrangement, characters, selected, gizmo } = state;
+  const isMany = (scene?.instances.length ?? 0) > FEW;
   return (
     <section aria-labelledby="characters">
       <h2 id="characters">
@@ -29,16 +33,19 @@ export function CharactersPanel({ state, update }: PanelProps) {
           update={update}
         />
       )}
-      {scene?.instances.map((instance, i) => (
-        <Card
-          key={i}
-          index={i}
-          instance={instance}
-          character={characters[instance.character]}
-          gizmo={selected === i ? gizmo : null}
-          update={update}
-        />
-      ))}
+      <div class={isMany ? 'many' : ''}>
+        {scene?.instances.map((instance, i) => (
+          <Card
+            key={i}
+            index={i}
+            instance={instance}
+            character={characters[instance.character]}
+            gizmo={selected === i ? gizmo : null}
+            isOneOfMany={isMany}
+            update={update}
+          />
+        ))}
+      </div>
     </section>
   );
 }
@@ -92,11 +99,12 @@ interface CardProps {
   character: CharacterFacts;
   /** What its handles do, where it has some. */
   gizmo: State['gizmo'] | null;
+  isOneOfMany: boolean;
   update: Update;
 }
 
 const Card = memo((props: CardProps) => {
-  const { index, character, gizmo, update } = props;
+  const { index, character, gizmo, isOneOfMany, update } = props;
   const { name, triangles, warnings } = character;
   const isSelected = gizmo !== null;
   return (
@@ -111,7 +119,7 @@ const Card = memo((props: CardProps) => {
         <span>{name}</span>
         <small>{(triangles.length / 3).toLocaleString('en')} triangles</small>
       </button>
-      <Clip {...props} />
+      {(isSelected || !isOneOfMany) && <Clip {...props} />}
       {isSelected && <Placement {...props} />}
       {isSelected && warnings.length > 0 && <Warnings warnings={warnings} />}
     </article>
