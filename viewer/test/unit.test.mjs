@@ -1,6 +1,8 @@
 // Parts of the page that need no browser.
 
 import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';
@@ -270,5 +272,44 @@ describe('costs', () => {
     await passing(20);
     assert.equal(asked.length, 1);
     store.update(() => ({ reading: 'the end of the test' }));
+  });
+});
+
+describe('the folders of the sources', () => {
+  /** Each runs without those after it; types may be known from anywhere. */
+  const ORDER = [
+    'theme',
+    'scene',
+    'worker',
+    'report',
+    'state',
+    'keys',
+    'flow',
+    'draw',
+    'panels',
+    'main',
+  ];
+  const sources = path.join(root, 'src');
+  const floorOf = (file) => ORDER.indexOf(path.relative(sources, file).split(/[/.]/)[0]);
+
+  function* importsOf(file) {
+    const statement = /^import (?!type )([^;]*?from )?'(\.[^']*)';/gm;
+    for (const [, names = '', target] of readFileSync(file, 'utf8').matchAll(statement)) {
+      const isTypesOnly = /^{[^}]*} from $/.test(names) && !/[{,]\s*(?!type )\w/.test(names);
+      if (!isTypesOnly && !target.endsWith('.css')) yield path.resolve(path.dirname(file), target);
+    }
+  }
+
+  test('need none that stands after them', () => {
+    const files = readdirSync(sources, { recursive: true }).filter((name) => /\.tsx?$/.test(name));
+    let crossings = 0;
+    for (const file of files.map((name) => path.join(sources, name))) {
+      assert.ok(floorOf(file) >= 0, `${file} has no place in the order`);
+      for (const needed of importsOf(file)) {
+        assert.ok(floorOf(needed) <= floorOf(file), `${file} needs ${needed}`);
+        crossings += floorOf(needed) < floorOf(file);
+      }
+    }
+    assert.ok(crossings > 40, `${crossings} imports from other folders`);
   });
 });
