@@ -101,14 +101,29 @@ export interface Pelt {
   /** The least distance of two posed surfaces; null if it is more than `maxDistance`. */
   distance(a: Pose, b: Pose, options?: DistanceOptions): Distance | null;
 
+  /** Every pair of triangles that are at most `tolerance` apart, ascending; those of `collide` for 0. */
+  clearance(a: Pose, b: Pose, tolerance: number, options?: CollideOptions): Contacts;
+
+  /** Whether there is any. */
+  isWithin(a: Pose, b: Pose, tolerance: number): boolean;
+
+  /**
+   * The vertex of `a` that is inside `b` and furthest from its surface; null: none is inside. `b` must
+   * be closed (see `Pose.isClosed`).
+   */
+  deepestVertex(a: Pose, b: Pose): Penetration | null;
+
+  /**
+   * Whether one body holds the other whole, which no contact tells: 'none' where they touch, too. What
+   * is not closed holds nothing.
+   */
+  containment(a: Pose, b: Pose): 'none' | 'a_in_b' | 'b_in_a';
+
   /** Many instances at once, as `pelt check` asks them. */
   makeCrowd(): Crowd;
 
   /** The hash that `pelt check` prints. */
   makeContactHash(): ContactHash;
-
-  /** Heap in use by what has not been deleted. For tests and for finding leaks. */
-  readonly bytesInUse: number;
 }
 
 export type Bytes = ArrayBuffer | ArrayBufferView;
@@ -277,12 +292,27 @@ export interface Pose {
    */
   nodeBoxes(level: number): NodeBoxes;
 
-  /** The first triangle on the ray origin + t direction, 0 <= t <= maxT; null: none. */
-  cast(
-    origin: ArrayLike<number>,
-    direction: ArrayLike<number>,
-    maxT?: number,
-  ): RayHit | null;
+  /** The first triangle on the ray origin + t direction; null: none. */
+  cast(origin: Vector, direction: Vector, options?: CastOptions): RayHit | null;
+  /** Whether there is any. */
+  castAny(origin: Vector, direction: Vector, options?: CastOptions): boolean;
+  /** All of them, by t. An edge that two triangles share is met twice. */
+  castAll(origin: Vector, direction: Vector, options?: CastOptions): RayHit[];
+
+  /** Where all triangles lie: touching counts, and nothing is rounded. */
+  classify(region: Region): 'outside' | 'partly' | 'inside';
+  /** Whether any triangle touches the region, which what lies inside does, too. */
+  intersectsRegion(region: Region): boolean;
+  /** The triangles that do. */
+  findTriangles(region: Region): TrianglesInRegion;
+
+  /** The place of the surface that is nearest to a point; null: none within `maxDistance`. */
+  closestPoint(point: Vector, options?: ClosestPointOptions): ClosestPoint | null;
+
+  /** Whether the surface has no holes, so that it has an inside. Found out at the first use. */
+  readonly isClosed: boolean;
+  /** Where a point lies; of closed surfaces only. */
+  sideOf(point: Vector): 'outside' | 'on' | 'inside';
 
   delete(): void;
 }
@@ -321,6 +351,82 @@ export interface RayHit {
   /** Of the triangle's corners. */
   readonly weights: readonly [number, number, number];
   readonly normal: readonly [number, number, number];
+}
+
+export interface CastOptions {
+  /** Hits have minT <= t <= maxT. */
+  minT?: number; // 0
+  maxT?: number; // Infinity
+  /** From which side triangles are hit; from their front, corners are seen counter-clockwise. */
+  facing?: 'both' | 'front' | 'back'; // both
+}
+
+/** Three numbers. */
+export type Vector = readonly number[] | Float32Array | Float64Array;
+
+/** A closed convex set of points, whose numbers are taken in single precision. */
+export type Region =
+  HalfSpace | BoxRegion | OrientedBox | ConvexPolyhedron | Sphere | Capsule | Frustum;
+
+/** All points with normal . p <= offset: what lies behind a plane whose normal points out. */
+export interface Face {
+  normal: Vector;
+  offset: number;
+}
+
+export interface HalfSpace extends Face {
+  kind: 'halfSpace';
+}
+
+export interface BoxRegion {
+  kind: 'box';
+  low: Vector;
+  high: Vector;
+}
+
+/** All points with |axes[i] . (p - centre)| <= half[i] for each i. */
+export interface OrientedBox {
+  kind: 'orientedBox';
+  centre: Vector;
+  axes?: readonly Vector[]; // x, y, z
+  half: Vector;
+}
+
+/** What is behind all faces, of which there are 64 at most. */
+export interface ConvexPolyhedron {
+  kind: 'polyhedron';
+  faces: readonly Face[];
+}
+
+export interface Sphere {
+  kind: 'sphere';
+  centre: Vector;
+  radius: number;
+}
+
+/** All points at most `radius` from the segment a b. */
+export interface Capsule {
+  kind: 'capsule';
+  a: Vector;
+  b: Vector;
+  radius: number;
+}
+
+/** What a camera sees. */
+export interface Frustum {
+  kind: 'frustum';
+  /** 16 numbers, column-major: three.js's projectionMatrix times matrixWorldInverse. */
+  viewProjection: Vector;
+  /** What lies between the near and the far plane after the division by w; WebGPU's is 'zeroToOne'. */
+  depth?: 'minusOneToOne' | 'zeroToOne'; // minusOneToOne
+}
+
+export interface TrianglesInRegion {
+  /** Numbers of the triangles that have at least a point in common with the region, ascending. */
+  readonly touching: Uint32Array;
+  /** Of these, those that lie wholly in it. */
+  readonly inside: Uint32Array;
+  readonly stats: QueryStats;
 }
 
 export interface CollideOptions {
@@ -396,18 +502,43 @@ export interface ContactRegion {
   readonly jointB: number;
 }
 
-export interface DistanceOptions {
-  /** Not negative; default: Infinity. */
+export interface ClosestPointOptions {
+  /** Nothing further away is looked for. Not negative; default: Infinity. */
   maxDistance?: number;
+}
+
+export interface DistanceOptions extends ClosestPointOptions {
+  /** What is found may be so much further than the nearest, and is found earlier. Default: 0. */
+  tolerance?: number;
 }
 
 export interface SurfacePoint {
   readonly triangle: number;
   readonly position: readonly [number, number, number];
+  /** Of the triangle's corners. */
+  readonly weights: readonly [number, number, number];
+}
+
+export interface ClosestPoint extends SurfacePoint {
+  readonly distance: number;
+  readonly stats: QueryStats;
+}
+
+export interface Penetration {
+  /** Of the first body. */
+  readonly vertex: number;
+  readonly position: readonly [number, number, number];
+  /** How far it is from the second body's surface. */
+  readonly depth: number;
+  /** The place of that surface. */
+  readonly nearest: SurfacePoint;
+  readonly stats: QueryStats;
 }
 
 export interface Distance {
   readonly distance: number;
+  /** It is proven to be no less: `distance` itself, where no tolerance was allowed. */
+  readonly lowerBound: number;
   readonly a: SurfacePoint;
   readonly b: SurfacePoint;
   readonly stats: QueryStats;

@@ -5,17 +5,35 @@ import { Character } from './lib/character.mjs';
 import * as check from './lib/checks.mjs';
 import { ContactHash, Crowd } from './lib/crowd.mjs';
 import { withDecoder } from './lib/decoder.mjs';
+import { containment, deepestVertex, distance } from './lib/distances.mjs';
 import { withFiles } from './lib/files.mjs';
+import { expose } from './lib/internals.mjs';
 import { Memory } from './lib/memory.mjs';
-import { kCreatureRules, kFaceRules, kModelRules, kReadRules, readObject, readOptions } from './lib/options.mjs';
-import { describeContacts, different, distance, mostContacts, readContacts } from './lib/queries.mjs';
+import {
+  kCreatureRules,
+  kFaceRules,
+  kModelRules,
+  kReadRules,
+  readObject,
+  readOptions,
+} from './lib/options.mjs';
+import {
+  clearance,
+  describeContacts,
+  different,
+  isWithin,
+  mostContacts,
+  readContacts,
+} from './lib/queries.mjs';
 import { Scene } from './lib/scene.mjs';
+import { requireSimd } from './lib/simd.mjs';
 
 export { PeltError } from './lib/errors.mjs';
 export { NodeState } from './lib/pose.mjs';
 export { ContactKind } from './lib/queries.mjs';
 
 export async function loadPelt() {
+  requireSimd();
   return new Pelt(new Memory(await makeModule()));
 }
 
@@ -26,6 +44,7 @@ class Pelt {
   constructor(memory) {
     this.#memory = memory;
     this.#module = memory.module;
+    expose(this, memory);
   }
 
   get version() {
@@ -34,10 +53,6 @@ class Pelt {
 
   get demoScene() {
     return this.#memory.text(this.#module._pelt_demo_scene());
-  }
-
-  get bytesInUse() {
-    return this.#module._pelt_bytes_in_use();
   }
 
   get hasEnded() {
@@ -112,7 +127,23 @@ class Pelt {
   }
 
   distance(a, b, options = undefined) {
-    return distance(this.#memory, a, b, options);
+    return distance(this.#memory, different(this.#memory, a, b), options);
+  }
+
+  clearance(a, b, tolerance, options = undefined) {
+    return clearance(this.#memory, a, b, tolerance, options);
+  }
+
+  isWithin(a, b, tolerance) {
+    return isWithin(this.#memory, a, b, tolerance);
+  }
+
+  deepestVertex(a, b) {
+    return deepestVertex(this.#memory, different(this.#memory, a, b), b);
+  }
+
+  containment(a, b) {
+    return containment(this.#memory, different(this.#memory, a, b));
   }
 
   makeCrowd() {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { encode, rock, skinnedRock } from './gltf.mjs';
-import { pelt } from './support.mjs';
+import { bytesInUse, pelt } from './support.mjs';
 
 const kFiles = {
   'scenes/rocks.json': encode({
@@ -55,9 +55,9 @@ function refuseBroken() {
 
 test('the engine uses no more memory after many scenes than after one', () => {
   for (let i = 0; i < 3; ++i) useEverything();
-  const before = pelt.bytesInUse;
+  const before = bytesInUse();
   for (let i = 0; i < 50; ++i) useEverything();
-  assert.ok(pelt.bytesInUse - before < 1024, `${pelt.bytesInUse - before} bytes more`);
+  assert.ok(bytesInUse() - before < 1024, `${bytesInUse() - before} bytes more`);
 });
 
 test('what is deleted twice, or used after that, is refused and not freed again', () => {

@@ -124,7 +124,7 @@ test('a ray hits where its triangle is', () => {
     assert.ok(Math.abs(point - [centre[0], 1.1, -5 + hit.t][axis]) < 1e-5);
   }
   assert.ok(hit.normal[2] < 0);
-  assert.equal(a.cast([centre[0], 1.1, -5], [0, 0, 1], 0.5 * hit.t), null);
+  assert.equal(a.cast([centre[0], 1.1, -5], [0, 0, 1], { maxT: 0.5 * hit.t }), null);
   assert.equal(a.cast([50, 1.1, -5], [0, 0, 1]), null);
 });
 

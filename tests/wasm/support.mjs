@@ -15,7 +15,11 @@ export const kFaces = fileURLToPath(new URL('faces.json', import.meta.url));
 export const { ContactKind, loadPelt, NodeState, PeltError } = await import(
   path.join(kPackage, 'pelt.mjs')
 );
+const internals = await import(path.join(kPackage, 'lib/internals.mjs'));
 export const pelt = await loadPelt();
+
+/** Heap in use by what has not been deleted. */
+export const bytesInUse = () => internals.bytesInUse(pelt);
 
 /** Runs the command `pelt`. */
 export function runCommand(...args) {

@@ -1,4 +1,4 @@
-/// Two poses: their contacts, on demand and eagerly, and their distance.
+/// Two poses: their contacts, on demand and eagerly, and what comes near.
 
 #include <pelt/distance.hpp>
 
@@ -35,13 +35,6 @@ void answer_contacts(const PoseHandle& a, const PoseHandle& b) {
   answer_data<Contact>(found());
 }
 
-void answer_point(std::size_t at, const SurfacePoint& point, const PoseHandle& handle) {
-  answer().numbers[at] = static_cast<double>(handle.body.first_triangle) + point.triangle;
-  answer().numbers[at + 1] = point.position.x;
-  answer().numbers[at + 2] = point.position.y;
-  answer().numbers[at + 3] = point.position.z;
-}
-
 }  // namespace
 
 PELT_EXPORT void pelt_collide(PoseHandle* a, PoseHandle* b, std::uint32_t most) {
@@ -66,16 +59,15 @@ PELT_EXPORT std::uint32_t pelt_intersects(PoseHandle* a, PoseHandle* b) {
   return intersects(a->pose, b->pose, scratch()) ? 1 : 0;
 }
 
-/// The stats, then the distance and the two points.
-PELT_EXPORT std::uint32_t pelt_distance(PoseHandle* a, PoseHandle* b, double most) {
-  Distance nearest;
-  DistanceOptions options;
-  options.max_distance = most;
-  answer_stats(distance(a->pose, b->pose, scratch(), nearest, options));
-  answer().numbers[6] = nearest.distance;
-  answer_point(7, nearest.a, *a);
-  answer_point(11, nearest.b, *b);
-  return nearest.found() ? 1 : 0;
+PELT_EXPORT void pelt_clearance(PoseHandle* a, PoseHandle* b, double tolerance,
+                                std::uint32_t most) {
+  found().clear();
+  answer_stats(clearance(a->pose, b->pose, tolerance, scratch(), found(), {most}));
+  answer_contacts(*a, *b);
+}
+
+PELT_EXPORT std::uint32_t pelt_is_within(PoseHandle* a, PoseHandle* b, double tolerance) {
+  return is_within(a->pose, b->pose, tolerance, scratch()) ? 1 : 0;
 }
 
 }  // namespace pelt::wasm

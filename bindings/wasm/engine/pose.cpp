@@ -1,7 +1,6 @@
 /// Poses: what they take and what can be asked of one.
 
 #include <pelt/bounds.hpp>
-#include <pelt/ray.hpp>
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
@@ -70,15 +69,6 @@ PELT_EXPORT void pelt_bounds(PoseHandle* handle, std::uint32_t levels) {
 
 PELT_EXPORT void pelt_tight_bounds(PoseHandle* handle) {
   answer_bounds(tight_bounds(handle->pose));
-}
-
-PELT_EXPORT std::uint32_t pelt_cast(PoseHandle* handle, float ox, float oy, float oz, float dx,
-                                    float dy, float dz, float most) {
-  const RayHit hit = cast(handle->pose, Ray{{ox, oy, oz}, {dx, dy, dz}, 0, most});
-  const auto& [u, v, w] = hit.weights;
-  answer_numbers({static_cast<double>(handle->body.first_triangle) + hit.triangle, hit.t, u, v, w,
-                  hit.normal.x, hit.normal.y, hit.normal.z});
-  return hit ? 1 : 0;
 }
 
 }  // namespace pelt::wasm

@@ -4,6 +4,9 @@ import { invalid } from './errors.mjs';
 
 export const kMostCount = 0xffffffff;
 
+/** The engine takes single precision; what is larger would be infinite there. */
+export const kMostFloat = (2 - 2 ** -23) * 2 ** 127;
+
 /** What a value is, for messages: "NaN", "a string", "an Array". */
 export function kindOf(value) {
   if (value === undefined) return 'nothing';
@@ -22,8 +25,12 @@ function isWithin(value, least, most) {
 
 export function number(value, name, least = -Number.MAX_VALUE, most = Number.MAX_VALUE) {
   if (isWithin(value, least, most)) return value;
-  const isAny = least === -Number.MAX_VALUE && most === Number.MAX_VALUE;
+  const isAny = least === -most && most >= kMostFloat && most < Infinity;
   return refuse(name, isAny ? 'a finite number' : `a number from ${least} to ${most}`, value);
+}
+
+export function float(value, name) {
+  return number(value, name, -kMostFloat, kMostFloat);
 }
 
 export function count(value, name, least = 0, most = kMostCount) {
@@ -37,6 +44,13 @@ export function flag(value, name) {
 
 export function text(value, name) {
   return typeof value === 'string' ? value : refuse(name, 'a string', value);
+}
+
+export function oneOf(value, known, name) {
+  if (known.includes(value)) return value;
+  const names = known.map((name) => JSON.stringify(name)).join(', ');
+  const found = typeof value === 'string' ? JSON.stringify(value) : kindOf(value);
+  throw invalid(`${name}: expected one of ${names}, found ${found}`);
 }
 
 /** C++ ends a path at its first zero. */

@@ -1,5 +1,8 @@
 import * as check from './checks.mjs';
+import { closestPoint, sideOf } from './distances.mjs';
 import { partNumber } from './lookup.mjs';
+import { cast, castAll, castAny } from './rays.mjs';
+import { classify, findTriangles, intersectsRegion } from './regions.mjs';
 import { readStats } from './stats.mjs';
 
 const kRemove = '_pelt_delete_pose';
@@ -78,14 +81,40 @@ export class Pose {
     return { count, boxes, states: this.#memory.copy(Uint8Array, states, count) };
   }
 
-  cast(origin, direction, maxT = Infinity) {
-    const { module } = this.#memory;
-    const [x, y, z] = check.vector(origin, 3, 'origin');
-    const [dx, dy, dz] = check.vector(direction, 3, 'direction');
-    check.number(maxT, 'maxT', 0, Infinity);
-    if (!module._pelt_cast(this.#handle, x, y, z, dx, dy, dz, maxT)) return null;
-    const [triangle, t, ...rest] = this.#memory.numbers(0, 8);
-    return { triangle, t, weights: rest.slice(0, 3), normal: rest.slice(3) };
+  get isClosed() {
+    return this.#memory.module._pelt_is_closed(this.#handle) !== 0;
+  }
+
+  cast(origin, direction, options = undefined) {
+    return cast(this.#memory, this.#handle, origin, direction, options);
+  }
+
+  castAny(origin, direction, options = undefined) {
+    return castAny(this.#memory, this.#handle, origin, direction, options);
+  }
+
+  castAll(origin, direction, options = undefined) {
+    return castAll(this.#memory, this.#handle, origin, direction, options);
+  }
+
+  classify(region) {
+    return classify(this.#memory, this.#handle, region);
+  }
+
+  intersectsRegion(region) {
+    return intersectsRegion(this.#memory, this.#handle, region);
+  }
+
+  findTriangles(region) {
+    return findTriangles(this.#memory, this.#handle, region);
+  }
+
+  closestPoint(point, options = undefined) {
+    return closestPoint(this.#memory, this.#handle, point, options);
+  }
+
+  sideOf(point) {
+    return sideOf(this.#memory, this.#handle, this, point);
   }
 
   delete() {

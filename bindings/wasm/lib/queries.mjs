@@ -13,10 +13,6 @@ const kCollideRules = {
   maxContacts: (most, name) => (most === Infinity ? check.kMostCount : check.count(most, name, 1)),
 };
 
-const kDistanceRules = {
-  maxDistance: (most, name) => check.number(most, name, 0, Infinity),
-};
-
 export function mostContacts(memory, options) {
   const read = readOptions(memory, options, kCollideRules);
   return read.firstContact ? 1 : read.maxContacts ?? check.kMostCount;
@@ -32,6 +28,21 @@ export function different(memory, a, b) {
 export function readContacts(memory) {
   const pairs = memory.data(Uint32Array, 2);
   return { count: pairs.length / 2, pairs, stats: readStats(memory) };
+}
+
+/** The pairs within a tolerance. */
+export function clearance(memory, a, b, tolerance, options) {
+  const most = mostContacts(memory, options);
+  const handles = different(memory, a, b);
+  check.number(tolerance, 'tolerance', 0, Infinity);
+  memory.module._pelt_clearance(...handles, tolerance, most);
+  return readContacts(memory);
+}
+
+export function isWithin(memory, a, b, tolerance) {
+  const handles = different(memory, a, b);
+  check.number(tolerance, 'tolerance', 0, Infinity);
+  return memory.module._pelt_is_within(...handles, tolerance) !== 0;
 }
 
 /** In the order of contacts.cpp. */
@@ -93,11 +104,4 @@ function readRegions(rows, members) {
     });
   }
   return regions;
-}
-
-export function distance(memory, a, b, options) {
-  const { maxDistance = Infinity } = readOptions(memory, options, kDistanceRules);
-  if (!memory.module._pelt_distance(...different(memory, a, b), maxDistance)) return null;
-  const point = (i) => ({ triangle: memory.number(i), position: memory.numbers(i + 1, i + 4) });
-  return { distance: memory.number(6), a: point(7), b: point(11), stats: readStats(memory) };
 }

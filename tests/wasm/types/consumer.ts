@@ -6,14 +6,20 @@
 import {
   type Bounds,
   type Box,
+  type BoxRegion,
+  type Capsule,
+  type CastOptions,
   type Bytes,
   type Character,
   type Clip,
+  type ClosestPoint,
+  type ClosestPointOptions,
   type ContactCurve,
   type ContactGeometry,
   type ContactHash,
   ContactKind,
   type ContactRegion,
+  type ConvexPolyhedron,
   type Contacts,
   type CollideOptions,
   type CreatureOptions,
@@ -22,8 +28,11 @@ import {
   type Distance,
   type DistanceOptions,
   type ErrorCode,
+  type Face,
   type FaceOptions,
   type Files,
+  type Frustum,
+  type HalfSpace,
   type Instance,
   loadPelt,
   type MeshoptDecode,
@@ -31,16 +40,22 @@ import {
   type NamePair,
   type NodeBoxes,
   NodeState,
+  type OrientedBox,
   type Part,
   type Pelt,
   PeltError,
+  type Penetration,
   type Pose,
   type QueryStats,
   type RayHit,
   type ReadOptions,
+  type Region,
   type Scene,
   type SceneParts,
+  type Sphere,
   type SurfacePoint,
+  type TrianglesInRegion,
+  type Vector,
 } from 'pelt-collision';
 
 type Point = readonly [number, number, number];
@@ -140,12 +155,59 @@ function usePose(pose: Pose): void {
     states.every((state) => known.includes(state)),
     'states',
   );
-  const hit: RayHit | null = pose.cast([0, 0.9, 9], Float32Array.of(0, 0, -1), 100);
-  if (hit !== null) {
-    const { triangle, t, weights, normal } = hit;
+  useRays(pose);
+  useRegions(pose);
+  usePoints(pose);
+}
+
+function useRays(pose: Pose): void {
+  const options: CastOptions = { minT: 0, maxT: 100, facing: 'front' };
+  const ray: [Vector, Vector] = [[0, 0.9, 9], Float32Array.of(0, 0, -1)];
+  const hit: RayHit | null = pose.cast(...ray, options);
+  const hits: RayHit[] = pose.castAll(...ray, options);
+  const isHit: boolean = pose.castAny(...ray);
+  check(isHit === (hit !== null), 'castAny');
+  for (const { triangle, t, weights, normal } of hits) {
     const numbers: number[] = [triangle, t, ...weights, ...normal];
     check(numbers.length === 8, 'hit');
   }
+}
+
+function useRegions(pose: Pose): void {
+  const face: Face = { normal: [0, 1, 0], offset: 9 };
+  const halfSpace: HalfSpace = { kind: 'halfSpace', ...face };
+  const box: BoxRegion = { kind: 'box', low: [-9, -9, -9], high: [9, 9, 9] };
+  const turned: OrientedBox = {
+    kind: 'orientedBox',
+    centre: [0, 0, 0],
+    axes: [
+      [0, 1, 0],
+      [0, 0, 1],
+      [1, 0, 0],
+    ],
+    half: [9, 9, 9],
+  };
+  const polyhedron: ConvexPolyhedron = { kind: 'polyhedron', faces: [face] };
+  const sphere: Sphere = { kind: 'sphere', centre: [0, 1, 0], radius: 9 };
+  const capsule: Capsule = { kind: 'capsule', a: [0, 0, 0], b: [0, 2, 0], radius: 9 };
+  const viewProjection = [0.1, 0, 0, 0, 0, 0.1, 0, 0, 0, 0, 0.1, 0, 0, 0, 0, 1];
+  const frustum: Frustum = { kind: 'frustum', viewProjection, depth: 'minusOneToOne' };
+  const regions: Region[] = [halfSpace, box, turned, polyhedron, sphere, capsule, frustum];
+  for (const region of regions) {
+    check(pose.classify(region) === 'inside' && pose.intersectsRegion(region), region.kind);
+    const { touching, inside, stats }: TrianglesInRegion = pose.findTriangles(region);
+    check(touching.length === inside.length && !stats.cutShort, 'findTriangles');
+  }
+}
+
+function usePoints(pose: Pose): void {
+  const options: ClosestPointOptions = { maxDistance: 50 };
+  const closest: ClosestPoint | null = pose.closestPoint([0, 9, 0], options);
+  if (closest === null) throw new Error('closestPoint');
+  const { distance, triangle, position, weights } = closest;
+  check(distance + triangle + weights.length > 3 && position.length === 3, 'closest');
+  useStats(closest.stats);
+  check(pose.isClosed && pose.sideOf([0, 9, 0]) === 'outside', 'sideOf');
 }
 
 function useStats(stats: QueryStats): void {
@@ -181,13 +243,21 @@ function useContacts(pelt: Pelt, a: Pose, b: Pose): void {
 }
 
 function useDistance(pelt: Pelt, a: Pose, b: Pose): void {
-  const options: DistanceOptions = { maxDistance: 50 };
+  const options: DistanceOptions = { maxDistance: 50, tolerance: 0 };
   const nearest: Distance | null = pelt.distance(a, b, options);
   if (nearest === null) throw new Error('distance');
   useStats(nearest.stats);
   const points: SurfacePoint[] = [nearest.a, nearest.b];
   for (const { triangle, position } of points) check(triangle + position[0] > -9, 'point');
-  check(nearest.distance === 0, 'they touch');
+  check(nearest.distance === 0 && nearest.lowerBound === 0, 'they touch');
+  const near: Contacts = pelt.clearance(a, b, 0.01, { maxContacts: 9 });
+  check(near.count === 9 && pelt.isWithin(a, b, 0), 'clearance');
+  check(pelt.containment(a, b) === 'none', 'containment');
+  const deepest: Penetration | null = pelt.deepestVertex(a, b);
+  if (deepest === null) throw new Error('deepestVertex');
+  const { vertex, position, depth, nearest: place, stats } = deepest;
+  check(vertex >= 0 && depth > 0 && position.length + place.position.length === 6, 'deepest');
+  useStats(stats);
 }
 
 function useScene(pelt: Pelt, walker: Character): void {
@@ -269,6 +339,12 @@ export function misuse(pelt: Pelt, pose: Pose, character: Character, scene: Scen
   pelt.distance(pose, pose).distance;
   // @ts-expect-error there may be no hit
   pose.cast([0, 0, 0], [0, 0, 1]).triangle;
+  // @ts-expect-error there is no such kind
+  pose.classify({ kind: 'ball', centre: [0, 0, 0], radius: 1 });
+  // @ts-expect-error a sphere has a radius
+  pose.classify({ kind: 'sphere', centre: [0, 0, 0] });
+  // @ts-expect-error nothing may be near enough
+  pose.closestPoint([0, 0, 0]).distance;
   // @ts-expect-error floats
   pose.setPalette(new Float64Array(16));
   // @ts-expect-error a clip is a name or null
@@ -281,13 +357,12 @@ export function misuse(pelt: Pelt, pose: Pose, character: Character, scene: Scen
   pelt.makeScene({ characters: [character], instances: [{ clip: 'walk' }] });
   // @ts-expect-error for reading only
   pelt.version = '2';
-  // @ts-expect-error an engine is loaded, not made
+  // @ts-expect-error only Pelt makes errors
   new PeltError();
 }
 
 const pelt = await loadPelt();
 check(/^\d+\.\d+\.\d+/.test(pelt.version), 'version');
-check(pelt.bytesInUse > 0, 'bytesInUse');
 check(readMissing(pelt) === 'malformed_file', 'the code of an error');
 check(!pelt.hasEnded, 'hasEnded');
 const walker = pelt.generateCreature(creatureOptions);

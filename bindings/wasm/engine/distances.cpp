@@ -1,0 +1,36 @@
+/// How far surfaces are from points and from each other.
+
+#include <pelt/distance.hpp>
+
+#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/handles.hpp"
+#include "bindings/wasm/engine/surface_points.hpp"
+
+namespace pelt::wasm {
+
+/// The answer is the point; the stats and the distance are its numbers 0 to 6.
+PELT_EXPORT std::uint32_t pelt_closest_point(PoseHandle* handle, float x, float y, float z,
+                                             double most) {
+  ClosestPoint closest;
+  answer_stats(closest_point(handle->pose, {x, y, z}, scratch(), closest, {most}));
+  answer().numbers[6] = closest.distance;
+  answer_points({{closest.point, *handle}});
+  return closest.found() ? 1 : 0;
+}
+
+/// The answer is the two points; the stats, the distance and what it is at least are its numbers 0
+/// to 7.
+PELT_EXPORT std::uint32_t pelt_distance(PoseHandle* a, PoseHandle* b, double most,
+                                        double tolerance) {
+  Distance nearest;
+  DistanceOptions options;
+  options.max_distance = most;
+  options.tolerance = tolerance;
+  answer_stats(distance(a->pose, b->pose, scratch(), nearest, options));
+  answer().numbers[6] = nearest.distance;
+  answer().numbers[7] = nearest.lower_bound;
+  answer_points({{nearest.a, *a}, {nearest.b, *b}});
+  return nearest.found() ? 1 : 0;
+}
+
+}  // namespace pelt::wasm

@@ -1,0 +1,43 @@
+/// Inside and outside of closed surfaces.
+
+#include <pelt/inside.hpp>
+
+#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/handles.hpp"
+#include "bindings/wasm/engine/surface_points.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace pelt::wasm {
+
+PELT_EXPORT std::uint32_t pelt_is_closed(PoseHandle* handle) {
+  return handle->body.get_surface().is_closed() ? 1 : 0;
+}
+
+/// As a PointSide. The surface is closed.
+PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, float z) {
+  const Surface& surface = handle->body.get_surface();
+  return static_cast<std::uint32_t>(side_of(handle->pose, surface, {x, y, z}, scratch()));
+}
+
+/// The answer is the nearest point of b's surface; the stats, the vertex, its position and its
+/// depth are its numbers 0 to 10. The surface of b is closed.
+PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
+  Penetration deepest;
+  answer_stats(deepest_vertex(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(),
+                              scratch(), deepest));
+  const auto& [x, y, z] = deepest.position;
+  const double found[] = {static_cast<double>(deepest.vertex), x, y, z, deepest.depth};
+  std::copy(std::begin(found), std::end(found), answer().numbers.begin() + 6);
+  answer_points({{deepest.nearest, *b}});
+  return deepest.found() ? 1 : 0;
+}
+
+/// As a Containment.
+PELT_EXPORT std::uint32_t pelt_containment(PoseHandle* a, PoseHandle* b) {
+  return static_cast<std::uint32_t>(
+      containment(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(), scratch()));
+}
+
+}  // namespace pelt::wasm

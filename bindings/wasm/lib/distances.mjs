@@ -1,0 +1,73 @@
+/** How far surfaces are from points and from each other, and how deep inside. */
+
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+import { readOptions } from './options.mjs';
+import { readStats } from './stats.mjs';
+
+/** As inside.hpp numbers them. */
+const kSides = ['outside', 'on', 'inside'];
+const kContainments = ['none', 'a_in_b', 'b_in_a'];
+
+/** No coordinate that any query takes is larger. */
+const kMostCoordinate = 2 ** 60;
+
+const length = (value, name) => check.number(value, name, 0, Infinity);
+const kClosestRules = { maxDistance: length };
+const kDistanceRules = { maxDistance: length, tolerance: length };
+
+/** As surface_points.cpp writes them. */
+function readPoints(memory) {
+  const rows = memory.data(Float64Array, 1);
+  const points = [];
+  for (let i = 0; i < rows.length; i += 7) {
+    const [triangle, ...rest] = rows.subarray(i, i + 7);
+    points.push({ triangle, position: rest.slice(0, 3), weights: rest.slice(3) });
+  }
+  return points;
+}
+
+/** `pose` is a handle. */
+export function closestPoint(memory, pose, point, options) {
+  const { maxDistance = Infinity } = readOptions(memory, options, kClosestRules);
+  const [x, y, z] = check.vector(point, 3, 'point', kMostCoordinate);
+  if (!memory.module._pelt_closest_point(pose, x, y, z, maxDistance)) return null;
+  const [nearest] = readPoints(memory);
+  return { distance: memory.number(6), ...nearest, stats: readStats(memory) };
+}
+
+export function distance(memory, [a, b], options) {
+  const read = readOptions(memory, options, kDistanceRules);
+  const { maxDistance = Infinity, tolerance = 0 } = read;
+  if (!memory.module._pelt_distance(a, b, maxDistance, tolerance)) return null;
+  const [pointA, pointB] = readPoints(memory);
+  const [least, lowerBound] = memory.numbers(6, 8);
+  return { distance: least, lowerBound, a: pointA, b: pointB, stats: readStats(memory) };
+}
+
+/** `pose` is the object here. */
+function requireClosed(pose) {
+  if (!pose.isClosed) {
+    throw invalid(`the surface of ${pose.character.name} is not closed: it has no inside`);
+  }
+}
+
+export function sideOf(memory, handle, pose, point) {
+  const [x, y, z] = check.vector(point, 3, 'point', kMostCoordinate);
+  requireClosed(pose);
+  return kSides[memory.module._pelt_side_of(handle, x, y, z)];
+}
+
+/** `pose` is the second one. */
+export function deepestVertex(memory, [a, b], pose) {
+  requireClosed(pose);
+  if (!memory.module._pelt_deepest_vertex(a, b)) return null;
+  const [vertex, ...rest] = memory.numbers(6, 11);
+  const [nearest] = readPoints(memory);
+  const stats = readStats(memory);
+  return { vertex, position: rest.slice(0, 3), depth: rest[3], nearest, stats };
+}
+
+export function containment(memory, [a, b]) {
+  return kContainments[memory.module._pelt_containment(a, b)];
+}

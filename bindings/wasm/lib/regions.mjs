@@ -1,0 +1,118 @@
+/** Regions of space: as callers write them, and what is asked about them. */
+
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+import { readObject } from './options.mjs';
+import { readStats } from './stats.mjs';
+
+/** As region.hpp numbers them. */
+const kPlacements = ['outside', 'partly', 'inside'];
+
+/** Queries take no more. */
+const kMostFaces = 64;
+
+const { float } = check;
+const vector = (value, name) => Array.from(check.vector(value, 3, name, check.kMostFloat));
+const matrix = (value, name) => Array.from(check.vector(value, 16, name, check.kMostFloat));
+const size = (value, name) => check.number(value, name, 0, check.kMostFloat);
+const sizes = (value, name) => vector(value, name).map((x, axis) => size(x, `${name}[${axis}]`));
+
+function list(value, name, least, most) {
+  if (Array.isArray(value) && value.length >= least && value.length <= most) return value;
+  const found = Array.isArray(value) ? `${value.length}` : check.kindOf(value);
+  const expected = least === most ? `${most}` : `up to ${most}`;
+  throw invalid(`${name}: expected an array of ${expected}, found ${found}`);
+}
+
+const kFaceRules = { normal: vector, offset: float };
+const kDepths = { minusOneToOne: 6, zeroToOne: 7 };
+const kUnitAxes = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+function axes(value, name) {
+  return list(value, name, 3, 3).map((axis, i) => vector(axis, `${name}[${i}]`));
+}
+
+/** What regions.cpp knows by a number, and of which it takes the numbers one after the other. */
+const kKinds = {
+  halfSpace: {
+    rules: kFaceRules,
+    write: ({ normal, offset }) => [0, normal, offset],
+  },
+  box: {
+    rules: { low: vector, high: vector },
+    write: ({ low, high }) => [1, low, high],
+  },
+  orientedBox: {
+    rules: { centre: vector, axes, half: sizes },
+    defaults: { axes: kUnitAxes },
+    write: ({ centre, axes, half }) => [2, centre, axes, half],
+  },
+  polyhedron: {
+    rules: { faces: (faces, name) => list(faces, name, 0, kMostFaces) },
+    write: ({ faces }) => [3, faces.map(({ normal, offset }) => [normal, offset])],
+  },
+  sphere: {
+    rules: { centre: vector, radius: size },
+    write: ({ centre, radius }) => [4, centre, radius],
+  },
+  capsule: {
+    rules: { a: vector, b: vector, radius: size },
+    write: ({ a, b, radius }) => [5, a, b, radius],
+  },
+  frustum: {
+    rules: {
+      viewProjection: matrix,
+      depth: (value, name) => check.oneOf(value, Object.keys(kDepths), name),
+    },
+    defaults: { depth: 'minusOneToOne' },
+    write: ({ viewProjection, depth }) => [kDepths[depth], viewProjection],
+  },
+};
+
+/** The values of `given`, all of which are there. */
+function complete(memory, given, { rules, defaults = {} }, place) {
+  const values = { ...defaults, ...readObject(memory, given, rules, place) };
+  for (const key of Object.keys(rules)) {
+    if (values[key] === undefined)
+      throw invalid(`${place}.${key}: expected a value, found nothing`);
+  }
+  return values;
+}
+
+/** Hands a region over; returns the number of its kind. */
+function writeRegion(memory, region) {
+  const { kind, ...given } = check.object(region, 'region');
+  check.oneOf(kind, Object.keys(kKinds), 'region.kind');
+  const values = complete(memory, given, kKinds[kind], 'region');
+  if (kind === 'polyhedron') {
+    values.faces = values.faces.map((face, i) =>
+      complete(memory, face, { rules: kFaceRules }, `region.faces[${i}]`),
+    );
+  }
+  const [number, ...numbers] = kKinds[kind].write(values).flat(Infinity);
+  const address = memory.module._pelt_region(numbers.length);
+  memory.write(Float32Array, address, numbers, numbers.length, 'region');
+  return number;
+}
+
+/** `pose` is a handle, here and below. */
+export function classify(memory, pose, region) {
+  return kPlacements[memory.module._pelt_classify(pose, writeRegion(memory, region))];
+}
+
+export function intersectsRegion(memory, pose, region) {
+  return memory.module._pelt_intersects_region(pose, writeRegion(memory, region)) !== 0;
+}
+
+export function findTriangles(memory, pose, region) {
+  const inside = memory.module._pelt_find_triangles(pose, writeRegion(memory, region));
+  return {
+    touching: memory.data(Uint32Array, 1),
+    inside: memory.copy(Uint32Array, inside, memory.number(6)),
+    stats: readStats(memory),
+  };
+}

@@ -1,0 +1,19 @@
+import { PeltError } from './errors.mjs';
+
+/** A module whose only function returns a vector of zeros. */
+const kUsesSimd = Uint8Array.of(
+  ...[0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00],
+  ...[0x01, 0x05, 0x01, 0x60, 0x00, 0x01, 0x7b],
+  ...[0x03, 0x02, 0x01, 0x00],
+  ...[0x0a, 0x08, 0x01, 0x06, 0x00, 0x41, 0x00, 0xfd, 0x0f, 0x0b],
+);
+
+/** Says in words what would otherwise be a fault in a byte of the engine. */
+export function requireSimd() {
+  if (globalThis.WebAssembly?.validate(kUsesSimd)) return;
+  throw new PeltError(
+    'unsupported',
+    'Pelt needs WebAssembly with SIMD, which this browser or Node has not: Chrome or Edge 91, ' +
+      'Firefox 89, Safari 16.4, Node 18 and later ones have it',
+  );
+}
