@@ -154,6 +154,27 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{R"({"models": {"a": "a"}, "instances": [{"model": "a", "scale": [1, 1, 1]}]})",
                 "instances[0].scale: expected a number, found an array"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Ignore, RefusedScene,
+    ::testing::Values(
+        Refusal{R"({"models": {"a": "a"}, "instances": [], "ignore": {"cape": "spine"}})",
+                "ignore: expected an array of pairs of names, found an object"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [], "ignore": [["a", "b"], "cape"]})",
+                "ignore: expected two names for element 1"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [], "ignore": [["a", "b", "c"]]})",
+                "ignore: expected two names for element 0"},
+        Refusal{R"({"models": {"a": "a"}, "instances": [], "ignore": [["a", 1]]})",
+                "ignore: expected two names for element 0"}));
+
+TEST(SceneFile, ReadsWhatIsIgnored) {
+  const Result<SceneFile> file = parse_scene_file(
+      R"({"models": {"a": "a"}, "instances": [], "ignore": [["cape", "a,b"], ["x/*", "y"]]})");
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_EQ(file->ignore.size(), 2u);
+  EXPECT_EQ(file->ignore[0].b, "a,b");
+  EXPECT_EQ(file->ignore[1].a, "x/*");
+}
+
 std::set<std::string> keys_of(const nlohmann::json& object) {
   std::set<std::string> keys;
   for (auto member = object["properties"].begin(); member != object["properties"].end(); ++member) {
@@ -178,6 +199,10 @@ TEST(SceneSchema, HasTheKeysOfTheReader) {
   EXPECT_EQ(keys_of(schema["$defs"]["creature"]), set_of(kCreatureKeys));
   EXPECT_EQ(keys_of(schema["$defs"]["face"]), set_of(kFaceKeys));
   EXPECT_EQ(keys_of(schema["$defs"]["instance"]), set_of(kInstanceKeys));
+  const auto& ignore = schema["properties"]["ignore"];
+  EXPECT_EQ(ignore["type"], "array");
+  EXPECT_EQ(ignore["items"], nlohmann::json::parse(R"({"type": "array", "minItems": 2,
+    "maxItems": 2, "items": {"type": "string"}})"));
 }
 
 TEST(SceneSchema, HasTheDefaultsOfTheReader) {

@@ -51,6 +51,10 @@ INSTANTIATE_TEST_SUITE_P(
                      {"error: rotten.json: ignore: no part and no joint is named \"wing\""},
                      "rotten.json"}));
 
+INSTANTIATE_TEST_SUITE_P(Outputs, CheckRefuses,
+                         ::testing::Values(RefusedCheck{{"--glb", "no/folder/a.glb"},
+                                                        {"no/folder/a.glb: cannot be written"}}));
+
 INSTANTIATE_TEST_SUITE_P(
     Baseline, CheckRefuses,
     ::testing::Values(

@@ -238,6 +238,10 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   choices.take(choose_fail_on(arguments), settings.fail_on);
   choices.take(choose_baseline(arguments, settings, scene), settings.baseline);
   if (choices.refusal()) return *choices.refusal();
+  // What cannot be written should be said before long work, and before --jsonl is replaced.
+  if (!arguments.glb.empty()) {
+    if (const auto writable = check_writable(arguments.glb); !writable) return writable.error();
+  }
   return settings;
 }
 
