@@ -4,26 +4,10 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
-import { createServer } from 'vite';
+import { closeSources, load, openSources } from './load.mjs';
 
-const root = fileURLToPath(new URL('..', import.meta.url));
-let vite;
-const load = (file) => vite.ssrLoadModule(`/src/${file}`);
-
-before(async () => {
-  globalThis.matchMedia = () => ({ matches: false, addEventListener: () => {} });
-  vite = await createServer({
-    root,
-    configFile: false,
-    appType: 'custom',
-    logLevel: 'error',
-    server: { middlewareMode: true, hmr: false, ws: false, watch: null },
-    optimizeDeps: { noDiscovery: true },
-    esbuild: { jsx: 'automatic', jsxImportSource: 'preact' },
-  });
-});
-after(() => vite.close());
+before(openSources);
+after(closeSources);
 
 describe('turns around y', () => {
   const quaternion = (degrees) => {
