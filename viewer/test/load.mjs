@@ -1,9 +1,9 @@
-// Parts of the page in Node: `load('scene/turn.ts')` is the module.
+// Parts of the page in Node: `load('scene/turn.ts')` is the module, `root` the folder of package.json.
 
 import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';
 
-const root = fileURLToPath(new URL('..', import.meta.url));
+export const root = fileURLToPath(new URL('..', import.meta.url));
 let vite;
 
 export const load = (file) => vite.ssrLoadModule(`/src/${file}`);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { closeSources, load, openSources } from './load.mjs';
+import { closeSources, load, openSources, root } from './load.mjs';
 
 before(openSources);
 after(closeSources);
