@@ -1,4 +1,5 @@
 import { defineConfig } from 'vite';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { notices } from './build/notices';
 import { oneFile } from './build/one_file';
@@ -9,6 +10,9 @@ const here = fileURLToPath(new URL('.', import.meta.url));
 const folder =
   process.env.PELT_WASM ?? fileURLToPath(new URL('../build/wasm/package', import.meta.url));
 const engine = `${folder}/pelt.mjs`;
+
+/** For the page to say of itself; the command looks for it. */
+process.env.VITE_PELT_VERSION = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8')).version;
 
 export default defineConfig({
   resolve: { alias: { pelt: engine } },

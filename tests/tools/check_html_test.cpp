@@ -1,7 +1,10 @@
 /// What `pelt check --html` puts into the page; the page itself is tested in a browser
 /// (viewer/test).
 
+#include <pelt/version.hpp>
+
 #include "tools/answer.hpp"
+#include "tools/pelt/character_files.hpp"
 #include "tools/test_scenes.hpp"
 
 #include <cstdlib>
@@ -9,15 +12,12 @@
 namespace pelt::test {
 namespace {
 
-constexpr const char* kPage =
-    R"(<html><script type="application/json" id="pelt-data"></script><p>viewer</p></html>)";
-
 /// A folder with the limbs' scene and a page that stands in for the viewer.
 class CheckHtml : public ::testing::Test {
  protected:
   void SetUp() override {
     write_limbs(folder_);
-    write_text(folder_ / "viewer.html", kPage);
+    write_text(folder_ / "viewer.html", viewer_page(PELT_VERSION));
     ASSERT_EQ(setenv("PELT_VIEWER", (folder_ / "viewer.html").c_str(), 1), 0);
   }
   void TearDown() override { unsetenv("PELT_VIEWER"); }
@@ -58,8 +58,10 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
   EXPECT_EQ(data["format"], "pelt-report");
   EXPECT_EQ(data["command"],
             "pelt check scene.json --frames 2:12:2 --jsonl answer.jsonl --html report.html");
-  EXPECT_EQ(data["answer"]["hash"], file.totals["hash"]);
-  EXPECT_EQ(data["answer"]["frames"], json({2, 12, 2}));
+  EXPECT_EQ(data["pelt"], PELT_VERSION);
+  EXPECT_EQ(data["made"].get<std::string>().size(), std::string("2026-11-22T14:05:09Z").size());
+  for (const auto& [key, value] : file.totals.items()) EXPECT_EQ(data["answer"][key], value) << key;
+  EXPECT_EQ(data["answer"]["options"], file.header["options"]);
   ASSERT_EQ(data["answer"]["counts"].size(), file.frames.size());
   for (std::size_t i = 0; i < file.frames.size(); ++i)
     EXPECT_EQ(data["answer"]["counts"][i], file.frames[i]["contacts"]);
@@ -74,6 +76,42 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
   EXPECT_EQ(parse_check_file(again.out).totals["hash"], file.totals["hash"]);
 }
 
+TEST_F(CheckHtml, TellsWhatIsIgnoredAndWhatIsWorse) {
+  const auto check = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"check", "scene.json", "--by", "part"});
+    return run_pelt(folder_, words);
+  };
+  ASSERT_EQ(check({"--ignore", "one/*,two/*", "--jsonl", "known.jsonl"}).exit_code, 0);
+  ASSERT_EQ(
+      check({"--ignore", "one/*,two/joint 1", "--baseline", "known.jsonl", "--html", "report.html"})
+          .exit_code,
+      1);
+  const json data = data_of(read_text(folder_ / "report.html"));
+  const json& answer = data["answer"];
+  EXPECT_EQ(answer["options"]["by"], "part");
+  EXPECT_GT(answer["totals"]["ignored"], 0);
+  EXPECT_TRUE(answer["verdict"]["failed"]);
+  EXPECT_EQ(answer["verdict"]["worse"].size(), answer["touches"].size());
+  const json scene = json::parse(decode(data["files"]["scene.json"]));
+  EXPECT_EQ(scene["ignore"], json::array({json::array({"one/*", "two/joint 1"})}));
+}
+
+TEST_F(CheckHtml, NamesItsInputsAsTheyWereGiven) {
+  std::filesystem::create_directory(folder_ / "models");
+  write_bytes(folder_ / "models/one.glb", swaying_limb(24));
+  ASSERT_EQ(run_pelt(folder_, {"check", "models/one.glb", "two.glb", "--html", "report.html",
+                               "--jsonl", "answer.jsonl"})
+                .exit_code,
+            1);
+  const json inputs = data_of(read_text(folder_ / "report.html"))["inputs"];
+  ASSERT_EQ(inputs.size(), 2u);
+  EXPECT_EQ(inputs[0]["path"], "models/one.glb");
+  EXPECT_EQ(inputs[0]["file"], "0/one.glb");
+  EXPECT_EQ(inputs[0]["bytes"], std::filesystem::file_size(folder_ / "models/one.glb"));
+  const CheckFile file = parse_check_file(read_text(folder_ / "answer.jsonl"));
+  EXPECT_EQ(inputs[1]["hash"], file.header["inputs"][1]["hash"]);
+}
+
 TEST_F(CheckHtml, TakesModelsOfTheCommandLine) {
   const Ended run = run_pelt(folder_, {"check", "one.glb", "two.glb", "--clip", "sway", "--clip",
                                        "sway", "--at", "0,0,0", "--html", "report.html"});
@@ -85,22 +123,32 @@ TEST_F(CheckHtml, TakesModelsOfTheCommandLine) {
 
 TEST_F(CheckHtml, TakesTheBuffersOfAGltfFile) {
   const GltfBuilder strip = strip_with_fan();
-  write_bytes(folder_ / "strip.gltf", strip.gltf("strip.bin"));
   write_bytes(folder_ / "strip.bin", strip.binary);
-  const Ended run = run_pelt(
-      folder_, {"check", "strip.gltf", "strip.gltf", "--at", "9,0,0", "--html", "report.html"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const json files = data_of(read_text(folder_ / "report.html"))["files"];
-  EXPECT_EQ(files.size(), 3u);
-  EXPECT_EQ(decode(files["0/strip.gltf"]), read_text(folder_ / "strip.gltf"));
-  EXPECT_EQ(decode(files["0/strip.bin"]), read_text(folder_ / "strip.bin"));
+  for (const std::string name : {"strip.gltf", "STRIP.GLTF"}) {
+    write_bytes(folder_ / name, strip.gltf("strip.bin"));
+    const Ended run =
+        run_pelt(folder_, {"check", name, name, "--at", "9,0,0", "--html", "report.html"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const json files = data_of(read_text(folder_ / "report.html"))["files"];
+    EXPECT_EQ(files.size(), 3u);
+    EXPECT_EQ(decode(files["0/" + name]), read_text(folder_ / name));
+    EXPECT_EQ(decode(files["0/strip.bin"]), read_text(folder_ / "strip.bin"));
+  }
+}
+
+TEST_F(CheckHtml, TakesNoFileThatHasChangedMeanwhile) {
+  const auto scene = scenes::load_scene(folder_ / "scene.json");
+  ASSERT_TRUE(scene);
+  EXPECT_TRUE(tools::read_character_files(*scene));
+  write_bytes(folder_ / "two.glb", swaying_limb(16));
+  const auto files = tools::read_character_files(*scene);
+  ASSERT_FALSE(files);
+  EXPECT_NE(files.error().message.find("two.glb: has changed"), std::string::npos);
 }
 
 TEST_F(CheckHtml, RefusesWhatThePageCannotShow) {
-  for (const std::vector<std::string>& option : {std::vector<std::string>{"--by", "part"},
-                                                 {"--clearance", "0.1"},
-                                                 {"--max-contacts", "3"},
-                                                 {"--ignore", "one/*,two/*"}}) {
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--clearance", "0.1"}, {"--max-contacts", "3"}}) {
     std::vector<std::string> arguments = {"check", "scene.json", "--html", "report.html"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     const Ended run = run_pelt(folder_, arguments);
@@ -119,6 +167,11 @@ TEST_F(CheckHtml, SaysWhereTheViewerComesFrom) {
   const Ended wrong = run_pelt(folder_, {"check", "scene.json", "--html", "report.html"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("scene.json: is not the viewer's page"), std::string::npos) << wrong.err;
+  write_text(folder_ / "viewer.html", viewer_page("0.0.9"));
+  setenv("PELT_VIEWER", (folder_ / "viewer.html").c_str(), 1);
+  const Ended old = run_pelt(folder_, {"check", "scene.json", "--html", "report.html"});
+  EXPECT_EQ(old.exit_code, 2);
+  EXPECT_NE(old.err.find("is the page of another version"), std::string::npos) << old.err;
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "tools/test_scenes.hpp"
 
 #include <pelt/asset.hpp>
+#include <pelt/version.hpp>
+
+#include <cstdlib>
 
 namespace pelt::test {
 namespace {
@@ -8,10 +11,16 @@ namespace {
 /// POV-Ray is hidden by an empty PATH, so that the test is quick and the same everywhere.
 TEST(Demo, WritesItsFilesWithoutARayTracer) {
   const TestFolder folder;
+  write_text(folder / "viewer.html", viewer_page(PELT_VERSION));
+  ASSERT_EQ(setenv("PELT_VIEWER", (folder / "viewer.html").c_str(), 1), 0);
   const Ended run = run_pelt(folder, {"demo"}, "/nonexistent");
+  unsetenv("PELT_VIEWER");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("apt-get install povray"), std::string::npos) << run.out;
   EXPECT_FALSE(std::filesystem::exists(folder / "pelt-demo/still.png"));
+  EXPECT_NE(run.out.find("wrote pelt-demo/report.html\n"), std::string::npos) << run.out;
+  EXPECT_NE(read_text(folder / "pelt-demo/report.html").find("\"command\":\"pelt demo\""),
+            std::string::npos);
 
   const std::vector<std::string> lines = lines_of(read_text(folder / "pelt-demo/contacts.jsonl"));
   const json totals = json::parse(lines.back());

@@ -103,4 +103,9 @@ std::string write_strip(const TestFolder& folder, const std::string& name) {
   return folder / name;
 }
 
+std::string viewer_page(const std::string& version) {
+  return R"(<html><meta name="generator" content="Pelt )" + version +
+         R"("><script type="application/json" id="pelt-data"></script><p>viewer</p></html>)";
+}
+
 }  // namespace pelt::test

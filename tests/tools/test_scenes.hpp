@@ -39,4 +39,7 @@ GltfBuilder strip_with_fan();
 /// Writes strip_with_fan() to `name` of the folder; returns its path.
 std::string write_strip(const TestFolder& folder, const std::string& name);
 
+/// A page that stands in for the viewer.
+std::string viewer_page(const std::string& version);
+
 }  // namespace pelt::test

@@ -15,7 +15,9 @@ import time
 import urllib.error
 import urllib.request
 
-PAGE = '<script type="application/json" id="pelt-data"></script>'
+SAID = subprocess.run([sys.argv[1], "--version"], capture_output=True, text=True, check=True).stdout
+PAGE = (f'<meta name="generator" content="Pelt {SAID.split()[-1]}">'
+        '<script type="application/json" id="pelt-data"></script>')
 SCENE = '{"models": {"a": {"creature": {"triangles": 1000}}}, "instances": [{"model": "a"}]}'
 PATIENCE = 20
 

@@ -1,8 +1,10 @@
 #include "tools/pelt/character_files.hpp"
 
+#include "asset/container.hpp"
 #include "asset/file_bytes.hpp"
 #include "asset/json_object.hpp"
 #include "asset/uri.hpp"
+#include "base/hash.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,16 +13,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The URIs of files that a .gltf's buffers lie in. The file has been read before: it is sound.
-std::vector<std::string> buffer_uris(std::span<const std::byte> gltf) {
+/// The URIs of files that buffers lie in. The file has been read before: it is sound.
+std::vector<std::string> buffer_uris(std::span<const std::byte> file) {
   std::vector<std::string> uris;
-  const auto parsed = asset::parse_json({reinterpret_cast<const char*>(gltf.data()), gltf.size()});
+  const auto container = asset::open_container(file);
+  if (!container) return uris;
+  const auto parsed = asset::parse_json(container->json);
   if (!parsed || !parsed->contains("buffers")) return uris;
   for (const nlohmann::json& buffer : (*parsed)["buffers"]) {
     const std::string uri = buffer.value("uri", "");
     if (!uri.empty() && !asset::is_data_uri(uri)) uris.push_back(uri);
   }
   return uris;
+}
+
+/// Another process may have written it meanwhile.
+Result<void> check_unchanged(const scenes::Character& character, std::span<const std::byte> bytes) {
+  detail::Fnv1a64 hash;
+  hash.add_bytes(bytes);
+  if (hash.value() == character.hash) return {};
+  return Error{ErrorCode::unreadable_file,
+               character.source + ": has changed since it was read: try again"};
 }
 
 Result<void> add_file(const fs::path& path, const std::string& name, CharacterFiles& files) {
@@ -46,13 +59,15 @@ Result<void> add_buffers(const fs::path& path, const std::string& folder, Charac
 Result<CharacterFiles> read_character_files(const scenes::Scene& scene) {
   CharacterFiles files;
   for (std::size_t c = 0; c < scene.characters.size(); ++c) {
-    const auto* path = std::get_if<fs::path>(&scene.characters[c].origin);
+    const scenes::Character& character = scene.characters[c];
+    const auto* path = std::get_if<fs::path>(&character.origin);
     files.paths.emplace_back();
     if (!path) continue;
     const std::string folder = std::to_string(c) + "/";
     files.paths.back() = folder + path->filename().string();
     if (const auto added = add_file(*path, files.paths.back(), files); !added) return added.error();
-    if (path->extension() != ".gltf") continue;
+    const auto unchanged = check_unchanged(character, files.bytes[files.paths.back()]);
+    if (!unchanged) return unchanged.error();
     if (const auto added = add_buffers(*path, folder, files); !added) return added.error();
   }
   return files;

@@ -16,8 +16,8 @@ struct CharacterFiles {
   std::vector<std::string> paths;                       ///< of each character; "" if generated
 };
 
-/// Each character's files lie in a folder of its own, named by its number: "0/knight.glb". Of a
-/// .gltf also the buffers that it names, but no images.
+/// Each character's files lie in a folder of its own, named by its number: "0/knight.glb", with the
+/// buffers that it names, but no images. Refuses a file that has changed since the scene was read.
 Result<CharacterFiles> read_character_files(const scenes::Scene& scene);
 
 }  // namespace pelt::tools

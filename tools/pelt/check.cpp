@@ -36,19 +36,14 @@ characters. A baseline is an earlier --jsonl: then only what is new or has grown
 Exit codes: 0 no contact, 1 contact (or what --fail-on says; with --inside also one that holds
 another), 2 bad input or arguments, 3 internal error.)";
 
-/// The page counts contacts of instances itself: it can show no answer to another question.
-Result<void> check_for_page(const CheckArguments& arguments, const scenes::Scene& scene) {
+/// The page counts contacts itself: it can show no answer to a question that it cannot ask.
+Result<void> check_for_page(const CheckArguments& arguments) {
   if (arguments.html.empty()) return {};
   const auto refused = [](const char* option) {
     return bad_argument("--html", std::string("the page does not know ") + option, "leave it out");
   };
-  if (arguments.by != "instance") return refused("--by part");
   if (arguments.clearance) return refused("--clearance");
   if (arguments.max_contacts) return refused("--max-contacts");
-  if (!arguments.ignore.empty()) return refused("--ignore");
-  if (!scene.ignore.empty())
-    return bad_argument("--html", "the page does not know what " + scene.name + " ignores",
-                        "leave out its \"ignore\"");
   // What is missing should be said before long work.
   if (const auto viewer = read_viewer(); !viewer) return viewer.error();
   return check_writable(arguments.html);
@@ -58,9 +53,10 @@ Result<ExitCode> check(const CheckArguments& arguments) {
   if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
   Result<scenes::Scene> scene = open_scene(arguments.scene);
   if (!scene) return scene.error();
-  if (const auto checked = check_for_page(arguments, *scene); !checked) return checked.error();
+  if (const auto checked = check_for_page(arguments); !checked) return checked.error();
   const Result<CheckSettings> settings = choose_settings(arguments, *scene);
   if (!settings) return settings.error();
+  scene->ignore = settings->ignore;  // so that the page has it too
   CheckOutputs outputs;
   outputs.jsonl = arguments.jsonl;
   outputs.glb = arguments.glb;

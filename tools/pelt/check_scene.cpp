@@ -6,6 +6,8 @@
 #include "tools/pelt/summary.hpp"
 #include "tools/pelt/viewer_page.hpp"
 
+#include <sstream>
+
 namespace pelt::tools {
 namespace {
 
@@ -17,14 +19,23 @@ Result<void> write_contacts_glb(const std::string& path, const scenes::Scene& sc
   return write_file(path, contacts_glb(*posed, touching_triangles(*posed, colliders, kept.found)));
 }
 
-Result<void> write_report(const CheckOutputs& outputs, const scenes::Scene& scene,
-                          const CheckSettings& settings, const CheckReport& report,
-                          const ModelArguments& models) {
-  PageData data;
-  data.command = outputs.words;
-  data.first_contact = settings.max_contacts.has_value();
-  data.answer = {settings.frames, report.frame_contacts, report.totals.hash};
-  const Result<std::string> page = page_of_scene(scene, models, data);
+/// The first line of --jsonl and the last.
+std::string outer_lines(const scenes::Scene& scene, std::span<const Collider> colliders,
+                        const CheckQuestion& question, const CheckReport& report,
+                        const TouchTally& tally) {
+  const std::vector<Touch> touches = tally.touches();
+  Findings found = {touches, {}};
+  if (report.inside) found.held = report.inside->held;
+  std::ostringstream lines;
+  JsonlWriter writer(lines, question, scene, colliders);
+  writer.header();
+  writer.totals(report.totals, found, report.verdict);
+  return lines.str();
+}
+
+Result<void> write_page(const CheckOutputs& outputs, const scenes::Scene& scene,
+                        const ModelArguments& models, const PageAnswer& answer) {
+  const Result<std::string> page = page_of_scene(scene, models, {outputs.words, answer});
   if (!page) return page.error();
   return write_file(outputs.html, std::as_bytes(std::span(*page)));
 }
@@ -53,7 +64,9 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
     if (!written) return written.error();
   }
   if (!outputs.html.empty()) {
-    const auto written = write_report(outputs, scene, settings, *report, models);
+    const PageAnswer answer = {report->frame_contacts,
+                               outer_lines(scene, *colliders, question, *report, *tally)};
+    const auto written = write_page(outputs, scene, models, answer);
     if (!written) return written.error();
   }
   print_summary(scene, *colliders, settings, *report, *tally, words);

@@ -33,9 +33,7 @@ Result<std::string> make_page(const Arguments& arguments) {
   if (arguments.scene.inputs.empty()) return read_viewer();
   const Result<scenes::Scene> scene = open_scene(arguments.scene);
   if (!scene) return scene.error();
-  PageData data;
-  data.command = arguments.words;
-  return page_of_scene(*scene, arguments.scene.models, data);
+  return page_of_scene(*scene, arguments.scene.models, {arguments.words, std::nullopt});
 }
 
 Result<ExitCode> view(const Arguments& arguments) {

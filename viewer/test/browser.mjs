@@ -8,7 +8,7 @@ import { chromium } from 'playwright-core';
 const ARGUMENTS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 /** Long enough for the slowest machine to generate two characters. */
-const PATIENCE = 60_000;
+export const PATIENCE = 60_000;
 
 export function launch() {
   const executablePath = process.env.PELT_CHROMIUM ?? '/usr/bin/chromium';
@@ -98,9 +98,9 @@ export const RED_HANDLE = { least: [209, 64, 75], most: [219, 74, 85] };
 
 /** How many pixels of the picture have such a colour, where on the page their middle is, and how
  * many different colours there are in all: a black page has one. */
-export async function pixels(page, wanted = GLOWING) {
-  const picture = await page.locator('#view').screenshot();
-  return page.evaluate(countPixels, { base64: picture.toString('base64'), wanted });
+export async function pixels(page, wanted = GLOWING, picture = page.locator('#view')) {
+  const bytes = await picture.screenshot();
+  return page.evaluate(countPixels, { base64: bytes.toString('base64'), wanted });
 }
 
 /** Runs in the page. */

@@ -25,9 +25,6 @@ const FIELD_OF_VIEW = 32;
 /** Pixels. */
 const STILL = { width: 192, height: 192 };
 
-/** Of the picture. */
-const STILL_SHARE = 0.75;
-
 /** Of the distance from which all is seen. At its ends a walk may be cut by the edge. */
 const CLOSENESS = { standing: 0.95, walking: 0.66 };
 
@@ -120,10 +117,8 @@ export class Studio {
 
   /** The camera flies to what is in the box, from the side that it is on. */
   lookAt(box: Box3): void {
-    const { center, radius } = box.getBoundingSphere(new Sphere());
-    const distance = distanceOf(Math.max(SURROUNDINGS * radius, NEAREST * this.whole.radius));
     const away = this.camera.position.clone().sub(this.orbit.target).normalize();
-    this.fly(center.clone().addScaledVector(away, distance), center);
+    this.fly(...this.placeToSee(box, away));
   }
 
   /** Around what the camera looks at; radians. */
@@ -141,16 +136,28 @@ export class Studio {
     this.putCamera(this.camera.position.clone().sub(this.orbit.target).divideScalar(factor));
   }
 
-  /** The address of an image of the middle of the picture. */
-  photograph(): string {
-    this.renderer.render(this.scene, this.camera);
+  /** The address of an image of what is in the box, wherever the camera is. */
+  photograph(box: Box3): string {
+    const camera = this.camera.clone();
+    const [position, target] = this.placeToSee(box, VIEW_DIRECTION);
+    camera.position.copy(position);
+    camera.lookAt(target);
+    this.renderer.render(this.scene, camera);
     const { width, height } = this.canvas;
-    const side = STILL_SHARE * Math.min(width, height);
+    const side = Math.min(width, height);
     const still = Object.assign(document.createElement('canvas'), STILL);
     const context = still.getContext('2d')!;
     const [left, top] = [(width - side) / 2, (height - side) / 2];
     context.drawImage(this.canvas, left, top, side, side, 0, 0, STILL.width, STILL.height);
     return still.toDataURL();
+  }
+
+  /** Where the camera stands, and what it looks at. */
+  private placeToSee(box: Box3, from: Vector3): [Vector3, Vector3] {
+    const { center, radius } = box.getBoundingSphere(new Sphere());
+    const distance = distanceOf(Math.max(SURROUNDINGS * radius, NEAREST * this.whole.radius));
+    const most = Math.min(distance, this.distance);
+    return [center.clone().addScaledVector(from, most), center];
   }
 
   private fly(position: Vector3, target: Vector3): void {

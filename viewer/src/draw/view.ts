@@ -4,6 +4,7 @@ import { Box3 } from 'three';
 import { frameTime, placeAt, translationFor, type Instance } from '../scene/scene';
 import type { Quaternion, Vector3 } from '../scene/scene';
 import type { AnsweredShot, CameraMove, State } from '../state/state';
+import type { Glow as Contacts } from '../worker/protocol';
 import { DARK, LIGHT, type Ambience } from './colours';
 import { Figure } from './figure';
 import { Gizmo } from './gizmo';
@@ -66,12 +67,12 @@ export class View {
     this.showGizmo(state);
   }
 
-  /** The address of a small picture of another answer. */
+  /** The address of a small picture of another answer, which has contacts. */
   photograph(answer: AnsweredShot): string {
     const state = this.shown!;
     this.boxes.visible = this.gizmo.helper.visible = false;
     this.showAnswer(state, answer);
-    const picture = this.studio.photograph();
+    const picture = this.studio.photograph(boxAround(answer.glow));
     this.boxes.visible = this.gizmo.helper.visible = true;
     if (state.answer) this.showAnswer(state, state.answer);
     return picture;
@@ -96,8 +97,7 @@ export class View {
     if (shot.spot === this.visited) return;
     this.visited = shot.spot;
     if (!spot || spot.glow.triangles === 0) return;
-    const corners = spot.glow.corners.subarray(0, 9 * spot.glow.triangles);
-    this.studio.lookAt(new Box3().setFromArray(corners));
+    this.studio.lookAt(boxAround(spot.glow));
   }
 
   private showAnswer({ characters }: State, answer: AnsweredShot): void {
@@ -134,4 +134,8 @@ export class View {
     const translation = translationFor(place, instance, frameTime(scene, frame));
     this.events.onPlace(selected, { translation, rotation });
   }
+}
+
+function boxAround({ corners, triangles }: Contacts): Box3 {
+  return new Box3().setFromArray(corners.subarray(0, 9 * triangles));
 }

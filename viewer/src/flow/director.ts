@@ -55,9 +55,11 @@ export class Director {
   }
 
   private sweep(): void {
-    const { scene, firstContact, sweep, reading } = this.store.state;
+    const { scene, by, firstContact, sweep, reading, report } = this.store.state;
     if (reading) return this.sweepLater();
-    if (scene) void this.asker.ask('sweep', { id: sweep.id, scene, firstContact });
+    if (!scene) return;
+    const frames = report?.answer?.options.frames ?? null;
+    void this.asker.ask('sweep', { id: sweep.id, scene, by, firstContact, frames });
   }
 }
 
@@ -66,5 +68,9 @@ function sparesOf(answer: AnsweredShot | null): Spare[] {
 }
 
 function sweepsDiffer(state: State, before: State): boolean {
-  return state.scene !== before.scene || state.firstContact !== before.firstContact;
+  return (
+    state.scene !== before.scene ||
+    state.by !== before.by ||
+    state.firstContact !== before.firstContact
+  );
 }

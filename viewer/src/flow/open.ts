@@ -1,6 +1,6 @@
 /** From files to characters on the stage, or to a readable complaint. */
 
-import { filesOf, type Report } from '../report/report';
+import { filesOf, originalPath, stopsAtFirst, type Report } from '../report/report';
 import * as changes from '../state/changes';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -25,10 +25,20 @@ export class Opener {
   }
 
   openReport(report: Report): void {
-    const { scene, reading, firstContact } = report;
-    const question = { path: scene, files: filesOf(report), options: reading };
-    this.store.update(() => ({ report, firstContact, listing: 'clip' }));
-    this.show(scene, () => this.client.ask('openScene', question));
+    const { scene, reading, answer } = report;
+    const by = answer?.options.by ?? 'instance';
+    this.store.update(() => ({
+      report,
+      by,
+      firstContact: stopsAtFirst(report),
+      listing: answer ? 'clip' : 'frame',
+    }));
+    this.show(scene, async () => {
+      const question = { path: scene, files: filesOf(report), options: reading };
+      const opened = await this.client.ask('openScene', question);
+      this.store.update(() => ({ reported: opened.scene }));
+      return withOriginalPaths(opened, report);
+    });
   }
 
   /** Characters, or a scene with its characters; on the stage they replace all others. */
@@ -72,4 +82,14 @@ function isScene({ path }: NamedFile): boolean {
 
 function pathsOf(files: readonly NamedFile[]): string {
   return files.map(({ path }) => path).join(', ');
+}
+
+/** A scene that is saved names the files that the report was made of. */
+function withOriginalPaths(opened: Opened, report: Report): Opened {
+  const characters = opened.characters.map((facts) =>
+    typeof facts.source === 'string'
+      ? { ...facts, source: originalPath(report, facts.source) }
+      : facts,
+  );
+  return { ...opened, characters };
 }

@@ -18,12 +18,12 @@ export class Photographer {
   }
 
   private async takeStills(): Promise<void> {
-    const { scene, firstContact, sweep } = this.store.state;
+    const { scene, by, firstContact, sweep } = this.store.state;
     if (!scene) return;
     const stills: Still[] = [];
     for (const frame of worstFrames(sweep.counts)) {
       if (this.store.state.reading) return;
-      const shot = { scene, frame, firstContact, boxLevel: null, spot: null };
+      const shot = { scene, frame, by, firstContact, boxLevel: null, spot: null };
       const answer = await this.asker.ask('still', shot);
       if (!answer || this.store.state.sweep.id !== sweep.id) return;
       stills.push({ frame, contacts: answer.contacts, picture: this.picture({ ...answer, shot }) });

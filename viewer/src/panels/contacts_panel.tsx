@@ -1,13 +1,13 @@
-import { toggleFirstContact } from '../state/changes';
 import type { State } from '../state/state';
 import type { Shot } from '../worker/protocol';
 import type { PanelProps } from './app';
 import { Pairs } from './pairs';
+import { QuerySwitches } from './query_switches';
 import { Stills } from './stills';
 import { Touches } from './touches';
 
 export function ContactsPanel({ state, update }: PanelProps) {
-  const { answer, firstContact, sweep, listing } = state;
+  const { answer, sweep, listing } = state;
   const inStep = answer !== null && isInStep(answer.shot, state);
   const isLate = !state.isPlaying && answer?.shot.frame !== state.frame;
   const touches = listing === 'clip' ? sweep.total?.touches : answer?.touches;
@@ -34,16 +34,9 @@ export function ContactsPanel({ state, update }: PanelProps) {
             </button>
           ))}
         </div>
-        <label class="switch" title="Stop each query at its first contact (F)">
-          <input
-            type="checkbox"
-            role="switch"
-            checked={firstContact}
-            onChange={() => update(toggleFirstContact)}
-          />
-          first only
-        </label>
+        <QuerySwitches state={state} update={update} />
       </div>
+      <Ignored count={listing === 'clip' ? sweep.total?.ignored : answer?.ignored} />
       {listing === 'clip' && <Stills state={state} update={update} />}
       {listing === 'clip' && touches && <Pairs state={state} touches={touches} />}
       {touches ? (
@@ -55,10 +48,21 @@ export function ContactsPanel({ state, update }: PanelProps) {
   );
 }
 
+/** Contacts that the scene says do not count. */
+function Ignored({ count }: { count: number | undefined }) {
+  if (!count) return null;
+  return (
+    <p class="quiet">
+      <span data-fact="ignored">{count.toLocaleString('en')}</span> ignored
+    </p>
+  );
+}
+
 /** Whether the answer is to the scene as it is now, at whatever frame. */
-function isInStep(shot: Shot, { scene, firstContact, boxLevel, spot }: State): boolean {
+function isInStep(shot: Shot, { scene, by, firstContact, boxLevel, spot }: State): boolean {
   return (
     shot.scene === scene &&
+    shot.by === by &&
     shot.firstContact === firstContact &&
     shot.boxLevel === boxLevel &&
     shot.spot === spot

@@ -4,6 +4,7 @@ import type { State, Update } from '../state/state';
 import type { Spot, Surface, Touch } from '../worker/protocol';
 import type { PanelProps } from './app';
 import { Place } from './place';
+import { Standing } from './standing';
 
 /** So many are listed at once, unless all are asked for. */
 const FEW = 40;
@@ -72,7 +73,10 @@ function Row({ touch, several, isFirst, isOpen, state, update }: RowProps) {
       >
         <Place surface={a} withPart={several.has(a.instance)} />
         <Place surface={b} withPart={several.has(b.instance)} />
-        <output>{contacts.toLocaleString('en')}</output>
+        <span class="count">
+          <Standing report={state.report} touch={touch} />{' '}
+          <output>{contacts.toLocaleString('en')}</output>
+        </span>
       </button>
       {isOpen && <Details touch={touch} state={state} update={update} />}
     </li>

@@ -1,35 +1,105 @@
 /** What `pelt check --html` and `pelt view` have left in the page; README.md tells the format. */
 
-import type { NamedFile, ReadingOptions } from '../worker/protocol';
+import type { NamePair } from 'pelt';
+import type { By, FrameRange, NamedFile, ReadingOptions } from '../worker/protocol';
+
+/** That of the engine in the page. */
+const PELT_VERSION: string = import.meta.env.VITE_PELT_VERSION;
 
 export interface Report {
   format: 'pelt-report';
   version: 1;
+  /** Version of the command. */
+  pelt: string;
+  /** When it was made: "2026-11-22T14:05:09Z". */
+  made: string;
   /** The words by which it was made. */
   command: string;
   /** One of `files`. */
   scene: string;
   /** Base64, by paths. */
   files: Record<string, string>;
+  inputs: ReportInput[];
   reading: ReadingOptions;
-  firstContact: boolean;
   /** None from `pelt view`, which leaves it to the page to find one. */
   answer: ReportAnswer | null;
 }
 
-export interface ReportAnswer {
-  /** First, end, step. */
-  frames: [number, number, number];
-  /** Contacts of each of them. */
-  counts: number[];
-  /** None where contacts were limited. */
-  hash: string | null;
+/** A character's file, for people. */
+export interface ReportInput {
+  /** As it was given, or what the character was generated from. */
+  path: string;
+  /** One of `files`; none if generated. */
+  file: string | null;
+  bytes: number | null;
+  hash: string;
 }
 
-/** Nothing where the page is no report. */
+/** The names are those of `pelt check --jsonl`, which tells the same. */
+export interface ReportAnswer {
+  options: {
+    method: string;
+    by: By;
+    /** First, end, step. */
+    frames: FrameRange;
+    max_contacts: number | null;
+    ignore: NamePair[];
+  };
+  /** Contacts of each of these frames. */
+  counts: number[];
+  totals: { frames: number; frames_in_contact: number; contacts: number; ignored: number };
+  /** None where contacts were limited. */
+  hash: string | null;
+  touches: KnownTouch[];
+  verdict: {
+    fail_on: string;
+    failed: boolean;
+    /** None without a baseline. */
+    worse: (KnownTouch & { known: number })[] | null;
+    /** Bodies that another one holds whole, with --inside. */
+    newly_held: unknown[] | null;
+    /** How the earlier check differed from this one. */
+    notes: string[] | null;
+  };
+}
+
+export interface KnownTouch {
+  a: KnownPlace;
+  b: KnownPlace;
+  contacts: number;
+  worst: { frame: number; contacts: number };
+}
+
+export interface KnownPlace {
+  instance: number;
+  model: string;
+  part: string;
+  joint: string;
+}
+
+/** Nothing where the page is no report; throws what is wrong with one that the page cannot show. */
 export function findReport(page: Document): Report | null {
   const text = page.getElementById('pelt-data')?.textContent?.trim();
-  return text ? (JSON.parse(text) as Report) : null;
+  if (!text) return null;
+  const data = parse(text);
+  if (data.format !== 'pelt-report' || data.version !== 1) {
+    throw new Error('The data in this page is no report: let `pelt check --html` write it again.');
+  }
+  if (data.pelt !== PELT_VERSION) {
+    throw new Error(
+      `The data is of Pelt ${data.pelt}, the page of ${PELT_VERSION}: let the command of the ` +
+        'same version write it again.',
+    );
+  }
+  return data as Report;
+}
+
+function parse(text: string): Partial<Report> {
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new Error('The data in this page is cut short or damaged: get the file again.');
+  }
 }
 
 export function filesOf({ files }: Report): NamedFile[] {
@@ -40,9 +110,12 @@ function decode(base64: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 }
 
-/** Whether the page counts as the command did; nothing until it has counted all of its frames. */
-export function agrees(answer: ReportAnswer, counts: readonly number[]): boolean | null {
-  const [first, end, step] = answer.frames;
-  if (counts.length < end) return null;
-  return answer.counts.every((count, i) => counts[first + i * step] === count);
+/** Whether queries stopped at the first contact. */
+export function stopsAtFirst({ answer }: Report): boolean {
+  return answer?.options.max_contacts === 1;
+}
+
+/** Where a file of the report came from. */
+export function originalPath({ inputs }: Report, file: string): string {
+  return inputs.find((input) => input.file === file)?.path ?? file;
 }

@@ -35,6 +35,7 @@ export function arrange(characters: readonly CharacterFacts[], arrangement: Arra
     name: characters.map((character) => character.name).join(', '),
     frameCount: 1,
     fps: FPS,
+    ignore: [],
     instances: cast.map((character) => stand(characters[character], character)),
   };
   const frameCount = framesOfLongestClip(standing, characters);

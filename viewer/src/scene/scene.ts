@@ -1,6 +1,6 @@
 /** A scene, as docs/scenes.md has it: what the command reads, the page shows. */
 
-import type { Instance } from 'pelt';
+import type { Instance, NamePair } from 'pelt';
 import type { CharacterFacts } from '../worker/protocol';
 
 export type { Instance };
@@ -18,6 +18,8 @@ export interface Scene {
   fps: number;
   /** Their `character` is an index into `State.characters`. */
   instances: Instance[];
+  /** Names of parts or joints whose contacts with each other do not count. */
+  ignore: NamePair[];
 }
 
 /** More are neither counted in reasonable time nor told apart in a chart. */

@@ -12,7 +12,8 @@ export function sceneFile(scene: Scene, characters: readonly CharacterFacts[]): 
     ...rest,
     ...keptWeights(morphWeights),
   }));
-  return JSON.stringify({ models, frames, instances }, null, 2) + '\n';
+  const ignore = scene.ignore.length > 0 ? { ignore: scene.ignore } : {};
+  return JSON.stringify({ models, frames, instances, ...ignore }, null, 2) + '\n';
 }
 
 /** By names, or in the order of the targets where these have none. */

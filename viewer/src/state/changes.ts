@@ -1,5 +1,6 @@
 /** How the state may change, one function for each thing that one can do. */
 
+import { findingOf } from '../report/verdict';
 import { arrange, usualArrangement } from '../scene/arrange';
 import { inWholeClips, withFps, withInstance, type Instance } from '../scene/scene';
 import type { CharacterFacts, Opened, Spot, SweepProgress } from '../worker/protocol';
@@ -38,7 +39,12 @@ function nextContact(counts: readonly number[], from: number, direction: 1 | -1)
 }
 
 export const togglePlaying: Change = ({ isPlaying }) => ({ isPlaying: !isPlaying });
-export const toggleFirstContact: Change = ({ firstContact }) => ({ firstContact: !firstContact });
+export const toggleBy: Change = ({ by }) => ({ by: by === 'part' ? 'instance' : 'part' });
+
+/** Not where the contact found first may be one that does not count. */
+export const toggleFirstContact: Change = ({ firstContact, scene }) => ({
+  firstContact: !firstContact && scene?.ignore.length === 0,
+});
 export const toggleTheme: Change = ({ theme }) => ({ theme: isDark(theme) ? 'light' : 'dark' });
 export const toggleHelp: Change = ({ isHelpOpen }) => ({ isHelpOpen: !isHelpOpen });
 
@@ -122,10 +128,11 @@ export function rearrange(arrangement: State['arrangement']): Change {
 
 /** The new characters take the stage, from its first frame on if no other is named. */
 export function open({ characters, scene }: Opened, frame = 0): Change {
-  return ({ boxLevel }) => ({
+  return ({ boxLevel, firstContact }) => ({
     characters,
     scene: scene ?? arrange(characters, usualArrangement(characters)),
     opened: scene,
+    firstContact: firstContact && !scene?.ignore.length,
     arrangement: scene ? 'opened' : usualArrangement(characters),
     reading: null,
     frame,
@@ -154,6 +161,9 @@ export function dismiss(problem: Problem): Change {
 
 /** Progress of a sweep that has been given up is passed over. */
 export function sweepOn({ id, counts, total }: SweepProgress): Change {
-  return ({ sweep }) =>
-    id === sweep.id ? { sweep: { id, counts: [...sweep.counts, ...counts], total } } : {};
+  return (state) => {
+    if (id !== state.sweep.id) return {};
+    const sweep = { id, counts: [...state.sweep.counts, ...counts], total };
+    return { sweep, finding: state.finding ?? findingOf({ ...state, sweep }) };
+  };
 }

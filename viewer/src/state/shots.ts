@@ -8,11 +8,12 @@ export function shotOf({
   scene,
   reading,
   frame,
+  by,
   firstContact,
   boxLevel,
   spot,
 }: State): Shot | null {
-  return scene && !reading ? { scene, frame, firstContact, boxLevel, spot } : null;
+  return scene && !reading ? { scene, frame, by, firstContact, boxLevel, spot } : null;
 }
 
 export function isSameShot(one: Shot, other: Shot): boolean {
@@ -24,6 +25,7 @@ export function isSameQuery(one: Shot, other: Shot): boolean {
   return (
     one.scene === other.scene &&
     one.frame === other.frame &&
+    one.by === other.by &&
     one.firstContact === other.firstContact
   );
 }

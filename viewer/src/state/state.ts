@@ -1,9 +1,11 @@
 /** All that the page knows. Data flows one way: state, request to the worker, answer, picture. */
 
 import type { Report } from '../report/report';
+import type { Finding } from '../report/verdict';
 import type { Arrangement } from '../scene/arrange';
 import type { Scene } from '../scene/scene';
 import type {
+  By,
   CharacterFacts,
   Costs,
   FrameAnswer,
@@ -25,6 +27,7 @@ export interface State {
 
   frame: number;
   isPlaying: boolean;
+  by: By;
   firstContact: boolean;
 
   /** The instance that the gizmo holds. */
@@ -57,6 +60,10 @@ export interface State {
   problems: Problem[];
   /** What the command found, where the page is its report. */
   report: Report | null;
+  /** The scene that came with it. */
+  reported: Scene | null;
+  /** What the page has found of that. */
+  finding: Finding | null;
 }
 
 /** Another object each time. The angles, in radians, lead to the right and up. */
@@ -100,6 +107,7 @@ export const initialState: State = {
   reading: 'the engine',
   frame: 0,
   isPlaying: true,
+  by: 'instance',
   firstContact: false,
   selected: null,
   gizmo: 'move',
@@ -118,6 +126,8 @@ export const initialState: State = {
   hovered: null,
   problems: [],
   report: null,
+  reported: null,
+  finding: null,
 };
 
 export type Update = (change: (state: State) => Partial<State>) => void;

@@ -49,14 +49,14 @@ export function readCharacters(pelt: Pelt, files: readonly NamedFile[]): Cast {
 }
 
 function castOf(
-  { characters, frameCount, fps, instances }: EngineScene,
+  { characters, frameCount, fps, instances, ignore }: EngineScene,
   models: Record<string, ModelSource>,
   name: string,
 ): Cast {
   return {
     characters,
     sources: characters.map((character) => models[character.name]),
-    scene: { name, frameCount, fps, instances },
+    scene: { name, frameCount, fps, instances, ignore },
   };
 }
 

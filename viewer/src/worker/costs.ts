@@ -43,8 +43,8 @@ export class CostMeter {
     this.stage.clear();
   }
 
-  private *measure(scene: EngineScene, { frame, firstContact }: Shot): Steps<Costs> {
-    this.stage.set(scene, frame);
+  private *measure(scene: EngineScene, { frame, firstContact, by }: Shot): Steps<Costs> {
+    this.stage.set(scene, frame, by);
     yield;
     const onDemand = yield* this.cost(() => this.askOnDemand(firstContact));
     const eager = yield* this.cost(() => this.askEagerly(firstContact));
@@ -69,9 +69,9 @@ export class CostMeter {
     return stats.trianglePairs;
   }
 
-  /** Every instance is refitted once, and then compared with all those that it is near. */
+  /** Everything is refitted once, and then compared with all those that it is near. */
   private *askEagerly(firstContact: boolean): Steps<number> {
-    const { poses } = this.stage;
+    const poses = this.stage.colliding;
     for (const pose of poses) {
       pose.refitAll();
       yield;
@@ -85,13 +85,13 @@ export class CostMeter {
   }
 
   private countNodes(firstContact: boolean): { openedNodes: number; nodes: number } {
-    const { poses } = this.stage;
+    const poses = this.stage.colliding;
     for (const [a, b] of collidingPairs(poses)) this.pelt.collide(a, b, { firstContact });
     const sum = (count: (pose: Pose) => number) =>
       poses.reduce((total, pose) => total + count(pose), 0);
     return {
       openedNodes: sum((pose) => pose.openedNodeCount),
-      nodes: sum((pose) => pose.character.nodeCount),
+      nodes: sum((pose) => pose.nodeCount),
     };
   }
 }

@@ -81,7 +81,7 @@ export class Desk {
     this.sweep = null;
   }
 
-  private engineScene({ frameCount, fps, instances }: Scene): EngineScene {
-    return this.pelt.makeScene({ characters: this.cast.characters, frameCount, fps, instances });
+  private engineScene({ name: _, ...scene }: Scene): EngineScene {
+    return this.pelt.makeScene({ characters: this.cast.characters, ...scene });
   }
 }

@@ -4,5 +4,6 @@ import type { CharacterFacts } from './protocol';
 
 export function factsOf(character: Character, source: ModelSource): CharacterFacts {
   const { name, triangles, vertexCount, levelCount, clips, extent, warnings } = character;
-  return { name, source, triangles, vertexCount, levelCount, clips, extent, warnings };
+  const partCount = character.parts.length;
+  return { name, source, triangles, vertexCount, levelCount, partCount, clips, extent, warnings };
 }

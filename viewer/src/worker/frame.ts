@@ -14,23 +14,27 @@ export function answerFrame(
   pelt: Pelt,
   stage: Stage,
   scene: EngineScene,
-  { frame, firstContact, boxLevel, spot }: Shot,
+  { frame, by, firstContact, boxLevel, spot }: Shot,
   spares: readonly Spare[] = [],
 ): FrameAnswer {
-  stage.set(scene, frame);
-  const { count, contacts, stats } = stage.collide(firstContact);
-  if (boxLevel !== null) openNodes(pelt, stage.poses, firstContact);
+  stage.set(scene, frame, by);
+  const { count, contacts, ignored, stats } = stage.collide(firstContact);
+  if (boxLevel !== null) openNodes(pelt, stage.colliding, firstContact);
   const tally = new TouchTally(stage.characters);
   tally.addAll(frame, contacts);
-  const instances = stage.poses.map((pose, i) => drawn(pose, boxLevel, spares[i]));
+  const instances = stage.poses.map((pose, i) => ({
+    ...drawn(pose, spares[i]),
+    ...boxesOf(stage.collidingOf(i), boxLevel),
+  }));
   const touching = stage.sets.gather(contacts);
   return {
     instances: instances.map((instance, i) => ({ ...instance, touching: touching[i] })),
     glow: glowOf(stage.characters, instances, touching),
     spot: spot && answerSpot(stage, instances, contacts, spot),
     contacts: count,
+    ignored,
     touches: tally.sorted(),
-    work: workOf(stage.poses, stats),
+    work: workOf(stage.colliding, stats),
   };
 }
 
@@ -50,26 +54,37 @@ function openNodes(pelt: Pelt, poses: readonly Pose[], firstContact: boolean): v
   for (const [a, b] of collidingPairs(poses)) pelt.collide(a, b, { firstContact });
 }
 
-/** After the queries, which pose only what they need: the boxes tell what these have opened. */
-function drawn(
-  pose: Pose,
-  boxLevel: number | null,
-  spare: Spare | undefined,
-): Omit<PosedInstance, 'touching'> {
-  const deepest = pose.character.levelCount - 1;
-  const boxes = boxLevel === null ? null : pose.nodeBoxes(Math.min(boxLevel, deepest));
+function drawn(pose: Pose, spare: Spare | undefined): Spare {
   const length = 3 * pose.character.vertexCount;
   const fits = spare?.positions.length === length && spare.normals.length === length;
   return {
     positions: pose.posedVertices(fits ? spare.positions : undefined),
     normals: pose.normals(fits ? spare.normals : undefined),
-    boxes: boxes?.boxes ?? new Float32Array(),
-    boxStates: boxes?.states ?? new Uint8Array(),
   };
 }
 
+/** After the queries, which pose only what they need: the boxes tell what these have opened. */
+function boxesOf(
+  poses: readonly Pose[],
+  level: number | null,
+): Pick<PosedInstance, 'boxes' | 'boxStates'> {
+  const found = poses.flatMap((pose) => {
+    const deepest = pose.character.levelCount - 1;
+    return level === null ? [] : [pose.nodeBoxes(Math.min(level, deepest))];
+  });
+  const count = found.reduce((sum, one) => sum + one.count, 0);
+  const joined = { boxes: new Float32Array(6 * count), boxStates: new Uint8Array(count) };
+  let next = 0;
+  for (const { count, boxes, states } of found) {
+    joined.boxes.set(boxes, 6 * next);
+    joined.boxStates.set(states, next);
+    next += count;
+  }
+  return joined;
+}
+
 function workOf(poses: readonly Pose[], stats: QueryStats): Work {
-  const whole = poses.map((pose) => wholeWorkOf(pose.character));
+  const whole = poses.map((pose) => wholeWorkOf(pose));
   return {
     refits: stats.refits,
     allRefits: whole.reduce((sum, { refits }) => sum + refits, 0),

@@ -4,20 +4,38 @@ import type { SceneCrowd } from './scene_crowd';
 /** A pose for each instance of a scene: what is drawn, and what a single instance is asked. */
 export class Poses {
   readonly all: Pose[];
+  /** By bodies: what opens nodes. Where instances collide they are the same. */
+  readonly colliding: Pose[];
 
-  constructor({ instances, characters }: EngineScene) {
+  constructor(
+    { instances, characters }: EngineScene,
+    private readonly crowd: SceneCrowd,
+  ) {
     this.all = instances.map(({ character }) => characters[character].makePose());
+    this.colliding = crowd.bodies.map(({ instance, part }) =>
+      part === null ? this.all[instance] : this.all[instance].character.makePose(part),
+    );
+  }
+
+  /** Those of an instance. */
+  collidingOf(instance: number): Pose[] {
+    return this.colliding.filter((_, body) => this.crowd.bodies[body].instance === instance);
   }
 
   /** Takes what the crowd has been set to. Closes all nodes that queries have opened. */
-  follow({ palettes, morphWeights }: SceneCrowd): void {
-    this.all.forEach((pose, i) => {
-      pose.setMorphWeights(morphWeights[i]);
-      pose.setPalette(palettes[i]);
+  follow(): void {
+    this.all.forEach((pose, i) => this.set(pose, i));
+    this.crowd.bodies.forEach(({ instance, part }, body) => {
+      if (part !== null) this.set(this.colliding[body], instance);
     });
   }
 
   delete(): void {
-    for (const pose of this.all) pose.delete();
+    for (const pose of new Set([...this.all, ...this.colliding])) pose.delete();
+  }
+
+  private set(pose: Pose, instance: number): void {
+    pose.setMorphWeights(this.crowd.morphWeights[instance]);
+    pose.setPalette(this.crowd.palettes[instance]);
   }
 }

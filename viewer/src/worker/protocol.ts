@@ -25,10 +25,16 @@ export interface ReadingOptions {
   samples?: number;
 }
 
+/** What collides: instances with each other, or parts, also those of one instance. */
+export type By = 'instance' | 'part';
+
+export type FrameRange = [first: number, end: number, step: number];
+
 /** A scene at one of its frames, and what is asked of it. */
 export interface Shot {
   scene: Scene;
   frame: number;
+  by: By;
   firstContact: boolean;
   /** Of the tree whose boxes are wanted. */
   boxLevel: number | null;
@@ -53,7 +59,14 @@ export interface Questions {
   cast: { origin: number[]; direction: number[] };
   /** Count the contacts of every frame in the background, and forget the sweep before. Answered when
    * that is done, or given up. */
-  sweep: { id: number; scene: Scene; firstContact: boolean };
+  sweep: {
+    id: number;
+    scene: Scene;
+    by: By;
+    firstContact: boolean;
+    /** Those that a report is about; null: all. */
+    frames: FrameRange | null;
+  };
 }
 
 export interface Answers {
@@ -89,6 +102,7 @@ export interface CharacterFacts {
   triangles: Uint32Array;
   vertexCount: number;
   levelCount: number;
+  partCount: number;
   clips: readonly Clip[];
   extent: Box;
   warnings: readonly string[];
@@ -157,6 +171,8 @@ export interface FrameAnswer {
   instances: PosedInstance[];
   glow: Glow;
   contacts: number;
+  /** Contacts that do not count. */
+  ignored: number;
   /** The most contacts first. */
   touches: Touch[];
   spot: SpotAnswer | null;
@@ -188,5 +204,9 @@ export interface SweepProgress {
 export interface SweepTotal {
   /** As `pelt check` prints it; none where only first contacts are looked for. */
   hash: string | null;
+  /** The same of the frames that a report is about. */
+  reportHash: string | null;
+  /** Contacts that do not count. */
+  ignored: number;
   touches: Touch[];
 }

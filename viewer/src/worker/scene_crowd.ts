@@ -1,48 +1,70 @@
-/** The instances of a scene as a crowd, which is what the command asks: the same work, the same
+/** What of a scene collides, as a crowd, which is what the command asks: the same work, the same
  * answer. */
 
 import type { Character, Crowd, CrowdContacts, Pelt, Scene as EngineScene } from 'pelt';
+import { bodiesOf, type Body } from './bodies';
+import type { By } from './protocol';
+
+export interface SceneContacts extends CrowdContacts {
+  /** As `contacts`, which have numbers of instances, but with those of bodies: for the hash. */
+  ofBodies: Uint32Array;
+}
 
 export class SceneCrowd {
   /** Of the frame that was set last; by instances. */
-  readonly palettes: Float32Array[] = [];
-  readonly morphWeights: Float32Array[] = [];
+  readonly palettes: Float32Array[];
+  readonly morphWeights: Float32Array[];
   /** That of each instance. */
   readonly characters: Character[];
+  readonly bodies: Body[];
   private readonly crowd: Crowd;
+  private readonly ignored: string;
 
-  constructor(pelt: Pelt, { instances, characters }: EngineScene) {
+  constructor(
+    pelt: Pelt,
+    scene: EngineScene,
+    private readonly by: By,
+  ) {
     this.crowd = pelt.makeCrowd();
-    this.characters = instances.map(({ character }) => characters[character]);
-    for (const character of this.characters) this.add(character);
+    this.characters = scene.instances.map(({ character }) => scene.characters[character]);
+    this.palettes = this.characters.map(({ jointCount }) => new Float32Array(16 * jointCount));
+    this.morphWeights = this.characters.map((c) => new Float32Array(c.morphTargetNames.length));
+    this.bodies = bodiesOf(scene, by);
+    for (const { instance, part } of this.bodies) this.crowd.add(this.characters[instance], part);
+    this.crowd.ignore(scene.ignore);
+    this.ignored = JSON.stringify(scene.ignore);
   }
 
   /** Whether it can take frames of that scene, too: the same characters, wherever they stand. */
-  fits({ instances, characters }: EngineScene): boolean {
+  fits({ instances, characters, ignore }: EngineScene, by: By): boolean {
     return (
+      by === this.by &&
       instances.length === this.characters.length &&
-      instances.every(({ character }, i) => characters[character] === this.characters[i])
+      instances.every(({ character }, i) => characters[character] === this.characters[i]) &&
+      JSON.stringify(ignore) === this.ignored
     );
   }
 
   set(scene: EngineScene, frame: number): void {
-    this.palettes.forEach((palette, i) => {
-      this.crowd.setPalette(i, scene.palette(i, frame, palette));
-      this.crowd.setMorphWeights(i, scene.morphWeights(i, frame, this.morphWeights[i]));
+    this.palettes.forEach((palette, i) => scene.palette(i, frame, palette));
+    this.morphWeights.forEach((weights, i) => scene.morphWeights(i, frame, weights));
+    this.bodies.forEach(({ instance }, body) => {
+      this.crowd.setPalette(body, this.palettes[instance]);
+      this.crowd.setMorphWeights(body, this.morphWeights[instance]);
     });
   }
 
-  collide(firstContact: boolean): CrowdContacts {
-    return this.crowd.collide({ firstContact });
+  collide(firstContact: boolean): SceneContacts {
+    const found = this.crowd.collide({ firstContact });
+    return { ...found, contacts: this.ofInstances(found.contacts), ofBodies: found.contacts };
   }
 
   delete(): void {
     this.crowd.delete();
   }
 
-  private add(character: Character): void {
-    this.crowd.add(character);
-    this.palettes.push(new Float32Array(16 * character.jointCount));
-    this.morphWeights.push(new Float32Array(character.morphTargetNames.length));
+  private ofInstances(contacts: Uint32Array): Uint32Array {
+    if (this.by === 'instance') return contacts;
+    return contacts.map((value, i) => (i % 4 < 2 ? this.bodies[value].instance : value));
   }
 }

@@ -1,8 +1,9 @@
-/** A scene at one of its frames: its instances as a crowd, which queries ask, and as poses. */
+/** A scene at one of its frames: what collides as a crowd, which queries ask, and as poses. */
 
-import type { Character, CrowdContacts, Pelt, Pose, Scene as EngineScene } from 'pelt';
+import type { Character, Pelt, Pose, Scene as EngineScene } from 'pelt';
 import { Poses } from './poses';
-import { SceneCrowd } from './scene_crowd';
+import type { By } from './protocol';
+import { SceneCrowd, type SceneContacts } from './scene_crowd';
 import { TriangleSets } from './triangle_sets';
 
 export class Stage {
@@ -14,21 +15,30 @@ export class Stage {
   constructor(private readonly pelt: Pelt) {}
 
   /** What lies in memory for these instances is kept from frame to frame. */
-  set(scene: EngineScene, frame: number): void {
-    if (!this.crowd?.fits(scene)) this.make(scene);
+  set(scene: EngineScene, frame: number, by: By): void {
+    if (!this.crowd?.fits(scene, by)) this.make(scene, by);
     this.crowd!.set(scene, frame);
-    this.posed!.follow(this.crowd!);
+    this.posed!.follow();
   }
 
   get poses(): readonly Pose[] {
     return this.posed?.all ?? [];
   }
 
+  /** By bodies; those of one instance. */
+  get colliding(): readonly Pose[] {
+    return this.posed?.colliding ?? [];
+  }
+
+  collidingOf(instance: number): readonly Pose[] {
+    return this.posed?.collidingOf(instance) ?? [];
+  }
+
   get characters(): Character[] {
     return this.crowd?.characters ?? [];
   }
 
-  collide(firstContact: boolean): CrowdContacts {
+  collide(firstContact: boolean): SceneContacts {
     return this.crowd!.collide(firstContact);
   }
 
@@ -38,10 +48,10 @@ export class Stage {
     this.crowd = this.posed = null;
   }
 
-  private make(scene: EngineScene): void {
+  private make(scene: EngineScene, by: By): void {
     this.clear();
-    this.crowd = new SceneCrowd(this.pelt, scene);
-    this.posed = new Poses(scene);
+    this.crowd = new SceneCrowd(this.pelt, scene, by);
+    this.posed = new Poses(scene, this.crowd);
     this.sets = new TriangleSets(this.characters.map(({ triangleCount }) => triangleCount));
   }
 }

@@ -1,7 +1,7 @@
 /** Counts the contacts of every frame in the background, a few milliseconds at a time. */
 
 import type { ContactHash, Pelt, Scene as EngineScene } from 'pelt';
-import type { Questions, SweepProgress, SweepTotal } from './protocol';
+import type { FrameRange, Questions, SweepProgress, SweepTotal } from './protocol';
 import { SceneCrowd } from './scene_crowd';
 import { TouchTally } from './touches';
 
@@ -15,8 +15,11 @@ export class Sweep {
   readonly ended: Promise<null>;
   private readonly crowd: SceneCrowd;
   private readonly hash: ContactHash;
+  /** Of the frames that a report is about, where these are not all. */
+  private readonly reportHash: ContactHash | null;
   private readonly tally: TouchTally;
   private next = 0;
+  private ignored = 0;
   /** Not yet reported, and when the last were. */
   private counts: number[] = [];
   private reported = 0;
@@ -29,8 +32,9 @@ export class Sweep {
     private readonly question: Questions['sweep'],
     private readonly report: (progress: SweepProgress) => void,
   ) {
-    this.crowd = new SceneCrowd(pelt, scene);
+    this.crowd = new SceneCrowd(pelt, scene, question.by);
     this.hash = pelt.makeContactHash();
+    this.reportHash = question.frames ? pelt.makeContactHash() : null;
     this.tally = new TouchTally(this.crowd.characters);
     this.ended = new Promise((resolve, reject) => {
       this.end = (problem) => (problem === undefined ? resolve(null) : reject(problem));
@@ -42,6 +46,7 @@ export class Sweep {
     clearTimeout(this.timer);
     this.crowd.delete();
     this.hash.delete();
+    this.reportHash?.delete();
     this.end();
   }
 
@@ -77,14 +82,27 @@ export class Sweep {
   private countFrame(): number {
     const frame = this.next++;
     this.crowd.set(this.scene, frame);
-    const { count, contacts } = this.crowd.collide(this.question.firstContact);
-    this.hash.addCrowd(frame, contacts);
-    this.tally.addAll(frame, contacts);
-    return count;
+    const found = this.crowd.collide(this.question.firstContact);
+    this.hash.addCrowd(frame, found.ofBodies);
+    if (isIn(this.question.frames, frame)) this.reportHash!.addCrowd(frame, found.ofBodies);
+    this.tally.addAll(frame, found.contacts);
+    this.ignored += found.ignored;
+    return found.count;
   }
 
   private total(): SweepTotal {
-    const hash = this.question.firstContact ? null : this.hash.value;
-    return { hash, touches: this.tally.sorted() };
+    const valueOf = (hash: ContactHash) => (this.question.firstContact ? null : hash.value);
+    return {
+      hash: valueOf(this.hash),
+      reportHash: valueOf(this.reportHash ?? this.hash),
+      ignored: this.ignored,
+      touches: this.tally.sorted(),
+    };
   }
+}
+
+function isIn(frames: FrameRange | null, frame: number): boolean {
+  if (!frames) return false;
+  const [first, end, step] = frames;
+  return frame >= first && frame < end && (frame - first) % step === 0;
 }

@@ -1,22 +1,24 @@
-/** What refitting everything is, for an instance of a character: the same in every pose. */
+/** What refitting everything is, for an instance of a character or a part: the same in every pose. */
 
-import type { Character } from 'pelt';
+import type { Character, Pose } from 'pelt';
 
 export interface WholeWork {
   refits: number;
   posedVertices: number;
 }
 
-const known = new WeakMap<Character, WholeWork>();
+const known = new WeakMap<Character, Map<Pose['part'], WholeWork>>();
 
-export function wholeWorkOf(character: Character): WholeWork {
-  const work = known.get(character) ?? refitOnce(character);
-  known.set(character, work);
+export function wholeWorkOf({ character, part }: Pose): WholeWork {
+  const ofParts = known.get(character) ?? new Map();
+  known.set(character, ofParts);
+  const work = ofParts.get(part) ?? refitOnce(character, part);
+  ofParts.set(part, work);
   return work;
 }
 
-function refitOnce(character: Character): WholeWork {
-  const pose = character.makePose();
+function refitOnce(character: Character, part: Pose['part']): WholeWork {
+  const pose = character.makePose(part);
   const { refits, posedVertices } = pose.refitAll();
   pose.delete();
   return { refits, posedVertices };
