@@ -14,9 +14,11 @@ void Budget::grant(std::uint64_t bytes) {
 
 Result<void> Budget::take(std::uint64_t count, std::uint64_t size, const std::string& what) {
   if (count > left_ / size) {
-    return malformed(what + ": " + std::to_string(count) + " elements are out of proportion: the " +
-                     "file would take more than " + std::to_string(kExpansion) +
-                     " times its size in memory");
+    const std::string most = granted_ < kMost - kExpansion
+                                 ? std::to_string(kExpansion) + " times its size in memory"
+                                 : std::to_string(kMost >> 20) + " MiB of memory";
+    return malformed(what + ": " + std::to_string(count) +
+                     " elements are out of proportion: the file would take more than " + most);
   }
   left_ -= count * size;
   return {};

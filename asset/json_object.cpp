@@ -1,4 +1,5 @@
 #include "asset/json_object.hpp"
+#include "asset/budget.hpp"
 #include "asset/message.hpp"
 
 #include <nlohmann/json.hpp>
@@ -39,19 +40,26 @@ std::optional<float> finite_float(const json& value) {
   return static_cast<float>(number);
 }
 
-/// Depth of the deepest bracket, without a parse: brackets inside strings do not count.
-std::size_t nesting_depth(std::string_view text) {
-  std::size_t depth = 0, deepest = 0;
+/// What a text would take, found without a parse: the depth of the deepest bracket, and no fewer
+/// values than there are. Brackets inside strings do not count.
+struct TextSize {
+  std::size_t depth = 0, values = 1;
+};
+
+TextSize measure(std::string_view text) {
+  TextSize size;
+  std::size_t depth = 0;
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (in_string && c == '\\') ++i;
     if (c == '"') in_string = !in_string;
     if (in_string) continue;
-    if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+    if (c == '[' || c == '{') size.depth = std::max(size.depth, ++depth);
+    if (c == '[' || c == '{' || c == ',') ++size.values;
     if ((c == ']' || c == '}') && depth > 0) --depth;
   }
-  return deepest;
+  return size;
 }
 
 /// nlohmann's message without its own number of the error, and cut, for it may quote the file.
@@ -244,8 +252,13 @@ void JsonObject::require_index(std::uint64_t value, std::size_t size,
 
 Result<json> parse_json(std::string_view text) {
   constexpr std::size_t kDeepest = 64;
-  if (nesting_depth(text) > kDeepest) {
+  const TextSize size = measure(text);
+  if (size.depth > kDeepest) {
     return malformed("the JSON text is nested more than " + std::to_string(kDeepest) + " deep");
+  }
+  if (size.values > Budget::kMostValues) {
+    return malformed("the JSON text has more than " + std::to_string(Budget::kMostValues) +
+                     " values");
   }
   try {
     return json::parse(text);

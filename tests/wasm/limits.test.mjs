@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { rock } from './gltf.mjs';
+import { rock, zeros } from './gltf.mjs';
 import { kGenerated, loadPelt, pelt } from './support.mjs';
 
 const kPage = 65536;
@@ -42,6 +42,35 @@ test('a file that does not fit is refused, and the engine goes on', () => {
   });
   assert.equal(pelt.hasEnded, false);
   works(pelt);
+});
+
+/** Of the 256 MiB that a file may ask for, each vertex takes 58 bytes (asset/budget.hpp). */
+test('a small file that asks for hardly less than is allowed is read, and one that asks for more is not', async () => {
+  const engine = await loadPelt();
+  const read = (vertices) =>
+    engine.readCharacter(zeros({ bytes: 2 ** 20, vertices, triangles: 1 }), { name: 'zeros' });
+  const character = read(4_600_000);
+  assert.equal(character.restPositions.length, 3 * character.vertexCount);
+  const words = /^zeros: .* out of proportion: the file would take more than 256 MiB of memory$/;
+  for (const vertices of [4_700_000, 17_000_000, 80_000_000, 2 ** 32]) {
+    refused(() => read(vertices), 'malformed_file', words);
+  }
+  read(4_600_000).delete();
+  character.delete();
+  works(engine);
+});
+
+test('a small file with more values than there is memory for is refused', async () => {
+  const engine = await loadPelt();
+  const nodes = (count) => {
+    const text = `{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[${'{},'.repeat(count)}{}]}`;
+    return () => engine.readCharacter(new TextEncoder().encode(text), { name: 'nodes' });
+  };
+  refused(nodes(990_000), 'unsupported', 'nodes: the scene has no triangles');
+  for (const count of [1_000_000, 8_000_000]) {
+    refused(nodes(count), 'malformed_file', 'nodes: the JSON text has more than 2000000 values');
+  }
+  works(engine);
 });
 
 test('an engine that has run out of memory says so, and so do its objects', async () => {
