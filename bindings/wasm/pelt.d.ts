@@ -54,7 +54,8 @@ export interface Pelt {
 
   /**
    * A character from the bytes of a glTF file, .glb or .gltf; those of a .gltf's own files, by their
-   * names beside it, in `files`. Prepared for queries, which takes some tenths of a second.
+   * names beside it, in `files`. Prepared for queries, which takes some tenths of a second. A file
+   * that asks for more than 256 MiB of memory is refused.
    */
   readCharacter(file: Bytes, options: ReadOptions): Character;
 

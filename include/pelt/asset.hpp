@@ -133,7 +133,8 @@ struct GltfOptions {
 /// O(bytes of the file + size of the asset) but for a factor log J for joints: accessors are
 /// decoded once for each use, and a mesh is copied for each node that has it. On the way memory
 /// holds the file, what it refers to, and decoded copies of it, beside the asset. No file takes
-/// more than 256 times its size, 16 MiB aside: instances beyond that are refused.
+/// more than 256 times its size, 16 MiB aside: instances beyond that are refused. Where addresses
+/// have 32 bits, none takes more than 256 MiB, nor has more than two million values in its JSON.
 Result<Asset> load_gltf(const std::filesystem::path& path, const GltfOptions& options = {});
 
 /// The same from memory, at the same cost. `folder` is where external files are looked for; empty:
