@@ -15,10 +15,10 @@ const scenes::Character& character_of(const scenes::Scene& scene, std::uint32_t 
 }
 
 BodyName instance_name(const scenes::Scene& scene, std::uint32_t instance) {
+  const std::string& model = character_of(scene, instance).name;
   BodyName name;
-  name.model = as_json_holds(character_of(scene, instance).name);
-  for (std::uint32_t i = 0; i < instance; ++i)
-    name.copy += as_json_holds(character_of(scene, i).name) == name.model;
+  name.model = as_json_holds(model);
+  for (std::uint32_t i = 0; i < instance; ++i) name.copy += character_of(scene, i).name == model;
   return name;
 }
 
