@@ -1,0 +1,52 @@
+import { MOST_FRAMES, type Scene } from '../scene/scene';
+import { changeFps, changeFrameCount, rearrange } from '../state/changes';
+import type { State, Update } from '../state/state';
+import { memo } from './memo';
+import { NumberField } from './number_field';
+
+const FPS = { least: 1, most: 1000 };
+
+interface StageProps extends Pick<Scene, 'frameCount' | 'fps'> {
+  arrangement: State['arrangement'];
+  /** The scene came with a place for everyone. */
+  wasPlaced: boolean;
+  update: Update;
+}
+
+/** Where everyone stands, and for how long. */
+export const StageFields = memo(
+  ({ arrangement, wasPlaced, frameCount, fps, update }: StageProps) => (
+    <div class="fields">
+      <label class="wide" title="Places everyone anew">
+        arrangement
+        <select
+          value={arrangement}
+          onChange={({ currentTarget }) =>
+            update(rearrange(currentTarget.value as State['arrangement']))
+          }
+        >
+          {wasPlaced && <option value="opened">as opened</option>}
+          <option value="together">together</option>
+          <option value="walking">walking in</option>
+        </select>
+      </label>
+      <NumberField
+        label="frames"
+        title="Length of the scene; all of the longest clip at first"
+        step={1}
+        least={1}
+        most={MOST_FRAMES}
+        value={frameCount}
+        onChange={(count) => update(changeFrameCount(Math.round(count)))}
+      />
+      <NumberField
+        label="fps"
+        title="Frames per second"
+        step={1}
+        {...FPS}
+        value={fps}
+        onChange={(given) => update(changeFps(given))}
+      />
+    </div>
+  ),
+);
