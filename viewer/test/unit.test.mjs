@@ -34,6 +34,18 @@ describe('turns around y', () => {
   });
 });
 
+describe("a report's files", () => {
+  test('are the bytes that base64 stands for', async () => {
+    const { decodeFiles } = await load('worker/base64.ts');
+    const bytes = Uint8Array.from({ length: 256 }, (_, i) => i);
+    const files = { 'a/b.bin': Buffer.from(bytes).toString('base64'), empty: '' };
+    assert.deepEqual(decodeFiles(files), [
+      { path: 'a/b.bin', bytes },
+      { path: 'empty', bytes: new Uint8Array() },
+    ]);
+  });
+});
+
 describe('the tally of touches', () => {
   /** Of 4 triangles, in two parts that follow two joints. */
   const character = {

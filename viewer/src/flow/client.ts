@@ -40,11 +40,13 @@ export class Client {
 }
 
 function buffersOf(question: Questions[Kind]): Transferable[] {
-  const arrays =
-    'spares' in question
-      ? question.spares.flatMap(({ positions, normals }) => [positions, normals])
-      : 'files' in question
-        ? question.files.map(({ bytes }) => bytes)
-        : [];
-  return arrays.map(({ buffer }) => buffer as ArrayBuffer);
+  return arraysOf(question).map(({ buffer }) => buffer as ArrayBuffer);
+}
+
+function arraysOf(question: Questions[Kind]): ArrayBufferView[] {
+  if ('spares' in question) {
+    return question.spares.flatMap(({ positions, normals }) => [positions, normals]);
+  }
+  const files = 'files' in question && Array.isArray(question.files) ? question.files : [];
+  return files.map(({ bytes }) => bytes);
 }

@@ -1,6 +1,6 @@
 /** From files to characters on the stage, or to a readable complaint. */
 
-import { filesOf, originalPath, stopsAtFirst, type Report } from '../report/report';
+import { originalPath, stopsAtFirst, type Report } from '../report/report';
 import * as changes from '../state/changes';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -28,14 +28,14 @@ export class Opener {
     const { scene, reading, answer } = report;
     const by = answer?.options.by ?? 'instance';
     this.store.update(() => ({
-      report,
+      report: { ...report, files: {} }, // the worker has them: they may be large
       by,
       firstContact: stopsAtFirst(report),
       listing: answer ? 'clip' : 'frame',
     }));
     this.show(scene, async () => {
-      const question = { path: scene, files: filesOf(report), options: reading };
-      const opened = await this.client.ask('openScene', question);
+      const question = { path: scene, files: report.files, options: reading };
+      const opened = await this.client.ask('openReport', question);
       this.store.update(() => ({ reported: opened.scene }));
       return withOriginalPaths(opened, report);
     });

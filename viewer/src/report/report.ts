@@ -1,7 +1,7 @@
 /** What `pelt check --html` and `pelt view` have left in the page; README.md tells the format. */
 
 import type { NamePair } from 'pelt';
-import type { By, FrameRange, NamedFile, ReadingOptions } from '../worker/protocol';
+import type { By, FrameRange, ReadingOptions } from '../worker/protocol';
 
 /** That of the engine in the page. */
 const PELT_VERSION: string = import.meta.env.VITE_PELT_VERSION;
@@ -100,14 +100,6 @@ function parse(text: string): Partial<Report> {
   } catch {
     throw new Error('The data in this page is cut short or damaged: get the file again.');
   }
-}
-
-export function filesOf({ files }: Report): NamedFile[] {
-  return Object.entries(files).map(([path, base64]) => ({ path, bytes: decode(base64) }));
-}
-
-function decode(base64: string): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 }
 
 /** Whether queries stopped at the first contact. */

@@ -2,6 +2,7 @@
 
 import type { Pelt, Scene as EngineScene } from 'pelt';
 import type { Scene } from '../scene/scene';
+import { decodeFiles } from './base64';
 import { readCharacters, readDemo, readSceneFile, type Cast } from './cast';
 import { CostMeter } from './costs';
 import { factsOf } from './facts';
@@ -39,6 +40,10 @@ export class Desk {
         return this.replaceCast(readDemo(this.pelt));
       case 'openScene':
         return this.replaceCast(readSceneFile(this.pelt, question));
+      case 'openReport': {
+        const files = decodeFiles(question.files);
+        return this.replaceCast(readSceneFile(this.pelt, { ...question, files }));
+      }
       case 'readCharacters':
         return this.replaceCast(readCharacters(this.pelt, question.files));
       case 'pose': {

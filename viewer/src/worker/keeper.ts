@@ -59,5 +59,5 @@ function reasonOf(error: unknown): string {
 }
 
 function isOpening({ kind }: Request): boolean {
-  return kind === 'openDemo' || kind === 'openScene' || kind === 'readCharacters';
+  return ['openDemo', 'openScene', 'openReport', 'readCharacters'].includes(kind);
 }

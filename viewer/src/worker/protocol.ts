@@ -48,6 +48,8 @@ export interface Questions {
   openDemo: Record<never, never>;
   /** A scene file, with the files that it names; replaces all characters. */
   openScene: { path: string; files: NamedFile[]; options: ReadingOptions };
+  /** The same from a report, whose files are base64 by their paths. */
+  openReport: { path: string; files: Record<string, string>; options: ReadingOptions };
   /** Characters without a scene; replaces all others. */
   readCharacters: { files: NamedFile[] };
   pose: { shot: Shot; spares: Spare[] };
@@ -72,6 +74,7 @@ export interface Questions {
 export interface Answers {
   openDemo: Opened;
   openScene: Opened;
+  openReport: Opened;
   readCharacters: Opened;
   pose: FrameAnswer;
   still: FrameAnswer;
