@@ -1,6 +1,6 @@
 #include "tools/reproduce/report.hpp"
 
-#include "tools/pelt/base64.hpp"
+#include "tools/pelt/output/base64.hpp"
 #include "tools/reproduce/files.hpp"
 #include "tools/reproduce/html.hpp"
 

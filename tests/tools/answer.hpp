@@ -5,7 +5,7 @@
 
 #include "bench/brute_force.hpp"
 #include "bench/method.hpp"
-#include "tools/pelt/posed_instances.hpp"
+#include "tools/pelt/scene/posed_instances.hpp"
 #include "tools/run_program.hpp"
 
 #include <nlohmann/json.hpp>

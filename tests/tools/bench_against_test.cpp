@@ -1,6 +1,6 @@
 /// The comparison with an earlier run, of figures that are made up.
 
-#include "tools/pelt/bench_against.hpp"
+#include "tools/pelt/bench/bench_against.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Reading what `pelt bench --json` wrote, and what something else did.
 
-#include "tools/pelt/bench_baseline.hpp"
+#include "tools/pelt/bench/bench_baseline.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 /// The core of `pelt bench`, with engines that the command does not have.
 
-#include "tools/pelt/bench_scene.hpp"
+#include "tools/pelt/bench/bench_scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/pelt/frame_range.hpp"
+#include "tools/pelt/arguments/frame_range.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/pelt/glb_writer.hpp"
+#include "tools/pelt/output/glb_writer.hpp"
 
 #include <pelt/asset.hpp>
 

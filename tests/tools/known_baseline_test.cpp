@@ -1,4 +1,4 @@
-#include "tools/pelt/check_baseline.hpp"
+#include "tools/pelt/check/check_baseline.hpp"
 
 #include <nlohmann/json.hpp>
 

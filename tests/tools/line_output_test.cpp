@@ -1,4 +1,4 @@
-#include "tools/pelt/line_output.hpp"
+#include "tools/pelt/output/line_output.hpp"
 
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"

@@ -1,4 +1,4 @@
-#include "tools/pelt/model_arguments.hpp"
+#include "tools/pelt/arguments/model_arguments.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// What was to be written and cannot be never passes for a success.
 
-#include "tools/pelt/output.hpp"
+#include "tools/pelt/output/output.hpp"
 
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"

@@ -1,7 +1,7 @@
-#include "tools/pelt/scene_query.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 
-#include "tools/pelt/contact_hash.hpp"
-#include "tools/pelt/posed_instances.hpp"
+#include "tools/pelt/scene/contact_hash.hpp"
+#include "tools/pelt/scene/posed_instances.hpp"
 
 #include <gtest/gtest.h>
 

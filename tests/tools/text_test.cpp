@@ -1,4 +1,4 @@
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/output/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/pelt/touch_tally.hpp"
+#include "tools/pelt/check/touch_tally.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "peers/compare.hpp"
 #include "peers/peers.hpp"
-#include "tools/pelt/bench_measure.hpp"
+#include "tools/pelt/bench/bench_measure.hpp"
 
 #include <ostream>
 #include <string>

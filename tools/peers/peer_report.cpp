@@ -1,5 +1,5 @@
 #include "tools/peers/peer_figures.hpp"
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/output/text.hpp"
 
 #include <iomanip>
 

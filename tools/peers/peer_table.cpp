@@ -1,9 +1,9 @@
 /// Pelt beside other libraries on scenes: a table for people, a CSV for programs.
 
 #include "tools/peers/peer_figures.hpp"
-#include "tools/pelt/frame_range.hpp"
-#include "tools/pelt/progress.hpp"
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/output/progress.hpp"
+#include "tools/pelt/output/text.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -5,8 +5,8 @@
 
 #include "asset/message.hpp"
 #include "scenes/nearest_name.hpp"
-#include "tools/pelt/commands.hpp"
-#include "tools/pelt/output.hpp"
+#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/verbs/commands.hpp"
 
 #include <CLI/CLI.hpp>
 

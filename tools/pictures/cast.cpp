@@ -1,6 +1,6 @@
 #include "tools/pictures/cast.hpp"
 
-#include "tools/pelt/scene_query.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 
 #include <cstdio>
 #include <cstdlib>

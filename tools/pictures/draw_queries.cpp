@@ -1,7 +1,7 @@
 /// Renders the pictures of docs/queries.md into the folder named on the command line, which is
 /// docs/figures/queries: all of them, or those whose names follow.
 
-#include "tools/pelt/run_program.hpp"
+#include "tools/pelt/output/run_program.hpp"
 #include "tools/pictures/pictures.hpp"
 #include "tools/reproduce/picture.hpp"
 

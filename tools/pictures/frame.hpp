@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/pelt/pov.hpp"
+#include "tools/pelt/picture/pov.hpp"
 #include "tools/reproduce/stage.hpp"
 
 namespace pelt::pictures {

@@ -1,6 +1,6 @@
 #include "tools/pictures/marks.hpp"
 
-#include "tools/pelt/pov.hpp"
+#include "tools/pelt/picture/pov.hpp"
 #include "tools/reproduce/stage.hpp"
 #include "tools/reproduce/view.hpp"
 

@@ -8,7 +8,7 @@
 #include <pelt/height_field.hpp>
 #include <pelt/solid.hpp>
 
-#include "tools/pelt/pov.hpp"
+#include "tools/pelt/picture/pov.hpp"
 
 #include <cmath>
 

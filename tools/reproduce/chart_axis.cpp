@@ -1,6 +1,6 @@
 #include "tools/reproduce/chart_axis.hpp"
 
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tools/reproduce/column_format.hpp"
 
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 /// The comparison over a clip: caches, slow frames, memory.
 
-#include "tools/pelt/bench_scene.hpp"
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/output/text.hpp"
 #include "tools/reproduce/comparison_methods.hpp"
 #include "tools/reproduce/comparison_tables.hpp"
 #include "tools/reproduce/heap_bytes.hpp"

@@ -1,7 +1,7 @@
 #include "tools/reproduce/drawing.hpp"
 
-#include "tools/pelt/output.hpp"
-#include "tools/pelt/run_program.hpp"
+#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/run_program.hpp"
 
 namespace pelt::reproduce {
 

@@ -3,7 +3,7 @@
 /// Characters as the triangles that they consist of.
 
 #include "base/vec3.hpp"
-#include "tools/pelt/still_frame.hpp"
+#include "tools/pelt/picture/still_frame.hpp"
 
 #include <string>
 

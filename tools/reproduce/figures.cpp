@@ -1,7 +1,7 @@
 #include "tools/reproduce/figures.hpp"
 
 #include "skin/skin.hpp"
-#include "tools/pelt/scene_query.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 #include "tools/reproduce/facets.hpp"
 #include "tools/reproduce/lens.hpp"
 #include "tools/reproduce/level_spheres.hpp"

@@ -1,7 +1,7 @@
 #include "tools/reproduce/files.hpp"
 
-#include "tools/pelt/output.hpp"
-#include "tools/pelt/progress.hpp"
+#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/progress.hpp"
 #include "tools/reproduce/chart.hpp"
 #include "tools/reproduce/html.hpp"
 #include "tools/reproduce/picture.hpp"

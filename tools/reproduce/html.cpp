@@ -1,6 +1,6 @@
 #include "tools/reproduce/html.hpp"
 
-#include "tools/pelt/base64.hpp"
+#include "tools/pelt/output/base64.hpp"
 #include "tools/reproduce/column_format.hpp"
 #include "tools/reproduce/micro_sign.hpp"
 

@@ -1,7 +1,7 @@
 #include "tools/reproduce/image_space.hpp"
 
 #include "rivals/layered_depth.hpp"
-#include "tools/pelt/bench_measure.hpp"
+#include "tools/pelt/bench/bench_measure.hpp"
 #include "tools/reproduce/comparison_methods.hpp"
 #include "tools/reproduce/facing_pair.hpp"
 #include "tools/reproduce/method_title.hpp"

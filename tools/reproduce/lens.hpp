@@ -2,8 +2,8 @@
 
 /// A magnifying glass in front of the stage, for what is too small to be seen on it.
 
-#include "tools/pelt/pov.hpp"
-#include "tools/pelt/still_frame.hpp"
+#include "tools/pelt/picture/pov.hpp"
+#include "tools/pelt/picture/still_frame.hpp"
 
 namespace pelt::reproduce {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/statistics.hpp"
-#include "tools/pelt/stopwatch.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "base/assert.hpp"
 #include "bench/statistics.hpp"
-#include "tools/pelt/stopwatch.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
 
 namespace pelt::reproduce {
 

@@ -1,8 +1,8 @@
 /// What other libraries take for the same question, and how much of the answer they find.
 
 #include "tools/peers/peer_figures.hpp"
-#include "tools/pelt/frame_range.hpp"
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/output/text.hpp"
 #include "tools/reproduce/experiment.hpp"
 #include "tools/reproduce/method_title.hpp"
 #include "tools/reproduce/scene_texts.hpp"

@@ -3,7 +3,7 @@
 
 #include "base/assert.hpp"
 #include "paper/on_demand.hpp"
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/output/text.hpp"
 #include "tools/reproduce/refit_all.hpp"
 #include "tools/reproduce/refit_flops.hpp"
 #include "tools/reproduce/refit_time.hpp"

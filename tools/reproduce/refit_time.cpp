@@ -3,7 +3,7 @@
 #include "bench/statistics.hpp"
 #include "paper/counted_refit.hpp"
 #include "scenes/creature/random.hpp"
-#include "tools/pelt/stopwatch.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>

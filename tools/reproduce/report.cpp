@@ -1,7 +1,7 @@
 #include "tools/reproduce/report.hpp"
 
 #include "base/assert.hpp"
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "tools/reproduce/scene_figures.hpp"
 
 #include "base/assert.hpp"
-#include "tools/pelt/bench_scene.hpp"
-#include "tools/pelt/text.hpp"
+#include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/output/text.hpp"
 #include "tools/reproduce/method_title.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include "bench/method.hpp"
 #include "scenes/scene.hpp"
-#include "tools/pelt/bench_report.hpp"
+#include "tools/pelt/bench/bench_report.hpp"
 #include "tools/reproduce/experiment.hpp"
 
 #include <optional>

@@ -4,7 +4,7 @@
 #include "geometry/box4.hpp"
 #include "model/model.hpp"
 #include "paper/on_demand.hpp"
-#include "tools/pelt/stopwatch.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/reproduce/experiment.hpp"
 #include "tools/reproduce/paper_figures.hpp"
 #include "tools/reproduce/specimen.hpp"

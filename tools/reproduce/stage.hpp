@@ -3,8 +3,8 @@
 /// The stage of the report's pictures for POV-Ray: softly lit, on the white of the page, in colours
 /// that colour-blind people tell apart.
 
-#include "tools/pelt/pov.hpp"
-#include "tools/pelt/still_frame.hpp"
+#include "tools/pelt/picture/pov.hpp"
+#include "tools/pelt/picture/still_frame.hpp"
 #include "tools/reproduce/experiment.hpp"
 
 namespace pelt::reproduce {

@@ -2,7 +2,7 @@
 
 /// Where things stand as a camera sees them.
 
-#include "tools/pelt/pov.hpp"
+#include "tools/pelt/picture/pov.hpp"
 
 namespace pelt::reproduce {
 

@@ -1,0 +1,30 @@
+#include "tools/pelt/arguments/frame_range.hpp"
+
+#include "asset/message.hpp"
+#include "tools/pelt/output/text.hpp"
+
+namespace pelt::tools {
+
+std::vector<std::uint32_t> FrameRange::frames() const {
+  std::vector<std::uint32_t> all;
+  for (std::uint64_t frame = begin; frame < end; frame += stride) {
+    all.push_back(static_cast<std::uint32_t>(frame));
+  }
+  return all;
+}
+
+Result<FrameRange> parse_frame_range(std::string_view text) {
+  const Error unclear = bad_argument("--frames", asset::quoted(text) + " is no range of frames",
+                                     "give A:B, half-open with A < B, or A:B:STRIDE");
+  const std::vector<std::string_view> fields = split(text, ':');
+  if (fields.size() < 2 || fields.size() > 3) return unclear;
+  FrameRange range;
+  std::uint32_t* const targets[] = {&range.begin, &range.end, &range.stride};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!parse_whole(fields[i], *targets[i])) return unclear;
+  }
+  if (range.begin >= range.end || range.stride == 0) return unclear;
+  return range;
+}
+
+}  // namespace pelt::tools

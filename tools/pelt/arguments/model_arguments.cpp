@@ -1,0 +1,43 @@
+#include "tools/pelt/arguments/model_arguments.hpp"
+
+namespace pelt::tools {
+
+asset::GltfOptions ModelArguments::gltf_options() const {
+  asset::GltfOptions options;
+  options.unskinned_parts = !no_unskinned;
+  options.exclude_nodes = exclude;
+  return options;
+}
+
+void add_model_options(Verb& verb, ModelArguments& arguments) {
+  verb.flag("--no-unskinned", arguments.no_unskinned,
+            "Leave out meshes without a skin (weapons, armour)");
+  verb.option("--exclude", arguments.exclude,
+              "Leave out the mesh node of this name and its children (repeatable)",
+              {.type = "NAME"});
+  verb.flag("--renormalise", arguments.renormalise,
+            "Accept weights that do not sum to 1: divide them by their sum, as renderers do");
+  verb.option("--samples", arguments.samples,
+              "Poses taken from a character's clips to prepare it for; 0: build faster, answer "
+              "more slowly",
+              {.type = "N", .most = 1000});
+}
+
+Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
+                                       const ModelArguments& arguments,
+                                       std::span<const Matrix4> sample_palettes) {
+  ModelOptions options;
+  if (arguments.renormalise) options.off_weights = OffWeights::renormalise;
+  options.sample_palettes = sample_palettes;
+  Result<SkinnedModel> model = build_model(mesh, options);
+  if (!model && !sample_palettes.empty()) return build_named_model(source, mesh, arguments);
+  if (model) return model;
+  std::string message = source + ": " + model.error().message;
+  const std::string in_code = "off_weights = OffWeights::renormalise";
+  if (const std::size_t at = message.find(in_code); at != message.npos) {
+    message.replace(at, in_code.size(), "--renormalise");
+  }
+  return Error{model.error().code, message};
+}
+
+}  // namespace pelt::tools

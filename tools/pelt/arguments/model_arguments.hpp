@@ -1,0 +1,34 @@
+#pragma once
+
+#include <pelt/asset.hpp>
+#include <pelt/model.hpp>
+
+#include "tools/pelt/arguments/verb.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+/// How models are read and built, on the command line of every verb that reads any.
+struct ModelArguments {
+  bool no_unskinned = false;
+  std::vector<std::string> exclude;
+  bool renormalise = false;
+  std::uint32_t samples = 6;  ///< poses of the character's clips that its bounds are tried on
+
+  asset::GltfOptions gltf_options() const;
+};
+
+void add_model_options(Verb& verb, ModelArguments& arguments);
+
+/// build_model with words that fit the command: the message names `source`, and the remedy is an
+/// option of the command. Sample poses that the model cannot take are passed over: they are a
+/// clip's at times that nobody may ask for.
+Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
+                                       const ModelArguments& arguments,
+                                       std::span<const Matrix4> sample_palettes = {});
+
+}  // namespace pelt::tools

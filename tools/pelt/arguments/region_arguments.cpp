@@ -1,0 +1,133 @@
+#include "tools/pelt/arguments/region_arguments.hpp"
+
+#include "asset/angles.hpp"
+#include "asset/message.hpp"
+#include "base/vec3.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace pelt::tools {
+namespace {
+
+using detail::Vec3d;
+
+/// An option, what it is called in answers, and how many numbers it takes.
+struct Kind {
+  const char *option, *name, *example;
+  std::size_t count;
+  std::string RegionArguments::*text;
+};
+
+constexpr Kind kKinds[] = {
+    {"--box", "box", "0,0,-1,1,2,1", 6, &RegionArguments::box},
+    {"--sphere", "sphere", "0,1,0,0.5", 4, &RegionArguments::sphere},
+    {"--capsule", "capsule", "0,0,0,0,2,0,0.5", 7, &RegionArguments::capsule},
+    {"--camera", "camera", "0,1,4,0,1,0", 6, &RegionArguments::camera},
+};
+
+Result<std::vector<float>> parse_numbers(const Kind& kind, const std::string& text) {
+  std::vector<float> numbers;
+  for (const std::string_view field : split(text, ',')) {
+    double number = 0;
+    if (!parse_number(field, number) || !(std::fabs(number) <= 1e12)) break;
+    numbers.push_back(static_cast<float>(number));
+  }
+  if (numbers.size() == kind.count && split(text, ',').size() == kind.count) return numbers;
+  return bad_argument(kind.option,
+                      asset::quoted(text) + " is not " + std::to_string(kind.count) + " numbers",
+                      std::string("give them as in ") + kind.option + " " + kind.example);
+}
+
+/// A radius, and the order of a box's corners.
+Result<void> check_numbers(const Kind& kind, std::span<const float> n) {
+  const bool has_radius = kind.count % 3 == 1;
+  if (has_radius && n.back() < 0)
+    return bad_argument(kind.option, "the radius is negative", "give one that is not");
+  const std::string name = kind.name;
+  for (int axis = 0; axis < 3 && name == "box"; ++axis)
+    if (n[axis] > n[axis + 3])
+      return bad_argument(kind.option, "its lowest corner is above its highest one",
+                          "give the lowest x, y and z first");
+  if (name == "camera" && n[0] == n[3] && n[1] == n[4] && n[2] == n[5])
+    return bad_argument(kind.option, "it looks at where it is", "give another place to look at");
+  return {};
+}
+
+Vec3d unit(const Vec3d& v) { return (1 / std::sqrt(squared_length(v))) * v; }
+
+HalfSpace face_through(const Vec3d& place, const Vec3d& normal) {
+  const Vec3 rounded = to_float(normal);
+  return {rounded, static_cast<float>(dot(Vec3d(rounded), place))};
+}
+
+}  // namespace
+
+ChosenRegion::ChosenRegion(const std::string& kind, std::vector<float> numbers)
+    : kind_(kind), numbers_(std::move(numbers)) {}
+
+ChosenRegion ChosenRegion::seen_by_camera(std::vector<float> numbers, double angle, double aspect) {
+  const Vec3d eye(Vec3{numbers[0], numbers[1], numbers[2]});
+  const Vec3d ahead = unit(Vec3d(Vec3{numbers[3], numbers[4], numbers[5]}) - eye);
+  const Vec3d pole = std::fabs(ahead.y) < 0.999 ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
+  const Vec3d right = unit(cross(ahead, pole)), up = cross(right, ahead);
+  const double sine = asset::sine_of_turns(angle / 2), cosine = asset::cosine_of_turns(angle / 2);
+  ChosenRegion chosen("camera", std::move(numbers));
+  for (const double side : {1.0, -1.0}) {
+    chosen.faces_.push_back(face_through(eye, side * cosine * right - sine * ahead));
+    chosen.faces_.push_back(face_through(eye, side * aspect * cosine * up - sine * ahead));
+  }
+  return chosen;
+}
+
+Region ChosenRegion::region() const {
+  const std::vector<float>& n = numbers_;
+  if (kind_ == "box") return Box{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+  if (kind_ == "sphere") return Sphere{{n[0], n[1], n[2]}, n[3]};
+  if (kind_ == "capsule") return Capsule{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6]};
+  return ConvexPolyhedron{faces_};
+}
+
+void add_region_options(Verb& verb, RegionArguments& arguments) {
+  verb.option("--box", arguments.box, "A box: its lowest and its highest corner",
+              {.type = "X,Y,Z,X,Y,Z"});
+  verb.option("--sphere", arguments.sphere, "A ball: its centre and radius", {.type = "X,Y,Z,R"});
+  verb.option("--capsule", arguments.capsule, "All that is so near a segment: its ends, the radius",
+              {.type = "X,Y,Z,X,Y,Z,R"});
+  verb.option("--camera", arguments.camera,
+              "What a camera sees, however far: where it is and where it looks",
+              {.type = "X,Y,Z,X,Y,Z"});
+  verb.option("--angle", arguments.angle, "Of the camera, from left to right (default: 60)",
+              {.type = "DEGREES"});
+  verb.option("--aspect", arguments.aspect,
+              "Of the camera's picture, width over height (default: 16/9)", {.type = "RATIO"});
+}
+
+Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
+  const Kind* chosen = nullptr;
+  for (const Kind& kind : kKinds) {
+    if ((arguments.*kind.text).empty()) continue;
+    if (chosen != nullptr)
+      return bad_argument(kind.option, std::string("there is ") + chosen->option + " too",
+                          "give one region");
+    chosen = &kind;
+  }
+  if (chosen == nullptr)
+    return bad_argument("--box", "there is no region",
+                        "give one by --box, --sphere, --capsule or --camera");
+  Result<std::vector<float>> numbers = parse_numbers(*chosen, arguments.*chosen->text);
+  if (!numbers) return numbers.error();
+  if (const auto checked = check_numbers(*chosen, *numbers); !checked) return checked.error();
+  if (chosen->text != &RegionArguments::camera)
+    return ChosenRegion(chosen->name, std::move(*numbers));
+  const double angle = arguments.angle.value_or(60), aspect = arguments.aspect.value_or(16. / 9);
+  if (!(angle > 0 && angle < 180))
+    return bad_argument("--angle", "is out of range", "give degrees between 0 and 180");
+  if (!(aspect > 0 && aspect <= 1e6))
+    return bad_argument("--aspect", "is out of range", "give a ratio up to 1e6, as in 1.78");
+  return ChosenRegion::seen_by_camera(std::move(*numbers), angle / 360, aspect);
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,197 @@
+#include "tools/pelt/arguments/scene_arguments.hpp"
+
+#include "asset/angles.hpp"
+#include "asset/message.hpp"
+#include "tools/pelt/arguments/position_argument.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace pelt::tools {
+namespace {
+
+using scenes::Instance;
+using scenes::Scene;
+
+/// The value of --clip that leaves a model in its default pose.
+constexpr const char* kNoClip = "-";
+
+bool is_scene_file(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".json";
+}
+
+bool asks_for_scene(const SceneArguments& arguments) {
+  return arguments.inputs.size() == 1 && is_scene_file(arguments.inputs[0]);
+}
+
+struct PlacingOption {
+  const char* name;
+  std::size_t count;
+};
+
+std::array<PlacingOption, 5> placing_options(const SceneArguments& arguments) {
+  return {{{"--clip", arguments.clips.size()},
+           {"--start", arguments.starts.size()},
+           {"--at", arguments.positions.size()},
+           {"--turn", arguments.turns.size()},
+           {"--scale", arguments.scales.size()}}};
+}
+
+Result<void> check_for_scene(const SceneArguments& arguments) {
+  for (const PlacingOption& option : placing_options(arguments)) {
+    if (option.count == 0) continue;
+    return bad_argument(option.name, "places models of the command line, but here is a scene file",
+                        "edit " + arguments.inputs[0]);
+  }
+  return {};
+}
+
+Result<void> check_for_models(const SceneArguments& arguments) {
+  const std::size_t models = arguments.inputs.size();
+  for (const std::string& input : arguments.inputs) {
+    if (!is_scene_file(input)) continue;
+    return bad_argument(input, "is a scene file beside other files",
+                        "give one scene file alone, or models only");
+  }
+  for (const PlacingOption& option : placing_options(arguments)) {
+    if (option.count <= models) continue;
+    return bad_argument(
+        option.name,
+        "is given " + counted(option.count, "time") + " for " + counted(models, "model"),
+        "give it at most once for each model, in their order");
+  }
+  return {};
+}
+
+/// Around the y axis, which points up; positive turns +z towards +x.
+std::array<double, 4> turned(double degrees) {
+  const double half_turns = degrees / 720;
+  return {0, asset::sine_of_turns(half_turns), 0, asset::cosine_of_turns(half_turns)};
+}
+
+/// Element `i`, or `otherwise` where the option was given fewer times.
+template <typename T>
+T nth(const std::vector<T>& values, std::size_t i, const T& otherwise) {
+  return i < values.size() ? values[i] : otherwise;
+}
+
+Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
+  Instance instance;
+  const std::string clip = nth<std::string>(arguments.clips, i, kNoClip);
+  if (clip != kNoClip) instance.clip = clip;
+  instance.start = nth(arguments.starts, i, 0.0);
+  instance.scale = nth(arguments.scales, i, 1.0);
+  if (!(instance.scale >= scenes::kMinScale && instance.scale <= scenes::kMaxScale)) {
+    return bad_argument("--scale", "is out of range", "give a number from 1e-6 to 1e6");
+  }
+  const double degrees = nth(arguments.turns, i, 0.0);
+  if (!(std::fabs(degrees) <= 1e9 && std::fabs(instance.start) <= 1e12)) {
+    return bad_argument("--turn or --start", "is out of range", "give a smaller number");
+  }
+  instance.rotation = turned(degrees);
+  const Result<std::array<double, 3>> position =
+      parse_position("--at", nth<std::string>(arguments.positions, i, "0,0,0"));
+  if (!position) return position.error();
+  instance.translation = *position;
+  return instance;
+}
+
+/// The character of a file, loaded once however many instances name it.
+Result<std::uint32_t> add_character(Scene& scene, const std::string& path,
+                                    const asset::GltfOptions& options) {
+  for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
+    if (scene.characters[c].source == path) return c;
+  }
+  Result<scenes::Character> character = scenes::load_character(path, options);
+  if (!character) return character.error();
+  scene.characters.push_back(std::move(*character));
+  return static_cast<std::uint32_t>(scene.characters.size() - 1);
+}
+
+Result<void> add_instance(Scene& scene, const SceneArguments& arguments, std::size_t i) {
+  Result<Instance> instance = place(arguments, i);
+  if (!instance) return instance.error();
+  const Result<std::uint32_t> character =
+      add_character(scene, arguments.inputs[i], arguments.models.gltf_options());
+  if (!character) return character.error();
+  instance->character = *character;
+  scene.instances.push_back(std::move(*instance));
+  const Result<void> found = scenes::check_clip(scene, static_cast<std::uint32_t>(i));
+  if (!found) return asset::prefixed("--clip", found.error());
+  return {};
+}
+
+std::uint32_t frames_of_longest_clip(const Scene& scene) {
+  double longest = 0;
+  for (const Instance& instance : scene.instances) {
+    if (!instance.clip) continue;
+    const asset::Asset& asset = scene.characters[instance.character].asset;
+    longest = std::max(longest, static_cast<double>(asset.find_clip(*instance.clip)->duration));
+  }
+  const double frames = std::ceil(longest * scene.fps);
+  return static_cast<std::uint32_t>(std::clamp(frames, 1.0, double{scenes::kMaxFrames}));
+}
+
+Result<Scene> scene_of_models(const SceneArguments& arguments) {
+  if (const auto checked = check_for_models(arguments); !checked) return checked.error();
+  Scene scene;
+  scene.name = "command line";
+  if (arguments.fps) scene.fps = *arguments.fps;
+  for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
+    if (const auto added = add_instance(scene, arguments, i); !added) return added.error();
+  }
+  scene.frame_count = frames_of_longest_clip(scene);
+  return scene;
+}
+
+Result<Scene> scene_of_file(const SceneArguments& arguments) {
+  if (const auto checked = check_for_scene(arguments); !checked) return checked.error();
+  Result<Scene> scene = scenes::load_scene(arguments.inputs[0], arguments.models.gltf_options());
+  if (scene && arguments.fps) scene->fps = *arguments.fps;
+  return scene;
+}
+
+}  // namespace
+
+void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded needed) {
+  const auto placing = [&verb](const char* name, auto& values, const char* type, const char* help) {
+    constexpr const char* kGroup = "Placing models (each repeatable, in the order of the models)";
+    verb.option(name, values, help, {.type = type, .group = kGroup});
+  };
+  verb.option("INPUT", arguments.inputs, "SCENE.json, or models: A.glb B.gltf ...",
+              {.is_required = needed == InputsNeeded::one});
+  placing("--clip", arguments.clips, "NAME",
+          "Animation clip, looped; \"\": the unnamed clip, -: the default pose");
+  placing("--start", arguments.starts, "SECONDS", "Time in the clip at frame 0");
+  placing("--at", arguments.positions, "X,Y,Z", "Position");
+  placing("--turn", arguments.turns, "DEGREES", "Turn around the y axis, which points up");
+  placing("--scale", arguments.scales, "FACTOR", "Uniform scale");
+  verb.option("--fps", arguments.fps,
+              "Frames per second: frame f stands at f / FPS seconds (30, or the scene's)",
+              {.type = "FPS"});
+  add_model_options(verb, arguments.models);
+}
+
+Result<Scene> open_scene(const SceneArguments& arguments) {
+  if (arguments.fps && !(*arguments.fps >= scenes::kMinFps && *arguments.fps <= scenes::kMaxFps)) {
+    return bad_argument("--fps", "is out of range", "give a number from 1e-6 to 1e6");
+  }
+  return asks_for_scene(arguments) ? scene_of_file(arguments) : scene_of_models(arguments);
+}
+
+Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& arguments,
+                                 Scene& scene) {
+  if (text.empty()) return FrameRange{0, scene.frame_count};
+  Result<FrameRange> range = parse_frame_range(text);
+  if (!range) return range;
+  if (!asks_for_scene(arguments) && range->end <= scenes::kMaxFrames) {
+    scene.frame_count = std::max(scene.frame_count, range->end);
+  }
+  if (range->end <= scene.frame_count) return range;
+  return bad_argument("--frames", text + " goes beyond the last frame",
+                      scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+}
+
+}  // namespace pelt::tools

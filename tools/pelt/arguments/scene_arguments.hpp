@@ -1,0 +1,37 @@
+#pragma once
+
+/// Which characters, where, doing what and in which frames: a scene file, or models with options.
+
+#include "scenes/scene.hpp"
+#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/model_arguments.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+struct SceneArguments {
+  std::vector<std::string> inputs;  ///< SCENE.json, or one glTF file for each instance
+  std::vector<std::string> clips;   ///< these five: one for each model, in order
+  std::vector<double> starts, turns, scales;
+  std::vector<std::string> positions;
+  std::optional<double> fps;
+  ModelArguments models;
+};
+
+enum class InputsNeeded { one, none };
+
+void add_scene_options(Verb& verb, SceneArguments& arguments,
+                       InputsNeeded needed = InputsNeeded::one);
+
+/// Loads what the arguments name. A scene made of models lasts as long as its longest clip.
+Result<scenes::Scene> open_scene(const SceneArguments& arguments);
+
+/// The frames that `text` (of --frames, "" where it was not given) asks for. Models on the command
+/// line have no end: their clips loop, and `scene.frame_count` follows.
+Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& arguments,
+                                 scenes::Scene& scene);
+
+}  // namespace pelt::tools

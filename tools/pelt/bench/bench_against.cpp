@@ -1,0 +1,180 @@
+#include "tools/pelt/bench/bench_against.hpp"
+
+#include "tools/pelt/bench/bench_ratios.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <set>
+
+namespace pelt::tools {
+namespace {
+
+constexpr int kQuery = 7, kCache = 6, kMethod = 13, kThreads = 8, kNumber = 10, kMark = 7;
+
+enum class Better { higher, lower };
+
+/// A ratio, and the method that it is taken to.
+struct Column {
+  const char* title;
+  const char* yardstick;
+  std::optional<double> Ratios::*ratio;
+  Better better;
+};
+
+constexpr Column kColumns[] = {{"vs paper", "paper", &Ratios::vs_paper, Better::higher},
+                               {"vs eager", "eager", &Ratios::vs_eager, Better::higher},
+                               {"of rigid", "rigid", &Ratios::of_rigid, Better::lower}};
+
+/// A row of these would say once more what the others say of them, the wrong way round: worse where
+/// another method has become faster.
+bool is_yardstick_only(const Figures& figures) {
+  return figures.engine == "paper" || figures.engine == "rigid";
+}
+
+std::string variant_name(const Variant& variant) {
+  return std::string("query ") + name_of(variant.question) + " with " + name_of(variant.cache) +
+         " caches";
+}
+
+std::string engine_name(const Figures& figures) {
+  if (figures.asked == Asked::pairs) return "method " + figures.engine;
+  return "crowd of " + figures.engine + " on " + counted(figures.threads, "thread");
+}
+
+std::set<std::string> names_in(const SceneFigures& scene) {
+  std::set<std::string> names;
+  for (const Figures& figures : scene.figures) {
+    names.insert(variant_name(figures.variant));
+    names.insert(engine_name(figures));
+  }
+  return names;
+}
+
+/// Another hash that `then` has of the question of `now`.
+std::optional<std::uint64_t> other_hash(const SceneFigures& then, const Figures& now) {
+  for (const Figures& figures : then.figures)
+    if (figures.variant.question == now.variant.question && figures.answer.hash != now.answer.hash)
+      return figures.answer.hash;
+  return std::nullopt;
+}
+
+/// Compares scenes with those of a baseline, and prints what it sees.
+class Comparer {
+ public:
+  Comparer(const Baseline& baseline, std::uint32_t margin_percent, std::ostream& out)
+      : baseline_(baseline), limit_(1 + margin_percent / 100.0), out_(out) {}
+
+  void compare(const SceneFigures& now) {
+    const auto& scenes = baseline_.scenes;
+    const auto then = std::find_if(scenes.begin(), scenes.end(),
+                                   [&](const SceneFigures& s) { return s.scene == now.scene; });
+    out_ << '\n' << now.scene << ": ";
+    if (then == scenes.end())
+      out_ << baseline_.path << " has no such scene\n";
+    else if (then->frames != now.frames)
+      out_ << counted(now.frames, "frame") << ", not the " << with_commas(then->frames) << " of "
+           << baseline_.path << ": not compared\n";
+    else
+      compare(*then, now);
+  }
+
+  const Comparison& result() const { return result_; }
+
+ private:
+  void compare(const SceneFigures& then, const SceneFigures& now) {
+    out_ << counted(now.frames, "frame") << ", " << name_of(now.time) << " time";
+    if (then.time != now.time) out_ << ", " << name_of(then.time) << " time then";
+    out_ << '\n';
+    print_lacking(then, now);
+    const std::set<Question> different = print_different_answers(then, now);
+    print_head();
+    for (const Figures& figures : now.figures)
+      if (!is_yardstick_only(figures) && different.count(figures.variant.question) == 0)
+        print_row(then, now, figures);
+  }
+
+  void print_lacking(const SceneFigures& then, const SceneFigures& now) {
+    const std::set<std::string> known = names_in(then);
+    for (const std::string& name : names_in(now))
+      if (known.count(name) == 0) out_ << baseline_.path << " has no " << name << '\n';
+  }
+
+  /// Other answers are other work.
+  std::set<Question> print_different_answers(const SceneFigures& then, const SceneFigures& now) {
+    std::set<Question> different;
+    for (const Figures& figures : now.figures) {
+      const std::optional<std::uint64_t> hash = other_hash(then, figures);
+      if (!hash || !different.insert(figures.variant.question).second) continue;
+      out_ << "query " << name_of(figures.variant.question) << ": a different answer: hash "
+           << hex16(*hash) << " then, " << hex16(figures.answer.hash) << " now: not compared\n";
+      ++result_.different_answers;
+    }
+    return different;
+  }
+
+  void print_head() {
+    out_ << std::string(kQuery + kCache + kMethod + kThreads, ' ');
+    for (const Column& column : kColumns)
+      out_ << std::setw(3 * kNumber) << column.title << std::string(kMark, ' ');
+    out_ << '\n';
+    print_names("query", "cache", "method", "threads");
+    for (std::size_t i = 0; i < std::size(kColumns); ++i)
+      out_ << std::setw(kNumber) << "then" << std::setw(kNumber) << "now" << std::setw(kNumber)
+           << "now/then" << std::string(kMark, ' ');
+    out_ << '\n';
+  }
+
+  void print_names(const char* query, const char* cache, const std::string& method,
+                   const std::string& threads) {
+    out_ << std::left << std::setw(kQuery) << query << std::setw(kCache) << cache
+         << std::setw(kMethod) << method << std::right << std::setw(kThreads) << threads;
+  }
+
+  void print_row(const SceneFigures& then, const SceneFigures& now, const Figures& figures) {
+    const Variant& variant = figures.variant;
+    const Figures* before = find_figures(then, figures.engine, figures.threads, variant);
+    const Ratios old = before ? ratios_of(then, *before) : Ratios();
+    const Ratios current = ratios_of(now, figures);
+    print_names(name_of(variant.question), name_of(variant.cache), figures.engine,
+                std::to_string(figures.threads));
+    for (const Column& column : kColumns) {
+      const bool is_itself = figures.engine == column.yardstick;
+      print_ratio(is_itself ? std::nullopt : old.*column.ratio,
+                  is_itself ? std::nullopt : current.*column.ratio, column.better);
+    }
+    out_ << '\n';
+  }
+
+  void print_ratio(const std::optional<double>& then, const std::optional<double>& now,
+                   Better better) {
+    const std::optional<double> change = ratio(now ? &*now : nullptr, then ? &*then : nullptr);
+    const bool is_worse = change && (better == Better::lower ? *change : 1 / *change) > limit_;
+    for (const std::optional<double>& number : {then, now, change})
+      out_ << std::setw(kNumber) << in_words(number);
+    out_ << std::left << std::setw(kMark) << (is_worse ? " worse" : "") << std::right;
+    result_.ratios += change.has_value();
+    result_.worse += is_worse;
+  }
+
+  const Baseline& baseline_;
+  double limit_;
+  std::ostream& out_;
+  Comparison result_;
+};
+
+}  // namespace
+
+Comparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
+                            std::uint32_t margin_percent, std::ostream& out) {
+  Comparer comparer(then, margin_percent, out);
+  out << "against " << then.path << ": " << in_words(then.machine) << '\n';
+  for (const SceneFigures& scene : now) comparer.compare(scene);
+  const Comparison& result = comparer.result();
+  out << '\n'
+      << result.worse << " of " << counted(result.ratios, "ratio") << " worse by more than "
+      << margin_percent << " %\n";
+  return result;
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,79 @@
+#include "tools/pelt/bench/bench_answer.hpp"
+
+#include "tools/pelt/scene/contact_hash.hpp"
+
+namespace pelt::tools {
+namespace {
+
+/// Over who touches whom: which contact of a pair is found first is unspecified.
+class TouchHash {
+ public:
+  void add(std::uint32_t frame, std::size_t collider_count, const FrameContacts& found) {
+    auto pair = found.pairs.begin();
+    for (std::uint32_t a = 0; a < collider_count; ++a) {
+      for (std::uint32_t b = a + 1; b < collider_count; ++b) {
+        const bool touch = pair != found.pairs.end() && pair->a == a && pair->b == b;
+        if (touch) ++pair;
+        for (const std::uint32_t value : {frame, a, b, std::uint32_t{touch}}) hash_.add_u32(value);
+      }
+    }
+  }
+
+  std::uint64_t value() const { return hash_.value(); }
+
+ private:
+  detail::Fnv1a64 hash_;
+};
+
+QueryStats difference(QueryStats after, const QueryStats& before) {
+  after.node_pairs -= before.node_pairs;
+  after.refits -= before.refits;
+  after.posed_vertices -= before.posed_vertices;
+  after.triangle_pairs -= before.triangle_pairs;
+  return after;
+}
+
+/// An answer while frames are added.
+struct AnswerSoFar {
+  void add(std::uint32_t frame, std::size_t collider_count, const FrameContacts& found) {
+    contacts.add(frame, found);
+    touches.add(frame, collider_count, found);
+    frames_in_contact += !found.contacts.empty();
+    contact_count += found.contacts.size();
+  }
+
+  Answer to(Question question) const {
+    const bool all = question == Question::all;
+    return {all ? contacts.value() : touches.value(), work, frames_in_contact, contact_count};
+  }
+
+  ContactHash contacts;
+  TouchHash touches;
+  QueryStats work;
+  std::uint64_t frames_in_contact = 0, contact_count = 0;
+};
+
+}  // namespace
+
+Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
+                                   std::span<const Question> questions) {
+  Runner runner(subject.colliders, engine);
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  std::vector<AnswerSoFar> answers(questions.size());
+  for (const std::uint32_t frame : subject.frames) {
+    sample_palettes(subject.scene, frame, scratch, palettes);
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      const QueryStats before = runner.work();
+      if (const auto posed = runner.pose(palettes); !posed) return in_frame(frame, posed.error());
+      runner.ask(questions[q]);
+      answers[q].work += difference(runner.work(), before);
+      answers[q].add(frame, subject.colliders.size(), runner.found());
+    }
+  }
+  std::vector<Answer> result;
+  for (std::size_t q = 0; q < questions.size(); ++q) result.push_back(answers[q].to(questions[q]));
+  return result;
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,39 @@
+#include "tools/pelt/bench/bench_engine.hpp"
+
+#include "asset/message.hpp"
+
+#include <algorithm>
+
+namespace pelt::tools {
+
+Engine engine_of(bench::MethodKind method) {
+  return {std::string(bench::name_of(method)), [method](std::span<const Collider> colliders) {
+            return SceneQuery(colliders, bench::make_method(method));
+          }};
+}
+
+Engine crowd_engine(std::uint32_t threads) {
+  const auto make = [threads](std::span<const Collider> colliders) {
+    return SceneQuery::as_crowd(colliders, threads);
+  };
+  return {std::string(bench::name_of(bench::MethodKind::on_demand)), make, Asked::crowd, threads};
+}
+
+Time time_of(std::span<const Engine> engines) {
+  const bool as_crowd = std::any_of(engines.begin(), engines.end(), [](const Engine& engine) {
+    return engine.asked == Asked::crowd;
+  });
+  return as_crowd ? Time::wall : Time::thread;
+}
+
+void Runner::ask(Question question) {
+  CollideOptions options;
+  if (question == Question::first) options.max_contacts = 1;
+  query_.collide(options, found_);
+}
+
+Error in_frame(std::uint32_t frame, const Error& error) {
+  return asset::prefixed("frame " + std::to_string(frame), error);
+}
+
+}  // namespace pelt::tools

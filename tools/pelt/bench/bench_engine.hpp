@@ -1,0 +1,74 @@
+#pragma once
+
+/// What `pelt bench` compares: engines, and what they are asked about a scene. An engine is a
+/// method, asked pair by pair on one thread, or on_demand asked as a crowd, on any number of
+/// threads, which share palettes and pairs. What several threads take is wall time, and then so are
+/// the times of all engines beside them.
+
+#include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include <functional>
+#include <string>
+
+namespace pelt::tools {
+
+enum class Question {
+  all,    ///< every contact
+  first,  ///< whether there is one
+};
+
+enum class Asked {
+  pairs,  ///< each pair of instances by itself
+  crowd,  ///< all at once
+};
+
+struct Engine {
+  std::string name;
+  std::function<SceneQuery(std::span<const Collider>)> make;
+  Asked asked = Asked::pairs;
+  std::uint32_t threads = 1;
+};
+
+Engine engine_of(bench::MethodKind method);
+
+/// On demand.
+Engine crowd_engine(std::uint32_t threads);
+
+/// What the times of engines mean that are measured together.
+Time time_of(std::span<const Engine> engines);
+
+/// What is run. Borrows.
+struct Subject {
+  const scenes::Scene& scene;
+  std::span<const Collider> colliders;
+  std::span<const std::uint32_t> frames;
+};
+
+/// An engine with the colliders of a scene.
+class Runner {
+ public:
+  Runner(std::span<const Collider> colliders, const Engine& engine)
+      : query_(engine.make(colliders)), threads_(engine.threads) {}
+
+  std::uint32_t threads() const { return threads_; }
+
+  Result<void> pose(const Palettes& palettes) { return query_.set_palettes(palettes); }
+  bool update_counts() const { return query_.update_counts(); }
+
+  void ask(Question question);
+
+  /// What was found last.
+  const FrameContacts& found() const { return found_; }
+  QueryStats work() const { return query_.work(); }
+
+ private:
+  SceneQuery query_;
+  std::uint32_t threads_;
+  FrameContacts found_;
+};
+
+/// What went wrong, with the frame in which it did.
+Error in_frame(std::uint32_t frame, const Error& error);
+
+}  // namespace pelt::tools

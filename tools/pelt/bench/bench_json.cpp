@@ -1,0 +1,73 @@
+#include <pelt/version.hpp>
+
+#include "tools/pelt/bench/bench_report.hpp"
+#include "tools/pelt/bench/machine.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json machine_json() {
+  const Machine machine = this_machine();
+  return {{"cpu", machine.cpu},           {"cores", machine.cores}, {"target", machine.target},
+          {"compiler", machine.compiler}, {"build", machine.build}, {"flags", machine.flags},
+          {"pelt", PELT_VERSION}};
+}
+
+ordered_json engine_json(const Figures& figures) {
+  const Times& times = figures.times;
+  const ordered_json in_contact =
+      times.frames_in_contact > 0 ? ordered_json(times.mean_contact_us) : ordered_json();
+  return {{"engine", figures.engine},
+          {"query", name_of(figures.variant.question)},
+          {"cache", name_of(figures.variant.cache)},
+          {"asked", name_of(figures.asked)},
+          {"threads", figures.threads},
+          {"frames", times.frames},
+          {"mean_us", times.mean_us},
+          {"mean_contact_us", in_contact},
+          {"p95_us", times.p95_us},
+          {"mean_update_us", times.mean_update_us},
+          {"hash", hex16(figures.answer.hash)},
+          {"counters", counters_json(figures.answer.work)}};
+}
+
+ordered_json scene_json(const SceneFigures& scene) {
+  ordered_json engines = ordered_json::array();
+  for (const Figures& figures : scene.figures) engines.push_back(engine_json(figures));
+  const ModelFigures& models = scene.models;
+  const Skinning& skinning = scene.skinning;
+  return {{"scene", scene.scene},
+          {"frames", scene.frames},
+          {"frames_in_contact", scene.figures[0].answer.frames_in_contact},
+          {"repetitions", scene.repetitions},
+          {"time", name_of(scene.time)},
+          {"models",
+           {{"triangles", models.triangles},
+            {"bytes", models.bytes},
+            {"build_seconds", models.build_seconds}}},
+          {"skinning",
+           {{"vertices", skinning.vertices},
+            {"mean_us", skinning.mean_us},
+            {"ns_per_vertex", skinning.ns_per_vertex()}}},
+          {"engines", std::move(engines)}};
+}
+
+}  // namespace
+
+std::string figures_json(const std::vector<SceneFigures>& scenes) {
+  ordered_json all = ordered_json::array();
+  for (const SceneFigures& scene : scenes) all.push_back(scene_json(scene));
+  const ordered_json figures = {{"format", "pelt-bench"},
+                                {"version", 1},
+                                {"machine", machine_json()},
+                                {"scenes", std::move(all)}};
+  return figures.dump(2) + "\n";
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,139 @@
+#include "tools/pelt/bench/bench_report.hpp"
+
+#include "tools/pelt/bench/bench_ratios.hpp"
+#include "tools/pelt/bench/machine.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <set>
+
+namespace pelt::tools {
+namespace {
+
+constexpr int kName = 12, kColumn = 12, kWorkColumn = 16;
+
+void print_name(const std::string& name, std::ostream& out) {
+  out << std::left << std::setw(kName) << name << std::right;
+}
+
+void print_scene(const SceneFigures& scene, std::ostream& out) {
+  const double bytes = static_cast<double>(scene.models.bytes);
+  const double triangles = static_cast<double>(scene.models.triangles);
+  out << scene.scene << ": " << with_commas(scene.triangles) << " triangles, "
+      << counted(scene.frames, "frame") << " of which "
+      << with_commas(scene.figures[0].answer.frames_in_contact) << " in contact\n"
+      << "models: " << with_commas(scene.models.triangles) << " triangles, built in "
+      << fixed(scene.models.build_seconds, 3) << " s, " << fixed(bytes / triangles, 1)
+      << " bytes a triangle\n";
+}
+
+void print_repetitions(const SceneFigures& scene, std::ostream& out) {
+  if (scene.repetitions >= kEnoughRepetitions) return;
+  out << "a rough look: " << counted(scene.repetitions, "repetition") << " of each frame, where "
+      << kEnoughRepetitions << " or more level out what else the machine does\n";
+}
+
+/// The unit, and what stands close to it.
+void print_skinning(const SceneFigures& scene, std::ostream& out) {
+  const Skinning& skinning = scene.skinning;
+  out << "all " << with_commas(skinning.vertices)
+      << " vertices skinned: " << fixed(skinning.mean_us, 1) << " us a frame, "
+      << fixed(skinning.ns_per_vertex(), 2) << " ns a vertex";
+  for (const char* engine : {"paper", "eager"}) {
+    const double* mean = mean_of(scene, engine, scene.figures[0].variant);
+    if (mean) out << "; " << engine << " " << fixed(*mean / skinning.mean_us, 2) << " times that";
+  }
+  out << "\n\n";
+}
+
+void print_head(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
+  const Variant& variant = figures.variant;
+  out << "query " << name_of(variant.question) << ", cache " << name_of(variant.cache) << ", "
+      << name_of(scene.time) << " time, median of " << scene.repetitions;
+  if (figures.times.frames < scene.frames)
+    out << ", " << counted(figures.times.frames, "frame") << " of " << with_commas(scene.frames);
+  out << "; hash " << hex16(figures.answer.hash) << " by every method\n";
+  print_name("method", out);
+  for (const char* head : {"threads", "mean us", "in contact", "95 %", "update", "query",
+                           "vs paper", "vs eager", "of rigid", "vs 1 thread"})
+    out << std::setw(kColumn) << head;
+  out << '\n';
+}
+
+void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
+  const Times& times = figures.times;
+  const Ratios ratios = ratios_of(scene, figures);
+  const double* one_thread =
+      figures.asked == Asked::crowd ? mean_of(scene, figures.engine, figures.variant) : nullptr;
+  print_name(figures.engine, out);
+  for (const std::string& cell :
+       {std::to_string(figures.threads), fixed(times.mean_us, 1),
+        times.frames_in_contact > 0 ? fixed(times.mean_contact_us, 1) : "-", fixed(times.p95_us, 1),
+        fixed(times.mean_update_us, 1), fixed(times.mean_us - times.mean_update_us, 1),
+        in_words(ratios.vs_paper), in_words(ratios.vs_eager), in_words(ratios.of_rigid),
+        in_words(ratio(one_thread, &times.mean_us))})
+    out << std::setw(kColumn) << cell;
+  out << '\n';
+}
+
+void print_tables(const SceneFigures& scene, std::ostream& out) {
+  const Figures* before = nullptr;
+  for (const Figures& figures : scene.figures) {
+    if (before == nullptr || !is_same(before->variant, figures.variant)) {
+      if (before != nullptr) out << '\n';
+      print_head(scene, figures, out);
+    }
+    print_row(scene, figures, out);
+    before = &figures;
+  }
+  out << '\n';
+}
+
+void print_work(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
+  const QueryStats& work = figures.answer.work;
+  print_name(figures.engine, out);
+  out << std::setw(8) << name_of(figures.variant.question);
+  for (const std::uint64_t count :
+       {work.node_pairs, work.refits, work.posed_vertices, work.triangle_pairs}) {
+    const double mean = static_cast<double>(count) / static_cast<double>(scene.frames);
+    out << std::setw(kWorkColumn) << fixed(mean, 1);
+  }
+  out << '\n';
+}
+
+/// Work does not depend on caches and threads, so each engine is shown once for each question.
+void print_all_work(const SceneFigures& scene, std::ostream& out) {
+  print_name("work a frame", out);
+  out << std::setw(8) << "query";
+  for (const char* head : {"node pairs", "refits", "posed vertices", "triangle pairs"})
+    out << std::setw(kWorkColumn) << head;
+  out << '\n';
+  std::set<std::pair<Question, std::string>> shown;
+  for (const Figures& figures : scene.figures)
+    if (shown.emplace(figures.variant.question, figures.engine).second)
+      print_work(scene, figures, out);
+  out << '\n';
+}
+
+}  // namespace
+
+const char* name_of(Question question) { return question == Question::all ? "all" : "first"; }
+
+const char* name_of(Cache cache) { return cache == Cache::hot ? "hot" : "cold"; }
+
+const char* name_of(Asked asked) { return asked == Asked::pairs ? "pairs" : "crowd"; }
+
+const char* name_of(Time time) { return time == Time::thread ? "thread" : "wall"; }
+
+void print_machine(std::ostream& out) { out << in_words(this_machine()) << "\n\n"; }
+
+void print_figures(const SceneFigures& scene, std::ostream& out) {
+  print_scene(scene, out);
+  print_repetitions(scene, out);
+  print_skinning(scene, out);
+  print_tables(scene, out);
+  print_all_work(scene, out);
+}
+
+}  // namespace pelt::tools

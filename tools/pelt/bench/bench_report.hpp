@@ -1,0 +1,55 @@
+#pragma once
+
+/// The figures of `pelt bench` for people and for programs.
+
+#include "tools/pelt/bench/bench_answer.hpp"
+#include "tools/pelt/bench/bench_measure.hpp"
+#include "tools/pelt/bench/bench_skinning.hpp"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+/// One variant of one engine.
+struct Figures {
+  std::string engine;
+  Asked asked = Asked::pairs;
+  std::uint32_t threads = 1;
+  Variant variant;
+  Answer answer;
+  Times times;
+};
+
+/// The models of a scene, each once.
+struct ModelFigures {
+  std::uint64_t triangles = 0, bytes = 0;
+  double build_seconds = 0;
+};
+
+struct SceneFigures {
+  std::string scene;
+  std::uint64_t triangles = 0;  ///< of all instances
+  std::uint64_t frames = 0;
+  std::uint32_t repetitions = 0;
+  Time time = Time::thread;
+  ModelFigures models;
+  Skinning skinning;
+  std::vector<Figures> figures;  ///< not empty; the engines of a variant one after the other
+};
+
+const char* name_of(Question question);
+const char* name_of(Cache cache);
+const char* name_of(Asked asked);
+const char* name_of(Time time);
+
+/// Where the figures that follow are measured.
+void print_machine(std::ostream& out);
+
+void print_figures(const SceneFigures& scene, std::ostream& out);
+
+/// As JSON.
+std::string figures_json(const std::vector<SceneFigures>& scenes);
+
+}  // namespace pelt::tools

@@ -1,0 +1,128 @@
+#include "tools/pelt/bench/bench_scene.hpp"
+
+#include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/progress.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <set>
+
+namespace pelt::tools {
+namespace {
+
+/// What the answers of the others are compared with: it shares no tree with the fast engines.
+constexpr bench::MethodKind kReference = bench::MethodKind::paper;
+
+Result<std::vector<std::uint32_t>> choose_frames(const scenes::Scene& scene,
+                                                 const std::optional<FrameRange>& chosen) {
+  const FrameRange frames = chosen.value_or(FrameRange{0, scene.frame_count});
+  if (frames.end <= scene.frame_count) return frames.frames();
+  return bad_argument("--frames", std::to_string(frames.end) + " goes beyond the last frame",
+                      scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+}
+
+struct Prepared {
+  std::vector<Collider> colliders;
+  ModelFigures models;
+};
+
+Result<Prepared> prepare(const scenes::Scene& scene, const ModelArguments& arguments) {
+  Stopwatch watch;
+  auto colliders = make_colliders(scene, Granularity::instance, arguments);
+  if (!colliders) return colliders.error();
+  watch.stop();
+  Prepared prepared;
+  prepared.colliders = std::move(*colliders);
+  prepared.models.build_seconds = watch.microseconds() * 1e-6;
+  std::set<const detail::Model*> counted;
+  for (const Collider& collider : prepared.colliders) {
+    if (!counted.insert(&collider.model.detail()).second) continue;
+    prepared.models.triangles += collider.model.triangle_count();
+    prepared.models.bytes += collider.model.memory_bytes();
+  }
+  return prepared;
+}
+
+using Answers = std::vector<Answer>;  // [questions]
+
+/// Whether an engine answers as the reference does; says so if not.
+bool agrees(const scenes::Scene& scene, const std::string& engine, const Answers& answers,
+            const Answers& reference, std::ostream& errors) {
+  for (std::size_t q = 0; q < answers.size(); ++q) {
+    if (answers[q].hash == reference[q].hash) continue;
+    errors << "pelt: internal error: " << scene.name << ": " << engine << " gives the hash "
+           << hex16(answers[q].hash) << ", " << bench::name_of(kReference) << " gives "
+           << hex16(reference[q].hash) << ": please report this with the scene\n";
+    return false;
+  }
+  return true;
+}
+
+/// The answers [engines]; none where engines disagree.
+Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings& settings,
+                                     std::ostream& errors) {
+  const Engine reference = engine_of(kReference);
+  const Result<Answers> expected = answer(subject, reference, settings.questions);
+  if (!expected) return expected.error();
+  std::vector<Answers> all;
+  for (const Engine& engine : settings.engines) {
+    const Result<Answers> answers =
+        engine.name == reference.name ? expected : answer(subject, engine, settings.questions);
+    if (!answers) return answers.error();
+    if (!agrees(subject.scene, engine.name, *answers, *expected, errors)) {
+      return std::vector<Answers>();
+    }
+    all.push_back(*answers);
+  }
+  return all;
+}
+
+std::vector<Variant> variants_of(const BenchSettings& settings) {
+  std::vector<Variant> variants;
+  for (const Question question : settings.questions)
+    for (const Cache cache : settings.caches) variants.push_back({question, cache});
+  return variants;
+}
+
+Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSettings& settings,
+                                         const std::vector<Answers>& answers) {
+  const std::vector<Variant> variants = variants_of(settings);
+  Progress progress(subject.frames.size() * settings.engines.size());
+  const auto times = measure(subject, settings.engines, variants, settings.repetitions,
+                             [&] { progress.advance(); });
+  if (!times) return times.error();
+  std::vector<Figures> figures;
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    const std::size_t question = v / settings.caches.size();
+    for (std::size_t e = 0; e < settings.engines.size(); ++e) {
+      const Engine& engine = settings.engines[e];
+      figures.push_back({engine.name, engine.asked, engine.threads, variants[v],
+                         answers[e][question], (*times)[e][v]});
+    }
+  }
+  return figures;
+}
+
+}  // namespace
+
+Result<ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
+                             std::vector<SceneFigures>& figures, std::ostream& errors) {
+  const auto frames = choose_frames(scene, settings.frames);
+  if (!frames) return frames.error();
+  const Result<Prepared> prepared = prepare(scene, settings.models);
+  if (!prepared) return prepared.error();
+  const Subject subject = {scene, prepared->colliders, *frames};
+  const auto answers = ask_all(subject, settings, errors);
+  if (!answers) return answers.error();
+  if (answers->empty()) return ExitCode::internal;
+  const auto measured = measure_all(subject, settings, *answers);
+  if (!measured) return measured.error();
+  const Result<Skinning> skinning = measure_skinning(subject, settings.repetitions);
+  if (!skinning) return skinning.error();
+  std::uint64_t triangles = 0;
+  for (const Collider& collider : prepared->colliders) triangles += collider.model.triangle_count();
+  figures.push_back({scene.name, triangles, frames->size(), settings.repetitions,
+                     time_of(settings.engines), prepared->models, *skinning, *measured});
+  return ExitCode::success;
+}
+
+}  // namespace pelt::tools

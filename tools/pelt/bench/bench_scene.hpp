@@ -1,0 +1,27 @@
+#pragma once
+
+/// `pelt bench` after its arguments: models built, engines asked and compared, then measured.
+
+#include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/bench/bench_report.hpp"
+
+#include <optional>
+
+namespace pelt::tools {
+
+struct BenchSettings {
+  std::vector<Engine> engines;
+  std::vector<Question> questions;
+  std::vector<Cache> caches;
+  std::uint32_t repetitions = kEnoughRepetitions;
+  std::optional<FrameRange> frames;  ///< nothing: all of the scene
+  ModelArguments models;
+};
+
+/// Appends the scene's figures, unless an engine does not answer as the paper's does: then it is
+/// named on `errors`, no time is taken, and ExitCode::internal returned.
+Result<ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
+                             std::vector<SceneFigures>& figures, std::ostream& errors);
+
+}  // namespace pelt::tools

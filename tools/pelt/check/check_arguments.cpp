@@ -1,0 +1,248 @@
+#include "tools/pelt/check/check_arguments.hpp"
+
+#include "asset/message.hpp"
+#include "scenes/ignored_pairs.hpp"
+#include "scenes/nearest_name.hpp"
+#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/scene/query_arguments.hpp"
+
+#include <filesystem>
+#include <utility>
+
+namespace pelt::tools {
+namespace {
+
+Result<bench::MethodKind> choose_method(const std::string& name) {
+  if (const auto method = bench::find_method(name)) return *method;
+  return Error{ErrorCode::invalid_argument, "--method: there is no " + asset::quoted(name) +
+                                                scenes::suggestion(name, bench::method_names())};
+}
+
+Result<std::optional<std::uint32_t>> choose_limit(const CheckArguments& arguments) {
+  if (arguments.first) return std::optional<std::uint32_t>(1);
+  if (arguments.max_contacts == 0u) {
+    return bad_argument("--max-contacts", "a limit of 0 finds nothing", "give 1 or more");
+  }
+  return arguments.max_contacts;
+}
+
+bool contains(const FrameRange& range, std::uint32_t frame) {
+  return frame >= range.begin && frame < range.end && (frame - range.begin) % range.stride == 0;
+}
+
+Result<std::optional<std::uint32_t>> choose_glb_frame(const CheckArguments& arguments,
+                                                      const FrameRange& frames) {
+  if (!arguments.glb_frame) return arguments.glb_frame;
+  if (arguments.glb.empty()) {
+    return bad_argument("--glb-frame", "there is no --glb", "name the file with --glb FILE");
+  }
+  if (contains(frames, *arguments.glb_frame)) return arguments.glb_frame;
+  return bad_argument("--glb-frame", std::to_string(*arguments.glb_frame) + " is not checked",
+                      "choose one of the frames that are");
+}
+
+Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
+                                               bench::MethodKind method) {
+  if (!arguments.clearance) return arguments.clearance;
+  if (!(*arguments.clearance >= 0 && *arguments.clearance <= 1e12))
+    return bad_argument("--clearance", "is out of range", "give a number from 0 to 1e12");
+  if (method != bench::MethodKind::on_demand)
+    return bad_argument("--clearance", "only on_demand answers that", "leave out --method");
+  if (arguments.contacts)
+    return bad_argument("--clearance", "what does not touch has no --contacts",
+                        "give one of the two");
+  if (arguments.inside)
+    return bad_argument("--clearance", "what is --inside is told of bodies that touch or not",
+                        "give one of the two");
+  return arguments.clearance;
+}
+
+/// "A,B": the last comma parts the names.
+Result<scenes::NamePair> parse_name_pair(const std::string& text) {
+  const std::size_t comma = text.rfind(',');
+  if (comma != std::string::npos && comma > 0 && comma + 1 < text.size())
+    return scenes::NamePair{text.substr(0, comma), text.substr(comma + 1)};
+  return bad_argument("--ignore", asset::quoted(text) + " is not a pair of names",
+                      "give two parts or joints as in --ignore cape,spine");
+}
+
+/// With --exclude or --no-unskinned a scene's rules may name what is left out.
+bool is_read_whole(const ModelArguments& models) {
+  return models.exclude.empty() && !models.no_unskinned;
+}
+
+Result<std::vector<scenes::NamePair>> parse_ignored(const std::vector<std::string>& texts) {
+  std::vector<scenes::NamePair> pairs;
+  for (const std::string& text : texts) {
+    const auto pair = parse_name_pair(text);
+    if (!pair) return pair.error();
+    pairs.push_back(*pair);
+  }
+  return pairs;
+}
+
+Result<std::vector<scenes::NamePair>> choose_ignored(const CheckArguments& arguments,
+                                                     const scenes::Scene& scene) {
+  const std::vector<const scenes::Character*> characters = scenes::characters_of(scene);
+  auto pairs = parse_ignored(arguments.ignore);
+  if (!pairs) return pairs.error();
+  if (const auto known = scenes::check_names(characters, *pairs); !known)
+    return asset::prefixed("--ignore", known.error());
+  if (const auto known = scenes::check_names(characters, scene.ignore);
+      !known && is_read_whole(arguments.scene.models))
+    return asset::prefixed(scene.name + ": ignore", known.error());
+  pairs->insert(pairs->begin(), scene.ignore.begin(), scene.ignore.end());
+  if (pairs->empty() || (!arguments.first && !arguments.max_contacts)) return *pairs;
+  return bad_argument(arguments.first ? "--first" : "--max-contacts",
+                      "the contacts found first may be those to ignore", "leave it out");
+}
+
+/// What a failing check wrote over its baseline would pass the next one.
+Result<void> keep_baseline(const CheckArguments& arguments) {
+  struct Output {
+    const char* option;
+    const std::string& path;
+  };
+  for (const auto& [option, path] :
+       {Output{"--jsonl", arguments.jsonl}, Output{"--glb", arguments.glb},
+        Output{"--html", arguments.html}}) {
+    std::error_code missing;
+    if (path.empty() || path == kStandardOutput) continue;
+    if (!std::filesystem::equivalent(path, arguments.baseline, missing)) continue;
+    return bad_argument(option, "is the --baseline itself", "name another file");
+  }
+  return {};
+}
+
+/// `settings` is complete but for this and for what fails.
+Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& arguments,
+                                                     const CheckSettings& settings,
+                                                     const scenes::Scene& scene) {
+  if (arguments.baseline.empty()) return std::optional<CheckBaseline>();
+  if (settings.max_contacts)
+    return bad_argument("--baseline", "needs all contacts", "leave out --first and --max-contacts");
+  if (const auto kept = keep_baseline(arguments); !kept) return kept.error();
+  const CheckQuestion question = question_of(settings, scene, arguments.scene.models);
+  Result<CheckBaseline> known = CheckBaseline::read(arguments.baseline, question, scene);
+  if (!known) return known.error();
+  return std::optional<CheckBaseline>(std::move(*known));
+}
+
+Result<FailOn> choose_fail_on(const CheckArguments& arguments) {
+  if (arguments.fail_on.empty())
+    return arguments.baseline.empty() ? FailOn::contact : FailOn::grown;
+  const auto fail_on = find_fail_on(arguments.fail_on);
+  if (!fail_on)
+    return bad_argument("--fail-on", "there is no " + asset::quoted(arguments.fail_on),
+                        "give contact, grown, new or never");
+  const bool needs_baseline = *fail_on == FailOn::grown || *fail_on == FailOn::newly;
+  if (needs_baseline && arguments.baseline.empty())
+    return bad_argument("--fail-on", arguments.fail_on + " needs something to compare with",
+                        "name an earlier answer with --baseline FILE");
+  return *fail_on;
+}
+
+std::string listed(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+/// Takes what is chosen up to the first refusal.
+class Choices {
+ public:
+  template <typename T>
+  void take(Result<T> chosen, T& value) {
+    if (chosen)
+      value = std::move(*chosen);
+    else if (!refusal_)
+      refusal_ = chosen.error();
+  }
+
+  const std::optional<Error>& refusal() const { return refusal_; }
+
+ private:
+  std::optional<Error> refusal_;
+};
+
+}  // namespace
+
+void add_check_options(Verb& verb, CheckArguments& arguments) {
+  add_scene_options(verb, arguments.scene);
+  verb.option("--frames", arguments.frames,
+              "Frames A to B - 1, each S-th of them with A:B:S (default: all of the scene, or of "
+              "the longest clip)",
+              {.type = "A:B"});
+  verb.option("--by", arguments.by,
+              "What collides: every instance with every other, or every part with every other, "
+              "also of the same instance",
+              {.type = "instance|part"});
+  verb.option("--method", arguments.method, "One of " + listed(bench::method_names()),
+              {.type = "NAME"});
+  add_simd_option(verb, arguments.simd);
+  verb.flag("--first", arguments.first, "Stop at the first contact of each pair in each frame");
+  verb.option("--max-contacts", arguments.max_contacts,
+              "Stop after so many contacts of each pair in each frame",
+              {.type = "N", .excludes = "--first"});
+  verb.option("--ignore", arguments.ignore,
+              "Contacts of two parts or joints that do not count; may be given several times",
+              {.type = "A,B"});
+  verb.option("--baseline", arguments.baseline,
+              "Compare with the --jsonl of an earlier check: fail only on parts and joints that "
+              "touch newly, or with more contacts in their worst frame",
+              {.type = "FILE"});
+  verb.option("--fail-on", arguments.fail_on,
+              "What makes the exit code 1 (default: contact, with a baseline grown)",
+              {.type = "contact|grown|new|never"});
+  verb.option("--jsonl", arguments.jsonl,
+              "Write the answer, a JSON object a line; -: to standard output, the summary then to "
+              "standard error",
+              {.type = "FILE"});
+  verb.flag("--pairs", arguments.pairs, "Write the triangle pairs too, not only their number");
+  verb.flag("--contacts", arguments.contacts,
+            "Tell where and how the triangles cut each other: segments, curves, regions, normals, "
+            "depths, joints");
+  verb.flag("--inside", arguments.inside,
+            "Of closed surfaces, tell too which holds another whole, and how deep the deepest "
+            "vertex is where they touch");
+  verb.option(
+      "--clearance", arguments.clearance,
+      "Find all pairs of triangles that are at most so far apart, not only those that touch",
+      {.type = "DISTANCE"});
+  verb.option(
+      "--html", arguments.html,
+      "Write the report: a page that plays the scene and finds its contacts, all in one file",
+      {.type = "FILE"});
+  verb.option("--glb", arguments.glb,
+              "Write the posed characters of the worst frame, colliding triangles coloured",
+              {.type = "FILE"});
+  verb.option("--glb-frame", arguments.glb_frame, "The frame for --glb", {.type = "N"});
+}
+
+Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::Scene& scene) {
+  CheckSettings settings;
+  settings.lists_triangles = arguments.pairs;
+  settings.describes_contacts = arguments.contacts;
+  settings.asks_inside = arguments.inside;
+  Choices choices;
+  choices.take(choose_method(arguments.method), settings.method);
+  choices.take(choose_clearance(arguments, settings.method), settings.clearance);
+  choices.take(choose_granularity(arguments.by), settings.granularity);
+  choices.take(choose_limit(arguments), settings.max_contacts);
+  choices.take(choose_frames(arguments.frames, arguments.scene, scene), settings.frames);
+  choices.take(choose_ignored(arguments, scene), settings.ignore);
+  choices.take(choose_glb_frame(arguments, settings.frames), settings.frame_to_keep);
+  choices.take(choose_fail_on(arguments), settings.fail_on);
+  choices.take(choose_baseline(arguments, settings, scene), settings.baseline);
+  if (choices.refusal()) return *choices.refusal();
+  // What cannot be written should be said before long work, and before --jsonl is replaced.
+  if (!arguments.glb.empty()) {
+    if (const auto writable = check_writable(arguments.glb); !writable) return writable.error();
+  }
+  return settings;
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,32 @@
+#pragma once
+
+/// The command line of `pelt check`: its options, and what they ask for.
+
+#include "tools/pelt/arguments/scene_arguments.hpp"
+#include "tools/pelt/check/check_settings.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+struct CheckArguments {
+  SceneArguments scene;
+  std::string frames, by = "instance", method = "on_demand";
+  bool first = false, pairs = false, contacts = false, inside = false;
+  std::optional<double> clearance;
+  std::optional<std::uint32_t> max_contacts, glb_frame;
+  std::vector<std::string> ignore;
+  std::string baseline, fail_on;
+  std::string jsonl, glb, html, simd, words;
+};
+
+void add_check_options(Verb& verb, CheckArguments& arguments);
+
+/// Refuses what does not fit together or to the scene, before anything is computed or written.
+/// Reads the baseline.
+Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::Scene& scene);
+
+}  // namespace pelt::tools

@@ -1,0 +1,196 @@
+#include "tools/pelt/check/check_baseline.hpp"
+
+#include "asset/file_bytes.hpp"
+#include "asset/json_object.hpp"
+#include "asset/message.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace pelt::tools {
+namespace {
+
+using asset::FirstError;
+using asset::JsonObject;
+using nlohmann::json;
+
+constexpr const char* kOfTheSameQuestion =
+    "name a file that pelt check --jsonl wrote, with the same --by, --clearance and --inside and "
+    "no limit";
+
+std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
+
+std::string_view last_line(std::string_view text) {
+  while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
+  const std::size_t end = text.rfind('\n');
+  return end == std::string_view::npos ? text : text.substr(end + 1);
+}
+
+BodyName read_body(const JsonObject& object) {
+  constexpr std::size_t kAnyCopy = std::size_t{1} << 32;
+  return {object.text("model"), object.index("copy", kAnyCopy), object.text("part")};
+}
+
+TouchName read_place(const JsonObject& object) { return {read_body(object), object.text("joint")}; }
+
+CheckBaseline::TouchNames ordered(TouchName a, TouchName b) {
+  if (b < a) std::swap(a, b);
+  return {std::move(a), std::move(b)};
+}
+
+/// Null where it is absent.
+json value_of(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found == object.end() ? json() : *found;
+}
+
+void require_comparable(const JsonObject& theirs, const json& their_values, const json& ours) {
+  if (theirs.text("by") != ours["by"])
+    theirs.refuse("by", "is not " + ours["by"].get<std::string>() + " as here");
+  if (value_of(their_values, "clearance") != ours["clearance"])
+    theirs.refuse("clearance", "is not as here");
+  if (!value_of(their_values, "max_contacts").is_null())
+    theirs.refuse("max_contacts", "left contacts out");
+  if (ours["inside"] == true && !theirs.flag("inside"))
+    theirs.refuse("inside", "was not asked there, but here");
+}
+
+/// What may differ and leaves something to compare.
+void note_differences(const json& theirs, const json& ours, std::vector<std::string>& notes) {
+  for (const char* key : {"frames", "fps", "ignore", "exclude", "no_unskinned", "renormalise"}) {
+    const json then = value_of(theirs, key);
+    if (then.is_null() || then == ours[key]) continue;
+    notes.push_back(std::string(key) + " was " + then.dump() + " in the baseline and is " +
+                    ours[key].dump() + " here");
+  }
+}
+
+/// Of each instance the name of its model, ascending.
+std::vector<std::string> models_of(const scenes::Scene& scene) {
+  std::vector<std::string> models;
+  for (const scenes::Instance& instance : scene.instances)
+    models.push_back(as_json_holds(scene.characters[instance.character].name));
+  std::sort(models.begin(), models.end());
+  return models;
+}
+
+/// The same of a header, which has an entry for each collider.
+std::vector<std::string> models_of(const JsonObject& header) {
+  constexpr std::size_t kAnyInstance = std::size_t{1} << 32;
+  std::map<std::uint32_t, std::string> by_instance;
+  for (const JsonObject& collider : header.objects("instances")) {
+    const char* const key = collider.has("instance") ? "instance" : "index";
+    by_instance[collider.index(key, kAnyInstance)] = collider.text("model");
+  }
+  std::vector<std::string> models;
+  for (const auto& [instance, model] : by_instance) models.push_back(model);
+  std::sort(models.begin(), models.end());
+  return models;
+}
+
+/// Each once: "knight", "thief".
+std::string listed(std::vector<std::string> names) {
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + asset::quoted(name);
+  return text.empty() ? "nothing" : text;
+}
+
+bool have_one_in_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const std::string& name) {
+    return std::binary_search(b.begin(), b.end(), name);
+  });
+}
+
+/// The same scene, perhaps in another version.
+Result<void> compare_models(const std::vector<std::string>& theirs,
+                            const std::vector<std::string>& ours, std::vector<std::string>& notes) {
+  if (theirs == ours) return {};
+  if (!have_one_in_common(theirs, ours))
+    return Error{ErrorCode::invalid_argument, "is of another scene, one of " + listed(theirs) +
+                                                  ", and here are " + listed(ours)};
+  notes.push_back("instances were " + std::to_string(theirs.size()) + " of " + listed(theirs) +
+                  " in the baseline and are " + std::to_string(ours.size()) + " of " +
+                  listed(ours) + " here");
+  return {};
+}
+
+Error unusable_baseline(const std::string& path, const Error& error) {
+  return {error.code, "--baseline: " + path + ": " + error.message + ": " + kOfTheSameQuestion};
+}
+
+void require_check(const JsonObject& header) {
+  if (header.text("format") != "pelt-check") header.refuse("format", "must be pelt-check");
+  if (header.count("version") != 1) header.refuse("version", "must be 1");
+  if (!header.is_object("options")) header.refuse("options", "must be an object");
+}
+
+}  // namespace
+
+/// The first line and the last one.
+Result<CheckBaseline> CheckBaseline::compare(const json& first, const json& last,
+                                             const CheckQuestion& question,
+                                             const scenes::Scene& scene) {
+  FirstError errors;
+  const JsonObject header(first, "", errors), totals(last, "", errors);
+  require_check(header);
+  if (errors.get()) return *errors.get();
+  const json ours = as_json_holds(question_json(question));
+  require_comparable(header.object("options"), first["options"], ours);
+  CheckBaseline baseline;
+  note_differences(first["options"], ours, baseline.notes_);
+  baseline.take_touches(totals);
+  if (ours["inside"] == true) baseline.take_held(totals);
+  const std::vector<std::string> models = models_of(header);
+  if (errors.get()) return *errors.get();
+  const auto compared = compare_models(models, models_of(scene), baseline.notes_);
+  if (!compared) return compared.error();
+  return baseline;
+}
+
+void CheckBaseline::take_touches(const JsonObject& totals) {
+  if (!totals.has("touches")) totals.refuse("touches", "is missing from the last line");
+  for (const JsonObject& touch : totals.objects("touches")) {
+    const TouchNames names = ordered(read_place(touch.object("a")), read_place(touch.object("b")));
+    touches_[names] = std::max(touches_[names], touch.object("worst").count("contacts"));
+  }
+}
+
+void CheckBaseline::take_held(const JsonObject& totals) {
+  if (!totals.has("held")) totals.refuse("held", "is missing from the last line");
+  for (const JsonObject& held : totals.objects("held"))
+    held_.insert({read_body(held.object("inner")), read_body(held.object("outer"))});
+}
+
+Result<CheckBaseline> CheckBaseline::parse(const std::string& path, std::string_view text,
+                                           const CheckQuestion& question,
+                                           const scenes::Scene& scene) {
+  const Result<json> first = asset::parse_json(first_line(text));
+  if (!first) return unusable_baseline(path, first.error());
+  const Result<json> last = asset::parse_json(last_line(text));
+  if (!last) return unusable_baseline(path, last.error());
+  Result<CheckBaseline> baseline = compare(*first, *last, question, scene);
+  if (!baseline) return unusable_baseline(path, baseline.error());
+  return baseline;
+}
+
+Result<CheckBaseline> CheckBaseline::read(const std::string& path, const CheckQuestion& question,
+                                          const scenes::Scene& scene) {
+  const auto bytes = asset::read_file(path);
+  if (!bytes) return unusable_baseline(path, bytes.error());
+  const auto* text = reinterpret_cast<const char*>(bytes->data());
+  return parse(path, {text, bytes->size()}, question, scene);
+}
+
+std::uint64_t CheckBaseline::worst(const TouchNames& names) const {
+  const auto found = touches_.find(names);
+  return found == touches_.end() ? 0 : found->second;
+}
+
+CheckBaseline::TouchNames names_of(const scenes::Scene& scene, const Touch& touch) {
+  return ordered(touch_name(scene, touch.a), touch_name(scene, touch.b));
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,59 @@
+#pragma once
+
+/// What an earlier check found, for `pelt check --baseline`.
+
+#include "asset/json_object.hpp"
+#include "tools/pelt/check/check_question.hpp"
+#include "tools/pelt/check/touch_name.hpp"
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace pelt::tools {
+
+class CheckBaseline {
+ public:
+  /// In ascending order: which of two places is called a says nothing.
+  using TouchNames = std::pair<TouchName, TouchName>;
+  /// The inner, the outer.
+  using HeldNames = std::pair<BodyName, BodyName>;
+
+  /// `text` is what `pelt check --jsonl` wrote; `path` is for messages. Refuses the answer to a
+  /// question that cannot be compared with `question`, one that a limit cut short, and one of a
+  /// scene that has no model in common with `scene`.
+  static Result<CheckBaseline> parse(const std::string& path, std::string_view text,
+                                     const CheckQuestion& question, const scenes::Scene& scene);
+
+  static Result<CheckBaseline> read(const std::string& path, const CheckQuestion& question,
+                                    const scenes::Scene& scene);
+
+  /// The most contacts of one frame; 0 if they did not touch.
+  std::uint64_t worst(const TouchNames& names) const;
+  const std::map<TouchNames, std::uint64_t>& touches() const { return touches_; }
+
+  const std::set<HeldNames>& held() const { return held_; }
+
+  /// How that check differed from this one, in words; empty: in nothing but its files.
+  std::span<const std::string> notes() const { return notes_; }
+
+ private:
+  static Result<CheckBaseline> compare(const nlohmann::json& first, const nlohmann::json& last,
+                                       const CheckQuestion& question, const scenes::Scene& scene);
+  void take_touches(const asset::JsonObject& totals);
+  void take_held(const asset::JsonObject& totals);
+
+  std::map<TouchNames, std::uint64_t> touches_;
+  std::set<HeldNames> held_;
+  std::vector<std::string> notes_;
+};
+
+/// The two places of a touch as a baseline knows them.
+CheckBaseline::TouchNames names_of(const scenes::Scene& scene, const Touch& touch);
+
+}  // namespace pelt::tools

@@ -1,0 +1,28 @@
+#include "tools/pelt/check/check_question.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace pelt::tools {
+
+nlohmann::ordered_json question_json(const CheckQuestion& question) {
+  nlohmann::ordered_json json = {
+      {"method", question.method},
+      {"by", question.by},
+      {"frames", {question.frames.begin, question.frames.end, question.frames.stride}},
+      {"fps", question.fps},
+      {"max_contacts", nullptr},
+      {"pairs", question.pairs},
+      {"contacts", question.contacts},
+      {"inside", question.inside},
+      {"clearance", nullptr},
+      {"ignore", nlohmann::ordered_json::array()},
+      {"exclude", question.exclude},
+      {"no_unskinned", question.no_unskinned},
+      {"renormalise", question.renormalise}};
+  for (const scenes::NamePair& pair : question.ignore) json["ignore"].push_back({pair.a, pair.b});
+  if (question.clearance) json["clearance"] = *question.clearance;
+  if (question.max_contacts) json["max_contacts"] = *question.max_contacts;
+  return json;
+}
+
+}  // namespace pelt::tools

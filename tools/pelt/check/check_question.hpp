@@ -1,0 +1,32 @@
+#pragma once
+
+/// What a check was asked: all that decides what it answers, but for the scene's instances.
+
+#include "scenes/scene.hpp"
+#include "tools/pelt/arguments/frame_range.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+struct CheckQuestion {
+  std::string method, by;
+  FrameRange frames;
+  double fps = 30;
+  std::optional<std::uint32_t> max_contacts;
+  std::optional<double> clearance;
+  bool pairs = false, contacts = false, inside = false;
+  std::vector<scenes::NamePair> ignore;
+  std::vector<std::string> exclude;
+  bool no_unskinned = false, renormalise = false;
+};
+
+/// "options" of the header of `pelt check --jsonl`.
+nlohmann::ordered_json question_json(const CheckQuestion& question);
+
+}  // namespace pelt::tools

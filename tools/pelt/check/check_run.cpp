@@ -1,0 +1,166 @@
+#include "tools/pelt/check/check_run.hpp"
+
+#include "asset/message.hpp"
+#include "tools/pelt/check/clearance_query.hpp"
+#include "tools/pelt/check/ignored_contacts.hpp"
+#include "tools/pelt/output/progress.hpp"
+#include "tools/pelt/scene/contact_hash.hpp"
+
+#include <chrono>
+
+namespace pelt::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void count_frame(std::uint32_t frame, const FrameContacts& found, CheckReport& report) {
+  const std::uint64_t contacts = found.contacts.size();
+  ++report.totals.frames;
+  report.frame_contacts.push_back(contacts);
+  report.totals.contacts += contacts;
+  if (contacts == 0) return;
+  ++report.totals.frames_in_contact;
+  report.frames_in_contact.push_back(frame);
+  if (contacts <= report.worst_contacts) return;
+  report.worst_contacts = contacts;
+  report.worst_frame = frame;
+}
+
+/// Whether this frame is the one to keep, as far as is known.
+bool is_to_be_kept(std::uint32_t frame, const CheckSettings& settings, const CheckReport& report) {
+  if (settings.frame_to_keep) return frame == *settings.frame_to_keep;
+  return frame == settings.frames.begin ||
+         (report.worst_contacts > 0 && frame == report.worst_frame);
+}
+
+/// What is asked of a frame beside its contacts, where it is wanted.
+class ExtraQueries {
+ public:
+  /// All arguments must outlive this.
+  ExtraQueries(const scenes::Scene& scene, std::span<const Collider> colliders,
+               const CheckSettings& settings, const scenes::IgnoredPairs& ignored) {
+    if (settings.asks_inside) inside_.emplace(scene, colliders, ignored);
+    if (!settings.describes_contacts) return;
+    details_.emplace(scene, colliders);
+    depths_.emplace(scene, colliders);
+  }
+
+  /// `found` has all contacts, those to be ignored among them.
+  Result<void> ask_inside(std::uint32_t frame, const Palettes& palettes,
+                          const FrameContacts& found) {
+    if (!inside_) return {};
+    if (const auto asked = inside_->ask(palettes, found); !asked) return asked;
+    insides_.add(frame, inside_->pairs());
+    return {};
+  }
+
+  Result<void> describe(std::uint32_t frame, const Palettes& palettes, const FrameContacts& found) {
+    if (!details_) return {};
+    if (const auto described = details_->describe(palettes, found); !described) return described;
+    depths_->add(frame, found, *details_);
+    return {};
+  }
+
+  FrameExtras of_frame() const {
+    return {details_ ? &*details_ : nullptr, inside_ ? &*inside_ : nullptr};
+  }
+
+  void report(CheckReport& report) const {
+    constexpr std::size_t kMostRows = 10;
+    if (depths_) {
+      report.regions = depths_->regions();
+      report.deepest = depths_->deepest(kMostRows);
+    }
+    if (!inside_) return;
+    report.inside = insides_;
+    report.inside->closed_colliders = inside_->closed_count();
+    report.totals.work += inside_->work();
+  }
+
+ private:
+  std::optional<InsideQuery> inside_;
+  InsideTally insides_;
+  std::optional<ContactDetails> details_;
+  std::optional<DepthTally> depths_;
+};
+
+/// `Query` is SceneQuery or ClearanceQuery.
+template <typename Query>
+Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
+                              std::span<const Collider> colliders, const CheckSettings& settings,
+                              TouchTally& tally, JsonlWriter* jsonl) {
+  const auto ignored = scenes::IgnoredPairs::make(scenes::characters_of(scene), settings.ignore);
+  if (!ignored) return ignored.error();
+  CheckReport report;
+  report.worst_frame = settings.frames.begin;
+  CollideOptions options;
+  if (settings.max_contacts) options.max_contacts = *settings.max_contacts;
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  FrameContacts found;
+  ContactHash hash;
+  ExtraQueries extras(scene, colliders, settings, *ignored);
+  const std::vector<std::uint32_t> frames = settings.frames.frames();
+  Progress progress(frames.size());
+  for (const std::uint32_t frame : frames) {
+    sample_palettes(scene, frame, scratch, palettes);
+    const Clock::time_point begin = Clock::now();
+    const Result<void> posed = query.set_palettes(palettes);
+    if (!posed) return asset::prefixed("frame " + std::to_string(frame), posed.error());
+    query.collide(options, found);
+    report.frame_seconds.push_back(seconds_since(begin));
+    if (const auto asked = extras.ask_inside(frame, palettes, found); !asked) return asked.error();
+    report.totals.ignored += take_ignored_out(*ignored, scene, colliders, found);
+    count_frame(frame, found, report);
+    tally.add(frame, found);
+    hash.add(frame, found);
+    if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked.error();
+    if (jsonl != nullptr)
+      jsonl->frame(frame, scenes::frame_time(scene, frame), found, extras.of_frame());
+    if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
+    progress.advance();
+  }
+  report.totals.work = query.work();
+  extras.report(report);
+  if (!settings.max_contacts) report.totals.hash = hash.value();
+  return report;
+}
+
+/// What is known only of all frames.
+void conclude(const scenes::Scene& scene, std::span<const Collider> colliders,
+              const CheckSettings& settings, const TouchTally& tally, CheckReport& report,
+              JsonlWriter* jsonl) {
+  const std::vector<Touch> touches = tally.touches();
+  Findings found = {touches, {}};
+  if (report.inside) found.held = report.inside->held;
+  const CheckBaseline* const baseline = settings.baseline ? &*settings.baseline : nullptr;
+  report.verdict = judge(scene, colliders, found, baseline, settings.fail_on);
+  if (jsonl != nullptr) jsonl->totals(report.totals, found, report.verdict);
+}
+
+Result<CheckReport> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
+                               const CheckSettings& settings, TouchTally& tally,
+                               JsonlWriter* jsonl) {
+  if (settings.clearance) {
+    ClearanceQuery query(colliders, *settings.clearance);
+    return run_query(query, scene, colliders, settings, tally, jsonl);
+  }
+  SceneQuery query(colliders, settings.method);
+  return run_query(query, scene, colliders, settings, tally, jsonl);
+}
+
+}  // namespace
+
+Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collider> colliders,
+                              const CheckSettings& settings, TouchTally& tally,
+                              JsonlWriter* jsonl) {
+  Result<CheckReport> report = run_frames(scene, colliders, settings, tally, jsonl);
+  if (report) conclude(scene, colliders, settings, tally, *report, jsonl);
+  return report;
+}
+
+}  // namespace pelt::tools

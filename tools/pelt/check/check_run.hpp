@@ -1,0 +1,41 @@
+#pragma once
+
+/// The heart of `pelt check`: every frame of a scene asked for its contacts.
+
+#include "tools/pelt/check/check_settings.hpp"
+#include "tools/pelt/check/depth_tally.hpp"
+#include "tools/pelt/check/inside_query.hpp"
+#include "tools/pelt/check/jsonl.hpp"
+#include "tools/pelt/check/touch_tally.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include <optional>
+
+namespace pelt::tools {
+
+struct CheckReport {
+  /// The contacts of one frame, and its number.
+  struct Kept {
+    std::uint32_t frame = 0;
+    FrameContacts found;
+  };
+
+  CheckTotals totals;
+  Verdict verdict;
+  Kept kept;
+  std::uint32_t worst_frame = 0;  ///< the first one with the most contacts
+  std::uint64_t worst_contacts = 0;
+  std::vector<std::uint32_t> frames_in_contact;
+  std::vector<std::uint64_t> frame_contacts;  ///< of every frame
+  std::uint64_t regions = 0;                  ///< of contacts that are described
+  std::vector<DepthTally::Row> deepest;
+  std::optional<InsideTally> inside;  ///< if it was asked
+  std::vector<double> frame_seconds;  ///< palettes taken and all pairs queried; not the sampling
+};
+
+/// Runs through the frames. `jsonl` may be null. Writes no file itself and prints nothing but the
+/// progress bar.
+Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collider> colliders,
+                              const CheckSettings& settings, TouchTally& tally, JsonlWriter* jsonl);
+
+}  // namespace pelt::tools

@@ -1,0 +1,76 @@
+#include "tools/pelt/check/check_scene.hpp"
+
+#include "asset/message.hpp"
+#include "tools/pelt/check/summary.hpp"
+#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/page/viewer_page.hpp"
+#include "tools/pelt/scene/scene_glb.hpp"
+
+#include <sstream>
+
+namespace pelt::tools {
+namespace {
+
+Result<void> write_contacts_glb(const std::string& path, const scenes::Scene& scene,
+                                std::span<const Collider> colliders, const CheckReport::Kept& kept,
+                                const ModelArguments& models) {
+  const auto posed = pose_instances(scene, kept.frame, models);
+  if (!posed) return posed.error();
+  return write_file(path, contacts_glb(*posed, touching_triangles(*posed, colliders, kept.found)));
+}
+
+/// The first line of --jsonl and the last.
+std::string outer_lines(const scenes::Scene& scene, std::span<const Collider> colliders,
+                        const CheckQuestion& question, const CheckReport& report,
+                        const TouchTally& tally) {
+  const std::vector<Touch> touches = tally.touches();
+  Findings found = {touches, {}};
+  if (report.inside) found.held = report.inside->held;
+  std::ostringstream lines;
+  JsonlWriter writer(lines, question, scene, colliders);
+  writer.header();
+  writer.totals(report.totals, found, report.verdict);
+  return lines.str();
+}
+
+Result<void> write_page(const CheckOutputs& outputs, const scenes::Scene& scene,
+                        const ModelArguments& models, const PageAnswer& answer) {
+  const Result<std::string> page = page_of_scene(scene, models, {outputs.words, answer});
+  if (!page) return page.error();
+  return write_file(outputs.html, std::as_bytes(std::span(*page)));
+}
+
+}  // namespace
+
+Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
+                                const ModelArguments& models, const CheckOutputs& outputs,
+                                std::ostream& words) {
+  const auto colliders = make_colliders(scene, settings.granularity, models);
+  if (!colliders) return colliders.error();
+  Result<TouchTally> tally = TouchTally::make(scene, *colliders);
+  if (!tally) return tally.error();
+  LineOutput lines;
+  if (const auto opened = lines.open(outputs.jsonl); !opened) return opened.error();
+  std::optional<JsonlWriter> jsonl;
+  const CheckQuestion question = question_of(settings, scene, models);
+  if (lines.stream() != nullptr) jsonl.emplace(*lines.stream(), question, scene, *colliders);
+  if (jsonl) jsonl->header();
+  JsonlWriter* const writer = jsonl ? &*jsonl : nullptr;
+  Result<CheckReport> report = run_check(scene, *colliders, settings, *tally, writer);
+  if (!report) return asset::prefixed(scene.name, report.error());
+  if (const auto closed = lines.close(); !closed) return closed.error();
+  if (!outputs.glb.empty()) {
+    const auto written = write_contacts_glb(outputs.glb, scene, *colliders, report->kept, models);
+    if (!written) return written.error();
+  }
+  if (!outputs.html.empty()) {
+    const PageAnswer answer = {report->frame_contacts,
+                               outer_lines(scene, *colliders, question, *report, *tally)};
+    const auto written = write_page(outputs, scene, models, answer);
+    if (!written) return written.error();
+  }
+  print_summary(scene, *colliders, settings, *report, *tally, words);
+  return report;
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,26 @@
+#pragma once
+
+/// `pelt check` after its arguments: colliders made, frames run through, files written, a summary
+/// printed. Also what `pelt demo` runs.
+
+#include "tools/pelt/check/check_run.hpp"
+#include "tools/pelt/output/output.hpp"
+
+#include <ostream>
+#include <string>
+
+namespace pelt::tools {
+
+struct CheckOutputs {
+  std::string jsonl;  ///< file, kStandardOutput or "" for none
+  std::string glb;    ///< file for the frame that is kept, or "" for none
+  std::string html;   ///< file for the report, or "" for none
+  std::string words;  ///< by which the report was made
+};
+
+/// The summary goes to `words`.
+Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
+                                const ModelArguments& models, const CheckOutputs& outputs,
+                                std::ostream& words);
+
+}  // namespace pelt::tools

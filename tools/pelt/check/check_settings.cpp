@@ -1,0 +1,24 @@
+#include "tools/pelt/check/check_settings.hpp"
+
+namespace pelt::tools {
+
+CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& scene,
+                          const ModelArguments& models) {
+  CheckQuestion question;
+  question.method = bench::name_of(settings.method);
+  question.by = settings.granularity == Granularity::part ? "part" : "instance";
+  question.frames = settings.frames;
+  question.fps = scene.fps;
+  question.max_contacts = settings.max_contacts;
+  question.clearance = settings.clearance;
+  question.pairs = settings.lists_triangles;
+  question.contacts = settings.describes_contacts;
+  question.inside = settings.asks_inside;
+  question.ignore = settings.ignore;
+  question.exclude = models.exclude;
+  question.no_unskinned = models.no_unskinned;
+  question.renormalise = models.renormalise;
+  return question;
+}
+
+}  // namespace pelt::tools

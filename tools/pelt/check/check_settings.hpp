@@ -1,0 +1,33 @@
+#pragma once
+
+#include "bench/method.hpp"
+#include "tools/pelt/check/check_question.hpp"
+#include "tools/pelt/check/verdict.hpp"
+#include "tools/pelt/scene/colliders.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace pelt::tools {
+
+/// What `pelt check` is to do, decided and checked; what it writes is in CheckOutputs.
+struct CheckSettings {
+  bench::MethodKind method = bench::MethodKind::on_demand;
+  Granularity granularity = Granularity::instance;
+  std::optional<std::uint32_t> max_contacts;  ///< of a pair of colliders in a frame
+  /// Nothing: triangles that touch are found; else those that are at most so far apart.
+  std::optional<double> clearance;
+  bool lists_triangles = false;     ///< all pairs of them, not only their number
+  bool describes_contacts = false;  ///< by their geometry
+  bool asks_inside = false;         ///< what lies inside what
+  std::vector<scenes::NamePair> ignore;
+  std::optional<CheckBaseline> baseline;
+  FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline
+  FrameRange frames;
+  std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
+};
+
+CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& scene,
+                          const ModelArguments& models);
+
+}  // namespace pelt::tools

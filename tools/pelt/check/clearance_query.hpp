@@ -1,0 +1,37 @@
+#pragma once
+
+/// One frame of a scene asked for all triangles that are within a distance: what
+/// `pelt check --clearance` does in place of a SceneQuery.
+
+#include <pelt/distance.hpp>
+
+#include "tools/pelt/scene/scene_poses.hpp"
+
+#include <span>
+
+namespace pelt::tools {
+
+class ClearanceQuery {
+ public:
+  /// `colliders` must outlive the query.
+  ClearanceQuery(std::span<const Collider> colliders, double tolerance)
+      : colliders_(colliders), posed_(colliders), tolerance_(tolerance) {}
+
+  /// The message of an error names the instance.
+  Result<void> set_palettes(const Palettes& palettes) { return posed_.set_palettes(palettes); }
+
+  /// Replaces `found` by the pairs of triangles of every pair of colliders.
+  void collide(const CollideOptions& options, FrameContacts& found);
+
+  /// The work so far.
+  QueryStats work() const { return work_; }
+
+ private:
+  std::span<const Collider> colliders_;
+  ScenePoses posed_;
+  double tolerance_;
+  Scratch scratch_;
+  QueryStats work_;
+};
+
+}  // namespace pelt::tools

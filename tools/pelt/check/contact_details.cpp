@@ -1,0 +1,26 @@
+#include "tools/pelt/check/contact_details.hpp"
+
+#include "tools/pelt/check/surfaces.hpp"
+
+namespace pelt::tools {
+ContactDetails::ContactDetails(const scenes::Scene& scene, std::span<const Collider> colliders)
+    : colliders_(colliders), surfaces_(make_surfaces(scene, colliders)), posed_(colliders) {}
+
+Result<void> ContactDetails::describe(const Palettes& palettes, const FrameContacts& found) {
+  if (found.pairs.empty()) return {};
+  if (const Result<void> taken = posed_.set_palettes(palettes); !taken) return taken;
+  if (geometry_.size() < found.pairs.size()) geometry_.resize(found.pairs.size());
+  for (std::size_t i = 0; i < found.pairs.size(); ++i) {
+    const std::uint32_t a = found.pairs[i].a, b = found.pairs[i].b;
+    contacts_.clear();
+    for (const Contact& contact : found.of(found.pairs[i])) {
+      contacts_.push_back({contact.triangle_a - colliders_[a].first_triangle,
+                           contact.triangle_b - colliders_[b].first_triangle});
+    }
+    describe_contacts(posed_.poses()[a], surfaces_[a], posed_.poses()[b], surfaces_[b], contacts_,
+                      geometry_[i]);
+  }
+  return {};
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,112 @@
+#include "tools/pelt/check/contact_json.hpp"
+
+#include "scenes/names.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* name_of(ContactKind kind) {
+  constexpr const char* kNames[] = {"segment", "point", "coplanar", "collapsed"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+/// One of the two bodies.
+class Side {
+ public:
+  Side(const scenes::Scene& scene, const Collider& collider)
+      : collider_(collider),
+        asset_(scene.characters[scene.instances[collider.instance].character].asset) {}
+
+  std::string joint(std::uint16_t joint) const { return scenes::joint_name(asset_, joint); }
+
+  /// By the triangle's number in the collider's own model.
+  std::uint32_t triangle(std::uint32_t own) const { return own + collider_.first_triangle; }
+
+  std::uint32_t part_of(std::uint32_t own) const {
+    return static_cast<std::uint32_t>(&asset_.part_of(triangle(own)) - asset_.parts.data());
+  }
+
+  std::string part(std::uint32_t part) const { return scenes::part_name(asset_, part); }
+
+ private:
+  const Collider& collider_;
+  const asset::Asset& asset_;
+};
+
+ordered_json trace_json(const Side& a, const Side& b, const ContactTrace& trace) {
+  return {
+      {"triangles", {a.triangle(trace.contact.triangle_a), b.triangle(trace.contact.triangle_b)}},
+      {"kind", name_of(trace.kind)},
+      {"from", vector_json(trace.from)},
+      {"to", vector_json(trace.to)},
+      {"normal", vector_json(trace.normal)},
+      {"depth", trace.depth},
+      {"joints", {a.joint(trace.joint_a), b.joint(trace.joint_b)}}};
+}
+
+ordered_json curve_json(const ContactGeometry& geometry, const ContactCurve& curve) {
+  ordered_json traces = ordered_json::array(), points = ordered_json::array();
+  const auto steps = std::span(geometry.steps).subspan(curve.first, curve.count);
+  const auto end_of = [&](const CurveStep& step, bool is_last) {
+    const ContactTrace& trace = geometry.traces[step.trace];
+    return vector_json(step.is_reversed == is_last ? trace.from : trace.to);
+  };
+  for (const CurveStep& step : steps) {
+    traces.push_back(step.trace);
+    points.push_back(end_of(step, false));
+  }
+  points.push_back(end_of(steps.back(), true));
+  return {
+      {"closed", curve.is_closed}, {"traces", std::move(traces)}, {"points", std::move(points)}};
+}
+
+/// The part that most members of a region are in; of equal ones the first.
+template <typename TriangleOf>
+std::string part_of_most(const Side& side, std::span<const std::uint32_t> members,
+                         const TriangleOf& triangle_of) {
+  std::map<std::uint32_t, std::size_t> counts;
+  for (const std::uint32_t member : members) ++counts[side.part_of(triangle_of(member))];
+  const auto fewer = [](const auto& x, const auto& y) { return x.second < y.second; };
+  return side.part(std::max_element(counts.begin(), counts.end(), fewer)->first);
+}
+
+ordered_json region_json(const Side& a, const Side& b, const ContactGeometry& geometry,
+                         const ContactRegion& region) {
+  const auto members = std::span(geometry.members).subspan(region.first, region.count);
+  const auto contact_of = [&](std::uint32_t m) { return geometry.traces[m].contact; };
+  return {{"traces", members},
+          {"length", region.length},
+          {"point", vector_json(region.point)},
+          {"normal", vector_json(region.normal)},
+          {"depth", region.depth},
+          {"joints", {a.joint(region.joint_a), b.joint(region.joint_b)}},
+          {"parts",
+           {part_of_most(a, members, [&](std::uint32_t m) { return contact_of(m).triangle_a; }),
+            part_of_most(b, members, [&](std::uint32_t m) { return contact_of(m).triangle_b; })}}};
+}
+
+}  // namespace
+
+ordered_json contact_geometry_json(const scenes::Scene& scene, const Collider& a, const Collider& b,
+                                   const ContactGeometry& geometry) {
+  const Side side_a(scene, a), side_b(scene, b);
+  ordered_json traces = ordered_json::array(), curves = traces, regions = traces;
+  for (const ContactTrace& trace : geometry.traces)
+    traces.push_back(trace_json(side_a, side_b, trace));
+  for (const ContactCurve& curve : geometry.curves) curves.push_back(curve_json(geometry, curve));
+  for (const ContactRegion& region : geometry.regions)
+    regions.push_back(region_json(side_a, side_b, geometry, region));
+  return {{"traces", std::move(traces)},
+          {"curves", std::move(curves)},
+          {"regions", std::move(regions)}};
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <pelt/contact.hpp>
+
+#include "scenes/scene.hpp"
+#include "tools/pelt/scene/colliders.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace pelt::tools {
+
+/// The geometry of two colliders' contacts, with names of parts and joints: `traces`, `curves` and
+/// `regions` as the manual page has them.
+nlohmann::ordered_json contact_geometry_json(const scenes::Scene& scene, const Collider& a,
+                                             const Collider& b, const ContactGeometry& geometry);
+
+}  // namespace pelt::tools

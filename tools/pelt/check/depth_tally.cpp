@@ -1,0 +1,38 @@
+#include "tools/pelt/check/depth_tally.hpp"
+
+#include "scenes/names.hpp"
+
+#include <algorithm>
+
+namespace pelt::tools {
+
+void DepthTally::add(std::uint32_t frame, const FrameContacts& found,
+                     const ContactDetails& details) {
+  for (std::size_t i = 0; i < found.pairs.size(); ++i) {
+    const FrameContacts::Pair& pair = found.pairs[i];
+    for (const ContactRegion& region : details.of_pair(i).regions) {
+      ++regions_;
+      Deepest& known = deepest_[{Place{pair.a, region.joint_a}, Place{pair.b, region.joint_b}}];
+      if (region.depth > known.depth) known = {region.depth, frame};
+    }
+  }
+}
+
+std::vector<DepthTally::Row> DepthTally::deepest(std::size_t most) const {
+  std::vector<Row> rows;
+  for (const auto& [places, known] : deepest_)
+    rows.push_back({name(places.first), name(places.second), known.depth, known.frame});
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.depth > b.depth; });
+  if (rows.size() > most) rows.resize(most);
+  return rows;
+}
+
+std::string DepthTally::name(const Place& place) const {
+  const Collider& collider = colliders_[place.collider];
+  const std::uint32_t character = scene_.instances[collider.instance].character;
+  return collider_name(scene_, collider) + " " +
+         scenes::joint_name(scene_.characters[character].asset, place.joint);
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,54 @@
+#pragma once
+
+/// Where contacts go deepest: the regions of all frames by the joints that they are at.
+
+#include <pelt/contact.hpp>
+
+#include "tools/pelt/check/contact_details.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+class DepthTally {
+ public:
+  /// Both arguments must outlive the tally.
+  DepthTally(const scenes::Scene& scene, std::span<const Collider> colliders)
+      : scene_(scene), colliders_(colliders) {}
+
+  void add(std::uint32_t frame, const FrameContacts& found, const ContactDetails& details);
+
+  std::uint64_t regions() const { return regions_; }
+
+  /// Two joints, their deepest region and its frame.
+  struct Row {
+    std::string a, b;  ///< "knight 0 Hips"
+    float depth = 0;
+    std::uint32_t frame = 0;
+  };
+
+  /// The pairs of joints with the deepest regions, deepest first.
+  std::vector<Row> deepest(std::size_t most) const;
+
+ private:
+  struct Place {
+    std::uint32_t collider = 0, joint = 0;
+
+    friend auto operator<=>(const Place&, const Place&) = default;
+  };
+  struct Deepest {
+    float depth = -1;
+    std::uint32_t frame = 0;
+  };
+
+  std::string name(const Place& place) const;
+
+  const scenes::Scene& scene_;
+  std::span<const Collider> colliders_;
+  std::uint64_t regions_ = 0;
+  std::map<std::pair<Place, Place>, Deepest> deepest_;
+};
+
+}  // namespace pelt::tools

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scenes/ignored_pairs.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace pelt::tools {
+
+/// Takes the contacts out that do not count, and pairs of colliders that have no others; returns
+/// how many contacts that were. `ignored` was made of the scene's characters.
+std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored, const scenes::Scene& scene,
+                               std::span<const Collider> colliders, FrameContacts& found);
+
+}  // namespace pelt::tools

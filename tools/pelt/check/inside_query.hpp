@@ -1,0 +1,75 @@
+#pragma once
+
+/// What lies inside what: what `pelt check --inside` adds to the contacts of one frame.
+
+#include <pelt/inside.hpp>
+
+#include "scenes/ignored_pairs.hpp"
+#include "tools/pelt/scene/scene_poses.hpp"
+
+#include <span>
+#include <vector>
+
+namespace pelt::tools {
+
+/// Two colliders of which one holds the other whole, or that reach into each other.
+struct InsidePair {
+  std::uint32_t a = 0, b = 0;
+  Containment containment = Containment::none;
+  Penetration a_in_b = {},
+              b_in_a = {};  ///< of those that are closed; triangles as the model numbers them
+};
+
+/// A collider that another one holds whole.
+struct Held {
+  std::uint32_t inner = 0, outer = 0;
+  std::uint32_t frames = 0, first_frame = 0;  ///< how many, and the first of them
+};
+
+/// Of all frames.
+struct InsideTally {
+  struct Deepest {
+    double depth = 0;
+    std::uint32_t inner = 0, outer = 0, frame = 0;
+  };
+
+  void add(std::uint32_t frame, std::span<const InsidePair> pairs);
+
+  std::size_t closed_colliders = 0;        ///< those that have an inside
+  std::vector<std::uint32_t> frames_held;  ///< in which one collider holds another whole
+  std::vector<Held> held;                  ///< in the order in which they were found
+  Deepest deepest;                         ///< of what touches; no depth: no vertex was inside
+};
+
+class InsideQuery {
+ public:
+  /// Pairs of colliders that `ignored` means whole are not asked. `scene` and `colliders` must
+  /// outlive this.
+  InsideQuery(const scenes::Scene& scene, std::span<const Collider> colliders,
+              const scenes::IgnoredPairs& ignored);
+
+  /// Replaces what is known by what holds in these palettes. `found` has the contacts of the frame:
+  /// what touches is asked how deep it is, the others whether one holds the other. Of the former
+  /// those are left out of which no vertex is inside.
+  Result<void> ask(const Palettes& palettes, const FrameContacts& found);
+
+  std::span<const InsidePair> pairs() const { return pairs_; }  ///< ascending
+  QueryStats work() const { return work_; }
+
+  std::size_t closed_count() const;
+
+ private:
+  void ask_pair(std::uint32_t a, std::uint32_t b, bool touches);
+  bool is_ignored(std::uint32_t a, std::uint32_t b) const;
+  Penetration deepest(std::uint32_t a, std::uint32_t b);
+
+  std::span<const Collider> colliders_;
+  std::vector<Surface> surfaces_;  // of each collider
+  std::vector<bool> is_ignored_;   // [a][b] of all pairs; empty: none is
+  ScenePoses posed_;
+  Scratch scratch_;
+  QueryStats work_;
+  std::vector<InsidePair> pairs_;
+};
+
+}  // namespace pelt::tools

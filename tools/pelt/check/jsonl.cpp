@@ -1,0 +1,128 @@
+#include "tools/pelt/check/jsonl.hpp"
+
+#include "tools/pelt/check/contact_json.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json triangles_json(std::span<const Contact> contacts) {
+  ordered_json triangles = ordered_json::array();
+  for (const Contact& contact : contacts) {
+    triangles.push_back({contact.triangle_a, contact.triangle_b});
+  }
+  return triangles;
+}
+
+ordered_json gone_json(const GoneTouch& gone) {
+  return {{"a", name_json(gone.names.first)},
+          {"b", name_json(gone.names.second)},
+          {"known", gone.known}};
+}
+
+}  // namespace
+
+void JsonlWriter::header() {
+  ordered_json header = header_json("pelt-check", scene_, colliders_);
+  header["options"] = question_json(question_);
+  write_line(header, out_);
+}
+
+void JsonlWriter::frame(std::uint32_t frame, double time, const FrameContacts& found,
+                        const FrameExtras& extras) {
+  ordered_json line = {{"frame", frame},
+                       {"time", time},
+                       {"contacts", found.contacts.size()},
+                       {"pairs", pairs_json(found, extras.details)}};
+  if (extras.inside != nullptr) line["inside"] = inside_json(*extras.inside);
+  write_line(line, out_);
+}
+
+ordered_json JsonlWriter::pairs_json(const FrameContacts& found,
+                                     const ContactDetails* details) const {
+  ordered_json pairs = ordered_json::array();
+  for (std::size_t i = 0; i < found.pairs.size(); ++i) {
+    const FrameContacts::Pair& pair = found.pairs[i];
+    ordered_json& entry = pairs.emplace_back();
+    entry["a"] = pair.a;
+    entry["b"] = pair.b;
+    entry["contacts"] = pair.end - pair.begin;
+    if (question_.pairs) entry["triangles"] = triangles_json(found.of(pair));
+    if (details != nullptr) {
+      entry.update(contact_geometry_json(scene_, colliders_[pair.a], colliders_[pair.b],
+                                         details->of_pair(i)));
+    }
+  }
+  return pairs;
+}
+
+ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
+  const auto deepest = [&](const Penetration& found, std::uint32_t outer) -> ordered_json {
+    if (!found.found()) return nullptr;
+    return {{"depth", found.depth},
+            {"position", vector_json(found.position)},
+            {"nearest", vector_json(found.nearest.position)},
+            {"triangle", found.nearest.triangle + colliders_[outer].first_triangle}};
+  };
+  ordered_json pairs = ordered_json::array();
+  for (const InsidePair& pair : inside.pairs()) {
+    ordered_json entry = {{"a", pair.a}, {"b", pair.b}, {"held", nullptr}};
+    if (pair.containment == Containment::a_in_b) entry["held"] = "a";
+    if (pair.containment == Containment::b_in_a) entry["held"] = "b";
+    entry["a_in_b"] = deepest(pair.a_in_b, pair.b);
+    entry["b_in_a"] = deepest(pair.b_in_a, pair.a);
+    pairs.push_back(std::move(entry));
+  }
+  return pairs;
+}
+
+ordered_json JsonlWriter::held_list(std::span<const Held> held) const {
+  ordered_json list = ordered_json::array();
+  for (const Held& h : held) list.push_back(held_json(scene_, colliders_, h));
+  return list;
+}
+
+ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
+  ordered_json json = {{"fail_on", name_of(verdict.fail_on)}, {"failed", verdict.is_failed}};
+  for (const char* key : {"worse", "gone", "newly_held", "no_longer_held", "notes"})
+    json[key] = verdict.comparison ? ordered_json::array() : ordered_json();
+  if (!verdict.comparison) return json;
+  const Comparison& comparison = *verdict.comparison;
+  for (const Worse& worse : comparison.worse) {
+    json["worse"].push_back(touch_json(scene_, worse.touch));
+    json["worse"].back()["known"] = worse.known;
+  }
+  for (const GoneTouch& gone : comparison.gone) json["gone"].push_back(gone_json(gone));
+  json["newly_held"] = held_list(comparison.newly_held);
+  for (const auto& [inner, outer] : comparison.no_longer_held)
+    json["no_longer_held"].push_back({{"inner", name_json(inner)}, {"outer", name_json(outer)}});
+  json["notes"] = comparison.notes;
+  return json;
+}
+
+void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict) {
+  ordered_json last = {{"totals",
+                        {{"frames", totals.frames},
+                         {"frames_in_contact", totals.frames_in_contact},
+                         {"contacts", totals.contacts},
+                         {"ignored", totals.ignored}}},
+                       {"counters", counters_json(totals.work)},
+                       {"hash", nullptr}};
+  if (totals.hash) {
+    last["hash"] = hex16(*totals.hash);
+  } else {
+    last["cut_short"] = true;
+  }
+  last["touches"] = ordered_json::array();
+  for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(scene_, touch));
+  if (question_.inside) last["held"] = held_list(found.held);
+  last["verdict"] = verdict_json(verdict);
+  write_line(last, out_);
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,60 @@
+#pragma once
+
+/// What `pelt check --jsonl` writes: a header, a line for every frame, the totals.
+
+#include "scenes/scene.hpp"
+#include "tools/pelt/check/check_question.hpp"
+#include "tools/pelt/check/contact_details.hpp"
+#include "tools/pelt/check/inside_query.hpp"
+#include "tools/pelt/check/verdict.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <ostream>
+#include <string>
+
+namespace pelt::tools {
+
+struct CheckTotals {
+  std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
+  std::uint64_t ignored = 0;  ///< contacts that do not count
+  QueryStats work;
+  std::optional<std::uint64_t> hash;  ///< nothing where a limit on contacts was in force
+};
+
+/// What is told of a frame beside its contacts; null: nothing.
+struct FrameExtras {
+  const ContactDetails* details = nullptr;
+  const InsideQuery* inside = nullptr;
+};
+
+class JsonlWriter {
+ public:
+  /// All arguments must outlive the writer.
+  JsonlWriter(std::ostream& out, const CheckQuestion& question, const scenes::Scene& scene,
+              std::span<const Collider> colliders)
+      : out_(out), question_(question), scene_(scene), colliders_(colliders) {}
+
+  void header();
+
+  void frame(std::uint32_t frame, double time, const FrameContacts& found,
+             const FrameExtras& extras);
+  void totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict);
+
+ private:
+  nlohmann::ordered_json pairs_json(const FrameContacts& found,
+                                    const ContactDetails* details) const;
+  nlohmann::ordered_json inside_json(const InsideQuery& inside) const;
+
+  nlohmann::ordered_json held_list(std::span<const Held> held) const;
+  nlohmann::ordered_json verdict_json(const Verdict& verdict) const;
+
+  std::ostream& out_;
+  const CheckQuestion& question_;
+  const scenes::Scene& scene_;
+  std::span<const Collider> colliders_;
+};
+
+}  // namespace pelt::tools

@@ -1,0 +1,163 @@
+#include "tools/pelt/check/summary.hpp"
+
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/scene/summary_lines.hpp"
+
+#include <iomanip>
+
+namespace pelt::tools {
+namespace {
+
+constexpr std::size_t kMostRows = 10;
+
+void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
+                    const CheckReport& report, std::ostream& out) {
+  const CheckTotals& totals = report.totals;
+  if (totals.contacts == 0) {
+    label(out, "contact") << "none in " << counted(totals.frames, "frame") << '\n';
+    return;
+  }
+  label(out, "contact") << "in " << with_commas(totals.frames_in_contact) << " of "
+                        << counted(totals.frames, "frame") << ": "
+                        << frame_runs(report.frames_in_contact, settings.frames.stride) << '\n';
+  const double time = scenes::frame_time(scene, report.worst_frame);
+  label(out, "worst") << "frame " << report.worst_frame << " (" << fixed(time, 3)
+                      << " s): " << counted(report.worst_contacts, "contact") << '\n';
+  label(out, "contacts") << with_commas(totals.contacts) << " in all"
+                         << (settings.max_contacts ? ", cut short by the limit" : "") << '\n';
+}
+
+void print_rows(const char* title, const std::vector<TouchTally::Row>& rows, std::uint64_t contacts,
+                std::ostream& out) {
+  out << '\n' << title << '\n';
+  std::size_t width = 0;
+  for (const TouchTally::Row& row : rows) width = std::max(width, row.a.size());
+  for (const TouchTally::Row& row : rows) {
+    const double percent =
+        100.0 * static_cast<double>(row.contacts) / static_cast<double>(contacts);
+    out << std::right << std::setw(12) << with_commas(row.contacts) << std::setw(6)
+        << fixed(percent, 1) << " %  " << std::left << std::setw(static_cast<int>(width)) << row.a
+        << "  " << row.b << '\n';
+  }
+}
+
+void print_touching(const scenes::Scene& scene, const CheckReport& report, const TouchTally& tally,
+                    std::ostream& out) {
+  const std::uint64_t contacts = report.totals.contacts;
+  if (contacts == 0) return;
+  if (has_many_parts(scene)) {
+    print_rows("parts that touch", tally.parts(kMostRows), contacts, out);
+  }
+  print_rows("joints that touch", tally.joints(kMostRows), contacts, out);
+  out << '\n';
+}
+
+/// How many a list leaves out.
+void print_rest(std::size_t count, std::ostream& out) {
+  if (count > kMostRows)
+    out << std::setw(12) << "..."
+        << " and " << with_commas(count - kMostRows) << " more, see --jsonl\n";
+}
+
+std::string held_words(const scenes::Scene& scene, std::span<const Collider> colliders,
+                       const Held& held) {
+  return collider_name(scene, colliders[held.inner]) + " is held whole by " +
+         collider_name(scene, colliders[held.outer]) + " in " + counted(held.frames, "frame") +
+         ", first " + std::to_string(held.first_frame);
+}
+
+void print_held(const scenes::Scene& scene, std::span<const Collider> colliders, const char* name,
+                std::span<const Held> held, std::ostream& out) {
+  for (std::size_t i = 0; i < std::min(held.size(), kMostRows); ++i)
+    label(out, name) << held_words(scene, colliders, held[i]) << '\n';
+  print_rest(held.size(), out);
+}
+
+void print_worse(const scenes::Scene& scene, std::span<const Worse> worse, std::ostream& out) {
+  for (std::size_t i = 0; i < std::min(worse.size(), kMostRows); ++i) {
+    const auto& [touch, known] = worse[i];
+    out << std::right << std::setw(12) << with_commas(touch.worst) << " ("
+        << (known == 0 ? "new" : "was " + with_commas(known)) << ")  frame " << touch.worst_frame
+        << "  " << in_words(scene, touch.a) << "  " << in_words(scene, touch.b) << '\n';
+  }
+  print_rest(worse.size(), out);
+}
+
+/// What the baseline knows and this check has not found.
+void print_gone(const Comparison& comparison, std::ostream& out) {
+  const std::size_t touches = comparison.gone.size(), held = comparison.no_longer_held.size();
+  if (touches + held == 0) return;
+  label(out, "gone") << with_commas(touches) << " of " << with_commas(comparison.known_touches)
+                     << " known touches";
+  if (held > 0) out << ", and " << with_commas(held) << " that held another whole";
+  // What was asked otherwise can come again.
+  out << (comparison.notes.empty() ? ": write a new baseline\n" : "\n");
+}
+
+/// What differs from the baseline.
+void print_comparison(const scenes::Scene& scene, std::span<const Collider> colliders,
+                      const Comparison& comparison, std::ostream& out) {
+  for (const std::string& note : comparison.notes) label(out, "note") << note << '\n';
+  label(out, "baseline") << with_commas(comparison.worse.size()) << " new or grown beside "
+                         << with_commas(comparison.known_touches) << " known touches\n";
+  print_worse(scene, comparison.worse, out);
+  print_held(scene, colliders, "new", comparison.newly_held, out);
+  print_gone(comparison, out);
+}
+
+void print_deepest(const CheckReport& report, std::ostream& out) {
+  label(out, "regions") << with_commas(report.regions) << " in all\n\ndeepest regions\n";
+  std::size_t width = 0;
+  for (const DepthTally::Row& row : report.deepest) width = std::max(width, row.a.size());
+  for (const DepthTally::Row& row : report.deepest) {
+    out << std::right << std::setw(12) << fixed(static_cast<double>(row.depth), 6) << "  frame "
+        << std::setw(5) << row.frame << "  " << std::left << std::setw(static_cast<int>(width))
+        << row.a << "  " << row.b << '\n';
+  }
+  out << '\n';
+}
+
+void print_inside(const scenes::Scene& scene, std::span<const Collider> colliders,
+                  const InsideTally& inside, std::uint32_t stride, std::ostream& out) {
+  label(out, "inside");
+  if (inside.closed_colliders == 0) {
+    out << "no surface is closed, so none has an inside\n";
+    return;
+  }
+  if (inside.frames_held.empty()) {
+    out << "nothing is held whole\n";
+  } else {
+    out << "one is held whole in frames " << frame_runs(inside.frames_held, stride) << '\n';
+    print_held(scene, colliders, "", inside.held, out);
+  }
+  const InsideTally::Deepest& deepest = inside.deepest;
+  if (deepest.depth == 0) return;
+  label(out, "deepest") << "a vertex of " << collider_name(scene, colliders[deepest.inner])
+                        << " is " << fixed(deepest.depth, 6) << " deep in "
+                        << collider_name(scene, colliders[deepest.outer]) << ", frame "
+                        << deepest.frame << '\n';
+}
+
+}  // namespace
+
+void print_summary(const scenes::Scene& scene, std::span<const Collider> colliders,
+                   const CheckSettings& settings, const CheckReport& report,
+                   const TouchTally& tally, std::ostream& out) {
+  print_scene(scene, colliders, out);
+  label(out, "method") << bench::name_of(settings.method) << '\n';
+  if (colliders.size() < 2) print_too_few(scene, settings.granularity, out);
+  if (settings.clearance)
+    label(out, "clearance") << "what is at most " << *settings.clearance << " apart counts\n";
+  print_contacts(scene, settings, report, out);
+  if (report.totals.ignored > 0)
+    label(out, "ignored") << counted(report.totals.ignored, "contact") << '\n';
+  print_touching(scene, report, tally, out);
+  if (report.verdict.comparison)
+    print_comparison(scene, colliders, *report.verdict.comparison, out);
+  if (report.regions > 0) print_deepest(report, out);
+  if (report.inside) print_inside(scene, colliders, *report.inside, settings.frames.stride, out);
+  print_costs(report.frame_seconds, report.totals.work, out);
+  if (report.totals.hash) label(out, "hash") << hex16(*report.totals.hash) << '\n';
+}
+
+}  // namespace pelt::tools

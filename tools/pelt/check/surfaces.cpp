@@ -1,0 +1,20 @@
+#include "tools/pelt/check/surfaces.hpp"
+
+#include <map>
+#include <utility>
+
+namespace pelt::tools {
+
+std::vector<Surface> make_surfaces(const scenes::Scene& scene,
+                                   std::span<const Collider> colliders) {
+  std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, Surface> by_model;
+  std::vector<Surface> surfaces;
+  for (const Collider& collider : colliders) {
+    const std::uint32_t character = scene.instances[collider.instance].character;
+    const auto key = std::make_pair(character, collider.part);
+    surfaces.push_back(by_model.try_emplace(key, collider.model).first->second);
+  }
+  return surfaces;
+}
+
+}  // namespace pelt::tools

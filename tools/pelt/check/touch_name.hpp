@@ -1,0 +1,49 @@
+#pragma once
+
+/// What the command calls bodies and places on them, so that the next version of a scene has the
+/// same names: never by number, but for instances of one model, which only their order tells apart.
+
+#include "tools/pelt/check/inside_query.hpp"
+#include "tools/pelt/check/touch_tally.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace pelt::tools {
+
+/// An instance, or a part of one. Texts are as JSON holds them, which knows UTF-8 only.
+struct BodyName {
+  std::string model;
+  std::uint32_t copy = 0;  ///< which of the instances that have this model name, from 0
+  std::string part;        ///< "" for a whole instance
+
+  friend auto operator<=>(const BodyName&, const BodyName&) = default;
+};
+
+struct TouchName {
+  BodyName body;  ///< with its part
+  std::string joint;
+
+  friend auto operator<=>(const TouchName&, const TouchName&) = default;
+};
+
+BodyName body_name(const scenes::Scene& scene, const Collider& collider);
+TouchName touch_name(const scenes::Scene& scene, const TouchPlace& place);
+
+/// "knight 0 Cape Spine", by the number of the instance in the scene.
+std::string in_words(const scenes::Scene& scene, const TouchPlace& place);
+
+/// As `pelt check --jsonl` has them; `instance` is the number in the scene.
+nlohmann::ordered_json touch_json(const scenes::Scene& scene, const Touch& touch);
+nlohmann::ordered_json held_json(const scenes::Scene& scene, std::span<const Collider> colliders,
+                                 const Held& held);
+
+/// Without numbers of instances, for what this scene has no longer.
+nlohmann::ordered_json name_json(const BodyName& name);
+nlohmann::ordered_json name_json(const TouchName& name);
+
+}  // namespace pelt::tools

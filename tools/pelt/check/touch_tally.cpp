@@ -1,0 +1,117 @@
+#include "tools/pelt/check/touch_tally.hpp"
+
+#include "asset/message.hpp"
+#include "scenes/names.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace pelt::tools {
+namespace {
+
+using NameOf = std::string (*)(const asset::Asset&, std::uint32_t index);
+
+/// Replaces each index by the lowest that has the same name.
+template <typename Index>
+void unite_equal_names(const asset::Asset& asset, std::size_t count, NameOf name_of,
+                       std::vector<Index>& indices) {
+  std::map<std::string, Index> by_name;
+  std::vector<Index> lowest;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto index = static_cast<Index>(i);
+    lowest.push_back(by_name.try_emplace(name_of(asset, index), index).first->second);
+  }
+  for (Index& index : indices) index = lowest[index];
+}
+
+template <typename T>
+std::pair<T, T> ascending(const T& a, const T& b) {
+  return b < a ? std::pair(b, a) : std::pair(a, b);
+}
+
+}  // namespace
+
+Result<TouchTally> TouchTally::make(const scenes::Scene& scene,
+                                    std::span<const Collider> colliders) {
+  TouchTally tally(scene, colliders);
+  for (const scenes::Character& character : scene.characters) {
+    Result<scenes::TriangleLabels> labels = scenes::label_triangles(character.asset);
+    if (!labels) return asset::prefixed(character.source, labels.error());
+    const asset::Asset& asset = character.asset;
+    unite_equal_names(asset, asset.parts.size(), scenes::part_name, labels->part);
+    unite_equal_names(asset, asset.joints.size(), scenes::joint_name, labels->joint);
+    tally.labels_.push_back(std::move(*labels));
+  }
+  return tally;
+}
+
+TouchPlace TouchTally::place_of(std::uint32_t collider, std::uint32_t triangle) const {
+  const std::uint32_t instance = colliders_[collider].instance;
+  const scenes::TriangleLabels& labels = labels_[scene_->instances[instance].character];
+  return {instance, labels.part[triangle], labels.joint[triangle]};
+}
+
+void TouchTally::add(std::uint32_t frame, const FrameContacts& found) {
+  std::map<Places, std::uint64_t> contacts;
+  for (const FrameContacts::Pair& pair : found.pairs) {
+    for (const Contact& contact : found.of(pair))
+      ++contacts[ascending(place_of(pair.a, contact.triangle_a),
+                           place_of(pair.b, contact.triangle_b))];
+  }
+  add_frame(frame, contacts);
+}
+
+void TouchTally::add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts) {
+  for (const auto& [places, count] : contacts) {
+    Touch& touch = touches_[places];
+    touch.a = places.first;
+    touch.b = places.second;
+    touch.contacts += count;
+    ++touch.frames;
+    if (count <= touch.worst) continue;
+    touch.worst = count;
+    touch.worst_frame = frame;
+  }
+}
+
+std::vector<Touch> TouchTally::touches() const {
+  std::vector<Touch> touches;
+  for (const auto& [places, touch] : touches_) touches.push_back(touch);
+  std::stable_sort(touches.begin(), touches.end(),
+                   [](const Touch& a, const Touch& b) { return a.contacts > b.contacts; });
+  return touches;
+}
+
+std::vector<TouchTally::Row> TouchTally::joints(std::size_t most) const {
+  return rows(&TouchPlace::joint, most, scenes::joint_name);
+}
+
+std::vector<TouchTally::Row> TouchTally::parts(std::size_t most) const {
+  return rows(&TouchPlace::part, most, scenes::part_name);
+}
+
+std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, std::size_t most,
+                                              Name name) const {
+  using Key = std::pair<std::uint32_t, std::uint32_t>;  // instance, part or joint
+  std::map<std::pair<Key, Key>, std::uint64_t> counts;
+  for (const auto& [places, touch] : touches_) {
+    const auto& [a, b] = places;
+    counts[ascending(Key{a.instance, a.*index}, Key{b.instance, b.*index})] += touch.contacts;
+  }
+  const auto full_name = [&](const Key& key) {
+    const scenes::Character& character = scene_->characters[scene_->instances[key.first].character];
+    return character.name + " " + std::to_string(key.first) + " " +
+           name(character.asset, key.second);
+  };
+  std::vector<Row> rows;
+  for (const auto& [keys, contacts] : counts) {
+    rows.push_back({full_name(keys.first), full_name(keys.second), contacts});
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.contacts > b.contacts; });
+  if (rows.size() > most) rows.resize(most);
+  return rows;
+}
+
+}  // namespace pelt::tools

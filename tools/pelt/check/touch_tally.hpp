@@ -1,0 +1,69 @@
+#pragma once
+
+/// What touches what: contacts counted by the names that a person thinks in.
+
+#include "scenes/triangle_labels.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+/// Where on an instance: a part of it, and a joint that triangles of this part follow.
+struct TouchPlace {
+  std::uint32_t instance = 0, part = 0, joint = 0;
+
+  friend auto operator<=>(const TouchPlace&, const TouchPlace&) = default;
+};
+
+/// The contacts of two places over all frames.
+struct Touch {
+  TouchPlace a, b;  ///< a <= b
+  std::uint64_t contacts = 0;
+  std::uint32_t frames = 0;       ///< that have any
+  std::uint64_t worst = 0;        ///< the most contacts of one frame
+  std::uint32_t worst_frame = 0;  ///< the first one with as many
+};
+
+/// Parts of equal names count as one, the first of them, and so do joints: by names nobody could
+/// tell them apart.
+class TouchTally {
+ public:
+  /// Both arguments must outlive the tally. Refuses what no model could be built of.
+  static Result<TouchTally> make(const scenes::Scene& scene, std::span<const Collider> colliders);
+
+  /// Adds the contacts of a frame, once for each frame.
+  void add(std::uint32_t frame, const FrameContacts& found);
+
+  /// Those with the most contacts first.
+  std::vector<Touch> touches() const;
+
+  struct Row {
+    std::string a, b;  ///< "knight 0 Hips"
+    std::uint64_t contacts = 0;
+  };
+
+  /// The pairs with the most contacts, most first.
+  std::vector<Row> joints(std::size_t most) const;
+  std::vector<Row> parts(std::size_t most) const;
+
+ private:
+  using Places = std::pair<TouchPlace, TouchPlace>;  // ascending
+  using Name = std::string (*)(const asset::Asset&, std::uint32_t index);
+
+  TouchTally(const scenes::Scene& scene, std::span<const Collider> colliders)
+      : scene_(&scene), colliders_(colliders) {}
+
+  TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
+  void add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts);
+  std::vector<Row> rows(std::uint32_t TouchPlace::*index, std::size_t most, Name name) const;
+
+  const scenes::Scene* scene_;
+  std::span<const Collider> colliders_;
+  std::vector<scenes::TriangleLabels> labels_;  // by character
+  std::map<Places, Touch> touches_;
+};
+
+}  // namespace pelt::tools

@@ -1,0 +1,67 @@
+#pragma once
+
+/// Whether a check has failed: on what was found, or on what is worse than in an earlier check.
+
+#include "tools/pelt/check/check_baseline.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelt::tools {
+
+enum class FailOn {
+  contact,  ///< any contact, and any body that is held whole
+  grown,    ///< what is new, or a touch that has more contacts in its worst frame than it had
+  newly,    ///< what is new: a touch, or a body that is held whole
+  never,
+};
+
+/// Nothing for an unknown name.
+std::optional<FailOn> find_fail_on(std::string_view name);
+const char* name_of(FailOn fail_on);
+
+/// What a check has found.
+struct Findings {
+  std::span<const Touch> touches;
+  std::span<const Held> held;  ///< none where that was not asked
+};
+
+/// A touch that is worse than it was.
+struct Worse {
+  Touch touch;
+  std::uint64_t known = 0;  ///< contacts of its worst frame then; 0: it is new
+};
+
+/// A touch of the baseline that is none any more.
+struct GoneTouch {
+  CheckBaseline::TouchNames names;
+  std::uint64_t known = 0;  ///< contacts of its worst frame then
+};
+
+/// What differs from a baseline.
+struct Comparison {
+  std::size_t known_touches = 0;  ///< how many the baseline has
+  std::vector<Worse> worse;       ///< most contacts first
+  std::vector<GoneTouch> gone;
+  std::vector<Held> newly_held;
+  std::vector<CheckBaseline::HeldNames> no_longer_held;
+  std::vector<std::string> notes;  ///< how the earlier check differed from this one
+};
+
+Comparison compare(const scenes::Scene& scene, std::span<const Collider> colliders,
+                   const Findings& found, const CheckBaseline& baseline);
+
+struct Verdict {
+  FailOn fail_on = FailOn::contact;
+  bool is_failed = false;
+  std::optional<Comparison> comparison;  ///< with a baseline
+};
+
+/// `baseline` may be null only where `fail_on` asks for nothing that was known.
+Verdict judge(const scenes::Scene& scene, std::span<const Collider> colliders,
+              const Findings& found, const CheckBaseline* baseline, FailOn fail_on);
+
+}  // namespace pelt::tools

@@ -1,0 +1,72 @@
+#include "tools/pelt/output/run_program.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <vector>
+
+extern char** environ;
+
+namespace pelt::tools {
+namespace {
+
+/// Where a program's output goes.
+class Silence {
+ public:
+  Silence() {
+    posix_spawn_file_actions_init(&actions_);
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+      posix_spawn_file_actions_addopen(&actions_, stream, "/dev/null", O_WRONLY, 0);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+  ~Silence() { posix_spawn_file_actions_destroy(&actions_); }
+
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+};
+
+/// Which signals reach a program.
+class Signals {
+ public:
+  explicit Signals(CtrlC ctrl_c) {
+    sigset_t none;
+    sigemptyset(&none);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+    int flags = POSIX_SPAWN_SETSIGMASK;
+    if (ctrl_c == CtrlC::ends_caller) flags |= POSIX_SPAWN_SETPGROUP;
+    posix_spawnattr_setflags(&attributes_, static_cast<short>(flags));
+  }
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
+  ~Signals() { posix_spawnattr_destroy(&attributes_); }
+
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+};
+
+}  // namespace
+
+ProgramEnd run_program(std::span<const std::string> words, CtrlC ctrl_c) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, arguments[0], Silence().get(), Signals(ctrl_c).get(),
+                                 arguments.data(), environ);
+  if (error == ENOENT) return ProgramEnd::not_found;
+  int status = 0;
+  if (error != 0 || waitpid(child, &status, 0) != child) return ProgramEnd::failed;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? ProgramEnd::succeeded : ProgramEnd::failed;
+}
+
+}  // namespace pelt::tools

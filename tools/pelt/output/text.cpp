@@ -1,0 +1,75 @@
+#include "tools/pelt/output/text.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace pelt::tools {
+namespace {
+
+template <typename T>
+bool parse(std::string_view text, T& value) {
+  T parsed;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, parsed);
+  if (error != std::errc() || stop != end) return false;
+  value = parsed;
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> fields;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    fields.push_back(text.substr(0, end));
+    if (end == text.npos) return fields;
+    text.remove_prefix(end + 1);
+  }
+}
+
+bool parse_whole(std::string_view text, std::uint32_t& value) { return parse(text, value); }
+
+bool parse_number(std::string_view text, double& value) {
+  double parsed;
+  if (!parse(text, parsed) || !std::isfinite(parsed)) return false;
+  value = parsed;
+  return true;
+}
+
+std::string with_commas(std::uint64_t value) {
+  const std::string digits = std::to_string(value);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string fixed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string hex16(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+bool parse_hex16(std::string_view text, std::uint64_t& value) {
+  std::uint64_t parsed = 0;
+  std::from_chars(text.data(), text.data() + text.size(), parsed, 16);
+  if (text != hex16(parsed)) return false;
+  value = parsed;
+  return true;
+}
+
+std::string counted(std::uint64_t count, const char* noun) {
+  return with_commas(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,99 @@
+#include "tools/pelt/page/page_data.hpp"
+
+#include <pelt/version.hpp>
+
+#include "scenes/scene_text.hpp"
+#include "tools/pelt/output/base64.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/page/character_files.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <ctime>
+#include <sstream>
+
+namespace pelt::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// "2026-11-22T14:05:09Z"
+std::string time_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc = {};
+  gmtime_r(&now, &utc);
+  char text[sizeof "2026-11-22T14:05:09Z"];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+std::string as_text(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// A scene file's own name, if it has one.
+std::string scene_path(const scenes::Scene& scene) {
+  return fs::path(scene.name).extension() == ".json" ? scene.name : "scene.json";
+}
+
+ordered_json files_json(const CharacterFiles& files, const std::string& scene,
+                        const std::string& text) {
+  ordered_json json = {{scene, base64(text)}};
+  for (const auto& [path, bytes] : files.bytes) json[path] = base64(as_text(bytes));
+  return json;
+}
+
+/// For people: the characters' files by the paths that were given.
+ordered_json inputs_json(const scenes::Scene& scene, const CharacterFiles& files) {
+  ordered_json inputs = ordered_json::array();
+  for (std::size_t c = 0; c < scene.characters.size(); ++c) {
+    const scenes::Character& character = scene.characters[c];
+    ordered_json& input = inputs.emplace_back();
+    input = {{"path", character.source}, {"file", nullptr}, {"bytes", nullptr}};
+    input["hash"] = hex16(character.hash);
+    if (files.paths[c].empty()) continue;
+    input["file"] = files.paths[c];
+    input["bytes"] = files.bytes.at(files.paths[c]).size();
+  }
+  return inputs;
+}
+
+ordered_json reading_json(const ModelArguments& models) {
+  return {{"renormalise", models.renormalise},
+          {"noUnskinned", models.no_unskinned},
+          {"exclude", models.exclude},
+          {"samples", models.samples}};
+}
+
+ordered_json answer_json(const PageAnswer& answer) {
+  std::istringstream lines(answer.lines);
+  ordered_json first, last;
+  lines >> first >> last;
+  ordered_json json = {{"options", first["options"]}, {"counts", answer.counts}};
+  json.update(last);
+  return json;
+}
+
+}  // namespace
+
+Result<std::string> page_data(const scenes::Scene& scene, const ModelArguments& models,
+                              const PageData& data) {
+  const Result<CharacterFiles> files = read_character_files(scene);
+  if (!files) return files.error();
+  const std::string path = scene_path(scene);
+  ordered_json json = {{"format", "pelt-report"},
+                       {"version", 1},
+                       {"pelt", PELT_VERSION},
+                       {"made", time_now()},
+                       {"command", data.command},
+                       {"scene", path},
+                       {"files", files_json(*files, path, scenes::scene_text(scene, files->paths))},
+                       {"inputs", inputs_json(scene, *files)},
+                       {"reading", reading_json(models)},
+                       {"answer", nullptr}};
+  if (data.answer) json["answer"] = answer_json(*data.answer);
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace pelt::tools

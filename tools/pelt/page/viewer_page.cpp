@@ -1,0 +1,80 @@
+#include "tools/pelt/page/viewer_page.hpp"
+
+#include <pelt/version.hpp>
+
+#include "asset/file_bytes.hpp"
+
+#include <cstdlib>
+
+namespace pelt::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPlace = R"(<script type="application/json" id="pelt-data">)";
+
+/// What the page says of itself.
+constexpr std::string_view kMaker = R"(<meta name="generator" content="Pelt )" PELT_VERSION "\"";
+
+constexpr const char* kRemedy =
+    "build it with scripts/build-viewer, or name it in the environment as PELT_VIEWER";
+
+/// Where the page may be, the most particular place first.
+std::vector<fs::path> places() {
+  // The environment is read once, before there are threads.
+  const char* named = std::getenv("PELT_VIEWER");  // NOLINT(concurrency-mt-unsafe)
+  if (named != nullptr) return {named};
+  std::vector<fs::path> places;
+  std::error_code error;
+  const fs::path command = fs::read_symlink("/proc/self/exe", error);
+  if (!error)
+    places.push_back(command.parent_path().parent_path() / "share" / "pelt" / "viewer.html");
+  places.emplace_back(PELT_VIEWER_BUILT);
+  return places;
+}
+
+std::string as_text(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+const char* problem_of(std::string_view page) {
+  if (page.find(kPlace) == page.npos) return "not the viewer's page";
+  if (page.find(kMaker) == page.npos) return "the page of another version than " PELT_VERSION;
+  return nullptr;
+}
+
+/// No string of JSON ends the element that it stands in.
+std::string for_script(std::string text) {
+  for (std::size_t i = text.find('<'); i != std::string::npos; i = text.find('<', i))
+    text.replace(i, 1, "\\u003c");
+  return text;
+}
+
+}  // namespace
+
+Result<std::string> read_viewer() {
+  for (const fs::path& place : places()) {
+    std::error_code ignored;
+    if (!fs::exists(place, ignored)) continue;
+    const auto bytes = asset::read_file(place);
+    if (!bytes) return bytes.error();
+    std::string page = as_text(*bytes);
+    const char* problem = problem_of(page);
+    if (problem == nullptr) return page;
+    return Error{ErrorCode::malformed_file, place.string() + ": is " + problem + ": " + kRemedy};
+  }
+  return Error{ErrorCode::unreadable_file,
+               std::string("the viewer's page has not been built: ") + kRemedy};
+}
+
+Result<std::string> page_of_scene(const scenes::Scene& scene, const ModelArguments& models,
+                                  const PageData& data) {
+  Result<std::string> page = read_viewer();
+  if (!page) return page;
+  Result<std::string> json = page_data(scene, models, data);
+  if (!json) return json;
+  page->insert(page->find(kPlace) + kPlace.size(), for_script(std::move(*json)));
+  return page;
+}
+
+}  // namespace pelt::tools

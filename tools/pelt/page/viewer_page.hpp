@@ -1,0 +1,18 @@
+#pragma once
+
+/// The viewer: one HTML file with engine and page, into which data of a scene can be put.
+
+#include "tools/pelt/page/page_data.hpp"
+
+namespace pelt::tools {
+
+/// The page as it was built: it opens with generated characters. Where the environment's
+/// PELT_VIEWER says, and nowhere else if it says anything; else beside the command's installation
+/// (share/pelt/viewer.html), or where the build left it. Refuses the page of another version.
+Result<std::string> read_viewer();
+
+/// The page that opens with this scene: self-contained, files and all.
+Result<std::string> page_of_scene(const scenes::Scene& scene, const ModelArguments& models,
+                                  const PageData& data);
+
+}  // namespace pelt::tools

@@ -1,0 +1,36 @@
+#pragma once
+
+/// The words of the ray tracer POV-Ray that describe posed characters, whatever the stage.
+
+#include "base/vec3.hpp"
+#include "tools/pelt/scene/posed_instances.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+/// POV-Ray's axes are left-handed: z is turned round wherever a point or direction is written.
+std::string pov_vector(const detail::Vec3d& v);
+
+/// Of a linear colour.
+std::string pov_colour(const std::array<float, 3>& colour);
+
+struct PovCamera {
+  detail::Vec3d from, at;
+  double angle = 40;        ///< of view, from left to right, in degrees
+  double aspect = 16. / 9;  ///< width over height
+};
+
+std::string pov_camera(const PovCamera& camera);
+
+/// How a mesh is shaded: as the round surface that it stands for, or as the triangles that it is.
+enum class Shading { smooth, flat };
+
+/// A mesh in the texture `skin`. Triangles in contact have the texture Glow, which is the
+/// stage's to declare.
+std::string pov_mesh(const PosedInstance& instance, const std::vector<bool>& touching,
+                     const std::string& skin, Shading shading = Shading::smooth);
+
+}  // namespace pelt::tools

@@ -1,0 +1,19 @@
+#pragma once
+
+/// What a still picture of a scene shows: one frame, and where characters touch in it.
+
+#include "tools/pelt/scene/posed_instances.hpp"
+
+#include <vector>
+
+namespace pelt::tools {
+
+struct StillFrame {
+  std::vector<PosedInstance> instances;
+  std::vector<std::vector<bool>> touching;  ///< for each instance, whether each triangle is
+};
+
+/// `scene` must outlive the result.
+Result<StillFrame> take_still(const scenes::Scene& scene, std::uint32_t frame);
+
+}  // namespace pelt::tools

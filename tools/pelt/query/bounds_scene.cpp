@@ -1,0 +1,145 @@
+#include "tools/pelt/query/bounds_scene.hpp"
+
+#include "asset/message.hpp"
+#include "scenes/names.hpp"
+#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/query/bounds_query.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+#include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/summary_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iomanip>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+class BoundsWriter {
+ public:
+  BoundsWriter(const scenes::Scene& scene, std::span<const Collider> colliders, std::ostream& out)
+      : scene_(scene), colliders_(colliders), out_(out) {}
+
+  void header(const BoundsSettings& settings) {
+    constexpr const char* kNames[] = {"instance", "part", "joint"};
+    const FrameRange& frames = settings.frames;
+    ordered_json header = header_json("pelt-bounds", scene_, colliders_);
+    header["options"] = {{"by", kNames[static_cast<int>(settings.by)]},
+                         {"exact", settings.kind == BoundsKind::exact},
+                         {"frames", {frames.begin, frames.end, frames.stride}},
+                         {"fps", scene_.fps}};
+    write_line(header, out_);
+  }
+
+  void frame(std::uint32_t frame, std::span<const Bounded> bounded) {
+    ordered_json bounds = ordered_json::array();
+    for (const Bounded& b : bounded) {
+      ordered_json& entry = bounds.emplace_back(named(b));
+      entry["box"] = box_json(b.box);
+      if (!b.sphere) continue;
+      entry["sphere"] = {{"centre", vector_json(b.sphere->centre)}, {"radius", b.sphere->radius}};
+    }
+    write_line({{"frame", frame},
+                {"time", scenes::frame_time(scene_, frame)},
+                {"bounds", std::move(bounds)}},
+               out_);
+  }
+
+  void totals(std::span<const Bounded> bounded, const FrameCosts& costs) {
+    ordered_json bounds = ordered_json::array();
+    for (const Bounded& b : bounded) bounds.emplace_back(named(b))["box"] = box_json(b.all_frames);
+    write_line({{"totals", {{"frames", costs.seconds.size()}, {"bounds", std::move(bounds)}}},
+                {"counters", counters_json(costs.work)}},
+               out_);
+  }
+
+ private:
+  ordered_json named(const Bounded& bounded) const {
+    const Collider& collider = colliders_[bounded.collider];
+    ordered_json entry = {{"index", bounded.collider}};
+    const std::uint32_t character = scene_.instances[collider.instance].character;
+    if (bounded.joint)
+      entry["joint"] = scenes::joint_name(scene_.characters[character].asset, *bounded.joint);
+    return entry;
+  }
+
+  static ordered_json box_json(const Box& box) {
+    return {{"low", vector_json(box.low)}, {"high", vector_json(box.high)}};
+  }
+
+  const scenes::Scene& scene_;
+  std::span<const Collider> colliders_;
+  std::ostream& out_;
+};
+
+std::string name_of(const scenes::Scene& scene, const Collider& collider, const Bounded& bounded) {
+  const std::string name = collider_name(scene, collider);
+  if (!bounded.joint) return name;
+  const std::uint32_t character = scene.instances[collider.instance].character;
+  return name + " " + scenes::joint_name(scene.characters[character].asset, *bounded.joint);
+}
+
+void print_boxes(const scenes::Scene& scene, std::span<const Collider> colliders,
+                 std::span<const Bounded> bounded, std::ostream& out) {
+  std::vector<std::string> names;
+  std::size_t width = 0;
+  for (const Bounded& b : bounded) {
+    names.push_back(name_of(scene, colliders[b.collider], b));
+    width = std::max(width, names.back().size());
+  }
+  out << "\nleast and greatest x, y, z of all frames"
+      << (bounded.empty() || !bounded[0].sphere ? "" : "; largest radius") << '\n';
+  for (std::size_t i = 0; i < bounded.size(); ++i) {
+    const Bounded& b = bounded[i];
+    out << "  " << std::left << std::setw(static_cast<int>(width)) << names[i] << "  "
+        << coordinates(b.all_frames.low) << "  " << coordinates(b.all_frames.high);
+    if (b.sphere) out << "  " << fixed(static_cast<double>(b.largest_radius), 3);
+    out << '\n';
+  }
+  out << '\n';
+}
+
+void print_summary(const scenes::Scene& scene, std::span<const Collider> colliders,
+                   const BoundsSettings& settings, std::span<const Bounded> bounded,
+                   const FrameCosts& costs, std::ostream& out) {
+  print_scene(scene, colliders, out);
+  label(out, "bounds") << (settings.kind == BoundsKind::exact ? "exact" : "guaranteed") << ", in "
+                       << counted(costs.seconds.size(), "frame") << '\n';
+  print_boxes(scene, colliders, bounded, out);
+  print_costs(costs.seconds, costs.work, out);
+}
+
+}  // namespace
+
+Result<void> bounds_scene(const scenes::Scene& scene, const BoundsSettings& settings,
+                          const ModelArguments& models, const std::string& jsonl,
+                          std::ostream& words) {
+  const auto granularity =
+      settings.by == BoundsBy::part ? Granularity::part : Granularity::instance;
+  const auto colliders = make_colliders(scene, granularity, models);
+  if (!colliders) return colliders.error();
+  LineOutput lines;
+  if (const auto opened = lines.open(jsonl); !opened) return opened.error();
+  std::optional<BoundsWriter> writer;
+  if (lines.stream() != nullptr) writer.emplace(scene, *colliders, *lines.stream());
+  if (writer) writer->header(settings);
+  BoundsQuery query(*colliders, settings);
+  const auto record = [&](std::uint32_t frame) {
+    query.unite();
+    if (writer) writer->frame(frame, query.bounded());
+  };
+  const Result<FrameCosts> costs =
+      run_frames(scene, *colliders, settings.frames,
+                 {[&](std::span<Pose> poses) { return query.ask(poses); }, record});
+  if (!costs) return asset::prefixed(scene.name, costs.error());
+  if (writer) writer->totals(query.bounded(), *costs);
+  if (const auto closed = lines.close(); !closed) return closed.error();
+  print_summary(scene, *colliders, settings, query.bounded(), *costs, words);
+  return {};
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,182 @@
+#include "tools/pelt/query/nearest_scene.hpp"
+
+#include <pelt/distance.hpp>
+
+#include "asset/message.hpp"
+#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+#include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/summary_lines.hpp"
+#include "tools/pelt/scene/surface_names.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// What of a collider is nearest to a point.
+struct Nearest {
+  std::uint32_t collider = 0;
+  ClosestPoint closest;
+};
+
+/// Nearest first means: of what is equally near the first collider.
+bool is_nearer(const Nearest& a, const Nearest& b) {
+  return a.closest.distance < b.closest.distance;
+}
+
+/// For each point: what is nearest on each collider in the current frame, and over all frames.
+class NearestQuery {
+ public:
+  NearestQuery(std::span<const Vec3> points, std::uint32_t colliders, double within)
+      : points_(points),
+        options_{within},
+        found_(points.size() * colliders),
+        of_pose_(points.size()),
+        least_(points.size()),
+        least_frame_(points.size()) {}
+
+  QueryStats ask(std::span<Pose> poses) {
+    QueryStats work;
+    for (std::uint32_t c = 0; c < poses.size(); ++c) {
+      work += closest_points(poses[c], points_, scratch_, of_pose_, options_);
+      for (std::size_t p = 0; p < points_.size(); ++p)
+        found_[p * poses.size() + c] = {c, of_pose_[p]};
+    }
+    return work;
+  }
+
+  /// Those of one point, by collider.
+  std::span<const Nearest> of_point(std::size_t point) const {
+    const std::size_t colliders = found_.size() / points_.size();
+    return std::span(found_).subspan(point * colliders, colliders);
+  }
+
+  void keep_least(std::uint32_t frame) {
+    for (std::size_t p = 0; p < points_.size(); ++p)
+      for (const Nearest& nearest : of_point(p))
+        if (is_nearer(nearest, least_[p])) least_[p] = nearest, least_frame_[p] = frame;
+  }
+
+  std::span<const Vec3> points() const { return points_; }
+  const Nearest& least(std::size_t point) const { return least_[point]; }
+  std::uint32_t least_frame(std::size_t point) const { return least_frame_[point]; }
+
+ private:
+  std::span<const Vec3> points_;
+  ClosestPointOptions options_;
+  Scratch scratch_;
+  std::vector<Nearest> found_;  // [points][colliders]
+  std::vector<ClosestPoint> of_pose_;
+  std::vector<Nearest> least_;  // [points]
+  std::vector<std::uint32_t> least_frame_;
+};
+
+class NearestWriter {
+ public:
+  NearestWriter(const scenes::Scene& scene, std::span<const Collider> colliders, std::ostream& out)
+      : scene_(scene), colliders_(colliders), out_(out) {}
+
+  void header(std::span<const Vec3> points, const DistanceSettings& settings) {
+    const FrameRange& frames = settings.frames;
+    ordered_json from = ordered_json::array();
+    for (const Vec3& point : points) from.push_back(vector_json(point));
+    ordered_json header = header_json("pelt-distance", scene_, colliders_);
+    header["options"] = {{"from", std::move(from)},
+                         {"by", settings.granularity == Granularity::part ? "part" : "instance"},
+                         {"within", settings.within},  // infinity is written as null
+                         {"frames", {frames.begin, frames.end, frames.stride}},
+                         {"fps", scene_.fps}};
+    write_line(header, out_);
+  }
+
+  void frame(std::uint32_t frame, const NearestQuery& query) {
+    ordered_json points = ordered_json::array();
+    for (std::size_t p = 0; p < query.points().size(); ++p) {
+      ordered_json places = ordered_json::array();
+      for (const Nearest& nearest : query.of_point(p))
+        if (nearest.closest.found()) places.push_back(place_json(nearest));
+      points.push_back({{"point", p}, {"places", std::move(places)}});
+    }
+    write_line({{"frame", frame},
+                {"time", scenes::frame_time(scene_, frame)},
+                {"points", std::move(points)}},
+               out_);
+  }
+
+  void totals(const NearestQuery& query, const FrameCosts& costs) {
+    ordered_json least = ordered_json::array();
+    for (std::size_t p = 0; p < query.points().size(); ++p) {
+      if (!query.least(p).closest.found()) continue;
+      ordered_json& entry = least.emplace_back(place_json(query.least(p)));
+      entry["point"] = p;
+      entry["frame"] = query.least_frame(p);
+    }
+    write_line({{"totals", {{"frames", costs.seconds.size()}, {"least", std::move(least)}}},
+                {"counters", counters_json(costs.work)}},
+               out_);
+  }
+
+ private:
+  ordered_json place_json(const Nearest& nearest) const {
+    const SurfacePoint& point = nearest.closest.point;
+    const NamedPoint named = name_point(scene_, colliders_[nearest.collider], point);
+    return {{"index", nearest.collider},  {"distance", nearest.closest.distance},
+            {"triangle", named.triangle}, {"position", vector_json(point.position)},
+            {"part", named.part},         {"joint", named.joint}};
+  }
+
+  const scenes::Scene& scene_;
+  std::span<const Collider> colliders_;
+  std::ostream& out_;
+};
+
+void print_summary(const scenes::Scene& scene, std::span<const Collider> colliders,
+                   const NearestQuery& query, const FrameCosts& costs, std::ostream& out) {
+  print_scene(scene, colliders, out);
+  label(out, "frames") << with_commas(costs.seconds.size()) << '\n';
+  for (std::size_t p = 0; p < query.points().size(); ++p) {
+    label(out, ("point " + std::to_string(p)).c_str());
+    const Nearest& least = query.least(p);
+    if (!least.closest.found()) {
+      out << "nothing is so near\n";
+      continue;
+    }
+    out << "nearest in frame " << query.least_frame(p) << ": " << fixed(least.closest.distance, 6)
+        << " from " << place_words(scene, colliders[least.collider], least.closest.point) << '\n';
+    label(out, "") << "at" << coordinates(least.closest.point.position) << '\n';
+  }
+  print_costs(costs.seconds, costs.work, out);
+}
+
+}  // namespace
+
+Result<void> nearest_scene(const scenes::Scene& scene, std::span<const Vec3> points,
+                           const DistanceSettings& settings, const ModelArguments& models,
+                           const std::string& jsonl, std::ostream& words) {
+  const auto colliders = make_colliders(scene, settings.granularity, models);
+  if (!colliders) return colliders.error();
+  LineOutput lines;
+  if (const auto opened = lines.open(jsonl); !opened) return opened.error();
+  std::optional<NearestWriter> writer;
+  if (lines.stream() != nullptr) writer.emplace(scene, *colliders, *lines.stream());
+  if (writer) writer->header(points, settings);
+  NearestQuery query(points, static_cast<std::uint32_t>(colliders->size()), settings.within);
+  const auto record = [&](std::uint32_t frame) {
+    query.keep_least(frame);
+    if (writer) writer->frame(frame, query);
+  };
+  const Result<FrameCosts> costs =
+      run_frames(scene, *colliders, settings.frames,
+                 {[&](std::span<Pose> poses) { return query.ask(poses); }, record});
+  if (!costs) return asset::prefixed(scene.name, costs.error());
+  if (writer) writer->totals(query, *costs);
+  if (const auto closed = lines.close(); !closed) return closed.error();
+  print_summary(scene, *colliders, query, *costs, words);
+  return {};
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,68 @@
+#include "tools/pelt/scene/colliders.hpp"
+
+#include "scenes/clip_samples.hpp"
+#include "scenes/names.hpp"
+
+#include <algorithm>
+
+namespace pelt::tools {
+namespace {
+
+using scenes::Character;
+
+/// What is shared by all instances of a character: a collider for each part, or one for all.
+Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32_t index,
+                                         Granularity granularity, const ModelArguments& arguments) {
+  const Character& character = scene.characters[index];
+  const std::vector<Matrix4> samples =
+      scenes::clip_samples(character.asset, scenes::played_clips(scene, index), arguments.samples);
+  const SkinnedMeshView whole = character.asset.mesh();
+  std::vector<Collider> colliders;
+  const auto add = [&](const SkinnedMeshView& mesh, std::optional<std::uint32_t> part,
+                       std::uint32_t first_triangle) -> Result<void> {
+    Result<SkinnedModel> model = build_named_model(character.source, mesh, arguments, samples);
+    if (!model) return model.error();
+    colliders.push_back({0, part, first_triangle, std::move(*model)});
+    return {};
+  };
+  if (granularity == Granularity::instance) {
+    if (const auto added = add(whole, std::nullopt, 0); !added) return added.error();
+    return colliders;
+  }
+  for (std::uint32_t p = 0; p < character.asset.parts.size(); ++p) {
+    const asset::Part& part = character.asset.parts[p];
+    if (part.triangle_count == 0) continue;
+    SkinnedMeshView mesh = whole;
+    mesh.triangles = whole.triangles.subspan(part.first_triangle, part.triangle_count);
+    if (const auto added = add(mesh, p, part.first_triangle); !added) return added.error();
+  }
+  return colliders;
+}
+
+}  // namespace
+
+Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
+                                             const ModelArguments& arguments) {
+  std::vector<std::vector<Collider>> by_character;
+  for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
+    Result<std::vector<Collider>> made = prototypes(scene, c, granularity, arguments);
+    if (!made) return made.error();
+    by_character.push_back(std::move(*made));
+  }
+  std::vector<Collider> colliders;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    for (Collider collider : by_character[scene.instances[i].character]) {
+      collider.instance = i;
+      colliders.push_back(std::move(collider));
+    }
+  }
+  return colliders;
+}
+
+std::string collider_name(const scenes::Scene& scene, const Collider& collider) {
+  const Character& character = scene.characters[scene.instances[collider.instance].character];
+  const std::string name = character.name + " " + std::to_string(collider.instance);
+  return collider.part ? name + " " + scenes::part_name(character.asset, *collider.part) : name;
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,36 @@
+#pragma once
+
+/// The bodies that are checked against each other: the instances of a scene, or their parts.
+
+#include <pelt/model.hpp>
+
+#include "scenes/scene.hpp"
+#include "tools/pelt/arguments/model_arguments.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pelt::tools {
+
+enum class Granularity {
+  instance,  ///< two instances collide, never an instance with itself
+  part,      ///< every part of every instance is a collider; those of one instance collide too
+};
+
+struct Collider {
+  std::uint32_t instance = 0;
+  std::optional<std::uint32_t> part;  ///< index into the asset's parts
+  std::uint32_t first_triangle = 0;   ///< added to the model's triangle numbers in answers
+  SkinnedModel model;
+};
+
+/// In order of instances, then parts; parts without triangles are left out. Models are prepared for
+/// the clips that the scene plays.
+Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
+                                             const ModelArguments& arguments);
+
+/// "knight 0", or "knight 0 Knight_Helmet" for a part.
+std::string collider_name(const scenes::Scene& scene, const Collider& collider);
+
+}  // namespace pelt::tools

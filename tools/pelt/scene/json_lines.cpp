@@ -1,0 +1,76 @@
+#include "tools/pelt/scene/json_lines.hpp"
+
+#include <pelt/version.hpp>
+
+#include "scenes/names.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json inputs_json(const scenes::Scene& scene) {
+  ordered_json inputs = ordered_json::array();
+  for (const scenes::Character& character : scene.characters) {
+    inputs.push_back({{"path", character.source}, {"hash", hex16(character.hash)}});
+  }
+  return inputs;
+}
+
+ordered_json colliders_json(const scenes::Scene& scene, std::span<const Collider> colliders) {
+  ordered_json instances = ordered_json::array();
+  for (std::size_t c = 0; c < colliders.size(); ++c) {
+    const Collider& collider = colliders[c];
+    const scenes::Character& character =
+        scene.characters[scene.instances[collider.instance].character];
+    ordered_json& entry = instances.emplace_back();
+    entry["index"] = c;
+    entry["model"] = character.name;
+    entry["triangles"] = collider.model.triangle_count();
+    if (!collider.part) continue;
+    entry["instance"] = collider.instance;
+    entry["part"] = scenes::part_name(character.asset, *collider.part);
+    entry["first_triangle"] = collider.first_triangle;
+  }
+  return instances;
+}
+
+std::string json_text(const ordered_json& value) {
+  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+ordered_json header_json(const char* format, const scenes::Scene& scene,
+                         std::span<const Collider> colliders) {
+  return {{"format", format},
+          {"version", 1},
+          {"pelt", PELT_VERSION},
+          {"inputs", inputs_json(scene)},
+          {"instances", colliders_json(scene, colliders)}};
+}
+
+ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+ordered_json counters_json(const QueryStats& work) {
+  return {{"node_pairs", work.node_pairs},
+          {"refits", work.refits},
+          {"posed_vertices", work.posed_vertices},
+          {"triangle_pairs", work.triangle_pairs},
+          {"displacements", work.displacements}};
+}
+
+nlohmann::json as_json_holds(const ordered_json& value) {
+  return nlohmann::json::parse(json_text(value));
+}
+
+std::string as_json_holds(const std::string& text) {
+  return as_json_holds(ordered_json(text)).get<std::string>();
+}
+
+void write_line(const ordered_json& value, std::ostream& out) { out << json_text(value) << '\n'; }
+
+}  // namespace pelt::tools

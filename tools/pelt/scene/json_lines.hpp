@@ -1,0 +1,36 @@
+#pragma once
+
+/// What verbs share that write their answers as lines of JSON: a header, a line for every frame,
+/// the totals.
+
+#include <pelt/math.hpp>
+#include <pelt/query.hpp>
+#include <pelt/result.hpp>
+
+#include "scenes/scene.hpp"
+#include "tools/pelt/scene/colliders.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <ostream>
+#include <span>
+#include <string>
+
+namespace pelt::tools {
+
+/// The header without the options: `format`, `version`, `pelt`, `inputs`, `instances`.
+nlohmann::ordered_json header_json(const char* format, const scenes::Scene& scene,
+                                   std::span<const Collider> colliders);
+
+nlohmann::ordered_json vector_json(const Vec3& v);
+
+nlohmann::ordered_json counters_json(const QueryStats& work);
+
+/// What a reader of `write_line`'s lines finds in place of it: names of files may be no UTF-8, and
+/// JSON must be.
+nlohmann::json as_json_holds(const nlohmann::ordered_json& value);
+std::string as_json_holds(const std::string& text);
+
+void write_line(const nlohmann::ordered_json& value, std::ostream& out);
+
+}  // namespace pelt::tools

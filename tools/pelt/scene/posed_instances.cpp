@@ -1,0 +1,94 @@
+#include "tools/pelt/scene/posed_instances.hpp"
+
+#include <pelt/pose.hpp>
+
+#include "asset/message.hpp"
+#include "scenes/smooth_normals.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include <array>
+#include <map>
+
+namespace pelt::tools {
+namespace {
+
+/// What the instances take in a .glb, positions, normals and indices: its sizes are 32 bits wide.
+Result<void> check_glb_size(const scenes::Scene& scene) {
+  constexpr std::uint64_t kMost = 0xF0000000;
+  std::uint64_t bytes = 0;
+  for (const scenes::Instance& instance : scene.instances) {
+    const asset::Asset& asset = scene.characters[instance.character].asset;
+    bytes += 24 * asset.rest_positions.size() + 12 * asset.triangles.size();
+  }
+  if (bytes <= kMost) return {};
+  return Error{ErrorCode::unsupported,
+               scene.name + ": its posed characters take " + std::to_string(bytes >> 20) +
+                   " MiB, more than a .glb can hold: make scenes of fewer instances"};
+}
+
+/// Without sample poses: nothing is asked of these models but posed vertices.
+Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
+                                               const ModelArguments& arguments) {
+  std::vector<SkinnedModel> models;
+  for (const scenes::Character& character : scene.characters) {
+    Result<SkinnedModel> model =
+        build_named_model(character.source, character.asset.mesh(), arguments);
+    if (!model) return model.error();
+    models.push_back(std::move(*model));
+  }
+  return models;
+}
+
+Result<std::vector<Vec3>> pose_vertices(const SkinnedModel& model, std::span<const Matrix4> palette,
+                                        std::span<const float> morph_weights) {
+  Pose pose(model);
+  if (const auto morphed = pose.set_morph_weights(morph_weights); !morphed) return morphed.error();
+  if (const auto posed = pose.set_palette(palette); !posed) return posed.error();
+  std::vector<Vec3> positions(model.vertex_count());
+  posed_vertices(pose, positions);
+  return positions;
+}
+
+/// For each position, the first vertex at the same place.
+std::vector<std::uint32_t> first_at_place(std::span<const Vec3> positions) {
+  std::map<std::array<float, 3>, std::uint32_t> first;
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    const Vec3& p = positions[v];
+    result.push_back(first.try_emplace({p.x, p.y, p.z}, v).first->second);
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
+                                                  const ModelArguments& arguments) {
+  if (const Result<void> fits = check_glb_size(scene); !fits) return fits.error();
+  const Result<std::vector<SkinnedModel>> models = build_models(scene, arguments);
+  if (!models) return models.error();
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  sample_palettes(scene, frame, scratch, palettes);
+  std::vector<PosedInstance> posed;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const std::uint32_t c = scene.instances[i].character;
+    Result<std::vector<Vec3>> positions =
+        pose_vertices((*models)[c], palettes[i], palettes.morphs[i]);
+    if (!positions) {
+      return asset::prefixed("instances[" + std::to_string(i) + "]", positions.error());
+    }
+    posed.push_back({scene.characters[c].name + " " + std::to_string(i), std::move(*positions),
+                     scene.characters[c].asset.triangles});
+  }
+  return posed;
+}
+
+std::vector<Vec3> normals_of(const PosedInstance& instance) {
+  std::vector<Vec3> normals(instance.positions.size());
+  scenes::smooth_normals(instance.positions, instance.triangles, first_at_place(instance.positions),
+                         normals);
+  return normals;
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,39 @@
+#include "tools/pelt/scene/query_arguments.hpp"
+
+#include "asset/message.hpp"
+#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <utility>
+
+namespace pelt::tools {
+
+void add_query_options(Verb& verb, QueryArguments& arguments) {
+  add_scene_options(verb, arguments.scene);
+  verb.option("--frames", arguments.frames,
+              "Frames A to B - 1, each S-th of them with A:B:S (default: all of the scene, or of "
+              "the longest clip)",
+              {.type = "A:B"});
+  add_simd_option(verb, arguments.simd);
+  verb.option("--jsonl", arguments.jsonl,
+              "Write the answer, a JSON object a line; -: to standard output, the summary then to "
+              "standard error",
+              {.type = "FILE"});
+}
+
+Result<QueryInput> open_query(const QueryArguments& arguments) {
+  if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
+  Result<scenes::Scene> scene = open_scene(arguments.scene);
+  if (!scene) return scene.error();
+  const Result<FrameRange> frames = choose_frames(arguments.frames, arguments.scene, *scene);
+  if (!frames) return frames.error();
+  return QueryInput{std::move(*scene), *frames};
+}
+
+Result<Granularity> choose_granularity(const std::string& name) {
+  if (name == "instance") return Granularity::instance;
+  if (name == "part") return Granularity::part;
+  return bad_argument("--by", "there is no " + asset::quoted(name), "give instance or part");
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,57 @@
+#include "tools/pelt/scene/scene_poses.hpp"
+
+#include "asset/message.hpp"
+#include "tools/pelt/output/progress.hpp"
+
+#include <chrono>
+
+namespace pelt::tools {
+namespace {
+
+Result<void> set_pose(Pose& pose, const Palettes& palettes, std::uint32_t instance) {
+  const std::span<const float> morphs = palettes.morphs[instance];
+  if (!morphs.empty()) {
+    if (Result<void> taken = pose.set_morph_weights(morphs); !taken) return taken;
+  }
+  return pose.set_palette(palettes.joints[instance]);
+}
+
+}  // namespace
+
+ScenePoses::ScenePoses(std::span<const Collider> colliders) : colliders_(colliders) {
+  for (const Collider& collider : colliders) poses_.emplace_back(collider.model);
+}
+
+Result<void> ScenePoses::set_palettes(const Palettes& palettes) {
+  for (std::size_t c = 0; c < colliders_.size(); ++c) {
+    const std::uint32_t instance = colliders_[c].instance;
+    const Result<void> taken = set_pose(poses_[c], palettes, instance);
+    if (!taken)
+      return asset::prefixed("instances[" + std::to_string(instance) + "]", taken.error());
+  }
+  return {};
+}
+
+Result<FrameCosts> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
+                              const FrameRange& frames, const FrameSteps& steps) {
+  using Clock = std::chrono::steady_clock;
+  FrameCosts costs;
+  ScenePoses posed(colliders);
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  const std::vector<std::uint32_t> numbers = frames.frames();
+  Progress progress(numbers.size());
+  for (const std::uint32_t frame : numbers) {
+    sample_palettes(scene, frame, scratch, palettes);
+    const Clock::time_point begin = Clock::now();
+    const Result<void> taken = posed.set_palettes(palettes);
+    if (!taken) return asset::prefixed("frame " + std::to_string(frame), taken.error());
+    costs.work += steps.ask(posed.poses());
+    costs.seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+    steps.record(frame);
+    progress.advance();
+  }
+  return costs;
+}
+
+}  // namespace pelt::tools

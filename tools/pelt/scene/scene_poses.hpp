@@ -1,0 +1,48 @@
+#pragma once
+
+/// The colliders of a scene as poses, and a question asked of them frame by frame.
+
+#include <pelt/pose.hpp>
+#include <pelt/query.hpp>
+
+#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace pelt::tools {
+
+/// A pose for each collider, in their order.
+class ScenePoses {
+ public:
+  /// `colliders` must outlive the poses.
+  explicit ScenePoses(std::span<const Collider> colliders);
+
+  /// The message of an error names the instance.
+  Result<void> set_palettes(const Palettes& palettes);
+
+  std::span<Pose> poses() { return poses_; }
+
+ private:
+  std::span<const Collider> colliders_;
+  std::vector<Pose> poses_;
+};
+
+/// What is done in each frame.
+struct FrameSteps {
+  std::function<QueryStats(std::span<Pose> poses)> ask;  ///< under the clock
+  std::function<void(std::uint32_t frame)> record;       ///< what has been answered
+};
+
+struct FrameCosts {
+  std::vector<double> seconds;  ///< of each frame: palettes taken and asked; not the sampling
+  QueryStats work;
+};
+
+/// Runs through the frames.
+Result<FrameCosts> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
+                              const FrameRange& frames, const FrameSteps& steps);
+
+}  // namespace pelt::tools

@@ -1,0 +1,138 @@
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include "asset/message.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+namespace pelt::tools {
+namespace {
+
+/// Fewer palettes than this are set before a thread has woken up.
+constexpr std::size_t kPalettesWorthAThread = 64;
+
+}  // namespace
+
+void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
+                     Palettes& palettes) {
+  palettes.joints.resize(scene.instances.size());
+  palettes.morphs.resize(scene.instances.size());
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const asset::Asset& asset = scene.characters[scene.instances[i].character].asset;
+    palettes.joints[i].resize(asset.joints.size());
+    palettes.morphs[i].resize(asset.morph_targets.size());
+    scenes::instance_palette(scene, i, frame, scratch, palettes.joints[i]);
+    scenes::instance_morph_weights(scene, i, frame, palettes.morphs[i]);
+  }
+}
+
+SceneQuery::SceneQuery(std::span<const Collider> colliders, bench::MethodKind method)
+    : colliders_(colliders) {
+  if (method == bench::MethodKind::on_demand) {
+    make_crowd(0);
+  } else {
+    method_ = bench::make_method(method);
+    for (const Collider& collider : colliders_) method_->add(collider.model);
+  }
+}
+
+SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method)
+    : colliders_(colliders), method_(std::move(method)) {
+  for (const Collider& collider : colliders_) method_->add(collider.model);
+}
+
+SceneQuery SceneQuery::as_crowd(std::span<const Collider> colliders, std::uint32_t threads) {
+  SceneQuery query(colliders);
+  query.make_crowd(threads);
+  return query;
+}
+
+void SceneQuery::make_crowd(std::uint32_t threads) {
+  thread_count_ = threads > 0 ? threads : detail::Workers::available();
+  threads_ = std::make_unique<detail::Workers>();
+  crowd_.emplace();
+  for (const Collider& collider : colliders_) crowd_->add(collider.model);
+}
+
+Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
+  if (crowd_ && set_on_threads(palettes)) return {};
+  for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
+    const std::uint32_t instance = colliders_[c].instance;
+    const Result<void> posed = set_pose(c, palettes);
+    if (!posed) {
+      return asset::prefixed("instances[" + std::to_string(instance) + "]", posed.error());
+    }
+  }
+  return {};
+}
+
+/// False if there are too few palettes for that, or if one has been refused.
+bool SceneQuery::set_on_threads(const Palettes& palettes) {
+  const auto count = static_cast<std::uint32_t>(
+      std::min<std::size_t>(thread_count_, colliders_.size() / kPalettesWorthAThread));
+  if (count < 2) return false;
+  std::atomic<bool> all_taken = true;
+  shares_.deal(static_cast<std::uint32_t>(colliders_.size()), count);
+  threads_->run(count, [&](std::uint32_t thread) {
+    while (const auto c = shares_.take(thread))
+      if (!set_pose(*c, palettes)) all_taken = false;
+  });
+  return all_taken;
+}
+
+Result<void> SceneQuery::set_pose(std::uint32_t collider, const Palettes& palettes) {
+  const std::uint32_t instance = colliders_[collider].instance;
+  const std::span<const Matrix4> joints = palettes.joints[instance];
+  const std::span<const float> morphs = palettes.morphs[instance];
+  if (!morphs.empty()) {
+    Result<void> taken = crowd_ ? crowd_->set_morph_weights(collider, morphs)
+                                : method_->set_morph_weights(collider, morphs);
+    if (!taken) return taken;
+  }
+  return crowd_ ? crowd_->set_palette(collider, joints) : method_->set_palette(collider, joints);
+}
+
+void SceneQuery::collide(const CollideOptions& options, FrameContacts& found) {
+  found.pairs.clear();
+  found.contacts.clear();
+  if (crowd_) return collide_crowd(options, found);
+  for (std::uint32_t a = 0; a < colliders_.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < colliders_.size(); ++b) collide_pair(a, b, options, found);
+  }
+}
+
+void SceneQuery::collide_crowd(const CollideOptions& options, FrameContacts& found) {
+  CrowdOptions crowd_options;
+  crowd_options.threads = thread_count_;
+  crowd_options.max_contacts = options.max_contacts;
+  crowd_contacts_.clear();
+  query_work_ += crowd_->collide(crowd_contacts_, crowd_options).work;
+  for (const auto& [a, b, triangle_a, triangle_b] : crowd_contacts_) {
+    const std::size_t end = found.contacts.size();
+    if (found.pairs.empty() || found.pairs.back().a != a || found.pairs.back().b != b)
+      found.pairs.push_back({a, b, end, end});
+    found.pairs.back().end = end + 1;
+    found.contacts.push_back(
+        {triangle_a + colliders_[a].first_triangle, triangle_b + colliders_[b].first_triangle});
+  }
+}
+
+void SceneQuery::collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
+                              FrameContacts& found) {
+  const std::size_t begin = found.contacts.size();
+  query_work_ += method_->collide(a, b, found.contacts, options);
+  const std::size_t end = found.contacts.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    found.contacts[i].triangle_a += colliders_[a].first_triangle;
+    found.contacts[i].triangle_b += colliders_[b].first_triangle;
+  }
+  if (end > begin) found.pairs.push_back({a, b, begin, end});
+}
+
+QueryStats SceneQuery::work() const {
+  QueryStats work = query_work_;
+  if (method_) work += method_->update_work();
+  return work;
+}
+
+}  // namespace pelt::tools

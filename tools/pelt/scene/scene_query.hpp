@@ -1,0 +1,92 @@
+#pragma once
+
+/// One frame of a scene asked for its contacts: palettes sampled, bodies posed, every pair queried.
+
+#include <pelt/crowd.hpp>
+
+#include "base/work_shares.hpp"
+#include "base/workers.hpp"
+#include "bench/method.hpp"
+#include "tools/pelt/scene/colliders.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pelt::tools {
+
+/// The joint palette of every instance at one frame.
+struct Palettes {
+  std::vector<std::vector<Matrix4>> joints;
+  std::vector<std::vector<float>> morphs;  ///< weights of the morph targets
+
+  const std::vector<Matrix4>& operator[](std::size_t instance) const { return joints[instance]; }
+};
+
+/// Resizes `palettes` as needed.
+void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
+                     Palettes& palettes);
+
+/// The contacts of one frame, pair after pair.
+struct FrameContacts {
+  /// Colliders a < b and their contacts: [begin, end) of `contacts`, not empty.
+  struct Pair {
+    std::uint32_t a = 0, b = 0;
+    std::size_t begin = 0, end = 0;
+  };
+
+  std::vector<Pair> pairs;        ///< those in contact, ascending
+  std::vector<Contact> contacts;  ///< triangle numbers of the two instances' models
+
+  std::span<const Contact> of(const Pair& pair) const {
+    return std::span(contacts).subspan(pair.begin, pair.end - pair.begin);
+  }
+};
+
+class SceneQuery {
+ public:
+  /// `colliders` must outlive the query. On demand they are asked as a crowd, on all cores, and by
+  /// other methods pair by pair.
+  SceneQuery(std::span<const Collider> colliders, bench::MethodKind method);
+
+  /// Pair by pair.
+  SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method);
+
+  /// As a crowd, on so many threads; 0: on all cores.
+  static SceneQuery as_crowd(std::span<const Collider> colliders, std::uint32_t threads);
+
+  /// Poses all colliders, those of a crowd on its threads where there are enough of them. The
+  /// message of an error names the instance.
+  Result<void> set_palettes(const Palettes& palettes);
+
+  /// See bench::Method::update_counts.
+  bool update_counts() const { return crowd_ || method_->update_counts(); }
+
+  /// Replaces `found` by the contacts of every pair of colliders.
+  void collide(const CollideOptions& options, FrameContacts& found);
+
+  /// The work of posing and querying so far.
+  QueryStats work() const;
+
+ private:
+  explicit SceneQuery(std::span<const Collider> colliders) : colliders_(colliders) {}
+
+  void make_crowd(std::uint32_t threads);
+  bool set_on_threads(const Palettes& palettes);
+  Result<void> set_pose(std::uint32_t collider, const Palettes& palettes);
+  void collide_crowd(const CollideOptions& options, FrameContacts& found);
+  void collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
+                    FrameContacts& found);
+
+  std::span<const Collider> colliders_;
+  std::optional<Crowd> crowd_;  // with all that follows up to its contacts, or else a method
+  std::uint32_t thread_count_ = 1;
+  std::unique_ptr<detail::Workers> threads_;
+  detail::WorkShares shares_;  // of the palettes
+  std::vector<CrowdContact> crowd_contacts_;
+  std::unique_ptr<bench::Method> method_;
+  QueryStats query_work_;
+};
+
+}  // namespace pelt::tools

@@ -1,0 +1,80 @@
+#include "tools/pelt/scene/summary_lines.hpp"
+
+#include "bench/statistics.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <iomanip>
+
+namespace pelt::tools {
+namespace {
+
+std::uint64_t triangle_count(std::span<const Collider> colliders) {
+  std::uint64_t count = 0;
+  for (const Collider& collider : colliders) count += collider.model.triangle_count();
+  return count;
+}
+
+}  // namespace
+
+std::ostream& label(std::ostream& out, const char* name) {
+  return out << std::left << std::setw(10) << name << ' ';
+}
+
+void print_scene(const scenes::Scene& scene, std::span<const Collider> colliders,
+                 std::ostream& out) {
+  label(out, "scene") << scene.name << ": " << counted(scene.instances.size(), "instance");
+  const bool parts = !colliders.empty() && colliders[0].part;
+  if (parts) out << ", " << counted(colliders.size(), "part");
+  out << ", " << with_commas(triangle_count(colliders)) << " triangles\n";
+}
+
+bool has_many_parts(const scenes::Scene& scene) {
+  for (const scenes::Character& character : scene.characters) {
+    if (character.asset.parts.size() > 1) return true;
+  }
+  return false;
+}
+
+void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ostream& out) {
+  const bool parts = granularity == Granularity::part;
+  label(out, "note") << "fewer than two " << (parts ? "parts" : "instances")
+                     << ", so there is nothing to touch";
+  if (!parts && has_many_parts(scene)) out << "; --by part checks the parts with each other";
+  out << '\n';
+}
+
+std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stride) {
+  std::string text;
+  for (std::size_t i = 0; i < frames.size();) {
+    std::size_t last = i;
+    while (last + 1 < frames.size() && frames[last + 1] == frames[last] + stride) ++last;
+    if (!text.empty()) text += ", ";
+    text += std::to_string(frames[i]);
+    if (last > i) text.append("-").append(std::to_string(frames[last]));
+    i = last + 1;
+  }
+  constexpr std::size_t kLongest = 200;
+  return text.size() <= kLongest ? text : text.substr(0, text.rfind(',', kLongest)) + ", ...";
+}
+
+void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out) {
+  const std::vector<double> seconds(frame_seconds.begin(), frame_seconds.end());
+  label(out, "time") << "median " << fixed(1e3 * bench::median(seconds), 3) << " ms, mean "
+                     << fixed(1e3 * bench::mean(seconds), 3) << " ms a frame\n";
+  label(out, "work") << with_commas(work.node_pairs) << " node pairs, " << with_commas(work.refits)
+                     << " refits, " << with_commas(work.posed_vertices) << " posed vertices, "
+                     << with_commas(work.triangle_pairs) << " triangle pairs";
+  if (work.displacements > 0) out << ", " << with_commas(work.displacements) << " displacements";
+  out << '\n';
+}
+
+std::string coordinates(const Vec3& v) {
+  std::string text;
+  for (const float x : {v.x, v.y, v.z}) {
+    const std::string number = fixed(static_cast<double>(x), 3);
+    text += std::string(number.size() < 9 ? 9 - number.size() : 1, ' ') + number;
+  }
+  return text;
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,41 @@
+#pragma once
+
+/// Lines that the summaries of several verbs have in common.
+
+#include <pelt/math.hpp>
+#include <pelt/query.hpp>
+
+#include "scenes/scene.hpp"
+#include "tools/pelt/scene/colliders.hpp"
+
+#include <cstdint>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pelt::tools {
+
+/// The first column: what the line is about.
+std::ostream& label(std::ostream& out, const char* name);
+
+/// The scene, its instances and, where colliders are that, parts; triangles.
+void print_scene(const scenes::Scene& scene, std::span<const Collider> colliders,
+                 std::ostream& out);
+
+bool has_many_parts(const scenes::Scene& scene);
+
+/// Says that there is nothing to touch: whoever forgot the other model should not read "none" as
+/// good news.
+void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ostream& out);
+
+/// "3-5, 9, 12-40": runs of ascending frames, where `stride` apart is next to each other.
+std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stride);
+
+/// Three columns.
+std::string coordinates(const Vec3& v);
+
+/// Time a frame and work of all frames.
+void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out);
+
+}  // namespace pelt::tools

@@ -1,0 +1,47 @@
+#include "tools/pelt/scene/surface_names.hpp"
+
+#include "scenes/names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace pelt::tools {
+namespace {
+
+/// The joint that a point of a triangle follows most; of equal ones the lowest.
+std::uint32_t dominant_joint(const asset::Asset& asset, const Triangle& triangle,
+                             const std::array<float, 3>& barycentrics) {
+  std::map<std::uint32_t, double> shares;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const std::size_t first = std::size_t{triangle[corner]} * asset.influences_per_vertex;
+    for (std::size_t i = first; i < first + asset.influences_per_vertex; ++i)
+      shares[asset.joint_indices[i]] +=
+          static_cast<double>(barycentrics[corner]) * static_cast<double>(asset.weights[i]);
+  }
+  const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+  return std::max_element(shares.begin(), shares.end(), less)->first;
+}
+
+}  // namespace
+
+NamedPoint name_point(const scenes::Scene& scene, const Collider& collider,
+                      const SurfacePoint& point) {
+  const std::uint32_t character = scene.instances[collider.instance].character;
+  const asset::Asset& asset = scene.characters[character].asset;
+  const std::uint32_t triangle = point.triangle + collider.first_triangle;
+  const auto part = &asset.part_of(triangle) - asset.parts.data();
+  const std::uint32_t joint = dominant_joint(asset, asset.triangles[triangle], point.barycentrics);
+  return {triangle, scenes::part_name(asset, static_cast<std::uint32_t>(part)),
+          scenes::joint_name(asset, joint)};
+}
+
+std::string place_words(const scenes::Scene& scene, const Collider& collider,
+                        const SurfacePoint& point) {
+  const NamedPoint named = name_point(scene, collider, point);
+  const std::string name = collider_name(scene, collider);
+  return name + (collider.part ? "" : " " + named.part) + " (" + named.joint + ", triangle " +
+         std::to_string(named.triangle) + ")";
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,257 @@
+/// `pelt bench`: what every method costs on a scene. No time is shown before all methods have given
+/// the same answer.
+
+#include "asset/message.hpp"
+#include "scenes/nearest_name.hpp"
+#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/bench/bench_against.hpp"
+#include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+#include <array>
+#include <iostream>
+
+namespace pelt::tools {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> scenes;
+  std::string methods = "paper,paper_eager,eager,on_demand,rigid";
+  std::string queries = "all,first", caches = "hot,cold";
+  std::string threads, json, against, frames, simd;
+  std::optional<std::uint32_t> margin;
+  std::uint32_t repetitions = kEnoughRepetitions;
+  ModelArguments models;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt bench scene.json
+  pelt bench scene.json --methods on_demand,eager --queries first --caches hot
+  pelt bench scene.json --frames 0:60:20 --repeat 15 --json figures.json
+  pelt bench scene.json --frames 0:60:20 --against figures.json
+  pelt bench scene.json --methods eager,on_demand --threads 1,2
+
+Each repetition of a frame first runs the frame before it (the last one before the first), untimed;
+then the clock runs while the palettes are set and all pairs are asked. The median of the
+repetitions stands for the frame, and fewer than 9 give a rough look only; shown are the mean over
+all frames, over those in contact, and what 95 % of the frames do not exceed.
+"update" is the part before the queries: for eager and paper_eager skinning and boxes or spheres.
+Sampling of the clips is not timed, nor is the building of the rigid trees, which stand for what the
+same query costs rigid bodies. "vs paper" and "vs eager": how many times faster than these; "of
+rigid": how many times the cost of it. With cold caches 64 MB are read before the clock starts, and
+at most 30 frames are measured, evenly over all. Methods take turns at every frame.
+
+Methods are asked pair by pair on one thread, and pauses in which the system runs other programs are
+not counted. With --threads, on_demand is asked as a crowd instead, once on each of these numbers of
+threads; they share the pairs of instances and, where there are 64 or more for each, the palettes.
+All times of that run are wall times. "vs 1 thread": how many times faster than a crowd on one.
+
+--against prints last, for each scene, query and cache, how many times faster than paper and eager a
+method is now and was in FILE, its cost over rigid, and now/then of each; "worse" marks what lost
+more than --margin. Machines differ in times, but little in these ratios; noise they have: beside
+other programs 1 in 14 ratios of the very same build was marked at 15 %, so measure again before you
+believe it. Where only one ratio of a method is worse, what it is taken to has become faster. What
+FILE lacks is named. A method that is slower is no failure; an answer other than in FILE is, with
+exit code 3.
+
+--json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
+  machine    cpu, cores, target (instructions used), compiler, build, flags, pelt (version)
+  scenes     scene (file), frames, frames_in_contact, repetitions, time (thread or wall)
+    models   triangles, bytes, build_seconds: of all models, each once
+    skinning vertices (of all instances), mean_us, ns_per_vertex
+    engines  engine (method), query, cache, asked (pairs or crowd), threads, frames (timed ones),
+             mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
+    counters of an engine in all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
+Names that end in _us are microseconds a frame. pelt(1) tells each field, with an example.)";
+
+/// Who asks for more has mistyped.
+constexpr std::uint32_t kMostThreads = 256;
+
+constexpr std::array kQuestions = {Question::all, Question::first};
+constexpr std::array kCaches = {Cache::hot, Cache::cold};
+
+/// The values that a list like "hot,cold" names; `names` has those of all `values`.
+template <typename T>
+Result<std::vector<T>> parse_list(const char* option, const std::string& text,
+                                  std::span<const T> values,
+                                  std::span<const std::string_view> names) {
+  std::vector<T> parsed;
+  for (const std::string_view name : split(text, ',')) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+      return Error{ErrorCode::invalid_argument, std::string(option) + ": there is no " +
+                                                    asset::quoted(name) +
+                                                    scenes::suggestion(name, names)};
+    }
+    const T value = values[static_cast<std::size_t>(found - names.begin())];
+    if (std::find(parsed.begin(), parsed.end(), value) == parsed.end()) parsed.push_back(value);
+  }
+  return parsed;
+}
+
+template <typename T, std::size_t kCount>
+Result<std::vector<T>> parse_list(const char* option, const std::string& text,
+                                  const std::array<T, kCount>& values) {
+  std::array<std::string_view, kCount> names;
+  for (std::size_t i = 0; i < kCount; ++i) names[i] = name_of(values[i]);
+  return parse_list<T>(option, text, values, names);
+}
+
+Result<std::vector<bench::MethodKind>> parse_methods(const std::string& text) {
+  std::vector<bench::MethodKind> all;
+  for (const std::string_view name : bench::method_names()) {
+    all.push_back(*bench::find_method(name));
+  }
+  return parse_list<bench::MethodKind>("--methods", text, all, bench::method_names());
+}
+
+/// Numbers of threads; none of an empty text.
+Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
+  std::vector<std::uint32_t> counts;
+  if (text.empty()) return counts;
+  for (const std::string_view word : split(text, ',')) {
+    std::uint32_t count = 0;
+    if (!parse_whole(word, count) || count == 0 || count > kMostThreads) {
+      return bad_argument(
+          "--threads", asset::quoted(word) + " is no number of threads",
+          "give numbers from 1 to " + std::to_string(kMostThreads) + " with commas between them");
+    }
+    if (std::find(counts.begin(), counts.end(), count) == counts.end()) counts.push_back(count);
+  }
+  return counts;
+}
+
+Result<std::vector<Engine>> choose_engines(const Arguments& arguments) {
+  const auto methods = parse_methods(arguments.methods);
+  if (!methods) return methods.error();
+  const auto threads = parse_threads(arguments.threads);
+  if (!threads) return threads.error();
+  std::vector<Engine> engines;
+  for (const bench::MethodKind method : *methods) {
+    if (method != bench::MethodKind::on_demand || threads->empty())
+      engines.push_back(engine_of(method));
+    else
+      for (const std::uint32_t count : *threads) engines.push_back(crowd_engine(count));
+  }
+  if (!threads->empty() && time_of(engines) == Time::thread) {
+    return bad_argument("--threads", "only on_demand works on several",
+                        "put on_demand among --methods, or leave the threads out");
+  }
+  return engines;
+}
+
+Result<BenchSettings> choose(const Arguments& arguments) {
+  BenchSettings settings;
+  const auto engines = choose_engines(arguments);
+  if (!engines) return engines.error();
+  settings.engines = *engines;
+  const auto questions = parse_list("--queries", arguments.queries, kQuestions);
+  if (!questions) return questions.error();
+  settings.questions = *questions;
+  const auto caches = parse_list("--caches", arguments.caches, kCaches);
+  if (!caches) return caches.error();
+  settings.caches = *caches;
+  if (arguments.repetitions == 0) {
+    return bad_argument("--repeat", "0 repetitions measure nothing", "give 1 or more");
+  }
+  settings.repetitions = arguments.repetitions;
+  settings.models = arguments.models;
+  if (arguments.frames.empty()) return settings;
+  const auto frames = parse_frame_range(arguments.frames);
+  if (!frames) return frames.error();
+  settings.frames = *frames;
+  return settings;
+}
+
+Result<ExitCode> bench_file(const std::string& path, const BenchSettings& settings,
+                            std::vector<SceneFigures>& figures) {
+  const auto scene = scenes::load_scene(path, settings.models.gltf_options());
+  if (!scene) return scene.error();
+  const Result<ExitCode> exit = bench_scene(*scene, settings, figures, std::cerr);
+  if (!exit || *exit != ExitCode::success) return exit;
+  if (figures.size() == 1) print_machine(std::cout);
+  print_figures(figures.back(), std::cout);
+  return exit;
+}
+
+/// Nothing where no file is named to compare with.
+Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments) {
+  if (arguments.against.empty() && arguments.margin)
+    return bad_argument("--margin", "there is no --against", "name the file with --against FILE");
+  if (arguments.against.empty()) return std::optional<Baseline>();
+  auto baseline = read_baseline(arguments.against);
+  if (!baseline) return baseline.error();
+  return std::optional<Baseline>(std::move(*baseline));
+}
+
+ExitCode compare(const Baseline& baseline, const Arguments& arguments,
+                 std::span<const SceneFigures> figures) {
+  const Comparison comparison =
+      print_comparison(baseline, figures, arguments.margin.value_or(kNoisePercent), std::cout);
+  if (comparison.different_answers == 0) return ExitCode::success;
+  std::cerr << "pelt: error: " << counted(comparison.different_answers, "answer")
+            << " other than in " << baseline.path
+            << ": if scenes, characters and options are the same, please report this; if they are "
+               "meant to differ, write the file anew with --json\n";
+  return ExitCode::internal;
+}
+
+Result<ExitCode> bench_scenes(const Arguments& arguments) {
+  if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
+  const Result<BenchSettings> settings = choose(arguments);
+  if (!settings) return settings.error();
+  const auto baseline = choose_baseline(arguments);
+  if (!baseline) return baseline.error();
+  if (!arguments.json.empty()) {
+    if (const auto writable = check_writable(arguments.json); !writable) return writable.error();
+  }
+  std::vector<SceneFigures> figures;
+  for (const std::string& path : arguments.scenes) {
+    const Result<ExitCode> exit = bench_file(path, *settings, figures);
+    if (!exit || *exit != ExitCode::success) return exit;
+  }
+  if (!arguments.json.empty()) {
+    const std::string text = figures_json(figures);
+    const auto written = write_file(arguments.json, std::as_bytes(std::span(text)));
+    if (!written) return written.error();
+  }
+  return *baseline ? compare(**baseline, arguments, figures) : ExitCode::success;
+}
+
+void add_options(Verb& verb, Arguments& arguments) {
+  verb.option("SCENE", arguments.scenes, "Scene files", {.is_required = true});
+  verb.option("--methods", arguments.methods, "Methods, with commas between them", {.type = "A,B"});
+  verb.option("--queries", arguments.queries,
+              "all: every contact; first: only whether each pair touches", {.type = "all,first"});
+  verb.option("--caches", arguments.caches, "hot: as the frame before left them; cold: emptied",
+              {.type = "hot,cold"});
+  verb.option("--threads", arguments.threads, "Ask on_demand as a crowd on so many threads",
+              {.type = "N,M"});
+  verb.option("--repeat", arguments.repetitions, "Repetitions of each frame", {.type = "N"});
+  verb.option("--frames", arguments.frames, "Frames A to B - 1, each S-th of them",
+              {.type = "A:B[:S]"});
+  verb.option("--json", arguments.json, "Write the figures", {.type = "FILE"});
+  verb.option("--against", arguments.against, "Compare with figures that --json has written",
+              {.type = "FILE"});
+  verb.option("--margin", arguments.margin,
+              "Hundredths by which a ratio may be worse before it is marked (default: " +
+                  std::to_string(kNoisePercent) + ")",
+              {.type = "PERCENT", .most = 1000});
+  add_simd_option(verb, arguments.simd);
+  add_model_options(verb, arguments.models);
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Command& chosen) {
+  Verb verb(app, "bench", "Measure every method on scenes", kFooter);
+  const auto arguments = std::make_shared<Arguments>();
+  add_options(verb, *arguments);
+  verb.runs([arguments] { return bench_scenes(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools

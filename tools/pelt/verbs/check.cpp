@@ -1,0 +1,81 @@
+/// `pelt check`: which triangles collide, frame by frame.
+
+#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/check/check_arguments.hpp"
+#include "tools/pelt/check/check_scene.hpp"
+#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/page/viewer_page.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+namespace pelt::tools {
+namespace {
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt check scene.json
+  pelt check knight.glb barbarian.glb --clip Walk --clip Attack --at 0,0,-0.5 --at 0,0,0.5 --turn 0 --turn 180
+  pelt check knight.glb --clip Walk --by part
+  pelt check scene.json --frames 20:40 --jsonl contacts.jsonl --pairs
+  pelt check scene.json --contacts --jsonl contacts.jsonl
+  pelt check scene.json --clearance 0.02
+  pelt check scene.json --inside
+  pelt check scene.json --first --jsonl - > contacts.jsonl
+  pelt check scene.json --glb worst.glb
+  pelt check scene.json --html report.html
+  pelt check scene.json --method brute --frames 24:25
+  pelt check scene.json --ignore limb,joint*
+  pelt check scene.json --baseline contacts.jsonl
+
+Exact: triangles are closed, so touching counts, on the very float32 positions that `pelt pose`
+writes. All methods give the same contacts and the same hash; they differ in their work.
+With --by part, a and b number the colliders of the header's "instances", one for each part.
+Names of --ignore are those of parts and joints, of one model as in knight/hand_r; * stands for any
+characters. A baseline is an earlier --jsonl: then only what is new or has grown fails.
+Exit codes: 0 no contact, 1 contact (or what --fail-on says; with --inside also one that holds
+another), 2 bad input or arguments, 3 internal error.)";
+
+/// The page counts contacts itself: it can show no answer to a question that it cannot ask.
+Result<void> check_for_page(const CheckArguments& arguments) {
+  if (arguments.html.empty()) return {};
+  const auto refused = [](const char* option) {
+    return bad_argument("--html", std::string("the page does not know ") + option, "leave it out");
+  };
+  if (arguments.clearance) return refused("--clearance");
+  if (arguments.max_contacts) return refused("--max-contacts");
+  // What is missing should be said before long work.
+  if (const auto viewer = read_viewer(); !viewer) return viewer.error();
+  return check_writable(arguments.html);
+}
+
+Result<ExitCode> check(const CheckArguments& arguments) {
+  if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
+  Result<scenes::Scene> scene = open_scene(arguments.scene);
+  if (!scene) return scene.error();
+  if (const auto checked = check_for_page(arguments); !checked) return checked.error();
+  const Result<CheckSettings> settings = choose_settings(arguments, *scene);
+  if (!settings) return settings.error();
+  scene->ignore = settings->ignore;  // so that the page has it too
+  CheckOutputs outputs;
+  outputs.jsonl = arguments.jsonl;
+  outputs.glb = arguments.glb;
+  outputs.html = arguments.html;
+  outputs.words = arguments.words;
+  const Result<CheckReport> report = check_scene(*scene, *settings, arguments.scene.models, outputs,
+                                                 words_beside(arguments.jsonl));
+  if (!report) return report.error();
+  return report->verdict.is_failed ? ExitCode::contact : ExitCode::success;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Command& chosen) {
+  Verb verb(app, "check", "Find every colliding triangle pair of every frame", kFooter);
+  const auto arguments = std::make_shared<CheckArguments>();
+  add_check_options(verb, *arguments);
+  verb.tells(arguments->words);
+  verb.runs([arguments] { return check(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools

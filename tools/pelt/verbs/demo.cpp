@@ -1,0 +1,138 @@
+/// `pelt demo`: two generated characters walk into each other; nothing has to be at hand.
+
+#include "scenes/demo_scene.hpp"
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/check/check_scene.hpp"
+#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/run_program.hpp"
+#include "tools/pelt/page/viewer_page.hpp"
+#include "tools/pelt/picture/still.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace pelt::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string folder = "pelt-demo";
+  bool no_picture = false;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt demo
+  pelt demo -o pictures
+  pelt demo --no-picture
+
+Writes scene.json (then try `pelt check pelt-demo/scene.json`), contacts.jsonl (every colliding
+triangle pair of every frame), contacts.glb (the worst frame, for any glTF viewer), report.html (the
+whole clip, playing in a browser) and still.png (the picture of one frame, by POV-Ray).)";
+
+/// The frame of still.png.
+constexpr std::uint32_t kStillFrame = 40;
+
+Result<void> write_text(const fs::path& path, std::string_view text) {
+  return write_file(path, std::as_bytes(std::span(text)));
+}
+
+Result<void> make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (fs::is_directory(folder, error)) return {};
+  return Error{ErrorCode::unreadable_file,
+               folder.string() + ": is no folder and cannot be made: choose another with -o"};
+}
+
+/// With a report where `viewer` is a page.
+Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
+                         const Result<std::string>& viewer) {
+  CheckSettings settings;
+  settings.frames = {0, scene.frame_count};
+  settings.lists_triangles = true;
+  CheckOutputs outputs;
+  outputs.jsonl = (folder / "contacts.jsonl").string();
+  outputs.glb = (folder / "contacts.glb").string();
+  if (viewer) outputs.html = (folder / "report.html").string();
+  outputs.words = "pelt demo";
+  const Result<CheckReport> report = check_scene(scene, settings, {}, outputs, std::cout);
+  if (!report) return report.error();
+  return {};
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
+
+/// A missing ray tracer is no failure of the demo: all but the picture is there.
+void render(const fs::path& description, const fs::path& picture) {
+  const std::vector<std::string> command = {"povray",
+                                            "+I" + description.string(),
+                                            "+O" + picture.string(),
+                                            "+W1280",
+                                            "+H720",
+                                            "+A0.2",
+                                            "-D",
+                                            "-P",
+                                            "+Q11"};
+  switch (run_program(command)) {
+    case ProgramEnd::succeeded:
+      std::cout << "wrote " << picture.string() << '\n';
+      remove_file(description);
+      return;
+    case ProgramEnd::not_found:
+      std::cout << "no picture: POV-Ray is not installed. After `apt-get install povray`, run "
+                   "`pelt demo` again\n";
+      return;
+    case ProgramEnd::failed:
+      std::cout << "no picture: POV-Ray failed on " << description.string() << "; run `povray "
+                << description.string() << "` to see why\n";
+      return;
+  }
+}
+
+Result<ExitCode> demo(const Arguments& arguments) {
+  const fs::path folder = arguments.folder;
+  if (const auto made = make_folder(folder); !made) return made.error();
+  const fs::path scene_path = folder / "scene.json";
+  if (const auto written = write_text(scene_path, scenes::kDemoScene); !written)
+    return written.error();
+  const Result<scenes::Scene> scene = scenes::load_scene(scene_path);
+  if (!scene) return scene.error();
+  // A missing viewer is no failure of the demo either.
+  const Result<std::string> viewer = read_viewer();
+  if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
+  for (const char* name : {"scene.json", "contacts.jsonl", "contacts.glb"}) {
+    std::cout << "wrote " << (folder / name).string() << '\n';
+  }
+  if (viewer) {
+    std::cout << "wrote " << (folder / "report.html").string() << '\n';
+  } else {
+    std::cout << "no report: " << viewer.error().message << '\n';
+  }
+  if (arguments.no_picture) return ExitCode::success;
+  const Result<StillFrame> still = take_still(*scene, kStillFrame);
+  if (!still) return still.error();
+  const fs::path description = folder / "still.pov";
+  if (const auto written = write_text(description, describe_still(*still)); !written)
+    return written.error();
+  std::cout << "rendering ..." << std::endl;
+  render(description, folder / "still.png");
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, Command& chosen) {
+  Verb verb(app, "demo", "Let two generated characters collide", kFooter);
+  const auto arguments = std::make_shared<Arguments>();
+  verb.option("-o,--output", arguments->folder, "Folder for the files", {.type = "DIR"});
+  verb.flag("--no-picture", arguments->no_picture, "Leave out the picture, which takes longest");
+  verb.runs([arguments] { return demo(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,90 @@
+/// `pelt distance`: how far characters are from each other, frame by frame.
+
+#include "asset/message.hpp"
+#include "tools/pelt/arguments/position_argument.hpp"
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/query/distance_scene.hpp"
+#include "tools/pelt/query/nearest_scene.hpp"
+#include "tools/pelt/scene/query_arguments.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+namespace pelt::tools {
+namespace {
+
+struct Arguments {
+  QueryArguments query;
+  std::string by = "instance";
+  std::optional<double> within;
+  std::vector<std::string> from;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt distance scene.json
+  pelt distance knight.glb barbarian.glb --clip Walk --clip Attack --at 0,0,-0.5 --at 0,0,0.5
+  pelt distance scene.json --frames 0:9 --within 0.5 --jsonl distances.jsonl
+  pelt distance scene.json --from 0,1,0 --from 0.5,1,0
+
+The least distance of any two triangles, and where it is: 0 if and only if `pelt check` finds a
+contact. Of pairs of triangles that are equally near the lowest counts. A surface is not a solid:
+one that is wholly inside another has a distance from it. With --from it is that of these points
+from every instance, and where that is nearest.)";
+
+Result<double> choose_within(const std::optional<double>& within) {
+  if (!within) return DistanceSettings().within;
+  if (*within >= 0 && *within <= 1e12) return *within;
+  return bad_argument("--within", "is out of range", "give a number from 0 to 1e12");
+}
+
+Result<std::vector<Vec3>> parse_points(std::span<const std::string> texts) {
+  std::vector<Vec3> points;
+  for (const std::string& text : texts) {
+    const Result<Vec3> point = parse_point("--from", text);
+    if (!point) return point.error();
+    points.push_back(*point);
+  }
+  return points;
+}
+
+Result<ExitCode> distance(const Arguments& arguments) {
+  DistanceSettings settings;
+  const Result<Granularity> granularity = choose_granularity(arguments.by);
+  if (!granularity) return granularity.error();
+  settings.granularity = *granularity;
+  const Result<double> within = choose_within(arguments.within);
+  if (!within) return within.error();
+  settings.within = *within;
+  const Result<std::vector<Vec3>> points = parse_points(arguments.from);
+  if (!points) return points.error();
+  const Result<QueryInput> input = open_query(arguments.query);
+  if (!input) return input.error();
+  settings.frames = input->frames;
+  const ModelArguments& models = arguments.query.scene.models;
+  const std::string& jsonl = arguments.query.jsonl;
+  const Result<void> answered =
+      points->empty()
+          ? distance_scene(input->scene, settings, models, jsonl, words_beside(jsonl))
+          : nearest_scene(input->scene, *points, settings, models, jsonl, words_beside(jsonl));
+  if (!answered) return answered.error();
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_distance(CLI::App& app, Command& chosen) {
+  Verb verb(app, "distance", "Tell how far characters are from each other in every frame", kFooter);
+  const auto arguments = std::make_shared<Arguments>();
+  add_query_options(verb, arguments->query);
+  verb.option("--by", arguments->by,
+              "Between what: every two instances, or every two parts, also of the same instance",
+              {.type = "instance|part"});
+  verb.option("--within", arguments->within, "Leave out pairs that are further apart: faster",
+              {.type = "DISTANCE"});
+  verb.option("--from", arguments->from, "Between this point and all of these instead; repeatable",
+              {.type = "X,Y,Z"});
+  verb.runs([arguments] { return distance(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,196 @@
+/// `pelt info`: what a model file holds.
+
+#include "scenes/clip_samples.hpp"
+#include "scenes/scene.hpp"
+#include "tools/pelt/arguments/model_arguments.hpp"
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/prepared/prepared_file.hpp"
+#include "tools/pelt/prepared/prepared_info.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <set>
+
+namespace pelt::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Arguments {
+  std::string model;
+  ModelArguments models;
+  bool json = false;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt info knight.glb
+  pelt info knight.glb --json)";
+
+std::size_t distinct_positions(const asset::Asset& asset) {
+  std::set<std::array<float, 3>> places;
+  for (const Vec3& p : asset.rest_positions) places.insert({p.x, p.y, p.z});
+  return places.size();
+}
+
+/// The most joints of positive weight that one vertex has.
+std::uint32_t most_influences(const asset::Asset& asset) {
+  const std::uint32_t slots = asset.influences_per_vertex;
+  std::ptrdiff_t most = 0;
+  for (std::size_t begin = 0; begin < asset.weights.size(); begin += slots) {
+    const auto weights = std::span(asset.weights).subspan(begin, slots);
+    most = std::max(most, std::count_if(weights.begin(), weights.end(),
+                                        [](float weight) { return weight > 0; }));
+  }
+  return static_cast<std::uint32_t>(most);
+}
+
+ordered_json clips_json(const asset::Asset& asset) {
+  ordered_json clips = ordered_json::array();
+  for (const asset::Clip& clip : asset.clips) {
+    clips.push_back({{"name", clip.name}, {"duration", clip.duration}});
+  }
+  return clips;
+}
+
+ordered_json parts_json(const asset::Asset& asset) {
+  ordered_json parts = ordered_json::array();
+  for (const asset::Part& part : asset.parts) {
+    parts.push_back({{"node", part.node},
+                     {"mesh", part.mesh},
+                     {"material", part.material},
+                     {"first_triangle", part.first_triangle},
+                     {"triangles", part.triangle_count},
+                     {"skinned", part.skinned}});
+  }
+  return parts;
+}
+
+ordered_json joints_json(const asset::Asset& asset) {
+  ordered_json joints = ordered_json::array();
+  for (std::uint32_t j = 0; j < asset.joints.size(); ++j) joints.push_back(asset.joint_name(j));
+  return joints;
+}
+
+ordered_json morph_targets_json(const asset::Asset& asset) {
+  ordered_json targets = ordered_json::array();
+  for (std::size_t m = 0; m < asset.morph_targets.size(); ++m) {
+    const asset::MorphTarget& target = asset.morph_targets[m];
+    targets.push_back({{"name", target.name},
+                       {"node", asset.nodes[target.node].name},
+                       {"default_weight", target.default_weight},
+                       {"displaced_vertices", asset.morph_begin[m + 1] - asset.morph_begin[m]}});
+  }
+  return targets;
+}
+
+ordered_json describe(const scenes::Character& character, const SkinnedModel& model) {
+  const asset::Asset& asset = character.asset;
+  const BuildReport& report = model.report();
+  return {{"format", "pelt-info"},
+          {"version", 1},
+          {"model", character.source},
+          {"hash", hex16(character.hash)},
+          {"vertices", model.vertex_count()},
+          {"distinct_positions", distinct_positions(asset)},
+          {"triangles", model.triangle_count()},
+          {"degenerate_triangles", report.degenerate_triangles},
+          {"prepared_bytes", model.memory_bytes()},
+          {"influences_per_vertex", most_influences(asset)},
+          {"renormalised_vertices", report.renormalised_vertices},
+          {"merged_influences", report.merged_influences},
+          {"joints", joints_json(asset)},
+          {"morph_targets", morph_targets_json(asset)},
+          {"clips", clips_json(asset)},
+          {"parts", parts_json(asset)},
+          {"warnings", asset.warnings}};
+}
+
+template <typename T>
+void print_line(const char* label, const T& value, const std::string& remark = {}) {
+  std::cout << std::left << std::setw(11) << label << value << remark << '\n';
+}
+
+void print_counts(const ordered_json& info) {
+  const auto number = [&](const char* key) { return with_commas(info[key].get<std::uint64_t>()); };
+  print_line("model", info["model"].get<std::string>());
+  print_line("vertices", number("vertices"),
+             ", at " + number("distinct_positions") + " distinct positions");
+  print_line("triangles", number("triangles"),
+             ", " + number("degenerate_triangles") + " of them degenerate at rest");
+  print_line("influences", "up to " + number("influences_per_vertex"), " for each vertex");
+  print_line("weights", number("renormalised_vertices"),
+             " vertices renormalised, " + number("merged_influences") + " influences merged");
+  print_line("joints", with_commas(info["joints"].size()));
+  if (!info["morph_targets"].empty())
+    print_line("morphs", with_commas(info["morph_targets"].size()), " targets");
+  print_line("prepared", number("prepared_bytes"), " bytes");
+}
+
+void print_clips(const asset::Asset& asset) {
+  print_line("clips", with_commas(asset.clips.size()));
+  for (const asset::Clip& clip : asset.clips) {
+    std::cout << "  " << std::right << std::setw(8) << fixed(static_cast<double>(clip.duration), 3)
+              << " s  " << (clip.name.empty() ? "\"\" (unnamed)" : clip.name) << '\n';
+  }
+}
+
+void print_parts(const asset::Asset& asset) {
+  print_line("parts", with_commas(asset.parts.size()));
+  for (const asset::Part& part : asset.parts) {
+    std::cout << "  " << std::right << std::setw(8) << with_commas(part.triangle_count)
+              << " triangles  " << part.node << " / " << part.mesh << " / " << part.material
+              << (part.skinned ? "" : "  (rides on its node)") << '\n';
+  }
+}
+
+void print(const ordered_json& info, const asset::Asset& asset) {
+  print_counts(info);
+  print_clips(asset);
+  print_parts(asset);
+  for (const std::string& warning : asset.warnings) print_line("warning", warning);
+}
+
+Result<ExitCode> info(const Arguments& arguments) {
+  if (is_prepared_file(arguments.model)) {
+    const auto printed =
+        print_prepared_info(arguments.model, arguments.json ? InfoStyle::json : InfoStyle::text);
+    if (!printed) return printed.error();
+    return ExitCode::success;
+  }
+  const Result<scenes::Character> character =
+      scenes::load_character(arguments.model, arguments.models.gltf_options());
+  if (!character) return character.error();
+  const asset::Asset& asset = character->asset;
+  const std::uint32_t samples = arguments.models.samples;
+  const Result<SkinnedModel> model =
+      build_named_model(character->source, asset.mesh(), arguments.models,
+                        scenes::clip_samples(asset, scenes::first_clips(asset, samples), samples));
+  if (!model) return model.error();
+  const ordered_json description = describe(*character, *model);
+  if (arguments.json) {
+    std::cout << description.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  } else {
+    print(description, asset);
+  }
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Command& chosen) {
+  Verb verb(app, "info", "Tell what a model file holds", kFooter);
+  const auto arguments = std::make_shared<Arguments>();
+  verb.option("MODEL", arguments->model, "A glTF file, .glb or .gltf, or a prepared model",
+              {.is_required = true});
+  verb.flag("--json", arguments->json, "Print JSON");
+  add_model_options(verb, arguments->models);
+  verb.runs([arguments] { return info(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,57 @@
+/// `pelt pose`: the characters of one frame, as they were collided, as a .glb file.
+
+#include "tools/pelt/arguments/scene_arguments.hpp"
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/scene/scene_glb.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+namespace pelt::tools {
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  std::uint32_t frame = 0;
+  std::string output;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt pose scene.json --frame 20 -o posed.glb
+  pelt pose knight.glb --clip Walk --frame 12 -o knight_12.glb
+
+One root node for each instance, in their order and without a transform: one mesh, one primitive,
+all vertices, float32 positions bit for bit as `pelt check` collides them, triangles as numbered in
+its answers.)";
+
+Result<ExitCode> pose(const Arguments& arguments) {
+  Result<scenes::Scene> scene = open_scene(arguments.scene);
+  if (!scene) return scene.error();
+  const std::string only =
+      std::to_string(arguments.frame) + ":" + std::to_string(std::uint64_t{arguments.frame} + 1);
+  const auto chosen = choose_frames(only, arguments.scene, *scene);
+  if (!chosen) {
+    return bad_argument("--frame", std::to_string(arguments.frame) + " is beyond the last frame",
+                        scene->name + " has " + counted(scene->frame_count, "frame"));
+  }
+  const auto posed = pose_instances(*scene, arguments.frame, arguments.scene.models);
+  if (!posed) return posed.error();
+  const auto written = write_file(arguments.output, posed_glb(*posed));
+  if (!written) return written.error();
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_pose(CLI::App& app, Command& chosen) {
+  Verb verb(app, "pose", "Write the posed characters of one frame", kFooter);
+  const auto arguments = std::make_shared<Arguments>();
+  add_scene_options(verb, arguments->scene);
+  verb.option("--frame", arguments->frame, "The frame", {.type = "N", .is_required = true});
+  verb.option("-o,--output", arguments->output, "The .glb file to write",
+              {.type = "FILE", .is_required = true});
+  verb.runs([arguments] { return pose(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools

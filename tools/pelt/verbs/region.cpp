@@ -1,0 +1,60 @@
+/// `pelt region`: which characters are in a region of space, frame by frame.
+
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/query/region_scene.hpp"
+#include "tools/pelt/scene/query_arguments.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+namespace pelt::tools {
+namespace {
+
+struct Arguments {
+  QueryArguments query;
+  RegionArguments region;
+  std::string by = "instance";
+  bool triangles = false;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt region scene.json --camera 0,1,4,0,1,0 --angle 40
+  pelt region scene.json --sphere 0,0.5,0,0.3 --frames 20:21 --triangles --jsonl -
+  pelt region knight.glb --clip Walk --box -1,0,-1,1,2,1 --by part
+  pelt region scene.json --capsule 0,0,0,0,1,0,0.2
+
+Outside: no triangle touches the region. Inside: all lie wholly in it. Else partly. Exact: both the
+region and the posed triangles are closed sets, so touching counts.)";
+
+Result<ExitCode> region(const Arguments& arguments) {
+  Result<ChosenRegion> chosen = choose_region(arguments.region);
+  if (!chosen) return chosen.error();
+  const Result<Granularity> granularity = choose_granularity(arguments.by);
+  if (!granularity) return granularity.error();
+  const Result<QueryInput> input = open_query(arguments.query);
+  if (!input) return input.error();
+  const RegionSettings settings = {std::move(*chosen), *granularity, arguments.triangles,
+                                   input->frames};
+  const Result<void> answered =
+      region_scene(input->scene, settings, arguments.query.scene.models, arguments.query.jsonl,
+                   words_beside(arguments.query.jsonl));
+  if (!answered) return answered.error();
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_region(CLI::App& app, Command& chosen) {
+  Verb verb(app, "region", "Tell which characters are in a box, a ball, what a camera sees",
+            kFooter);
+  const auto arguments = std::make_shared<Arguments>();
+  add_query_options(verb, arguments->query);
+  add_region_options(verb, arguments->region);
+  verb.option("--by", arguments->by, "What is in it: every instance, or every part",
+              {.type = "instance|part"});
+  verb.flag("--triangles", arguments->triangles,
+            "Write the triangles too that touch it, and those inside");
+  verb.runs([arguments] { return region(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools

@@ -1,0 +1,65 @@
+/// `pelt view`: the viewer, served to a browser of this machine.
+
+#include "tools/pelt/arguments/scene_arguments.hpp"
+#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/page/page_server.hpp"
+#include "tools/pelt/page/viewer_page.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+#include <memory>
+
+namespace pelt::tools {
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  std::uint32_t port = 0;
+  bool no_browser = false;
+  std::string words;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  pelt view
+  pelt view scene.json
+  pelt view knight.glb barbarian.glb --clip Walk --clip Attack
+  pelt view scene.json --port 8000 --no-browser
+
+The page answers by itself, also offline: the command only hands it over, to this machine alone, until
+Ctrl+C ends it. `pelt check --html` writes the same page as a file.)";
+
+Result<std::string> make_page(const Arguments& arguments) {
+  if (arguments.scene.inputs.empty()) return read_viewer();
+  const Result<scenes::Scene> scene = open_scene(arguments.scene);
+  if (!scene) return scene.error();
+  return page_of_scene(*scene, arguments.scene.models, {arguments.words, std::nullopt});
+}
+
+Result<ExitCode> view(const Arguments& arguments) {
+  constexpr std::uint32_t kMaxPort = 65535;
+  if (arguments.port > kMaxPort)
+    return bad_argument("--port", "is out of range", "give a number from 0 to 65535");
+  const Result<std::string> page = make_page(arguments);
+  if (!page) return page.error();
+  const Browser browser = arguments.no_browser ? Browser::left_alone : Browser::opened;
+  const Result<void> served =
+      serve_page(*page, static_cast<std::uint16_t>(arguments.port), browser);
+  if (!served) return served.error();
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, Command& chosen) {
+  Verb verb(app, "view", "Show characters touching, in a browser", kFooter);
+  const auto arguments = std::make_shared<Arguments>();
+  add_scene_options(verb, arguments->scene, InputsNeeded::none);
+  verb.option("--port", arguments->port, "Port of the loopback address (0: any free one)",
+              {.type = "N"});
+  verb.flag("--no-browser", arguments->no_browser, "Print the address and open no browser");
+  verb.tells(arguments->words);
+  verb.runs([arguments] { return view(*arguments); }, chosen);
+}
+
+}  // namespace pelt::tools
