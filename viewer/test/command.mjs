@@ -44,16 +44,6 @@ export function checkFiles(test, files, words) {
   return { counts, totals, counters, hash };
 }
 
-/** The report of `pelt check --html`. */
-export function checkToPage(test, scene) {
-  const folder = temporaryFolder(test);
-  const file = path.join(folder, 'scene.json');
-  writeFileSync(file, JSON.stringify(scene));
-  const report = path.join(folder, 'report.html');
-  run(['check', file, '--html', report]);
-  return report;
-}
-
 /** A .glb file: a generated character, posed. */
 export function posedWalker(test) {
   const folder = temporaryFolder(test);

@@ -1,72 +1,184 @@
-// The page with data in it, as `pelt check --html` leaves it.
+// What a report says of the check, and whether the page finds the same: parts, ignored pairs,
+// baselines, ranges of frames.
 
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
-import { after, before, describe, test } from 'node:test';
+import { existsSync, mkdirSync, readFileSync, statSync } from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
 import * as browsing from './browser.mjs';
-import { check, checkToPage } from './command.mjs';
+import { SCENE, STONES, Workshop } from './reports.mjs';
 
-const PLACE = '<script type="application/json" id="pelt-data">';
+const { counted, dropFiles, fact, goToFrame, number, pixels, savedScene } = browsing;
+const TEN_MEGABYTES = 10e6;
+const IGNORE = [
+  ['base', 'm*'],
+  ['cairn/top', 'top'],
+];
 
-const scene = {
-  models: { small: { creature: { triangles: 1664, joints: 45, seed: 3 } } },
-  frames: { count: 12, fps: 12 },
-  instances: [
-    { model: 'small', clip: 'walk', translation: [0, 0, -0.5], velocity: [0, 0, 1] },
-    {
-      model: 'small',
-      clip: 'walk',
-      translation: [0.1, 0, 0.5],
-      rotation: [0, 1, 0, 0],
-      velocity: [0, 0, -1],
-    },
-  ],
-};
+let browser;
+before(async () => (browser = await browsing.launch()));
+after(() => browser.close());
 
-/** What `pelt check --html` leaves, its data changed by `change`. */
-function writeReport(t, change = (report) => report) {
-  const file = checkToPage(t, scene);
-  const [head, rest] = readFileSync(file, 'utf8').split(PLACE);
-  const end = rest.indexOf('</script>');
-  const data = JSON.stringify(change(JSON.parse(rest.slice(0, end))));
-  writeFileSync(file, head + PLACE + data.replaceAll('<', '\\u003c') + rest.slice(end));
-  return browsing.urlOf(file);
+/** For the length of a test, and standing still: pages that play take each other's time. */
+async function open(t, url, motion = 'reduce') {
+  const page = await browsing.openPage(browser, url, { reducedMotion: motion });
+  t.after(() => page.context().close());
+  return page;
+}
+const report = (page) => page.locator('section:has(#report)');
+const says = (page, text) => report(page).filter({ hasText: text }).waitFor();
+
+async function agreesWith(page, { totals, hash }) {
+  await says(page, 'the page agrees');
+  assert.equal(await number(page, 'total'), totals.contacts);
+  assert.equal(await fact(page, 'hash'), hash);
+  if (totals.ignored > 0) assert.equal(await number(page, 'ignored'), totals.ignored);
 }
 
-describe('a report', () => {
-  let browser;
-  before(async () => (browser = await browsing.launch()));
-  after(() => browser.close());
+test('a report of parts shows what is ignored, and what is worse than in a baseline', async (t) => {
+  const shop = new Workshop(t);
+  shop.run('check', 'scene.json', '--by', 'part', '--frames', '0:1', '--jsonl', 'known.jsonl');
+  const ignore = IGNORE.flatMap((pair) => ['--ignore', pair.join(',')]);
+  const answer = shop.check('--by', 'part', ...ignore, '--baseline', 'known.jsonl');
+  const { worse } = answer.verdict;
+  const fresh = worse.filter(({ known }) => known === 0).length;
+  assert.ok(
+    answer.totals.ignored > 0 && fresh > 0 && worse.length > fresh,
+    'a check worth testing',
+  );
 
-  test('plays the scene and finds what the command found', async (t) => {
-    const page = await browsing.openPage(browser, writeReport(t));
-    const report = page.locator('section:has(#report)');
-    assert.match(await report.innerText(), /the page agrees[^]*pelt check [^]*scene\.json --html/);
-    assert.equal(await browsing.fact(page, 'hash'), check(t, scene).hash);
-    assert.equal(await page.locator('.card').count(), 2);
-    assert.deepEqual(page.complaints, []);
-  });
+  const page = await open(t, browsing.urlOf(shop.at('report.html')));
+  await agreesWith(page, answer);
+  await says(page, `${fresh} new, ${worse.length - fresh} grown`);
+  await says(page, /models\/cairn\.gltf\s*[\d,]+ bytes/);
+  assert.equal(await page.locator('.touches .standing.new').count(), fresh);
+  assert.equal(await page.locator('.touches .standing.grown').count(), worse.length - fresh);
+  const { ignore: saved, models } = await savedScene(page);
+  assert.deepEqual(saved, IGNORE);
+  assert.deepEqual(models, { cairn: 'models/cairn.gltf' });
+  assert.deepEqual(page.complaints, []);
+});
 
-  test('tells which of many instances touch', async (t) => {
-    const third = { ...scene.instances[0], translation: [9, 0, 0], velocity: [0, 0, 0] };
-    const crowd = { ...scene, instances: [...scene.instances, third] };
-    const page = await browsing.openPage(browser, browsing.urlOf(checkToPage(t, crowd)));
-    await page.locator('.choice button', { hasText: 'whole clip' }).click();
-    const rows = await page.locator('.pairs tr').allInnerTexts();
-    const { contacts } = check(t, crowd).totals;
-    assert.equal(rows.length, 1);
-    assert.match(
-      rows[0],
-      new RegExp(`0\\s*small\\s+1\\s*small\\s+${contacts.toLocaleString('en')}`),
-    );
-  });
+test('a report compares the frames of the command, of the scene as it came', async (t) => {
+  const shop = new Workshop(t);
+  const answer = shop.check('--frames', '2:12:3');
+  const page = await open(t, browsing.urlOf(shop.at('report.html')));
+  await says(page, 'the page agrees');
+  await says(page, answer.hash);
+  assert.ok((await number(page, 'total')) > answer.totals.contacts, 'the page counts all frames');
+  await page.locator('.card .title').first().click();
+  await page.getByLabel('x', { exact: true }).fill('0.2');
+  await says(page, 'the page agrees; changed since');
+});
 
-  test('says where it finds something else', async (t) => {
-    const url = writeReport(t, (report) => {
-      ++report.answer.counts[5];
-      return report;
-    });
-    const page = await browsing.openPage(browser, url);
-    assert.match(await page.locator('section:has(#report)').innerText(), /the page differs/);
-  });
+test('a report plays, glows, tells the work and takes other files', async (t) => {
+  const shop = new Workshop(t, { ...SCENE, frames: { count: 90, fps: 60 } });
+  const answer = shop.check();
+  const page = await open(t, browsing.urlOf(shop.at('report.html')), 'no-preference');
+  await agreesWith(page, answer);
+  assert.match(await report(page).innerText(), /pelt check scene\.json [^]*--html report\.html/);
+  const first = await number(page, 'frame');
+  await page.waitForFunction((frame) => {
+    return Number(document.querySelector('[data-fact=frame]').textContent) !== frame;
+  }, first);
+  await goToFrame(page, 45);
+  assert.ok((await pixels(page)).count > 100);
+  assert.ok((await number(page, 'tests')) > 0);
+  for (const still of await page.locator('.stills img').all()) {
+    assert.ok((await pixels(page, browsing.GLOWING, still)).count > 20, 'a still of contacts');
+  }
+  assert.ok((await page.locator('.stills img').count()) > 0);
+  if (process.env.PELT_PICTURES) await picture(page, 'report');
+  await dropFiles(page, [{ name: 'stones.gltf', bytes: STONES }]);
+  await page.waitForSelector('.card:has-text("stones.gltf")');
+  assert.deepEqual(
+    page.fetched.filter((url) => !/^(file|data|blob):/.test(url)),
+    [],
+  );
+  assert.deepEqual(page.complaints, []);
+});
+
+async function picture(page, name) {
+  mkdirSync(process.env.PELT_PICTURES, { recursive: true });
+  await page.setViewportSize({ width: 1280, height: 760 });
+  await page.waitForTimeout(1000);
+  await page.screenshot({ path: path.join(process.env.PELT_PICTURES, `${name}.png`) });
+}
+
+test('a report tells which of many instances touch', async (t) => {
+  const far = { model: 'cairn', clip: 'roll', translation: [9, 0, 0] };
+  const shop = new Workshop(t, { ...SCENE, instances: [...SCENE.instances, far] });
+  const { contacts } = shop.check().totals;
+  const page = await open(t, browsing.urlOf(shop.at('report.html')));
+  const rows = await page.locator('.pairs tr').allInnerTexts();
+  const numbers = contacts.toLocaleString('en');
+  assert.equal(rows.length, 1);
+  assert.match(rows[0], new RegExp(`0\\s*cairn\\s+1\\s*cairn\\s+${numbers}`));
+});
+
+test('a report says where the page finds something else', async (t) => {
+  const shop = new Workshop(t);
+  const { hash } = shop.check();
+  shop.edit((data) => data.replace(hash, '0123456789abcdef'));
+  await says(await open(t, browsing.urlOf(shop.at('report.html'))), 'the page differs');
+});
+
+test('a report that the page cannot read says why', async (t) => {
+  const shop = new Workshop(t);
+  shop.check();
+  const page = await browser.newPage();
+  page.setDefaultTimeout(browsing.PATIENCE);
+  t.after(() => page.close());
+  const edits = [
+    [(data) => data.replace(/"pelt":"[^"]*"/, '"pelt":"0.0.9"'), /of Pelt 0\.0\.9/],
+    [(data) => data.slice(0, 99), /cut short or damaged/],
+  ];
+  for (const [edit, words] of edits) {
+    shop.edit(edit);
+    await page.goto(browsing.urlOf(shop.at('report.html')));
+    await page.locator('.problem').filter({ hasText: words }).waitFor();
+  }
+});
+
+test('the demo leaves a report that agrees', async (t) => {
+  const shop = new Workshop(t);
+  shop.run('demo', '--no-picture', '-o', 'demo');
+  const { size } = statSync(shop.at('demo/report.html'));
+  assert.ok(size < TEN_MEGABYTES, `${size} bytes`);
+  await says(await open(t, browsing.urlOf(shop.at('demo/report.html'))), 'the page agrees');
+});
+
+const walkers = path.join(process.env.PELT_SHARED_DIR ?? '', 'scenes/two_walkers.json');
+test(
+  'that of two walkers is small',
+  { skip: !existsSync(walkers) && 'no two_walkers.json' },
+  (t) => {
+    const shop = new Workshop(t);
+    shop.run('check', walkers, '--html', 'report.html');
+    const { size } = statSync(shop.at('report.html'));
+    assert.ok(size < TEN_MEGABYTES, `${size} bytes`);
+  },
+);
+
+test('`pelt view` and a dropped scene leave out what the scene ignores', async (t) => {
+  const scene = { ...SCENE, ignore: IGNORE };
+  const shop = new Workshop(t, scene);
+  const answer = shop.check();
+  const agrees = async (page) => {
+    await counted(page);
+    assert.equal(await fact(page, 'hash'), answer.hash);
+    assert.equal(await number(page, 'ignored'), answer.totals.ignored);
+  };
+  const page = await open(t, await shop.view(t, 'scene.json'));
+  await page.locator('.choice button', { hasText: 'whole clip' }).click();
+  await agrees(page);
+  assert.equal(await report(page).count(), 0);
+
+  await dropFiles(page, [
+    { name: 'dropped.json', bytes: readFileSync(shop.at('scene.json')) },
+    { name: 'cairn.gltf', bytes: STONES },
+  ]);
+  await page.waitForSelector('.subject:has-text("dropped.json")');
+  await agrees(page);
+  assert.deepEqual((await savedScene(page)).ignore, IGNORE);
 });
