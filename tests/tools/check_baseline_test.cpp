@@ -93,7 +93,7 @@ TEST(CheckBaseline, SaysInWordsWhatIsWorse) {
             0);
   const Ended run = run_pelt(folder, {"check", "scene.json", "--baseline", "known.jsonl"});
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.out.find("new or grown beside 0 known touches"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find(" new, 0 grown, 0 as known\n"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("(new)  frame "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("note       frames was [0,1,1] in the baseline and is [0,12,1] here"),
             std::string::npos)

@@ -3,6 +3,7 @@
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
+#include <algorithm>
 #include <iomanip>
 
 namespace pelt::tools {
@@ -94,12 +95,21 @@ void print_gone(const Comparison& comparison, std::ostream& out) {
   out << (comparison.notes.empty() ? ": write a new baseline\n" : "\n");
 }
 
+/// Those that the baseline does not know.
+std::size_t new_touches(const Comparison& comparison) {
+  return static_cast<std::size_t>(
+      std::count_if(comparison.worse.begin(), comparison.worse.end(),
+                    [](const Worse& worse) { return worse.known == 0; }));
+}
+
 /// What differs from the baseline.
 void print_comparison(const scenes::Scene& scene, std::span<const Collider> colliders,
                       const Comparison& comparison, std::ostream& out) {
   for (const std::string& note : comparison.notes) label(out, "note") << note << '\n';
-  label(out, "baseline") << with_commas(comparison.worse.size()) << " new or grown beside "
-                         << with_commas(comparison.known_touches) << " known touches\n";
+  const std::size_t fresh = new_touches(comparison), grown = comparison.worse.size() - fresh;
+  const std::size_t as_known = comparison.known_touches - comparison.gone.size() - grown;
+  label(out, "baseline") << with_commas(fresh) << " new, " << with_commas(grown) << " grown, "
+                         << with_commas(as_known) << " as known\n";
   print_worse(scene, comparison.worse, out);
   print_held(scene, colliders, "new", comparison.newly_held, out);
   print_gone(comparison, out);
