@@ -42,7 +42,9 @@ function block(language) {
 }
 
 test('it has what it needs, the licences, and nothing else', () => {
-  const files = packed.files.map((file) => file.path).filter((name) => !name.startsWith('lib/'));
+  const files = packed.files
+    .map((file) => file.path)
+    .filter((name) => !/^(lib|types)\//.test(name));
   const others = ['LICENSE', 'README.md', 'THIRD-PARTY-NOTICES', 'package.json', 'pelt.d.ts'];
   assert.deepEqual(files.sort(), [...others, 'engine.mjs', 'pelt.mjs'].sort());
   assert.deepEqual(
@@ -107,12 +109,16 @@ test('a program that uses all types compiles and runs', { skip }, () => {
   compile('--module', 'ESNext', '--moduleResolution', 'Bundler', '--noEmit');
 });
 
-/** The names that pelt.d.ts exports, and those of their members. */
+/** The names that pelt.d.ts and its types export, and those of their members. */
 function declared() {
   const ts = typescript();
-  const source = ts.createSourceFile('pelt.d.ts', read('pelt.d.ts'), ts.ScriptTarget.ES2022, true);
+  const inner = fs.readdirSync(path.join(installed, 'types')).map((name) => `types/${name}`);
+  const statements = ['pelt.d.ts', ...inner].flatMap((name) => [
+    ...ts.createSourceFile(name, read(name), ts.ScriptTarget.ES2022, true).statements,
+  ]);
   const types = new Map();
-  for (const statement of source.statements) {
+  for (const statement of statements) {
+    if (ts.isImportDeclaration(statement) || ts.isExportDeclaration(statement)) continue;
     const name = statement.name?.text ?? statement.declarationList.declarations[0].name.text;
     const members =
       statement.members ?? statement.declarationList?.declarations[0].type.members ?? [];
