@@ -40,7 +40,7 @@ QueryStats BoundsQuery::ask(std::span<Pose> poses) {
   return work;
 }
 
-void BoundsQuery::unite() {
+void BoundsQuery::keep(std::uint32_t) {
   for (Bounded& bounded : bounded_) {
     bounded.all_frames = united(bounded.all_frames, bounded.box);
     if (bounded.sphere)

@@ -38,9 +38,9 @@ class BoundsQuery {
   QueryStats ask(std::span<Pose> poses);
 
   /// Keeps what all frames together need.
-  void unite();
+  void keep(std::uint32_t frame);
 
-  std::span<const Bounded> bounded() const { return bounded_; }
+  std::span<const Bounded> answers() const { return bounded_; }
 
  private:
   void add_joints(std::uint32_t collider, const SkinnedModel& model);

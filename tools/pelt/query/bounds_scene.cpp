@@ -1,12 +1,10 @@
 #include "tools/pelt/query/bounds_scene.hpp"
 
-#include "asset/message.hpp"
 #include "scenes/names.hpp"
-#include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/text.hpp"
+#include "tools/pelt/query/answer_frames.hpp"
 #include "tools/pelt/query/bounds_query.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
-#include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -128,17 +126,10 @@ Result<void> bounds_scene(const scenes::Scene& scene, const BoundsSettings& sett
   if (lines.stream() != nullptr) writer.emplace(scene, *colliders, *lines.stream());
   if (writer) writer->header(settings);
   BoundsQuery query(*colliders, settings);
-  const auto record = [&](std::uint32_t frame) {
-    query.unite();
-    if (writer) writer->frame(frame, query.bounded());
-  };
   const Result<FrameCosts> costs =
-      run_frames(scene, *colliders, settings.frames,
-                 {[&](std::span<Pose> poses) { return query.ask(poses); }, record});
-  if (!costs) return asset::prefixed(scene.name, costs.error());
-  if (writer) writer->totals(query.bounded(), *costs);
-  if (const auto closed = lines.close(); !closed) return closed.error();
-  print_summary(scene, *colliders, settings, query.bounded(), *costs, words);
+      answer_frames(scene, *colliders, settings.frames, query, writer, lines);
+  if (!costs) return costs.error();
+  print_summary(scene, *colliders, settings, query.answers(), *costs, words);
   return {};
 }
 

@@ -2,11 +2,9 @@
 
 #include <pelt/distance.hpp>
 
-#include "asset/message.hpp"
-#include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/text.hpp"
+#include "tools/pelt/query/answer_frames.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
-#include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 #include "tools/pelt/scene/surface_names.hpp"
 
@@ -49,7 +47,7 @@ class DistanceQuery {
     return work;
   }
 
-  void keep_least(std::uint32_t frame) {
+  void keep(std::uint32_t frame) {
     for (PairDistance& pair : pairs_) {
       if (!(pair.now.distance < pair.least.distance)) continue;
       pair.least = pair.now;
@@ -57,7 +55,7 @@ class DistanceQuery {
     }
   }
 
-  std::span<const PairDistance> pairs() const { return pairs_; }
+  std::span<const PairDistance> answers() const { return pairs_; }
 
  private:
   DistanceOptions options_;
@@ -176,17 +174,10 @@ Result<void> distance_scene(const scenes::Scene& scene, const DistanceSettings& 
   if (lines.stream() != nullptr) writer.emplace(scene, *colliders, *lines.stream());
   if (writer) writer->header(settings);
   DistanceQuery query(static_cast<std::uint32_t>(colliders->size()), settings.within);
-  const auto record = [&](std::uint32_t frame) {
-    query.keep_least(frame);
-    if (writer) writer->frame(frame, query.pairs());
-  };
   const Result<FrameCosts> costs =
-      run_frames(scene, *colliders, settings.frames,
-                 {[&](std::span<Pose> poses) { return query.ask(poses); }, record});
-  if (!costs) return asset::prefixed(scene.name, costs.error());
-  if (writer) writer->totals(query.pairs(), *costs);
-  if (const auto closed = lines.close(); !closed) return closed.error();
-  print_summary(scene, *colliders, query.pairs(), settings, *costs, words);
+      answer_frames(scene, *colliders, settings.frames, query, writer, lines);
+  if (!costs) return costs.error();
+  print_summary(scene, *colliders, query.answers(), settings, *costs, words);
   return {};
 }
 

@@ -2,11 +2,9 @@
 
 #include <pelt/distance.hpp>
 
-#include "asset/message.hpp"
-#include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/text.hpp"
+#include "tools/pelt/query/answer_frames.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
-#include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 #include "tools/pelt/scene/surface_names.hpp"
 
@@ -55,12 +53,13 @@ class NearestQuery {
     return std::span(found_).subspan(point * colliders, colliders);
   }
 
-  void keep_least(std::uint32_t frame) {
+  void keep(std::uint32_t frame) {
     for (std::size_t p = 0; p < points_.size(); ++p)
       for (const Nearest& nearest : of_point(p))
         if (is_nearer(nearest, least_[p])) least_[p] = nearest, least_frame_[p] = frame;
   }
 
+  const NearestQuery& answers() const { return *this; }
   std::span<const Vec3> points() const { return points_; }
   const Nearest& least(std::size_t point) const { return least_[point]; }
   std::uint32_t least_frame(std::size_t point) const { return least_frame_[point]; }
@@ -165,16 +164,9 @@ Result<void> nearest_scene(const scenes::Scene& scene, std::span<const Vec3> poi
   if (lines.stream() != nullptr) writer.emplace(scene, *colliders, *lines.stream());
   if (writer) writer->header(points, settings);
   NearestQuery query(points, static_cast<std::uint32_t>(colliders->size()), settings.within);
-  const auto record = [&](std::uint32_t frame) {
-    query.keep_least(frame);
-    if (writer) writer->frame(frame, query);
-  };
   const Result<FrameCosts> costs =
-      run_frames(scene, *colliders, settings.frames,
-                 {[&](std::span<Pose> poses) { return query.ask(poses); }, record});
-  if (!costs) return asset::prefixed(scene.name, costs.error());
-  if (writer) writer->totals(query, *costs);
-  if (const auto closed = lines.close(); !closed) return closed.error();
+      answer_frames(scene, *colliders, settings.frames, query, writer, lines);
+  if (!costs) return costs.error();
   print_summary(scene, *colliders, query, *costs, words);
   return {};
 }

@@ -1,10 +1,8 @@
 #include "tools/pelt/query/region_scene.hpp"
 
-#include "asset/message.hpp"
-#include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/text.hpp"
+#include "tools/pelt/query/answer_frames.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
-#include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -45,14 +43,14 @@ class RegionQuery {
     return work;
   }
 
-  void count(std::uint32_t frame) {
+  void keep(std::uint32_t frame) {
     for (Placed& placed : placed_) {
       ++placed.frames[static_cast<std::size_t>(placed.placement)];
       if (placed.placement != Placement::outside) placed.frames_not_outside.push_back(frame);
     }
   }
 
-  std::span<const Placed> placed() const { return placed_; }
+  std::span<const Placed> answers() const { return placed_; }
 
  private:
   Region region_;
@@ -159,18 +157,11 @@ Result<void> region_scene(const scenes::Scene& scene, const RegionSettings& sett
   if (lines.stream() != nullptr) writer.emplace(scene, *colliders, settings, *lines.stream());
   if (writer) writer->header();
   RegionQuery query(settings, colliders->size());
-  const auto record = [&](std::uint32_t frame) {
-    query.count(frame);
-    if (writer) writer->frame(frame, query.placed());
-  };
   const Result<FrameCosts> costs =
-      run_frames(scene, *colliders, settings.frames,
-                 {[&](std::span<Pose> poses) { return query.ask(poses); }, record});
-  if (!costs) return asset::prefixed(scene.name, costs.error());
-  if (writer) writer->totals(query.placed(), *costs);
-  if (const auto closed = lines.close(); !closed) return closed.error();
+      answer_frames(scene, *colliders, settings.frames, query, writer, lines);
+  if (!costs) return costs.error();
   print_scene(scene, *colliders, words);
-  print_placements(scene, *colliders, query.placed(), settings.frames.stride, words);
+  print_placements(scene, *colliders, query.answers(), settings.frames.stride, words);
   print_costs(costs->seconds, costs->work, words);
   return {};
 }
