@@ -17,7 +17,7 @@ import { findReport, type Report } from './report/report';
 import * as changes from './state/changes';
 import { initialState, type State } from './state/state';
 import { Store } from './state/store';
-import './style.css';
+import './style/index.css';
 import { isDark, keepTheme, keptTheme, onSystemTheme } from './theme';
 
 const store = new Store<State>({ ...initialState, theme: keptTheme() });

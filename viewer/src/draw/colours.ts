@@ -1,4 +1,4 @@
-/** Of what is drawn. Those of the panels stand in style.css. */
+/** Of what is drawn. Those of the panels stand in style/tokens.css. */
 
 export const ACCENT = 0xff6a2b;
 

@@ -1,11 +1,11 @@
 /** The page around the picture. */
 
-import type { State, Update } from '../state/state';
 import { CharactersPanel } from './characters_panel';
 import { ContactsPanel } from './contacts_panel';
 import { Header } from './header';
 import { Help } from './help';
 import { Hover } from './hover';
+import type { PanelProps } from './panel_props';
 import { PictureBar } from './picture_bar';
 import { Problems } from './problems';
 import { ReportPanel } from './report_panel';
@@ -26,11 +26,6 @@ const panels = {
   Problems: watch(Problems),
   Help: watch(Help),
 };
-
-export interface PanelProps {
-  state: State;
-  update: Update;
-}
 
 export function App({ state, update, openFiles }: PanelProps & { openFiles: () => void }) {
   return (

@@ -1,4 +1,4 @@
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 import { CharacterCard } from './character_card';
 import { StageFields } from './stage_fields';
 

@@ -1,6 +1,6 @@
 import type { State } from '../state/state';
 import type { Shot } from '../worker/protocol';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 import { Pairs } from './pairs';
 import { QuerySwitches } from './query_switches';
 import { Stills } from './stills';

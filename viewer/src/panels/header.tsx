@@ -1,6 +1,6 @@
 import { sceneFile } from '../scene/scene_file';
 import { toggleHelp, toggleTheme } from '../state/changes';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 import { save } from './save';
 
 export function Header({ state, update, openFiles }: PanelProps & { openFiles: () => void }) {

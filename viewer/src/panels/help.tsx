@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { KEYS } from '../keys';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 
 export function Help({ state: { isHelpOpen }, update }: PanelProps) {
   const dialog = useRef<HTMLDialogElement>(null);

@@ -1,4 +1,4 @@
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 import { Place } from './place';
 
 /** Names what is under the pointer. */

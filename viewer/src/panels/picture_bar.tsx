@@ -1,6 +1,6 @@
 import { cssColour, OPENED, REFITTED, UNTOUCHED } from '../draw/colours';
 import { deepestLevel, moveCamera, toBoxLevel, toggleBoxes } from '../state/changes';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 
 const LEGEND = [
   { colour: OPENED, state: 2, meaning: 'opened' },

@@ -1,5 +1,5 @@
 import { dismiss } from '../state/changes';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 
 export function Problems({ state: { problems }, update }: PanelProps) {
   return (

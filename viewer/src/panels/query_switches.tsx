@@ -1,5 +1,5 @@
 import { toggleBy, toggleFirstContact } from '../state/changes';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 
 /** What is asked: instances or parts, all contacts or the first. */
 export function QuerySwitches({ state, update }: PanelProps) {

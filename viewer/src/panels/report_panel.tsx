@@ -2,7 +2,7 @@ import type { ComponentChildren } from 'preact';
 import type { Report, ReportAnswer } from '../report/report';
 import { isAsItCame } from '../report/verdict';
 import type { State } from '../state/state';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 
 /** What the command found, and whether the page finds the same. */
 export function ReportPanel({ state }: PanelProps) {

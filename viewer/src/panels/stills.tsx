@@ -1,5 +1,5 @@
 import { toFrame } from '../state/changes';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 
 /** The worst frames; each leads there. */
 export function Stills({ state: { stills }, update }: PanelProps) {

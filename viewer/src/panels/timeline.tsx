@@ -1,7 +1,7 @@
 import { jumpToContact, step, toFrame, togglePlaying } from '../state/changes';
 import { frameTime } from '../scene/scene';
 import type { State, SweepState } from '../state/state';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 import { Chart } from './chart';
 import { memo } from './memo';
 

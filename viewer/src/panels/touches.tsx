@@ -2,7 +2,7 @@ import { useState } from 'preact/hooks';
 import { lookAt } from '../state/changes';
 import type { State, Update } from '../state/state';
 import type { Spot, Surface, Touch } from '../worker/protocol';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 import { Place } from './place';
 import { Standing } from './standing';
 

@@ -1,6 +1,6 @@
 import { isSameQuery } from '../state/shots';
 import type { AnsweredShot, MeasuredShot } from '../state/state';
-import type { PanelProps } from './app';
+import type { PanelProps } from './panel_props';
 
 /** The counts are of the frame shown. What has to be measured may be of an earlier one, and says so. */
 export function WorkPanel({ state: { answer, costs } }: PanelProps) {
