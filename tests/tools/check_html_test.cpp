@@ -59,6 +59,7 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
   EXPECT_EQ(data["command"],
             "pelt check scene.json --frames 2:12:2 --jsonl answer.jsonl --html report.html");
   EXPECT_EQ(data["pelt"], PELT_VERSION);
+  EXPECT_EQ(data["title"], "scene.json");
   EXPECT_EQ(data["made"].get<std::string>().size(), std::string("2026-11-22T14:05:09Z").size());
   for (const auto& [key, value] : file.totals.items()) EXPECT_EQ(data["answer"][key], value) << key;
   EXPECT_EQ(data["answer"]["options"], file.header["options"]);
@@ -103,7 +104,9 @@ TEST_F(CheckHtml, NamesItsInputsAsTheyWereGiven) {
                                "--jsonl", "answer.jsonl"})
                 .exit_code,
             1);
-  const json inputs = data_of(read_text(folder_ / "report.html"))["inputs"];
+  const json data = data_of(read_text(folder_ / "report.html"));
+  EXPECT_EQ(data["title"], "one.glb, two.glb");
+  const json& inputs = data["inputs"];
   ASSERT_EQ(inputs.size(), 2u);
   EXPECT_EQ(inputs[0]["path"], "models/one.glb");
   EXPECT_EQ(inputs[0]["file"], "0/one.glb");

@@ -32,9 +32,20 @@ std::string as_text(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// A scene file's own name, if it has one.
+/// Otherwise it was made of models on the command line.
+bool has_file(const scenes::Scene& scene) { return fs::path(scene.name).extension() == ".json"; }
+
 std::string scene_path(const scenes::Scene& scene) {
-  return fs::path(scene.name).extension() == ".json" ? scene.name : "scene.json";
+  return has_file(scene) ? scene.name : "scene.json";
+}
+
+/// What people call it: its file's name, or those of its models.
+std::string scene_title(const scenes::Scene& scene) {
+  if (has_file(scene)) return scene.name;
+  std::string title;
+  for (const scenes::Character& character : scene.characters)
+    title += (title.empty() ? "" : ", ") + fs::path(character.source).filename().string();
+  return title;
 }
 
 ordered_json files_json(const CharacterFiles& files, const std::string& scene,
@@ -87,6 +98,7 @@ Result<std::string> page_data(const scenes::Scene& scene, const ModelArguments& 
                        {"pelt", PELT_VERSION},
                        {"made", time_now()},
                        {"command", data.command},
+                       {"title", scene_title(scene)},
                        {"scene", path},
                        {"files", files_json(*files, path, scenes::scene_text(scene, files->paths))},
                        {"inputs", inputs_json(scene, *files)},
