@@ -1,4 +1,4 @@
-/** What keys do; the page shows the same table. */
+/** What keys do; the page's help shows the same table. */
 
 import * as changes from './state/changes';
 import type { State, Update } from './state/state';
@@ -69,7 +69,7 @@ export const KEYS: Key[] = [
     change: changes.moveCamera({ kind: 'whole' }),
   },
   { keys: ['t'], shown: 'T', meaning: 'dark or light', change: changes.toggleTheme },
-  { keys: ['?'], shown: '?', meaning: 'these keys', change: changes.toggleHelp },
+  { keys: ['?'], shown: '?', meaning: 'this help', change: changes.toggleHelp },
 ];
 
 /** Keys that a field or button has a use for are left to it. */

@@ -30,7 +30,9 @@ const opener = new Opener(store, client);
 const asker = new Asker(store, client);
 const pointing = new Pointing(store, asker);
 const openFiles = (files: DroppedFile[]) => opener.openFiles(files);
+const addFiles = (files: DroppedFile[]) => opener.addFiles(files);
 const chooseAndOpen = () => chooseFiles(openFiles);
+const chooseAndAdd = () => chooseFiles(addFiles);
 
 const panels = document.getElementById('panels')!;
 const view = makeView(document.getElementById('view')!);
@@ -66,7 +68,8 @@ function show(state: State): void {
   wear(dark ? 'dark' : 'light');
   view?.light(dark);
   view?.show(state);
-  render(<App state={state} update={update} openFiles={chooseAndOpen} />, panels);
+  const choosing = { openFiles: chooseAndOpen, addFiles: chooseAndAdd };
+  render(<App state={state} update={update} {...choosing} />, panels);
 }
 
 store.listen(show);
@@ -77,10 +80,10 @@ store.listen((state, before) => {
 onSystemTheme(() => show(store.state));
 new Director(store, asker);
 new Meter(store, asker);
-if (view) new Photographer(store, asker, (answer) => view.photograph(answer));
+if (view) new Photographer(store, asker, (answer, side) => view.photograph(answer, side));
 startClock(store);
 watchKeys(update);
-watchDrops(update, openFiles);
+watchDrops(update, openFiles, addFiles);
 
 try {
   open(findReport(document));

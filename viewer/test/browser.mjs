@@ -69,16 +69,25 @@ export async function answered(page, frame) {
 }
 
 /** Drops files, [{name, bytes}], on the page. */
-export async function dropFiles(page, files) {
+export async function dropFiles(page, files, { shiftKey = false } = {}) {
   const sent = files.map(({ name, bytes }) => ({ name, base64: bytes.toString('base64') }));
-  await page.evaluate((dropped) => {
+  const drop = ({ sent: dropped, shiftKey: isShifted }) => {
     const dataTransfer = new DataTransfer();
     for (const { name, base64 } of dropped) {
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
       dataTransfer.items.add(new File([bytes], name));
     }
-    document.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
-  }, sent);
+    const how = { dataTransfer, cancelable: true, shiftKey: isShifted };
+    document.dispatchEvent(new DragEvent('drop', how));
+  };
+  await page.evaluate(drop, { sent, shiftKey });
+}
+
+/** Until the worst frames have been photographed, and the camera is where they are seen from. */
+export async function photographed(page) {
+  await page.getByRole('button', { name: 'whole clip' }).click();
+  await page.waitForSelector('.stills img');
+  await page.waitForTimeout(600);
 }
 
 /** The scene as the page saves it. */
@@ -100,7 +109,9 @@ export const RED_HANDLE = { least: [209, 64, 75], most: [219, 74, 85] };
  * many different colours there are in all: a black page has one. */
 export async function pixels(page, wanted = GLOWING, picture = page.locator('#view')) {
   const bytes = await picture.screenshot();
-  return page.evaluate(countPixels, { base64: bytes.toString('base64'), wanted });
+  const found = await page.evaluate(countPixels, { base64: bytes.toString('base64'), wanted });
+  const { x, y } = await picture.boundingBox();
+  return { ...found, x: x + found.x, y: y + found.y };
 }
 
 /** Runs in the page. */

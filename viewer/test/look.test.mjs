@@ -46,6 +46,7 @@ test('stands still, in contact, where the system asks for little movement', asyn
 });
 
 test('the camera goes where keys send it, and a tap selects', async () => {
+  await browsing.photographed(still);
   await goToFrame(still, 90);
   await still.locator('[aria-label=Frame]').blur();
   const seen = async () => (await pixels(still)).count;

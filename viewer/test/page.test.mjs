@@ -161,10 +161,11 @@ describe('the keyboard', () => {
     }
   });
 
-  test('shows the keys', async () => {
+  test('shows what is shown, and the keys', async () => {
     await press('?');
-    const dialog = page.getByRole('dialog', { name: 'Keys' });
+    const dialog = page.getByRole('dialog', { name: 'Help' });
     await dialog.waitFor();
+    assert.match(await dialog.innerText(), /Opened: [^]*Untouched: [^]*next frame/);
     await press('Escape');
     await dialog.waitFor({ state: 'hidden' });
   });
@@ -265,6 +266,17 @@ describe('files', () => {
     await problem.waitFor({ state: 'detached' });
   });
 
+  test('a bad one among good ones is left out, and named alone', async (t) => {
+    const bytes = posedWalker(t);
+    await dropFiles(page, [
+      { name: 'torn.glb', bytes: Buffer.from('glTF, but no more than that') },
+      { name: 'good.glb', bytes },
+    ]);
+    await page.waitForSelector('.card:has-text("good.glb")');
+    assert.match(await page.locator('.problem strong').innerText(), /^torn\.glb was left out$/);
+    await page.getByRole('button', { name: 'Dismiss' }).click();
+  });
+
   test('one that is no character is refused', async () => {
     await dropFiles(page, [{ name: 'notes.txt', bytes: Buffer.from('walk left') }]);
     assert.match(await page.locator('.problem').innerText(), /notes\.txt[^]*\.glb/);
@@ -281,6 +293,24 @@ describe('files', () => {
     assert.equal(scene.instances.length, 2);
     assert.ok(answer.totals.contacts > 0);
     assert.equal(await fact(page, 'hash'), answer.hash);
+    assert.match(await page.locator('.note').first().innerText(), /meets itself/);
+  });
+
+  test('another joins it when Shift is held, and what is no character does not', async (t) => {
+    const shiftKey = true;
+    await dropFiles(page, [{ name: 'notes.txt', bytes: Buffer.from('walk left') }], { shiftKey });
+    assert.match(await page.locator('.problem').innerText(), /Only characters can be added/);
+    await page.getByRole('button', { name: 'Dismiss' }).click();
+    const before = { 'walker.glb': posedWalker(t), 'second.glb': posedWalker(t) };
+    await dropFiles(page, [{ name: 'second.glb', bytes: before['second.glb'] }], { shiftKey });
+    await page.waitForSelector('.card.selected:has-text("second.glb")');
+    await counted(page);
+    const scene = await savedScene(page);
+    assert.deepEqual(
+      scene.instances.map(({ model }) => model),
+      ['walker.glb', 'second.glb'],
+    );
+    assert.equal(await fact(page, 'hash'), check(t, scene, before).hash);
   });
 
   test('a scene that is dropped with its files is the one that was saved', async (t) => {
@@ -291,6 +321,7 @@ describe('files', () => {
     await dropFiles(page, [
       { name: 'fifty.json', bytes: text },
       { name: 'walker.glb', bytes },
+      { name: 'second.glb', bytes },
     ]);
     await page.waitForSelector('.subject:has-text("fifty.json")');
     await counted(page);

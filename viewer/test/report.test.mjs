@@ -49,10 +49,18 @@ test('a report of parts shows what is ignored, and what is worse than in a basel
 
   const page = await open(t, browsing.urlOf(shop.at('report.html')));
   await agreesWith(page, answer);
+  await says(page, 'Check failed');
   await says(page, `${fresh} new, ${worse.length - fresh} grown`);
   await says(page, /models\/cairn\.gltf\s*[\d,]+ bytes/);
   assert.equal(await page.locator('.touches .standing.new').count(), fresh);
   assert.equal(await page.locator('.touches .standing.grown').count(), worse.length - fresh);
+  const ofRows = await page.locator('.touches .worse').allInnerTexts();
+  assert.ok(
+    ofRows.slice(0, fresh).every((text) => text.startsWith('new')),
+    'the new ones on top',
+  );
+  const [{ worst, known }] = worse.filter((touch) => touch.known > 0);
+  assert.equal(ofRows[fresh], `grown ${worst.contacts} in frame ${worst.frame}, was ${known}`);
   const { ignore: saved, models } = await savedScene(page);
   assert.deepEqual(saved, IGNORE);
   assert.deepEqual(models, { cairn: 'models/cairn.gltf' });
@@ -65,6 +73,11 @@ test('a report compares the frames of the command, of the scene as it came', asy
   const page = await open(t, browsing.urlOf(shop.at('report.html')));
   await says(page, 'the page agrees');
   await says(page, answer.hash);
+  await says(page, `Contact in ${answer.totals.frames_in_contact} of 4 frames`);
+  const sections = await page.locator('.side section').evaluateAll((all) => {
+    return all.map((section) => section.getAttribute('aria-labelledby'));
+  });
+  assert.deepEqual(sections, ['report', 'contacts', 'characters', 'work']);
   assert.ok((await number(page, 'total')) > answer.totals.contacts, 'the page counts all frames');
   await page.locator('.card .title').first().click();
   await page.getByLabel('x', { exact: true }).fill('0.2');
@@ -77,7 +90,10 @@ test('a report plays, glows, tells the work and takes other files', async (t) =>
   const page = await open(t, browsing.urlOf(shop.at('report.html')), 'no-preference');
   await agreesWith(page, answer);
   assert.match(await report(page).innerText(), /pelt check scene\.json [^]*--html report\.html/);
+  assert.equal(await page.title(), 'scene.json · Pelt');
   const first = await number(page, 'frame');
+  await says(page, `most in frame ${first}: ${await fact(page, 'contacts')}`);
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
   await page.waitForFunction((frame) => {
     return Number(document.querySelector('[data-fact=frame]').textContent) !== frame;
   }, first);
@@ -104,6 +120,17 @@ async function picture(page, name) {
   await page.waitForTimeout(1000);
   await page.screenshot({ path: path.join(process.env.PELT_PICTURES, `${name}.png`) });
 }
+
+test('a report of models and one frame has their names, and nothing to play', async (t) => {
+  const shop = new Workshop(t);
+  const model = 'models/cairn.gltf';
+  shop.run('check', model, model, '--at', '0.1,0.15,0.05', '--html', 'report.html');
+  const page = await open(t, browsing.urlOf(shop.at('report.html')));
+  await says(page, 'Contact in frame 0');
+  assert.equal(await page.title(), 'cairn.gltf · Pelt');
+  assert.ok(await page.getByRole('button', { name: 'Play', exact: true }).isDisabled());
+  assert.match(await page.locator('.facts').innerText(), /frame 0, the only one[^]*in 1 frame\b/);
+});
 
 test('a report tells which of many instances touch', async (t) => {
   const far = { model: 'cairn', clip: 'roll', translation: [9, 0, 0] };

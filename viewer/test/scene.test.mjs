@@ -20,9 +20,8 @@ const character = (name, seconds) => ({
 
 describe('characters without a scene', () => {
   test('stand together for all of the longest clip, at 30 frames a second', async () => {
-    const { arrange, usualArrangement } = await load('scene/arrange.ts');
+    const { arrange } = await load('scene/arrange.ts');
     const characters = [character('body', 1.01), character('coat', 2.34)];
-    assert.equal(usualArrangement(characters), 'together');
     const { instances, frameCount, fps } = arrange(characters, 'together');
     assert.deepEqual([frameCount, fps], [71, 30]);
     assert.deepEqual(
@@ -50,7 +49,139 @@ describe('characters without a scene', () => {
     );
   });
 
+  test('are joined by others on their way to the middle, and nobody is moved', async () => {
+    const { arrange, join } = await load('scene/arrange.ts');
+    const { placeAt } = await load('scene/scene.ts');
+    const characters = [character('a', 1), character('b', 1), character('c', 1)];
+    const two = arrange(characters.slice(0, 2), 'walking');
+    const three = join(two, characters, 2, 'walking');
+    assert.equal(three.name, 'a, b, c');
+    assert.deepEqual(three.instances.slice(0, 2), two.instances);
+    const [, , third] = three.instances;
+    assert.ok(distance(third.translation, [0, 0, 0]) > 1, 'from the circle');
+    assert.ok(
+      two.instances.every(({ translation }) => distance(translation, third.translation) > 1),
+      'from between the others',
+    );
+    assert.ok(distance(placeAt(third, 2), [0, 0, 0]) < 0.2, 'in the middle');
+  });
+
+  test('are joined in one place where they stand in one', async () => {
+    const { arrange, join } = await load('scene/arrange.ts');
+    const characters = [character('body', 1), character('coat', 2)];
+    const dressed = join(arrange(characters.slice(0, 1), 'together'), characters, 1, 'together');
+    assert.deepEqual(dressed.instances.at(-1).translation, [0, 0, 0]);
+    assert.deepEqual(dressed.instances.at(-1).velocity, [0, 0, 0]);
+    assert.equal(dressed.frameCount, 60, 'as long as the longest clip');
+  });
+
   const distance = (one, other) => Math.hypot(...one.map((value, i) => value - other[i]));
+});
+
+describe('characters that come one after the other', () => {
+  test('take the place of the double that one alone has met, and are to be placed', async () => {
+    const { add, open } = await load('state/changes.ts');
+    const state = { boxLevel: null, firstContact: false };
+    const alone = open({ characters: [character('a', 1)], scene: null, refused: [] })(state);
+    assert.equal(alone.scene.instances.length, 2);
+    const both = add({ characters: [character('b', 1)], refused: [] })({ ...state, ...alone });
+    assert.deepEqual(
+      both.scene.instances.map((instance) => instance.character),
+      [0, 1],
+    );
+    assert.equal(both.selected, 1);
+    const three = add({ characters: [character('c', 1)], refused: [] })({ ...alone, ...both });
+    assert.equal(three.scene.instances.length, 3);
+  });
+
+  test('stand beside all of a scene that was opened', async () => {
+    const { add } = await load('state/changes.ts');
+    const { arrange } = await load('scene/arrange.ts');
+    const characters = [character('a', 1)];
+    const opened = { ...arrange(characters, 'walking'), name: 'duel.json' };
+    const state = { characters, opened, scene: opened, arrangement: 'opened', problems: [] };
+    const refused = [{ path: 'torn.glb', message: 'is torn' }];
+    const { scene, opened: kept, problems } = add({ characters, refused })(state);
+    assert.equal(scene.instances.length, 3);
+    assert.equal(kept.instances.length, 3);
+    assert.deepEqual(problems, [{ title: 'torn.glb was left out', message: 'is torn' }]);
+  });
+});
+
+describe('what the page has chosen', () => {
+  test('is told as long as it is so', async () => {
+    const { arrange } = await load('scene/arrange.ts');
+    const { notesOn } = await load('scene/notes.ts');
+    const two = [character('a', 1), { ...character('b', 1), clips: [{ name: 'run', seconds: 1 }] }];
+    const scene = arrange(two, 'walking');
+    const [clips, ...rest] = notesOn(scene, two);
+    assert.match(clips, /“Walk”, “run”/);
+    assert.deepEqual(rest, []);
+    scene.instances[1].clip = null;
+    assert.deepEqual(notesOn(scene, two), []);
+    const one = [{ ...character('a', 1), clips: [] }];
+    const [double] = notesOn(arrange(one, 'walking'), one);
+    assert.match(double, /meets itself/);
+  });
+});
+
+describe('the command with the same numbers', () => {
+  const nothing = { by: 'instance', firstContact: false, readingOptions: {} };
+
+  test('names the models where it places them so', async () => {
+    const { arrange } = await load('scene/arrange.ts');
+    const { checkCommand } = await load('scene/command.ts');
+    const characters = [character('body.glb', 1), character("a knight's coat.glb", 1)];
+    const scene = arrange(characters, 'together');
+    scene.instances[1].clip = null;
+    const { words, needsFile } = checkCommand({ ...nothing, scene, characters, by: 'part' });
+    const coat = "'a knight'\\''s coat.glb'";
+    assert.equal(words, `pelt check body.glb ${coat} --clip Walk --clip - --by part`);
+    assert.equal(needsFile, false);
+  });
+
+  test('names the saved scene everywhere else', async () => {
+    const { arrange } = await load('scene/arrange.ts');
+    const { checkCommand } = await load('scene/command.ts');
+    const characters = [character('body.glb', 1), character('coat.glb', 1)];
+    const together = arrange(characters, 'together');
+    const [first, second] = together.instances;
+    const others = [
+      arrange(characters, 'walking'),
+      { ...together, fps: 60, frameCount: 60 },
+      { ...together, frameCount: 7 },
+      { ...together, ignore: [['hat', 'head']] },
+      { ...together, instances: [first, { ...second, speed: 2 }] },
+      { ...together, instances: [first, { ...second, rotation: [0, 1, 0, 0] }] },
+      { ...together, instances: [first, { ...second, morphWeights: { smile: 1 } }] },
+    ];
+    for (const scene of others) {
+      const readingOptions = { renormalise: true, exclude: ['hat'] };
+      const asking = { ...nothing, scene, characters, readingOptions, firstContact: true };
+      assert.deepEqual(checkCommand(asking), {
+        words: 'pelt check scene.json --first --renormalise --exclude hat',
+        needsFile: true,
+      });
+    }
+  });
+});
+
+describe('the sides of a scene', () => {
+  test('are directions, the usual one first', async () => {
+    const { SIDES } = await load('scene/sides.ts');
+    assert.equal(SIDES.length, 8);
+    for (const side of SIDES) assert.ok(Math.abs(Math.hypot(...side) - 1) < 1e-12);
+    assert.equal(new Set(SIDES.map(([x]) => x.toFixed(3))).size, 8);
+  });
+
+  test('are changed only where another one shows much more', async () => {
+    const { SIDES, betterSide } = await load('scene/sides.ts');
+    assert.equal(betterSide([10, 12, 0, 0, 0, 0, 0, 20]), SIDES[0]);
+    assert.equal(betterSide([10, 12, 0, 0, 0, 0, 0, 21]), SIDES[7]);
+    assert.equal(betterSide([0, 0, 0, 0, 0, 0, 0, 0]), SIDES[0]);
+    const present = SIDES[7].map((value) => value + 0.1);
+    assert.equal(betterSide([10, 0, 0, 0, 0, 0, 0, 9], present), present);
+  });
 });
 
 describe('the length of a scene', () => {

@@ -111,6 +111,56 @@ describe('triangles in contact', () => {
   });
 });
 
+describe('contacts', () => {
+  test('are seen from the sides on which nothing stands before them', async () => {
+    const { seenFromSides } = await load('worker/visibility.ts');
+    const { SIDES } = await load('scene/sides.ts');
+    const glow = {
+      triangles: 2,
+      centres: Float32Array.of(0, 0, 0, 5, 0, 0),
+      corners: Float32Array.of(0, 0.5, 0, 0, 0, 0, 0, 0, 0, 5, 0.5, 0, 0, 0, 0, 0, 0, 0),
+    };
+    const wall = { castAny: ([x], [towards]) => x < 3 && towards > 0 };
+    assert.deepEqual(
+      seenFromSides([{ castAny: () => false }, wall], glow),
+      SIDES.map(([x]) => (x > 0 ? 1 : 2)),
+    );
+    assert.ok(SIDES.some(([x]) => x > 0) && SIDES.some(([x]) => x < 0));
+  });
+});
+
+describe('files that are read', () => {
+  const file = (path) => ({ path, bytes: new Uint8Array() });
+  const pelt = {
+    readCharacter(_, { name }) {
+      if (name.startsWith('torn')) throw new Error(`${name}: is torn`);
+      return { name };
+    },
+  };
+
+  test('are kept where they are good, and the others named', async () => {
+    const { readCharacters } = await load('worker/cast.ts');
+    const { characters, sources, refused } = readCharacters(
+      pelt,
+      ['torn.glb', 'coat.glb', 'notes.txt'].map(file),
+    );
+    assert.deepEqual(
+      characters.map(({ name }) => name),
+      ['coat.glb'],
+    );
+    assert.deepEqual(sources, ['coat.glb']);
+    assert.deepEqual(refused, [{ path: 'torn.glb', message: 'torn.glb: is torn' }]);
+  });
+
+  test('are refused where none is good, or nothing can be read any more', async () => {
+    const { readCharacters } = await load('worker/cast.ts');
+    const torn = ['torn.glb', 'torn too.glb'].map(file);
+    assert.throws(() => readCharacters(pelt, torn), /^Error: torn.glb: .*\ntorn too.glb: is torn$/);
+    const mixed = ['coat.glb', 'torn.glb'].map(file);
+    assert.throws(() => readCharacters({ ...pelt, hasEnded: true }, mixed), /is torn/);
+  });
+});
+
 describe('boxes', () => {
   test('that overlap or meet make a pair', async () => {
     const { collidingPairs } = await load('worker/colliding_pairs.ts');
@@ -257,6 +307,21 @@ describe('costs', () => {
     await passing(700);
     assert.equal(store.state.costs.onDemand.microseconds, 100);
     assert.equal(store.state.costs.eager.microseconds, 200);
+    assert.equal(store.state.costs.ratio, 2);
+  });
+
+  test('are told by a mean while the scene plays, as single ones leap', async () => {
+    const { store } = await meterOf({ isPlaying: true }, (questions, { update }) => {
+      if (questions === 2) update(() => ({ reading: 'the end of the test' }));
+      const single = costs(100);
+      return questions === 1 ? single : { ...single, eager: { microseconds: 2000 } };
+    });
+    store.update(() => ({ answer: answer(0) }));
+    await passing(50);
+    assert.equal(store.state.costs.ratio, 2);
+    store.update(() => ({ answer: answer(1) }));
+    await passing(700);
+    assert.ok(store.state.costs.ratio > 2 && store.state.costs.ratio < 4);
   });
 
   test('of very many vertices are not measured while the scene plays', async () => {
@@ -275,6 +340,7 @@ describe('the folders of the sources', () => {
   /** Each runs without those after it; types may be known from anywhere. */
   const ORDER = [
     'theme',
+    'words',
     'scene',
     'worker',
     'report',

@@ -17,6 +17,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+import { SIDES } from '../scene/sides';
+import type { Vector3 as Side } from '../scene/scene';
 import { CameraFlight } from './camera_flight';
 import type { Ambience } from './colours';
 import { Ground } from './ground';
@@ -28,12 +30,11 @@ const STILL = { width: 192, height: 192 };
 /** Of the distance from which all is seen. At its ends a walk may be cut by the edge. */
 const CLOSENESS = { standing: 0.95, walking: 0.66 };
 
-/** What is looked at closely, with what is around it. */
-const SURROUNDINGS = 3;
+/** What is looked at closely, with what is around it: of the size of all that is seen. */
+const SURROUNDINGS = { picture: 3, still: 1.25 };
 /** Of the whole scene: no nearer, however small it is. */
 const NEAREST = 0.16;
 
-const VIEW_DIRECTION = new Vector3(1, 0.26, 0.42).normalize();
 const KEY_DIRECTION = new Vector3(0.75, 1.5, 0.55).normalize();
 const RIM_DIRECTION = new Vector3(-0.9, 0.8, -0.7).normalize();
 
@@ -49,6 +50,10 @@ export class Studio {
   private readonly ground = new Ground();
   private readonly whole = new Sphere();
   private distance = 1;
+  /** From which the whole is seen. */
+  private side = new Vector3(...SIDES[0]);
+  /** Nobody has moved the camera yet. */
+  private isUntouched = true;
   private flight: CameraFlight | null = null;
   private isStale = true;
 
@@ -64,7 +69,7 @@ export class Studio {
     this.orbit.enableDamping = true;
     this.orbit.dampingFactor = 0.12;
     this.orbit.addEventListener('change', () => this.redraw());
-    this.orbit.addEventListener('start', () => (this.flight = null));
+    this.orbit.addEventListener('start', () => this.takeCamera());
 
     this.scene.environment = makeSurroundings(this.renderer);
 
@@ -97,7 +102,9 @@ export class Studio {
     const distance = distanceOf(CLOSENESS[kind] * radius) / Math.min(1, this.camera.aspect);
     this.distance = distance;
     this.flight = null;
-    this.camera.position.copy(center).addScaledVector(VIEW_DIRECTION, distance);
+    this.isUntouched = true;
+    this.side.set(...SIDES[0]);
+    this.camera.position.copy(center).addScaledVector(this.side, distance);
     this.camera.near = distance / 200;
     this.camera.far = distance * 20;
     this.camera.updateProjectionMatrix();
@@ -112,13 +119,21 @@ export class Studio {
   /** The camera flies to where it was at first. */
   seeWhole(): void {
     const { center } = this.whole;
-    this.fly(center.clone().addScaledVector(VIEW_DIRECTION, this.distance), center.clone());
+    this.fly(center.clone().addScaledVector(this.side, this.distance), center.clone());
   }
 
-  /** The camera flies to what is in the box, from the side that it is on. */
-  lookAt(box: Box3): void {
-    const away = this.camera.position.clone().sub(this.orbit.target).normalize();
-    this.fly(...this.placeToSee(box, away));
+  /** The whole is seen from that side from now on: at once, if nobody has moved the camera. */
+  turnTo(side: Side): void {
+    this.side.set(...side);
+    if (!this.isUntouched) return;
+    this.seeWhole();
+    this.isUntouched = true;
+  }
+
+  /** The camera flies to what is in the box; `choose` may take it to another side. */
+  lookAt(box: Box3, choose: (present: Side) => Side): void {
+    const present = this.camera.position.clone().sub(this.orbit.target).normalize();
+    this.fly(...this.placeToSee(box, new Vector3(...choose(present.toArray()))));
   }
 
   /** Around what the camera looks at; radians. */
@@ -136,10 +151,10 @@ export class Studio {
     this.putCamera(this.camera.position.clone().sub(this.orbit.target).divideScalar(factor));
   }
 
-  /** The address of an image of what is in the box, wherever the camera is. */
-  photograph(box: Box3): string {
+  /** The address of an image of what is in the box from a side of it, wherever the camera is. */
+  photograph(box: Box3, from: Side): string {
     const camera = this.camera.clone();
-    const [position, target] = this.placeToSee(box, VIEW_DIRECTION);
+    const [position, target] = this.placeToSee(box, new Vector3(...from), SURROUNDINGS.still);
     camera.position.copy(position);
     camera.lookAt(target);
     this.renderer.render(this.scene, camera);
@@ -153,20 +168,30 @@ export class Studio {
   }
 
   /** Where the camera stands, and what it looks at. */
-  private placeToSee(box: Box3, from: Vector3): [Vector3, Vector3] {
+  private placeToSee(
+    box: Box3,
+    from: Vector3,
+    surroundings = SURROUNDINGS.picture,
+  ): [Vector3, Vector3] {
     const { center, radius } = box.getBoundingSphere(new Sphere());
-    const distance = distanceOf(Math.max(SURROUNDINGS * radius, NEAREST * this.whole.radius));
+    const distance = distanceOf(Math.max(surroundings * radius, NEAREST * this.whole.radius));
     const most = Math.min(distance, this.distance);
     return [center.clone().addScaledVector(from, most), center];
   }
 
+  private takeCamera(): void {
+    this.flight = null;
+    this.isUntouched = false;
+  }
+
   private fly(position: Vector3, target: Vector3): void {
+    this.takeCamera();
     const from = { position: this.camera.position.clone(), target: this.orbit.target.clone() };
     this.flight = new CameraFlight(from, { position, target });
   }
 
   private putCamera(away: Vector3): void {
-    this.flight = null;
+    this.takeCamera();
     this.camera.position.copy(this.orbit.target).add(away);
     this.redraw();
   }

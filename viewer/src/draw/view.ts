@@ -1,6 +1,7 @@
 /** The picture of the state: what has changed in it is drawn anew, and nothing else. */
 
 import { Box3 } from 'three';
+import { betterSide } from '../scene/sides';
 import { frameTime, placeAt, translationFor, type Instance } from '../scene/scene';
 import type { Quaternion, Vector3 } from '../scene/scene';
 import type { AnsweredShot, CameraMove, State } from '../state/state';
@@ -58,6 +59,7 @@ export class View {
     this.shown = state;
     if (state.characters !== before?.characters) this.frame(state);
     if (state.arrangement !== before?.arrangement) this.frame(state);
+    if (state.side && state.side !== before?.side) this.studio.turnTo(state.side);
     const { cameraMove } = state;
     if (cameraMove && cameraMove !== before?.cameraMove) this.move(cameraMove);
     if (state.answer && state.answer !== before?.answer) {
@@ -67,12 +69,12 @@ export class View {
     this.showGizmo(state);
   }
 
-  /** The address of a small picture of another answer, which has contacts. */
-  photograph(answer: AnsweredShot): string {
+  /** The address of a small picture of another answer, which has contacts, from a side of them. */
+  photograph(answer: AnsweredShot, side: Vector3): string {
     const state = this.shown!;
     this.boxes.visible = this.gizmo.helper.visible = false;
     this.showAnswer(state, answer);
-    const picture = this.studio.photograph(boxAround(answer.glow));
+    const picture = this.studio.photograph(boxAround(answer.glow), side);
     this.boxes.visible = this.gizmo.helper.visible = true;
     if (state.answer) this.showAnswer(state, state.answer);
     return picture;
@@ -92,12 +94,12 @@ export class View {
     else this.studio.zoom(move.factor);
   }
 
-  /** The camera goes once to a spot that has been chosen. */
+  /** The camera goes once to a spot that has been chosen, and round to where it is seen. */
   private visit({ shot, spot }: AnsweredShot): void {
     if (shot.spot === this.visited) return;
     this.visited = shot.spot;
     if (!spot || spot.glow.triangles === 0) return;
-    this.studio.lookAt(boxAround(spot.glow));
+    this.studio.lookAt(boxAround(spot.glow), (present) => betterSide(spot.seen, present));
   }
 
   private showAnswer({ characters }: State, answer: AnsweredShot): void {

@@ -15,7 +15,8 @@ export function startClock(store: Store<State>): void {
     const seconds = Math.min((now - last) / 1000, LONGEST_STEP_SECONDS);
     last = now;
     const { scene, isPlaying, frame, answer, reading } = store.state;
-    if (scene && isPlaying && answer && !reading) {
+    if (isPlaying && scene?.frameCount === 1) store.update(() => ({ isPlaying: false }));
+    else if (scene && isPlaying && answer && !reading) {
       rest += seconds * scene.fps;
       const steps = Math.floor(rest);
       rest -= steps;

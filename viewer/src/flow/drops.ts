@@ -11,7 +11,8 @@ export interface DroppedFile {
 
 type Open = (files: DroppedFile[]) => void;
 
-export function watchDrops(update: Update, open: Open): void {
+/** With Shift held, what is dropped is added to what there is. */
+export function watchDrops(update: Update, open: Open, add: Open): void {
   document.addEventListener('dragover', (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return;
     event.preventDefault();
@@ -23,7 +24,8 @@ export function watchDrops(update: Update, open: Open): void {
   document.addEventListener('drop', (event) => {
     event.preventDefault();
     update(() => ({ isDropping: false }));
-    if (event.dataTransfer?.files.length) void openDropped(event.dataTransfer, update, open);
+    const take = event.shiftKey ? add : open;
+    if (event.dataTransfer?.files.length) void openDropped(event.dataTransfer, update, take);
   });
 }
 

@@ -12,6 +12,9 @@ const PAUSE_MILLISECONDS = { playing: 600, still: 200 };
 /** The least time of so many is the one undisturbed. */
 const ROUNDS = 6;
 
+/** Share of the frames before in the mean that is shown while the scene plays. */
+const MEMORY = 0.8;
+
 /** Of all instances together. More are not refitted in passing, and too many not at all. */
 const MOST_VERTICES = { playing: 100_000, still: 2_000_000 };
 
@@ -56,22 +59,33 @@ export class Meter {
     while (shot.scene === this.store.state.scene && !this.store.state.reading) {
       const costs = await this.asker.ask('measure', { id, shot });
       if (costs === undefined) this.rounds = ROUNDS;
-      if (costs) this.store.update(({ costs: before }) => ({ costs: better(before, costs, shot) }));
+      if (costs) this.store.update((state) => ({ costs: better(state, costs, shot) }));
       if (costs !== null) break;
     }
     ++this.rounds;
   }
 }
 
-function better(before: MeasuredShot | null, costs: Costs, shot: Shot): MeasuredShot {
-  if (!before || !isSameQuery(before.shot, shot)) return { ...costs, shot };
+function better({ costs: before, isPlaying }: State, costs: Costs, shot: Shot): MeasuredShot {
+  if (!before || !isSameQuery(before.shot, shot)) {
+    const ratio = ratioOf(costs);
+    const goesOn = isPlaying && before?.shot.scene === shot.scene;
+    return {
+      ...costs,
+      shot,
+      ratio: goesOn ? before.ratio ** MEMORY * ratio ** (1 - MEMORY) : ratio,
+    };
+  }
   const least = (a: Cost, b: Cost) => (a.microseconds < b.microseconds ? a : b);
-  return {
-    ...costs,
-    shot,
+  const both = {
     onDemand: least(before.onDemand, costs.onDemand),
     eager: least(before.eager, costs.eager),
   };
+  return { ...costs, ...both, shot, ratio: ratioOf(both) };
+}
+
+function ratioOf({ onDemand, eager }: Pick<Costs, 'onDemand' | 'eager'>): number {
+  return eager.microseconds / onDemand.microseconds;
 }
 
 function pause(milliseconds: number): Promise<void> {

@@ -1,10 +1,11 @@
 /** From files to characters on the stage, or to a readable complaint. */
 
 import { originalPath, stopsAtFirst, type Report } from '../report/report';
+import { worstFrame } from '../report/verdict';
 import * as changes from '../state/changes';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
-import { isCharacter, type NamedFile, type Opened } from '../worker/protocol';
+import { isCharacter, type NamedFile, type Opened, type ReadCharacters } from '../worker/protocol';
 import type { Client } from './client';
 import type { DroppedFile } from './drops';
 
@@ -21,11 +22,13 @@ export class Opener {
 
   openDemo(): void {
     const ask = () => this.client.ask('openDemo', {});
-    this.show('the generated characters', ask, FIRST_FRAME_OF_DEMO);
+    this.open('the generated characters', ask, { frame: FIRST_FRAME_OF_DEMO });
   }
 
+  /** Where it has found contacts, it begins with its worst frame, standing still. */
   openReport(report: Report): void {
-    const { scene, reading, answer } = report;
+    const { scene, title, reading, answer } = report;
+    const worst = answer && worstFrame(answer);
     const by = answer?.options.by ?? 'instance';
     this.store.update(() => ({
       report: { ...report, files: {} }, // the worker has them: they may be large
@@ -33,18 +36,24 @@ export class Opener {
       firstContact: stopsAtFirst(report),
       listing: answer ? 'clip' : 'frame',
     }));
-    this.show(scene, async () => {
+    const ask = async () => {
       const question = { path: scene, files: report.files, options: reading };
-      const opened = await this.client.ask('openReport', question);
+      const opened = asReported(await this.client.ask('openReport', question), report);
       this.store.update(() => ({ reported: opened.scene }));
-      return withOriginalPaths(opened, report);
-    });
+      return opened;
+    };
+    const begin = worst ? { frame: worst.frame, plays: false } : {};
+    this.open(title, ask, { ...begin, readingOptions: reading });
   }
 
   /** Characters, or a scene with its characters; on the stage they replace all others. */
   openFiles(files: readonly DroppedFile[]): void {
-    const names = files.map(({ path }) => path).join(', ');
-    this.show(names, async () => this.ask(await Promise.all(files.map(readFile))));
+    this.open(namesOf(files), async () => this.ask(await Promise.all(files.map(readFile))));
+  }
+
+  /** Characters beside those on the stage. */
+  addFiles(files: readonly DroppedFile[]): void {
+    this.read(namesOf(files), async () => changes.add(await this.askToAdd(files)));
   }
 
   private ask(files: NamedFile[]): Promise<Opened> {
@@ -58,12 +67,29 @@ export class Opener {
     throw new Error('No character is in it: drop .glb files, or a scene.json with its files.');
   }
 
+  private async askToAdd(dropped: readonly DroppedFile[]): Promise<ReadCharacters> {
+    const files = await Promise.all(dropped.map(readFile));
+    if (!files.some(isCharacter)) {
+      throw new Error('Only characters can be added: .glb files, or .gltf with theirs.');
+    }
+    const options = this.store.state.readingOptions;
+    return this.client.ask('addCharacters', { files, options });
+  }
+
+  private open(
+    what: string,
+    ask: () => Promise<Opened>,
+    beginning: Partial<changes.Beginning> = {},
+  ): void {
+    this.read(what, async () => changes.open(await ask(), beginning));
+  }
+
   /** One after the other. The stage keeps what it has until all is read. */
-  private show(what: string, ask: () => Promise<Opened>, frame = 0): void {
+  private read(what: string, ask: () => Promise<changes.Change>): void {
     this.opening = this.opening.then(async () => {
       this.store.update(() => ({ reading: what }));
       try {
-        this.store.update(changes.open(await ask(), frame));
+        this.store.update(await ask());
       } catch (error) {
         this.store.update(() => ({ reading: null }));
         this.store.update(changes.refuse(`${what} could not be opened`, (error as Error).message));
@@ -76,20 +102,27 @@ async function readFile({ path, file }: DroppedFile): Promise<NamedFile> {
   return { path, bytes: new Uint8Array(await file.arrayBuffer()) };
 }
 
-function isScene({ path }: NamedFile): boolean {
+function isScene({ path }: Pick<DroppedFile, 'path'>): boolean {
   return /\.json$/i.test(path);
 }
 
-function pathsOf(files: readonly NamedFile[]): string {
+/** The scene, or else the characters: the others are what these need. */
+function namesOf(files: readonly DroppedFile[]): string {
+  const named = [files.filter(isScene), files.filter(isCharacter), files];
+  return pathsOf(named.find(({ length }) => length > 0)!);
+}
+
+function pathsOf(files: readonly Pick<DroppedFile, 'path'>[]): string {
   return files.map(({ path }) => path).join(', ');
 }
 
-/** A scene that is saved names the files that the report was made of. */
-function withOriginalPaths(opened: Opened, report: Report): Opened {
+/** By the names of the report, and of the files that it was made of: a scene that is saved names
+ * these. */
+function asReported(opened: Opened, report: Report): Opened {
   const characters = opened.characters.map((facts) =>
     typeof facts.source === 'string'
       ? { ...facts, source: originalPath(report, facts.source) }
       : facts,
   );
-  return { ...opened, characters };
+  return { ...opened, characters, scene: opened.scene && { ...opened.scene, name: report.title } };
 }

@@ -1,5 +1,8 @@
-/** Takes stills of the worst frames, once all have been counted. */
+/** Takes stills of the worst frames, once all have been counted, each from where its contacts are
+ * seen; and turns the stage so that one sees them. */
 
+import { betterSide } from '../scene/sides';
+import type { Vector3 } from '../scene/scene';
 import type { AnsweredShot, State, Still } from '../state/state';
 import type { Store } from '../state/store';
 import type { Asker } from './asker';
@@ -10,7 +13,7 @@ export class Photographer {
   constructor(
     private readonly store: Store<State>,
     private readonly asker: Asker,
-    private readonly picture: (answer: AnsweredShot) => string,
+    private readonly picture: (answer: AnsweredShot, side: Vector3) => string,
   ) {
     store.listen((state, before) => {
       if (state.sweep.total && !before.sweep.total) void this.takeStills();
@@ -26,10 +29,17 @@ export class Photographer {
       const shot = { scene, frame, by, firstContact, boxLevel: null, spot: null };
       const answer = await this.asker.ask('still', shot);
       if (!answer || this.store.state.sweep.id !== sweep.id) return;
-      stills.push({ frame, contacts: answer.contacts, picture: this.picture({ ...answer, shot }) });
+      const side = betterSide(answer.seen);
+      const picture = this.picture({ ...answer, shot }, side);
+      stills.push({ frame, contacts: answer.contacts, side, picture });
     }
-    this.store.update(() => ({ stills }));
+    this.store.update(({ side }) => ({ stills, side: side ?? worst(stills)?.side ?? null }));
   }
+}
+
+function worst(stills: readonly Still[]): Still | undefined {
+  const most = Math.max(...stills.map(({ contacts }) => contacts));
+  return stills.find(({ contacts }) => contacts === most);
 }
 
 /** In their order in time, and far enough apart to differ. */

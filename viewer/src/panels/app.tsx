@@ -27,22 +27,40 @@ const panels = {
   Help: watch(Help),
 };
 
-export function App({ state, update, openFiles }: PanelProps & { openFiles: () => void }) {
+interface AppProps extends PanelProps {
+  /** Each lets files be chosen: to replace the characters, or to stand beside them. */
+  openFiles: () => void;
+  addFiles: () => void;
+}
+
+export function App({ state, update, openFiles, addFiles }: AppProps) {
+  const contacts = <panels.Contacts key="contacts" state={state} update={update} />;
+  const characters = (
+    <panels.Characters key="characters" state={state} update={update} addFiles={addFiles} />
+  );
   return (
     <>
       <panels.Header state={state} update={update} openFiles={openFiles} />
       <aside class="side" aria-label="Scene and answers">
         <panels.Report state={state} update={update} />
-        <panels.Characters state={state} update={update} />
-        <panels.Contacts state={state} update={update} />
+        {state.report?.answer ? [contacts, characters] : [characters, contacts]}
         <panels.Work state={state} update={update} />
       </aside>
       <panels.PictureBar state={state} update={update} />
       <panels.Timeline state={state} update={update} />
       <panels.Hover state={state} update={update} />
       <panels.Problems state={state} update={update} />
-      {state.isDropping && <div class="drop">Drop .glb files, or a folder with a scene</div>}
+      {state.isDropping && <Drop />}
       <panels.Help state={state} update={update} />
     </>
+  );
+}
+
+function Drop() {
+  return (
+    <div class="drop">
+      Drop .glb files, or a folder with a scene
+      <small>with Shift held, characters join those on the stage</small>
+    </div>
   );
 }

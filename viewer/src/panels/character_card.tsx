@@ -3,6 +3,7 @@ import { turnOf, withTurn } from '../scene/turn';
 import { changeInstance, select } from '../state/changes';
 import type { State, Update } from '../state/state';
 import type { CharacterFacts } from '../worker/protocol';
+import { counted } from '../words';
 import { Badge } from './badge';
 import { memo } from './memo';
 import { NumberField } from './number_field';
@@ -22,20 +23,22 @@ interface CardProps {
 export const CharacterCard = memo((props: CardProps) => {
   const { index, character, gizmo, isOneOfMany, update } = props;
   const { name, triangles, warnings } = character;
+  const size = counted(triangles.length / 3, 'triangle');
   const isSelected = gizmo !== null;
   return (
     <article class={isSelected ? 'card selected' : 'card'}>
-      <button
-        class="title"
-        aria-expanded={isSelected}
-        onClick={() => update(select(isSelected ? null : index))}
-        title={index < 10 ? `Place it (${index})` : 'Place it'}
-      >
-        <Badge instance={index} />
-        <span>{name}</span>
-        <small>{(triangles.length / 3).toLocaleString('en')} triangles</small>
-      </button>
-      {(isSelected || !isOneOfMany) && <Clip {...props} />}
+      <div class="line">
+        <button
+          class="title"
+          aria-expanded={isSelected}
+          onClick={() => update(select(isSelected ? null : index))}
+          title={`${name}, ${size}: place it${index < 10 ? ` (${index})` : ''}`}
+        >
+          <Badge instance={index} />
+          <span>{name}</span>
+        </button>
+        {(isSelected || !isOneOfMany) && <Clip {...props} />}
+      </div>
       {isSelected && <Placement {...props} />}
       {isSelected && warnings.length > 0 && <Warnings warnings={warnings} />}
     </article>
@@ -45,7 +48,7 @@ export const CharacterCard = memo((props: CardProps) => {
 function Warnings({ warnings }: Pick<CharacterFacts, 'warnings'>) {
   return (
     <details>
-      <summary>{warnings.length} things of this file are passed over</summary>
+      <summary>Passed over in this file: {counted(warnings.length, 'thing')}</summary>
       <ul>
         {warnings.map((warning) => (
           <li>{warning}</li>
@@ -58,38 +61,21 @@ function Warnings({ warnings }: Pick<CharacterFacts, 'warnings'>) {
 function Clip({ character: { clips }, update, instance, index }: CardProps) {
   const change = changer(update, index);
   return (
-    <div class="fields">
-      <label class="wide">
-        clip
-        <select
-          value={String(clips.findIndex((clip) => clip.name === instance.clip))}
-          onChange={({ currentTarget }) =>
-            change({ clip: clips[Number(currentTarget.value)]?.name ?? null })
-          }
-        >
-          <option value="-1">default pose</option>
-          {clips.map((clip, i) => (
-            <option value={String(i)} disabled={isHidden(clips, i)}>
-              {`${clip.name || 'unnamed'} · ${clip.seconds.toFixed(2)} s`}
-            </option>
-          ))}
-        </select>
-      </label>
-      <NumberField
-        label="start"
-        unit="s"
-        step={0.05}
-        value={instance.start}
-        onChange={(start) => change({ start })}
-      />
-      <NumberField
-        label="speed"
-        unit="×"
-        step={0.1}
-        value={instance.speed}
-        onChange={(speed) => change({ speed })}
-      />
-    </div>
+    <select
+      aria-label="clip"
+      title="The clip that it plays"
+      value={String(clips.findIndex((clip) => clip.name === instance.clip))}
+      onChange={({ currentTarget }) =>
+        change({ clip: clips[Number(currentTarget.value)]?.name ?? null })
+      }
+    >
+      <option value="-1">default pose</option>
+      {clips.map((clip, i) => (
+        <option value={String(i)} disabled={isHidden(clips, i)}>
+          {`${clip.name || 'unnamed'} · ${clip.seconds.toFixed(2)} s`}
+        </option>
+      ))}
+    </select>
   );
 }
 
@@ -100,9 +86,10 @@ function isHidden(clips: CharacterFacts['clips'], index: number): boolean {
 
 const AXES = ['x', 'y', 'z'];
 
+/** What it plays from when on and how fast, and where it stands. */
 function Placement({ update, instance, index, gizmo: shown }: CardProps) {
   const change = changer(update, index);
-  const { translation, velocity, rotation, scale } = instance;
+  const { start, speed, translation, velocity, rotation, scale } = instance;
   const mode = (gizmo: State['gizmo'], key: string) => (
     <button
       aria-pressed={shown === gizmo}
@@ -114,6 +101,14 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
   );
   return (
     <div class="fields">
+      <NumberField
+        label="start"
+        unit="s"
+        title="Time in the clip at frame 0"
+        step={0.05}
+        value={start}
+        onChange={(value) => change({ start: value })}
+      />
       {AXES.map((axis, i) => (
         <NumberField
           key={axis}
@@ -125,11 +120,12 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
         />
       ))}
       <NumberField
-        label="turn"
-        unit="°"
-        step={5}
-        value={turnOf(rotation)}
-        onChange={(degrees) => change({ rotation: withTurn(rotation, degrees) })}
+        label="speed"
+        unit="×"
+        title="Of the clip"
+        step={0.1}
+        value={speed}
+        onChange={(value) => change({ speed: value })}
       />
       {AXES.map((axis, i) => (
         <NumberField
@@ -141,6 +137,13 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
           onChange={(value) => change({ velocity: replaced(velocity, i, value) })}
         />
       ))}
+      <NumberField
+        label="turn"
+        unit="°"
+        step={5}
+        value={turnOf(rotation)}
+        onChange={(degrees) => change({ rotation: withTurn(rotation, degrees) })}
+      />
       <NumberField
         label="scale"
         step={0.05}

@@ -1,3 +1,4 @@
+import { notesOn } from '../scene/notes';
 import type { PanelProps } from './panel_props';
 import { CharacterCard } from './character_card';
 import { StageFields } from './stage_fields';
@@ -5,13 +6,25 @@ import { StageFields } from './stage_fields';
 /** So many show what they play without being selected. */
 const FEW = 4;
 
-export function CharactersPanel({ state, update }: PanelProps) {
+export function CharactersPanel({
+  state,
+  update,
+  addFiles,
+}: PanelProps & { addFiles: () => void }) {
   const { scene, opened, arrangement, characters, selected, gizmo } = state;
   const isMany = (scene?.instances.length ?? 0) > FEW;
   return (
     <section aria-labelledby="characters">
       <h2 id="characters">
-        Characters <small>drop .glb files to replace them</small>
+        Characters
+        <small>drop files to replace them</small>
+        <button
+          class="add"
+          onClick={addFiles}
+          title="Open .glb files beside these, or drop them with Shift held"
+        >
+          + Add
+        </button>
       </h2>
       {scene && (
         <StageFields
@@ -22,6 +35,7 @@ export function CharactersPanel({ state, update }: PanelProps) {
           update={update}
         />
       )}
+      {scene && !opened && <Notes notes={notesOn(scene, characters)} />}
       <div class={isMany ? 'many' : ''}>
         {scene?.instances.map((instance, i) => (
           <CharacterCard
@@ -36,5 +50,15 @@ export function CharactersPanel({ state, update }: PanelProps) {
         ))}
       </div>
     </section>
+  );
+}
+
+function Notes({ notes }: { notes: readonly string[] }) {
+  return (
+    <>
+      {notes.map((note) => (
+        <p class="note">{note}</p>
+      ))}
+    </>
   );
 }

@@ -1,27 +1,21 @@
+import { isLate } from '../state/shots';
 import type { State } from '../state/state';
-import type { Shot } from '../worker/protocol';
+import { withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 import { Pairs } from './pairs';
 import { QuerySwitches } from './query_switches';
+import { SameNumbers } from './same_numbers';
 import { Stills } from './stills';
 import { Touches } from './touches';
 
 export function ContactsPanel({ state, update }: PanelProps) {
   const { answer, sweep, listing } = state;
-  const inStep = answer !== null && isInStep(answer.shot, state);
-  const isLate = !state.isPlaying && answer?.shot.frame !== state.frame;
   const touches = listing === 'clip' ? sweep.total?.touches : answer?.touches;
   return (
-    <section aria-labelledby="contacts">
+    <section class="contacts" aria-labelledby="contacts">
       <h2 id="contacts">
         Contacts
-        <output
-          class={`number${answer?.contacts ? ' glowing' : ''}${isLate ? ' late' : ''}`}
-          data-fact="contacts"
-          data-answered={inStep ? answer.shot.frame : 'earlier'}
-        >
-          {answer?.contacts.toLocaleString('en') ?? '–'}
-        </output>
+        <Count state={state} />
       </h2>
       <div class="row">
         <div class="choice" role="group" aria-label="Listed contacts">
@@ -42,9 +36,27 @@ export function ContactsPanel({ state, update }: PanelProps) {
       {touches ? (
         <Touches touches={touches} state={state} update={update} />
       ) : (
-        <p class="quiet">Not counted yet …</p>
+        <p class="nothing quiet">Not counted yet …</p>
       )}
+      <SameNumbers state={state} />
     </section>
+  );
+}
+
+/** Of what is listed. */
+function Count({ state }: { state: State }) {
+  const { answer, sweep, listing } = state;
+  const ofClip = sweep.total && sweep.counts.reduce((sum, count) => sum + count, 0);
+  const count = listing === 'clip' ? ofClip : answer?.contacts;
+  const classes = [
+    'number',
+    ...(count ? ['glowing'] : []),
+    ...(listing === 'frame' && isLate(state) ? ['late'] : []),
+  ];
+  return (
+    <output class={classes.join(' ')} data-fact="listed">
+      {count === undefined || count === null ? '–' : withCommas(count)}
+    </output>
   );
 }
 
@@ -53,18 +65,7 @@ function Ignored({ count }: { count: number | undefined }) {
   if (!count) return null;
   return (
     <p class="quiet">
-      <span data-fact="ignored">{count.toLocaleString('en')}</span> ignored
+      <span data-fact="ignored">{withCommas(count)}</span> ignored
     </p>
-  );
-}
-
-/** Whether the answer is to the scene as it is now, at whatever frame. */
-function isInStep(shot: Shot, { scene, by, firstContact, boxLevel, spot }: State): boolean {
-  return (
-    shot.scene === scene &&
-    shot.by === by &&
-    shot.firstContact === firstContact &&
-    shot.boxLevel === boxLevel &&
-    shot.spot === spot
   );
 }

@@ -1,14 +1,13 @@
-import { sceneFile } from '../scene/scene_file';
 import { toggleHelp, toggleTheme } from '../state/changes';
 import type { PanelProps } from './panel_props';
-import { save } from './save';
+import { saveScene } from './save';
 
 export function Header({ state, update, openFiles }: PanelProps & { openFiles: () => void }) {
-  const { scene, characters, reading } = state;
+  const { scene, reading } = state;
   return (
     <header class="head">
       <h1>Pelt</h1>
-      <p class="subject" aria-live="polite">
+      <p class="subject" aria-live="polite" title={scene?.name}>
         {reading ? `reading ${reading} …` : scene?.name}
       </p>
       <nav>
@@ -17,7 +16,7 @@ export function Header({ state, update, openFiles }: PanelProps & { openFiles: (
         </button>
         <button
           disabled={!scene}
-          onClick={() => save('scene.json', sceneFile(scene!, characters))}
+          onClick={() => saveScene(state)}
           title="Save the scene for `pelt check`, which gives the same numbers"
         >
           Save scene
@@ -29,7 +28,7 @@ export function Header({ state, update, openFiles }: PanelProps & { openFiles: (
         >
           ◐
         </button>
-        <button onClick={() => update(toggleHelp)} title="Keys (?)" aria-label="Keys">
+        <button onClick={() => update(toggleHelp)} title="Help (?)" aria-label="Help">
           ?
         </button>
       </nav>

@@ -1,4 +1,6 @@
+import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
+import { ACCENT, cssColour, OPENED, REFITTED, UNTOUCHED } from '../draw/colours';
 import { KEYS } from '../keys';
 import type { PanelProps } from './panel_props';
 
@@ -9,25 +11,70 @@ export function Help({ state: { isHelpOpen }, update }: PanelProps) {
     else dialog.current?.close();
   }, [isHelpOpen]);
   return (
-    <dialog
-      ref={dialog}
-      aria-labelledby="keys"
-      onClose={() => update(() => ({ isHelpOpen: false }))}
-    >
-      <h2 id="keys">Keys</h2>
-      <dl>
-        {KEYS.map(({ shown, meaning }) => (
-          <div>
-            <dt>
-              <kbd>{shown}</kbd>
-            </dt>
-            <dd>{meaning}</dd>
-          </div>
-        ))}
-      </dl>
+    <dialog ref={dialog} aria-label="Help" onClose={() => update(() => ({ isHelpOpen: false }))}>
+      <h2>What is shown</h2>
+      <Shown />
+      <h2>Keys</h2>
+      <Keys />
       <form method="dialog">
         <button>Close</button>
       </form>
     </dialog>
+  );
+}
+
+function Shown() {
+  return (
+    <ul class="shown">
+      <Thing colour={ACCENT} name="Contacts">
+        triangles of two characters that intersect, decided exactly; a shimmer where something hides
+        them. The bars are the contacts of each frame. The number beside their sum is their hash: it
+        is that of <code>pelt check</code> if, and only if, they are the same.
+      </Thing>
+      <Thing colour={OPENED} name="Opened">
+        with bounds drawn: boxes that the query looked into. Only there were vertices skinned.
+      </Thing>
+      <Thing colour={REFITTED} name="Refitted">
+        boxes that were computed for this pose, and no more than that.
+      </Thing>
+      <Thing colour={UNTOUCHED} name="Untouched">
+        boxes that the query never needed.
+      </Thing>
+      <Thing name="Work">
+        what the query of this frame did, beside what refitting all boxes first takes.
+      </Thing>
+    </ul>
+  );
+}
+
+interface ThingProps {
+  name: string;
+  colour?: number;
+  children: ComponentChildren;
+}
+
+function Thing({ name, colour, children }: ThingProps) {
+  return (
+    <li>
+      <i class="dot" style={colour === undefined ? {} : { background: cssColour(colour) }} />
+      <p>
+        <b>{name}:</b> {children}
+      </p>
+    </li>
+  );
+}
+
+function Keys() {
+  return (
+    <dl>
+      {KEYS.map(({ shown, meaning }) => (
+        <div>
+          <dt>
+            <kbd>{shown}</kbd>
+          </dt>
+          <dd>{meaning}</dd>
+        </div>
+      ))}
+    </dl>
   );
 }

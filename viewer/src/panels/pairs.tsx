@@ -1,16 +1,18 @@
 import type { State } from '../state/state';
 import type { Touch } from '../worker/protocol';
+import { withCommas } from '../words';
 import { Badge } from './badge';
 
-/** Which instances touch: in a report, and where there are more than two. */
+/** Which instances touch, where these may be others than the first two. */
 export function Pairs({ state, touches }: { state: State; touches: readonly Touch[] }) {
-  const isWanted = state.report !== null || (state.scene?.instances.length ?? 0) > 2;
-  if (touches.length === 0 || !isWanted) return null;
+  const pairs = contactsOfPairs(touches);
+  if (pairs.length === 0 || (pairs.length === 1 && state.scene?.instances.length === 2))
+    return null;
   return (
     <div class="pairs">
       <table>
         <caption class="quiet">characters that touch</caption>
-        {contactsOfPairs(touches).map(({ a, b, contacts }) => (
+        {pairs.map(({ a, b, contacts }) => (
           <tr>
             <td>
               <Name state={state} instance={a} />
@@ -18,7 +20,7 @@ export function Pairs({ state, touches }: { state: State; touches: readonly Touc
             <td>
               <Name state={state} instance={b} />
             </td>
-            <td>{contacts.toLocaleString('en')}</td>
+            <td>{withCommas(contacts)}</td>
           </tr>
         ))}
       </table>
@@ -31,7 +33,7 @@ function Name({ state, instance }: { state: State; instance: number }) {
   return (
     <span class="place">
       <Badge instance={instance} />
-      {character === undefined ? '' : state.characters[character].name}
+      <span>{character === undefined ? '' : state.characters[character].name}</span>
     </span>
   );
 }

@@ -1,5 +1,6 @@
 import { cssColour, OPENED, REFITTED, UNTOUCHED } from '../draw/colours';
 import { deepestLevel, moveCamera, toBoxLevel, toggleBoxes } from '../state/changes';
+import { withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 
 const LEGEND = [
@@ -63,7 +64,7 @@ function Legend({ state: { answer } }: Pick<PanelProps, 'state'>) {
       {LEGEND.map(({ colour, state, meaning }) => (
         <li>
           <i class="dot" style={{ background: cssColour(colour) }} />
-          {counts[state].toLocaleString('en')} {meaning}
+          {withCommas(counts[state])} {meaning}
         </li>
       ))}
     </ul>

@@ -7,8 +7,10 @@ export function Place({ surface, withPart }: { surface: Surface; withPart: boole
   return (
     <span class="place" title={`${instance} · ${part} · ${joint}`}>
       <Badge instance={instance} />
-      {joint}
-      {withPart && <small> {materialOf(part)}</small>}
+      <span>
+        {joint}
+        {withPart && <small> {materialOf(part)}</small>}
+      </span>
     </span>
   );
 }

@@ -1,26 +1,35 @@
 import type { ComponentChildren } from 'preact';
+import { comparisonOf } from '../report/baseline';
 import type { Report, ReportAnswer } from '../report/report';
-import { isAsItCame } from '../report/verdict';
+import { headlineOf, isAsItCame, worstFrame } from '../report/verdict';
+import { pauseAt } from '../state/changes';
 import type { State } from '../state/state';
+import { counted, withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 
 /** What the command found, and whether the page finds the same. */
-export function ReportPanel({ state }: PanelProps) {
+export function ReportPanel({ state, update }: PanelProps) {
   const { report } = state;
   if (!report?.answer) return null;
   const { command, answer } = report;
   return (
-    <section aria-labelledby="report">
+    <section class={answer.verdict.failed ? 'report failed' : 'report'} aria-labelledby="report">
       <h2 id="report">
-        Report
+        {verdictInWords(answer)}
         <small role="status">{findingInWords(state)}</small>
       </h2>
-      <Verdict answer={answer} />
+      <p class="headline">{headlineOf(answer)}</p>
+      <Comparison answer={answer} />
+      <Found answer={answer} update={update} />
       <code>{command}</code>
-      <Found answer={answer} />
       <Origin report={report} answer={answer} />
     </section>
   );
+}
+
+function verdictInWords({ verdict: { failed, fail_on } }: ReportAnswer): string {
+  if (fail_on === 'never') return 'Report';
+  return failed ? 'Check failed' : 'Check passed';
 }
 
 function findingInWords(state: State): string {
@@ -29,27 +38,38 @@ function findingInWords(state: State): string {
   return finding ? `the page ${finding}; changed since` : 'changed by you';
 }
 
-/** What makes the check fail, or not. */
-function Verdict({ answer: { verdict, touches } }: { answer: ReportAnswer }) {
-  const { failed, fail_on, worse, newly_held } = verdict;
-  const fresh = worse?.filter(({ known }) => known === 0).length ?? 0;
+/** With a baseline. */
+function Comparison({ answer }: { answer: ReportAnswer }) {
+  const comparison = comparisonOf(answer);
+  if (!comparison) return null;
+  const { fresh, grown, known, gone, newlyHeld } = comparison;
   return (
-    <p class={failed ? 'verdict failed' : 'verdict'}>
-      <b>{failed ? 'failed' : 'passed'}</b>
-      {worse
-        ? ` ${fresh} new, ${worse.length - fresh} grown, ${touches.length - worse.length} known`
-        : fail_on === 'never' && ' never fails'}
-      {newly_held && newly_held.length > 0 && `, ${newly_held.length} newly held whole`}
+    <p class="comparison" title="Touches, compared with the baseline by their worst frames">
+      <b>
+        {withCommas(fresh)} new, {withCommas(grown)} grown
+      </b>
+      , {withCommas(known)} as known
+      {gone > 0 && `, ${withCommas(gone)} gone`}
+      {newlyHeld > 0 && `, ${withCommas(newlyHeld)} newly held whole`}
     </p>
   );
 }
 
-function Found({ answer: { totals, hash } }: { answer: ReportAnswer }) {
+function Found({ answer, update }: { answer: ReportAnswer; update: PanelProps['update'] }) {
+  const { totals, hash } = answer;
+  const worst = totals.frames > 1 ? worstFrame(answer) : null;
   return (
     <p class="quiet">
-      {totals.contacts.toLocaleString('en')} contacts in {totals.frames_in_contact} of{' '}
-      {totals.frames} frames
-      {totals.ignored > 0 && `, ${totals.ignored.toLocaleString('en')} ignored`}
+      {counted(totals.contacts, 'contact')}
+      {worst && (
+        <>
+          {', most in '}
+          <button class="link" onClick={() => update(pauseAt(worst.frame))}>
+            frame {worst.frame}: {withCommas(worst.contacts)}
+          </button>
+        </>
+      )}
+      {totals.ignored > 0 && `, ${withCommas(totals.ignored)} ignored`}
       {hash && (
         <>
           {' · '}
@@ -67,7 +87,7 @@ function Origin({ report, answer }: { report: Report; answer: ReportAnswer }) {
       <dl>
         {report.inputs.map(({ path, bytes, hash }) => (
           <Row name={path}>
-            {bytes !== null && `${bytes.toLocaleString('en')} bytes · `}
+            {bytes !== null && `${counted(bytes, 'byte')} · `}
             <code>{hash}</code>
           </Row>
         ))}

@@ -26,8 +26,8 @@ export const StageFields = memo(
           }
         >
           {wasPlaced && <option value="opened">as opened</option>}
-          <option value="together">together</option>
           <option value="walking">walking in</option>
+          <option value="together">in one place</option>
         </select>
       </label>
       <NumberField

@@ -1,9 +1,9 @@
-import { jumpToContact, step, toFrame, togglePlaying } from '../state/changes';
-import { frameTime } from '../scene/scene';
-import type { State, SweepState } from '../state/state';
+import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../state/changes';
+import { frameInPicture } from '../state/shots';
+import type { Update } from '../state/state';
 import type { PanelProps } from './panel_props';
 import { Chart } from './chart';
-import { memo } from './memo';
+import { FrameFacts, SweepFacts } from './clip_facts';
 
 export function Timeline({ state, update }: PanelProps) {
   const { scene, sweep } = state;
@@ -21,87 +21,58 @@ export function Timeline({ state, update }: PanelProps) {
           value={String(frame)}
           aria-label="Frame"
           aria-valuetext={`frame ${frame}, ${sweep.counts[frame] ?? 'not yet counted'} contacts`}
-          onInput={({ currentTarget }) =>
-            update((now) => ({ ...toFrame(Number(currentTarget.value))(now), isPlaying: false }))
-          }
+          onInput={({ currentTarget }) => update(pauseAt(Number(currentTarget.value)))}
         />
       </div>
       <div class="facts">
-        <output>
-          frame <b data-fact="frame">{frame}</b> of {scene.frameCount}
-          <small> · {frameTime(scene, frame).toFixed(3)} s</small>
-        </output>
+        <FrameFacts state={state} frame={frame} />
         <SweepFacts sweep={sweep} frameCount={scene.frameCount} />
       </div>
     </footer>
   );
 }
 
-/** While the scene plays, that which all numbers and the picture are of. */
-function frameInPicture({ isPlaying, scene, answer, frame }: State): number {
-  return isPlaying && answer?.shot.scene === scene ? answer.shot.frame : frame;
-}
-
-function Transport({ state: { isPlaying }, update }: PanelProps) {
+function Transport({ state: { isPlaying, scene }, update }: PanelProps) {
+  const common = { isIdle: scene!.frameCount === 1, update };
   return (
     <div class="transport" role="group" aria-label="Playing">
-      <button
-        title="Previous contact (P)"
-        aria-label="Previous contact"
-        onClick={() => update(jumpToContact(-1))}
-      >
-        ⇤
-      </button>
-      <button
-        title="Previous frame (←)"
-        aria-label="Previous frame"
-        onClick={() => update(step(-1))}
-      >
-        ‹
-      </button>
-      <button
-        class="play"
-        title={`${isPlaying ? 'Pause' : 'Play'} (Space)`}
-        aria-label={isPlaying ? 'Pause' : 'Play'}
-        onClick={() => update(togglePlaying)}
-      >
-        {isPlaying ? '❚❚' : '▶'}
-      </button>
-      <button title="Next frame (→)" aria-label="Next frame" onClick={() => update(step(1))}>
-        ›
-      </button>
-      <button
-        title="Next contact (N)"
-        aria-label="Next contact"
-        onClick={() => update(jumpToContact(1))}
-      >
-        ⇥
-      </button>
+      <Button {...common} name="Previous contact" keyName="P" change={jumpToContact(-1)} sign="⇤" />
+      <Button {...common} name="Previous frame" keyName="←" change={step(-1)} sign="‹" />
+      <Button
+        {...common}
+        isLarge
+        name={isPlaying ? 'Pause' : 'Play'}
+        keyName="Space"
+        change={togglePlaying}
+        sign={isPlaying ? '❚❚' : '▶'}
+      />
+      <Button {...common} name="Next frame" keyName="→" change={step(1)} sign="›" />
+      <Button {...common} name="Next contact" keyName="N" change={jumpToContact(1)} sign="⇥" />
     </div>
   );
 }
 
-interface SweepFactsProps {
-  sweep: SweepState;
-  frameCount: number;
+interface ButtonProps {
+  name: string;
+  keyName: string;
+  sign: string;
+  change: Change;
+  isLarge?: boolean;
+  /** There is nowhere to go. */
+  isIdle: boolean;
+  update: Update;
 }
 
-const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
-  const { counts, total } = sweep;
-  if (!total) {
-    return <small>counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
-  }
-  const contacts = counts.reduce((sum, count) => sum + count, 0);
-  const touched = counts.filter((count) => count > 0).length;
+function Button({ name, keyName, sign, change, isLarge = false, isIdle, update }: ButtonProps) {
   return (
-    <small title="As `pelt check` prints them">
-      <span data-fact="total">{contacts.toLocaleString('en')}</span> contacts in {touched} frames
-      {total.hash && (
-        <>
-          {' · '}
-          <code data-fact="hash">{total.hash}</code>
-        </>
-      )}
-    </small>
+    <button
+      class={isLarge ? 'play' : ''}
+      title={isIdle ? 'The scene has one frame only' : `${name} (${keyName})`}
+      aria-label={name}
+      disabled={isIdle}
+      onClick={() => update(change)}
+    >
+      {sign}
+    </button>
   );
-});
+}

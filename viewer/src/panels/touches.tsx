@@ -1,10 +1,12 @@
 import { useState } from 'preact/hooks';
+import { worstFirst } from '../report/baseline';
 import { lookAt } from '../state/changes';
 import type { State, Update } from '../state/state';
 import type { Spot, Surface, Touch } from '../worker/protocol';
+import { counted, withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 import { Place } from './place';
-import { Standing } from './standing';
+import { Worse } from './worse';
 
 /** So many are listed at once, unless all are asked for. */
 const FEW = 40;
@@ -15,9 +17,10 @@ const MOST_TRIANGLES = 2000;
 /** Places that touch; each leads to where it is worst. */
 export function Touches({ touches, state, update }: PanelProps & { touches: readonly Touch[] }) {
   const [areAllShown, showAll] = useState(false);
-  if (touches.length === 0) return <p class="quiet">Nothing touches.</p>;
+  if (touches.length === 0) return <p class="nothing quiet">Nothing touches.</p>;
   const several = ofSeveralParts(touches);
-  const shown = areAllShown ? touches : touches.slice(0, FEW);
+  const sorted = worstFirst(touches, state);
+  const shown = areAllShown ? sorted : sorted.slice(0, FEW);
   return (
     <ol class="touches" onKeyDown={moveFocus}>
       {shown.map((touch, i) => (
@@ -68,15 +71,13 @@ function Row({ touch, several, isFirst, isOpen, state, update }: RowProps) {
         class="touch"
         tabIndex={isFirst ? 0 : -1}
         aria-expanded={isOpen}
-        title={`Look at it in frame ${worst.frame}, with ${worst.contacts} contacts`}
+        title={`Look at it in frame ${worst.frame}, with ${counted(worst.contacts, 'contact')}`}
         onClick={() => update(isOpen ? lookAt(null) : lookAt({ a, b }, worst.frame))}
       >
         <Place surface={a} withPart={several.has(a.instance)} />
         <Place surface={b} withPart={several.has(b.instance)} />
-        <span class="count">
-          <Standing report={state.report} touch={touch} />{' '}
-          <output>{contacts.toLocaleString('en')}</output>
-        </span>
+        <output>{withCommas(contacts)}</output>
+        <Worse state={state} touch={touch} />
       </button>
       {isOpen && <Details touch={touch} state={state} update={update} />}
     </li>
@@ -93,7 +94,7 @@ function Details({ touch: { a, b }, state, update }: Pick<RowProps, 'touch' | ke
   return (
     <div class="details">
       <p class="quiet">
-        {pairs.length / 2} in frame {shot.frame}
+        {withCommas(pairs.length / 2)} in frame {shot.frame}
         {inClip && inClip.worst.frame !== shot.frame && (
           <Worst worst={inClip.worst} spot={{ a, b }} update={update} />
         )}
@@ -114,7 +115,7 @@ interface WorstProps {
 function Worst({ worst, spot, update }: WorstProps) {
   return (
     <button class="link" onClick={() => update(lookAt(spot, worst.frame))}>
-      {worst.contacts} in frame {worst.frame}, at worst
+      {withCommas(worst.contacts)} in frame {worst.frame}, at worst
     </button>
   );
 }

@@ -1,18 +1,21 @@
 import { isSameQuery } from '../state/shots';
-import type { AnsweredShot, MeasuredShot } from '../state/state';
+import type { MeasuredShot } from '../state/state';
+import { withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 
 /** The counts are of the frame shown. What has to be measured may be of an earlier one, and says so. */
-export function WorkPanel({ state: { answer, costs } }: PanelProps) {
-  if (!answer) return null;
-  const { work } = answer;
-  const isEarlier = costs !== null && !isSameQuery(costs.shot, answer.shot);
+export function WorkPanel({ state: { scene, answer, costs, isPlaying } }: PanelProps) {
+  if (!scene) return null;
+  const work = answer?.work;
+  const isOfFrame = costs !== null && answer !== null && isSameQuery(costs.shot, answer.shot);
+  // While the scene plays they are of this frame only by chance, and to say so would flicker.
+  const isEarlier = costs !== null && (isPlaying || !isOfFrame);
   const measured = isEarlier ? `in frame ${costs.shot.frame}` : null;
   return (
     <section aria-labelledby="work">
       <h2 id="work">
         Work of this frame
-        {costs && <Ratio costs={costs} answer={answer} />}
+        {costs && <Ratio costs={costs} />}
       </h2>
       <table class="work">
         <thead>
@@ -23,17 +26,17 @@ export function WorkPanel({ state: { answer, costs } }: PanelProps) {
           </tr>
         </thead>
         <tbody>
-          <Row name="boxes refitted" fact="boxes" value={work.refits} whole={work.allRefits} />
+          <Row name="boxes refitted" fact="boxes" value={work?.refits} whole={work?.allRefits} />
           <Row
             name="vertices skinned"
             fact="vertices"
-            value={work.posedVertices}
-            whole={work.allVertices}
+            value={work?.posedVertices}
+            whole={work?.allVertices}
           />
           <Row
             name="triangle tests"
             fact="tests"
-            value={work.trianglePairs}
+            value={work?.trianglePairs}
             whole={isEarlier ? undefined : costs?.eager.trianglePairs}
           />
           <Row
@@ -56,14 +59,9 @@ export function WorkPanel({ state: { answer, costs } }: PanelProps) {
   );
 }
 
-function Ratio({ costs, answer }: { costs: MeasuredShot; answer: AnsweredShot }) {
-  const ratio = costs.eager.microseconds / costs.onDemand.microseconds;
-  const isEarlier = !isSameQuery(costs.shot, answer.shot);
+function Ratio({ costs: { ratio } }: { costs: MeasuredShot }) {
   return (
-    <small
-      class={isEarlier ? 'number earlier' : 'number'}
-      title={`Time on demand beside that of refitting everything first, in frame ${costs.shot.frame}`}
-    >
+    <small class="number" title="Time on demand beside that of refitting everything first">
       {ratio >= 1 ? `${shortened(ratio)}× less` : `${shortened(1 / ratio)}× more`}
     </small>
   );
@@ -93,7 +91,7 @@ function Row({ name, fact, note = null, value, whole }: RowProps) {
 }
 
 function shown(value: number | undefined): string {
-  return value === undefined ? '–' : Math.round(value).toLocaleString('en');
+  return value === undefined ? '–' : withCommas(Math.round(value));
 }
 
 function shortened(ratio: number): string {

@@ -15,6 +15,8 @@ export interface Report {
   made: string;
   /** The words by which it was made. */
   command: string;
+  /** What the scene is called: its file's name, or those of its models. */
+  title: string;
   /** One of `files`. */
   scene: string;
   /** Base64, by paths. */
@@ -54,8 +56,10 @@ export interface ReportAnswer {
   verdict: {
     fail_on: string;
     failed: boolean;
-    /** None without a baseline. */
-    worse: (KnownTouch & { known: number })[] | null;
+    /** None without a baseline, as all that follows. */
+    worse: WorseTouch[] | null;
+    /** What the baseline knows, and this check has not found. */
+    gone: unknown[] | null;
     /** Bodies that another one holds whole, with --inside. */
     newly_held: unknown[] | null;
     /** How the earlier check differed from this one. */
@@ -68,6 +72,11 @@ export interface KnownTouch {
   b: KnownPlace;
   contacts: number;
   worst: { frame: number; contacts: number };
+}
+
+export interface WorseTouch extends KnownTouch {
+  /** Contacts of its worst frame in the baseline; 0: it is new. */
+  known: number;
 }
 
 export interface KnownPlace {

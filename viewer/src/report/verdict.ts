@@ -1,8 +1,9 @@
-/** What the page finds beside what the command found, and what has become worse since a baseline. */
+/** What the command found, and whether the page finds the same. */
 
 import type { State, SweepState } from '../state/state';
-import type { FrameRange, Surface, Touch } from '../worker/protocol';
-import { stopsAtFirst, type KnownPlace, type ReportAnswer } from './report';
+import type { FrameRange } from '../worker/protocol';
+import { counted, withCommas } from '../words';
+import { stopsAtFirst, type ReportAnswer } from './report';
 
 function framesOf([first, end, step]: FrameRange): number[] {
   return Array.from({ length: Math.ceil((end - first) / step) }, (_, i) => first + i * step);
@@ -23,8 +24,11 @@ function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
   return sameCounts && total?.reportHash === answer.hash;
 }
 
+/** What the page asks, beside what it was opened with. */
+export type Asked = Pick<State, 'report' | 'reported' | 'scene' | 'firstContact' | 'by'>;
+
 /** Whether the page still asks what the command asked, of the scene that came with the report. */
-export function isAsItCame({ report, reported, scene, firstContact, by }: State): boolean {
+export function isAsItCame({ report, reported, scene, firstContact, by }: Asked): boolean {
   return (
     report !== null &&
     scene === reported &&
@@ -33,22 +37,21 @@ export function isAsItCame({ report, reported, scene, firstContact, by }: State)
   );
 }
 
-export type Standing = 'new' | 'grown' | 'known';
-
-/** What a baseline says of a touch, and how many contacts its worst frame had then; nothing without
- * a baseline. */
-export function standingOf(
-  { verdict }: ReportAnswer,
-  { a, b }: Pick<Touch, 'a' | 'b'>,
-): { standing: Standing; then: number } | null {
-  if (!verdict.worse) return null;
-  const worse = verdict.worse.find(
-    (known) => (isAt(known.a, a) && isAt(known.b, b)) || (isAt(known.a, b) && isAt(known.b, a)),
-  );
-  if (!worse) return { standing: 'known', then: 0 };
-  return { standing: worse.known === 0 ? 'new' : 'grown', then: worse.known };
+/** The report in five words. */
+export function headlineOf({ totals, options }: ReportAnswer): string {
+  const { frames, frames_in_contact: inContact } = totals;
+  const which = inContact === 0 ? 'No contact' : 'Contact';
+  if (frames === 1) return `${which} in frame ${options.frames[0]}`;
+  if (inContact === 0) return `${which} in ${counted(frames, 'frame')}`;
+  return `${which} in ${withCommas(inContact)} of ${counted(frames, 'frame')}`;
 }
 
-function isAt({ instance, part, joint }: KnownPlace, surface: Surface): boolean {
-  return instance === surface.instance && part === surface.part && joint === surface.joint;
+/** The first frame with the most contacts; nothing where none has any. */
+export function worstFrame({
+  counts,
+  options,
+}: Pick<ReportAnswer, 'counts' | 'options'>): { frame: number; contacts: number } | null {
+  const contacts = counts.reduce((one, other) => Math.max(one, other), 0);
+  if (contacts === 0) return null;
+  return { frame: framesOf(options.frames)[counts.indexOf(contacts)], contacts };
 }

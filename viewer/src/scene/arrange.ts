@@ -1,16 +1,20 @@
 /** Where characters stand that came without a scene. */
 
 import type { CharacterFacts } from '../worker/protocol';
-import { framesOfLongestClip, type Instance, type Scene } from './scene';
+import { framesOfLongestClip, inWholeClips, placeAt } from './scene';
+import type { Instance, Scene, Vector3 } from './scene';
 
 /**
- * `together`: all in the same place, as `pelt check A.glb B.glb` has them: a body and its coat.
  * `walking`: on a circle, towards its middle.
+ * `together`: all in the same place, as `pelt check A.glb B.glb` has them: a body and its coat.
  */
-export type Arrangement = 'together' | 'walking';
+export type Arrangement = 'walking' | 'together';
+
+/** In the same place, whole characters would touch everywhere. */
+export const USUAL_ARRANGEMENT: Arrangement = 'walking';
 
 /** That of the command. */
-const FPS = 30;
+export const FPS = 30;
 
 /** A walk takes at least so long, however short the clip. */
 const SECONDS = 3;
@@ -20,13 +24,11 @@ const SECONDS = 3;
 const RADIUS = 0.75;
 const SIDESTEP = 0.1;
 
+/** Share of the time in which the middle is reached. */
+const MEETING = 2 / 3;
+
 /** From one to the next on the circle, in widths. */
 const SPACING = 1.2;
-
-/** A single one walks into itself: in the same place, everything would touch. */
-export function usualArrangement(characters: readonly CharacterFacts[]): Arrangement {
-  return characters.length === 1 ? 'walking' : 'together';
-}
 
 /** As long as the longest clip. A single character meets itself. */
 export function arrange(characters: readonly CharacterFacts[], arrangement: Arrangement): Scene {
@@ -43,6 +45,51 @@ export function arrange(characters: readonly CharacterFacts[], arrangement: Arra
   return walkingIn({ ...standing, frameCount: Math.max(frameCount, FPS * SECONDS) }, characters);
 }
 
+/** One more of them, whose number is given: in the same place, or on its way to the others. */
+export function join(
+  scene: Scene,
+  characters: readonly CharacterFacts[],
+  character: number,
+  arrangement: Arrangement | 'opened',
+): Scene {
+  const comes = arrangement !== 'together' && scene.frameCount > 1;
+  const instance = {
+    ...stand(characters[character], character),
+    ...(comes && walkTo(meetingPlace(scene), scene, characters)),
+  };
+  const name = `${scene.name}, ${characters[character].name}`;
+  const joined = { ...scene, name, instances: [...scene.instances, instance] };
+  return inWholeClips(scene, joined, characters);
+}
+
+/** The middle of all at the time when those who walk in have come there. */
+function meetingPlace(scene: Scene): Vector3 {
+  const time = (MEETING * scene.frameCount) / scene.fps;
+  const places = scene.instances.map((instance) => placeAt(instance, time));
+  return [0, 1, 2].map(
+    (axis) => places.reduce((sum, place) => sum + place[axis], 0) / places.length,
+  ) as Vector3;
+}
+
+/** From between the others: the turns are 1/2, 1/4, 3/4, 1/8, 5/8 ... of a whole one. */
+function walkTo(
+  middle: Vector3,
+  scene: Scene,
+  characters: readonly CharacterFacts[],
+): Partial<Instance> {
+  const size = Math.max(...characters.map(sizeOf));
+  const radius = RADIUS * size;
+  const walk = { radius, aside: SIDESTEP * size, speed: speedOf(radius, scene) };
+  const walked = walkIn(2 * Math.PI * shareOfTurn(scene.instances.length), walk);
+  const translation = walked.translation.map((value, axis) => value + middle[axis]);
+  return { ...walked, translation: translation as Vector3 };
+}
+
+/** The digits of the number in base 2, mirrored at the point. */
+function shareOfTurn(number: number): number {
+  return number === 0 ? 0 : (number % 2) / 2 + shareOfTurn(Math.floor(number / 2)) / 2;
+}
+
 function stand(facts: CharacterFacts, character: number): Instance {
   return {
     character,
@@ -57,7 +104,7 @@ function stand(facts: CharacterFacts, character: number): Instance {
   };
 }
 
-function chooseClip({ clips }: CharacterFacts): string | null {
+export function chooseClip({ clips }: CharacterFacts): string | null {
   const walk = clips.find((clip) => /walk/i.test(clip.name));
   return (walk ?? clips[0])?.name ?? null;
 }
@@ -67,8 +114,7 @@ function walkingIn(scene: Scene, characters: readonly CharacterFacts[]): Scene {
   const count = scene.instances.length;
   const spacing = SPACING * Math.max(...characters.map(widthOf));
   const radius = Math.max(RADIUS * size, spacing / (2 * Math.sin(Math.PI / count)));
-  const speed = (1.5 * radius * scene.fps) / scene.frameCount;
-  const walk = { radius, aside: SIDESTEP * size, speed };
+  const walk = { radius, aside: SIDESTEP * size, speed: speedOf(radius, scene) };
   return {
     ...scene,
     instances: scene.instances.map((instance, index) => ({
@@ -93,8 +139,15 @@ interface Walk {
   speed: number;
 }
 
-/** They face +z, and start where that leads to the middle; the walk takes two thirds of the time. */
-function walkIn(turn: number, { radius, aside, speed }: Walk): Partial<Instance> {
+function speedOf(radius: number, { frameCount, fps }: Scene): number {
+  return (radius * fps) / (MEETING * frameCount);
+}
+
+/** They face +z, and start where that leads to the middle. */
+function walkIn(
+  turn: number,
+  { radius, aside, speed }: Walk,
+): Pick<Instance, 'translation' | 'rotation' | 'velocity'> {
   const [sin, cos] = [Math.sin(turn), Math.cos(turn)];
   return {
     translation: [-sin * radius + cos * aside, 0, -cos * radius - sin * aside],

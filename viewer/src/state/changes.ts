@@ -1,13 +1,22 @@
 /** How the state may change, one function for each thing that one can do. */
 
 import { findingOf } from '../report/verdict';
-import { arrange, usualArrangement } from '../scene/arrange';
-import { inWholeClips, withFps, withInstance, type Instance } from '../scene/scene';
-import type { CharacterFacts, Opened, Spot, SweepProgress } from '../worker/protocol';
+import { arrange, join, USUAL_ARRANGEMENT } from '../scene/arrange';
+import { meetsItself } from '../scene/notes';
+import { inWholeClips, withFps, withInstance, type Instance, type Scene } from '../scene/scene';
+import type {
+  CharacterFacts,
+  Opened,
+  ReadCharacters,
+  ReadingOptions,
+  Refusal,
+  Spot,
+  SweepProgress,
+} from '../worker/protocol';
 import { isDark, wantsStillness } from '../theme';
 import type { CameraMove, Problem, State } from './state';
 
-type Change = (state: State) => Partial<State>;
+export type Change = (state: State) => Partial<State>;
 
 /** Frames follow each other in a circle. */
 export function toFrame(frame: number): Change {
@@ -17,9 +26,14 @@ export function toFrame(frame: number): Change {
   };
 }
 
+/** And stands still there. */
+export function pauseAt(frame: number): Change {
+  return (state) => ({ ...toFrame(frame)(state), isPlaying: false });
+}
+
 /** Steps stop what plays. */
 export function step(frames: number): Change {
-  return (state) => ({ ...toFrame(state.frame + frames)(state), isPlaying: false });
+  return (state) => pauseAt(state.frame + frames)(state);
 }
 
 /** To the first frame in contact of the next stretch of them, or the last before. */
@@ -123,28 +137,71 @@ export function rearrange(arrangement: State['arrangement']): Change {
     frame: 0,
     selected: null,
     spot: null,
+    side: null,
   });
 }
 
-/** The new characters take the stage, from its first frame on if no other is named. */
-export function open({ characters, scene }: Opened, frame = 0): Change {
+/** How the stage begins. */
+export interface Beginning {
+  frame: number;
+  plays: boolean;
+  readingOptions: ReadingOptions;
+}
+
+/** The new characters take the stage. */
+export function open(
+  { characters, scene, refused }: Opened,
+  { frame = 0, plays = true, readingOptions = {} }: Partial<Beginning> = {},
+): Change {
   return ({ boxLevel, firstContact }) => ({
     characters,
-    scene: scene ?? arrange(characters, usualArrangement(characters)),
+    readingOptions,
+    scene: scene ?? arrange(characters, USUAL_ARRANGEMENT),
     opened: scene,
     firstContact: firstContact && !scene?.ignore.length,
-    arrangement: scene ? 'opened' : usualArrangement(characters),
+    arrangement: scene ? 'opened' : USUAL_ARRANGEMENT,
     reading: null,
     frame,
-    isPlaying: !wantsStillness(),
+    isPlaying: plays && !wantsStillness(),
     selected: null,
     spot: null,
+    side: null,
     boxLevel: boxLevel && Math.min(boxLevel, deepestLevel(characters)),
     answer: null,
     costs: null,
     hovered: null,
-    problems: [],
+    problems: refused.map(problemOf),
   });
+}
+
+/** The new characters join those on the stage, the last of them to be placed. */
+export function add({ characters: added, refused }: ReadCharacters): Change {
+  return ({ scene, opened, characters: present, arrangement, problems }) => {
+    const characters = [...present, ...added];
+    const joinAll = (begin: Scene) =>
+      added.reduce((all, _, i) => join(all, characters, present.length + i, arrangement), begin);
+    const joined = scene && joinAll(withoutDouble(scene, present, opened));
+    return {
+      characters,
+      scene: joined,
+      opened: opened && joinAll(opened),
+      reading: null,
+      selected: joined && joined.instances.length - 1,
+      spot: null,
+      side: null,
+      problems: [...problems, ...refused.map(problemOf)],
+    };
+  };
+}
+
+/** A character that was dropped alone has met itself only for want of others. */
+function withoutDouble(scene: Scene, present: readonly CharacterFacts[], opened: Scene | null) {
+  if (opened || !meetsItself(scene, present)) return scene;
+  return { ...scene, instances: scene.instances.slice(0, 1) };
+}
+
+function problemOf({ path, message }: Refusal): Problem {
+  return { title: `${path} was left out`, message };
 }
 
 /** What is on the stage stays there. What is told already is not told again. */

@@ -1,4 +1,4 @@
-/** What the state wants to see. */
+/** What the state wants to see, and whether it sees it. */
 
 import type { State } from './state';
 import type { Shot } from '../worker/protocol';
@@ -28,4 +28,26 @@ export function isSameQuery(one: Shot, other: Shot): boolean {
     one.by === other.by &&
     one.firstContact === other.firstContact
   );
+}
+
+/** Whether the answer is to the scene as it is now, at whatever frame. */
+export function isInStep({ answer, scene, by, firstContact, boxLevel, spot }: State): boolean {
+  return (
+    answer !== null &&
+    answer.shot.scene === scene &&
+    answer.shot.by === by &&
+    answer.shot.firstContact === firstContact &&
+    answer.shot.boxLevel === boxLevel &&
+    answer.shot.spot === spot
+  );
+}
+
+/** Whether what is shown is of an earlier frame than the one that was asked for. */
+export function isLate({ answer, isPlaying, frame }: State): boolean {
+  return !isPlaying && answer?.shot.frame !== frame;
+}
+
+/** While the scene plays, that which all numbers and the picture are of. */
+export function frameInPicture({ isPlaying, scene, answer, frame }: State): number {
+  return isPlaying && answer?.shot.scene === scene ? answer.shot.frame : frame;
 }

@@ -3,12 +3,13 @@
 import type { Report } from '../report/report';
 import type { Finding } from '../report/verdict';
 import type { Arrangement } from '../scene/arrange';
-import type { Scene } from '../scene/scene';
+import type { Scene, Vector3 } from '../scene/scene';
 import type {
   By,
   CharacterFacts,
   Costs,
   FrameAnswer,
+  ReadingOptions,
   Shot,
   Spot,
   Surface,
@@ -22,6 +23,8 @@ export interface State {
   /** How everyone was placed last. */
   arrangement: Arrangement | 'opened';
   characters: CharacterFacts[];
+  /** How their files were read. */
+  readingOptions: ReadingOptions;
   /** What is being read, or nothing. */
   reading: string | null;
 
@@ -41,6 +44,8 @@ export interface State {
   listing: 'frame' | 'clip';
   /** Those that are looked at more closely; each time that they are chosen it is another object. */
   spot: Spot | null;
+  /** The side from which the characters are seen at first, once that is known. */
+  side: Vector3 | null;
   /** Where the camera was told to go last. */
   cameraMove: CameraMove | null;
   /** Files are being dragged over the page. */
@@ -78,6 +83,9 @@ export interface AnsweredShot extends FrameAnswer {
 
 export interface MeasuredShot extends Costs {
   shot: Shot;
+  /** How many times as long refitting everything takes: while the scene plays, a mean of the last
+   * frames, as single ones leap. */
+  ratio: number;
 }
 
 export interface SweepState {
@@ -90,6 +98,8 @@ export interface SweepState {
 export interface Still {
   frame: number;
   contacts: number;
+  /** From where its contacts are seen. */
+  side: Vector3;
   /** Address of an image. */
   picture: string;
 }
@@ -104,6 +114,7 @@ export const initialState: State = {
   opened: null,
   arrangement: 'opened',
   characters: [],
+  readingOptions: {},
   reading: 'the engine',
   frame: 0,
   isPlaying: true,
@@ -115,6 +126,7 @@ export const initialState: State = {
   lastBoxLevel: 3,
   listing: 'frame',
   spot: null,
+  side: null,
   cameraMove: null,
   isDropping: false,
   theme: 'system',

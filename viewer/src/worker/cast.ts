@@ -4,13 +4,21 @@ import type { Character, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt'
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import type { ModelSource, Scene } from '../scene/scene';
 import { buffersOf, filesOfScene } from './find_files';
-import { isCharacter, type NamedFile, type Questions } from './protocol';
+import {
+  isCharacter,
+  type NamedFile,
+  type Questions,
+  type ReadingOptions,
+  type Refusal,
+} from './protocol';
 
 export interface Cast {
   characters: Character[];
   /** What a scene file says of each of them. */
   sources: ModelSource[];
   scene: Scene | null;
+  /** Files that are no good, beside those that are. */
+  refused: Refusal[];
 }
 
 const DEMO = 'two generated characters';
@@ -33,19 +41,26 @@ export function readSceneFile(
   return castOf(scene, models, path);
 }
 
-export function readCharacters(pelt: Pelt, files: readonly NamedFile[]): Cast {
-  const models = files.filter(isCharacter);
-  const characters: Character[] = [];
-  try {
-    for (const model of models) {
-      const options = { name: model.path, files: buffersOf(model, files), meshoptDecode };
-      characters.push(pelt.readCharacter(model.bytes, options));
+/** Those that are good; throws what is wrong with the others where none is. */
+export function readCharacters(
+  pelt: Pelt,
+  files: readonly NamedFile[],
+  reading: ReadingOptions = {},
+): Cast {
+  const cast: Cast = { characters: [], sources: [], scene: null, refused: [] };
+  for (const model of files.filter(isCharacter)) {
+    const { path } = model;
+    const options = { ...reading, name: path, files: buffersOf(model, files), meshoptDecode };
+    try {
+      cast.characters.push(pelt.readCharacter(model.bytes, options));
+      cast.sources.push(path);
+    } catch (error) {
+      if (pelt.hasEnded) throw error;
+      cast.refused.push({ path, message: (error as Error).message });
     }
-  } catch (error) {
-    for (const character of characters) character.delete();
-    throw error;
   }
-  return { characters, sources: models.map(({ path }) => path), scene: null };
+  if (cast.characters.length > 0) return cast;
+  throw new Error(cast.refused.map(({ message }) => message).join('\n'));
 }
 
 function castOf(
@@ -57,6 +72,7 @@ function castOf(
     characters,
     sources: characters.map((character) => models[character.name]),
     scene: { name, frameCount, fps, instances, ignore },
+    refused: [],
   };
 }
 

@@ -6,14 +6,22 @@ import { decodeFiles } from './base64';
 import { readCharacters, readDemo, readSceneFile, type Cast } from './cast';
 import { CostMeter } from './costs';
 import { factsOf } from './facts';
-import { answerFrame } from './frame';
-import type { Answers, Kind, Opened, Questions, Request, SweepProgress } from './protocol';
+import { answerFrame, answerStill } from './frame';
+import type {
+  Answers,
+  Kind,
+  Opened,
+  Questions,
+  ReadCharacters,
+  Request,
+  SweepProgress,
+} from './protocol';
 import { Stage } from './stage';
 import { firstSurface } from './surfaces';
 import { Sweep } from './sweep';
 
 export class Desk {
-  private cast: Cast = { characters: [], sources: [], scene: null };
+  private cast: Cast = { characters: [], sources: [], scene: null, refused: [] };
   /** As the page shows them, and the same again for what is asked apart from that. */
   private readonly shown: Stage;
   private readonly apart: Stage;
@@ -46,12 +54,14 @@ export class Desk {
       }
       case 'readCharacters':
         return this.replaceCast(readCharacters(this.pelt, question.files));
+      case 'addCharacters':
+        return this.addCast(readCharacters(this.pelt, question.files, question.options));
       case 'pose': {
         const { shot, spares } = question;
         return answerFrame(this.pelt, this.shown, this.engineScene(shot.scene), shot, spares);
       }
       case 'still':
-        return answerFrame(this.pelt, this.apart, this.engineScene(question.scene), question);
+        return answerStill(this.pelt, this.apart, this.engineScene(question.scene), question);
       case 'measure':
         return this.meter.advance(question, this.engineScene(question.shot.scene));
       case 'cast':
@@ -69,10 +79,13 @@ export class Desk {
     this.meter.clear();
     for (const character of this.cast.characters) character.delete();
     this.cast = cast;
-    return {
-      characters: cast.characters.map((c, i) => factsOf(c, cast.sources[i])),
-      scene: cast.scene,
-    };
+    return { ...readOf(cast), scene: cast.scene };
+  }
+
+  private addCast(added: Cast): ReadCharacters {
+    const characters = [...this.cast.characters, ...added.characters];
+    this.cast = { ...this.cast, characters, sources: [...this.cast.sources, ...added.sources] };
+    return readOf(added);
   }
 
   private startSweep(question: Questions['sweep']): Promise<null> {
@@ -89,4 +102,8 @@ export class Desk {
   private engineScene({ name: _, ...scene }: Scene): EngineScene {
     return this.pelt.makeScene({ characters: this.cast.characters, ...scene });
   }
+}
+
+function readOf({ characters, sources, refused }: Cast): ReadCharacters {
+  return { characters: characters.map((c, i) => factsOf(c, sources[i])), refused };
 }

@@ -3,10 +3,20 @@
 import type { Pelt, Pose, QueryStats, Scene as EngineScene } from 'pelt';
 import { collidingPairs } from './colliding_pairs';
 import { glowOf } from './glow';
-import type { FrameAnswer, PosedInstance, Shot, Spare, Spot, SpotAnswer, Work } from './protocol';
+import type {
+  FrameAnswer,
+  PosedInstance,
+  Shot,
+  Spare,
+  Spot,
+  SpotAnswer,
+  StillAnswer,
+  Work,
+} from './protocol';
 import { contactsInSpot } from './spots';
 import type { Stage } from './stage';
 import { TouchTally } from './touches';
+import { seenFromSides } from './visibility';
 import { wholeWorkOf } from './whole_work';
 
 /** `spares` has arrays for the instances to be drawn with, where the page is done with some. */
@@ -38,15 +48,21 @@ export function answerFrame(
   };
 }
 
+export function answerStill(pelt: Pelt, stage: Stage, scene: EngineScene, shot: Shot): StillAnswer {
+  const answer = answerFrame(pelt, stage, scene, shot);
+  return { ...answer, seen: seenFromSides(stage.poses, answer.glow) };
+}
+
 function answerSpot(
-  { characters, sets }: Stage,
+  { characters, poses, sets }: Stage,
   instances: readonly Spare[],
   all: Uint32Array,
   spot: Spot,
 ): SpotAnswer {
   const contacts = contactsInSpot(characters, all, spot);
   const pairs = contacts.filter((_, i) => i % 4 >= 2);
-  return { pairs, glow: glowOf(characters, instances, sets.gather(contacts)) };
+  const glow = glowOf(characters, instances, sets.gather(contacts));
+  return { pairs, glow, seen: seenFromSides(poses, glow) };
 }
 
 /** A crowd keeps no opened nodes: the same query of two poses at a time does. */

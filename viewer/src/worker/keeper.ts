@@ -8,7 +8,7 @@ import type { Reply, Request, SweepProgress } from './protocol';
 export class Keeper {
   private desk: Promise<Desk>;
   /** What has filled the stage, to be read again. */
-  private onStage: Request | null = null;
+  private onStage: Request[] = [];
   /** Why the stage is empty. */
   private lost = '';
 
@@ -22,7 +22,8 @@ export class Keeper {
     const { desk } = this;
     try {
       const answer = await (await desk).answer(request);
-      if (isOpening(request)) [this.onStage, this.lost] = [request, ''];
+      if (isOpening(request)) [this.onStage, this.lost] = [[request], ''];
+      if (isAdding(request)) this.onStage.push(request);
       return { id, answer };
     } catch (error) {
       const problem = error instanceof Error ? error.message : String(error);
@@ -37,17 +38,17 @@ export class Keeper {
   /** What did not fit is left out; what was on the stage did, unless it was this that failed. */
   private replace(ended: Promise<Desk>, request: Request, reason: string): string {
     if (this.desk === ended) {
-      const isStageGood = isOpening(request) && this.lost === '';
+      const isStageGood = (isOpening(request) || isAdding(request)) && this.lost === '';
       this.lost = isStageGood ? '' : `${reason} Open smaller files, or fewer at once.`;
-      this.desk = this.openDesk(isStageGood ? this.onStage : null);
+      this.desk = this.openDesk(isStageGood ? this.onStage : []);
     }
     return this.lost || `${reason} The stage is as it was.`;
   }
 
-  private async openDesk(onStage: Request | null = null): Promise<Desk> {
+  private async openDesk(onStage: readonly Request[] = []): Promise<Desk> {
     const [pelt] = await Promise.all([loadPelt(), MeshoptDecoder.ready]);
     const desk = new Desk(pelt, this.report);
-    if (onStage) await desk.answer(onStage);
+    for (const request of onStage) await desk.answer(request);
     return desk;
   }
 }
@@ -60,4 +61,8 @@ function reasonOf(error: unknown): string {
 
 function isOpening({ kind }: Request): boolean {
   return ['openDemo', 'openScene', 'openReport', 'readCharacters'].includes(kind);
+}
+
+function isAdding({ kind }: Request): boolean {
+  return kind === 'addCharacters';
 }

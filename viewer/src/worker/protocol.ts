@@ -13,7 +13,7 @@ export interface NamedFile {
 }
 
 /** The others are what characters refer to. */
-export function isCharacter({ path }: NamedFile): boolean {
+export function isCharacter({ path }: Pick<NamedFile, 'path'>): boolean {
   return /\.(glb|gltf)$/i.test(path);
 }
 
@@ -52,6 +52,8 @@ export interface Questions {
   openReport: { path: string; files: Record<string, string>; options: ReadingOptions };
   /** Characters without a scene; replaces all others. */
   readCharacters: { files: NamedFile[] };
+  /** The same, beside those that there are. */
+  addCharacters: { files: NamedFile[]; options: ReadingOptions };
   pose: { shot: Shot; spares: Spare[] };
   /** As `pose`, of a frame that is not the one shown. */
   still: Shot;
@@ -76,8 +78,9 @@ export interface Answers {
   openScene: Opened;
   openReport: Opened;
   readCharacters: Opened;
+  addCharacters: ReadCharacters;
   pose: FrameAnswer;
-  still: FrameAnswer;
+  still: StillAnswer;
   measure: Costs | null;
   cast: Surface | null;
   sweep: null;
@@ -92,10 +95,21 @@ export type Reply =
   | { id: number; problem: string }
   | { progress: SweepProgress };
 
-/** Characters that the worker has read, and where they stand; without a scene the page decides. */
-export interface Opened {
+/** Characters that the worker has read, and files beside them that are none. */
+export interface ReadCharacters {
   characters: CharacterFacts[];
+  refused: Refusal[];
+}
+
+/** All that there are, and where they stand; without a scene the page decides. */
+export interface Opened extends ReadCharacters {
   scene: Scene | null;
+}
+
+export interface Refusal {
+  path: string;
+  /** What is wrong with it. */
+  message: string;
 }
 
 /** What the page knows of a character. */
@@ -163,11 +177,19 @@ export interface Glow {
   centres: Float32Array;
 }
 
+/** A frame to be photographed. */
+export interface StillAnswer extends FrameAnswer {
+  /** How much of its contacts is seen from each of `SIDES`. */
+  seen: number[];
+}
+
 /** The contacts of a spot. */
 export interface SpotAnswer {
   /** [N][2] triangles of its first and its second place. */
   pairs: Uint32Array;
   glow: Glow;
+  /** How much of them is seen from each of `SIDES`. */
+  seen: number[];
 }
 
 export interface FrameAnswer {

@@ -1,0 +1,24 @@
+import { isAsItCame } from '../report/verdict';
+import { checkCommand } from '../scene/command';
+import type { State } from '../state/state';
+import { saveScene } from './save';
+
+/** By which command; a report that is as it came says so itself. */
+export function SameNumbers({ state }: { state: State }) {
+  const { scene, report } = state;
+  if (!scene || (report?.answer && isAsItCame(state))) return null;
+  const { words, needsFile } = checkCommand({ ...state, scene });
+  return (
+    <p class="same quiet">
+      Same as <code>{words}</code>
+      {needsFile && (
+        <>
+          {', once '}
+          <button class="link" onClick={() => saveScene(state)}>
+            saved
+          </button>
+        </>
+      )}
+    </p>
+  );
+}

@@ -1,0 +1,19 @@
+import { worseTouch } from '../report/baseline';
+import type { State } from '../state/state';
+import type { Touch } from '../worker/protocol';
+import { withCommas } from '../words';
+
+/** What a baseline says of a touch that is worse than it was: the two numbers that it compares. */
+export function Worse({ state, touch }: { state: State; touch: Touch }) {
+  const found = worseTouch(touch, state);
+  if (!found) return null;
+  const { worst, known } = found;
+  const isNew = known === 0;
+  return (
+    <small class="worse" title="Contacts of its worst frame, here and in the baseline">
+      <b class={isNew ? 'standing new' : 'standing grown'}>{isNew ? 'new' : 'grown'}</b>
+      {` ${withCommas(worst.contacts)} in frame ${worst.frame}`}
+      {!isNew && `, was ${withCommas(known)}`}
+    </small>
+  );
+}

@@ -1,0 +1,76 @@
+/** The words by which the command gives the numbers that the page shows. */
+
+import type { By, CharacterFacts, ReadingOptions } from '../worker/protocol';
+import { FPS } from './arrange';
+import { framesOfLongestClip, type Instance, type Scene } from './scene';
+
+/** What the page asks of the scene. */
+export interface Asking {
+  scene: Scene;
+  characters: readonly CharacterFacts[];
+  by: By;
+  firstContact: boolean;
+  readingOptions: ReadingOptions;
+}
+
+export interface CheckCommand {
+  words: string;
+  /** It names the scene as `Save scene` writes it. */
+  needsFile: boolean;
+}
+
+export function checkCommand(asking: Asking): CheckCommand {
+  const needsFile = !isOfCommandLine(asking);
+  const what = needsFile ? ['scene.json'] : modelWords(asking);
+  return {
+    words: ['pelt', 'check', ...what, ...optionWords(asking)].map(quoted).join(' '),
+    needsFile,
+  };
+}
+
+/** Whether the command places the models by themselves as they stand here, and for as long. */
+function isOfCommandLine({ scene, characters }: Asking): boolean {
+  return (
+    scene.instances.every((instance) => isBare(instance, characters)) &&
+    scene.ignore.length === 0 &&
+    scene.fps === FPS &&
+    scene.frameCount === framesOfLongestClip(scene, characters)
+  );
+}
+
+function isBare(instance: Instance, characters: readonly CharacterFacts[]): boolean {
+  const { character, clip, translation, rotation, scale, velocity, start, speed } = instance;
+  const [x, y, z] = rotation;
+  return (
+    typeof characters[character].source === 'string' &&
+    clip !== DEFAULT_POSE &&
+    [...translation, ...velocity, x, y, z, start].every((value) => value === 0) &&
+    scale === 1 &&
+    speed === 1 &&
+    Object.keys(instance.morphWeights).length === 0
+  );
+}
+
+/** What `--clip` calls it. */
+const DEFAULT_POSE = '-';
+
+function modelWords({ scene: { instances }, characters }: Asking): string[] {
+  const models = instances.map(({ character }) => characters[character].source as string);
+  return [...models, ...instances.flatMap(({ clip }) => ['--clip', clip ?? DEFAULT_POSE])];
+}
+
+function optionWords({ by, firstContact, readingOptions }: Asking): string[] {
+  const { renormalise, noUnskinned, exclude = [] } = readingOptions;
+  return [
+    ...(by === 'part' ? ['--by', 'part'] : []),
+    ...(firstContact ? ['--first'] : []),
+    ...(renormalise ? ['--renormalise'] : []),
+    ...(noUnskinned ? ['--no-unskinned'] : []),
+    ...exclude.flatMap((node) => ['--exclude', node]),
+  ];
+}
+
+/** For a shell. */
+function quoted(word: string): string {
+  return /^[\w./:@%+=-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
+}

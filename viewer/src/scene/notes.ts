@@ -1,0 +1,38 @@
+/** What the page has decided for those who dropped characters without a scene, in words. */
+
+import type { CharacterFacts } from '../worker/protocol';
+import { chooseClip } from './arrange';
+import type { Scene } from './scene';
+
+/** A character that was dropped alone stands there twice. */
+export function meetsItself({ instances }: Scene, characters: readonly CharacterFacts[]): boolean {
+  return characters.length === 1 && instances.length === 2;
+}
+
+/** Only as long as it holds. */
+export function notesOn(scene: Scene, characters: readonly CharacterFacts[]): string[] {
+  const notes = [];
+  if (meetsItself(scene, characters)) {
+    notes.push('Alone, it meets itself: 1 is the same character as 0, until another is added.');
+  }
+  if (playsChosenClips(scene, characters)) {
+    const clips = clipsInWords(scene);
+    notes.push(`Clips chosen by the page: ${clips}. The command plays none unless told.`);
+  }
+  return notes;
+}
+
+function playsChosenClips({ instances }: Scene, characters: readonly CharacterFacts[]): boolean {
+  return (
+    characters.some(({ clips }) => clips.length > 0) &&
+    instances.every(({ character, clip }) => clip === chooseClip(characters[character]))
+  );
+}
+
+/** Each once. */
+function clipsInWords({ instances }: Scene): string {
+  const names = new Set(
+    instances.map(({ clip }) => (clip === null ? 'the default pose' : `“${clip || 'unnamed'}”`)),
+  );
+  return [...names].join(', ');
+}

@@ -1,0 +1,81 @@
+// What a report says of the answer in it, without a browser.
+
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { closeSources, load, openSources } from './load.mjs';
+
+before(openSources);
+after(closeSources);
+
+const answerOf = (counts, frames, verdict = {}) => ({
+  options: { frames, by: 'instance', max_contacts: null },
+  counts,
+  totals: { frames: counts.length, frames_in_contact: counts.filter((count) => count > 0).length },
+  touches: [],
+  verdict: { worse: null, gone: null, newly_held: null, ...verdict },
+});
+
+describe('numbers', () => {
+  test('stand with their nouns, as the command has them', async () => {
+    const { counted } = await load('words.ts');
+    assert.deepEqual(
+      [0, 1, 1279].map((count) => counted(count, 'frame')),
+      ['0 frames', '1 frame', '1,279 frames'],
+    );
+  });
+});
+
+describe('the headline', () => {
+  const cases = [
+    [answerOf([0, 3, 5, 5], [0, 4, 1]), 'Contact in 3 of 4 frames', { frame: 2, contacts: 5 }],
+    [answerOf([1, 0, 7], [2, 9, 3]), 'Contact in 2 of 3 frames', { frame: 8, contacts: 7 }],
+    [answerOf([0, 0], [0, 2, 1]), 'No contact in 2 frames', null],
+    [answerOf([4], [45, 46, 1]), 'Contact in frame 45', { frame: 45, contacts: 4 }],
+    [answerOf([0], [0, 1, 1]), 'No contact in frame 0', null],
+  ];
+  for (const [answer, words, worst] of cases) {
+    test(`is "${words}"`, async () => {
+      const { headlineOf, worstFrame } = await load('report/verdict.ts');
+      assert.equal(headlineOf(answer), words);
+      assert.deepEqual(worstFrame(answer), worst);
+    });
+  }
+});
+
+describe('beside a baseline', () => {
+  const place = (instance, joint) => ({ instance, part: 'skin', joint });
+  const touch = (a, b, contacts) => ({ a: place(0, a), b: place(1, b), contacts });
+  const grown = { ...touch('hand', 'hip', 90), worst: { frame: 3, contacts: 84 }, known: 83 };
+  const fresh = { ...touch('foot', 'foot', 2), worst: { frame: 9, contacts: 2 }, known: 0 };
+  const touches = [touch('head', 'head', 500), touch('hand', 'hip', 90), touch('foot', 'foot', 2)];
+  const verdict = { worse: [grown, fresh], gone: [{}], newly_held: [{}, {}] };
+  const report = { answer: { ...answerOf([5], [0, 1, 1], verdict), touches } };
+  const scene = {};
+  const state = { report, reported: scene, scene, firstContact: false, by: 'instance' };
+
+  test('touches are counted as the command counts them', async () => {
+    const { comparisonOf } = await load('report/baseline.ts');
+    const numbers = { fresh: 1, grown: 1, known: 1, gone: 1, newlyHeld: 2 };
+    assert.deepEqual(comparisonOf(report.answer), numbers);
+    assert.equal(comparisonOf(answerOf([5], [0, 1, 1])), null);
+  });
+
+  test('those that are new come first, then those that have grown', async () => {
+    const { worstFirst, worseTouch } = await load('report/baseline.ts');
+    const sorted = worstFirst(touches, state);
+    assert.deepEqual(
+      sorted.map(({ a }) => a.joint),
+      ['foot', 'hand', 'head'],
+    );
+    const [, { a, b }] = sorted;
+    assert.equal(worseTouch({ a, b }, state), grown);
+    assert.equal(worseTouch({ a: b, b: a }, state), grown, 'in no order');
+  });
+
+  test('nothing is said of another scene than the one compared', async () => {
+    const { worstFirst, worseTouch } = await load('report/baseline.ts');
+    const changed = { ...state, scene: {} };
+    assert.equal(worseTouch(touches[1], changed), null);
+    assert.deepEqual(worstFirst(touches, changed), touches);
+  });
+});
