@@ -29,10 +29,10 @@ bool begins_like_object(std::string_view text) {
 /// A .gltf.
 Result<Container> read_text(std::string_view text) {
   if (begins_like_object(text)) return Container{text, {}};
+  if (text.empty()) return malformed("the file is empty: copy or export it again");
   return malformed(
-      "the file begins neither as a .glb nor as the JSON object of a .gltf: export the character "
-      "as "
-      "glTF 2.0");
+      std::string("the file begins neither as a .glb nor as the JSON object of a .gltf") +
+      kExportGltf2);
 }
 
 struct Chunk {
@@ -57,7 +57,9 @@ Result<Chunk> next_chunk(std::span<const std::byte>& rest) {
 Result<Container> read_chunks(std::span<const std::byte> rest) {
   const Result<Chunk> json = next_chunk(rest);
   if (!json) return json.error();
-  if (json->type != kJson) return malformed("the first chunk of the .glb must be the JSON text");
+  if (json->type != kJson)
+    return malformed(std::string("the first chunk of the .glb must be the JSON text") +
+                     kExportGltf2);
   Container container{as_text(json->bytes), {}};
   while (!rest.empty()) {
     const Result<Chunk> chunk = next_chunk(rest);
@@ -77,7 +79,8 @@ Result<Container> open_container(std::span<const std::byte> file) {
   const auto version = load<std::uint32_t>(file.data() + 4);
   const auto length = load<std::uint32_t>(file.data() + 8);
   if (version != 2) {
-    return unsupported("Pelt reads .glb version 2, this is version " + std::to_string(version));
+    return unsupported("Pelt reads .glb version 2, this is version " + std::to_string(version) +
+                       kExportGltf2);
   }
   if (length < kHeader) {
     return malformed("the .glb says that it has " + std::to_string(length) +

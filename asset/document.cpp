@@ -260,16 +260,17 @@ GltfAnimation read_animation(const JsonObject& json, std::size_t accessor_count,
 }
 
 void require_version_2(const JsonObject& root) {
+  if (!root.has("asset")) root.refuse("asset", "is missing, as if this were no glTF file");
   const JsonObject asset = root.object("asset");
   const std::string version = asset.text("version");
   const std::string minimum = asset.text("minVersion");
   if (!version.starts_with("2.")) {
-    asset.refuse_as_unsupported("version",
-                                "Pelt reads glTF 2.0, this is " + asset::quoted(version));
+    asset.refuse_as_unsupported(
+        "version", "Pelt reads glTF 2.0, this is " + asset::quoted(version) + kExportGltf2);
   }
   if (!minimum.empty() && minimum != "2.0") {
-    asset.refuse_as_unsupported("minVersion",
-                                "Pelt reads glTF 2.0, this needs " + asset::quoted(minimum));
+    asset.refuse_as_unsupported(
+        "minVersion", "Pelt reads glTF 2.0, this needs " + asset::quoted(minimum) + kExportGltf2);
   }
 }
 

@@ -56,11 +56,13 @@ Result<Asset> load_gltf(std::span<const std::byte> file, const std::filesystem::
   const Result<Container> container = open_container(file);
   if (!container) return container.error();
   Result<GltfDocument> document = read_document(container->json);
-  if (!document) return document.error();
+  if (!document) return with_remedy(document.error());
   Budget budget;
   budget.grant(file.size());
   Buffers buffers(*document, container->binary, folder, budget);
-  return read_asset(*document, buffers, budget, options);
+  Result<Asset> asset = read_asset(*document, buffers, budget, options);
+  if (!asset) return with_remedy(asset.error());
+  return asset;
 }
 
 }  // namespace pelt::asset

@@ -38,7 +38,7 @@ Result<std::uint16_t> JointTable::add(std::uint32_t node, const Matrix4& inverse
   if (known != known_.end()) return known->second;
   if (joints_.size() == kMost) {
     return unsupported(node_label(document_, node) + ": the file needs more than " +
-                       std::to_string(kMost) + " joints");
+                       std::to_string(kMost) + " joints: export its characters to several files");
   }
   const auto number = static_cast<std::uint16_t>(joints_.size());
   joints_.push_back({graph_.position[node], inverse_bind});

@@ -252,6 +252,7 @@ void JsonObject::require_index(std::uint64_t value, std::size_t size,
 
 Result<json> parse_json(std::string_view text) {
   constexpr std::size_t kDeepest = 64;
+  if (text.find_first_not_of(" \t\r\n") == text.npos) return malformed("the JSON text is empty");
   const TextSize size = measure(text);
   if (size.depth > kDeepest) {
     return malformed("the JSON text is nested more than " + std::to_string(kDeepest) + " deep");

@@ -214,7 +214,8 @@ Result<void> merge_meshes(const GltfDocument& document, const NodeGraph& graph,
     const Result<void> added = merger.add_node(node);
     if (!added) return added.error();
   }
-  if (asset.triangles.empty()) return unsupported("the scene has no triangles");
+  if (asset.triangles.empty())
+    return unsupported("the scene has no triangles: export its meshes too, and leave fewer out");
   return merger.finish();
 }
 

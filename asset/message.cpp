@@ -2,6 +2,12 @@
 
 namespace pelt::asset {
 
+Error with_remedy(const Error& error) {
+  if (error.code != ErrorCode::malformed_file) return error;
+  return malformed(error.message +
+                   ": mend it in the program that wrote the file, and export it again");
+}
+
 std::string quoted(std::string_view name) {
   constexpr std::size_t kLongest = 64;
   std::string text = "\"";

@@ -19,6 +19,13 @@ inline Error unsupported(std::string message) {
   return {ErrorCode::unsupported, std::move(message)};
 }
 
+/// An error with what is left to do about a file that breaks a rule of glTF: nothing here can mend
+/// it. One of another kind is returned as it is.
+Error with_remedy(const Error& error);
+
+/// What is left to do about a file of another format.
+inline constexpr const char* kExportGltf2 = ": export the character as glTF 2.0";
+
 /// A name out of a file, fit to be printed: in quotes, cut to 64 bytes, without control characters.
 std::string quoted(std::string_view name);
 

@@ -104,8 +104,9 @@ Result<fs::path> resolve_file_uri(std::string_view uri, const fs::path& folder) 
                      " is not the name of a file in the folder of the .gltf");
   }
   if (folder.empty()) {
-    return unsupported("uri " + asset::quoted(uri) +
-                       " names a file, but there is no folder to look in");
+    return unsupported(
+        "uri " + asset::quoted(uri) +
+        " names a file, but there is no folder to look in: export a .glb, which has all in it");
   }
   const fs::path file = folder / *path;
   if (!lies_in(file, folder)) {

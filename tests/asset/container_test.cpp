@@ -39,6 +39,8 @@ TEST(Container, PassesOverUnknownChunksAndWhatFollowsTheFile) {
   EXPECT_TRUE(load(file));
 }
 
+TEST(Container, SaysThatAFileIsEmpty) { EXPECT_TRUE(refused(load({}), {"the file is empty"})); }
+
 TEST(Container, RefusesOtherVersions) {
   std::vector<std::byte> file = test::stone().glb();
   set_u32(file, 4, 1);

@@ -15,7 +15,7 @@ Result<Asset> load_text(const std::string& text) {
 }
 
 TEST(Json, RefusesWhatIsNoJson) {
-  EXPECT_TRUE(refused(load_text(""), {"JSON"}));
+  EXPECT_NE(parse_json(" \n").error().message.find("the JSON text is empty"), std::string::npos);
   EXPECT_TRUE(refused(load_text("{\"asset\": "), {"JSON", "line 1"}));
   EXPECT_TRUE(refused(load_text("solid cube"), {"JSON"}));
   EXPECT_TRUE(refused(load_text("{\"asset\": {\"version\": \"\xFF\"}}"), {"JSON"}));
@@ -167,6 +167,10 @@ TEST(Document, NamesTheFieldThatIsMissing) {
     builder.document[json::json_pointer(c.object)].erase(c.key);
     EXPECT_TRUE(refused(builder.load(), {std::string(c.key) + ": is missing"})) << c.object;
   }
+}
+
+TEST(Document, RefusesWhatSaysNothingOfGltf) {
+  EXPECT_TRUE(refused(load_text("{}"), {"asset: is missing", "no glTF file"}));
 }
 
 TEST(Document, RefusesOtherVersionsOfTheFormat) {

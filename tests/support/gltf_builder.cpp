@@ -111,7 +111,10 @@ Result<asset::Asset> GltfBuilder::load(const asset::GltfOptions& options) const 
 ::testing::AssertionResult refused(const Result<asset::Asset>& result,
                                    std::initializer_list<std::string_view> words) {
   if (result) return ::testing::AssertionFailure() << "was not refused";
-  const std::string& message = result.error().message;
+  const auto& [code, message] = result.error();
+  const bool at_fault = code == ErrorCode::malformed_file || code == ErrorCode::unsupported;
+  if (at_fault && message.find("export") == message.npos)
+    return ::testing::AssertionFailure() << "no remedy in: " << message;
   for (const std::string_view word : words) {
     if (message.find(word) != message.npos) continue;
     return ::testing::AssertionFailure() << "no \"" << word << "\" in: " << message;

@@ -87,7 +87,8 @@ class GltfBuilder {
   std::size_t offset_of(std::size_t accessor);
 };
 
-/// Passes when the result is an error whose message has all the words.
+/// Passes when the result is an error whose message has all the words and, where the file is at
+/// fault, says what to do about it: to export something else.
 ::testing::AssertionResult refused(const Result<asset::Asset>& result,
                                    std::initializer_list<std::string_view> words);
 

@@ -110,7 +110,7 @@ TEST(BenchBaseline, IsRefusedWhereItIsCutShort) {
   for (std::size_t size = 0; size < whole.size() - 2; size += 7) {
     const auto baseline = parse_baseline("old.json", whole.substr(0, size));
     ASSERT_FALSE(baseline) << size;
-    EXPECT_EQ(baseline.error().message.rfind("old.json: the JSON text is wrong", 0), 0u);
+    EXPECT_EQ(baseline.error().message.rfind("old.json: the JSON text is ", 0), 0u);
   }
 }
 

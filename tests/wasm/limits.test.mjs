@@ -51,7 +51,7 @@ test('a small file that asks for hardly less than is allowed is read, and one th
     engine.readCharacter(zeros({ bytes: 2 ** 20, vertices, triangles: 1 }), { name: 'zeros' });
   const character = read(4_600_000);
   assert.equal(character.restPositions.length, 3 * character.vertexCount);
-  const words = /^zeros: .* out of proportion: the file would take more than 256 MiB of memory$/;
+  const words = /^zeros: .* out of proportion: the file would take more than 256 MiB of memory: /;
   for (const vertices of [4_700_000, 17_000_000, 80_000_000, 2 ** 32]) {
     refused(() => read(vertices), 'malformed_file', words);
   }
@@ -66,9 +66,9 @@ test('a small file with more values than there is memory for is refused', async 
     const text = `{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[${'{},'.repeat(count)}{}]}`;
     return () => engine.readCharacter(new TextEncoder().encode(text), { name: 'nodes' });
   };
-  refused(nodes(990_000), 'unsupported', 'nodes: the scene has no triangles');
+  refused(nodes(990_000), 'unsupported', /^nodes: the scene has no triangles: export/);
   for (const count of [1_000_000, 8_000_000]) {
-    refused(nodes(count), 'malformed_file', 'nodes: the JSON text has more than 2000000 values');
+    refused(nodes(count), 'malformed_file', /^nodes: the JSON text has more than 2000000 values: /);
   }
   works(engine);
 });

@@ -66,9 +66,10 @@ Result<void> decompress(const GltfMeshopt& meshopt, std::span<const std::byte> c
       name_of(meshopt.filter), problem.data(), static_cast<unsigned>(problem.size()));
   if (there == 0) return unsupported(kNone);
   if (problem[0] == '\0') return {};
-  return malformed(std::string("the compressed bytes are damaged, or meshoptDecode is not what it "
-                               "should be or not ready; it says: ") +
-                   problem.data());
+  return Error{ErrorCode::invalid_argument,
+               std::string("the compressed bytes are damaged, or meshoptDecode is not what it "
+                           "should be or not ready; it says: ") +
+                   problem.data()};
 }
 
 }  // namespace pelt::asset
