@@ -4,50 +4,88 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace pelt::scenes {
 namespace {
 
-/// Levenshtein's distance: the fewest characters inserted, removed or replaced.
+/// The fewest characters inserted, removed, replaced or swapped with their neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1), above, second_above;
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    second_above = std::exchange(above, row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+      const std::size_t replaced = above[j - 1] + (a[i - 1] != b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], second_above[j - 2] + 1);
     }
   }
   return row.back();
 }
 
-std::string listed(std::span<const std::string_view> names) {
-  constexpr std::size_t kMostShown = 40;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostShown); ++i) {
-    text += (i == 0 ? "" : ", ") + asset::quoted(names[i]);
-  }
-  return names.size() > kMostShown ? text + " ..." : text;
+std::string in_lower_case(std::string_view name) {
+  std::string text(name);
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
 }
 
-}  // namespace
-
-std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
-  constexpr std::size_t kLongestTypo = 64, kMostErrors = 2;
-  std::size_t fewest = kMostErrors + 1;
-  std::string_view nearest;
+/// The known name with the fewest typing errors.
+std::optional<std::string_view> nearest_by_errors(std::string_view name,
+                                                  std::span<const std::string_view> known) {
+  constexpr std::size_t kLongestTypo = 64, kShortest = 3;
+  const std::string wanted = in_lower_case(name);
+  std::size_t fewest = std::max(std::size_t{1}, name.size() / 3) + 1;
+  std::optional<std::string_view> nearest;
   for (const std::string_view candidate : known) {
-    if (name.size() > kLongestTypo || candidate.size() <= kMostErrors) continue;
-    const std::size_t errors = edit_distance(name, candidate);
+    if (name.size() > kLongestTypo || candidate.size() < kShortest) continue;
+    const std::size_t errors = edit_distance(wanted, in_lower_case(candidate));
     if (errors >= fewest) continue;
     fewest = errors;
     nearest = candidate;
   }
-  if (!nearest.empty()) return ", did you mean " + asset::quoted(nearest) + "?";
+  return nearest;
+}
+
+/// The shortest known name that has this one in it.
+std::optional<std::string_view> nearest_around(std::string_view name,
+                                               std::span<const std::string_view> known) {
+  constexpr std::size_t kShortest = 3;
+  if (name.size() < kShortest) return std::nullopt;
+  const std::string wanted = in_lower_case(name);
+  std::optional<std::string_view> nearest;
+  for (const std::string_view candidate : known) {
+    const bool is_around = in_lower_case(candidate).find(wanted) != std::string::npos;
+    if (is_around && (!nearest || candidate.size() < nearest->size())) nearest = candidate;
+  }
+  return nearest;
+}
+
+std::string listed(std::span<const std::string_view> names) {
+  constexpr std::size_t kMostShown = 16;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostShown); ++i) {
+    text += (i == 0 ? "" : ", ") + asset::quoted(names[i]);
+  }
+  if (names.size() <= kMostShown) return text;
+  return text + " and " + std::to_string(names.size() - kMostShown) + " more";
+}
+
+}  // namespace
+
+std::optional<std::string_view> nearest_name(std::string_view name,
+                                             std::span<const std::string_view> known) {
+  const auto nearest = nearest_by_errors(name, known);
+  return nearest ? nearest : nearest_around(name, known);
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
+  if (const auto nearest = nearest_name(name, known))
+    return ", did you mean " + asset::quoted(*nearest) + "?";
   return ", expected one of " + listed(known);
 }
 

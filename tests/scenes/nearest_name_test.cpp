@@ -14,10 +14,30 @@ TEST(NearestName, FindsTypingErrors) {
   EXPECT_EQ(suggestion("ran", kKnown), ", did you mean \"run\"?");
 }
 
+TEST(NearestName, TakesTwoCharactersInTheWrongOrderForOneError) {
+  const std::vector<std::string_view> options = {"help", "html"};
+  EXPECT_EQ(nearest_name("htlm", options), "html");
+}
+
+TEST(NearestName, TakesLongNamesWithMoreErrorsAndPiecesOfNames) {
+  const std::vector<std::string_view> names = {"Knight_Helmet_Visor", "Knight_Helmet", "hand_r"};
+  EXPECT_EQ(nearest_name("knight-hlemet", names), "Knight_Helmet");
+  EXPECT_EQ(nearest_name("helmet", names), "Knight_Helmet");
+  EXPECT_EQ(nearest_name("HAND_R", names), "hand_r");
+  EXPECT_EQ(nearest_name("shield", names), std::nullopt);
+  EXPECT_EQ(nearest_name("r", names), std::nullopt);
+}
+
+TEST(NearestName, ListsNoMoreThanCanBeRead) {
+  const std::vector<std::string_view> names(20, "joint");
+  const std::string words = suggestion("sword", names);
+  EXPECT_EQ(words.substr(words.size() - 18), "\"joint\" and 4 more") << words;
+}
+
 TEST(NearestName, ListsAllWhereNoneIsNear) {
   EXPECT_EQ(suggestion("dance", kKnown),
             ", expected one of \"walk\", \"walk_formal\", \"run\", \"T\"");
-  // Names as short as two typing errors are near to everything.
+  // Short names are near to everything.
   EXPECT_NE(suggestion("X", kKnown).find("expected"), std::string::npos);
 }
 

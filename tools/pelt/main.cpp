@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 
 namespace {
@@ -33,9 +34,33 @@ int finish(ExitCode exit) {
   return printed ? code(exit) : refuse(printed.error().message);
 }
 
+/// The option of the verb that was meant by one that it has not, or "".
+std::string meant_option(const CLI::App& verb, std::string_view option) {
+  option.remove_prefix(std::min(option.find_first_not_of('-'), option.size()));
+  std::vector<std::string_view> known;
+  for (const CLI::Option* one : verb.get_options())
+    known.insert(known.end(), one->get_lnames().begin(), one->get_lnames().end());
+  const auto nearest = pelt::scenes::nearest_name(option, known);
+  return nearest ? "--" + std::string(*nearest) : "";
+}
+
+/// CLI11 says of what a verb does not know only that it "was not expected".
+std::string words_for_unread(const CLI::App& verb, const std::string& argument) {
+  if (!argument.starts_with('-'))
+    return pelt::asset::quoted(argument) + " is one argument too many";
+  const std::string option = argument.substr(0, argument.find('='));
+  const std::string problem = "there is no option " + pelt::asset::quoted(option);
+  const std::string meant = meant_option(verb, option);
+  return meant.empty() ? problem : problem + ", did you mean " + pelt::asset::quoted(meant) + "?";
+}
+
 /// CLI11 says of a missing or unknown verb only that some "subcommand" is required.
 std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
-  if (!app.get_subcommands().empty()) return error.what();
+  if (!app.get_subcommands().empty()) {
+    const CLI::App& verb = *app.get_subcommands()[0];
+    const std::vector<std::string> unread = verb.remaining();
+    return unread.empty() ? error.what() : words_for_unread(verb, unread[0]);
+  }
   const std::vector<std::string> unread = app.remaining();
   const std::vector<const CLI::App*> verbs =
       app.get_subcommands([](const CLI::App*) { return true; });
