@@ -22,8 +22,8 @@ std::string mesh_node_names(const GltfDocument& document, const NodeGraph& graph
 
 /// For each node of the scene whether it or a node above it has one of the names.
 Result<std::vector<bool>> find_excluded(const GltfDocument& document, const NodeGraph& graph,
-                                        const std::vector<std::string>& names) {
-  std::set<std::string_view> unknown(names.begin(), names.end());
+                                        const GltfOptions& options) {
+  std::set<std::string_view> unknown(options.exclude_nodes.begin(), options.exclude_nodes.end());
   const std::set<std::string_view> wanted = unknown;
   std::vector<bool> excluded(graph.scene_count);
   for (std::uint32_t i = 0; i < graph.scene_count; ++i) {
@@ -32,7 +32,7 @@ Result<std::vector<bool>> find_excluded(const GltfDocument& document, const Node
     excluded[i] = above || wanted.count(name) > 0;
     unknown.erase(name);
   }
-  if (unknown.empty()) return excluded;
+  if (unknown.empty() || !options.excluded_must_exist) return excluded;
   return Error{ErrorCode::invalid_argument,
                "no node to exclude is named " + asset::quoted(*unknown.begin()) +
                    "; the nodes with meshes are " + mesh_node_names(document, graph)};
@@ -43,7 +43,7 @@ Result<std::vector<bool>> find_excluded(const GltfDocument& document, const Node
 Result<std::vector<std::uint32_t>> choose_mesh_nodes(const GltfDocument& document,
                                                      const NodeGraph& graph,
                                                      const GltfOptions& options) {
-  const Result<std::vector<bool>> excluded = find_excluded(document, graph, options.exclude_nodes);
+  const Result<std::vector<bool>> excluded = find_excluded(document, graph, options);
   if (!excluded) return excluded.error();
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t i = 0; i < graph.scene_count; ++i) {

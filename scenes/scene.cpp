@@ -6,6 +6,7 @@
 #include "asset/file_bytes.hpp"
 #include "asset/message.hpp"
 #include "base/assert.hpp"
+#include "scenes/excluded_nodes.hpp"
 #include "scenes/nearest_name.hpp"
 #include "scenes/scene_file.hpp"
 
@@ -24,7 +25,7 @@ Result<Character> make_character(const SceneFile::Model& model, const std::files
     return generate_character(*creature);
   if (const auto* face = std::get_if<FaceOptions>(&model.source)) return generate_character(*face);
   const std::string& path = std::get<std::string>(model.source);
-  Result<Character> character = load_character(folder / path, options);
+  Result<Character> character = load_character(folder / path, options_for(model.name, options));
   if (character) character->source = path;
   return character;
 }
@@ -46,6 +47,7 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
     character->name = model.name;
     scene.characters.push_back(std::move(*character));
   }
+  if (const auto known = check_excluded(scene, options); !known) return known.error();
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const std::string place = "instances[" + std::to_string(i) + "].";
     if (const auto found = check_clip(scene, i); !found)

@@ -61,6 +61,7 @@ struct Scene {
   std::uint32_t frame_count = 1;
   double fps = 30;
   std::vector<NamePair> ignore;
+  std::vector<std::string> notes;  ///< what may not be meant so, and what to do then, for reports
 };
 
 inline constexpr std::uint32_t kMaxFrames = 1'000'000;
@@ -69,6 +70,7 @@ inline constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
 
 /// Reads the JSON scene format (docs/scenes.md); paths in it are relative to its folder. Unknown
 /// keys, wrong types, missing clips and bad characters are refused with the path inside the file.
+/// A name to exclude is of any of the models, or of one (scenes/excluded_nodes.hpp).
 /// Costs what `load_character` or `generate_character` does for each of its models, however many
 /// instances have it, and O(instances times clips of their characters) beside; the assets stay in
 /// memory.

@@ -119,8 +119,10 @@ struct Asset {
 struct GltfOptions {
   /// Take along unskinned meshes (weapons, armour).
   bool unskinned_parts = true;
-  /// Names of mesh nodes to leave out, with their children; a name that no node has is refused.
+  /// Names of mesh nodes to leave out, with their children.
   std::vector<std::string> exclude_nodes;
+  /// Refuse a name to leave out that no node has.
+  bool excluded_must_exist = true;
 };
 
 /// Reads a glTF 2.0 file, .glb or .gltf with external files (searched beside it, never outside its

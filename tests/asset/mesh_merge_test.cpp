@@ -102,6 +102,13 @@ TEST(MeshMerge, RefusesANameToExcludeThatNoNodeHas) {
   EXPECT_EQ(asset.error().code, ErrorCode::invalid_argument);
 }
 
+TEST(MeshMerge, PassesOverANameToExcludeThatNeedNotExist) {
+  GltfOptions options;
+  options.exclude_nodes = {"stone", "helmet"};
+  options.excluded_must_exist = false;
+  EXPECT_EQ(part_nodes(armed_strip(), options), (Names{"paper", "pebble"}));
+}
+
 TEST(MeshMerge, RefusesASceneWithoutTriangles) {
   GltfOptions options;
   options.unskinned_parts = false;

@@ -27,7 +27,7 @@ export interface ModelOptions {
   renormalise?: boolean;
   /** Leave out meshes without a skin (weapons, armour). */
   noUnskinned?: boolean;
-  /** Names of mesh nodes to leave out, with their children. */
+  /** Names of mesh nodes to leave out, with their children; in a scene of any model, or "knight/Cape". */
   exclude?: readonly string[];
   /** Poses taken from the clips to prepare for; no answer depends on it. Default 6. */
   samples?: number;

@@ -1,6 +1,18 @@
 #include "tools/pelt/arguments/model_arguments.hpp"
 
+#include "scenes/excluded_nodes.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <filesystem>
+
 namespace pelt::tools {
+namespace {
+
+bool is_named_as_gltf(const std::filesystem::path& path) {
+  return path.extension() == ".glb" || path.extension() == ".gltf";
+}
+
+}  // namespace
 
 asset::GltfOptions ModelArguments::gltf_options() const {
   asset::GltfOptions options;
@@ -13,7 +25,8 @@ void add_model_options(Verb& verb, ModelArguments& arguments) {
   verb.flag("--no-unskinned", arguments.no_unskinned,
             "Leave out meshes without a skin (weapons, armour)");
   verb.option("--exclude", arguments.exclude,
-              "Leave out the mesh node of this name and its children (repeatable)",
+              "Leave out the mesh node of this name and its children, of all models or, as in "
+              "knight/Cape, of one (repeatable)",
               {.type = "NAME"});
   verb.flag("--renormalise", arguments.renormalise,
             "Accept weights that do not sum to 1: divide them by their sum, as renderers do");
@@ -21,6 +34,18 @@ void add_model_options(Verb& verb, ModelArguments& arguments) {
               "Poses taken from a character's clips to prepare it for; 0: build faster, answer "
               "more slowly",
               {.type = "N", .most = 1000});
+}
+
+Result<scenes::Character> load_named_character(const std::string& path,
+                                               const asset::GltfOptions& options,
+                                               const char* kinds) {
+  const std::string name = std::filesystem::path(path).stem().string();
+  asset::GltfOptions own = scenes::options_for(name, options);
+  own.excluded_must_exist = options.excluded_must_exist;
+  Result<scenes::Character> character = scenes::load_character(path, own);
+  if (character || character.error().code != ErrorCode::malformed_file || is_named_as_gltf(path))
+    return character;
+  return bad_argument(path, "is no model", std::string("give ") + kinds);
 }
 
 Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,

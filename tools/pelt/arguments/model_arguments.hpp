@@ -3,6 +3,7 @@
 #include <pelt/asset.hpp>
 #include <pelt/model.hpp>
 
+#include "scenes/scene.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 
 #include <cstdint>
@@ -23,6 +24,11 @@ struct ModelArguments {
 };
 
 void add_model_options(Verb& verb, ModelArguments& arguments);
+
+/// Loads a character. `kinds` says what may be given, to whoever gives a file of another kind.
+Result<scenes::Character> load_named_character(const std::string& path,
+                                               const asset::GltfOptions& options,
+                                               const char* kinds);
 
 /// build_model with words that fit the command: the message names `source`, and the remedy is an
 /// option of the command. Sample poses that the model cannot take are passed over: they are a

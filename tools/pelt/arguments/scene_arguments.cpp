@@ -2,6 +2,7 @@
 
 #include "asset/angles.hpp"
 #include "asset/message.hpp"
+#include "scenes/excluded_nodes.hpp"
 #include "tools/pelt/arguments/position_argument.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -98,13 +99,21 @@ Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
   return instance;
 }
 
+/// What one model lacks another may have.
+asset::GltfOptions one_of_several(const ModelArguments& models) {
+  asset::GltfOptions options = models.gltf_options();
+  options.excluded_must_exist = false;
+  return options;
+}
+
 /// The character of a file, loaded once however many instances name it.
 Result<std::uint32_t> add_character(Scene& scene, const std::string& path,
                                     const asset::GltfOptions& options) {
   for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
     if (scene.characters[c].source == path) return c;
   }
-  Result<scenes::Character> character = scenes::load_character(path, options);
+  Result<scenes::Character> character =
+      load_named_character(path, options, "a scene, .json, or models, .glb or .gltf");
   if (!character) return character.error();
   scene.characters.push_back(std::move(*character));
   return static_cast<std::uint32_t>(scene.characters.size() - 1);
@@ -114,7 +123,7 @@ Result<void> add_instance(Scene& scene, const SceneArguments& arguments, std::si
   Result<Instance> instance = place(arguments, i);
   if (!instance) return instance.error();
   const Result<std::uint32_t> character =
-      add_character(scene, arguments.inputs[i], arguments.models.gltf_options());
+      add_character(scene, arguments.inputs[i], one_of_several(arguments.models));
   if (!character) return character.error();
   instance->character = *character;
   scene.instances.push_back(std::move(*instance));
@@ -134,6 +143,26 @@ std::uint32_t frames_of_longest_clip(const Scene& scene) {
   return static_cast<std::uint32_t>(std::clamp(frames, 1.0, double{scenes::kMaxFrames}));
 }
 
+/// How many models could play a clip and were not told to, nor told to stand still.
+std::size_t count_left_standing(const SceneArguments& arguments, const Scene& scene) {
+  std::size_t count = 0;
+  for (std::size_t i = arguments.clips.size(); i < scene.instances.size(); ++i)
+    count += !scene.characters[scene.instances[i].character].asset.clips.empty();
+  return count;
+}
+
+/// Whoever gives two models and nothing else should not take what is found for an answer.
+std::vector<std::string> placing_notes(const SceneArguments& arguments, const Scene& scene) {
+  std::vector<std::string> notes;
+  if (const std::size_t standing = count_left_standing(arguments, scene); standing > 0)
+    notes.push_back(counted(standing, "model") + (standing == 1 ? " stands" : " stand") +
+                    " in the default pose: name a clip for each with --clip, as pelt info lists "
+                    "them (-: that pose)");
+  if (scene.instances.size() > 1 && arguments.positions.empty())
+    notes.push_back("all models are in one place: put them apart with --at X,Y,Z for each");
+  return notes;
+}
+
 Result<Scene> scene_of_models(const SceneArguments& arguments) {
   if (const auto checked = check_for_models(arguments); !checked) return checked.error();
   Scene scene;
@@ -142,8 +171,16 @@ Result<Scene> scene_of_models(const SceneArguments& arguments) {
   for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
     if (const auto added = add_instance(scene, arguments, i); !added) return added.error();
   }
+  const auto known = scenes::check_excluded(scene, arguments.models.gltf_options());
+  if (!known) return asset::prefixed("--exclude", known.error());
   scene.frame_count = frames_of_longest_clip(scene);
+  scene.notes = placing_notes(arguments, scene);
   return scene;
+}
+
+bool plays_nothing(const Scene& scene) {
+  return std::none_of(scene.instances.begin(), scene.instances.end(),
+                      [](const Instance& instance) { return instance.clip.has_value(); });
 }
 
 Result<Scene> scene_of_file(const SceneArguments& arguments) {
@@ -188,6 +225,10 @@ Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& 
   if (!range) return range;
   if (!asks_for_scene(arguments) && range->end <= scenes::kMaxFrames) {
     scene.frame_count = std::max(scene.frame_count, range->end);
+    if (range->frames().size() > 1 && plays_nothing(scene))
+      scene.notes.push_back(
+          "nothing moves, so that all frames are alike: name clips with --clip, or leave out "
+          "--frames");
   }
   if (range->end <= scene.frame_count) return range;
   return bad_argument("--frames", text + " goes beyond the last frame",

@@ -26,11 +26,13 @@ enum class InputsNeeded { one, none };
 void add_scene_options(Verb& verb, SceneArguments& arguments,
                        InputsNeeded needed = InputsNeeded::one);
 
-/// Loads what the arguments name. A scene made of models lasts as long as its longest clip.
+/// Loads what the arguments name. A scene made of models lasts as long as its longest clip, and has
+/// notes where they stand still or in one place.
 Result<scenes::Scene> open_scene(const SceneArguments& arguments);
 
 /// The frames that `text` (of --frames, "" where it was not given) asks for. Models on the command
-/// line have no end: their clips loop, and `scene.frame_count` follows.
+/// line have no end: their clips loop, and `scene.frame_count` follows. Notes in `scene` where all
+/// of several frames are alike.
 Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& arguments,
                                  scenes::Scene& scene);
 

@@ -26,6 +26,7 @@ void print_scene(const scenes::Scene& scene, std::span<const Collider> colliders
   const bool parts = !colliders.empty() && colliders[0].part;
   if (parts) out << ", " << counted(colliders.size(), "part");
   out << ", " << with_commas(triangle_count(colliders)) << " triangles\n";
+  for (const std::string& note : scene.notes) label(out, "note") << note << '\n';
 }
 
 bool has_many_parts(const scenes::Scene& scene) {

@@ -19,7 +19,7 @@ namespace pelt::tools {
 /// The first column: what the line is about.
 std::ostream& label(std::ostream& out, const char* name);
 
-/// The scene, its instances and, where colliders are that, parts; triangles.
+/// The scene, its instances and, where colliders are that, parts; triangles; the scene's notes.
 void print_scene(const scenes::Scene& scene, std::span<const Collider> colliders,
                  std::ostream& out);
 

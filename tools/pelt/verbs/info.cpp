@@ -164,7 +164,8 @@ Result<ExitCode> info(const Arguments& arguments) {
     return ExitCode::success;
   }
   const Result<scenes::Character> character =
-      scenes::load_character(arguments.model, arguments.models.gltf_options());
+      load_named_character(arguments.model, arguments.models.gltf_options(),
+                           "a glTF file, .glb or .gltf, or a prepared model, .pelt");
   if (!character) return character.error();
   const asset::Asset& asset = character->asset;
   const std::uint32_t samples = arguments.models.samples;

@@ -90,8 +90,8 @@ void print(const std::string& output, std::span<const std::byte> file, double bu
 }
 
 Result<ExitCode> prepare(const Arguments& arguments) {
-  const Result<scenes::Character> character =
-      scenes::load_character(arguments.model, arguments.models.gltf_options());
+  const Result<scenes::Character> character = load_named_character(
+      arguments.model, arguments.models.gltf_options(), "a glTF file, .glb or .gltf");
   if (!character) return character.error();
   const Result<Prepared> prepared = build(*character, arguments.models);
   if (!prepared) return prepared.error();

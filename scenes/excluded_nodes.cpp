@@ -1,0 +1,54 @@
+#include "scenes/excluded_nodes.hpp"
+
+#include "asset/message.hpp"
+#include "scenes/nearest_name.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+namespace pelt::scenes {
+namespace {
+
+/// What a node of the model has to be called.
+std::string name_in(const std::string& model, const std::string& name) {
+  return name.starts_with(model + "/") ? name.substr(model.size() + 1) : name;
+}
+
+bool has(const Character& character, const std::string& name) {
+  const bool is_file = std::holds_alternative<std::filesystem::path>(character.origin);
+  const auto& nodes = character.asset.nodes;
+  return is_file && std::any_of(nodes.begin(), nodes.end(), [&](const asset::Node& node) {
+           return node.name == name_in(character.name, name);
+         });
+}
+
+Error unknown_node(const Scene& scene, const std::string& name) {
+  std::set<std::string> names;
+  for (const Character& character : scene.characters)
+    for (const asset::Part& part : character.asset.parts)
+      names.insert(name.find('/') == name.npos ? part.node : character.name + "/" + part.node);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return {ErrorCode::invalid_argument,
+          "no node to exclude is named " + asset::quoted(name) + suggestion(name, known)};
+}
+
+}  // namespace
+
+asset::GltfOptions options_for(const std::string& model, const asset::GltfOptions& options) {
+  asset::GltfOptions own = options;
+  own.excluded_must_exist = false;
+  for (std::string& name : own.exclude_nodes) name = name_in(model, name);
+  return own;
+}
+
+Result<void> check_excluded(const Scene& scene, const asset::GltfOptions& options) {
+  for (const std::string& name : options.exclude_nodes) {
+    const auto has_it = [&](const Character& character) { return has(character, name); };
+    if (std::none_of(scene.characters.begin(), scene.characters.end(), has_it))
+      return unknown_node(scene, name);
+  }
+  return {};
+}
+
+}  // namespace pelt::scenes
