@@ -70,10 +70,9 @@ class ExtraQueries {
   }
 
   void report(CheckReport& report) const {
-    constexpr std::size_t kMostRows = 10;
     if (depths_) {
       report.regions = depths_->regions();
-      report.deepest = depths_->deepest(kMostRows);
+      report.deepest = depths_->deepest();
     }
     if (!inside_) return;
     report.inside = insides_;

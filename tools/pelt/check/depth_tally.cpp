@@ -18,13 +18,12 @@ void DepthTally::add(std::uint32_t frame, const FrameContacts& found,
   }
 }
 
-std::vector<DepthTally::Row> DepthTally::deepest(std::size_t most) const {
+std::vector<DepthTally::Row> DepthTally::deepest() const {
   std::vector<Row> rows;
   for (const auto& [places, known] : deepest_)
     rows.push_back({name(places.first), name(places.second), known.depth, known.frame});
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.depth > b.depth; });
-  if (rows.size() > most) rows.resize(most);
   return rows;
 }
 

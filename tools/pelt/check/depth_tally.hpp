@@ -29,8 +29,8 @@ class DepthTally {
     std::uint32_t frame = 0;
   };
 
-  /// The pairs of joints with the deepest regions, deepest first.
-  std::vector<Row> deepest(std::size_t most) const;
+  /// Of each pair of joints, deepest first.
+  std::vector<Row> deepest() const;
 
  private:
   struct Place {

@@ -28,18 +28,39 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
                          << (settings.max_contacts ? ", cut short by the limit" : "") << '\n';
 }
 
+/// How many a list leaves out.
+void print_rest(std::size_t count, std::ostream& out) {
+  if (count > kMostRows)
+    out << std::right << std::setw(12) << "..."
+        << " and " << with_commas(count - kMostRows) << " more, see --jsonl\n";
+}
+
+/// Those of a list that are shown.
+template <typename Row>
+std::span<const Row> shown(const std::vector<Row>& rows) {
+  return std::span(rows).first(std::min(rows.size(), kMostRows));
+}
+
+/// Of the first column of names.
+template <typename Row>
+int width_of(std::span<const Row> rows) {
+  std::size_t width = 0;
+  for (const Row& row : rows) width = std::max(width, row.a.size());
+  return static_cast<int>(width);
+}
+
 void print_rows(const char* title, const std::vector<TouchTally::Row>& rows, std::uint64_t contacts,
                 std::ostream& out) {
   out << '\n' << title << '\n';
-  std::size_t width = 0;
-  for (const TouchTally::Row& row : rows) width = std::max(width, row.a.size());
-  for (const TouchTally::Row& row : rows) {
+  const int width = width_of(shown(rows));
+  for (const TouchTally::Row& row : shown(rows)) {
     const double percent =
         100.0 * static_cast<double>(row.contacts) / static_cast<double>(contacts);
     out << std::right << std::setw(12) << with_commas(row.contacts) << std::setw(6)
-        << fixed(percent, 1) << " %  " << std::left << std::setw(static_cast<int>(width)) << row.a
-        << "  " << row.b << '\n';
+        << fixed(percent, 1) << " %  " << std::left << std::setw(width) << row.a << "  " << row.b
+        << '\n';
   }
+  print_rest(rows.size(), out);
 }
 
 void print_touching(const scenes::Scene& scene, const CheckReport& report, const TouchTally& tally,
@@ -47,17 +68,10 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
   const std::uint64_t contacts = report.totals.contacts;
   if (contacts == 0) return;
   if (has_many_parts(scene)) {
-    print_rows("parts that touch", tally.parts(kMostRows), contacts, out);
+    print_rows("parts that touch", tally.parts(), contacts, out);
   }
-  print_rows("joints that touch", tally.joints(kMostRows), contacts, out);
+  print_rows("joints that touch", tally.joints(), contacts, out);
   out << '\n';
-}
-
-/// How many a list leaves out.
-void print_rest(std::size_t count, std::ostream& out) {
-  if (count > kMostRows)
-    out << std::setw(12) << "..."
-        << " and " << with_commas(count - kMostRows) << " more, see --jsonl\n";
 }
 
 std::string held_words(const scenes::Scene& scene, std::span<const Collider> colliders,
@@ -117,13 +131,13 @@ void print_comparison(const scenes::Scene& scene, std::span<const Collider> coll
 
 void print_deepest(const CheckReport& report, std::ostream& out) {
   label(out, "regions") << with_commas(report.regions) << " in all\n\ndeepest regions\n";
-  std::size_t width = 0;
-  for (const DepthTally::Row& row : report.deepest) width = std::max(width, row.a.size());
-  for (const DepthTally::Row& row : report.deepest) {
+  const int width = width_of(shown(report.deepest));
+  for (const DepthTally::Row& row : shown(report.deepest)) {
     out << std::right << std::setw(12) << fixed(static_cast<double>(row.depth), 6) << "  frame "
-        << std::setw(5) << row.frame << "  " << std::left << std::setw(static_cast<int>(width))
-        << row.a << "  " << row.b << '\n';
+        << std::setw(5) << row.frame << "  " << std::left << std::setw(width) << row.a << "  "
+        << row.b << '\n';
   }
+  print_rest(report.deepest.size(), out);
   out << '\n';
 }
 

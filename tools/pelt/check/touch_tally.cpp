@@ -83,16 +83,15 @@ std::vector<Touch> TouchTally::touches() const {
   return touches;
 }
 
-std::vector<TouchTally::Row> TouchTally::joints(std::size_t most) const {
-  return rows(&TouchPlace::joint, most, scenes::joint_name);
+std::vector<TouchTally::Row> TouchTally::joints() const {
+  return rows(&TouchPlace::joint, scenes::joint_name);
 }
 
-std::vector<TouchTally::Row> TouchTally::parts(std::size_t most) const {
-  return rows(&TouchPlace::part, most, scenes::part_name);
+std::vector<TouchTally::Row> TouchTally::parts() const {
+  return rows(&TouchPlace::part, scenes::part_name);
 }
 
-std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, std::size_t most,
-                                              Name name) const {
+std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, Name name) const {
   using Key = std::pair<std::uint32_t, std::uint32_t>;  // instance, part or joint
   std::map<std::pair<Key, Key>, std::uint64_t> counts;
   for (const auto& [places, touch] : touches_) {
@@ -110,7 +109,6 @@ std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, 
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.contacts > b.contacts; });
-  if (rows.size() > most) rows.resize(most);
   return rows;
 }
 

@@ -45,9 +45,9 @@ class TouchTally {
     std::uint64_t contacts = 0;
   };
 
-  /// The pairs with the most contacts, most first.
-  std::vector<Row> joints(std::size_t most) const;
-  std::vector<Row> parts(std::size_t most) const;
+  /// The pairs with the most contacts first.
+  std::vector<Row> joints() const;
+  std::vector<Row> parts() const;
 
  private:
   using Places = std::pair<TouchPlace, TouchPlace>;  // ascending
@@ -58,7 +58,7 @@ class TouchTally {
 
   TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
   void add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts);
-  std::vector<Row> rows(std::uint32_t TouchPlace::*index, std::size_t most, Name name) const;
+  std::vector<Row> rows(std::uint32_t TouchPlace::*index, Name name) const;
 
   const scenes::Scene* scene_;
   std::span<const Collider> colliders_;
