@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"check", "scene.json", "--baseline", "none.jsonl"},
                 {"--baseline: none.jsonl", "--jsonl wrote"}},
         Refusal{{"check", "scene.json", "--baseline", "scene.json"},
-                {"--baseline: scene.json: the JSON text", "--jsonl wrote"}},
+                {"--baseline: scene.json: is no whole answer", "--jsonl wrote"}},
         Refusal{{"info", "none.glb"}, {"none.glb"}},
         Refusal{{"pose", "scene.json", "--frame", "0", "-o", "no/folder/a"}, {"no/folder/a"}},
         Refusal{{"demo", "-o", "scene.json/x"}, {"scene.json/x", "-o"}},

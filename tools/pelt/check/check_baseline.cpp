@@ -16,9 +16,11 @@ using asset::FirstError;
 using asset::JsonObject;
 using nlohmann::json;
 
-constexpr const char* kOfTheSameQuestion =
-    "name a file that pelt check --jsonl wrote, with the same --by, --clearance and --inside and "
-    "no limit";
+/// "--by part", or "without --clearance".
+std::string option_words(const std::string& option, const json& value) {
+  if (value.is_null()) return "without " + option;
+  return option + " " + (value.is_string() ? value.get<std::string>() : value.dump());
+}
 
 std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
 
@@ -46,15 +48,27 @@ json value_of(const json& object, const char* key) {
   return found == object.end() ? json() : *found;
 }
 
-void require_comparable(const JsonObject& theirs, const json& their_values, const json& ours) {
-  if (theirs.text("by") != ours["by"])
-    theirs.refuse("by", "is not " + ours["by"].get<std::string>() + " as here");
-  if (value_of(their_values, "clearance") != ours["clearance"])
-    theirs.refuse("clearance", "is not as here");
-  if (!value_of(their_values, "max_contacts").is_null())
-    theirs.refuse("max_contacts", "left contacts out");
-  if (ours["inside"] == true && !theirs.flag("inside"))
-    theirs.refuse("inside", "was not asked there, but here");
+Error incomparable(const std::string& difference, const std::string& remedy) {
+  return {ErrorCode::invalid_argument, difference + ": " + remedy};
+}
+
+/// Refuses the options of another question.
+Result<void> compare_questions(const json& theirs, const json& ours) {
+  for (const char* key : {"by", "clearance"}) {
+    const json then = value_of(theirs, key);
+    const std::string option = std::string("--") + key;
+    if (then != ours[key])
+      return incomparable("was written " + option_words(option, then) + ", and here it is " +
+                              option_words(option, ours[key]),
+                          "give the same here, or write it anew");
+  }
+  if (!value_of(theirs, "max_contacts").is_null())
+    return incomparable("was written with --first or --max-contacts, which leave contacts out",
+                        "write it anew without these");
+  if (ours["inside"] == true && value_of(theirs, "inside") != true)
+    return incomparable("was written without --inside",
+                        "write it anew with it, or leave it out here");
+  return {};
 }
 
 /// What may differ and leaves something to compare.
@@ -109,16 +123,23 @@ Result<void> compare_models(const std::vector<std::string>& theirs,
                             const std::vector<std::string>& ours, std::vector<std::string>& notes) {
   if (theirs == ours) return {};
   if (!have_one_in_common(theirs, ours))
-    return Error{ErrorCode::invalid_argument, "is of another scene, one of " + listed(theirs) +
-                                                  ", and here are " + listed(ours)};
+    return incomparable(
+        "is of another scene, one of " + listed(theirs) + ", and here are " + listed(ours),
+        "name the baseline of this scene");
   notes.push_back("instances were " + std::to_string(theirs.size()) + " of " + listed(theirs) +
                   " in the baseline and are " + std::to_string(ours.size()) + " of " +
                   listed(ours) + " here");
   return {};
 }
 
+constexpr const char* kAnswerOfCheck = ": name a file that pelt check --jsonl wrote";
+
 Error unusable_baseline(const std::string& path, const Error& error) {
-  return {error.code, "--baseline: " + path + ": " + error.message + ": " + kOfTheSameQuestion};
+  const bool is_answer = error.code != ErrorCode::malformed_file;
+  const std::string problem =
+      is_answer ? error.message
+                : "is no whole answer of pelt check (" + error.message + ")" + kAnswerOfCheck;
+  return {error.code, "--baseline: " + path + ": " + problem};
 }
 
 void require_check(const JsonObject& header) {
@@ -138,7 +159,7 @@ Result<CheckBaseline> CheckBaseline::compare(const json& first, const json& last
   require_check(header);
   if (errors.get()) return *errors.get();
   const json ours = as_json_holds(question_json(question));
-  require_comparable(header.object("options"), first["options"], ours);
+  if (const auto same = compare_questions(first["options"], ours); !same) return same.error();
   CheckBaseline baseline;
   note_differences(first["options"], ours, baseline.notes_);
   baseline.take_touches(totals);
@@ -179,7 +200,9 @@ Result<CheckBaseline> CheckBaseline::parse(const std::string& path, std::string_
 Result<CheckBaseline> CheckBaseline::read(const std::string& path, const CheckQuestion& question,
                                           const scenes::Scene& scene) {
   const auto bytes = asset::read_file(path);
-  if (!bytes) return unusable_baseline(path, bytes.error());
+  if (!bytes)
+    return asset::prefixed("--baseline",
+                           {bytes.error().code, bytes.error().message + kAnswerOfCheck});
   const auto* text = reinterpret_cast<const char*>(bytes->data());
   return parse(path, {text, bytes->size()}, question, scene);
 }
