@@ -23,6 +23,7 @@ TEST(CheckOptions, StandardOutputIsForTheAnswerOrForPeople) {
   write_limbs(folder);
   const Ended words = run_pelt(folder, {"check", "scene.json", "--jsonl", "a.jsonl"});
   EXPECT_NE(words.out.find("joints that touch"), std::string::npos);
+  EXPECT_NE(words.out.find("wrote a.jsonl\n"), std::string::npos);
   EXPECT_EQ(words.err, "");
   const Ended answer = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});
   EXPECT_EQ(answer.out, read_text(folder / "a.jsonl"));

@@ -28,6 +28,9 @@ TEST(Demo, WritesItsFilesWithoutARayTracer) {
   EXPECT_GT(totals["totals"]["frames_in_contact"], 10);
   EXPECT_LT(totals["totals"]["frames_in_contact"], 80);
   EXPECT_TRUE(asset::load_gltf(folder / "pelt-demo/contacts.glb"));
+  const auto character = asset::load_gltf(folder / "pelt-demo/azure.glb");
+  ASSERT_TRUE(character) << character.error().message;
+  EXPECT_NE(character->find_clip("walk"), nullptr);
 
   // The scene that it wrote is one that `check` takes, with the same answer.
   const Ended check = run_pelt(

@@ -5,6 +5,8 @@
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"
 
+#include <sstream>
+
 namespace pelt::test {
 namespace {
 
@@ -12,6 +14,12 @@ TEST(Output, FileThatCannotBeWrittenIsNamed) {
   const auto written = tools::write_file("no/such/folder/a.glb", {});
   ASSERT_FALSE(written);
   EXPECT_NE(written.error().message.find("no/such/folder/a.glb"), std::string::npos);
+}
+
+TEST(Output, FileThatWasWrittenIsTold) {
+  std::ostringstream words;
+  for (const char* name : {"", tools::kStandardOutput, "a.glb"}) tools::print_written(name, words);
+  EXPECT_EQ(words.str(), "wrote a.glb\n");
 }
 
 Ended run_in_shell(const TestFolder& folder, const std::string& rest) {

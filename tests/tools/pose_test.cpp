@@ -30,7 +30,7 @@ TEST(PoseVerb, WritesTheBitsThatAreCollided) {
   ASSERT_TRUE(scene) << scene.error().message;
   const Ended run = run_pelt(folder, {"pose", "scene.json", "--frame", "5", "-o", "a.glb"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(run.out + run.err, "");
+  EXPECT_EQ(run.out + run.err, "wrote a.glb\n");
   const GlbFile file(read_text(folder / "a.glb"));
   ASSERT_EQ(file.document["meshes"].size(), 2u);
   for (std::uint32_t i = 0; i < 2; ++i) {

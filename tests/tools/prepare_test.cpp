@@ -15,8 +15,8 @@ TEST(Prepare, WritesWhatTheLibraryLoads) {
   write_bytes(folder / "limb.glb", swaying_limb(20));
   const Ended run = run_pelt(folder, {"prepare", "limb.glb", "-o", "limb.pelt"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  for (const char* words : {"limb.glb: ", " triangles", "6 poses of 1 clip",
-                            "limb.pelt: ", " bytes", "build", " times faster"})
+  for (const char* words : {"limb.glb: ", " triangles", "6 poses of 1 clip", "wrote limb.pelt",
+                            " bytes", "build", " times faster"})
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
   const auto file = bytes_of(read_text(folder / "limb.pelt"));
   const Result<SkinnedModel> model = load_model(file);

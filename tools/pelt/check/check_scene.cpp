@@ -70,6 +70,8 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
     if (!written) return written.error();
   }
   print_summary(scene, *colliders, settings, *report, *tally, words);
+  for (const std::string& name : {outputs.jsonl, outputs.glb, outputs.html})
+    print_written(name, words);
   return report;
 }
 

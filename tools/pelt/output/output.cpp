@@ -26,6 +26,10 @@ Result<void> write_file(const std::filesystem::path& path, std::span<const std::
   return unwritable(path.string());
 }
 
+void print_written(const std::string& name, std::ostream& words) {
+  if (!name.empty() && name != kStandardOutput) words << "wrote " << name << '\n';
+}
+
 Result<void> check_writable(const std::filesystem::path& path) {
   std::error_code ignored;
   const bool is_new = !std::filesystem::exists(path, ignored);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <ostream>
 #include <span>
 #include <string>
 
@@ -18,6 +19,10 @@ inline constexpr const char* kStandardOutput = "-";
 Error unwritable(const std::string& name);
 
 Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Tells people of a file that was written; of standard output and of "", which is no file,
+/// nothing.
+void print_written(const std::string& name, std::ostream& words);
 
 /// Whether a file can be written there, asked before long work; what it holds stays.
 Result<void> check_writable(const std::filesystem::path& path);

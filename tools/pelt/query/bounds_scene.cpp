@@ -1,6 +1,7 @@
 #include "tools/pelt/query/bounds_scene.hpp"
 
 #include "scenes/names.hpp"
+#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/answer_frames.hpp"
 #include "tools/pelt/query/bounds_query.hpp"
@@ -130,6 +131,7 @@ Result<void> bounds_scene(const scenes::Scene& scene, const BoundsSettings& sett
       answer_frames(scene, *colliders, settings.frames, query, writer, lines);
   if (!costs) return costs.error();
   print_summary(scene, *colliders, settings, query.answers(), *costs, words);
+  print_written(jsonl, words);
   return {};
 }
 

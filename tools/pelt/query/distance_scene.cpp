@@ -2,6 +2,7 @@
 
 #include <pelt/distance.hpp>
 
+#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/answer_frames.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
@@ -178,6 +179,7 @@ Result<void> distance_scene(const scenes::Scene& scene, const DistanceSettings& 
       answer_frames(scene, *colliders, settings.frames, query, writer, lines);
   if (!costs) return costs.error();
   print_summary(scene, *colliders, query.answers(), settings, *costs, words);
+  print_written(jsonl, words);
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <pelt/distance.hpp>
 
+#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/answer_frames.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
@@ -168,6 +169,7 @@ Result<void> nearest_scene(const scenes::Scene& scene, std::span<const Vec3> poi
       answer_frames(scene, *colliders, settings.frames, query, writer, lines);
   if (!costs) return costs.error();
   print_summary(scene, *colliders, query, *costs, words);
+  print_written(jsonl, words);
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include "asset/message.hpp"
 #include "scenes/names.hpp"
 #include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
@@ -234,6 +235,7 @@ Result<void> ray_scene(const scenes::Scene& scene, const RaySettings& settings,
   if (lines.stream() != nullptr) write_totals(tallies, *costs, *lines.stream());
   if (const auto closed = lines.close(); !closed) return closed.error();
   print_summary(names, settings, tallies, *costs, words);
+  print_written(jsonl, words);
   return {};
 }
 

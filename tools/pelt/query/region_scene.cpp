@@ -1,5 +1,6 @@
 #include "tools/pelt/query/region_scene.hpp"
 
+#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/answer_frames.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
@@ -163,6 +164,7 @@ Result<void> region_scene(const scenes::Scene& scene, const RegionSettings& sett
   print_scene(scene, *colliders, words);
   print_placements(scene, *colliders, query.answers(), settings.frames.stride, words);
   print_costs(costs->seconds, costs->work, words);
+  print_written(jsonl, words);
   return {};
 }
 

@@ -218,6 +218,7 @@ Result<ExitCode> bench_scenes(const Arguments& arguments) {
     const std::string text = figures_json(figures);
     const auto written = write_file(arguments.json, std::as_bytes(std::span(text)));
     if (!written) return written.error();
+    print_written(arguments.json, std::cout);
   }
   return *baseline ? compare(**baseline, arguments, figures) : ExitCode::success;
 }

@@ -1,5 +1,6 @@
 /// `pelt demo`: two generated characters walk into each other; nothing has to be at hand.
 
+#include "scenes/character_glb.hpp"
 #include "scenes/demo_scene.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_scene.hpp"
@@ -28,9 +29,10 @@ Examples:
   pelt demo -o pictures
   pelt demo --no-picture
 
-Writes scene.json (then try `pelt check pelt-demo/scene.json`), contacts.jsonl (every colliding
-triangle pair of every frame), contacts.glb (the worst frame, for any glTF viewer), report.html (the
-whole clip, playing in a browser) and still.png (the picture of one frame, by POV-Ray).)";
+Writes scene.json (then try `pelt check pelt-demo/scene.json`), azure.glb and sand.glb (its two
+characters, with skins and clips), contacts.jsonl (every colliding triangle pair of every frame),
+contacts.glb (the worst frame, for any glTF viewer), report.html (the whole clip, playing in a
+browser) and still.png (the picture of one frame, by POV-Ray).)";
 
 /// The frame of still.png.
 constexpr std::uint32_t kStillFrame = 40;
@@ -45,6 +47,24 @@ Result<void> make_folder(const fs::path& folder) {
   if (fs::is_directory(folder, error)) return {};
   return Error{ErrorCode::unreadable_file,
                folder.string() + ": is no folder and cannot be made: choose another with -o"};
+}
+
+Result<scenes::Scene> write_scene(const fs::path& folder) {
+  const fs::path path = folder / "scene.json";
+  if (const auto written = write_text(path, scenes::kDemoScene); !written) return written.error();
+  print_written(path.string(), std::cout);
+  return scenes::load_scene(path);
+}
+
+/// For whoever has no characters at hand.
+Result<void> write_characters(const scenes::Scene& scene, const fs::path& folder) {
+  for (const scenes::Character& character : scene.characters) {
+    const fs::path path = folder / (character.name + ".glb");
+    const auto written = write_file(path, scenes::character_glb(character.asset));
+    if (!written) return written;
+    print_written(path.string(), std::cout);
+  }
+  return {};
 }
 
 /// With a report where `viewer` is a page.
@@ -81,7 +101,7 @@ void render(const fs::path& description, const fs::path& picture) {
                                             "+Q11"};
   switch (run_program(command)) {
     case ProgramEnd::succeeded:
-      std::cout << "wrote " << picture.string() << '\n';
+      print_written(picture.string(), std::cout);
       remove_file(description);
       return;
     case ProgramEnd::not_found:
@@ -95,33 +115,29 @@ void render(const fs::path& description, const fs::path& picture) {
   }
 }
 
-Result<ExitCode> demo(const Arguments& arguments) {
-  const fs::path folder = arguments.folder;
-  if (const auto made = make_folder(folder); !made) return made.error();
-  const fs::path scene_path = folder / "scene.json";
-  if (const auto written = write_text(scene_path, scenes::kDemoScene); !written)
-    return written.error();
-  const Result<scenes::Scene> scene = scenes::load_scene(scene_path);
-  if (!scene) return scene.error();
-  // A missing viewer is no failure of the demo either.
-  const Result<std::string> viewer = read_viewer();
-  if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
-  for (const char* name : {"scene.json", "contacts.jsonl", "contacts.glb"}) {
-    std::cout << "wrote " << (folder / name).string() << '\n';
-  }
-  if (viewer) {
-    std::cout << "wrote " << (folder / "report.html").string() << '\n';
-  } else {
-    std::cout << "no report: " << viewer.error().message << '\n';
-  }
-  if (arguments.no_picture) return ExitCode::success;
-  const Result<StillFrame> still = take_still(*scene, kStillFrame);
+Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
+  const Result<StillFrame> still = take_still(scene, kStillFrame);
   if (!still) return still.error();
   const fs::path description = folder / "still.pov";
   if (const auto written = write_text(description, describe_still(*still)); !written)
     return written.error();
   std::cout << "rendering ..." << std::endl;
   render(description, folder / "still.png");
+  return {};
+}
+
+Result<ExitCode> demo(const Arguments& arguments) {
+  const fs::path folder = arguments.folder;
+  if (const auto made = make_folder(folder); !made) return made.error();
+  const Result<scenes::Scene> scene = write_scene(folder);
+  if (!scene) return scene.error();
+  if (const auto written = write_characters(*scene, folder); !written) return written.error();
+  // A missing viewer is no failure of the demo either.
+  const Result<std::string> viewer = read_viewer();
+  if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
+  if (!viewer) std::cout << "no report: " << viewer.error().message << '\n';
+  if (arguments.no_picture) return ExitCode::success;
+  if (const auto written = write_picture(*scene, folder); !written) return written.error();
   return ExitCode::success;
 }
 

@@ -7,6 +7,8 @@
 #include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
+#include <iostream>
+
 namespace pelt::tools {
 namespace {
 
@@ -39,6 +41,7 @@ Result<ExitCode> pose(const Arguments& arguments) {
   if (!posed) return posed.error();
   const auto written = write_file(arguments.output, posed_glb(*posed));
   if (!written) return written.error();
+  print_written(arguments.output, std::cout);
   return ExitCode::success;
 }
 

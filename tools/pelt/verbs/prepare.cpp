@@ -84,9 +84,10 @@ void print(const scenes::Character& character, const Prepared& prepared) {
 
 void print(const std::string& output, std::span<const std::byte> file, double build_ms) {
   const double load_ms = loading_milliseconds(file);
-  label("prepared") << output << ": " << with_commas(file.size()) << " bytes\n";
+  label("prepared") << with_commas(file.size()) << " bytes\n";
   label("load") << fixed(load_ms, 2) << " ms, " << fixed(build_ms / load_ms, 0)
                 << " times faster\n";
+  print_written(output, std::cout);
 }
 
 Result<ExitCode> prepare(const Arguments& arguments) {
