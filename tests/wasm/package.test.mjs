@@ -37,8 +37,8 @@ const installed = path.join(folder, 'node_modules', packed.name);
 
 const read = (name) => fs.readFileSync(path.join(installed, name), 'utf8');
 
-function block(language) {
-  return read('README.md').match(new RegExp(`^\`\`\`${language}\n(.*?)^\`\`\``, 'ms'))[1];
+function block(language, text = read('README.md')) {
+  return text.match(new RegExp(`^\`\`\`${language}\n(.*?)^\`\`\``, 'ms'))[1];
 }
 
 test('it has what it needs, the licences, and nothing else', () => {
@@ -89,6 +89,12 @@ test('the licences of all that is compiled in come with it', () => {
 test("the README's program prints what the README says", () => {
   fs.writeFileSync(path.join(folder, 'program.mjs'), block('js'));
   assert.equal(run(folder, process.execPath, 'program.mjs'), block('text'));
+});
+
+test("the program in Pelt's README finds contacts", () => {
+  const readme = fs.readFileSync(path.join(kHere, '../../README.md'), 'utf8');
+  fs.writeFileSync(path.join(folder, 'short.mjs'), block('js', readme));
+  assert.match(run(folder, process.execPath, 'short.mjs'), /^[1-9]\d*\n$/);
 });
 
 const kTypeScript = path.join(kHere, '../../viewer/node_modules/typescript/lib/typescript.js');
