@@ -6,6 +6,7 @@ import * as check from './lib/checks.mjs';
 import { ContactHash, Crowd } from './lib/crowd.mjs';
 import { withDecoder } from './lib/decoder.mjs';
 import { containment, deepestVertex, distance } from './lib/distances.mjs';
+import { invalid } from './lib/errors.mjs';
 import { withFiles } from './lib/files.mjs';
 import { expose } from './lib/internals.mjs';
 import { Memory } from './lib/memory.mjs';
@@ -59,10 +60,10 @@ class Pelt {
     return this.#memory.gate.hasEnded;
   }
 
-  readCharacter(file, given) {
+  readCharacter(file, given = {}) {
     const options = readObject(this.#memory, given, kReadRules);
     const { meshoptDecode, files, name, ...rest } = options;
-    check.text(name, 'name');
+    if (name === undefined) throw invalid("name: a character needs one, as in { name: 'knight' }");
     const bytes = check.bytes(file, 'file');
     const read = (folder) =>
       this.#memory.withBytes(bytes, (address) =>

@@ -65,7 +65,7 @@ test('broken files are refused in the words of the command', () => {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-'));
   let refused = 0;
   for (const length of [0, 3, 12, 40, 200, whole.length - 5]) {
-    const file = path.join(folder, `cut_${length}.broken`);
+    const file = path.join(folder, `cut_${length}.glb`);
     fs.writeFileSync(file, whole.subarray(0, length));
     const { err } = runCommand('info', file);
     const words = err.trim().slice(`pelt: error: ${file}: `.length);

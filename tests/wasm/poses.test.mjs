@@ -43,7 +43,8 @@ test('bad palettes are refused and leave the pose as it was', () => {
   assert.throws(() => a.setPalette(bad.subarray(1)), /palette: expected 640 numbers, found 639/);
   assert.throws(() => a.posedVertices(new Float32Array(3)), /out: expected a Float32Array of/);
   assert.deepEqual(a.posedVertices(), before);
-  assert.throws(() => character.palette('fly', 0), /has no clip "fly"; it has "walk", "idle"/);
+  assert.throws(() => character.palette('fly', 0), /has no clip "fly", expected one of "walk", "idle"$/);
+  assert.throws(() => character.palette('wlak', 0), /has no clip "wlak", did you mean "walk"\?$/);
 });
 
 test('tight bounds are those of the vertices, and others enclose them', () => {

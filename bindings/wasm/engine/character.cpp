@@ -13,6 +13,7 @@
 #include "model/model.hpp"
 #include "scenes/clip_samples.hpp"
 #include "scenes/names.hpp"
+#include "scenes/nearest_name.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -72,7 +73,10 @@ Result<Preparation> choose_preparation(const asset::Asset& asset, const Options&
   for (const std::string& name : *names) {
     const asset::Clip* clip = asset.find_clip(name);
     if (clip == nullptr) {
-      return Error{ErrorCode::invalid_argument, "clips: there is no clip " + asset::quoted(name)};
+      std::vector<std::string_view> known;
+      for (const asset::Clip& one : asset.clips) known.push_back(one.name);
+      return Error{ErrorCode::invalid_argument, "clips: there is no clip " + asset::quoted(name) +
+                                                    scenes::suggestion(name, known)};
     }
     preparation.clips.push_back(clip);
   }

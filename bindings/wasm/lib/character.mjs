@@ -75,7 +75,7 @@ export class Character {
 
   #clipNumber(clip, seconds) {
     check.number(seconds, 'seconds');
-    return clipNumber(this, clip);
+    return clipNumber(this.#memory, this, clip);
   }
 
   #array(name, type, width) {

@@ -7,13 +7,14 @@ import { invalid } from './errors.mjs';
 const kWhole = 0xffffffff;
 
 /** -1 is no clip. */
-export function clipNumber({ name, clips }, clip) {
+export function clipNumber(memory, { name, clips }, clip) {
   if (clip === null) return -1;
   const number = clips.findIndex((known) => known.name === clip);
   if (number >= 0) return number;
   check.text(clip, 'clip');
-  const known = clips.map((one) => JSON.stringify(one.name)).join(', ') || 'none';
-  throw invalid(`${JSON.stringify(name)} has no clip ${JSON.stringify(clip)}; it has ${known}`);
+  const known = clips.map((one) => one.name);
+  const rest = known.length > 0 ? memory.suggestion(clip, known) : ', it has none';
+  throw invalid(`${JSON.stringify(name)} has no clip ${JSON.stringify(clip)}${rest}`);
 }
 
 /** null is the whole. */

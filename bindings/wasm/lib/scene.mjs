@@ -132,7 +132,7 @@ export class Scene {
     const character = this.characters[instance.character];
     const address = handles.given(character, Character, `characters[${instance.character}]`);
     const kept = keptWeights(instance.morphWeights, character.morphTargetNames, place);
-    const numbers = numbersOf(instance, clipNumber(character, instance.clip));
+    const numbers = numbersOf(instance, clipNumber(this.#memory, character, instance.clip));
     this.#memory.view(Float64Array, module._pelt_instance(), numbers.length).set(numbers);
     const weights = module._pelt_kept_weights(kept.length);
     if (kept.length > 0) this.#memory.view(Float32Array, weights, kept.length).set(kept);
