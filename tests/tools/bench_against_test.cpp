@@ -34,7 +34,7 @@ Baseline baseline_of(std::vector<SceneFigures> scenes) {
 }
 
 struct Compared {
-  Comparison comparison;
+  BenchComparison comparison;
   std::string text;
 
   bool says(const std::string& words) const { return text.find(words) != text.npos; }
@@ -42,7 +42,7 @@ struct Compared {
 
 Compared compared(const std::vector<SceneFigures>& then, const std::vector<SceneFigures>& now) {
   std::ostringstream out;
-  const Comparison comparison = print_comparison(baseline_of(then), now, kNoisePercent, out);
+  const BenchComparison comparison = print_comparison(baseline_of(then), now, kNoisePercent, out);
   return {comparison, out.str()};
 }
 

@@ -79,7 +79,7 @@ class Comparer {
       compare(*then, now);
   }
 
-  const Comparison& result() const { return result_; }
+  const BenchComparison& result() const { return result_; }
 
  private:
   void compare(const SceneFigures& then, const SceneFigures& now) {
@@ -160,17 +160,17 @@ class Comparer {
   const Baseline& baseline_;
   double limit_;
   std::ostream& out_;
-  Comparison result_;
+  BenchComparison result_;
 };
 
 }  // namespace
 
-Comparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
-                            std::uint32_t margin_percent, std::ostream& out) {
+BenchComparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
+                                 std::uint32_t margin_percent, std::ostream& out) {
   Comparer comparer(then, margin_percent, out);
   out << "against " << then.path << ": " << in_words(then.machine) << '\n';
   for (const SceneFigures& scene : now) comparer.compare(scene);
-  const Comparison& result = comparer.result();
+  const BenchComparison& result = comparer.result();
   out << '\n'
       << result.worse << " of " << counted(result.ratios, "ratio") << " worse by more than "
       << margin_percent << " %\n";

@@ -15,7 +15,7 @@ namespace pelt::tools {
 /// programs 9 of 128 ratios of the very same build were marked, more would be at less.
 inline constexpr std::uint32_t kNoisePercent = 15;
 
-struct Comparison {
+struct BenchComparison {
   std::size_t ratios = 0;             ///< measured then and now
   std::size_t worse = 0;              ///< of these, by more than the margin
   std::size_t different_answers = 0;  ///< questions of scenes
@@ -23,7 +23,7 @@ struct Comparison {
 
 /// Prints a table for each scene of `now`, and what `then` lacks of it. Scenes of other lengths,
 /// and questions that were answered otherwise, are named instead of compared.
-Comparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
-                            std::uint32_t margin_percent, std::ostream& out);
+BenchComparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
+                                 std::uint32_t margin_percent, std::ostream& out);
 
 }  // namespace pelt::tools

@@ -190,7 +190,7 @@ Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments) {
 
 ExitCode compare(const Baseline& baseline, const Arguments& arguments,
                  std::span<const SceneFigures> figures) {
-  const Comparison comparison =
+  const BenchComparison comparison =
       print_comparison(baseline, figures, arguments.margin.value_or(kNoisePercent), std::cout);
   if (comparison.different_answers == 0) return ExitCode::success;
   std::cerr << "pelt: error: " << counted(comparison.different_answers, "answer")
