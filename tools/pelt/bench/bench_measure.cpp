@@ -3,7 +3,6 @@
 #include "bench/statistics.hpp"
 
 #include <atomic>
-#include <numeric>
 
 namespace pelt::tools {
 namespace {
@@ -14,11 +13,15 @@ class CacheFlush {
  public:
   void run(std::uint32_t threads) {
     threads_.run(threads, [this](std::uint32_t) {
-      sum_ += std::accumulate(memory_.begin(), memory_.end(), std::uint64_t{0});
+      std::uint64_t sum = 0;
+      for (std::size_t i = 0; i < memory_.size(); i += kWordsPerCacheLine) sum += memory_[i];
+      sum_ += sum;
     });
   }
 
  private:
+  static constexpr std::size_t kWordsPerCacheLine = 8;
+
   std::vector<std::uint64_t> memory_ = std::vector<std::uint64_t>((64u << 20) / 8, 1);
   std::atomic<std::uint64_t> sum_ = 0;
   detail::Workers threads_;
