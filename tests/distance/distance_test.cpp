@@ -37,7 +37,7 @@ TEST(Distance, EqualsBruteForceOnBendingLimbs) {
   Random random(110);
   Limbs limbs;
   int touching = 0, apart = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 100; ++round) {
     limbs.move(random, round % 3 == 0 ? 0.3 : round % 3 == 1 ? 1 : 30);
     const BruteDistance expected = brute_distance(limbs.triangles_a(), limbs.triangles_b());
     expect_equal(distance_of(limbs.a, limbs.b, limbs.scratch), expected);
