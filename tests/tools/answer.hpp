@@ -4,7 +4,6 @@
 /// predicate.
 
 #include "bench/brute_force.hpp"
-#include "bench/method.hpp"
 #include "tools/pelt/scene/posed_instances.hpp"
 #include "tools/run_program.hpp"
 
@@ -72,21 +71,6 @@ inline std::string hash_of(const CheckFile& file) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state));
   return text;
-}
-
-/// Every method finds the same contacts, and some.
-inline void expect_one_answer(const TestFolder& folder, const std::string& scene,
-                              const std::string& frames) {
-  std::vector<nlohmann::json> answers;
-  for (const std::string_view method : bench::method_names()) {
-    const Ended run = run_pelt(folder, {"check", scene, "--method", std::string(method), "--frames",
-                                        frames, "--jsonl", "-", "--pairs"});
-    ASSERT_EQ(run.exit_code, 1) << method << run.err;
-    const CheckFile file = parse_check_file(run.out);
-    EXPECT_GT(file.totals["totals"]["contacts"], 0);
-    answers.push_back({file.frames, file.totals["hash"]});
-    EXPECT_EQ(answers.back(), answers.front()) << method;
-  }
 }
 
 }  // namespace pelt::test

@@ -1,5 +1,6 @@
 /// What `pelt check` answers, against all pairs of triangles.
 
+#include "bench/method.hpp"
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
 

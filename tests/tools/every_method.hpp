@@ -1,0 +1,51 @@
+#pragma once
+
+/// A scene asked by every method, with its files read once.
+
+#include "tools/pelt/scene/contact_hash.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelt::test {
+
+struct FramesAnswer {
+  std::uint64_t hash = 0;
+  std::uint32_t in_contact = 0;  ///< frames
+
+  bool operator==(const FramesAnswer&) const = default;
+};
+
+inline FramesAnswer ask_frames(const scenes::Scene& scene, tools::SceneQuery query,
+                               std::uint32_t begin, std::uint32_t end) {
+  FramesAnswer answer;
+  asset::SampleScratch scratch;
+  tools::Palettes palettes;
+  tools::FrameContacts found;
+  tools::ContactHash hash;
+  for (std::uint32_t frame = begin; frame < end; ++frame) {
+    tools::sample_palettes(scene, frame, scratch, palettes);
+    const Result<void> posed = query.set_palettes(palettes);
+    EXPECT_TRUE(posed) << posed.error().message;
+    query.collide({}, found);
+    hash.add(frame, found);
+    answer.in_contact += !found.contacts.empty();
+  }
+  answer.hash = hash.value();
+  return answer;
+}
+
+/// All methods give the same contacts in frames [begin, end); in how many of them there are some.
+inline std::uint32_t in_contact_by_every_method(const scenes::Scene& scene, std::uint32_t begin,
+                                                std::uint32_t end) {
+  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  if (!colliders) return ADD_FAILURE() << colliders.error().message, 0;
+  std::vector<FramesAnswer> answers;
+  for (const std::string_view name : bench::method_names()) {
+    const bench::MethodKind method = *bench::find_method(name);
+    answers.push_back(ask_frames(scene, tools::SceneQuery(*colliders, method), begin, end));
+    EXPECT_EQ(answers.back(), answers.front()) << name;
+  }
+  return answers.front().in_contact;
+}
+
+}  // namespace pelt::test
