@@ -12,8 +12,7 @@ namespace pelt::tools {
 
 /// Has `query` ask in each frame (`ask(poses)`) and keep what all frames together need
 /// (`keep(frame)`); `writer`, if there is one, tells its `answers()` of each frame (`frame`) and of
-/// all
-/// (`totals`). Then closes `lines`.
+/// all (`totals`). Then closes `lines`.
 template <typename Query, typename Writer>
 Result<FrameCosts> answer_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
                                  const FrameRange& frames, Query& query,
