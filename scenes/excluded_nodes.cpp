@@ -15,22 +15,30 @@ std::string name_in(const std::string& model, const std::string& name) {
   return name.starts_with(model + "/") ? name.substr(model.size() + 1) : name;
 }
 
+bool is_file(const Character& character) {
+  return std::holds_alternative<std::filesystem::path>(character.origin);
+}
+
 bool has(const Character& character, const std::string& name) {
-  const bool is_file = std::holds_alternative<std::filesystem::path>(character.origin);
   const auto& nodes = character.asset.nodes;
-  return is_file && std::any_of(nodes.begin(), nodes.end(), [&](const asset::Node& node) {
+  return is_file(character) &&
+         std::any_of(nodes.begin(), nodes.end(), [&](const asset::Node& node) {
            return node.name == name_in(character.name, name);
          });
 }
 
 Error unknown_node(const Scene& scene, const std::string& name) {
   std::set<std::string> names;
-  for (const Character& character : scene.characters)
+  for (const Character& character : scene.characters) {
+    if (!is_file(character)) continue;
     for (const asset::Part& part : character.asset.parts)
       names.insert(name.find('/') == name.npos ? part.node : character.name + "/" + part.node);
+  }
   const std::vector<std::string_view> known(names.begin(), names.end());
   return {ErrorCode::invalid_argument,
-          "no node to exclude is named " + asset::quoted(name) + suggestion(name, known)};
+          "no node to exclude is named " + asset::quoted(name) +
+              (known.empty() ? ": the scene's characters are not from files, exclude nothing"
+                             : suggestion(name, known))};
 }
 
 }  // namespace

@@ -53,9 +53,17 @@ TEST(ExcludedNodes, AreRefusedWhereNoFileHasThem) {
   EXPECT_EQ(refusal(knight_and_thief(), {"thief/Cape"}),
             "no node to exclude is named \"thief/Cape\", expected one of \"knight/Body\", "
             "\"thief/Body\"");
-  Scene generated = knight_and_thief();
-  generated.characters[0].origin = CreatureOptions();
-  EXPECT_NE(refusal(generated, {"Cape"}), "");
+}
+
+TEST(ExcludedNodes, AreNotOfGeneratedCharacters) {
+  Scene scene = knight_and_thief();
+  scene.characters[0].origin = CreatureOptions();
+  EXPECT_EQ(refusal(scene, {"Cape"}),
+            "no node to exclude is named \"Cape\", expected one of \"Body\"");
+  scene.characters[1].origin = CreatureOptions();
+  EXPECT_EQ(refusal(scene, {"Hood"}),
+            "no node to exclude is named \"Hood\": the scene's characters are not from files, "
+            "exclude nothing");
 }
 
 }  // namespace

@@ -320,7 +320,7 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
 function useDemo(pelt: Pelt): void {
   const text = Uint8Array.from(pelt.demoScene, (letter) => letter.charCodeAt(0));
   const files: Files = new Map([['demo.json', text]]);
-  const scene = pelt.readScene('demo.json', files, modelOptions);
+  const scene = pelt.readScene('demo.json', files, { ...modelOptions, exclude: [] });
   check(scene.instances.length === 2, 'demo');
   scene.delete();
 }
