@@ -2,7 +2,7 @@
 
 /// The contacts of two poses, by a query and by comparing all of their triangles.
 
-#include "bench/brute_force.hpp"
+#include "evaluation/methods/brute_force.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <pelt/collide.hpp>

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-// Defined in examples/queries.
+// Defined in docs/examples/queries.
 pelt::Sphere sphere_around(pelt::Pose& pose, std::span<const pelt::Matrix4> palette);
 pelt::Box smallest_box(pelt::Pose& pose);
 bool is_seen(pelt::Pose& pose, const pelt::Matrix4& view_projection, pelt::Scratch& scratch);

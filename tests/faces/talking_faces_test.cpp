@@ -4,9 +4,9 @@
 #include <pelt/pelt.hpp>
 
 #include "base/hash.hpp"
-#include "bench/brute_force.hpp"
 #include "bounds/box_of_triangles.hpp"
 #include "distance/brute_distance.hpp"
+#include "evaluation/methods/brute_force.hpp"
 #include "ray/ray_oracle.hpp"
 #include "region/region_oracle.hpp"
 #include "scenes/face.hpp"

@@ -4,7 +4,7 @@
     check_readme.py programs README EXAMPLES_FOLDER
     check_readme.py commands README BIN_FOLDER [SECONDS]
 
-programs: each ```cpp block is, to the letter, one of examples/*.cpp, and each of those is shown.
+programs: each ```cpp block is, to the letter, one of docs/examples/*.cpp, and each of those is shown.
 
 commands: runs the ```sh blocks that follow a line `<!-- run -->`, in order, in one empty folder,
 with BIN_FOLDER first on the PATH; each must end with status 0, or with N after `<!-- run: N -->`.

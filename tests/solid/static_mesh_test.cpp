@@ -1,7 +1,7 @@
 /// Rigid and static meshes: models with one joint, prepared like any other, that characters collide
 /// with, that rays meet, and that are moved by one matrix.
 
-#include "bench/brute_force.hpp"
+#include "evaluation/methods/brute_force.hpp"
 #include "geometry/ray_triangle.hpp"
 #include "support/skinned_shapes.hpp"
 

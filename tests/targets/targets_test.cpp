@@ -3,7 +3,7 @@
 
 #include <pelt/collide.hpp>
 
-#include "bench/brute_force.hpp"
+#include "evaluation/methods/brute_force.hpp"
 #include "geometry/predicates.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"

@@ -3,7 +3,7 @@
 /// What `pelt check` should answer, found without it: all pairs of triangles by the exact
 /// predicate.
 
-#include "bench/brute_force.hpp"
+#include "evaluation/methods/brute_force.hpp"
 #include "tools/pelt/scene/posed_instances.hpp"
 #include "tools/run_program.hpp"
 

@@ -1,6 +1,6 @@
 /// What `pelt check` answers, against all pairs of triangles.
 
-#include "bench/method.hpp"
+#include "evaluation/methods/method.hpp"
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
 

@@ -5,7 +5,7 @@
 #include <pelt/contact.hpp>
 #include <pelt/pose.hpp>
 
-#include "rivals/exact_pose.hpp"
+#include "evaluation/rivals/exact_pose.hpp"
 #include "scenes/scene.hpp"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "tools/pelt/bench/bench_measure.hpp"
 
-#include "bench/statistics.hpp"
+#include "evaluation/methods/statistics.hpp"
 
 #include <atomic>
 

@@ -2,7 +2,7 @@
 
 #include <pelt/pose.hpp>
 
-#include "bench/statistics.hpp"
+#include "evaluation/methods/statistics.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 
 namespace pelt::tools {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/method.hpp"
+#include "evaluation/methods/method.hpp"
 #include "tools/pelt/check/check_question.hpp"
 #include "tools/pelt/check/verdict.hpp"
 #include "tools/pelt/scene/colliders.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/work_shares.hpp"
 #include "base/workers.hpp"
-#include "bench/method.hpp"
+#include "evaluation/methods/method.hpp"
 #include "tools/pelt/scene/colliders.hpp"
 
 #include <memory>

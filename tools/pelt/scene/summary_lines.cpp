@@ -1,6 +1,6 @@
 #include "tools/pelt/scene/summary_lines.hpp"
 
-#include "bench/statistics.hpp"
+#include "evaluation/methods/statistics.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <iomanip>

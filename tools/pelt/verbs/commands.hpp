@@ -22,6 +22,6 @@ void add_prepare(CLI::App& app, Command& chosen);
 void add_pose(CLI::App& app, Command& chosen);
 void add_demo(CLI::App& app, Command& chosen);
 void add_bench(CLI::App& app, Command& chosen);
-void add_reproduce(CLI::App& app, Command& chosen);  // tools/reproduce
+void add_reproduce(CLI::App& app, Command& chosen);  // evaluation/reproduce
 
 }  // namespace pelt::tools

@@ -1,0 +1,43 @@
+#pragma once
+
+/// The oracle: every triangle of one body against every triangle of the other, by the same exact
+/// predicate. Knows no tree; only what lies outside the other body's box, or whose own boxes do not
+/// meet, is passed over.
+
+#include "evaluation/paper/scratch.hpp"
+#include "skin/palette.hpp"
+#include "skin/skinned_mesh.hpp"
+
+#include <pelt/collide.hpp>
+
+#include <span>
+#include <vector>
+
+namespace pelt::bench {
+
+class BruteForceBody {
+ public:
+  explicit BruteForceBody(const detail::SkinnedMesh& mesh);
+
+  /// Skins all vertices.
+  QueryStats update(const detail::Palette& palette);
+
+  std::span<const Triangle> triangles() const { return mesh_.triangles; }
+  std::span<const Vec3> positions() const { return positions_; }
+
+ private:
+  const detail::SkinnedMesh& mesh_;
+  std::vector<Vec3> positions_;
+};
+
+/// Appends the contacts of two posed meshes, ascending.
+QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
+                               std::span<const Vec3> positions_a,
+                               std::span<const Triangle> triangles_b,
+                               std::span<const Vec3> positions_b, std::vector<Contact>& contacts,
+                               std::uint32_t max_contacts);
+
+QueryStats collide(const BruteForceBody& a, const BruteForceBody& b, paper::Scratch& scratch,
+                   std::vector<Contact>& contacts, std::uint32_t max_contacts);
+
+}  // namespace pelt::bench

@@ -1,0 +1,116 @@
+#pragma once
+
+/// Kavan & Zara 2005, section 4.2: "the standard algorithm". Two sphere trees are descended
+/// together; where two spheres overlap, the children of the larger one are tested against the
+/// other, down to pairs of leaves, whose triangles are tested exactly.
+///
+/// A side answers three questions: `tree()`, `sphere(node)` and `corners(leaf)`. `refresh(first,
+/// end)` tells it which nodes' spheres are asked for next: there the paper's method refits, that
+/// is, just prior to the sphere test; its rivals have done so before.
+
+#include "evaluation/paper/ball.hpp"
+#include "evaluation/paper/scratch.hpp"
+#include "evaluation/paper/sphere_tree.hpp"
+#include "geometry/triangle_pair.hpp"
+
+#include <pelt/collide.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace pelt::paper {
+
+template <class SideA, class SideB>
+class Descent {
+ public:
+  Descent(SideA& a, SideB& b, Scratch& scratch, std::vector<Contact>& contacts,
+          std::uint32_t max_contacts)
+      : a_(a), b_(b), stack_(scratch.node_pairs), contacts_(contacts), left_(max_contacts) {}
+
+  /// Appends contacts until all are found or `max_contacts` of them.
+  QueryStats run() {
+    ++stats_.node_pairs;
+    make_room(1);
+    stack_[0] = {0, 0};
+    a_.refresh(0, 1);
+    b_.refresh(0, 1);
+    waiting_ = balls_meet(a_.sphere(0), b_.sphere(0));
+    while (waiting_ > 0 && left_ > 0) {
+      const auto [node_a, node_b] = stack_[--waiting_];
+      open(node_a, node_b);
+    }
+    stats_.cut_short = waiting_ > 0;
+    return stats_;
+  }
+
+ private:
+  using NodePair = std::pair<std::uint32_t, std::uint32_t>;
+
+  void open(std::uint32_t node_a, std::uint32_t node_b) {
+    const Node& a = a_.tree().nodes[node_a];
+    const Node& b = b_.tree().nodes[node_b];
+    if (a.is_leaf() && b.is_leaf()) {
+      test_triangles(a, b);
+    } else if (b.is_leaf() || (!a.is_leaf() && larger_is_a(node_a, node_b))) {
+      test_children(a_, a, b_.sphere(node_b),
+                    [&](std::uint32_t child) { return NodePair(child, node_b); });
+    } else {
+      test_children(b_, b, a_.sphere(node_a),
+                    [&](std::uint32_t child) { return NodePair(node_a, child); });
+    }
+  }
+
+  /// Keeps the pairs whose spheres overlap for later. Every pair is written and only the
+  /// overlapping ones are counted: whether they overlap is nothing that a processor could foretell.
+  template <class Side, class MakePair>
+  void test_children(Side& side, const Node& parent, const Float4& other, MakePair make_pair) {
+    stats_.node_pairs += parent.child_count;
+    make_room(parent.child_count);
+    const std::uint32_t end = parent.first_child + parent.child_count;
+    side.refresh(parent.first_child, end);
+    for (std::uint32_t first = parent.first_child; first < end; first += 4) {
+      const auto sphere = [&](std::uint32_t i) {
+        return side.sphere(std::min(first + i, end - 1));
+      };
+      const Float4 gaps =
+          gaps_between(balls_side_by_side(sphere(0), sphere(1), sphere(2), sphere(3)), other);
+      for (std::uint32_t i = 0; i < std::min(end - first, 4u); ++i) {
+        stack_[waiting_] = make_pair(first + i);
+        waiting_ += gaps[static_cast<int>(i)] <= 0;
+      }
+    }
+  }
+
+  void make_room(std::size_t count) {
+    if (stack_.size() < waiting_ + count) stack_.resize(2 * (waiting_ + count));
+  }
+
+  bool larger_is_a(std::uint32_t node_a, std::uint32_t node_b) {
+    return a_.sphere(node_a)[3] >= b_.sphere(node_b)[3];
+  }
+
+  void test_triangles(const Node& leaf_a, const Node& leaf_b) {
+    ++stats_.triangle_pairs;
+    if (!detail::triangles_intersect(a_.corners(leaf_a), b_.corners(leaf_b))) return;
+    contacts_.push_back(
+        Contact{a_.tree().triangle_of_leaf(leaf_a), b_.tree().triangle_of_leaf(leaf_b)});
+    --left_;
+  }
+
+  SideA& a_;
+  SideB& b_;
+  std::vector<NodePair>& stack_;
+  std::size_t waiting_ = 0;  // pairs on the stack
+  std::vector<Contact>& contacts_;
+  std::uint32_t left_;
+  QueryStats stats_;
+};
+
+template <class SideA, class SideB>
+QueryStats descend(SideA& a, SideB& b, Scratch& scratch, std::vector<Contact>& contacts,
+                   std::uint32_t max_contacts) {
+  return Descent<SideA, SideB>(a, b, scratch, contacts, max_contacts).run();
+}
+
+}  // namespace pelt::paper

@@ -1,0 +1,39 @@
+#pragma once
+
+/// The refit of section 4.2 of Kavan & Zara 2005 written down once more, step by step and with
+/// numbers that count what is done with them, to be held against the total that the paper states,
+///
+///     sum_i (18 p_i + 11 m_i + 8 p_i m_i - 2).
+///
+/// One sphere is put around the corners of all k joint sets together, so the "- 2", of m - 1
+/// comparisons and as many selections, is there once and not k times: a refit takes 2 (k - 1) flops
+/// more than the formula.
+
+#include "evaluation/paper/refit.hpp"
+
+#include <array>
+
+namespace pelt::paper {
+
+/// Floating point operations, by the steps of the refit.
+struct RefitFlops {
+  int transforms = 0;  ///< S_j = C_j S
+  int blends = 0;      ///< R_a of eq. 5
+  int enclosing = 0;   ///< the sphere around the R_a
+
+  int total() const { return transforms + blends + enclosing; }
+};
+
+struct CountedRefit {
+  std::array<double, 3> centre = {0, 0, 0};
+  double radius = 0;  ///< without the margins that Refit adds
+  RefitFlops flops;
+};
+
+/// Precondition: the palette's joints do not stretch.
+CountedRefit counted_refit(const SphereModel& model, std::uint32_t node, const Palette& palette);
+
+/// The terms of the paper, summed over the joint sets.
+RefitFlops stated_flops(std::span<const JointSet> sets);
+
+}  // namespace pelt::paper

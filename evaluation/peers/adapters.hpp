@@ -1,0 +1,30 @@
+#pragma once
+
+/// What each adapter's file provides: the method, and which version of its library it runs on.
+
+#include "evaluation/rivals/posed_mesh_method.hpp"
+
+#include <memory>
+#include <string>
+
+namespace pelt::peers {
+
+std::unique_ptr<rivals::PosedMeshMethod> make_fcl();
+std::string fcl_version();
+
+std::unique_ptr<rivals::PosedMeshMethod> make_embree();
+std::string embree_version();
+
+/// With Pelt's predicate, and with Bullet's triangle test.
+std::unique_ptr<rivals::PosedMeshMethod> make_bullet();
+std::unique_ptr<rivals::PosedMeshMethod> make_bullet_own();
+std::string bullet_version();
+
+std::unique_ptr<rivals::PosedMeshMethod> make_ode();
+std::string ode_version();
+
+std::unique_ptr<rivals::PosedMeshMethod> make_cgal_tree();
+std::unique_ptr<rivals::PosedMeshMethod> make_cgal_boxes();
+std::string cgal_version();
+
+}  // namespace pelt::peers

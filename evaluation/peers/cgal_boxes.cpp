@@ -1,0 +1,142 @@
+/// CGAL's box_intersection_d: two sets of boxes sorted and streamed through a segment tree, with
+/// nothing kept from one query to the next.
+///
+/// The update takes the boxes of all triangles. Of these a query hands over the ones that meet the
+/// other body's box, for the algorithm looks at all that it is given and half the time would be
+/// spent on what cannot touch. The narrow phase is ours. It is ended early by an exception from its
+/// callback, as CGAL's own does_self_intersect ends it.
+#include "evaluation/peers/adapters.hpp"
+#include "evaluation/peers/candidates.hpp"
+
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/version.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pelt::peers {
+namespace {
+
+/// A model of CGAL's concept BoxIntersectionBox_d.
+struct Box {
+  using NT = float;
+  using ID = std::uint32_t;
+
+  static int dimension() { return 3; }
+  float min_coord(int axis) const { return low[axis]; }
+  float max_coord(int axis) const { return high[axis]; }
+  /// Distinct within both sets.
+  ID id() const { return triangle | body << 31; }
+
+  void include(const Vec3& p) {
+    const float at[3] = {p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], at[axis]);
+      high[axis] = std::max(high[axis], at[axis]);
+    }
+  }
+  void include(const Box& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+  }
+  bool meets(const Box& other) const {
+    bool all = true;
+    for (int axis = 0; axis < 3; ++axis)
+      all = all && low[axis] <= other.high[axis] && other.low[axis] <= high[axis];
+    return all;
+  }
+
+  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  float low[3] = {kInfinity, kInfinity, kInfinity};
+  float high[3] = {-kInfinity, -kInfinity, -kInfinity};
+  std::uint32_t triangle = 0;
+  std::uint32_t body = 0;  ///< 0 or 1, within a query
+};
+
+struct Body {
+  Body(std::span<const Triangle> triangles, std::span<const Vec3> rest) : mesh(triangles, rest) {
+    take_boxes();
+  }
+
+  void take_boxes() {
+    boxes.clear();
+    whole = Box();
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      Box box;
+      for (const Vec3& corner : mesh.corners(t)) box.include(corner);
+      box.triangle = t;
+      whole.include(box);
+      boxes.push_back(box);
+    }
+  }
+
+  PosedBody mesh;
+  std::vector<Box> boxes;
+  Box whole;
+};
+
+/// Copies of the boxes that meet `where`, for the algorithm changes their order.
+void select(const Body& body, const Box& where, std::uint32_t number, std::vector<Box>& out) {
+  out.clear();
+  if (!body.whole.meets(where)) return;
+  for (const Box& box : body.boxes) {
+    if (!box.meets(where)) continue;
+    out.push_back(box);
+    out.back().body = number;
+  }
+}
+
+struct Enough {};
+
+class CgalBoxesMethod final : public rivals::PosedMeshMethod {
+ public:
+  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
+    bodies_.push_back(std::make_unique<Body>(triangles, rest));
+  }
+
+  void update(std::uint32_t body, std::span<const Vec3> positions) override {
+    bodies_[body]->mesh.positions = positions;
+    bodies_[body]->take_boxes();
+  }
+
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     std::uint32_t max_contacts) override {
+    const Body &body_a = *bodies_[a], &body_b = *bodies_[b];
+    select(body_a, body_b.whole, 0, boxes_a_);
+    select(body_b, body_a.whole, 1, boxes_b_);
+    Candidates candidates(body_a.mesh, body_b.mesh, contacts, max_contacts);
+    if (candidates.wants_more()) find(candidates);
+    return candidates.work();
+  }
+
+ private:
+  void find(Candidates& candidates) {
+    const auto take = [&](const Box& a, const Box& b) {
+      candidates.add(a.triangle, b.triangle);
+      if (!candidates.wants_more()) throw Enough();
+    };
+    try {
+      CGAL::box_intersection_d(boxes_a_.begin(), boxes_a_.end(), boxes_b_.begin(), boxes_b_.end(),
+                               take, kCutoff);
+    } catch (const Enough&) {
+    }
+  }
+
+  /// Sets smaller than this are compared all with all.
+  static constexpr std::ptrdiff_t kCutoff = 10;
+
+  std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<Box> boxes_a_, boxes_b_;
+};
+
+}  // namespace
+
+std::unique_ptr<rivals::PosedMeshMethod> make_cgal_boxes() {
+  return std::make_unique<CgalBoxesMethod>();
+}
+
+std::string cgal_version() { return CGAL_VERSION_STR; }
+
+}  // namespace pelt::peers

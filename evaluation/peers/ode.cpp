@@ -1,0 +1,162 @@
+/// ODE's trimesh: OPCODE's binary tree of boxes, refitted by dGeomTriMeshDataUpdate.
+///
+/// The narrow phase is ODE's own, and finds points for a solver, not pairs of triangles. Points
+/// that fall together are merged, and of a merged one ODE knows no triangles, unless a callback
+/// gives it a number to keep in their place. Here that stands for a group of triangles, and each
+/// triangle of one group is taken to touch each of the other's: without that a third of the pairs
+/// would be missing, with it 1 to 7 in a hundred are, and a few are too many. OPCODE finds all
+/// pairs before the first point is made, so that asking for few saves little.
+#include "evaluation/peers/adapters.hpp"
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pelt::peers {
+namespace {
+
+/// ODE counts contact points in 16 bits.
+constexpr std::uint32_t kMostPoints = 0xffff;
+
+/// Numbers from the number of triangles on, each of which stands for two others.
+class TriangleGroups {
+ public:
+  explicit TriangleGroups(std::size_t triangle_count) : first_(static_cast<int>(triangle_count)) {}
+
+  void clear() { joined_.clear(); }
+
+  int join(int a, int b) {
+    joined_.push_back({a, b});
+    return first_ + static_cast<int>(joined_.size()) - 1;
+  }
+
+  /// Appends the triangles that a number stands for.
+  void resolve(int number, std::vector<std::uint32_t>& triangles) const {
+    if (number < first_) {
+      triangles.push_back(static_cast<std::uint32_t>(number));
+      return;
+    }
+    for (const int member : joined_[number - first_]) resolve(member, triangles);
+  }
+
+ private:
+  int first_;
+  std::vector<std::array<int, 2>> joined_;
+};
+
+int join_in(dGeomID geom, int a, int b) {
+  return static_cast<TriangleGroups*>(dGeomGetData(geom))->join(a, b);
+}
+
+class Body {
+ public:
+  Body(std::span<const Triangle> triangles, std::span<const Vec3> rest)
+      : positions_(rest.begin(), rest.end()),
+        groups_(triangles.size()),
+        data_(dGeomTriMeshDataCreate()) {
+    dGeomTriMeshDataBuildSingle(data_, positions_.data(), sizeof(Vec3),
+                                static_cast<int>(positions_.size()), triangles.data(),
+                                static_cast<int>(3 * triangles.size()), sizeof(Triangle));
+    geom_ = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
+    dGeomSetData(geom_, &groups_);
+    dGeomTriMeshSetTriMergeCallback(geom_, join_in);
+  }
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+  ~Body() {
+    dGeomDestroy(geom_);
+    dGeomTriMeshDataDestroy(data_);
+  }
+
+  /// ODE wants its vertices where they were.
+  void update(std::span<const Vec3> positions) {
+    std::copy(positions.begin(), positions.end(), positions_.begin());
+    dGeomTriMeshDataUpdate(data_);
+  }
+
+  dGeomID geom() const { return geom_; }
+  TriangleGroups& groups() { return groups_; }
+
+ private:
+  std::vector<Vec3> positions_;
+  TriangleGroups groups_;
+  dTriMeshDataID data_;
+  dGeomID geom_;
+};
+
+/// ODE as long as somebody uses it, and silent: it tells each time that points were not merged.
+class Library {
+ public:
+  Library() {
+    dInitODE2(0);
+    dSetMessageHandler([](int, const char*, va_list) {});
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  ~Library() { dCloseODE(); }
+};
+
+class OdeMethod final : public rivals::PosedMeshMethod {
+ public:
+  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
+    bodies_.push_back(std::make_unique<Body>(triangles, rest));
+  }
+
+  void update(std::uint32_t body, std::span<const Vec3> positions) override {
+    bodies_[body]->update(positions);
+  }
+
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     std::uint32_t max_contacts) override {
+    QueryStats work;
+    work.cut_short = max_contacts == 0;
+    if (work.cut_short) return work;
+    std::uint32_t most = std::min(max_contacts, kMostPoints);
+    while (find(*bodies_[a], *bodies_[b], most) && pairs_.size() < max_contacts &&
+           most < kMostPoints)
+      most = std::min(2 * most, kMostPoints);
+    work.cut_short = pairs_.size() >= max_contacts;
+    pairs_.resize(std::min<std::size_t>(pairs_.size(), max_contacts));
+    contacts.insert(contacts.end(), pairs_.begin(), pairs_.end());
+    return work;
+  }
+
+ private:
+  /// The pairs of up to so many points; true if there may be more of these. Several points may be
+  /// those of one pair.
+  bool find(Body& a, Body& b, std::uint32_t most) {
+    pairs_.clear();
+    a.groups().clear();
+    b.groups().clear();
+    const int count =
+        dCollide(a.geom(), b.geom(), static_cast<int>(most), points_.data(), sizeof(dContactGeom));
+    for (int i = 0; i < count; ++i) add_pairs(a, b, points_[i]);
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    return static_cast<std::uint32_t>(count) == most;
+  }
+
+  void add_pairs(Body& a, Body& b, const dContactGeom& point) {
+    group_a_.clear();
+    group_b_.clear();
+    a.groups().resolve(point.side1, group_a_);
+    b.groups().resolve(point.side2, group_b_);
+    for (const std::uint32_t triangle_a : group_a_)
+      for (const std::uint32_t triangle_b : group_b_) pairs_.push_back({triangle_a, triangle_b});
+  }
+
+  Library library_;
+  std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<dContactGeom> points_ = std::vector<dContactGeom>(kMostPoints);
+  std::vector<Contact> pairs_;
+  std::vector<std::uint32_t> group_a_, group_b_;
+};
+
+}  // namespace
+
+std::unique_ptr<rivals::PosedMeshMethod> make_ode() { return std::make_unique<OdeMethod>(); }
+
+std::string ode_version() { return PELT_ODE_VERSION; }
+
+}  // namespace pelt::peers

@@ -1,0 +1,83 @@
+/// Pelt beside other libraries on scenes: a table for people, a CSV for programs.
+
+#include "evaluation/peers/peer_figures.hpp"
+#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/output/progress.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <fstream>
+#include <iostream>
+#include <string>
+
+namespace pelt::tools {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> scenes;
+  std::string frames, csv;
+  std::uint32_t repetitions = 5;
+};
+
+Result<std::vector<std::uint32_t>> chosen_frames(const std::string& text,
+                                                 const scenes::Scene& scene) {
+  if (text.empty()) return FrameRange{0, scene.frame_count}.frames();
+  const Result<FrameRange> range = parse_frame_range(text);
+  if (!range) return range.error();
+  if (range->end <= scene.frame_count) return range->frames();
+  return bad_argument("--frames", text + " goes beyond the last frame",
+                      scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+}
+
+Result<ScenePeers> measure_scene(const std::string& path, const Arguments& arguments) {
+  const Result<scenes::Scene> scene = scenes::load_scene(path);
+  if (!scene) return scene.error();
+  const auto frames = chosen_frames(arguments.frames, *scene);
+  if (!frames) return frames.error();
+  ModelArguments models;
+  models.renormalise = true;
+  const auto colliders = make_colliders(*scene, Granularity::instance, models);
+  if (!colliders) return colliders.error();
+  Progress progress(peer_steps(frames->size()));
+  return measure_peers({*scene, *colliders, *frames}, arguments.repetitions,
+                       [&] { progress.advance(); });
+}
+
+int fail(const std::string& message) {
+  std::cerr << "peer_table: " << message << '\n';
+  return 1;
+}
+
+int run(const Arguments& arguments) {
+  std::vector<ScenePeers> scenes;
+  for (const std::string& path : arguments.scenes) {
+    const Result<ScenePeers> scene = measure_scene(path, arguments);
+    if (!scene) return fail(scene.error().message);
+    print_peers(*scene, std::cout);
+    scenes.push_back(*scene);
+  }
+  if (arguments.csv.empty()) return 0;
+  std::ofstream file(arguments.csv);
+  write_peers_csv(scenes, file);
+  if (file.flush().good()) return 0;
+  return fail(arguments.csv + ": cannot be written: choose another place");
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("What other libraries take for a scene, and what they find, beside Pelt");
+  Arguments arguments;
+  app.add_option("SCENE", arguments.scenes, "Scene files (.json)")->required();
+  app.add_option("--frames", arguments.frames, "A:B or A:B:STEP; all frames");
+  app.add_option("--repetitions", arguments.repetitions, "The median of so many counts")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--csv", arguments.csv, "Write the table")->type_name("FILE");
+  CLI11_PARSE(app, argc, argv);
+  return run(arguments);
+}
+
+}  // namespace
+}  // namespace pelt::tools
+
+int main(int argc, char** argv) { return pelt::tools::parse_and_run(argc, argv); }

@@ -1,0 +1,65 @@
+#include "evaluation/peers/peers.hpp"
+
+#include "evaluation/peers/adapters.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace pelt::peers {
+namespace {
+
+using Make = std::unique_ptr<rivals::PosedMeshMethod> (*)();
+
+struct Entry {
+  Peer peer;
+  Make make;
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = {
+      {{"fcl", "FCL, AABB tree", fcl_version(), "refit", NarrowPhase::theirs, Answers::exact},
+       make_fcl},
+      {{"embree", "Embree, rtcCollide", embree_version(), "refit", NarrowPhase::ours,
+        Answers::exact},
+       make_embree},
+      {{"bullet", "Bullet, GImpact", bullet_version(), "refit", NarrowPhase::ours, Answers::exact},
+       make_bullet},
+      {{"bullet_own", "Bullet, GImpact", bullet_version(), "refit", NarrowPhase::theirs,
+        Answers::more},
+       make_bullet_own},
+      {{"ode", "ODE, trimesh", ode_version(), "refit", NarrowPhase::theirs, Answers::fewer},
+       make_ode},
+      {{"cgal_tree", "CGAL, AABB_tree", cgal_version(), "rebuild", NarrowPhase::theirs,
+        Answers::exact},
+       make_cgal_tree},
+      {{"cgal_boxes", "CGAL, box_intersection_d", cgal_version(), "boxes", NarrowPhase::ours,
+        Answers::exact},
+       make_cgal_boxes},
+  };
+  return all;
+}
+
+std::vector<Peer> peers_of(const std::vector<Entry>& entries) {
+  std::vector<Peer> peers;
+  for (const Entry& entry : entries) peers.push_back(entry.peer);
+  return peers;
+}
+
+constexpr std::array<std::string_view, 4> kAnswers = {"exact", "nearly", "more", "fewer"};
+
+}  // namespace
+
+std::string_view name_of(Answers answers) { return kAnswers[static_cast<std::size_t>(answers)]; }
+
+std::span<const Peer> all_peers() {
+  static const std::vector<Peer> peers = peers_of(entries());
+  return peers;
+}
+
+std::unique_ptr<rivals::PosedMeshMethod> make_peer(std::string_view name) {
+  const auto found = std::find_if(entries().begin(), entries().end(),
+                                  [&](const Entry& entry) { return entry.peer.name == name; });
+  return found == entries().end() ? nullptr : found->make();
+}
+
+}  // namespace pelt::peers

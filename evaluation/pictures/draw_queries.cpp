@@ -1,0 +1,52 @@
+/// Renders the pictures of docs/queries.md into the folder named on the command line, which is
+/// docs/figures/queries: all of them, or those whose names follow.
+
+#include "evaluation/pictures/pictures.hpp"
+#include "evaluation/reproduce/picture.hpp"
+#include "tools/pelt/output/run_program.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <span>
+
+namespace {
+
+using namespace pelt;
+
+/// Of few colours, a third of the size.
+void shrink(const std::filesystem::path& png) {
+  const std::vector<std::string> command = {"convert", png.string(), "+dither",
+                                            "-colors", "256",        "PNG8:" + png.string()};
+  if (tools::run_program(command) != tools::ProgramEnd::succeeded)
+    std::fprintf(stderr, "%s stays large: ImageMagick did not shrink it\n", png.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace pelt::pictures;
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: draw_queries FOLDER [NAME...]\n");
+    return 2;
+  }
+  const std::span<char*> wanted(argv + 2, argv + argc);
+  const std::filesystem::path folder = argv[1];
+  struct Entry {
+    std::string_view name;
+    Picture (*draw)();
+  };
+  constexpr Entry kAll[] = {{"bounds", bounds_picture},   {"culling", culling_picture},
+                            {"ray", ray_picture},         {"distance", distance_picture},
+                            {"contact", contact_picture}, {"terrain", terrain_picture},
+                            {"inside", inside_picture},   {"morphs", morph_picture}};
+  for (const auto& [name, draw] : kAll) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    const std::filesystem::path png = folder / (std::string(name) + ".png");
+    if (const Result<void> rendered = reproduce::render(draw(), png); !rendered) {
+      std::fprintf(stderr, "%s\n", rendered.error().message.c_str());
+      return 1;
+    }
+    shrink(png);
+  }
+  return 0;
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "evaluation/reproduce/stage.hpp"
+#include "tools/pelt/picture/pov.hpp"
+
+namespace pelt::pictures {
+
+/// A picture in the size that the page shows.
+inline reproduce::Picture framed(const char* id, const tools::PovCamera& camera,
+                                 const std::string& objects) {
+  reproduce::Picture picture =
+      reproduce::make_picture({id, ""}, camera, reproduce::white_floor() + objects, {});
+  picture.width = 800;
+  picture.height = static_cast<std::uint32_t>(800 / camera.aspect);
+  return picture;
+}
+
+}  // namespace pelt::pictures

@@ -1,0 +1,20 @@
+#pragma once
+
+/// The pictures of docs/queries.md, each drawn from the answer of the query itself.
+
+#include "evaluation/reproduce/report.hpp"
+
+namespace pelt::pictures {
+
+using reproduce::Picture;
+
+Picture bounds_picture();    // bounds_picture.cpp
+Picture culling_picture();   // culling_picture.cpp
+Picture ray_picture();       // ray_picture.cpp
+Picture distance_picture();  // distance_picture.cpp
+Picture contact_picture();   // contact_picture.cpp
+Picture terrain_picture();   // terrain_picture.cpp
+Picture inside_picture();    // inside_picture.cpp
+Picture morph_picture();     // morph_picture.cpp
+
+}  // namespace pelt::pictures

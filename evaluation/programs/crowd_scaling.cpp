@@ -1,0 +1,172 @@
+/// How the time of a frame and the memory grow with a crowd: from 100 to 10,000 walking instances
+/// of a character, or as many as a scene has. The best of several runs counts, for others may use
+/// the machine too. scripts/plot-crowd-growth draws the table.
+
+#include "evaluation/programs/crowd_run.hpp"
+#include "evaluation/programs/walking_crowd.hpp"
+#include "scenes/scene.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include <sys/resource.h>
+
+namespace pelt::bench {
+namespace {
+
+struct Arguments {
+  std::string input, csv;
+  double metre = 0;
+  std::uint32_t most = 10000, runs = 3;
+};
+
+/// The generated character holds its arms wide.
+constexpr double kMetreOfGenerated = 1.9;
+
+/// One number of instances on one number of threads.
+struct Row {
+  std::size_t instances = 0;
+  std::uint64_t triangles = 0;  ///< of all instances
+  std::uint32_t threads = 0;
+  CrowdTiming timing;
+  std::size_t crowd_bytes = 0, process_bytes = 0;  ///< the latter with the palettes to be set
+};
+
+constexpr const char* kColumns =
+    "instances,triangles,threads,frame_ms,palettes_ms,candidate_pairs,touching_pairs,contacts,"
+    "crowd_mb,process_mb";
+
+double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+
+std::ostream& operator<<(std::ostream& out, const Row& row) {
+  const CrowdTiming& timing = row.timing;
+  return out << row.instances << ',' << row.triangles << ',' << row.threads << ','
+             << timing.frame_ms << ',' << timing.palettes_ms << ',' << timing.stats.candidate_pairs
+             << ',' << timing.stats.touching_pairs << ',' << timing.contacts << ','
+             << megabytes(row.crowd_bytes) << ',' << megabytes(row.process_bytes);
+}
+
+/// The most that it ever was.
+std::size_t process_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+std::uint64_t triangles_of(const CrowdJob& job) {
+  std::uint64_t triangles = 0;
+  for (const SkinnedModel& model : job.models) triangles += model.triangle_count();
+  return triangles;
+}
+
+/// The first run warms up.
+void measure(const CrowdJob& job, std::uint32_t runs, std::vector<Row>& rows) {
+  CrowdRun run(job);
+  run.run(2);
+  for (const std::uint32_t threads : {1u, 2u}) {
+    const CrowdTiming best = run.best_of(runs, threads);
+    rows.push_back(
+        {job.models.size(), triangles_of(job), threads, best, run.memory_bytes(), process_bytes()});
+    std::cout << rows.back() << std::endl;
+  }
+}
+
+Result<SkinnedModel> build(const asset::Asset& asset) {
+  const std::vector<Matrix4> samples = WalkPhases(asset).samples();
+  return build_model(asset.mesh(),
+                     {.off_weights = OffWeights::renormalise, .sample_palettes = samples});
+}
+
+Result<void> measure_scene(const Arguments& arguments, std::vector<Row>& rows) {
+  const Result<scenes::Scene> scene = scenes::load_scene(arguments.input);
+  if (!scene) return scene.error();
+  std::vector<SkinnedModel> models;
+  for (const scenes::Character& character : scene->characters) {
+    const Result<SkinnedModel> model = build(character.asset);
+    if (!model) return model.error();
+    models.push_back(*model);
+  }
+  CrowdJob job;
+  job.frame_count = scene->frame_count;
+  for (const scenes::Instance& instance : scene->instances)
+    job.models.push_back(models[instance.character]);
+  asset::SampleScratch scratch;
+  job.pose = [&](std::uint32_t frame, std::vector<Matrix4>& palettes) {
+    palettes.clear();
+    for (std::uint32_t i = 0; i < scene->instances.size(); ++i) {
+      const std::size_t first = palettes.size();
+      palettes.resize(first + job.models[i].joint_count());
+      instance_palette(*scene, i, frame, scratch, std::span(palettes).subspan(first));
+    }
+  };
+  measure(job, arguments.runs, rows);
+  return {};
+}
+
+Result<void> measure_character(const Arguments& arguments, std::vector<Row>& rows) {
+  const bool is_generated = arguments.input.empty();
+  const Result<scenes::Character> character =
+      is_generated ? scenes::generate_character(scenes::CreatureOptions{})
+                   : scenes::load_character(arguments.input);
+  if (!character) return character.error();
+  const Result<SkinnedModel> model = build(character->asset);
+  if (!model) return model.error();
+  const WalkPhases phases(character->asset);
+  const double metre = arguments.metre > 0 ? arguments.metre : is_generated ? kMetreOfGenerated : 1;
+  for (const std::uint32_t count : {100u, 300u, 1000u, 3000u, 10000u}) {
+    if (count > arguments.most) break;
+    const WalkingCrowd crowd(phases, count, metre);
+    CrowdJob job;
+    job.models.assign(count, *model);
+    job.frame_count = 15;
+    job.pose = [&](std::uint32_t frame, std::vector<Matrix4>& palettes) {
+      crowd.pose(frame, palettes);
+    };
+    measure(job, arguments.runs, rows);
+  }
+  return {};
+}
+
+bool write_table(const std::string& path, const std::vector<Row>& rows) {
+  std::ofstream file(path);
+  file << kColumns << '\n';
+  for (const Row& row : rows) file << row << '\n';
+  return file.flush().good();
+}
+
+int fail(const std::string& message) {
+  std::cerr << "crowd_scaling: " << message << '\n';
+  return 1;
+}
+
+int run(const Arguments& arguments) {
+  std::vector<Row> rows;
+  std::cout << kColumns << std::endl;
+  const Result<void> measured = arguments.input.ends_with(".json")
+                                    ? measure_scene(arguments, rows)
+                                    : measure_character(arguments, rows);
+  if (!measured) return fail(measured.error().message);
+  if (arguments.csv.empty() || write_table(arguments.csv, rows)) return 0;
+  return fail(arguments.csv + ": cannot be written: choose another place");
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("How the time of a frame grows with a crowd, on one thread and on two");
+  Arguments arguments;
+  app.add_option("INPUT", arguments.input,
+                 "A character (.glb) that walks, or a scene (.json); the generated character");
+  app.add_option("--metre", arguments.metre, "A metre in units of the character");
+  app.add_option("--most", arguments.most, "The most instances")->capture_default_str();
+  app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
+  app.add_option("--csv", arguments.csv, "Write the table")->type_name("FILE");
+  CLI11_PARSE(app, argc, argv);
+  return run(arguments);
+}
+
+}  // namespace
+}  // namespace pelt::bench
+
+int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }

@@ -1,0 +1,166 @@
+/// What the distance of two walkers costs from near to far: on demand, on demand with the last
+/// frame's answer as a hint, and after all has been skinned and boxed. All answer the same frames
+/// in turn, so each finds the caches as the others leave them, and the medians count, for others
+/// may use the machine too. Where the answers differ nothing is printed.
+
+#include "evaluation/methods/statistics.hpp"
+#include "evaluation/programs/microseconds.hpp"
+#include "evaluation/programs/walking_crowd.hpp"
+#include "evaluation/rivals/exact_pose.hpp"
+#include "model/model.hpp"
+#include "scenes/scene.hpp"
+
+#include <pelt/distance.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <string>
+
+namespace pelt::bench {
+namespace {
+
+struct Arguments {
+  std::string input;
+  double metre = 1;
+  std::uint32_t rounds = 3;
+};
+
+/// How far apart the walkers' roots are, in metres.
+constexpr double kShifts[] = {0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0};
+
+/// Half a step or so between the walkers.
+constexpr std::uint32_t kPhaseShift = 23;
+
+using Palette = std::vector<Matrix4>;
+
+Palette moved(std::span<const Matrix4> palette, double x) {
+  Palette result(palette.begin(), palette.end());
+  for (Matrix4& m : result) m.m[12] += static_cast<float>(x);
+  return result;
+}
+
+/// One value a frame, for each column.
+struct Samples {
+  std::vector<double> distance, palettes, demand, hinted, eager_open, eager_query;
+  std::vector<double> refits, hinted_refits, node_pairs, exact_node_pairs, triangle_pairs;
+};
+
+struct Walkers {
+  explicit Walkers(const SkinnedModel& m)
+      : model(m), a(m), b(m), exact_a(m.detail().tree), exact_b(m.detail().tree) {}
+
+  /// Precondition: of this model.
+  void pose(const Palette& palette_a, const Palette& palette_b) {
+    (void)a.set_palette(palette_a);
+    (void)b.set_palette(palette_b);
+  }
+
+  SkinnedModel model;
+  Pose a, b;
+  rivals::ExactPose exact_a, exact_b;
+  Scratch scratch;
+};
+
+double as_sample(std::uint64_t count) { return static_cast<double>(count); }
+
+/// Asks one frame in all ways; false if the answers differ. `last` is the frame before's.
+bool ask(Walkers& walkers, const Palette& palette_a, const Palette& palette_b, Distance& last,
+         Samples& samples) {
+  Distance plain, hinted;
+  QueryStats stats;
+  samples.palettes.push_back(microseconds([&] { walkers.pose(palette_a, palette_b); }));
+  samples.demand.push_back(
+      microseconds([&] { stats = distance(walkers.a, walkers.b, walkers.scratch, plain); }));
+  samples.refits.push_back(as_sample(stats.refits));
+  samples.node_pairs.push_back(as_sample(stats.node_pairs));
+  samples.triangle_pairs.push_back(as_sample(stats.triangle_pairs));
+
+  (void)walkers.exact_a.set_palette(palette_a);
+  (void)walkers.exact_b.set_palette(palette_b);
+  detail::TriangleGap exact;
+  samples.eager_open.push_back(microseconds([&] {
+    walkers.exact_a.open_all();
+    walkers.exact_b.open_all();
+  }));
+  samples.eager_query.push_back(microseconds([&] {
+    stats = distance(walkers.exact_a, walkers.exact_b, walkers.scratch.detail(), exact);
+  }));
+  samples.exact_node_pairs.push_back(as_sample(stats.node_pairs));
+
+  walkers.pose(palette_a, palette_b);
+  samples.hinted.push_back(microseconds(
+      [&] { stats = distance(walkers.a, walkers.b, walkers.scratch, hinted, {.hint = &last}); }));
+  samples.hinted_refits.push_back(as_sample(stats.refits));
+  samples.distance.push_back(plain.distance);
+  last = plain;
+  return hinted.distance == plain.distance &&
+         (plain.distance == 0 || std::sqrt(exact.nearest.squared_distance) == plain.distance);
+}
+
+void print(double shift, double metre, const Samples& s) {
+  const double demand = median(s.demand), hinted = median(s.hinted);
+  const double eager = median(s.eager_open) + median(s.eager_query);
+  std::printf("%.2f,%.3f,%.2f,%.1f,%.1f,%.1f,%.1f,%.2f,%.2f,%.0f,%.0f,%.0f,%.0f,%.0f\n", shift,
+              median(s.distance) / metre, median(s.palettes), demand, hinted, median(s.eager_open),
+              median(s.eager_query), eager / demand, eager / hinted, median(s.refits),
+              median(s.hinted_refits), median(s.node_pairs), median(s.exact_node_pairs),
+              median(s.triangle_pairs));
+}
+
+bool measure(Walkers& walkers, const WalkPhases& phases, const Arguments& arguments) {
+  std::puts(
+      "shift_m,distance_m,palettes_us,demand_us,hinted_us,eager_open_us,eager_query_us,"
+      "eager_per_demand,eager_per_hinted,refits,hinted_refits,node_pairs,exact_node_pairs,"
+      "triangle_pairs");
+  for (const double shift : kShifts) {
+    Samples samples;
+    Distance last;
+    for (std::uint32_t frame = 0; frame < arguments.rounds * WalkPhases::kCount; ++frame) {
+      const auto phase = [&](std::uint32_t ahead) {
+        return phases[(frame + ahead) % WalkPhases::kCount];
+      };
+      if (!ask(walkers, moved(phase(0), 0), moved(phase(kPhaseShift), shift * arguments.metre),
+               last, samples))
+        return false;
+    }
+    print(shift, arguments.metre, samples);
+  }
+  return true;
+}
+
+int fail(const std::string& message) {
+  std::cerr << "distance_scaling: " << message << '\n';
+  return 1;
+}
+
+int run(const Arguments& arguments) {
+  const Result<scenes::Character> character = scenes::load_character(arguments.input);
+  if (!character) return fail(character.error().message);
+  const WalkPhases phases(character->asset);
+  const std::vector<Matrix4> samples = phases.samples();
+  const Result<SkinnedModel> model =
+      build_model(character->asset.mesh(),
+                  {.off_weights = OffWeights::renormalise, .sample_palettes = samples});
+  if (!model) return fail(model.error().message);
+  Walkers walkers(*model);
+  if (!measure(walkers, phases, arguments)) return fail("the answers differ");
+  return 0;
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("What the distance of two walkers costs, on demand and eagerly");
+  Arguments arguments;
+  app.add_option("INPUT", arguments.input, "A character (.glb) that walks")->required();
+  app.add_option("--metre", arguments.metre, "A metre in units of the character");
+  app.add_option("--rounds", arguments.rounds, "How often the clip is walked through");
+  CLI11_PARSE(app, argc, argv);
+  return run(arguments);
+}
+
+}  // namespace
+}  // namespace pelt::bench
+
+int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }

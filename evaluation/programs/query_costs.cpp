@@ -1,0 +1,296 @@
+/// What queries about one or two posed characters cost, the poses included: on demand, with the
+/// same trees skinned and opened whole, and by what else answers the same question: Embree where it
+/// was built in, a height field as a static mesh.
+///
+/// Each frame is asked in all ways in turn; medians over the frames count, each the best of several
+/// runs. Where the answers of two ways differ nothing is printed of that question, but for Embree,
+/// which is not exact: there it is counted how often it is wrong by more than a 10,000th.
+
+#include "base/wide_code.hpp"
+#include "evaluation/methods/statistics.hpp"
+#include "evaluation/programs/measure_each.hpp"
+#include "evaluation/programs/microseconds.hpp"
+#include "evaluation/programs/query_stage.hpp"
+#include "pose/pose.hpp"
+
+#include <pelt/inside.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#ifdef PELT_BENCH_PEERS
+#include "evaluation/peers/embree_mesh.hpp"
+#endif
+
+namespace pelt::bench {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> models;
+  std::uint32_t frames = 12, points = 1000, runs = 5;
+};
+
+/// What two ways must agree on, as numbers.
+using Answer = std::vector<double>;
+
+/// Takes a frame's palettes and asks.
+struct Way {
+  std::string name;
+  std::function<void(const QueryFrame&, Answer&)> ask;
+  bool is_exact = true;
+};
+
+/// The first way is ours.
+struct Question {
+  std::string name;
+  std::vector<Way> ways;
+};
+
+/// One run over the frames: fills the answers of all, and lessens the times.
+void run(const Way& way, const std::vector<QueryFrame>& frames, std::vector<Answer>& answers,
+         std::vector<double>& times) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    answers[i].clear();
+    times[i] = std::min(times[i], microseconds([&] { way.ask(frames[i], answers[i]); }));
+  }
+}
+
+/// How many numbers are off by more than a 10,000th.
+std::size_t count_wrong(const std::vector<Answer>& expected, const std::vector<Answer>& found) {
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    for (std::size_t k = 0; k < expected[i].size(); ++k)
+      wrong += !(std::fabs(expected[i][k] - found[i][k]) <= 1e-4 * std::fabs(expected[i][k]));
+  return wrong;
+}
+
+void measure(const Question& question, const QueryStage& stage, std::uint32_t runs) {
+  const std::size_t frames = stage.frames().size();
+  std::vector<std::vector<Answer>> answers(question.ways.size(), std::vector<Answer>(frames));
+  std::vector<std::vector<double>> times(question.ways.size(),
+                                         std::vector<double>(frames, HUGE_VAL));
+  for (std::uint32_t r = 0; r < runs; ++r)
+    for (std::size_t w = 0; w < question.ways.size(); ++w)
+      run(question.ways[w], stage.frames(), answers[w], times[w]);
+  for (std::size_t w = 1; w < question.ways.size(); ++w)
+    if (question.ways[w].is_exact && answers[w] != answers[0])
+      return void(std::printf("  %-28s the answers differ\n", question.name.c_str()));
+
+  const double ours = median(times[0]);
+  std::printf("  %-28s %9.1f us", question.name.c_str(), ours);
+  for (std::size_t w = 1; w < question.ways.size(); ++w) {
+    const Way& way = question.ways[w];
+    std::printf("; %s %.1f us, %.2fx", way.name.c_str(), median(times[w]), median(times[w]) / ours);
+    if (!way.is_exact) std::printf(", %zu wrong", count_wrong(answers[0], answers[w]));
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+/// Two instances and what is asked of them.
+class Costs {
+ public:
+  Costs(const scenes::Character& character, const SkinnedModel& model, const Arguments& arguments)
+      : asset_(character.asset),
+        arguments_(arguments),
+        stage_(character.asset, model, arguments.frames, arguments.points),
+        surface_(model),
+        a_(model),
+        b_(model) {}
+
+  void measure_all() {
+    std::printf("%zu triangles, %s surface\n", asset_.triangles.size(),
+                surface_.is_closed() ? "closed" : "open");
+    measure_points();
+    measure_pairs();
+    if (surface_.is_closed()) measure_insides();
+    measure_terrain();
+  }
+
+ private:
+  using AskOne = std::function<void(const QueryFrame&, Answer&)>;
+
+  /// A question about the first instance.
+  Question about_one(const std::string& name, const AskOne& ask) {
+    return about(name, nullptr, ask);
+  }
+
+  /// A question about both; the second's palette is a member of the frame.
+  Question about(const std::string& name, JointPalette QueryFrame::*second, const AskOne& ask) {
+    const auto way = [=, this](bool opens_all) {
+      return [=, this](const QueryFrame& frame, Answer& answer) {
+        pose(a_, frame.a, opens_all);
+        if (second) pose(b_, frame.*second, opens_all);
+        ask(frame, answer);
+      };
+    };
+    return {name, {{"on demand", way(false)}, {"all opened", way(true)}}};
+  }
+
+  static void pose(Pose& pose, const JointPalette& palette, bool opens_all) {
+    (void)pose.set_palette(palette);
+    if (!opens_all) return;
+    const detail::PosedTree posed = pose.detail().posed_tree();
+    make_table(posed);
+    detail::wide_code().open_all_exactly(posed);
+  }
+
+  void measure(const Question& question) { bench::measure(question, stage_, arguments_.runs); }
+
+  void measure_points() {
+    for (const std::size_t count : {std::size_t{1}, std::size_t{arguments_.points}}) {
+      Question question =
+          about_one(std::to_string(count) + " closest point(s)",
+                    [=, this](const QueryFrame& f, Answer& answer) {
+                      nearest_.resize(count);
+                      closest_points(a_, std::span(f.points).first(count), scratch_, nearest_);
+                      for (const ClosestPoint& n : nearest_) answer.push_back(n.distance);
+                    });
+      add_embree(question, count);
+      measure(question);
+    }
+  }
+
+#ifdef PELT_BENCH_PEERS
+  void add_embree(Question& question, std::size_t count) {
+    const auto mesh =
+        std::make_shared<peers::EmbreeMesh>(asset_.triangles, a_.model().vertex_count());
+    const auto ask = [=, this](const QueryFrame& frame, Answer& answer) {
+      (void)a_.set_palette(frame.a);
+      posed_vertices(a_, mesh->positions());
+      mesh->refit();
+      nearest_.resize(count);
+      mesh->find_nearest(std::span(frame.points).first(count), nearest_);
+      for (const ClosestPoint& n : nearest_) answer.push_back(n.distance);
+    };
+    question.ways.push_back({"Embree", ask, false});
+  }
+#else
+  void add_embree(Question&, std::size_t) {}
+#endif
+
+  void measure_pairs() {
+    const double reach = 0.05 * stage_.metre();
+    const auto all_within = [=, this](const QueryFrame&, Answer& answer) {
+      contacts_.clear();
+      clearance(a_, b_, reach, scratch_, contacts_);
+      add_contacts(answer);
+    };
+    const auto any_within = [=, this](const QueryFrame&, Answer& answer) {
+      answer.push_back(is_within(a_, b_, reach, scratch_));
+    };
+    measure(about("clearance 5 cm, 3 cm apart", &QueryFrame::near, all_within));
+    measure(about("clearance 5 cm, touching", &QueryFrame::touching, all_within));
+    measure(about("within 5 cm, 1 m apart", &QueryFrame::far, any_within));
+    measure(about("within 5 cm, 3 cm apart", &QueryFrame::near, any_within));
+    measure(about("within 5 cm, touching", &QueryFrame::touching, any_within));
+    measure(about("contacts", &QueryFrame::touching,
+                  [this](const QueryFrame&, Answer& answer) { find_contacts(answer); }));
+    measure(about("contacts, their geometry", &QueryFrame::touching,
+                  [this](const QueryFrame&, Answer& answer) {
+                    find_contacts(answer);
+                    describe_contacts(a_, surface_, b_, surface_, contacts_, geometry_);
+                    for (const ContactRegion& region : geometry_.regions)
+                      answer.insert(answer.end(), {region.length, region.depth, region.point.x});
+                    answer.push_back(static_cast<double>(geometry_.curves.size()));
+                  }));
+  }
+
+  void find_contacts(Answer& answer) {
+    contacts_.clear();
+    collide(a_, b_, scratch_, contacts_);
+    add_contacts(answer);
+  }
+
+  /// Their number and a sum that their order changes: they may be millions.
+  void add_contacts(Answer& answer) const {
+    std::uint64_t sum = 0;
+    for (const Contact& c : contacts_) sum = sum * 31 + c.triangle_a * 7919u + c.triangle_b;
+    answer.push_back(static_cast<double>(contacts_.size()));
+    answer.push_back(static_cast<double>(sum >> 12));
+  }
+
+  void measure_insides() {
+    measure(about("deepest vertex, touching", &QueryFrame::touching,
+                  [this](const QueryFrame&, Answer& answer) {
+                    Penetration deepest;
+                    deepest_vertex(a_, surface_, b_, surface_, scratch_, deepest);
+                    answer.insert(answer.end(), {1.0 * deepest.vertex, deepest.depth});
+                  }));
+    for (const std::size_t count : {std::size_t{1}, std::size_t{100}})
+      measure(about_one("side of " + std::to_string(count) + " point(s)",
+                        [=, this](const QueryFrame& frame, Answer& answer) {
+                          for (const Vec3& p : std::span(frame.points).first(count))
+                            answer.push_back(
+                                static_cast<double>(side_of(a_, surface_, p, scratch_)));
+                        }));
+  }
+
+  void measure_terrain() {
+    const HeightField small = stage_.hills(256), large = stage_.hills(4096);
+    Pose mesh(as_static_mesh(small));
+    const auto on = [this](const HeightField& field) {
+      return [&field, this](const QueryFrame&, Answer& answer) {
+        contacts_.clear();
+        collide(a_, field, scratch_, contacts_);
+        add_contacts(answer);
+      };
+    };
+    Question question = about_one("height field, 256 x 256", on(small));
+    question.ways.push_back({"as a static mesh", [&](const QueryFrame& frame, Answer& answer) {
+                               pose(a_, frame.a, false);
+                               contacts_.clear();
+                               collide(a_, mesh, scratch_, contacts_);
+                               add_contacts(answer);
+                             }});
+    measure(question);
+    measure(about_one("height field, 4096 x 4096", on(large)));
+  }
+
+  const asset::Asset& asset_;
+  const Arguments& arguments_;
+  QueryStage stage_;
+  Surface surface_;
+  Pose a_, b_;
+  Scratch scratch_;
+  std::vector<ClosestPoint> nearest_;
+  std::vector<Contact> contacts_;
+  ContactGeometry geometry_;
+};
+
+Result<void> measure_model(const std::string& path, const Arguments& arguments) {
+  const Result<scenes::Character> character =
+      path.empty() ? scenes::generate_character(scenes::CreatureOptions{})
+                   : scenes::load_character(path);
+  if (!character) return character.error();
+  const Result<SkinnedModel> model =
+      build_model(character->asset.mesh(), {.off_weights = OffWeights::renormalise});
+  if (!model) return model.error();
+  std::printf("%s: ", path.empty() ? "the generated character" : path.c_str());
+  Costs(*character, *model, arguments).measure_all();
+  return {};
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("What queries about posed characters cost, the poses included");
+  Arguments arguments;
+  app.add_option("MODELS", arguments.models, "Characters (.glb); the generated one");
+  app.add_option("--frames", arguments.frames, "Frames along the first clip")
+      ->capture_default_str();
+  app.add_option("--points", arguments.points, "Points of a batch")->capture_default_str();
+  app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return measure_each("query_costs", arguments.models,
+                      [&](const std::string& model) { return measure_model(model, arguments); });
+}
+
+}  // namespace
+}  // namespace pelt::bench
+
+int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }

@@ -1,0 +1,164 @@
+#include "evaluation/reproduce/chart.hpp"
+
+#include "evaluation/reproduce/chart_axis.hpp"
+#include "evaluation/reproduce/drawing.hpp"
+#include "evaluation/reproduce/micro_sign.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+#include <sstream>
+#include <string_view>
+
+namespace pelt::reproduce {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In single quotes nothing but these has a meaning for gnuplot.
+std::string quoted(const std::string& text) {
+  std::string inside;
+  for (const char c : with_micro_signs(text)) inside += c == '\'' ? "''" : std::string(1, c);
+  return "'" + inside + "'";
+}
+
+std::string title_of(const Chart& chart) {
+  switch (chart.better) {
+    case Better::lower:
+      return chart.title + " (lower is better)";
+    case Better::higher:
+      return chart.title + " (higher is better)";
+    case Better::neither:
+      return chart.title;
+  }
+  return chart.title;
+}
+
+/// The table without the rows that the chart leaves out.
+Table drawn_rows(const Chart& chart, Table table) {
+  const std::size_t x = column_of(table, chart.x);
+  if (chart.x_end)
+    std::erase_if(table.rows, [&](const std::vector<Cell>& row) {
+      return row[x].figure && *row[x].figure > *chart.x_end;
+    });
+  return table;
+}
+
+/// The table as gnuplot reads it: tabs between columns, NaN where there is no figure.
+std::string data_block(const Chart& chart, const Table& table) {
+  std::vector<std::size_t> columns = {column_of(table, chart.x)};
+  for (const std::string& key : chart.y) columns.push_back(column_of(table, key));
+  std::ostringstream text;
+  text.precision(10);
+  for (const std::vector<Cell>& row : table.rows) {
+    for (const std::size_t column : columns) {
+      const std::optional<double> figure = row[column].figure;
+      text << (column == columns[0] ? "" : "\t");
+      figure ? text << *figure : text << "NaN";
+    }
+    text << '\n';
+  }
+  return text.str();
+}
+
+/// Dark enough on white, and told apart by those who confuse red and green; where lines lie on each
+/// other, by their dashes and marks.
+constexpr const char* kLines[] = {
+    "'#1c6b4a' dashtype solid pointtype 7",      "'#b5533c' dashtype (12,4) pointtype 5",
+    "'#2f5fa8' dashtype (3,3) pointtype 9",      "'#c28a00' dashtype (12,3,3,3) pointtype 11",
+    "'#7a4fa0' dashtype (6,3) pointtype 13",     "'#333333' dashtype (12,3,3,3,3,3) pointtype 6",
+    "'#4fa7b8' dashtype (18,4) pointtype 4",     "'#9aa05a' dashtype solid pointtype 8",
+    "'#d678a8' dashtype (2,2,6,2) pointtype 10", "'#8a8a96' dashtype (6,6) pointtype 12",
+    "'#b08060' dashtype (3,6) pointtype 1",      "'#4a5a2a' dashtype (9,3) pointtype 3"};
+
+/// Methods have the same line in every chart: that of their place here.
+constexpr std::string_view kMethodKeys[] = {"on_demand_us",    "eager_us",        "paper_us",
+                                            "paper_eager_us",  "crowd_us",        "hybrid_us",
+                                            "aabb_refit_us",   "aabb_rebuild_us", "hash_us",
+                                            "hash_overlap_us", "bd_tree_us",      "hash_crowd_us"};
+static_assert(std::size(kMethodKeys) == std::size(kLines));
+
+/// Series that are no methods take the lines in their own order.
+std::size_t line_of(const Chart& chart, std::size_t series) {
+  const auto* const found =
+      std::find(std::begin(kMethodKeys), std::end(kMethodKeys), chart.y[series]);
+  if (found == std::end(kMethodKeys)) return series % std::size(kLines);
+  return static_cast<std::size_t>(found - std::begin(kMethodKeys));
+}
+
+/// What stands in the brackets at the end: " [us]".
+std::string unit_of(const std::string& title) {
+  const std::size_t at = title.rfind(" [");
+  return at == title.npos || title.back() != ']' ? "" : title.substr(at);
+}
+
+/// Without the unit where the axis names the same.
+std::string series_title(const Chart& chart, const Column& column) {
+  const std::string unit = unit_of(column.title);
+  const bool is_told = unit == unit_of(chart.y_title);
+  return is_told ? column.title.substr(0, column.title.size() - unit.size()) : column.title;
+}
+
+std::vector<double> figures_of(const Table& table, std::span<const std::string> keys) {
+  std::vector<double> figures;
+  for (const std::string& key : keys)
+    for (const std::vector<Cell>& row : table.rows)
+      if (const Cell& cell = row[column_of(table, key)]; cell.figure)
+        figures.push_back(*cell.figure);
+  return figures;
+}
+
+std::string scales(const Chart& chart, const Table& table) {
+  const std::vector<double> x = figures_of(table, std::span(&chart.x, 1));
+  const std::vector<double> y = figures_of(table, chart.y);
+  const Axes axes = chart.axes;
+  const bool log_x = axes == Axes::logarithmic || axes == Axes::logarithmic_x;
+  const bool log_y = axes == Axes::logarithmic || axes == Axes::logarithmic_y;
+  return (log_x ? logarithmic_axis("x", x) : linear_axis("x", x)) +
+         (log_y ? logarithmic_axis("y", y) : axis_from("y", chart.least_y));
+}
+
+std::string titles(const Chart& chart, const Table& table) {
+  const Column& x = table.columns[column_of(table, chart.x)];
+  return "set xlabel " + quoted(x.title) + " offset 0,0.4\nset ylabel " + quoted(chart.y_title) +
+         "\nset title " + quoted(title_of(chart)) + "\n";
+}
+
+std::string plots(const Chart& chart, const Table& table) {
+  std::string text;
+  for (std::size_t i = 0; i < chart.y.size(); ++i) {
+    const Column& y = table.columns[column_of(table, chart.y[i])];
+    text += (i == 0 ? "plot " : ", ") + ("$data using 1:" + std::to_string(i + 2)) +
+            " with linespoints linewidth 1.6 pointsize 0.6 linecolor " + kLines[line_of(chart, i)] +
+            " title " + quoted(series_title(chart, y));
+  }
+  return text + "\n";
+}
+
+/// Below the plot, which so keeps its width; one line needs no key.
+const char* key(const Chart& chart) {
+  return chart.y.size() == 1
+             ? "set key off\n"
+             : "set key outside bottom center horizontal reverse Left samplen 3 height 0.6\n";
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Chart& chart, const Table& all, const fs::path& svg) {
+  const Table table = drawn_rows(chart, all);
+  return "set terminal svg size 760,440 font 'Helvetica,13' background 'white' noenhanced\n"
+         "set encoding utf8\nset output " +
+         quoted(svg.string()) + "\n$data << END\n" + data_block(chart, table) +
+         "END\nset datafile separator tab\nset grid linecolor '#dddddd' linetype 1\n"
+         "set border linecolor '#666666'\n" +
+         key(chart) + titles(chart, table) + scales(chart, table) + plots(chart, table);
+}
+
+Result<void> draw_chart(const Chart& chart, const Table& table, const fs::path& svg) {
+  fs::path file = svg;
+  file.replace_extension(".gnuplot");
+  const std::vector<std::string> command = {"gnuplot", file.string()};
+  return draw({"gnuplot", "gnuplot-nox"}, command, file, gnuplot_script(chart, table, svg));
+}
+
+}  // namespace pelt::reproduce

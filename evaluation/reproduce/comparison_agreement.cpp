@@ -1,0 +1,92 @@
+/// Whether all methods of the comparison give one answer.
+
+#include "evaluation/reproduce/comparison_methods.hpp"
+#include "evaluation/reproduce/comparison_tables.hpp"
+#include "evaluation/reproduce/facing_pair.hpp"
+#include "evaluation/reproduce/method_title.hpp"
+#include "evaluation/rivals/hash_crowd.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+using tools::Question;
+
+struct Asked {
+  std::string title;
+  tools::Engine engine;
+  double missing = 0, extra = 0;
+};
+
+std::vector<Asked> all_methods() {
+  std::vector<Asked> all;
+  for (const MethodKind method : kCompared)
+    all.push_back({title_of(method), tools::engine_of(method)});
+  all.push_back({title_of(MethodKind::hash) + " in one grid",
+                 rival_engine("hash_crowd", [] { return rivals::make_hash_crowd(); })});
+  return all;
+}
+
+/// How many of `a` are not in `b`. Both ascend, as the contacts of one pair do.
+double without(std::span<const Contact> a, std::span<const Contact> b) {
+  std::vector<Contact> rest;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
+  return static_cast<double>(rest.size());
+}
+
+Result<std::vector<Contact>> contacts_of(const tools::Engine& engine,
+                                         std::span<const tools::Collider> colliders,
+                                         const tools::Palettes& palettes) {
+  tools::Runner runner(colliders, engine);
+  if (const auto posed = runner.pose(palettes); !posed) return posed.error();
+  runner.ask(Question::all);
+  return runner.found().contacts;
+}
+
+/// Adds how the answers about one pair differ; returns the contacts of brute force.
+Result<double> compare(const scenes::Scene& scene, std::vector<Asked>& methods) {
+  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  asset::SampleScratch scratch;
+  tools::Palettes palettes;
+  tools::sample_palettes(scene, 0, scratch, palettes);
+  const auto exact = contacts_of(tools::engine_of(MethodKind::brute), *colliders, palettes);
+  if (!exact) return exact.error();
+  for (Asked& asked : methods) {
+    const auto found = contacts_of(asked.engine, *colliders, palettes);
+    if (!found) return found.error();
+    asked.missing += without(*exact, *found);
+    asked.extra += without(*found, *exact);
+  }
+  return static_cast<double>(exact->size());
+}
+
+}  // namespace
+
+Result<Table> agreement(const scenes::Character& creature, const Conditions& conditions) {
+  std::vector<double> distances = {0.9, 0.8, kTouching, 0.6, 0.45, kDeep, 0.15, 0.0};
+  if (conditions.is_quick) distances = {kTouching, kDeep};
+  std::vector<Asked> methods = all_methods();
+  double contacts = 0;
+  for (const double at : distances) {
+    const auto found = compare(facing_pair(creature, at), methods);
+    if (!found) return found.error();
+    contacts += *found;
+  }
+  Table table = {
+      "agreement",
+      "How the contacts of each method differ from those of brute force",
+      {{"method", "method"}, {"contacts", "contacts"}, {"missing", "missing"}, {"extra", "extra"}},
+      {},
+      "Of two creatures, in the sum over " + std::to_string(distances.size()) +
+          " distances. Every other table is refused, too, where two methods answer "
+          "differently."};
+  for (const Asked& asked : methods)
+    table.rows.push_back({asked.title, contacts, asked.missing, asked.extra});
+  return table;
+}
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,128 @@
+/// The comparison over a clip: caches, slow frames, memory.
+
+#include "evaluation/reproduce/comparison_methods.hpp"
+#include "evaluation/reproduce/comparison_tables.hpp"
+#include "evaluation/reproduce/heap_bytes.hpp"
+#include "evaluation/reproduce/method_title.hpp"
+#include "evaluation/reproduce/scene_texts.hpp"
+#include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+using tools::Cache;
+using tools::Question;
+
+constexpr std::uint32_t kFrames = 30;
+
+/// In the middle of it, two stand in each other.
+constexpr std::uint32_t kMiddle = 60;
+
+Result<tools::SceneFigures> measure_clip(const scenes::Scene& scene, const Conditions& conditions) {
+  tools::BenchSettings settings;
+  for (const MethodKind method : kCompared) settings.engines.push_back(tools::engine_of(method));
+  settings.questions = {Question::all};
+  settings.caches = {Cache::hot, Cache::cold};
+  settings.repetitions = conditions.is_quick ? 3 : 9;
+  const std::uint32_t frames = conditions.is_quick ? kFrames / 5 : kFrames;
+  settings.frames = tools::FrameRange{0, scene.frame_count, scene.frame_count / frames};
+  std::vector<tools::SceneFigures> figures;
+  std::ostringstream errors;
+  const auto exit = tools::bench_scene(scene, settings, figures, errors);
+  if (!exit) return exit.error();
+  if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
+  return std::move(figures[0]);
+}
+
+const tools::Times& times_of(const tools::SceneFigures& figures, MethodKind method, Cache cache) {
+  return std::find_if(figures.figures.begin(), figures.figures.end(),
+                      [&](const tools::Figures& of) {
+                        return of.engine == bench::name_of(method) && of.variant.cache == cache;
+                      })
+      ->times;
+}
+
+/// What a method holds for so many instances of a model once it has been asked about a pair deep
+/// in each other, the model itself apart.
+std::optional<double> bytes_of(MethodKind method, const SkinnedModel& model,
+                               std::span<const std::vector<Matrix4>> palettes,
+                               std::uint32_t instances) {
+  const std::optional<std::size_t> before = heap_bytes();
+  const auto made = bench::make_method(method);
+  std::vector<Contact> contacts;
+  for (std::uint32_t i = 0; i < instances; ++i) {
+    made->add(model);
+    (void)made->set_palette(i, palettes[i % 2]);
+  }
+  for (std::uint32_t i = 0; i + 1 < instances; i += 2) made->collide(i, i + 1, contacts, {});
+  contacts = {};
+  const std::optional<std::size_t> after = heap_bytes();
+  if (!before || !after) return std::nullopt;
+  return static_cast<double>(*after) - static_cast<double>(*before);
+}
+
+/// KiB of one more instance, and of what is there once.
+struct Memory {
+  Cell instance, shared;
+};
+
+Memory memory_of(MethodKind method, const SkinnedModel& model,
+                 std::span<const std::vector<Matrix4>> palettes) {
+  const auto two = bytes_of(method, model, palettes, 2),
+             four = bytes_of(method, model, palettes, 4);
+  if (!two || !four) return {};
+  const double each = (*four - *two) / 2;
+  return {each / 1024, std::max(*two - 2 * each, 0.0) / 1024};
+}
+
+std::string note_of(const tools::SceneFigures& figures, const Conditions& conditions) {
+  return how_measured(tools::counted(figures.frames, "frame") + ", " +
+                          std::to_string(figures.figures[0].answer.frames_in_contact) +
+                          " of them in contact; all contacts. Cold: 64 MB are read before every "
+                          "frame, which "
+                          "leaves nothing in the caches.",
+                      conditions) +
+         " Memory is what a method has allocated after frame " + std::to_string(kMiddle) +
+         ", as four instances hold it and two; the model of Pelt, " +
+         shown(static_cast<double>(figures.models.bytes) / 1024) +
+         " KiB, which all start from, is left out, and is all that Pelt shares.";
+}
+
+}  // namespace
+
+Result<Table> clip_table(const Conditions& conditions) {
+  const auto scene = scenes::parse_scene(passing_through_scene(), {});
+  if (!scene) return scene.error();
+  const auto figures = measure_clip(*scene, conditions);
+  if (!figures) return figures.error();
+  const auto colliders = tools::make_colliders(*scene, tools::Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  asset::SampleScratch scratch;
+  tools::Palettes palettes;
+  tools::sample_palettes(*scene, kMiddle, scratch, palettes);
+  Table table = {"clip",
+                 "Two creatures walk through each other",
+                 {{"method", "method"},
+                  {"hot_us", "hot caches, mean [us]"},
+                  {"p95_us", "95 % of frames are below [us]"},
+                  {"cold_us", "cold caches, mean [us]"},
+                  {"instance_kib", "memory of an instance [KiB]"},
+                  {"shared_kib", "shared by all [KiB]"}},
+                 {},
+                 note_of(*figures, conditions)};
+  for (const MethodKind method : kCompared) {
+    const tools::Times& hot = times_of(*figures, method, Cache::hot);
+    const Memory memory = memory_of(method, (*colliders)[0].model, palettes.joints);
+    table.rows.push_back({title_of(method), hot.mean_us, hot.p95_us,
+                          times_of(*figures, method, Cache::cold).mean_us, memory.instance,
+                          memory.shared});
+  }
+  return table;
+}
+
+}  // namespace pelt::reproduce

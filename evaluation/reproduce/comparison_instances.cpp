@@ -1,0 +1,101 @@
+/// The comparison over the number of instances: pair by pair, and where a method has it, all at
+/// once.
+
+#include "evaluation/reproduce/comparison_methods.hpp"
+#include "evaluation/reproduce/comparison_tables.hpp"
+#include "evaluation/reproduce/method_title.hpp"
+#include "evaluation/rivals/hash_crowd.hpp"
+#include "scenes/creature/random.hpp"
+
+#include <cmath>
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+using tools::Question;
+
+constexpr std::array kByPairs = {
+    MethodKind::on_demand, MethodKind::eager,      MethodKind::paper, MethodKind::paper_eager,
+    MethodKind::hybrid,    MethodKind::aabb_refit, MethodKind::hash,  MethodKind::hash_overlap};
+
+/// What is asked about all at once.
+constexpr const char *kCrowd = "crowd", *kOneGrid = "hash_crowd";
+
+constexpr double kTurn = 6.283185307179586;
+
+/// Neighbours in a row, and rows, are so far apart, in units of a creature 1.8 tall.
+constexpr double kNearest = 0.5, kFarthest = 1.4, kRow = 1.5;
+
+/// Some who walk on the spot in rows, into directions of their own.
+scenes::Scene walkers(const scenes::Character& creature, std::uint32_t count) {
+  scenes::Scene scene;
+  scene.name = std::to_string(count) + " walkers";
+  scene.characters = {creature};
+  scene.frame_count = kPhases;
+  scene.fps = 4;
+  scenes::SplitMix64 random(1);
+  const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(count)));
+  double x = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    x = i % side == 0 ? 0 : x + random.between(kNearest, kFarthest);
+    scenes::Instance walker;
+    walker.clip = "walk";
+    walker.start = random.between(0, 1);
+    walker.translation = {x, 0, kRow * (i / side)};
+    const double half = random.between(0, kTurn / 2);
+    walker.rotation = {0, std::sin(half), 0, std::cos(half)};
+    scene.instances.push_back(walker);
+  }
+  return scene;
+}
+
+std::vector<tools::Engine> engines() {
+  std::vector<tools::Engine> all = {tools::crowd_engine(1)};
+  all[0].name = kCrowd;
+  for (const MethodKind method : kByPairs) all.push_back(tools::engine_of(method));
+  all.push_back(rival_engine(kOneGrid, [] { return rivals::make_hash_crowd(); }));
+  return all;
+}
+
+Table empty_table(const Conditions& conditions) {
+  Table table = {"instances",
+                 "All contacts of walkers, over their number",
+                 {{"instances", "instances"}, {"contacts", "contacts"}},
+                 {},
+                 how_measured("Creatures of 13,590 triangles on a plain, 0.5 to 1.4 units from "
+                              "their neighbours. All pairs are asked one by one, but for Pelt's "
+                              "crowd and the hash in one grid, which take all at once. Wall time.",
+                              conditions)};
+  table.columns.push_back({"crowd_us", title_of(MethodKind::on_demand) + " as a crowd [us]"});
+  for (const MethodKind method : kByPairs) table.columns.push_back(time_column(method));
+  table.columns.push_back({"hash_crowd_us", title_of(MethodKind::hash) + " in one grid [us]"});
+  return table;
+}
+
+}  // namespace
+
+Result<void> add_instances(const scenes::Character& creature, const Conditions& conditions,
+                           Section& section) {
+  Table table = empty_table(conditions);
+  std::vector<std::uint32_t> counts = {2, 8, 32, 100};
+  if (conditions.is_quick) counts.pop_back();
+  for (const std::uint32_t count : counts) {
+    const auto figures = measure_scene(walkers(creature, count), engines(), kPhases, conditions);
+    if (!figures) return figures.error();
+    const auto time = [&](std::string_view engine) {
+      return figures_of(*figures, engine, Question::all).times.mean_us;
+    };
+    std::vector<Cell> row = {static_cast<double>(count), contact_count(*figures), time(kCrowd)};
+    for (const MethodKind method : kByPairs) row.push_back(time(bench::name_of(method)));
+    row.push_back(time(kOneGrid));
+    table.rows.push_back(std::move(row));
+  }
+  Chart chart = {table.id, table.title, table.id, "instances", {}, "a frame [us]"};
+  for (std::size_t c = 2; c < table.columns.size(); ++c) chart.y.push_back(table.columns[c].key);
+  section.charts.push_back(std::move(chart));
+  section.tables.push_back(std::move(table));
+  return {};
+}
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,141 @@
+/// The comparison over distance and resolution, and where the time goes.
+
+#include "evaluation/reproduce/comparison_methods.hpp"
+#include "evaluation/reproduce/comparison_tables.hpp"
+#include "evaluation/reproduce/facing_pair.hpp"
+#include "evaluation/reproduce/method_title.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+using tools::Question;
+using tools::SceneFigures;
+
+/// From apart to two in one place.
+constexpr std::array kDistances = {3.0, kApart, 0.9, 0.8, kTouching, 0.6, 0.45, kDeep, 0.15, 0.0};
+
+/// Beyond, a tree built anew takes seconds.
+constexpr std::uint32_t kMostRebuilt = 100000;
+
+double height_of(const scenes::Character& character) {
+  float low = HUGE_VALF, high = -HUGE_VALF;
+  for (const Vec3& p : character.asset.mesh().rest_positions) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
+  return double{high} - low;
+}
+
+std::string mean_over_phases(const Conditions& conditions) {
+  return conditions.is_quick ? "One phase of the walk."
+                             : "Means over " + std::to_string(kPhases) + " phases of the walk.";
+}
+
+std::vector<MethodKind> methods_for(std::uint32_t triangles) {
+  std::vector<MethodKind> methods(kCompared.begin(), kCompared.end());
+  if (triangles > kMostRebuilt)
+    methods.erase(std::find(methods.begin(), methods.end(), MethodKind::aabb_rebuild));
+  return methods;
+}
+
+/// How the time before the query parts into skinning and the rest, as far as it can be told.
+std::array<Cell, 2> update_split(MethodKind method, double update, double skinning) {
+  switch (bench::skinning_of(method)) {
+    case bench::Skins::first:
+      return {std::min(skinning, update), std::max(update - skinning, 0.0)};
+    case bench::Skins::with_boxes:
+      return {"in structure", update};
+    case bench::Skins::where_queried:
+      break;
+  }
+  return {"in query", update};
+}
+
+}  // namespace
+
+Result<void> add_separation(const scenes::Character& creature, const Conditions& conditions,
+                            Section& section) {
+  const double height = height_of(creature);
+  const std::string note = how_measured(
+      mean_over_phases(conditions) + " The creatures are " + shown(height) + " units tall.",
+      conditions);
+  const Column distance = {"distance", "distance [units]"};
+  const Column share = {"distance_heights", "distance [heights of a creature]"};
+  Table all = times_table("separation", "All contacts of two creatures over their distance",
+                          {distance, share, {"contacts", "contacts"}}, kCompared, note);
+  Table first =
+      times_table("separation_first", "First contact of two creatures over their distance",
+                  {distance, share}, kCompared, note);
+  for (const double at : kDistances) {
+    const auto figures =
+        measure_scene(facing_pair(creature, at, kPhases), kCompared, kPhases, conditions);
+    if (!figures) return figures.error();
+    all.rows.push_back({at, at / height, contact_count(*figures)});
+    append_times(*figures, Question::all, kCompared, all.rows.back());
+    first.rows.push_back({at, at / height});
+    append_times(*figures, Question::first, kCompared, first.rows.back());
+  }
+  const double chart_end = (kApart + 0.001) / height;
+  add_with_charts(std::move(all), "distance_heights", Axes::logarithmic_y, chart_end, section);
+  add_with_charts(std::move(first), "distance_heights", Axes::logarithmic_y, chart_end, section);
+  return {};
+}
+
+Result<void> add_resolution(const Conditions& conditions, Section& section) {
+  Table table = times_table(
+      "resolution", "Two creatures whose hands meet, over their triangles",
+      {{"triangles", "triangles of one"}, {"contacts", "contacts"}}, kCompared,
+      how_measured("One phase of the walk, " + shown(kTouching) + " units apart; all contacts. " +
+                       title_of(MethodKind::aabb_rebuild) + " is not asked beyond 100,000.",
+                   conditions));
+  std::vector<std::uint32_t> sizes = {1000, 3000, 10000, 30000, 100000, 300000, 1000000};
+  if (conditions.is_quick) sizes.resize(3);
+  for (const std::uint32_t triangles : sizes) {
+    const auto creature = scenes::generate_character({triangles, 56, 1});
+    if (!creature) return creature.error();
+    const auto figures =
+        measure_scene(facing_pair(*creature, kTouching), methods_for(triangles), 1, conditions);
+    if (!figures) return figures.error();
+    table.rows.push_back({static_cast<double>(triangles), contact_count(*figures)});
+    append_times(*figures, Question::all, kCompared, table.rows.back());
+  }
+  add_with_charts(std::move(table), "triangles", Axes::logarithmic, {}, section);
+  return {};
+}
+
+Result<Table> time_split(const scenes::Character& creature, const Conditions& conditions) {
+  const auto figures =
+      measure_scene(facing_pair(creature, kDeep, kPhases), kCompared, kPhases, conditions);
+  if (!figures) return figures.error();
+  Table table = {
+      "time_split",
+      "Two creatures deep in each other, " + shown(kDeep) + " units apart: where the time goes",
+      {{"method", "method"},
+       {"skinning_us", "skinning [us]"},
+       {"update_us", "structure [us]"},
+       {"query_us", "query [us]"},
+       {"all_us", "all [us]"},
+       {"triangle_pairs", "triangle pairs tested"}},
+      {},
+      how_measured(mean_over_phases(conditions), conditions) +
+          " All contacts. Skinning is what all vertices at once take, measured beside; where "
+          "vertices are skinned as boxes are taken or as the query comes to them, it cannot be "
+          "told apart. Hashing builds its grid in the query: it takes the triangles of those "
+          "bodies only whose boxes meet."};
+  for (const MethodKind method : kCompared) {
+    const tools::Figures& of = figures_of(*figures, bench::name_of(method), Question::all);
+    const double update = of.times.mean_update_us;
+    auto [skinning, structure] = update_split(method, update, figures->skinning.mean_us);
+    const double pairs =
+        static_cast<double>(of.answer.work.triangle_pairs) / static_cast<double>(figures->frames);
+    table.rows.push_back({title_of(method), skinning, structure, of.times.mean_us - update,
+                          of.times.mean_us, pairs});
+  }
+  return table;
+}
+
+}  // namespace pelt::reproduce

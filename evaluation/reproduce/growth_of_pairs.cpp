@@ -1,0 +1,79 @@
+/// Two creatures who face each other, asked for all contacts.
+
+#include "evaluation/reproduce/facing_pair.hpp"
+#include "evaluation/reproduce/growth.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
+
+namespace pelt::reproduce {
+namespace {
+
+/// So near that arms reach into the other one.
+constexpr double kInterfering = 0.6;
+
+Table empty_table(const char* id, const char* title, const Column& size, const char* note) {
+  Table table = {id, title, {size, {"contacts", "contacts"}}, {}, note};
+  for (std::size_t i = 0; i < kPairMethods.size(); ++i)
+    table.columns.push_back(kGrowingMethods[i].column());
+  return table;
+}
+
+/// Appends contacts and times of one pair.
+Result<void> append_row(double size, const scenes::Character& character, double distance,
+                        const Conditions& conditions, Table& table) {
+  const auto figures = measure_scene(facing_pair(character, distance), kPairMethods, 1, conditions);
+  if (!figures) return figures.error();
+  std::vector<Cell> row = {size, contact_count(*figures)};
+  for (const bench::MethodKind method : kPairMethods)
+    row.push_back(mean_us(*figures, method, tools::Question::all));
+  table.rows.push_back(std::move(row));
+  return {};
+}
+
+/// The same of two that interfere.
+Result<void> append_generated(double size, const scenes::CreatureOptions& options,
+                              const Conditions& conditions, Table& table) {
+  const Result<scenes::Character> character = scenes::generate_character(options);
+  if (!character) return character.error();
+  return append_row(size, *character, kInterfering, conditions, table);
+}
+
+}  // namespace
+
+Result<Table> growth_by_triangles(std::span<const std::uint32_t> triangles,
+                                  const Conditions& conditions) {
+  Table table =
+      empty_table("growth_triangles", "A query by triangles", {"triangles", "triangles of each"},
+                  "Two creatures of 56 joints, 0.6 units apart; all contacts.");
+  for (const std::uint32_t count : triangles) {
+    const auto done = append_generated(count, {count, 56, 1}, conditions, table);
+    if (!done) return done.error();
+  }
+  return table;
+}
+
+Result<Table> growth_by_joints(std::span<const std::uint32_t> joints,
+                               const Conditions& conditions) {
+  Table table = empty_table("growth_joints", "A query by joints", {"joints", "joints of each"},
+                            "Two creatures of 13,590 triangles, 0.6 units apart; all contacts.");
+  for (const std::uint32_t count : joints) {
+    const auto done = append_generated(count, {13590, count, 1}, conditions, table);
+    if (!done) return done.error();
+  }
+  return table;
+}
+
+Result<Table> growth_by_depth(std::uint32_t triangles, std::span<const double> distances,
+                              const Conditions& conditions) {
+  const auto character = scenes::generate_character({triangles, 56, 1});
+  if (!character) return character.error();
+  Table table = empty_table("growth_depth", "A query by depth", {"distance", "distance [units]"},
+                            "Two creatures 1.8 units tall who face each other, from apart to one "
+                            "place; all contacts.");
+  for (const double distance : distances) {
+    const auto done = append_row(distance, *character, distance, conditions, table);
+    if (!done) return done.error();
+  }
+  return table;
+}
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,18 @@
+#pragma once
+
+/// The report as one page that needs nothing beside it.
+
+#include "evaluation/reproduce/report.hpp"
+
+#include <map>
+#include <string>
+
+namespace pelt::reproduce {
+
+/// The page. `images` has the bytes of charts (SVG) and pictures (PNG) by their ids; where one is
+/// missing, the page says so. `provenance` are lines about machine, build and date.
+std::string html_page(const std::vector<Section>& sections,
+                      const std::vector<std::string>& provenance,
+                      const std::map<std::string, std::string>& images);
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,183 @@
+#include "evaluation/reproduce/image_space.hpp"
+
+#include "evaluation/reproduce/comparison_methods.hpp"
+#include "evaluation/reproduce/facing_pair.hpp"
+#include "evaluation/reproduce/method_title.hpp"
+#include "evaluation/rivals/layered_depth.hpp"
+#include "tools/pelt/bench/bench_measure.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+using tools::Question;
+
+constexpr std::array kResolutions = {8u, 16u, 32u, 64u, 128u, 256u};
+constexpr std::array kExact = {MethodKind::on_demand,   MethodKind::eager,      MethodKind::paper,
+                               MethodKind::hybrid,      MethodKind::aabb_refit, MethodKind::hash,
+                               MethodKind::hash_overlap};
+
+/// From hands that just do not meet until arms are deep in the other: light contacts are the hard
+/// ones.
+constexpr double kFrom = 0.9, kTo = 0.3;
+
+/// Images as a method: where two seem to touch, some pair of triangles stands for the answer.
+class Images final : public rivals::PosedMeshMethod {
+ public:
+  explicit Images(std::uint32_t resolution) : images_(resolution) {}
+
+  void add(std::span<const Triangle> triangles, std::span<const Vec3>) override {
+    images_.add(triangles);
+  }
+  void update(std::uint32_t body, std::span<const Vec3> positions) override {
+    images_.update(body, positions);
+  }
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     std::uint32_t max_contacts) override {
+    if (max_contacts > 0 && images_.touch(a, b)) contacts.push_back({0, 0});
+    return {};
+  }
+
+ private:
+  rivals::LayeredDepth images_;
+};
+
+/// The images by resolution, then those that know.
+std::vector<tools::Engine> engines() {
+  std::vector<tools::Engine> all;
+  for (const std::uint32_t resolution : kResolutions)
+    all.push_back(rival_engine("images " + std::to_string(resolution),
+                               [resolution] { return std::make_unique<Images>(resolution); }));
+  for (const MethodKind method : kExact) all.push_back(tools::engine_of(method));
+  return all;
+}
+
+/// Whether the two touch, frame by frame.
+Result<std::vector<bool>> ask(const tools::Subject& subject, const tools::Engine& engine) {
+  tools::Runner runner(subject.colliders, engine);
+  asset::SampleScratch scratch;
+  tools::Palettes palettes;
+  std::vector<bool> touching;
+  for (const std::uint32_t frame : subject.frames) {
+    tools::sample_palettes(subject.scene, frame, scratch, palettes);
+    if (const auto posed = runner.pose(palettes); !posed)
+      return tools::in_frame(frame, posed.error());
+    runner.ask(Question::first);
+    touching.push_back(!runner.found().contacts.empty());
+  }
+  return touching;
+}
+
+/// In how many frames the first says so and the second does not.
+double count_only(const std::vector<bool>& first, const std::vector<bool>& second) {
+  return std::inner_product(first.begin(), first.end(), second.begin(), 0.0, std::plus<>(),
+                            [](bool a, bool b) { return a && !b ? 1.0 : 0.0; });
+}
+
+/// Yes or no of every engine on every frame, and the time it takes.
+struct Answers {
+  std::vector<std::vector<bool>> touching;  // [engines][frames]
+  std::vector<std::vector<tools::Times>> times;
+
+  const std::vector<bool>& exact() const { return touching[kResolutions.size()]; }
+  double missed(std::size_t engine) const { return count_only(exact(), touching[engine]); }
+  double invented(std::size_t engine) const { return count_only(touching[engine], exact()); }
+};
+
+Result<Answers> ask_all(const tools::Subject& subject, const Conditions& conditions) {
+  const std::vector<tools::Engine> all = engines();
+  constexpr std::array kFirst = {tools::Variant{Question::first, tools::Cache::hot}};
+  auto times = tools::measure(subject, all, kFirst, conditions.is_quick ? 3 : 9, [] {});
+  if (!times) return times.error();
+  Answers answers = {{}, std::move(*times)};
+  for (const tools::Engine& engine : all) {
+    auto touching = ask(subject, engine);
+    if (!touching) return touching.error();
+    answers.touching.push_back(std::move(*touching));
+  }
+  return answers;
+}
+
+Table image_table(const Answers& answers, const std::string& note) {
+  Table table = {"image_space",
+                 "Layered depth images: do two creatures touch?",
+                 {{"resolution", "pixels a side"},
+                  {"images_us", "drawing and comparing [us], skinning not included"},
+                  {"all_us", "with skinning [us]"},
+                  {"asked", "cases"},
+                  {"touching", "cases that touch"},
+                  {"missed", "contacts missed [cases]"},
+                  {"missed_percent", "contacts missed [% of cases that touch]"},
+                  {"invented", "contacts seen where there are none [cases]"}},
+                 {},
+                 note};
+  const auto& exact = answers.exact();
+  const auto touching = static_cast<double>(std::count(exact.begin(), exact.end(), true));
+  for (std::size_t i = 0; i < kResolutions.size(); ++i) {
+    const tools::Times& times = answers.times[i][0];
+    table.rows.push_back({static_cast<double>(kResolutions[i]),
+                          times.mean_us - times.mean_update_us, times.mean_us,
+                          static_cast<double>(exact.size()), touching, answers.missed(i),
+                          100 * answers.missed(i) / std::max(touching, 1.0), answers.invented(i)});
+  }
+  return table;
+}
+
+Table rival_table(const Answers& answers, const std::string& note) {
+  Table table = {"image_space_rivals",
+                 "The same cases, asked of methods that know: first contact only",
+                 {{"method", "method"},
+                  {"all_us", "with skinning [us]"},
+                  {"missed", "contacts missed [cases]"},
+                  {"invented", "contacts seen where there are none [cases]"}},
+                 {},
+                 note};
+  for (std::size_t m = 0; m < kExact.size(); ++m) {
+    const std::size_t engine = kResolutions.size() + m;
+    table.rows.push_back({title_of(kExact[m]), answers.times[engine][0].mean_us,
+                          answers.missed(engine), answers.invented(engine)});
+  }
+  return table;
+}
+
+void add_charts(Section& section) {
+  Chart time = {"image_space",           "Layered depth images: time of a yes or no",
+                "image_space",           "resolution",
+                {"images_us", "all_us"}, "a case [us]"};
+  Chart missed = {"image_space_missed", "Layered depth images: what they miss",
+                  "image_space",        "resolution",
+                  {"missed_percent"},   "contacts missed [% of cases that touch]"};
+  missed.axes = Axes::logarithmic_x;
+  section.charts.push_back(std::move(time));
+  section.charts.push_back(std::move(missed));
+}
+
+}  // namespace
+
+Result<void> add_image_space(const scenes::Character& character, const Conditions& conditions,
+                             Section& section) {
+  const std::uint32_t count = conditions.is_quick ? 16 : 64;
+  const scenes::Scene scene = closing_pair(character, kFrom, kTo, count);
+  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  std::vector<std::uint32_t> frames(count);
+  std::iota(frames.begin(), frames.end(), 0);
+  const auto answers = ask_all({scene, *colliders, frames}, conditions);
+  if (!answers) return answers.error();
+  const std::string note = how_measured(
+      "A case is a pair of creatures and the question whether they touch; means over " +
+          std::to_string(count) + " cases, from " + shown(kFrom) + " units apart to " + shown(kTo) +
+          ".",
+      conditions);
+  section.tables.push_back(image_table(
+      *answers, note + " Images are drawn where the boxes of the two meet, so that nearer pairs "
+                       "are seen through larger pixels; Pelt's answer is the exact one."));
+  section.tables.push_back(rival_table(*answers, note));
+  add_charts(section);
+  return {};
+}
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,31 @@
+#pragma once
+
+/// Spheres of the paper's trees, level by level, to be looked at.
+
+#include "evaluation/paper/on_demand.hpp"
+
+namespace pelt::reproduce {
+
+/// The root is on level 1.
+std::vector<std::uint32_t> nodes_on_level(const paper::SphereTree& tree, std::uint32_t level);
+
+/// A body after a query that refitted what it asked for.
+struct AskedBody {
+  std::vector<paper::Float4> spheres;  ///< of all nodes, under the palette of the query
+  std::vector<bool> refitted;          ///< by node, whether the query asked for it
+};
+
+struct AskedPair {
+  std::array<AskedBody, 2> bodies;
+  QueryStats work;
+};
+
+/// Two bodies of one model, asked for all their contacts.
+AskedPair ask_on_demand(const detail::SkinnedMesh& mesh, const paper::SphereModel& model,
+                        const std::array<detail::Palette, 2>& palettes);
+
+/// Of all nodes, each refitted.
+std::vector<paper::Float4> all_refitted(const paper::SphereModel& model,
+                                        const detail::Palette& palette);
+
+}  // namespace pelt::reproduce

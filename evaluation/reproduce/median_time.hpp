@@ -1,0 +1,24 @@
+#pragma once
+
+#include "evaluation/methods/statistics.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pelt::reproduce {
+
+/// Microseconds that `work` takes, the median of so many repetitions.
+template <typename Work>
+double median_us(std::uint32_t repetitions, const Work& work) {
+  std::vector<double> times;
+  for (std::uint32_t r = 0; r < repetitions; ++r) {
+    tools::Stopwatch watch;
+    work();
+    watch.stop();
+    times.push_back(watch.microseconds());
+  }
+  return bench::median(times);
+}
+
+}  // namespace pelt::reproduce

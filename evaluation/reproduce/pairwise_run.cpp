@@ -1,0 +1,44 @@
+#include "evaluation/reproduce/pairwise_run.hpp"
+
+#include "base/assert.hpp"
+#include "evaluation/methods/statistics.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
+
+namespace pelt::reproduce {
+
+PairwiseRun::PairwiseRun(const bench::CrowdJob& job, bench::MethodKind method)
+    : job_(job), method_(bench::make_method(method)) {
+  for (const SkinnedModel& model : job.models) method_->add(model);
+}
+
+PairwiseTiming PairwiseRun::run() {
+  std::vector<double> times;
+  for (std::uint32_t frame = 0; frame < job_.frame_count; ++frame) {
+    job_.pose(frame, palettes_);
+    contacts_.clear();
+    tools::Stopwatch watch;
+    set_palettes();
+    collide_pairs();
+    watch.stop();
+    times.push_back(watch.microseconds());
+  }
+  return {bench::median(times), contacts_.size()};
+}
+
+void PairwiseRun::set_palettes() {
+  std::span<const Matrix4> rest = palettes_;
+  for (std::uint32_t body = 0; body < job_.models.size(); ++body) {
+    const std::uint32_t joints = job_.models[body].joint_count();
+    const Result<void> taken = method_->set_palette(body, rest.first(joints));
+    PELT_ASSERT(taken);
+    rest = rest.subspan(joints);
+  }
+}
+
+void PairwiseRun::collide_pairs() {
+  for (std::uint32_t a = 0; a < job_.models.size(); ++a)
+    for (std::uint32_t b = a + 1; b < job_.models.size(); ++b)
+      method_->collide(a, b, contacts_, {});
+}
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,96 @@
+/// What other libraries take for the same question, and how much of the answer they find.
+
+#include "evaluation/peers/peer_figures.hpp"
+#include "evaluation/reproduce/experiment.hpp"
+#include "evaluation/reproduce/method_title.hpp"
+#include "evaluation/reproduce/scene_texts.hpp"
+#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/output/text.hpp"
+
+namespace pelt::reproduce {
+namespace {
+
+/// Pelt's own methods have the names that they have in the rest of the report.
+std::string shown_name(const std::string& method) {
+  constexpr std::string_view kOurs = "pelt ";
+  if (!method.starts_with(kOurs)) return method;
+  const auto ours = bench::find_method(std::string_view(method).substr(kOurs.size()));
+  return ours ? title_of(*ours) : method;
+}
+
+Table table_of(const std::string& id, const std::string& title, const tools::ScenePeers& scene) {
+  Table table = {id,
+                 title,
+                 {{"library", "library"},
+                  {"version", "version"},
+                  {"update", "for each pose"},
+                  {"narrow_phase", "narrow phase"},
+                  {"skinning_us", "skinning [us]"},
+                  {"update_us", "structure [us]"},
+                  {"all_us", "query, all [us]"},
+                  {"frame_us", "frame, all [us]"},
+                  {"first_us", "query, first [us]"},
+                  {"first_frame_us", "frame, first [us]"},
+                  {"missing", "missing pairs"},
+                  {"extra", "extra pairs"}},
+                 {},
+                 tools::counted(scene.frames, "frame") + ", " +
+                     std::to_string(scene.frames_in_contact) + " of them in contact, with " +
+                     tools::with_commas(scene.contacts) + " contacts in all. Medians of " +
+                     std::to_string(scene.repetitions) +
+                     " repetitions, means over the frames; one thread, hot caches. Skinning is "
+                     "measured as a method that "
+                     "does nothing else; " +
+                     title_of(bench::MethodKind::on_demand) + " skins in its query, " +
+                     title_of(bench::MethodKind::eager) + " in its structure."};
+  for (const tools::PeerFigures& of : scene.methods)
+    table.rows.push_back({shown_name(of.method), of.version, of.update, of.narrow_phase,
+                          of.skinning_us > 0 ? Cell(of.skinning_us) : Cell(), of.update_us,
+                          of.all_us, of.frame_us, of.first_us, of.first_frame_us,
+                          static_cast<double>(of.difference.missing),
+                          static_cast<double>(of.difference.extra)});
+  return table;
+}
+
+struct Walk {
+  const char *id, *title;
+  std::string_view scene;
+  std::uint32_t frame_count;
+};
+
+Result<Table> measure_walk(const Walk& walk, const Conditions& conditions) {
+  const auto scene = scenes::parse_scene(walk.scene, {});
+  if (!scene) return scene.error();
+  const auto colliders = tools::make_colliders(*scene, tools::Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  const std::uint32_t most = conditions.is_quick ? 2 : walk.frame_count;
+  const std::vector<std::uint32_t> frames =
+      tools::FrameRange{0, scene->frame_count, (scene->frame_count + most - 1) / most}.frames();
+  const auto figures =
+      tools::measure_peers({*scene, *colliders, frames}, conditions.is_quick ? 3 : 9, [] {});
+  if (!figures) return figures.error();
+  return table_of(walk.id, walk.title, *figures);
+}
+
+}  // namespace
+
+Result<Section> peers(const Conditions& conditions) {
+  Section section;
+  section.text = {
+      "Every library gets the vertices skinned by our fastest code, which counts, and is used at "
+      "the best settings for deforming meshes that we know. Its answer is compared with the exact "
+      "one as a set of pairs of triangles: missing pairs touch and are not told, extra pairs are "
+      "told and do not touch. Where the narrow phase is ours, the library only finds the pairs "
+      "that may touch, and they are tested as Pelt tests them."};
+  for (const Walk& walk :
+       {Walk{"peers_two_men", "Two men", approaching_scene(), 6},
+        Walk{"peers_worst_case", "Two creatures through each other", passing_through_scene(), 12},
+        Walk{"peers_crowd", "Fifty creatures", crowd_scene(), 1}}) {
+    auto table = measure_walk(walk, conditions);
+    if (!table) return table.error();
+    section.tables.push_back(std::move(*table));
+  }
+  return section;
+}
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,187 @@
+#include "evaluation/reproduce/scene_figures.hpp"
+
+#include "base/assert.hpp"
+#include "evaluation/reproduce/method_title.hpp"
+#include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/output/text.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+using tools::Figures;
+using tools::Question;
+using tools::SceneFigures;
+
+std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
+  const Figures& first = figures_of(scene, all.engine, Question::first);
+  const auto frames = static_cast<double>(scene.frames);
+  const auto each = [&](std::uint64_t count) { return static_cast<double>(count) / frames; };
+  const QueryStats& work = all.answer.work;
+  const auto method = bench::find_method(all.engine);
+  return {method ? title_of(*method) : all.engine,
+          all.times.mean_us,
+          all.times.mean_update_us,
+          all.times.mean_us - all.times.mean_update_us,
+          all.times.mean_contact_us,
+          first.times.mean_us,
+          each(work.node_pairs),
+          each(work.refits),
+          each(work.posed_vertices),
+          each(work.triangle_pairs)};
+}
+
+std::string summary(const SceneFigures& scene) {
+  return tools::counted(scene.frames, "frame") + ", " +
+         std::to_string(scene.figures[0].answer.frames_in_contact) + " of them in contact, with " +
+         shown(contact_count(scene)) + " contacts a frame in the mean; " +
+         tools::with_commas(scene.triangles) + " triangles. All vertices skinned once take " +
+         shown(scene.skinning.mean_us) + " us a frame. Medians of " +
+         std::to_string(scene.repetitions) +
+         " repetitions, means over the frames, one thread, caches hot; all methods give the same "
+         "contacts. \"Update\" is the part before the queries; what is rigid has none. Trees eight "
+         "wide keep a vertex once for each node that needs it, so Pelt eager skins more vertices "
+         "than there are.";
+}
+
+/// At most so many, evenly over all.
+tools::FrameRange frames_of(const scenes::Scene& scene, std::uint32_t most) {
+  return {0, scene.frame_count, (scene.frame_count + most - 1) / most};
+}
+
+}  // namespace
+
+const Figures& figures_of(const SceneFigures& scene, std::string_view method, Question question) {
+  const auto found =
+      std::find_if(scene.figures.begin(), scene.figures.end(), [&](const Figures& figures) {
+        return figures.engine == method && figures.variant.question == question;
+      });
+  PELT_ASSERT(found != scene.figures.end());
+  return *found;
+}
+
+Result<SceneFigures> measure_scene(const scenes::Scene& scene, std::span<const MethodKind> methods,
+                                   std::uint32_t most_frames, const Conditions& conditions) {
+  std::vector<tools::Engine> engines;
+  for (const MethodKind method : methods) engines.push_back(tools::engine_of(method));
+  return measure_scene(scene, std::move(engines), most_frames, conditions);
+}
+
+Result<SceneFigures> measure_scene(const scenes::Scene& scene, std::vector<tools::Engine> engines,
+                                   std::uint32_t most_frames, const Conditions& conditions) {
+  tools::BenchSettings settings;
+  settings.engines = std::move(engines);
+  settings.questions = {Question::all, Question::first};
+  settings.caches = {tools::Cache::hot};
+  settings.repetitions = conditions.is_quick ? 3 : 9;
+  settings.frames =
+      frames_of(scene, conditions.is_quick ? std::max(most_frames / 4, 1u) : most_frames);
+  std::vector<SceneFigures> figures;
+  std::ostringstream errors;
+  const auto exit = tools::bench_scene(scene, settings, figures, errors);
+  if (!exit) return exit.error();
+  if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
+  return std::move(figures[0]);
+}
+
+double mean_us(const SceneFigures& figures, MethodKind method, Question question) {
+  return figures_of(figures, bench::name_of(method), question).times.mean_us;
+}
+
+double contact_count(const SceneFigures& figures) {
+  const Figures& all = figures_of(figures, figures.figures[0].engine, Question::all);
+  return static_cast<double>(all.answer.contacts) / static_cast<double>(figures.frames);
+}
+
+Table method_table(const std::string& id, const std::string& title, const SceneFigures& figures) {
+  Table table = {id,
+                 title,
+                 {{"method", "method"},
+                  {"all_us", "all contacts [us]"},
+                  {"update_us", "of that, update [us]"},
+                  {"query_us", "query [us]"},
+                  {"contact_us", "frames in contact [us]"},
+                  {"first_us", "first contact [us]"},
+                  {"node_pairs", "node pairs"},
+                  {"refits", "refits"},
+                  {"posed_vertices", "vertices skinned"},
+                  {"triangle_pairs", "triangle pairs"}},
+                 {},
+                 summary(figures)};
+  for (const Figures& method : figures.figures)
+    if (method.variant.question == Question::all) table.rows.push_back(method_row(figures, method));
+  return table;
+}
+
+Table eager_split_table(const std::string& id, const std::string& title,
+                        const SceneFigures& figures, std::span<const MethodKind> methods) {
+  Table table = {
+      id,
+      title,
+      {{"method", "method"},
+       {"skinning_us", "skinning [us]"},
+       {"refit_us", "refit [us]"},
+       {"query_us", "query [us]"},
+       {"all_us", "all [us]"},
+       {"skinning_percent", "skinning [%]"},
+       {"refit_percent", "refit [%]"},
+       {"query_percent", "query [%]"}},
+      {},
+      "All contacts. Skinning is what all vertices take by themselves; refit is the rest "
+      "of the update."};
+  const double skinning = figures.skinning.mean_us;
+  for (const MethodKind method : methods) {
+    const tools::Times& times = figures_of(figures, bench::name_of(method), Question::all).times;
+    const double refit = times.mean_update_us - skinning;
+    const double query = times.mean_us - times.mean_update_us, percent = 100 / times.mean_us;
+    table.rows.push_back({title_of(method), skinning, refit, query, times.mean_us,
+                          percent * skinning, percent * refit, percent * query});
+  }
+  return table;
+}
+
+namespace {
+
+std::vector<Cell> comparison_row(const SceneFigures& figures, const Comparison& c) {
+  const tools::Times& slower = figures_of(figures, bench::name_of(c.slower), c.question).times;
+  const tools::Times& faster = figures_of(figures, bench::name_of(c.faster), c.question).times;
+  std::vector<Cell> row = {title_of(c.faster), title_of(c.slower),
+                           c.question == Question::all ? "all contacts" : "first contact",
+                           slower.mean_us / faster.mean_us,
+                           faster.frames_in_contact > 0
+                               ? Cell(slower.mean_contact_us / faster.mean_contact_us)
+                               : Cell()};
+  if (c.printed)
+    for (const double figure :
+         {c.printed->slower_ms / c.printed->faster_ms, c.printed->faster_ms, c.printed->slower_ms})
+      row.push_back(figure);
+  row.resize(8);
+  return row;
+}
+
+}  // namespace
+
+Table comparison_table(const std::string& id, const std::string& title, const SceneFigures& figures,
+                       std::span<const Comparison> comparisons) {
+  Table table = {id,
+                 title,
+                 {{"faster", "method"},
+                  {"slower", "against"},
+                  {"question", "question"},
+                  {"speed_up", "speed-up here"},
+                  {"contact_speed_up", "in frames with contact"},
+                  {"paper_speed_up", "in the paper"},
+                  {"paper_ms", "method, in the paper [ms]"},
+                  {"paper_against_ms", "the other, in the paper [ms]"}},
+                 {},
+                 "Speed-up: the time of the method under \"against\" over that of the first; below "
+                 "1 the first is slower. The paper does not tell in how many of its frames there "
+                 "was contact."};
+  for (const Comparison& c : comparisons) table.rows.push_back(comparison_row(figures, c));
+  return table;
+}
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,48 @@
+#pragma once
+
+/// The stage of the report's pictures for POV-Ray: softly lit, on the white of the page, in colours
+/// that colour-blind people tell apart.
+
+#include "evaluation/reproduce/experiment.hpp"
+#include "tools/pelt/picture/pov.hpp"
+#include "tools/pelt/picture/still_frame.hpp"
+
+namespace pelt::reproduce {
+
+/// Textures that the stage declares.
+inline constexpr const char* kBlueBall = "BlueBall";
+inline constexpr const char* kRedBall = "RedBall";
+
+/// A floor at height zero that only shows shadows.
+std::string white_floor();
+
+/// A round pedestal whose top is centred there.
+std::string pedestal(const detail::Vec3d& top);
+
+std::string ball(const detail::Vec3d& centre, double radius, const char* texture);
+
+/// One of four quiet colours, by number.
+std::string skin_texture(std::size_t skin);
+
+/// Smooth, in the skin of that number.
+std::string mesh_in_skin(const tools::PosedInstance& instance, const std::vector<bool>& touching,
+                         std::size_t skin);
+
+/// All characters of a frame, in skins of their own; triangles in contact glow.
+std::string characters(const tools::StillFrame& still);
+
+std::string moved(const std::string& objects, const detail::Vec3d& by);
+
+/// Letters that face the camera, centred, standing on that place, as high in every picture.
+std::string word(const std::string& letters, const detail::Vec3d& place,
+                 const tools::PovCamera& camera);
+
+struct Caption {
+  const char *id, *text;
+};
+
+/// As many pixels whatever the camera's aspect; a third of them in a quick run.
+Picture make_picture(const Caption& caption, const tools::PovCamera& camera,
+                     const std::string& objects, const Conditions& conditions);
+
+}  // namespace pelt::reproduce

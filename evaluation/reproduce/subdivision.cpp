@@ -1,0 +1,304 @@
+/// Table 3 and Figure 7 of the paper: two dwarves whose triangles are cut into four again and
+/// again, apart and in each other.
+
+#include "base/assert.hpp"
+#include "evaluation/methods/method.hpp"
+#include "evaluation/methods/statistics.hpp"
+#include "evaluation/paper/on_demand.hpp"
+#include "evaluation/paper/sphere_tree.hpp"
+#include "evaluation/reproduce/facing_pair.hpp"
+#include "evaluation/reproduce/figures.hpp"
+#include "evaluation/reproduce/method_title.hpp"
+#include "evaluation/reproduce/paper_figures.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
+#include "evaluation/reproduce/specimen.hpp"
+#include "evaluation/reproduce/subdivide.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+using tools::Question;
+
+/// How far the two stand from each other: bounds overlap, and hands meet.
+constexpr double kApart = 0.85, kInterfering = 0.73;
+
+constexpr std::array kMethods = {MethodKind::paper, MethodKind::paper_eager, MethodKind::eager,
+                                 MethodKind::on_demand};
+
+/// The dwarf and what its triangles are cut into.
+Result<std::vector<scenes::Character>> subdivisions(std::uint32_t most) {
+  const Result<scenes::Character> dwarf = scenes::generate_character(scenes::kDwarf);
+  if (!dwarf) return dwarf.error();
+  std::vector<scenes::Character> all = {*dwarf};
+  while (all.size() <= most) {
+    all.push_back(all.back());
+    all.back().asset = subdivided(all[all.size() - 2].asset);
+  }
+  return all;
+}
+
+/// Of all levels so far, in percent of the character's height.
+double drift(const std::vector<scenes::Character>& dwarves, std::size_t level, double before) {
+  if (level == 0) return 0;
+  const scenes::Scene scene = facing_pair(dwarves[0], kInterfering);
+  asset::SampleScratch scratch;
+  std::vector<Matrix4> palette(dwarves[0].asset.joints.size());
+  scenes::instance_palette(scene, 0, 0, scratch, palette);
+  constexpr double kHeight = 1.8;
+  return before + 100 / kHeight * drift_of(dwarves[level - 1].asset, dwarves[level].asset, palette);
+}
+
+double sphere_count(const scenes::Character& dwarf) {
+  const asset::Asset& asset = dwarf.asset;
+  return static_cast<double>(
+      paper::build_sphere_tree(asset.rest_positions, asset.triangles).nodes.size());
+}
+
+const QueryStats& work_of(const tools::SceneFigures& figures, MethodKind method) {
+  return figures_of(figures, bench::name_of(method), Question::all).answer.work;
+}
+
+/// A position of the two, and what the paper prints of it by level; of the first it prints no more
+/// than how many times faster it is.
+struct Position {
+  const char *id, *title;
+  double distance;
+  std::span<const double> speed_ups;
+};
+
+/// Ours; those of the paper stand in a table of their own.
+Table empty_table(const Position& position) {
+  Table table = {position.id,
+                 position.title,
+                 {{"subdivisions", "subdivisions"},
+                  {"triangles", "triangles"},
+                  {"spheres", "spheres"},
+                  {"contacts", "contacts"}},
+                 {},
+                 "One frame of one pose; medians of repetitions, one thread, caches hot. Speed-up: "
+                 "the time of the second method named over that of the first."};
+  for (const MethodKind method : kMethods)
+    table.columns.push_back(
+        {std::string(bench::name_of(method)) + "_us", title_of(method) + " [us]"});
+  for (const Column& column : {Column{"paper_refits", "paper on demand: refits"},
+                               {"paper_joints", "joints of the root's sphere"},
+                               {"paper_sphere_pairs", "paper on demand: sphere tests"},
+                               {"paper_eager_sphere_pairs", "paper bottom-up: sphere tests"},
+                               {"paper_speed_up", "speed-up, paper on demand against bottom-up"},
+                               {"printed_speed_up", "the same in the paper"},
+                               {"speed_up", "speed-up, Pelt against Pelt eager"}})
+    table.columns.push_back(column);
+  return table;
+}
+
+/// The joints in all joint sets of the root's sphere: what its refit is made of.
+double joints_of_root(const scenes::Character& dwarf) {
+  const Result<Specimen> specimen = make_specimen(dwarf.asset);
+  PELT_ASSERT(specimen);
+  const paper::SphereModel model = paper::build_sphere_model(specimen->mesh);
+  double joints = 0;
+  for (const paper::JointSet& set : model.bounds.sets_of(0)) joints += set.joint_count;
+  return joints;
+}
+
+Result<std::vector<Cell>> subdivision_row(const std::vector<scenes::Character>& dwarves,
+                                          std::size_t level, const Position& position,
+                                          const Conditions& conditions) {
+  const scenes::Character& dwarf = dwarves[level];
+  const auto figures =
+      measure_scene(facing_pair(dwarf, position.distance), kMethods, 1, conditions);
+  if (!figures) return figures.error();
+  const auto time = [&](MethodKind method) { return mean_us(*figures, method, Question::all); };
+  const auto count = [](std::uint64_t number) { return static_cast<double>(number); };
+  std::vector<Cell> row = {count(level), count(dwarf.asset.triangles.size()), sphere_count(dwarf),
+                           contact_count(*figures)};
+  for (const MethodKind method : kMethods) row.push_back(time(method));
+  const QueryStats& work = work_of(*figures, MethodKind::paper);
+  for (const double figure :
+       {count(work.refits), joints_of_root(dwarf), count(work.node_pairs),
+        count(work_of(*figures, MethodKind::paper_eager).node_pairs),
+        time(MethodKind::paper_eager) / time(MethodKind::paper), position.speed_ups[level],
+        time(MethodKind::eager) / time(MethodKind::on_demand)})
+    row.push_back(figure);
+  return row;
+}
+
+Result<Table> position_table(const std::vector<scenes::Character>& dwarves,
+                             const Position& position, const Conditions& conditions) {
+  Table table = empty_table(position);
+  for (std::size_t level = 0; level < dwarves.size(); ++level) {
+    auto row = subdivision_row(dwarves, level, position, conditions);
+    if (!row) return row.error();
+    table.rows.push_back(std::move(*row));
+  }
+  return table;
+}
+
+/// Table 3 as it is printed.
+Table printed_table(std::size_t levels) {
+  Table table = {"dwarves_printed",
+                 "The interfering dwarves in the paper (Table 3)",
+                 {{"subdivisions", "subdivisions"},
+                  {"spheres", "spheres"},
+                  {"contacts", "collisions"},
+                  {"on_demand_ms", "on demand [ms]"},
+                  {"on_demand_sphere_pairs", "its sphere tests"},
+                  {"bottom_up_ms", "bottom-up [ms]"},
+                  {"bottom_up_sphere_pairs", "its sphere tests"},
+                  {"speed_up", "speed-up"}},
+                 {},
+                 ""};
+  for (std::size_t level = 0; level < levels; ++level)
+    table.rows.push_back({static_cast<double>(level), kPaperDwarvesSpheres[level],
+                          kPaperDwarvesContacts[level], kPaperDwarvesOnDemand[level],
+                          kPaperDwarvesOnDemandPairs[level], kPaperDwarvesBottomUp[level],
+                          kPaperDwarvesBottomUpPairs[level], kPaperDwarvesSpeedUps[level]});
+  return table;
+}
+
+Table drift_table(const std::vector<scenes::Character>& dwarves) {
+  Table table = {"drift",
+                 "How far posed vertices drift when triangles are cut",
+                 {{"subdivisions", "subdivisions"}, {"drift_percent", "drift [% of the height]"}},
+                 {},
+                 "Of the interfering pose: the furthest that a new vertex is posed from the middle "
+                 "of its edge, summed over the subdivisions, so no vertex is further from the "
+                 "first mesh."};
+  double drifted = 0;
+  for (std::size_t level = 0; level < dwarves.size(); ++level) {
+    drifted = drift(dwarves, level, drifted);
+    table.rows.push_back({static_cast<double>(level), drifted});
+  }
+  return table;
+}
+
+/// Both build times of sphere trees over the posed dwarves.
+Result<double> rigid_build_us(const scenes::Scene& scene) {
+  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  tools::SceneQuery query(*colliders, bench::make_method(MethodKind::paper_rigid));
+  asset::SampleScratch scratch;
+  tools::Palettes palettes;
+  tools::sample_palettes(scene, 0, scratch, palettes);
+  std::vector<double> times;
+  for (int repetition = 0; repetition < 5; ++repetition) {
+    tools::Stopwatch watch;
+    if (const auto set = query.set_palettes(palettes); !set) return set.error();
+    watch.stop();
+    times.push_back(watch.microseconds());
+  }
+  return bench::median(times);
+}
+
+/// "On the posture from Figure 7 right we performed also a comparison with rigid body CD."
+Result<Table> rigid_table(const scenes::Character& dwarf, const Conditions& conditions) {
+  const scenes::Scene scene = facing_pair(dwarf, kInterfering);
+  constexpr std::array kRigid = {MethodKind::paper, MethodKind::paper_rigid, MethodKind::on_demand,
+                                 MethodKind::rigid};
+  const auto figures = measure_scene(scene, kRigid, 1, conditions);
+  if (!figures) return figures.error();
+  const auto build = rigid_build_us(scene);
+  if (!build) return build.error();
+  const auto time = [&](MethodKind method) { return mean_us(*figures, method, Question::all); };
+  const double paper_ratio = time(MethodKind::paper) / time(MethodKind::paper_rigid);
+  return Table{"rigid",
+               "The interfering dwarves as rigid bodies, without subdivision",
+               {{"what", "what"}, {"here_us", "here [us]"}, {"printed_us", "in the paper [us]"}},
+               {{"paper on demand, refits included", time(MethodKind::paper),
+                 1000 * kPaperDwarvesOnDemand[0]},
+                {"paper rigid: sphere trees built over the pose", time(MethodKind::paper_rigid),
+                 1000 * kPaperRigidQuery},
+                {"building them", *build, 1000 * kPaperRigidBuild},
+                {"the first over the second, times", paper_ratio,
+                 kPaperDwarvesOnDemand[0] / kPaperRigidQuery},
+                {"Pelt", time(MethodKind::on_demand), Cell()},
+                {"Pelt rigid", time(MethodKind::rigid), Cell()},
+                {"Pelt over Pelt rigid, times",
+                 time(MethodKind::on_demand) / time(MethodKind::rigid), Cell()}},
+               ""};
+}
+
+Chart chart_of(const Table& table) {
+  return {table.id + "_time",
+          table.title,
+          table.id,
+          "triangles",
+          {"paper_us", "paper_eager_us", "eager_us", "on_demand_us"},
+          "a query [us]",
+          Axes::logarithmic,
+          Better::lower};
+}
+
+std::string text_of(const Table& table, const char* where) {
+  const auto figure = [&](std::size_t row, const char* key) {
+    return shown(table.rows[row][column_of(table, key)]);
+  };
+  const std::size_t last = table.rows.size() - 1;
+  return std::string(where) + ", refit on demand is " + figure(0, "paper_speed_up") + " to " +
+         figure(last, "paper_speed_up") + " times as fast as bottom-up (" +
+         figure(0, "printed_speed_up") + " to " + figure(last, "printed_speed_up") +
+         " in the paper): its time grows from " + figure(0, "paper_us") + " to " +
+         figure(last, "paper_us") + " us, though it makes " + figure(0, "paper_refits") + " and " +
+         figure(last, "paper_refits") + " refits. Pelt is " + figure(0, "speed_up") + " to " +
+         figure(last, "speed_up") + " times as fast as Pelt eager, and takes " +
+         figure(0, "on_demand_us") + " to " + figure(last, "on_demand_us") + " us.";
+}
+
+/// Why refits of finer dwarves are not free here, as the paper has them.
+std::string text_of_joints(const Table& table) {
+  const auto joints = [&](std::size_t row) {
+    return shown(table.rows[row][column_of(table, "paper_joints")]);
+  };
+  return "A new vertex follows the joints of both ends of its edge, so large spheres gain joint "
+         "sets, and a refit takes time in proportion to the joints in these, not to the vertices: "
+         "that of the root has " +
+         joints(0) + " before and " + joints(table.rows.size() - 1) +
+         " after the last subdivision. Apart, that is why finer dwarves take longer with fewer "
+         "refits.";
+}
+
+std::string text_of_drift(const Table& table) {
+  return "Each triangle is cut into four at the middles of its edges. A new vertex has the mean of "
+         "the weights of its edge's ends, as many joints as these have together; its pose is then "
+         "near the middle of the posed edge, at most " +
+         shown(table.rows.back()[column_of(table, "drift_percent")]) +
+         " % of the height from the shape of the first mesh.";
+}
+
+}  // namespace
+
+Result<Section> subdivision(const Conditions& conditions) {
+  const auto dwarves = subdivisions(conditions.is_quick ? 2 : 3);
+  if (!dwarves) return dwarves.error();
+  const Position apart = {"dwarves_apart", "Dwarves apart (Figure 7, left)", kApart,
+                          kPaperApartSpeedUps};
+  const Position interfering = {"dwarves_interfering",
+                                "Dwarves in each other (Table 3, Figure 7, right)", kInterfering,
+                                kPaperDwarvesSpeedUps};
+  Section section;
+  for (const Position& position : {apart, interfering}) {
+    auto table = position_table(*dwarves, position, conditions);
+    if (!table) return table.error();
+    section.charts.push_back(chart_of(*table));
+    section.tables.push_back(std::move(*table));
+  }
+  auto picture = dwarves_picture(facing_pair(dwarves->front(), kApart),
+                                 facing_pair(dwarves->front(), kInterfering),
+                                 facing_pair((*dwarves)[2], kInterfering), conditions);
+  if (!picture) return picture.error();
+  section.pictures.push_back(std::move(*picture));
+  auto rigid = rigid_table(dwarves->front(), conditions);
+  if (!rigid) return rigid.error();
+  const Table drift = drift_table(*dwarves);
+  section.text = {text_of(section.tables[0], "Apart"), text_of(section.tables[1], "In each other"),
+                  text_of_joints(section.tables[0]), text_of_drift(drift)};
+  section.tables.push_back(printed_table(dwarves->size()));
+  section.tables.push_back(std::move(*rigid));
+  section.tables.push_back(drift);
+  return section;
+}
+
+}  // namespace pelt::reproduce

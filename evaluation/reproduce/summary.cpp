@@ -1,0 +1,113 @@
+#include "evaluation/reproduce/summary.hpp"
+
+#include "evaluation/reproduce/method_title.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+
+constexpr std::array kMethods = {
+    MethodKind::on_demand, MethodKind::eager,        MethodKind::rigid,
+    MethodKind::paper,     MethodKind::paper_eager,  MethodKind::paper_rigid,
+    MethodKind::hybrid,    MethodKind::aabb_refit,   MethodKind::aabb_rebuild,
+    MethodKind::hash,      MethodKind::hash_overlap, MethodKind::bd_tree};
+
+Table method_table() {
+  Table table = {
+      "methods",
+      "The methods, as this report names them",
+      {{"method", "method"}, {"what", "what it does"}},
+      {},
+      "All end in the same exact test of triangles and give the same contacts. \"Rigid\" "
+      "is a yardstick, not a method: its trees are built without being counted."};
+  for (const MethodKind method : kMethods)
+    table.rows.push_back({title_of(method), description_of(method)});
+  return table;
+}
+
+constexpr std::size_t kLastRow = SIZE_MAX;
+
+/// A cell of one of the report's tables.
+struct Place {
+  const char* table;
+  std::size_t row;
+  const char* key;
+};
+
+/// How many times as fast refit on demand is as bottom-up: in the paper, the paper's method here,
+/// and Pelt against Pelt eager.
+struct Claim {
+  const char* what;
+  Place printed, here, pelt;
+};
+
+/// Of a scene, in the rows of its comparisons.
+constexpr Claim scene_claim(const char* what, const char* table, std::size_t row) {
+  return {
+      what, {table, row, "paper_speed_up"}, {table, row, "speed_up"}, {table, row + 3, "speed_up"}};
+}
+
+constexpr Claim dwarves_claim(const char* what, const char* table) {
+  return {what,
+          {table, kLastRow, "printed_speed_up"},
+          {table, kLastRow, "paper_speed_up"},
+          {table, kLastRow, "speed_up"}};
+}
+
+constexpr Claim kClaims[] = {
+    scene_claim("two men who walk towards each other", "two_men_ratios", 0),
+    scene_claim("two creatures through each other", "worst_case_ratios", 0),
+    scene_claim("the same, first contact alone", "worst_case_ratios", 5),
+    scene_claim("a crowd of fifty", "crowd_ratios", 0),
+    dwarves_claim("dwarves apart, after the last subdivision", "dwarves_apart"),
+    dwarves_claim("dwarves in each other, after the last subdivision", "dwarves_interfering")};
+
+const Table* find_table(std::span<const Section> sections, std::string_view id) {
+  for (const Section& section : sections)
+    for (const Table& table : section.tables)
+      if (table.id == id) return &table;
+  return nullptr;
+}
+
+Cell cell_at(const Table& table, const Place& place) {
+  const std::size_t row = place.row == kLastRow ? table.rows.size() - 1 : place.row;
+  return table.rows[row][column_of(table, place.key)];
+}
+
+Table claim_table(std::span<const Section> sections) {
+  Table table = {"claims",
+                 "Refit on demand against refitting everything: how many times as fast",
+                 {{"what", "scene"},
+                  {"printed", "in the paper"},
+                  {"here", "paper on demand against paper bottom-up, here"},
+                  {"pelt", "Pelt against Pelt eager"}},
+                 {},
+                 "All of these stand in the sections below, with what they are made of."};
+  for (const Claim& claim : kClaims)
+    if (const Table* const source = find_table(sections, claim.here.table))
+      table.rows.push_back({claim.what, cell_at(*source, claim.printed),
+                            cell_at(*source, claim.here), cell_at(*source, claim.pelt)});
+  return table;
+}
+
+}  // namespace
+
+Section summary(std::span<const Section> sections) {
+  Section section;
+  section.id = "summary";
+  section.title = "What became of the paper's claims";
+  section.text = {
+      "The paper compares refit on demand with bottom-up refit of the same tree of spheres. Both "
+      "are here as it describes them, and both again with Pelt's tree of boxes, as fast as we can "
+      "make them: that pair tells what refit on demand is worth today."};
+  if (Table claims = claim_table(sections); !claims.rows.empty())
+    section.tables.push_back(std::move(claims));
+  section.tables.push_back(method_table());
+  return section;
+}
+
+}  // namespace pelt::reproduce

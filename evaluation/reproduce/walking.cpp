@@ -1,0 +1,134 @@
+/// The moving scenes of section 5: two men who walk towards each other (Figure 5), two creatures
+/// who walk through each other (Figure 6), and a crowd of fifty (Figure 1).
+
+#include "evaluation/reproduce/figures.hpp"
+#include "evaluation/reproduce/paper_figures.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
+#include "evaluation/reproduce/scene_texts.hpp"
+
+namespace pelt::reproduce {
+namespace {
+
+using bench::MethodKind;
+using tools::Question;
+
+constexpr std::array kMethods = {MethodKind::paper, MethodKind::paper_eager, MethodKind::eager,
+                                 MethodKind::on_demand, MethodKind::rigid};
+
+/// Those that refit everything first.
+constexpr std::array kEager = {MethodKind::paper_eager, MethodKind::eager};
+
+/// What the paper prints of a scene.
+struct Printed {
+  std::optional<PrintedTimes> all, first;
+};
+
+std::vector<Comparison> comparisons(const Printed& printed) {
+  std::vector<Comparison> all;
+  for (const Question question : {Question::all, Question::first}) {
+    const bool is_all = question == Question::all;
+    all.push_back({MethodKind::paper_eager, MethodKind::paper, question,
+                   is_all ? printed.all : printed.first});
+    all.push_back({MethodKind::paper_eager, MethodKind::on_demand, question, {}});
+    all.push_back({MethodKind::paper, MethodKind::on_demand, question, {}});
+    all.push_back({MethodKind::eager, MethodKind::on_demand, question, {}});
+    all.push_back({MethodKind::on_demand, MethodKind::rigid, question, {}});
+  }
+  return all;
+}
+
+std::string microseconds(double us) { return shown(us) + " us"; }
+
+/// The paper's claim, here. All figures are in the tables.
+std::string text_of_claim(const tools::SceneFigures& figures, const PrintedTimes& printed) {
+  const double speed_up = mean_us(figures, MethodKind::paper_eager, Question::all) /
+                          mean_us(figures, MethodKind::paper, Question::all);
+  return "The paper finds refit on demand " + shown(printed.slower_ms / printed.faster_ms) +
+         " times as fast as bottom-up. Here its method takes " +
+         microseconds(mean_us(figures, MethodKind::paper, Question::all)) + " a frame and is " +
+         shown(speed_up) + " times as fast as bottom-up refit of the same spheres, which takes " +
+         microseconds(mean_us(figures, MethodKind::paper_eager, Question::all)) + ".";
+}
+
+/// Where the paper's speed-up went: what both spend before and in their queries.
+std::string text_of_cause(const tools::SceneFigures& figures) {
+  const tools::Figures& on_demand = figures_of(figures, "paper", Question::all);
+  const tools::Figures& bottom_up = figures_of(figures, "paper_eager", Question::all);
+  const auto frames = static_cast<double>(figures.frames);
+  const auto pairs = [&](const tools::Figures& of) {
+    return shown(static_cast<double>(of.answer.work.triangle_pairs) / frames);
+  };
+  const auto query = [](const tools::Figures& of) {
+    return microseconds(of.times.mean_us - of.times.mean_update_us);
+  };
+  return "Bottom-up spends " + microseconds(bottom_up.times.mean_update_us) +
+         " on its update, most of what it takes where bodies are apart; refit on demand spares "
+         "that, but its query takes " +
+         query(on_demand) + " instead of " + query(bottom_up) + ", for it has " +
+         shown(static_cast<double>(on_demand.answer.work.refits) / frames) +
+         " refits in it, and its spheres leave " + pairs(on_demand) +
+         " pairs of triangles instead of " + pairs(bottom_up) +
+         ". Since 2005 bottom-up refit has gained more than refit on demand (the section on the "
+         "cost of a refit has both), so its share shrank.";
+}
+
+std::string text_of_ours(const tools::SceneFigures& figures) {
+  const double ours = mean_us(figures, MethodKind::on_demand, Question::all);
+  const double eager = mean_us(figures, MethodKind::eager, Question::all);
+  return "Pelt takes " + microseconds(ours) + ", and " + microseconds(eager) +
+         " where it refits everything first: on demand it is " + shown(eager / ours) +
+         " times as fast. To the first contact it takes " +
+         microseconds(mean_us(figures, MethodKind::on_demand, Question::first)) + ".";
+}
+
+struct Walk {
+  const char *id, *title;
+  std::string_view scene;
+  Printed printed;
+  std::uint32_t most_frames;
+  Result<Picture> (*picture)(const scenes::Scene&, const Conditions&);
+};
+
+Result<Section> measure_walk(const Walk& walk, const Conditions& conditions) {
+  const Result<scenes::Scene> scene = scenes::parse_scene(walk.scene, {});
+  if (!scene) return scene.error();
+  const auto figures = measure_scene(*scene, kMethods, walk.most_frames, conditions);
+  if (!figures) return figures.error();
+  Result<Picture> picture = walk.picture(*scene, conditions);
+  if (!picture) return picture.error();
+  const std::string id = walk.id, title = walk.title;
+  Section section;
+  section.pictures.push_back(std::move(*picture));
+  section.text = {text_of_claim(*figures, *walk.printed.all), text_of_cause(*figures),
+                  text_of_ours(*figures)};
+  section.tables = {
+      comparison_table(id + "_ratios", title + ": speed-ups", *figures, comparisons(walk.printed)),
+      method_table(id, title + ": a frame", *figures),
+      eager_split_table(id + "_split", title + ": where the time of a frame goes", *figures,
+                        kEager)};
+  return section;
+}
+
+}  // namespace
+
+Result<Section> two_men(const Conditions& conditions) {
+  const Printed printed = {PrintedTimes{kPaperTwoMenBottomUp, kPaperTwoMenOnDemand}, {}};
+  return measure_walk({"two_men", "Two men", approaching_scene(), printed, 60, refit_picture},
+                      conditions);
+}
+
+Result<Section> worst_case(const Conditions& conditions) {
+  const Printed printed = {PrintedTimes{kPaperWorstBottomUp, kPaperWorstOnDemand},
+                           PrintedTimes{kPaperWorstFirstBottomUp, kPaperWorstFirstOnDemand}};
+  return measure_walk(
+      {"worst_case", "Two creatures", passing_through_scene(), printed, 60, passing_picture},
+      conditions);
+}
+
+Result<Section> crowd_of_fifty(const Conditions& conditions) {
+  const Printed printed = {PrintedTimes{kPaperCrowdBottomUp, kPaperCrowdOnDemand}, {}};
+  return measure_walk({"crowd", "Fifty creatures", crowd_scene(), printed, 10, crowd_picture},
+                      conditions);
+}
+
+}  // namespace pelt::reproduce

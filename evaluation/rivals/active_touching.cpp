@@ -1,0 +1,27 @@
+#include "evaluation/rivals/touching.hpp"
+
+#include <pelt/target.hpp>
+
+namespace pelt::rivals {
+
+namespace scalar {
+Touching touching;
+}
+namespace simd128 {
+Touching touching;
+}
+namespace avx2 {
+Touching touching;
+}
+
+Touching* active_touching() {
+#ifdef PELT_HAS_AVX2
+  if (active_target() == Target::avx2) return avx2::touching;
+#endif
+#ifdef PELT_HAS_SIMD128
+  if (active_target() == Target::simd128) return simd128::touching;
+#endif
+  return scalar::touching;
+}
+
+}  // namespace pelt::rivals

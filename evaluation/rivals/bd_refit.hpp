@@ -1,0 +1,68 @@
+#pragma once
+
+/// The spheres of a BD-tree (bd_records.hpp) for one joint palette, in any order of nodes.
+///
+/// Rounding. With u = 2^-24, m terms in the node, n influences of a vertex at most, M the palette's
+/// extent and G = sqrt(3) M its reach: mean weights sum to at most 1, so that the sum of the terms
+/// never exceeds 6 M; its 2 m additions are off by 12 m u M at most, its terms by 32 u M in all,
+/// p_0 by 4 u M; each |p_j - p_0| by 9 u G, times a weight; a posed vertex by (n + 4) u G, and
+/// weights that sum to 1 only up to n u by n u G. The margin (24 m + 4 n + 48) u G is larger than
+/// their sum; the radius is a sum of 2 m + 2 products, all positive, of which a factor 1 + 2^-22 (m
+/// + 4) takes care, and make_ball of what it says.
+
+#include "evaluation/paper/ball.hpp"
+#include "evaluation/rivals/bd_records.hpp"
+#include "skin/palette.hpp"
+
+namespace pelt::rivals {
+
+using detail::Float4;
+using detail::Palette;
+
+/// What does not change in a model while it moves.
+struct BdModel {
+  explicit BdModel(const detail::SkinnedMesh& mesh);
+
+  paper::SphereTree tree;
+  BdRecords records;
+  detail::SkinnedMesh leaf_mesh;  // in the order of the leaves
+};
+
+class BdRefit {
+ public:
+  BdRefit(const BdModel& model, std::uint32_t joint_count);
+
+  /// The palette has changed: all spheres are stale.
+  void invalidate();
+
+  bool is_stale(std::uint32_t node) const { return node_stamp_[node] != stamp_; }
+
+  /// Precondition: the node is stale.
+  void refit(std::uint32_t node, const Palette& palette);
+
+  /// Lanes x, y, z: centre; lane 3: radius. By node; those of stale nodes mean nothing.
+  std::span<const Float4> spheres() const { return spheres_; }
+
+  /// Refits so far.
+  std::uint64_t refits() const { return refits_; }
+
+ private:
+  /// A number that is of the palette which `stamp` tells.
+  struct Norm {
+    float value = 0;
+    std::uint32_t stamp = 0;
+  };
+
+  float norm_of_joint(std::uint32_t joint, const Palette& palette);
+  float norm_of_pair(std::uint32_t pair, const Palette& palette);
+
+  const BdModel* model_;
+  std::uint64_t refits_ = 0;
+  std::uint32_t stamp_ = 1;
+  std::vector<std::uint32_t> node_stamp_;
+  std::vector<Float4> spheres_;
+  std::vector<Norm> joint_norms_;  // |A_j|
+  std::vector<Norm> pair_norms_;   // |A_j - A_0|
+};
+
+}  // namespace pelt::rivals

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "evaluation/rivals/touching.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pelt::rivals {
+
+/// Tests the pairs of triangles that a method finds, and keeps count.
+class PairTests {
+ public:
+  PairTests(const PosedMesh& a, const PosedMesh& b, std::vector<Contact>& contacts,
+            std::uint32_t max_contacts)
+      : a_(a), b_(b), touching_(active_touching()), contacts_(contacts), left_(max_contacts) {}
+
+  /// Tests a pair now or with the next ones. Each pair is to be added once.
+  void add(std::uint32_t triangle_a, std::uint32_t triangle_b) {
+    waiting_[count_++] = {triangle_a, triangle_b};
+    if (count_ == kPairsAtOnce) test();
+  }
+
+  /// Whether no more contacts are wanted; what else is added is forgotten.
+  bool full() const { return left_ == 0; }
+
+  /// Tests what waits.
+  void test() {
+    if (count_ > 0 && !full()) {
+      tested_ += count_;
+      report(touching_(a_, b_, waiting_, count_));
+    }
+    count_ = 0;
+  }
+
+  /// The same at the end. Returns how many pairs were tested, and whether max_contacts was reached.
+  QueryStats finish() {
+    test();
+    QueryStats work;
+    work.triangle_pairs = tested_;
+    work.cut_short = full();
+    return work;
+  }
+
+ private:
+  void report(unsigned lanes) {
+    for (std::uint32_t lane = 0; lanes >> lane != 0 && !full(); ++lane) {
+      if ((lanes >> lane & 1) == 0) continue;
+      contacts_.push_back(waiting_[lane]);
+      --left_;
+    }
+  }
+
+  PosedMesh a_, b_;
+  Touching* touching_;
+  std::vector<Contact>& contacts_;
+  std::uint32_t left_;
+  std::uint32_t count_ = 0;
+  std::uint64_t tested_ = 0;
+  Contact waiting_[kPairsAtOnce] = {};
+};
+
+}  // namespace pelt::rivals

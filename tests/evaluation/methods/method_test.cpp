@@ -1,0 +1,398 @@
+/// The ways to answer a query give the same contacts and do the work that they are called after.
+
+#include "evaluation/methods/method.hpp"
+
+#include "evaluation/paper/on_demand.hpp"
+#include "model/model.hpp"
+#include "model/unpack.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace pelt::bench {
+namespace {
+
+using test::Motion;
+using test::Random;
+using test::Shape;
+using test::Weights;
+
+using Contacts = std::vector<Contact>;
+using Joints = std::vector<Matrix4>;
+
+constexpr std::uint32_t kJoints = 5;
+constexpr MethodKind kKinds[] = {
+    MethodKind::on_demand,   MethodKind::eager,      MethodKind::rigid,
+    MethodKind::paper,       MethodKind::paper_eq2,  MethodKind::paper_eager,
+    MethodKind::paper_rigid, MethodKind::aabb_refit, MethodKind::aabb_rebuild,
+    MethodKind::hybrid,      MethodKind::hash,       MethodKind::hash_overlap,
+    MethodKind::bd_tree,     MethodKind::brute};
+
+SkinnedModel model_of(const Shape& shape) {
+  auto model = build_model(shape.view());
+  EXPECT_TRUE(model) << model.error().message;
+  return *model;
+}
+
+std::uint64_t node_count(const SkinnedModel& model) {
+  return paper::build_sphere_model(detail::unpack_mesh(model.detail().tree)).tree.nodes.size();
+}
+
+/// Two posed bodies and what a method says of them.
+struct Scene {
+  SkinnedModel models[2];
+  Joints palettes[2];
+};
+
+/// A method with the two bodies of a scene.
+std::unique_ptr<Method> method_with(MethodKind kind, const Scene& scene) {
+  std::unique_ptr<Method> method = make_method(kind);
+  for (std::uint32_t body = 0; body < 2; ++body) {
+    method->add(scene.models[body]);
+    EXPECT_TRUE(method->set_palette(body, scene.palettes[body]));
+  }
+  return method;
+}
+
+Contacts contacts_of(MethodKind kind, const Scene& scene) {
+  Contacts contacts;
+  method_with(kind, scene)->collide(0, 1, contacts, {});
+  return contacts;
+}
+
+/// Limbs that bend into each other, soups whose triangles fly about: some touch, some do not.
+Scene random_scene(Random& random, int i) {
+  if (i % 3 == 0)
+    return {{model_of(test::make_limb(12, 8, kJoints)), model_of(test::make_limb(9, 7, kJoints))},
+            {bend_limb(random, kJoints, 0.3, random.point(0.6)),
+             bend_limb(random, kJoints, 0.5, random.point(0.6))}};
+  const Weights weights = i % 2 == 0 ? Weights::random : Weights::adversarial;
+  const Motion motion = static_cast<Motion>(random.index(4));
+  const auto soup = [&] { return model_of(make_soup(random, 60, kJoints, 4, weights)); };
+  const double spread = random.uniform(0, 3);
+  SkinnedModel a = soup(), b = soup();
+  Joints palette_a = make_palette(random, kJoints, motion, spread);
+  Joints palette_b = make_palette(random, kJoints, motion, spread);
+  return {{std::move(a), std::move(b)}, {std::move(palette_a), std::move(palette_b)}};
+}
+
+/// Limbs side by side: nothing overlaps, not even the spheres of the roots.
+Scene separated_scene(Random& random) {
+  const SkinnedModel limb = model_of(test::make_limb(12, 8, kJoints));
+  return {
+      {limb, limb},
+      {bend_limb(random, kJoints, 0.2, {-10, 0, 0}), bend_limb(random, kJoints, 0.2, {10, 0, 0})}};
+}
+
+/// Limbs that cross.
+Scene crossing_scene(Random& random) {
+  const SkinnedModel limb = model_of(test::make_limb(12, 8, kJoints));
+  Joints across = bend_limb(random, kJoints, 0.1, {});
+  const Matrix4 turned = test::rotation_about({0, 0, 1}, 1.5, {0, 0.5f, 0}, {});
+  std::fill(across.begin(), across.end(), turned);
+  return {{limb, limb}, {bend_limb(random, kJoints, 0.1, {}), across}};
+}
+
+TEST(Methods, AllFindTheContactsOfBruteForce) {
+  Random random(1);
+  constexpr int kScenes = 150;
+  int touching = 0;
+  for (int i = 0; i < kScenes; ++i) {
+    const Scene scene = random_scene(random, i);
+    const Contacts expected = contacts_of(MethodKind::brute, scene);
+    ASSERT_TRUE(std::is_sorted(expected.begin(), expected.end()));
+    for (const MethodKind kind : kKinds)
+      ASSERT_EQ(contacts_of(kind, scene), expected) << name_of(kind) << ", scene " << i;
+    touching += !expected.empty();
+  }
+  std::printf("%d of %d scenes touch\n", touching, kScenes);
+  EXPECT_GT(touching, kScenes / 3);
+  EXPECT_LT(touching, kScenes * 95 / 100);
+}
+
+TEST(Methods, SwappedBodiesGiveSwappedPairs) {
+  Random random(2);
+  int touching = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Scene scene = random_scene(random, i);
+    for (const MethodKind kind : kKinds) {
+      const auto method = method_with(kind, scene);
+      Contacts forward, backward;
+      method->collide(0, 1, forward, {});
+      method->collide(1, 0, backward, {});
+      for (Contact& contact : backward) std::swap(contact.triangle_a, contact.triangle_b);
+      std::sort(backward.begin(), backward.end());
+      ASSERT_EQ(backward, forward) << name_of(kind);
+      touching += !forward.empty();
+    }
+  }
+  EXPECT_GT(touching, 60);
+}
+
+TEST(Methods, SkinWhenTheySayTheyDo) {
+  Random random(8);
+  const Scene scene = separated_scene(random);
+  const std::uint64_t vertices = scene.models[0].vertex_count() + scene.models[1].vertex_count();
+  for (const MethodKind kind : kKinds) {
+    const auto method = method_with(kind, scene);
+    if (!method->update_counts()) continue;
+    const std::uint64_t before = method->update_work().posed_vertices;
+    for (std::uint32_t body = 0; body < 2; ++body)
+      ASSERT_TRUE(method->set_palette(body, scene.palettes[body]));
+    const std::uint64_t skinned = method->update_work().posed_vertices - before;
+    if (skinning_of(kind) == Skins::where_queried) {
+      EXPECT_EQ(skinned, 0u) << name_of(kind);
+    } else {
+      EXPECT_GE(skinned, vertices) << name_of(kind);
+    }
+  }
+}
+
+TEST(Methods, AreAskedAgainAfterANewPalette) {
+  Random random(3);
+  const Scene scene = crossing_scene(random);
+  for (const MethodKind kind : kKinds) {
+    const auto method = method_with(kind, scene);
+    Contacts contacts, apart, again;
+    method->collide(0, 1, contacts, {});
+    ASSERT_TRUE(method->set_palette(1, separated_scene(random).palettes[1]));
+    method->collide(0, 1, apart, {});
+    ASSERT_TRUE(method->set_palette(1, scene.palettes[1]));
+    method->collide(0, 1, again, {});
+    EXPECT_FALSE(contacts.empty());
+    EXPECT_TRUE(apart.empty());
+    EXPECT_EQ(again, contacts);
+  }
+}
+
+TEST(Methods, LimitsAreKeptAndTold) {
+  Random random(4);
+  int limited = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Scene scene = random_scene(random, i);
+    const Contacts all = contacts_of(MethodKind::brute, scene);
+    const auto total = static_cast<std::uint32_t>(all.size());
+    for (const std::uint32_t limit : {0u, 1u, 2u, total / 2, total, total + 1})
+      for (const MethodKind kind : kKinds) {
+        Contacts contacts = {{7, 7}};
+        const auto method = method_with(kind, scene);
+        const QueryStats stats = method->collide(0, 1, contacts, {.max_contacts = limit});
+        ASSERT_EQ(contacts[0], (Contact{7, 7}));  // appended
+        contacts.erase(contacts.begin());
+        ASSERT_EQ(contacts.size(), std::min(limit, total)) << name_of(kind);
+        ASSERT_TRUE(std::includes(all.begin(), all.end(), contacts.begin(), contacts.end()));
+        if (limit < total) {
+          ASSERT_TRUE(stats.cut_short) << name_of(kind);
+        } else if (limit > total) {
+          ASSERT_FALSE(stats.cut_short) << name_of(kind);
+        }
+        limited += limit < total;
+      }
+  }
+  EXPECT_GT(limited, 200);
+}
+
+TEST(Methods, StopAtTheFirstContactWithLessWork) {
+  Random random(5);
+  const Scene scene = crossing_scene(random);
+  for (const MethodKind kind : kKinds) {
+    const auto all = method_with(kind, scene), first = method_with(kind, scene);
+    Contacts contacts;
+    const QueryStats all_work = all->collide(0, 1, contacts, {});
+    const QueryStats first_work = first->collide(0, 1, contacts, {.max_contacts = 1});
+    EXPECT_LT(first_work.triangle_pairs, all_work.triangle_pairs) << name_of(kind);
+    EXPECT_LE(first_work.refits, all_work.refits) << name_of(kind);
+  }
+}
+
+class OnDemand : public testing::TestWithParam<MethodKind> {};
+
+TEST_P(OnDemand, RefitsOnlyTheRootsOfSeparatedBodies) {
+  Random random(6);
+  const auto method = method_with(GetParam(), separated_scene(random));
+  Contacts contacts;
+  const QueryStats stats = method->collide(0, 1, contacts, {});
+  EXPECT_EQ(stats.node_pairs, 1u);
+  EXPECT_EQ(stats.refits, 2u);
+  EXPECT_EQ(stats.posed_vertices, 0u);
+  EXPECT_EQ(stats.triangle_pairs, 0u);
+  EXPECT_EQ(method->update_work().refits + method->update_work().posed_vertices, 0u);
+}
+
+TEST_P(OnDemand, RefitsAndSkinsAtMostOnceForEachPalette) {
+  Random random(7);
+  const Scene scene = crossing_scene(random);
+  const auto method = method_with(GetParam(), scene);
+  Contacts contacts;
+  const QueryStats once = method->collide(0, 1, contacts, {});
+  EXPECT_FALSE(contacts.empty());
+  EXPECT_GT(once.refits, 2u);
+  EXPECT_LT(once.refits, 2 * node_count(scene.models[0]));
+  EXPECT_LT(once.posed_vertices, 2 * scene.models[0].vertex_count());
+
+  const QueryStats again = method->collide(0, 1, contacts, {});
+  const QueryStats swapped = method->collide(1, 0, contacts, {});
+  EXPECT_EQ(again.node_pairs, once.node_pairs);
+  EXPECT_EQ(again.refits + again.posed_vertices, 0u);
+  EXPECT_EQ(swapped.posed_vertices, 0u);
+  EXPECT_LE(once.refits + swapped.refits, 2 * node_count(scene.models[0]));
+
+  ASSERT_TRUE(method->set_palette(0, scene.palettes[0]));
+  const QueryStats one_stale = method->collide(0, 1, contacts, {});
+  EXPECT_GT(one_stale.refits, 0u);
+  EXPECT_LT(one_stale.refits, once.refits);  // the other body's spheres still stand
+}
+
+INSTANTIATE_TEST_SUITE_P(Bound, OnDemand,
+                         testing::Values(MethodKind::paper, MethodKind::paper_eq2,
+                                         MethodKind::bd_tree),
+                         [](const auto& kind) { return std::string(name_of(kind.param)); });
+
+/// What two bodies' palettes cost, without what adding the bodies cost.
+QueryStats work_of_palettes(Method& method, const Scene& scene) {
+  const QueryStats before = method.update_work();
+  for (std::uint32_t body = 0; body < 2; ++body)
+    EXPECT_TRUE(method.set_palette(body, scene.palettes[body]));
+  QueryStats work = method.update_work();
+  work.refits -= before.refits;
+  work.posed_vertices -= before.posed_vertices;
+  return work;
+}
+
+struct EagerWork {
+  MethodKind kind;
+  bool refits_all;
+};
+
+TEST(Methods, RivalsPoseEveryVertexAndOnlyTheEagerOneRefits) {
+  Random random(8);
+  for (const Scene& scene : {separated_scene(random), crossing_scene(random)})
+    for (const auto& [kind, refits_all] :
+         {EagerWork{MethodKind::paper_eager, true}, EagerWork{MethodKind::paper_rigid, false},
+          EagerWork{MethodKind::brute, false}}) {
+      const auto method = method_with(kind, scene);
+      const QueryStats update = work_of_palettes(*method, scene);
+      const SkinnedModel &a = scene.models[0], &b = scene.models[1];
+      EXPECT_EQ(update.posed_vertices, a.vertex_count() + b.vertex_count()) << name_of(kind);
+      EXPECT_EQ(update.refits, refits_all ? node_count(a) + node_count(b) : 0) << name_of(kind);
+      Contacts contacts;
+      const QueryStats query = method->collide(0, 1, contacts, {});
+      EXPECT_EQ(query.posed_vertices + query.refits, 0u) << name_of(kind);
+      EXPECT_EQ(query.node_pairs == 0, kind == MethodKind::brute) << name_of(kind);
+    }
+}
+
+std::uint64_t slot_count(const SkinnedModel& model) {
+  const detail::Tree& tree = model.detail().tree;
+  return tree.clusters.size() + tree.nodes.size() - 1;
+}
+
+TEST(Methods, EagerOpensAllInItsUpdate) {
+  Random random(11);
+  for (const Scene& scene : {separated_scene(random), crossing_scene(random)}) {
+    const auto method = method_with(MethodKind::eager, scene);
+    const QueryStats update = work_of_palettes(*method, scene);
+    const SkinnedModel &a = scene.models[0], &b = scene.models[1];
+    EXPECT_EQ(update.refits, slot_count(a) + slot_count(b));
+    EXPECT_GE(update.posed_vertices, a.vertex_count() + b.vertex_count());
+    Contacts contacts;
+    const QueryStats query = method->collide(0, 1, contacts, {});
+    EXPECT_EQ(query.posed_vertices + query.refits, 0u);
+    EXPECT_GT(query.node_pairs, 0u);
+  }
+}
+
+TEST(Methods, RigidBodiesDoNoWorkButQueries) {
+  Random random(12);
+  const Scene scene = crossing_scene(random);
+  const auto method = method_with(MethodKind::rigid, scene);
+  Contacts contacts;
+  const QueryStats query = method->collide(0, 1, contacts, {});
+  EXPECT_FALSE(contacts.empty());
+  EXPECT_EQ(query.posed_vertices + query.refits, 0u);
+  EXPECT_EQ(method->update_work().posed_vertices, 0u);
+}
+
+TEST(Methods, UpdatesCountUnlessBodiesAreRigid) {
+  for (const MethodKind kind : kKinds) {
+    const bool is_rigid = kind == MethodKind::rigid || kind == MethodKind::paper_rigid;
+    EXPECT_EQ(make_method(kind)->update_counts(), !is_rigid) << name_of(kind);
+  }
+}
+
+TEST(Methods, TighterSpheresTestFewerPairs) {
+  Random random(9);
+  std::uint64_t optimised = 0, plain = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Scene scene = crossing_scene(random);
+    Contacts contacts;
+    optimised += method_with(MethodKind::paper, scene)->collide(0, 1, contacts, {}).node_pairs;
+    plain += method_with(MethodKind::paper_eq2, scene)->collide(0, 1, contacts, {}).node_pairs;
+  }
+  std::printf("%llu sphere pairs, by eq. 2 %llu\n", static_cast<unsigned long long>(optimised),
+              static_cast<unsigned long long>(plain));
+  EXPECT_LT(optimised, plain);
+}
+
+TEST(Methods, RefuseABadPaletteAndKeepTheOldOne) {
+  Random random(10);
+  const Scene scene = crossing_scene(random);
+  Joints bad = scene.palettes[0];
+  bad[1].m[5] = std::numeric_limits<float>::quiet_NaN();
+  for (const MethodKind kind : kKinds) {
+    const auto method = method_with(kind, scene);
+    EXPECT_FALSE(method->set_palette(0, bad));
+    Contacts contacts;
+    method->collide(0, 1, contacts, {});
+    EXPECT_EQ(contacts, contacts_of(MethodKind::brute, scene)) << name_of(kind);
+  }
+}
+
+/// Those that bound vertices by what joints do to rest positions have no bounds for displaced ones.
+bool knows_morph_targets(MethodKind kind) {
+  return kind != MethodKind::paper && kind != MethodKind::paper_eq2 && kind != MethodKind::bd_tree;
+}
+
+TEST(Methods, AgreeOnMorphedBodiesOrRefuseThem) {
+  Random random(11);
+  Shape limb = test::make_limb(16, 8, kJoints);
+  test::add_morph_targets(random, limb, 7, 0.3, 0.1);
+  const SkinnedModel model = model_of(limb);
+  std::size_t touching = 0;
+  for (int round = 0; round < 4; ++round) {
+    const Scene scene = {
+        {model, model},
+        {bend_limb(random, kJoints, 0.3, {}), bend_limb(random, kJoints, 0.3, random.point(0.3))}};
+    const auto weights = test::make_morph_weights(random, 7, test::Morphing::all);
+    const auto answer = [&](MethodKind kind) {
+      const auto method = method_with(kind, scene);
+      EXPECT_TRUE(method->set_morph_weights(0, std::vector<float>(7)));
+      EXPECT_EQ(bool(method->set_morph_weights(0, weights)), knows_morph_targets(kind));
+      EXPECT_TRUE(method->set_palette(0, scene.palettes[0]));
+      Contacts contacts;
+      method->collide(0, 1, contacts, {});
+      return contacts;
+    };
+    const Contacts expected = answer(MethodKind::brute);
+    for (const MethodKind kind : kKinds) {
+      const Contacts contacts = answer(kind);
+      if (knows_morph_targets(kind)) {
+        EXPECT_EQ(contacts, expected) << name_of(kind);
+      }
+    }
+    touching += !expected.empty();
+  }
+  EXPECT_GT(touching, 1u);
+}
+
+TEST(Methods, AreFoundByName) {
+  EXPECT_EQ(method_names().size(), std::size(kKinds));
+  for (const MethodKind kind : kKinds) EXPECT_EQ(find_method(name_of(kind)), kind);
+  EXPECT_EQ(find_method("paper_lazy"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace pelt::bench

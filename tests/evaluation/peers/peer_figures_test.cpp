@@ -1,0 +1,102 @@
+/// Peers are measured beside Pelt on the same frames, and what differs from brute force is counted.
+
+#include "evaluation/peers/peer_figures.hpp"
+
+#include "scenes/creature.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace pelt::tools {
+namespace {
+
+/// Three dwarfs, the first two into each other and the third far away.
+scenes::Scene dwarfs() {
+  scenes::Scene scene;
+  scene.name = "dwarfs";
+  scene.frame_count = 3;
+  scene.characters.push_back(*scenes::generate_character(scenes::kDwarf));
+  for (const double x : {0.0, 0.3, 9.0}) {
+    scenes::Instance dwarf;
+    dwarf.clip = "walk";
+    dwarf.translation = {x, 0, x};
+    scene.instances.push_back(dwarf);
+  }
+  return scene;
+}
+
+ScenePeers measured() {
+  const scenes::Scene scene = dwarfs();
+  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  EXPECT_TRUE(colliders);
+  const std::vector<std::uint32_t> frames = {0, 2};
+  std::size_t steps = 0;
+  const auto peers = measure_peers({scene, *colliders, frames}, 1, [&] { ++steps; });
+  EXPECT_TRUE(peers);
+  EXPECT_EQ(steps, peer_steps(frames.size()));
+  return *peers;
+}
+
+TEST(PeerFigures, HaveARowForPeltAndEachPeer) {
+  const ScenePeers scene = measured();
+  ASSERT_EQ(scene.methods.size(), peers::all_peers().size() + 2);
+  EXPECT_EQ(scene.methods[0].method, "pelt on_demand");
+  EXPECT_EQ(scene.methods[1].method, "pelt eager");
+  for (std::size_t i = 0; i < peers::all_peers().size(); ++i)
+    EXPECT_EQ(scene.methods[i + 2].method, peers::all_peers()[i].name);
+}
+
+TEST(PeerFigures, CountWhatDiffersFromTheExactAnswer) {
+  const ScenePeers scene = measured();
+  EXPECT_EQ(scene.frames, 2u);
+  EXPECT_EQ(scene.frames_in_contact, 2u);
+  EXPECT_GT(scene.contacts, 100u);
+  EXPECT_EQ(scene.methods[0].difference, peers::Difference{});
+  EXPECT_EQ(scene.methods[1].difference, peers::Difference{});
+  for (std::size_t i = 0; i < peers::all_peers().size(); ++i) {
+    const peers::Difference& difference = scene.methods[i + 2].difference;
+    const peers::Answers answers = peers::all_peers()[i].answers;
+    EXPECT_EQ(difference.missing > 0, answers == peers::Answers::fewer)
+        << scene.methods[i + 2].method;
+    EXPECT_LT(difference.missing, scene.contacts / 10);
+    if (answers == peers::Answers::exact) {
+      EXPECT_EQ(difference.extra, 0u);
+    }
+  }
+}
+
+TEST(PeerFigures, SplitTheTimeOfAFrame) {
+  for (const PeerFigures& figures : measured().methods) {
+    SCOPED_TRACE(figures.method);
+    EXPECT_GT(figures.frame_us, 0);
+    EXPECT_GT(figures.first_frame_us, 0);
+    EXPECT_GT(figures.all_us, 0);
+    EXPECT_GT(figures.first_us, 0);
+    EXPECT_EQ(figures.skinning_us > 0, !figures.method.starts_with("pelt"));
+    EXPECT_GE(figures.skinning_us + figures.update_us + figures.all_us, 0.999 * figures.frame_us);
+  }
+}
+
+TEST(PeerFigures, AreWrittenAsRowsOfEqualWidth) {
+  const ScenePeers scene = measured();
+  std::stringstream csv, table;
+  write_peers_csv(std::vector{scene, scene}, csv);
+  print_peers(scene, table);
+  std::size_t rows = 0, columns = 0;
+  for (std::string line; std::getline(csv, line); ++rows) {
+    std::size_t quotes = 0, cells = 1;
+    for (const char c : line) {
+      quotes += c == '"';
+      cells += c == ',' && quotes % 2 == 0;
+    }
+    if (rows == 0) columns = cells;
+    EXPECT_EQ(cells, columns) << line;
+  }
+  EXPECT_EQ(rows, 1 + 2 * scene.methods.size());
+  for (const PeerFigures& figures : scene.methods)
+    EXPECT_NE(table.str().find(figures.method), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelt::tools
