@@ -1,6 +1,6 @@
 #include "evaluation/methods/eager_method.hpp"
 
-#include "evaluation/rivals/exact_pose.hpp"
+#include "collide/collide_exact.hpp"
 #include "model/model.hpp"
 
 namespace pelt::bench {
@@ -25,7 +25,7 @@ class EagerMethod final : public Method {
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      const CollideOptions& options) override {
-    return rivals::collide(bodies_[a]->pose, bodies_[b]->pose, scratch_, contacts, options);
+    return detail::collide(bodies_[a]->pose, bodies_[b]->pose, scratch_, contacts, options);
   }
 
   QueryStats update_work() const override { return update_work_; }
@@ -35,7 +35,7 @@ class EagerMethod final : public Method {
     explicit Body(const SkinnedModel& m) : model(m), pose(model.detail().tree) {}
 
     SkinnedModel model;
-    rivals::ExactPose pose;
+    detail::ExactPose pose;
   };
 
   std::vector<std::unique_ptr<Body>> bodies_;

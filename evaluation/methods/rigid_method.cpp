@@ -1,6 +1,6 @@
 #include "evaluation/methods/rigid_method.hpp"
 
-#include "evaluation/rivals/exact_pose.hpp"
+#include "collide/collide_exact.hpp"
 #include "model/model.hpp"
 #include "model/tree_build.hpp"
 #include "model/unpack.hpp"
@@ -47,7 +47,7 @@ struct Frozen {
   std::vector<Matrix4> joints;
   std::vector<float> morphs;
   detail::Tree tree;
-  rivals::ExactPose pose;
+  detail::ExactPose pose;
 };
 
 class RigidBody {
@@ -67,7 +67,7 @@ class RigidBody {
     return taken;
   }
 
-  rivals::ExactPose& pose() { return now_->pose; }
+  detail::ExactPose& pose() { return now_->pose; }
 
  private:
   bool is_of_palette(const Frozen& frozen) const {
@@ -108,7 +108,7 @@ class RigidMethod final : public Method {
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      const CollideOptions& options) override {
-    return rivals::collide(bodies_[a]->pose(), bodies_[b]->pose(), scratch_, contacts, options);
+    return detail::collide(bodies_[a]->pose(), bodies_[b]->pose(), scratch_, contacts, options);
   }
 
   QueryStats update_work() const override { return {}; }

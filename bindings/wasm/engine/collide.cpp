@@ -4,6 +4,7 @@
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
+#include "collide/collide_exact.hpp"
 #include "model/model.hpp"
 #include "pose/pose.hpp"
 
@@ -19,7 +20,7 @@ std::vector<Contact>& found() {
 QueryStats refit_all(PoseHandle& handle) {
   const detail::Palette& palette = handle.pose.detail().palette;
   if (!handle.eager) handle.eager.emplace(handle.pose.model().detail().tree);
-  rivals::ExactPose& eager = *handle.eager;
+  detail::ExactPose& eager = *handle.eager;
   if (!handle.morphs.empty()) (void)eager.set_morph_weights(palette.morphs().all());
   (void)eager.set_palette(palette.joints());
   handle.is_refitted = true;
@@ -50,7 +51,7 @@ PELT_EXPORT void pelt_collide_eagerly(PoseHandle* a, PoseHandle* b, std::uint32_
   QueryStats stats;
   for (PoseHandle* handle : {a, b})
     if (!handle->is_refitted) stats += refit_all(*handle);
-  stats += rivals::collide(*a->eager, *b->eager, scratch().detail(), found(), {most});
+  stats += detail::collide(*a->eager, *b->eager, scratch().detail(), found(), {most});
   answer_stats(stats);
   answer_contacts(*a, *b);
 }

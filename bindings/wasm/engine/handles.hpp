@@ -5,7 +5,7 @@
 #include <pelt/contact.hpp>
 #include <pelt/pose.hpp>
 
-#include "evaluation/rivals/exact_pose.hpp"
+#include "pose/exact_pose.hpp"
 #include "scenes/scene.hpp"
 
 #include <memory>
@@ -71,7 +71,7 @@ struct PoseHandle {
   std::vector<Matrix4> palette;  ///< where JavaScript writes what is to be set
   std::vector<float> morphs;
   std::vector<Vec3> vertices, normals;     ///< what JavaScript reads
-  std::optional<rivals::ExactPose> eager;  ///< for collideEagerly
+  std::optional<detail::ExactPose> eager;  ///< for collideEagerly
   std::optional<Pose> whole;               ///< all nodes opened, for nodeBoxes
   bool has_vertices = false;               ///< those of the pose as it is now
   bool is_refitted = false;                ///< so is `eager`

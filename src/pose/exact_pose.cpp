@@ -1,0 +1,31 @@
+#include "pose/exact_pose.hpp"
+
+#include "base/wide_code.hpp"
+
+namespace pelt::detail {
+
+ExactPose::ExactPose(const Tree& tree) : tree_(tree), palette_(rest_palette(tree)) { close_all(); }
+
+Result<void> ExactPose::set_morph_weights(std::span<const float> weights) {
+  return palette_.set_morph_weights(weights);
+}
+
+Result<void> ExactPose::set_palette(std::span<const Matrix4> palette) {
+  Result<void> taken = palette_.set(palette);
+  if (taken) close_all();
+  return taken;
+}
+
+void ExactPose::close_all() {
+  arena_.clear();
+  root_box_.known = false;
+  opened_ = OpenedNodes(static_cast<std::uint32_t>(tree_.nodes.size()), arena_);
+}
+
+QueryStats ExactPose::open_all() { return wide_code().open_all_exactly(posed_tree()); }
+
+PosedTree ExactPose::posed_tree() {
+  return {tree_, no_bounds_, palette_, root_box_, opened_, arena_};
+}
+
+}  // namespace pelt::detail
