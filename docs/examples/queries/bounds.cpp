@@ -1,6 +1,6 @@
 #include <pelt/bounds.hpp>
 
-// For culling, shadows and levels of detail: around the character, whatever it does.
+// For culling, shadows and levels of detail: encloses the character in any pose.
 pelt::Sphere sphere_around(pelt::Pose& pose, std::span<const pelt::Matrix4> palette) {
   if (!pose.set_palette(palette)) return {};
   return pelt::bounds(pose).sphere;

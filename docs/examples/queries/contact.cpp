@@ -1,6 +1,6 @@
 #include <pelt/contact.hpp>
 
-// Where to push `a`, which way and how far, for each region in contact; the surfaces are made once.
+// Where, in which direction and how far to push `a`, for each region. Create the surfaces once.
 std::vector<pelt::ContactRegion> pushes(pelt::Pose& a, const pelt::Surface& surface_a,
                                         pelt::Pose& b, const pelt::Surface& surface_b,
                                         pelt::Scratch& scratch) {

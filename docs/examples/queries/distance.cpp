@@ -1,6 +1,6 @@
 #include <pelt/distance.hpp>
 
-// Frame by frame: the last answer is where the next search begins.
+// Called every frame: the previous answer is a hint for the next search.
 double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance& nearest) {
   const pelt::Distance last = nearest;
   pelt::DistanceOptions options;
@@ -9,7 +9,7 @@ double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance&
   return nearest.distance;  // nearest.a and nearest.b say where
 }
 
-// Where a hand that reaches for `target` meets the surface.
+// Where a hand that reaches for `target` touches the surface.
 pelt::Vec3 nearest_place(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch) {
   pelt::ClosestPoint closest;
   pelt::closest_point(pose, target, scratch, closest);

@@ -1,6 +1,6 @@
 #include <pelt/inside.hpp>
 
-// How deep `a` is in the closed surface of `b`; 0 where none of its vertices is inside.
+// How deep `a` is inside the closed surface of `b`; 0 if no vertex of `a` is inside.
 double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
                 const pelt::Surface& surface_b, pelt::Scratch& scratch) {
   pelt::Penetration deepest;

@@ -6,7 +6,7 @@ bool is_seen(pelt::Pose& pose, const pelt::Matrix4& view_projection, pelt::Scrat
   return pelt::classify(pose, seen, scratch).placement != pelt::Placement::outside;
 }
 
-// For a brush: the triangles that it touches.
+// For a brush tool: the triangles that the brush touches.
 std::vector<std::uint32_t> brushed(pelt::Pose& pose, const pelt::Sphere& brush,
                                    pelt::Scratch& scratch) {
   pelt::TrianglesInRegion found;

@@ -1,7 +1,7 @@
 #include <pelt/height_field.hpp>
 #include <pelt/solid.hpp>
 
-// The triangles of a character that are in the ground; `ground` is made once.
+// The triangles of a character that intersect the ground. Create `ground` once.
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
                                     pelt::Scratch& scratch) {
   std::vector<pelt::Contact> contacts;
@@ -13,7 +13,7 @@ std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& g
   return triangles;
 }
 
-// How far the whole skin is from a pillar; 0 where it touches.
+// Distance of the whole skin from a pillar; 0 if they touch.
 double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch& scratch) {
   pelt::SolidDistance nearest;
   pelt::distance(pose, pillar, scratch, nearest);
