@@ -122,7 +122,7 @@ struct ContactGeometry {
 /// Precondition: `surface_a` and `surface_b` are of the models of `a` and `b`, and the contacts are
 /// ascending, without repetition, and in range. O(C log C) for C contacts; nodes that are not open
 /// are opened.
-void describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                       std::span<const Contact> contacts, ContactGeometry& geometry);
+QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
+                             std::span<const Contact> contacts, ContactGeometry& geometry);
 
 }  // namespace pelt

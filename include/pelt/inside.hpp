@@ -14,12 +14,13 @@ namespace pelt {
 
 enum class PointSide : std::uint8_t {
   outside,
-  on,  ///< on a triangle of the surface
+  on,  ///< on a triangle, which may have collapsed to a segment or a point
   inside,
 };
 
-/// Where a point lies. Preconditions: the surface is closed and of the pose's model; the
-/// coordinates of `point` are finite and at most 2^60. Costs what a few rays do.
+/// Where a point lies, exactly, for any posed vertices. Preconditions: the surface is closed and of
+/// the pose's model; the coordinates of `point` are finite and at most 2^60. Cost: a search for the
+/// triangles that contain the point, and one ray.
 PointSide side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch);
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;

@@ -55,6 +55,7 @@ struct WideCode {
                          std::span<bool> hit);
   QueryStats (*all_hits)(const PosedTree& posed, const Ray& ray, Facing facing,
                          Stack<RayHit>& hits);
+  QueryStats (*winding_number)(const PosedTree& posed, const Vec3& point, int& winding);
   RegionAnswer (*descend_in_faces)(const PosedTree& posed, const FacesRegion& region,
                                    Scratch& scratch, RegionWish wish);
   RegionAnswer (*descend_in_capsule)(const PosedTree& posed, const CapsuleRegion& region,

@@ -14,31 +14,34 @@ using detail::Crossing;
 using detail::PosedSurface;
 
 /// The traces, and the ends of segments as links of their curves.
-void trace_contacts(const PosedSurface& a, const PosedSurface& b, std::span<const Contact> contacts,
-                    ContactGeometry& geometry) {
+QueryStats trace_contacts(const PosedSurface& a, const PosedSurface& b,
+                          std::span<const Contact> contacts, ContactGeometry& geometry) {
+  QueryStats work;
   geometry.traces.clear();
   geometry.links.clear();
   for (const Contact& contact : contacts) {
     Crossing crossing;
     const auto end = static_cast<std::uint32_t>(2 * geometry.traces.size());
-    geometry.traces.push_back(trace_of(contact, a, b, crossing));
+    geometry.traces.push_back(trace_of(contact, a, b, crossing, work));
     if (crossing.kind != detail::CrossingKind::segment) continue;
     for (const std::uint32_t i : {0u, 1u})
       geometry.links.push_back({key_of(crossing.ends[i], contact, a.surface, b.surface), end + i});
   }
+  return work;
 }
 
 }  // namespace
 
-void describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                       std::span<const Contact> contacts, ContactGeometry& geometry) {
+QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
+                             std::span<const Contact> contacts, ContactGeometry& geometry) {
   PELT_ASSERT(&a.model().detail() == &surface_a.model().detail());
   PELT_ASSERT(&b.model().detail() == &surface_b.model().detail());
   PELT_ASSERT(std::is_sorted(contacts.begin(), contacts.end()));
-  trace_contacts({a.detail(), surface_a.detail()}, {b.detail(), surface_b.detail()}, contacts,
-                 geometry);
+  const QueryStats work = trace_contacts({a.detail(), surface_a.detail()},
+                                         {b.detail(), surface_b.detail()}, contacts, geometry);
   detail::chain_curves(geometry);
   detail::gather_regions(surface_a.detail(), surface_b.detail(), geometry);
+  return work;
 }
 
 }  // namespace pelt

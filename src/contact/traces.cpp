@@ -55,13 +55,11 @@ ContactKind kind_of(const Crossing& crossing) {
 
 }  // namespace
 
-TriangleCorners PosedSurface::corners(std::uint32_t triangle) const {
+TriangleCorners PosedSurface::corners(std::uint32_t triangle, QueryStats& work) const {
   PELT_ASSERT(triangle < surface.places.size());
-  QueryStats uncounted;
   const PosedTree posed = pose.posed_tree();
   make_table(posed);
-  const float* positions =
-      wide_code().open_node(posed, surface.nodes[triangle], uncounted).positions;
+  const float* positions = wide_code().open_node(posed, surface.nodes[triangle], work).positions;
   TriangleCorners corners;
   for (std::size_t i = 0; i < 3; ++i) {
     const float* at = positions + posed.tree.corners[surface.places[triangle]][i];
@@ -71,9 +69,10 @@ TriangleCorners PosedSurface::corners(std::uint32_t triangle) const {
 }
 
 ContactTrace trace_of(const Contact& contact, const PosedSurface& a, const PosedSurface& b,
-                      Crossing& crossing) {
-  const TriangleCorners corners_a = a.corners(contact.triangle_a);
-  const TriangleCorners corners_b = b.corners(contact.triangle_b);
+                      Crossing& crossing, QueryStats& work) {
+  const TriangleCorners corners_a = a.corners(contact.triangle_a, work);
+  const TriangleCorners corners_b = b.corners(contact.triangle_b, work);
+  ++work.triangle_pairs;
   crossing = cross_triangles(corners_a, corners_b);
   ContactTrace trace;
   trace.contact = contact;

@@ -15,12 +15,13 @@ struct PosedSurface {
   Pose& pose;
   const Surface& surface;
 
-  /// Of a triangle by the caller's number; its node is opened if it was not.
-  TriangleCorners corners(std::uint32_t triangle) const;
+  /// The corners of a triangle by the caller's number. Opens the triangle's node if it is not open,
+  /// which is counted in `work`.
+  TriangleCorners corners(std::uint32_t triangle, QueryStats& work) const;
 };
 
-/// The crossing of a contact's triangles, as `ContactTrace` has it.
+/// The crossing of a contact's triangles, as `ContactTrace` has it; counted in `work`.
 ContactTrace trace_of(const Contact& contact, const PosedSurface& a, const PosedSurface& b,
-                      Crossing& crossing);
+                      Crossing& crossing, QueryStats& work);
 
 }  // namespace pelt::detail

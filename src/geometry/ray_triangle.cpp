@@ -102,7 +102,7 @@ CertainSides certain_sides(const RayLine& line, const TriangleCorners& t) {
 Sides exact_sides(const RayLine& line, const TriangleCorners& t, const Sides& certain) {
   Sides sides = certain;
   for (std::size_t i = 0; i < 3; ++i)
-    if (sides[i] == 0) sides[i] = exact_edge(line, t[(i + 1) % 3], t[(i + 2) % 3]).sign();
+    if (sides[i] == 0) sides[i] = edge_side(line, t[(i + 1) % 3], t[(i + 2) % 3]);
   return sides;
 }
 
@@ -162,6 +162,10 @@ std::array<float, 3> shares(const std::array<double, 3>& w, const RayCrossing& c
 }
 
 }  // namespace
+
+int edge_side(const RayLine& line, const Vec3& q, const Vec3& r) {
+  return exact_edge(line, q, r).sign();
+}
 
 bool line_meets_triangle(const RayLine& line, const TriangleCorners& triangle,
                          RayCrossing& crossing) {

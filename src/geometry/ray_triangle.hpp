@@ -29,6 +29,10 @@ bool line_meets_triangle(const RayLine& line, const TriangleCorners& triangle,
 bool line_pierces_triangle(const RayLine& line, const TriangleCorners& triangle, bool from_front,
                            RayCrossing& crossing);
 
+/// On which side of the line the edge from `q` to `r` passes, exactly: the sign of
+/// det(direction, q - origin, r - origin), 0 where the line of the edge meets it or is parallel.
+int edge_side(const RayLine& line, const Vec3& q, const Vec3& r);
+
 /// The shares of the corners in the place where `line` crosses `triangle`: each within 2^-23 of the
 /// exact one, none negative, exactly 0 opposite to an edge that the line meets.
 std::array<float, 3> crossing_weights(const RayLine& line, const TriangleCorners& triangle,

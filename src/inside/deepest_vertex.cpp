@@ -6,11 +6,11 @@
 /// where nothing was found.
 
 #include <pelt/inside.hpp>
-#include <pelt/region.hpp>
 
 #include "base/assert.hpp"
 #include "base/wide_code.hpp"
 #include "contact/surface.hpp"
+#include "inside/side_of.hpp"
 #include "model/model.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
@@ -55,9 +55,16 @@ class DeepestVertex {
   enum class Side { outside, inside, unknown };
 
   Side side_of_all(const Box& box) {
-    if (intersects(b_, box, scratch_)) return Side::unknown;
-    const bool is_inside = side_of(b_, surface_b_, box.low, scratch_) == PointSide::inside;
-    return is_inside ? Side::inside : Side::outside;
+    bool touches = false;
+    work_ += detail::touches_box(b_, box, scratch_, touches);
+    if (touches) return Side::unknown;
+    return is_inside(box.low) ? Side::inside : Side::outside;
+  }
+
+  bool is_inside(const Vec3& point) {
+    PointSide side;
+    work_ += detail::find_side(b_, surface_b_, point, scratch_, side);
+    return side == PointSide::inside;
   }
 
   void visit(std::uint32_t index, Side side) {
@@ -99,8 +106,7 @@ class DeepestVertex {
       work_ += closest_point(b_, position, scratch_, closest, {depth});
       if (closest.found() && (closest.distance < depth || vertex >= deepest_.vertex)) return;
     }
-    if (side == Side::unknown && side_of(b_, surface_b_, position, scratch_) != PointSide::inside)
-      return;
+    if (side == Side::unknown && !is_inside(position)) return;
     if (!closest.found()) work_ += closest_point(b_, position, scratch_, closest);
     deepest_ = {vertex, position, closest.point, closest.distance};
   }

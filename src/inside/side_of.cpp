@@ -1,68 +1,69 @@
-/// A point is inside where the surface winds around it: where a ray from it leaves the surface more
-/// often than it enters, or less often. Rays tell exactly through which triangles they go and from
-/// which side; one that goes through an edge or a corner, or runs in a triangle, names triangles
-/// twice or not at all, so another one is asked.
+/// A point is on the surface if it lies in the convex hull of the three posed corners of some
+/// triangle, whether that is a triangle, a segment or a point. Elsewhere the surface winds around
+/// it a definite number of times, and it is inside if that number is not zero.
+///
+/// The number is the sum of the signs with which a ray from the point pierces triangles, if the ray
+/// meets no edge and no triangle that has collapsed. (The posed surface is a closed cycle, since
+/// its edges cancel in pairs; its degree around the point is the number of signed preimages of any
+/// direction whose preimages all lie within triangles that have not collapsed.) The ray of
+/// geometry/generic_ray.hpp meets neither: all of them lie in finitely many planes through the
+/// point, or lines, which it avoids. A triangle that has collapsed adds nothing, since it lies in
+/// such a plane, and none that has the point in its plane is pierced. So one ray decides, every
+/// triangle that it may pierce is decided by exact signs, and there is nothing to try again.
 
-#include <pelt/inside.hpp>
+#include "inside/side_of.hpp"
 
 #include "base/assert.hpp"
 #include "base/wide_code.hpp"
-#include "inside/directions.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
-
-#include <algorithm>
+#include "region/region_descent.hpp"
 
 namespace pelt {
+namespace detail {
 namespace {
 
-using detail::PosedTree;
-using detail::Stack;
-
-bool is_far(const detail::RootBox& root, const Vec3& p) {
+bool is_far(const RootBox& root, const Vec3& p) {
   return p.x < root.low[0] || root.high[0] < p.x || p.y < root.low[1] || root.high[1] < p.y ||
          p.z < root.low[2] || root.high[2] < p.z;
 }
 
-/// Rays that do not leave the point meet the triangles on which it lies, but for those that they
-/// are parallel to. No triangle is parallel to three directions that are not in one plane.
-bool is_on_surface(const PosedTree& posed, const Vec3& point) {
-  std::array<Ray, 3> rays;
-  std::array<bool, 3> hit;
-  for (std::size_t i = 0; i < 3; ++i) rays[i] = {point, detail::kAxes[i], 0, 0};
-  detail::wide_code().any_hits(posed, rays, Facing::both, hit);
-  return hit[0] || hit[1] || hit[2];
-}
-
-bool goes_through_edge(const RayHit& hit) {
-  return std::find(hit.weights.begin(), hit.weights.end(), 0.0f) != hit.weights.end();
-}
-
-/// How often the ray goes through the surface from one side; -1 where it goes through an edge.
-int crossings(const PosedTree& posed, const Ray& ray, Facing facing, Stack<RayHit>& hits) {
-  hits.clear();
-  detail::wide_code().all_hits(posed, ray, facing, hits);
-  if (std::any_of(hits.begin(), hits.end(), goes_through_edge)) return -1;
-  return static_cast<int>(hits.size());
-}
-
 }  // namespace
 
-PointSide side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch) {
+QueryStats touches_box(pelt::Pose& pose, const Box& box, pelt::Scratch& scratch, bool& touches) {
+  const RegionAnswer answer = wide_code().descend_in_faces(
+      pose.detail().posed_tree(), PreparedRegion(box).faces, scratch.detail(), RegionWish::touch);
+  touches = answer.touches;
+  return answer.work;
+}
+
+QueryStats find_side(pelt::Pose& pose, const pelt::Surface& surface, const Vec3& point,
+                     pelt::Scratch& scratch, PointSide& side) {
   PELT_ASSERT(surface.is_closed());
   PELT_ASSERT(&pose.model().detail() == &surface.model().detail());
   const PosedTree posed = pose.detail().posed_tree();
-  QueryStats uncounted;
-  if (is_far(detail::wide_code().root_box(posed, uncounted), point)) return PointSide::outside;
-  if (is_on_surface(posed, point)) return PointSide::on;
-  Stack<RayHit>& hits = scratch.detail().ray_hits;
-  for (detail::Directions directions;; directions.next()) {
-    const Ray ray = {point, directions.current()};
-    const int left = crossings(posed, ray, Facing::back, hits);
-    if (left < 0) continue;
-    const int entered = crossings(posed, ray, Facing::front, hits);
-    if (entered >= 0) return left == entered ? PointSide::outside : PointSide::inside;
+  QueryStats work;
+  work.node_pairs = 1;
+  side = PointSide::outside;
+  if (is_far(wide_code().root_box(posed, work), point)) return work;
+  bool is_on = false;
+  work += touches_box(pose, {point, point}, scratch, is_on);
+  if (is_on) {
+    side = PointSide::on;
+    return work;
   }
+  int winding = 0;
+  work += wide_code().winding_number(posed, point, winding);
+  if (winding != 0) side = PointSide::inside;
+  return work;
+}
+
+}  // namespace detail
+
+PointSide side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch) {
+  PointSide side;
+  detail::find_side(pose, surface, point, scratch, side);
+  return side;
 }
 
 }  // namespace pelt

@@ -3,6 +3,7 @@
 
 #include "ray/ray_traversal.hpp"
 
+#include "geometry/generic_ray.hpp"
 #include "geometry/ray_triage.hpp"
 #include "geometry/ray_triangle.hpp"
 #include "model/clusters.hpp"
@@ -87,6 +88,25 @@ class AllHits {
   RayLine line_;
   float end_;
   Stack<RayHit>& hits_;
+};
+
+/// Adds up how the generic ray pierces triangles.
+class SignedCrossings {
+ public:
+  explicit SignedCrossings(const Ray& ray) : ray_(ray) {}
+
+  float take(const Found& found) {
+    sum_ += pierce_from_back(ray_.origin, found.corners, found.crossing);
+    return ray_.t_max;
+  }
+
+  bool is_enough() const { return false; }
+
+  int sum() const { return sum_; }
+
+ private:
+  const Ray& ray_;
+  int sum_ = 0;
 };
 
 bool is_zero(const Vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -288,6 +308,15 @@ QueryStats all_hits(const PosedTree& posed, const Ray& ray, Facing facing, Stack
   QueryStats work;
   AllHits all(posed.tree, ray, hits);
   traverse(posed, ray, facing, all, work);
+  return work;
+}
+
+QueryStats winding_number(const PosedTree& posed, const Vec3& point, int& winding) {
+  QueryStats work;
+  const Ray ray = {point, kGenericDirection[0]};
+  SignedCrossings crossings(ray);
+  traverse(posed, ray, Facing::both, crossings, work);
+  winding = crossings.sum();
   return work;
 }
 

@@ -1,6 +1,8 @@
 #include <pelt/inside.hpp>
 
 #include "base/vec3.hpp"
+#include "inside/containment.hpp"
+#include "pose/pose.hpp"
 #include "support/allocation_count.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"
@@ -236,6 +238,44 @@ TEST(DeepestVertex, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
     EXPECT_EQ(deepest.depth, first.depth);
     EXPECT_EQ(deepest.nearest.position, first.nearest.position);
   });
+}
+
+/// Vertices of all nodes that are open.
+std::uint64_t opened_vertices(Pose& pose) {
+  const detail::PosedTree posed = pose.detail().posed_tree();
+  std::uint64_t count = 0;
+  for (std::uint32_t n = 0; posed.opened && n < posed.tree.nodes.size(); ++n)
+    if (posed.opened[n] != nullptr) count += posed.tree.nodes[n].vertex_count;
+  return count;
+}
+
+/// Each opened vertex was opened by the query, and counted once.
+TEST(DeepestVertex, CountsAllWorkOnBothBodies) {
+  Random random(14);
+  Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
+  a.set(bend_limb(random, 4, 0.2, {0, 0, 0}));
+  b.set(bend_limb(random, 4, 0.2, {0.05f, 0.02f, 0.03f}));
+  Scratch scratch;
+  Penetration deepest;
+  const QueryStats work = deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+  EXPECT_TRUE(deepest.found());
+  EXPECT_GT(opened_vertices(a.pose), 0u);
+  EXPECT_GT(opened_vertices(b.pose), 0u);
+  EXPECT_EQ(work.posed_vertices, opened_vertices(a.pose) + opened_vertices(b.pose));
+  EXPECT_GT(work.refits, 0u);
+  EXPECT_GT(work.triangle_pairs, 0u);
+}
+
+TEST(Containment, CountsAllWorkOnBothBodies) {
+  Body small(cube(0.5f, {0, 0, 0})), large(cube(1, {0.25f, 0, 0}));
+  Scratch scratch;
+  Containment which;
+  const QueryStats work = detail::find_containment(small.pose, small.surface, large.pose,
+                                                   large.surface, scratch, which);
+  EXPECT_EQ(which, Containment::a_in_b);
+  EXPECT_GT(opened_vertices(small.pose), 0u);
+  EXPECT_EQ(work.posed_vertices, opened_vertices(small.pose) + opened_vertices(large.pose));
+  EXPECT_GT(work.node_pairs, 2u);
 }
 
 Containment containment_of(const Shape& shape_a, const Shape& shape_b) {

@@ -1,0 +1,40 @@
+#pragma once
+
+/// A ray in general position from any point: it meets no edge of any triangle, however many
+/// triangles there are and wherever they lie.
+///
+/// The ray has the direction d(e) = k0 + e k1 + e^2 k2 for all small enough e > 0, where k0, k1, k2
+/// are linearly independent (`kGenericDirection`). An edge from q to r passes the ray on the side
+/// of
+///
+///     det(d(e), q - o, r - o) = det(k0, ..) + e det(k1, ..) + e^2 det(k2, ..),
+///
+/// whose sign is that of the first term that is not zero. All three are zero only if
+/// (q - o) x (r - o) = 0, that is if o, q and r lie on one line. So for a triangle whose plane does
+/// not contain o, every edge passes on a definite side, and the ray either pierces the triangle
+/// away from its edges or misses it (simulation of simplicity, Edelsbrunner & Muecke 1990). No
+/// second ray is ever needed.
+///
+/// The ray along k0 itself meets, as closed sets, every triangle that the generic ray pierces: the
+/// points pierced converge to a point of the triangle and of the ray as e goes to zero. A search
+/// along k0 that finds all closed triangles that are not parallel to k0 therefore finds all that
+/// can be pierced, except those parallel to k0; these contain o in their planes and are pierced by
+/// no ray from o that misses o.
+
+#include "geometry/ray_triangle.hpp"
+
+#include <array>
+
+namespace pelt::detail {
+
+/// k0, k1, k2: in no plane that people put triangles in, so that k0 alone nearly always decides.
+inline constexpr std::array<Vec3, 3> kGenericDirection = {
+    {{0.8391f, 0.4772f, 0.2613f}, {-0.3178f, 0.8845f, 0.3417f}, {0.1239f, -0.4381f, 0.8903f}}};
+
+/// How the generic ray from `origin` pierces a triangle that the line from `origin` along
+/// `kGenericDirection[0]` crosses as `crossing` says: 1 from its back, -1 from its front, 0 not at
+/// all. Exact. Precondition: `origin` does not lie on the triangle.
+int pierce_from_back(const Vec3& origin, const TriangleCorners& triangle,
+                     const RayCrossing& crossing);
+
+}  // namespace pelt::detail
