@@ -1,23 +1,21 @@
 /**
  * Exact collision detection for skinned characters, in the browser, in Web Workers and in Node.
  *
- * A Character is read or generated, a Pose moves it, a query asks two Poses, Contacts come out: the
- * very ones that the C++ library finds, bit for bit. Terms are those of its headers.
+ * Read or generate a Character, make Poses of it, and query two Poses for Contacts. The contacts are
+ * those of the C++ library, bit for bit. The headers of that library define the terms.
  *
- * Arrays are typed and flat; a shape [N][3] has the element (i, j) at 3 * i + j. Matrices are 16
- * floats, column-major, as three.js and glTF have them. What is returned belongs to the caller (and
- * can be transferred to another thread); an `out` of the right length is written instead of a new
- * array where one is offered.
+ * Arrays are typed and flat; an array of shape [N][3] stores element (i, j) at 3 * i + j. Matrices have
+ * 16 floats in column-major order, as in three.js and glTF. Returned arrays belong to the caller and can
+ * be transferred to another thread. Functions with an `out` parameter write to that array, which must
+ * have the right length, instead of a new one.
  *
- * What breaks a rule (an array too short, NaN, a pose of another engine, an option that there is not)
- * is refused by a PeltError, which leaves everything as it was. Only if the engine runs out of memory
- * in the midst of a call, or fails, is it at its end: `Pelt.hasEnded` says so, and every later call
- * of it and of its objects is refused by a PeltError with the code 'engine_ended'. `delete()` still
- * may be called, and arrays that have been returned stay good.
+ * Invalid arguments (an array that is too short, NaN, a pose of another engine, an unknown option) throw
+ * a PeltError and change nothing. If the engine runs out of memory during a call, or fails, it ends:
+ * `Pelt.hasEnded` becomes true, and every later call of the engine and of its objects throws a PeltError
+ * with the code 'engine_ended'. `delete()` may still be called, and returned arrays stay valid.
  *
- * Characters, poses, crowds and hashes live in the engine's memory, which has 2 GB at most. `delete()`
- * gives theirs back at once; what is forgotten is given back when JavaScript's garbage collector
- * finds it.
+ * Characters, poses, crowds and hashes live in the memory of the engine, which is limited to 2 GB.
+ * `delete()` frees an object at once. Otherwise it is freed when the garbage collector finalises it.
  */
 
 import type {
@@ -40,28 +38,28 @@ export * from './types/contacts.js';
 export * from './types/distances.js';
 export * from './types/scene.js';
 
-/** Loads the engine: a module with memory of its own. A Web Worker loads its own. */
+/** Loads an engine, a module with its own memory. Each Web Worker must load its own engine. */
 export function loadPelt(): Promise<Pelt>;
 
 export type ErrorCode =
-  /** An argument breaks a stated rule. */
+  /** An argument is invalid. */
   | 'invalid_argument'
   /** A file is missing. */
   | 'unreadable_file'
-  /** A file breaks its format. */
+  /** A file violates its format. */
   | 'malformed_file'
-  /** A file is well-formed but needs something that Pelt does not do. */
+  /** A file is well-formed but needs a feature that Pelt does not support. */
   | 'unsupported'
-  /** The engine's memory does not suffice; see `Pelt.hasEnded` for whether it can be used on. */
+  /** The engine has too little memory. `Pelt.hasEnded` says whether the engine can still be used. */
   | 'out_of_memory'
-  /** The engine has failed, or is called after its end: load a new one. */
+  /** The engine has failed, or was called after its end. Load a new one. */
   | 'engine_ended';
 
-/** The message names the thing (file, array, index, value) and, where there is one, the remedy. */
+/** The message names the problem (file, array, index, value) and, if there is one, the remedy. */
 export class PeltError extends Error {
   private constructor();
   readonly code: ErrorCode;
-  /** What a decoder has thrown, or the engine. */
+  /** The exception of a decoder or of the engine. */
   readonly cause?: unknown;
 }
 
@@ -69,80 +67,86 @@ export class PeltError extends Error {
 export interface Pelt {
   readonly version: string;
 
-  /** Whether it takes no more calls, and a new one has to be loaded. */
+  /** True if the engine accepts no more calls. Load a new one in that case. */
   readonly hasEnded: boolean;
 
   /**
-   * A character from the bytes of a glTF file, .glb or .gltf; those of a .gltf's own files, by their
-   * names beside it, in `files`. Prepared for queries, which takes some tenths of a second. A file
-   * that asks for more than 256 MiB of memory is refused.
+   * Reads a character from the bytes of a .glb or .gltf file and prepares it for queries.
+   * `options.files` contains the buffers and images of a .gltf file by their relative names.
+   * Cost: some tenths of a second. Rejects files that need more than 256 MiB of memory.
    */
   readCharacter(file: Bytes, options: ReadOptions): Character;
 
-  /** A walking biped made by code, 1.8 units tall, facing +z, with the clips "walk" and "idle". */
+  /** Generates a biped, 1.8 units tall, facing +z, with the clips "walk" and "idle". */
   generateCreature(options?: CreatureOptions): Character;
 
-  /** A face made by code that has morph targets, with the clip "talk". */
+  /** Generates a human face with morph targets and the clip "talk". */
   generateFace(options?: FaceOptions): Character;
 
   /**
-   * A scene as the command `pelt` reads it (docs/scenes.md), and prepared as by `pelt check`, so that
-   * contacts and counters are the same. `files` has the file `path` and all that it names, by
-   * paths in one folder that has them all: "scenes/duel.json" may name "../models/knight.glb", which
-   * is "models/knight.glb" then.
+   * Reads a scene file (docs/scenes.md) and prepares it like `pelt check`, with the same contacts and
+   * counters. `files` contains the file `path` and all files that it refers to, with paths relative to
+   * one common folder. For example, "scenes/duel.json" may refer to "../models/knight.glb", which must
+   * then be in `files` as "models/knight.glb".
    */
   readScene(path: string, files: Files, options?: ModelOptions): Scene;
 
-  /** A scene of one's own: a copy of the parts, which may then be changed in it at any time. */
+  /** Creates a scene from a copy of `parts`. The scene may be changed at any time. */
   makeScene(parts: SceneParts): Scene;
 
-  /** The text of the scene of `pelt demo`: two generated characters walk into each other. */
+  /** The scene file of `pelt demo`, in which two generated characters walk into each other. */
   readonly demoScene: string;
 
-  /** Every pair of triangles that intersect, ascending. Preconditions: two different poses. */
+  /**
+   * Finds every pair of intersecting triangles, in ascending order. Precondition: `a` and `b` are
+   * different poses.
+   */
   collide(a: Pose, b: Pose, options?: CollideOptions): Contacts;
 
-  /** Whether any do. */
+  /** Returns whether any triangles of `a` and `b` intersect. */
   intersects(a: Pose, b: Pose): boolean;
 
   /**
-   * The same contacts as an engine without refit on demand finds them: all vertices skinned, the
-   * exact boxes of all nodes taken bottom-up, then the same descent. A pose that has not been refitted
-   * since its palette was set is, which counts as work of this query (see `Pose.refitAll`). Poses keep
-   * what queries on demand have opened.
+   * Finds the same contacts like an engine without refitting on demand: skins all vertices, computes
+   * the exact boxes of all nodes bottom-up, and runs the same descent. Calls `Pose.refitAll` for a pose
+   * whose palette was set after the last call of it, and counts that as work of this query. Nodes opened
+   * by queries on demand stay open.
    */
   collideEagerly(a: Pose, b: Pose, options?: CollideOptions): Contacts;
 
   /**
-   * Where and how the contacts' triangles cut each other, chained to curves and gathered to regions.
-   * `pairs` are those of `collide`, in the poses as they are now.
+   * Describes where and how the triangles of the contacts intersect, chained into curves and grouped
+   * into regions. Precondition: `pairs` is the result of `collide` for the current poses.
    */
   describeContacts(a: Pose, b: Pose, pairs: Uint32Array): ContactGeometry;
 
-  /** The least distance of two posed surfaces; null if it is more than `maxDistance`. */
+  /** Returns the least distance of two posed surfaces, or null if it exceeds `maxDistance`. */
   distance(a: Pose, b: Pose, options?: DistanceOptions): Distance | null;
 
-  /** Every pair of triangles that are at most `tolerance` apart, ascending; those of `collide` for 0. */
+  /**
+   * Finds every pair of triangles that are at most `tolerance` apart, in ascending order. With a
+   * tolerance of 0 these are the pairs of `collide`.
+   */
   clearance(a: Pose, b: Pose, tolerance: number, options?: CollideOptions): Contacts;
 
-  /** Whether there is any. */
+  /** Returns whether `clearance` would find any pair. */
   isWithin(a: Pose, b: Pose, tolerance: number): boolean;
 
   /**
-   * The vertex of `a` that is inside `b` and furthest from its surface; null: none is inside. `b` must
-   * be closed (see `Pose.isClosed`).
+   * Returns the vertex of `a` that lies inside `b` and is furthest from its surface, or null if no
+   * vertex lies inside. Precondition: `b` is closed (see `Pose.isClosed`).
    */
   deepestVertex(a: Pose, b: Pose): Penetration | null;
 
   /**
-   * Whether one body holds the other whole, which no contact tells: 'none' where they touch, too. What
-   * is not closed holds nothing.
+   * Returns which body lies wholly inside the other without touching it. Returns 'none' if they touch.
+   * A body that is not closed contains nothing.
    */
   containment(a: Pose, b: Pose): 'none' | 'a_in_b' | 'b_in_a';
 
-  /** Many instances at once, as `pelt check` asks them. */
+  /** Creates a crowd, which queries many instances at once, like `pelt check`. */
   makeCrowd(): Crowd;
 
-  /** The hash that `pelt check` prints. */
+  /** Creates a hash of contacts, as printed by `pelt check`. */
   makeContactHash(): ContactHash;
 }

@@ -1,15 +1,16 @@
-/** Characters: how they are read or generated, and what they have. */
+/** Characters: options for reading and generating them, and their properties. */
 
 import type { Box, Pose } from './pose.js';
 
 export type Bytes = ArrayBuffer | ArrayBufferView;
 
-/** By their paths in one folder, which they do not leave. */
+/** Files by their paths relative to a common folder. Paths must stay within that folder. */
 export type Files = ReadonlyMap<string, Bytes> | Readonly<Record<string, Bytes>>;
 
 /**
- * `MeshoptDecoder.decodeGltfBuffer` of the npm package meshoptimizer, once its `ready` is. What it
- * throws is the `cause` of the PeltError that follows. It may not call the engine.
+ * `MeshoptDecoder.decodeGltfBuffer` of the npm package meshoptimizer; wait for `MeshoptDecoder.ready`
+ * first. An exception of the decoder becomes the `cause` of a PeltError. The decoder must not call the
+ * engine.
  */
 export type MeshoptDecode = (
   target: Uint8Array,
@@ -21,30 +22,33 @@ export type MeshoptDecode = (
 ) => void;
 
 export interface ModelOptions {
-  /** For files compressed by EXT_meshopt_compression; without it they are refused. */
+  /** Decoder for EXT_meshopt_compression. Without it, compressed files are rejected. */
   meshoptDecode?: MeshoptDecode;
-  /** Accept weights that do not sum to 1: divide them by their sum, as renderers do. */
+  /** Accept weights that do not sum to 1, and divide them by their sum, as renderers do. */
   renormalise?: boolean;
   /** Leave out meshes without a skin (weapons, armour). */
   noUnskinned?: boolean;
-  /** Names of mesh nodes to leave out, with their children; in a scene of any model, or "knight/Cape". */
+  /**
+   * Names of mesh nodes to leave out, with their children. In a scene, a name applies to all models, and
+   * "knight/Cape" to one.
+   */
   exclude?: readonly string[];
-  /** Poses taken from the clips to prepare for; no answer depends on it. Default 6. */
+  /** Number of sample poses that the tree is optimised for. Does not change answers. Default 6. */
   samples?: number;
 }
 
 export interface ReadOptions extends ModelOptions {
-  /** What messages and tables call it. */
+  /** Name of the character in messages. */
   name: string;
   files?: Files;
-  /** The clips to prepare for; default: the first ones. */
+  /** Clips that sample poses are taken from. Default: the first clips. */
   clips?: readonly string[];
 }
 
 export interface CreatureOptions {
   name?: string; // "creature"
-  clips?: readonly string[]; // as in ReadOptions, and the next too
-  samples?: number;
+  clips?: readonly string[]; // as in ReadOptions
+  samples?: number; // as in ReadOptions
   triangles?: number; // 1,000 to 1,000,000; default 13,590
   joints?: number; // 20 to 64; default 56
   seed?: number; // proportions; default 1
@@ -52,15 +56,15 @@ export interface CreatureOptions {
 
 export interface FaceOptions {
   name?: string; // "face"
-  clips?: readonly string[]; // as in ReadOptions, and the next too
-  samples?: number;
+  clips?: readonly string[]; // as in ReadOptions
+  samples?: number; // as in ReadOptions
   triangles?: number; // 1,000 to 200,000; default 4,000
   seed?: number; // default 1
 }
 
 /** A range of triangles that came from one primitive of the file. */
 export interface Part {
-  /** Of its node, "node:material" where several share that; as `pelt check` names it. */
+  /** Name of its node, or "node:material" if several parts share the node, as in `pelt check`. */
   readonly name: string;
   readonly firstTriangle: number;
   readonly triangleCount: number;
@@ -73,37 +77,37 @@ export interface Clip {
 }
 
 export interface Character {
-  /** As it was given when it was read; names a character of a scene. */
+  /** The name given in the options, or the name of the model in a scene file. */
   readonly name: string;
   readonly vertexCount: number;
   readonly triangleCount: number;
   readonly jointCount: number;
-  /** Of the tree over the triangles. */
+  /** Number of nodes of the tree over the triangles. */
   readonly nodeCount: number;
-  /** Of the tree: `Pose.nodeBoxes` takes the levels 0 to levelCount - 1. */
+  /** Number of levels of the tree. `Pose.nodeBoxes` accepts 0 to levelCount - 1. */
   readonly levelCount: number;
   readonly parts: readonly Part[];
   readonly clips: readonly Clip[];
-  /** [J] "joint 7" where the file has no name. */
+  /** [J] Names of the joints; "joint 7" for a joint without a name. */
   readonly jointNames: readonly string[];
-  /** [M] */
+  /** [M] Names of the morph targets. */
   readonly morphTargetNames: readonly string[];
-  /** What the file has and Pelt passed over. */
+  /** Contents of the file that Pelt ignored. */
   readonly warnings: readonly string[];
-  /** [T][3] indices of vertices. A copy is made at the first use, as with the next three. */
+  /** [T][3] Vertex indices. Copied from the engine at the first use, like the next three arrays. */
   readonly triangles: Uint32Array;
-  /** [V][3] before skinning. */
+  /** [V][3] Positions before skinning. */
   readonly restPositions: Float32Array;
-  /** [T] into `parts`. */
+  /** [T] Index of the part in `parts`. */
   readonly triangleParts: Uint16Array;
-  /** [T] into `jointNames`: the joint that a triangle's corners follow most. */
+  /** [T] Index in `jointNames` of the joint that the vertices of the triangle follow most. */
   readonly triangleJoints: Uint16Array;
-  /** Of the default pose. */
+  /** Box of the default pose. */
   readonly extent: Box;
 
   /**
-   * [J] matrices at `seconds` of a clip, clamped to its range; null: the default pose. `placement`
-   * stands before everything, as the instance's world matrix.
+   * Returns [J] matrices of a clip at `seconds`, clamped to its range, or of the default pose if `clip` is
+   * null. `placement` is the world matrix of the instance, and multiplies from the left.
    */
   palette(
     clip: string | null,
@@ -112,13 +116,14 @@ export interface Character {
     out?: Float32Array,
   ): Float32Array;
 
-  /** [M] weights of the morph targets as the clip has them. */
+  /** Returns [M] weights of the morph targets from the clip. */
   morphWeights(clip: string | null, seconds: number, out?: Float32Array): Float32Array;
 
   /**
-   * In the rest positions at first. Poses may outlive their character's `delete`. With an index into
-   * `parts` only that part collides, and is prepared for that at the first use; all else, numbers of
-   * triangles too, is as of the whole. A part without triangles is refused.
+   * Creates a pose, initially with the rest positions. Poses may outlive `delete` of their character.
+   * If `part` is an index into `parts`, only that part collides; the part is prepared at its first use.
+   * Everything else, including triangle numbers, refers to the whole character. Rejects a part without
+   * triangles.
    */
   makePose(part?: number | null): Pose;
 

@@ -1,29 +1,29 @@
-/** What a query of contacts is asked and what it finds. */
+/** Options and results of contact queries. */
 
 export interface CollideOptions {
-  /** Stop at the first contact; `stats.cutShort` tells. */
+  /** Stop at the first contact. `stats.cutShort` is then true. */
   firstContact?: boolean;
-  /** Stop after so many, at least 1. */
+  /** Stop after this number of contacts, at least 1. */
   maxContacts?: number;
 }
 
-/** The work of a query, in counts that are the same on every machine. */
+/** Work done by a query. The counts are the same on every machine. */
 export interface QueryStats {
-  /** Nodes compared with nodes. */
+  /** Pairs of nodes tested for overlap. */
   readonly nodePairs: number;
   /** Boxes computed for the current palettes. */
   readonly refits: number;
-  /** Vertices skinned, once for each node that has them. */
+  /** Vertices skinned; a vertex counts once for each node that contains it. */
   readonly posedVertices: number;
   readonly trianglePairs: number;
-  /** By active morph targets. */
+  /** Displacements by active morph targets. */
   readonly displacements: number;
   readonly cutShort: boolean;
 }
 
 export interface Contacts {
   readonly count: number;
-  /** [N][2] triangles of `a` and `b`, ascending. */
+  /** [N][2] Triangles of `a` and `b`, in ascending order. */
   readonly pairs: Uint32Array;
   readonly stats: QueryStats;
 }
@@ -31,44 +31,44 @@ export interface Contacts {
 export const ContactKind: {
   readonly segment: 0;
   readonly point: 1;
-  /** They overlap, or touch, in one plane; there are no ends. */
+  /** The triangles overlap or touch in one plane. There are no end points. */
   readonly coplanar: 2;
-  /** One triangle has collapsed to a segment or a point; there are no ends. */
+  /** A triangle has collapsed to a segment or a point. There are no end points. */
   readonly collapsed: 3;
 };
 
 export interface ContactGeometry {
-  /** [N][6] the ends of the segment that the triangles of contact i share. */
+  /** [N][6] End points of the segment of intersection of contact i. */
   readonly segments: Float32Array;
-  /** [N] a ContactKind each. */
+  /** [N] A ContactKind. */
   readonly kinds: Uint8Array;
-  /** [N][3] in which direction a should move to leave b. */
+  /** [N][3] Direction in which a must move to leave b. */
   readonly normals: Float32Array;
-  /** [N] how far a's triangle reaches behind b's. */
+  /** [N] How far the triangle of a reaches behind the triangle of b. */
   readonly depths: Float32Array;
-  /** [N][2] joints of a and b, into `jointNames`. */
+  /** [N][2] Joints of a and b, as indices into `jointNames`. */
   readonly joints: Uint16Array;
   readonly curves: readonly ContactCurve[];
-  /** The one with the most contacts first. */
+  /** In descending order of their numbers of contacts. */
   readonly regions: readonly ContactRegion[];
 }
 
-/** Where the surfaces cut each other, as a line. */
+/** A curve in which the surfaces intersect. */
 export interface ContactCurve {
   readonly isClosed: boolean;
-  /** [K][3]; of a closed curve the last point is the first. */
+  /** [K][3] The last point of a closed curve equals the first. */
   readonly points: Float32Array;
 }
 
-/** Contacts that hang together. */
+/** A connected set of contacts. */
 export interface ContactRegion {
-  /** Numbers of its contacts, into `pairs`. */
+  /** Indices of its contacts in `pairs`. */
   readonly contacts: Uint32Array;
   readonly length: number;
   readonly depth: number;
   readonly point: readonly [number, number, number];
   readonly normal: readonly [number, number, number];
-  /** That most of the contacts name, into `jointNames`. */
+  /** The joints that occur in most of the contacts, as indices into `jointNames`. */
   readonly jointA: number;
   readonly jointB: number;
 }

@@ -1,21 +1,21 @@
-/** What a query of distances is asked and what it finds. */
+/** Options and results of distance queries. */
 
 import type { QueryStats } from './contacts.js';
 
 export interface ClosestPointOptions {
-  /** Nothing further away is looked for. Not negative; default: Infinity. */
+  /** Ignore everything further away. Not negative. Default: Infinity. */
   maxDistance?: number;
 }
 
 export interface DistanceOptions extends ClosestPointOptions {
-  /** What is found may be so much further than the nearest, and is found earlier. Default: 0. */
+  /** Allowed excess over the least distance; a larger value ends the search earlier. Default: 0. */
   tolerance?: number;
 }
 
 export interface SurfacePoint {
   readonly triangle: number;
   readonly position: readonly [number, number, number];
-  /** Of the triangle's corners. */
+  /** Weights of the vertices of the triangle. */
   readonly weights: readonly [number, number, number];
 }
 
@@ -25,19 +25,19 @@ export interface ClosestPoint extends SurfacePoint {
 }
 
 export interface Penetration {
-  /** Of the first body. */
+  /** Index of the vertex in the first body. */
   readonly vertex: number;
   readonly position: readonly [number, number, number];
-  /** How far it is from the second body's surface. */
+  /** Distance of the vertex from the surface of the second body. */
   readonly depth: number;
-  /** The place of that surface. */
+  /** The nearest point of that surface. */
   readonly nearest: SurfacePoint;
   readonly stats: QueryStats;
 }
 
 export interface Distance {
   readonly distance: number;
-  /** It is proven to be no less: `distance` itself, where no tolerance was allowed. */
+  /** Proven lower bound of the least distance. Equals `distance` if the tolerance is 0. */
   readonly lowerBound: number;
   readonly a: SurfacePoint;
   readonly b: SurfacePoint;

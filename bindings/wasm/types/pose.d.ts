@@ -1,73 +1,77 @@
-/** A pose, its boxes, and rays that hit it. */
+/** Poses, their boxes, and the queries of a single pose. */
 
 import type { Character } from './character.js';
 import type { QueryStats } from './contacts.js';
 import type { ClosestPoint, ClosestPointOptions } from './distances.js';
 import type { Region, TrianglesInRegion, Vector } from './regions.js';
 
-/** One instance of a character in one posture. */
+/** One instance of a character with a joint palette. */
 export interface Pose {
   readonly character: Character;
-  /** What of it collides; null: all parts together. */
+  /** The part that collides, or null for the whole character. */
   readonly part: number | null;
 
-  /** [J] matrices. This and the next are the whole update: nothing has to be refitted. */
+  /** Sets [J] matrices. No other update is needed, except for morph weights. */
   setPalette(palette: Float32Array): void;
+  /** Sets [M] morph weights. */
   setMorphWeights(weights: Float32Array): void;
 
-  /** [V][3] the very positions that queries collide. */
+  /** Returns [V][3] posed positions, exactly as queries use them. */
   posedVertices(out?: Float32Array): Float32Array;
 
   /**
-   * [V][3] area weighted normals of unit length, for drawing; vertices in the same place share
-   * theirs, so that no seam shows.
+   * Returns [V][3] area-weighted unit normals for rendering. Vertices at the same position have the same
+   * normal, so seams are invisible.
    */
   normals(out?: Float32Array): Float32Array;
 
   /**
-   * Skins all vertices and takes the exact boxes of all nodes, for `collideEagerly`: once a frame, an
-   * engine without refit on demand does that to every instance. To compare with.
+   * Skins all vertices and computes the exact boxes of all nodes, for `collideEagerly`. An engine without
+   * refitting on demand does this for every instance in every frame; use it for comparisons.
    */
   refitAll(): QueryStats;
 
-  /** A box and a sphere that surely enclose the surface, from the palette and `levels` of the tree. */
+  /**
+   * Returns a box and a sphere that are guaranteed to enclose the surface, computed from the palette.
+   * Opens up to `levels` levels of the tree for tighter bounds.
+   */
   bounds(levels?: number): Bounds;
-  /** The box is exact. */
+  /** Like `bounds`, with an exact box. */
   tightBounds(): Bounds;
 
-  /** Of the tree over the triangles that collide. */
+  /** Number of nodes of the tree over the triangles that collide. */
   readonly nodeCount: number;
 
-  /** How many nodes queries have opened since the palette was set. */
+  /** Number of nodes that queries have opened since the palette was set. */
   readonly openedNodeCount: number;
 
   /**
-   * The boxes of one level of the tree in this pose, and what queries have done with them since the
-   * palette was set: Kavan & Zara's Figure 5. Level 0 is the root. Where a branch ends above `level`,
-   * its end is there: the boxes of each level enclose the whole surface. Opens nothing.
+   * Returns the boxes of one level of the tree in this pose, with what queries have done with them since
+   * the palette was set, as in Figure 5 of Kavan & Zara. Level 0 is the root. A branch that ends above
+   * `level` contributes its last box, so the boxes of each level enclose the whole surface. Opens no node.
    */
   nodeBoxes(level: number): NodeBoxes;
 
-  /** The first triangle on the ray origin + t direction; null: none. */
+  /** Returns the first triangle hit by the ray origin + t direction, or null. */
   cast(origin: Vector, direction: Vector, options?: CastOptions): RayHit | null;
-  /** Whether there is any. */
+  /** Returns whether the ray hits any triangle. */
   castAny(origin: Vector, direction: Vector, options?: CastOptions): boolean;
-  /** All of them, by t. An edge that two triangles share is met twice. */
+  /** Returns all hits in the order of t. A shared edge counts as a hit of both triangles. */
   castAll(origin: Vector, direction: Vector, options?: CastOptions): RayHit[];
 
-  /** Where all triangles lie: touching counts, and nothing is rounded. */
+  /** Returns where the triangles lie. Touching counts. The answer is exact. */
   classify(region: Region): 'outside' | 'partly' | 'inside';
-  /** Whether any triangle touches the region, which what lies inside does, too. */
+  /** Returns whether any triangle touches the region or lies inside it. */
   intersectsRegion(region: Region): boolean;
-  /** The triangles that do. */
+  /** Returns the triangles that touch the region or lie inside it. */
   findTriangles(region: Region): TrianglesInRegion;
 
-  /** The place of the surface that is nearest to a point; null: none within `maxDistance`. */
+  /** Returns the point of the surface nearest to `point`, or null if none is within `maxDistance`. */
   closestPoint(point: Vector, options?: ClosestPointOptions): ClosestPoint | null;
 
-  /** Whether the surface has no holes, so that it has an inside. Found out at the first use. */
+  /** Whether the surface has no holes and therefore an inside. Computed at the first use. */
   readonly isClosed: boolean;
-  /** Where a point lies; of closed surfaces only. */
+  /** Returns on which side of the surface a point lies. Precondition: the surface is closed. */
   sideOf(point: Vector): 'outside' | 'on' | 'inside';
 
   delete(): void;
@@ -86,25 +90,25 @@ export interface Bounds {
 
 export interface NodeBoxes {
   readonly count: number;
-  /** [N][6] low x y z, high x y z. */
+  /** [N][6] Low x y z, high x y z. */
   readonly boxes: Float32Array;
-  /** [N] a NodeState each. */
+  /** [N] A NodeState. */
   readonly states: Uint8Array;
 }
 
 export const NodeState: {
-  /** No query has come near: the box has not been asked for. */
+  /** No query has needed the box. */
   readonly untouched: 0;
-  /** The box has been refitted, because what is around it was opened, and that was enough. */
+  /** The box was refitted when its parent was opened, and no query needed more. */
   readonly refitted: 1;
-  /** What is inside has been asked for: vertices are skinned, boxes inside refitted. */
+  /** The node was opened: its vertices are skinned and the boxes inside it refitted. */
   readonly opened: 2;
 };
 
 export interface RayHit {
   readonly triangle: number;
   readonly t: number;
-  /** Of the triangle's corners. */
+  /** Weights of the vertices of the triangle. */
   readonly weights: readonly [number, number, number];
   readonly normal: readonly [number, number, number];
 }
@@ -113,6 +117,6 @@ export interface CastOptions {
   /** Hits have minT <= t <= maxT. */
   minT?: number; // 0
   maxT?: number; // Infinity
-  /** From which side triangles are hit; from their front, corners are seen counter-clockwise. */
+  /** Side from which triangles can be hit. Vertices appear counter-clockwise from the front. */
   facing?: 'both' | 'front' | 'back'; // both
 }

@@ -1,15 +1,15 @@
-/** Parts of space. */
+/** Regions of space. */
 
 import type { QueryStats } from './contacts.js';
 
 /** Three numbers. */
 export type Vector = readonly number[] | Float32Array | Float64Array;
 
-/** A closed convex set of points, whose numbers are taken in single precision. */
+/** A closed convex set of points. Its numbers are rounded to single precision. */
 export type Region =
   HalfSpace | BoxRegion | OrientedBox | ConvexPolyhedron | Sphere | Capsule | Frustum;
 
-/** All points with normal . p <= offset: what lies behind a plane whose normal points out. */
+/** All points p with normal . p <= offset, behind a plane whose normal points outwards. */
 export interface Face {
   normal: Vector;
   offset: number;
@@ -33,7 +33,7 @@ export interface OrientedBox {
   half: Vector;
 }
 
-/** What is behind all faces, of which there are 64 at most. */
+/** All points behind all faces. At most 64 faces. */
 export interface ConvexPolyhedron {
   kind: 'polyhedron';
   faces: readonly Face[];
@@ -53,19 +53,19 @@ export interface Capsule {
   radius: number;
 }
 
-/** What a camera sees. */
+/** The frustum of a camera. */
 export interface Frustum {
   kind: 'frustum';
-  /** 16 numbers, column-major: three.js's projectionMatrix times matrixWorldInverse. */
+  /** 16 numbers in column-major order: in three.js, projectionMatrix times matrixWorldInverse. */
   viewProjection: Vector;
-  /** What lies between the near and the far plane after the division by w; WebGPU's is 'zeroToOne'. */
+  /** Range of depth after the division by w. WebGPU uses 'zeroToOne'. */
   depth?: 'minusOneToOne' | 'zeroToOne'; // minusOneToOne
 }
 
 export interface TrianglesInRegion {
-  /** Numbers of the triangles that have at least a point in common with the region, ascending. */
+  /** Triangles that share at least one point with the region, in ascending order. */
   readonly touching: Uint32Array;
-  /** Of these, those that lie wholly in it. */
+  /** The triangles in `touching` that lie wholly inside the region. */
   readonly inside: Uint32Array;
   readonly stats: QueryStats;
 }
