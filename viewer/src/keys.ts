@@ -1,10 +1,10 @@
-/** What keys do; the page's help shows the same table. */
+/** Keyboard shortcuts. The help shows the same table. */
 
 import * as changes from './state/changes';
 import type { State, Update } from './state/state';
 
 export interface Key {
-  /** Of `KeyboardEvent.key`, in lower case. */
+  /** Values of `KeyboardEvent.key`, in lower case. */
   keys: string[];
   shown: string;
   meaning: string;
@@ -33,18 +33,18 @@ export const KEYS: Key[] = [
   {
     keys: ['0', '1', '2', '3', '4', '5', '6', '7', '8', '9'],
     shown: '0 – 9',
-    meaning: 'place a character',
+    meaning: 'select a character',
     change: ({ scene }, key) =>
       Number(key) < (scene?.instances.length ?? 0) ? { selected: Number(key) } : {},
   },
   {
     keys: ['escape'],
     shown: 'Esc',
-    meaning: 'let go',
+    meaning: 'deselect',
     change: () => ({ selected: null, spot: null }),
   },
-  { keys: ['g'], shown: 'G', meaning: 'move it', change: () => ({ gizmo: 'move' }) },
-  { keys: ['r'], shown: 'R', meaning: 'turn it', change: () => ({ gizmo: 'turn' }) },
+  { keys: ['g'], shown: 'G', meaning: 'move the character', change: () => ({ gizmo: 'move' }) },
+  { keys: ['r'], shown: 'R', meaning: 'turn the character', change: () => ({ gizmo: 'turn' }) },
   { keys: ['f'], shown: 'F', meaning: 'first contact only', change: changes.toggleFirstContact },
   { keys: ['b'], shown: 'B', meaning: 'draw bounds', change: changes.toggleBoxes },
   { keys: ['['], shown: '[', meaning: 'coarser bounds', change: changes.changeBoxLevel(-1) },
@@ -58,21 +58,21 @@ export const KEYS: Key[] = [
   {
     keys: ['+', '=', '-'],
     shown: '+ −',
-    meaning: 'nearer, farther',
+    meaning: 'zoom in, zoom out',
     change: (state, key) =>
       changes.moveCamera({ kind: 'zoom', factor: key === '-' ? 1 / ZOOM : ZOOM })(state),
   },
   {
     keys: ['c'],
     shown: 'C',
-    meaning: 'the whole scene',
+    meaning: 'show the whole scene',
     change: changes.moveCamera({ kind: 'whole' }),
   },
-  { keys: ['t'], shown: 'T', meaning: 'dark or light', change: changes.toggleTheme },
+  { keys: ['t'], shown: 'T', meaning: 'dark or light theme', change: changes.toggleTheme },
   { keys: ['?'], shown: '?', meaning: 'this help', change: changes.toggleHelp },
 ];
 
-/** Keys that a field or button has a use for are left to it. */
+/** Ignores keys that the focused field or button handles itself. */
 export function watchKeys(update: Update): void {
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || isTaken(event)) return;

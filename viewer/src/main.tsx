@@ -24,7 +24,7 @@ const store = new Store<State>({ ...initialState, theme: keptTheme() });
 const { update } = store;
 const client = new Client(
   (progress) => update(changes.sweepOn(progress)),
-  (message) => update(changes.refuse('The engine has failed: load the page again', message)),
+  (message) => update(changes.refuse('The engine has failed: reload the page', message)),
 );
 const opener = new Opener(store, client);
 const asker = new Asker(store, client);
@@ -52,7 +52,7 @@ function makeView(place: HTMLElement): View | null {
   } catch {
     place.classList.add('without-picture');
     place.textContent =
-      'No picture: this browser gives the page no WebGL. All else is counted as ever.';
+      'No picture: WebGL is not available in this browser. Contacts are still counted.';
     return null;
   }
 }

@@ -64,7 +64,7 @@ test('a file that does not fit is refused, and the stage is as it was', async ()
     const problem = page.locator('.problem');
     assert.match(
       await problem.innerText(),
-      /takes more memory than there is, and it had to start anew\. The stage is as it was\./,
+      /ran out of memory and was restarted\. The scene is unchanged\./,
     );
     await problem.getByRole('button', { name: 'Dismiss' }).click();
     await problem.waitFor({ state: 'detached' });

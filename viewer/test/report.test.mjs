@@ -157,8 +157,8 @@ test('a report that the page cannot read says why', async (t) => {
   page.setDefaultTimeout(browsing.PATIENCE);
   t.after(() => page.close());
   const edits = [
-    [(data) => data.replace(/"pelt":"[^"]*"/, '"pelt":"0.0.9"'), /of Pelt 0\.0\.9/],
-    [(data) => data.slice(0, 99), /cut short or damaged/],
+    [(data) => data.replace(/"pelt":"[^"]*"/, '"pelt":"0.0.9"'), /by Pelt 0\.0\.9/],
+    [(data) => data.slice(0, 99), /truncated or damaged/],
   ];
   for (const [edit, words] of edits) {
     shop.edit(edit);

@@ -40,7 +40,7 @@ async function openDropped(dropped: DataTransfer, update: Update, open: Open): P
   try {
     open(await droppedFiles(dropped));
   } catch (error) {
-    update(refuse('What was dropped cannot be read', (error as Error).message));
+    update(refuse('Cannot read the dropped files', (error as Error).message));
   }
 }
 

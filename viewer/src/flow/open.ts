@@ -59,18 +59,20 @@ export class Opener {
   private ask(files: NamedFile[]): Promise<Opened> {
     const scenes = files.filter(isScene);
     if (scenes.length > 1) {
-      throw new Error(`Several scenes are in it: drop only one of ${pathsOf(scenes)}.`);
+      throw new Error(`There are several scenes: drop only one of ${pathsOf(scenes)}.`);
     }
     const [scene] = scenes;
     if (scene) return this.client.ask('openScene', { path: scene.path, files, options: {} });
     if (files.some(isCharacter)) return this.client.ask('readCharacters', { files });
-    throw new Error('No character is in it: drop .glb files, or a scene.json with its files.');
+    throw new Error('There is no character: drop .glb files, or a scene.json with its files.');
   }
 
   private async askToAdd(dropped: readonly DroppedFile[]): Promise<ReadCharacters> {
     const files = await Promise.all(dropped.map(readFile));
     if (!files.some(isCharacter)) {
-      throw new Error('Only characters can be added: .glb files, or .gltf with theirs.');
+      throw new Error(
+        'Only characters can be added: .glb files, or .gltf files with their buffers.',
+      );
     }
     const options = this.store.state.readingOptions;
     return this.client.ask('addCharacters', { files, options });

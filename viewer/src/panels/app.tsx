@@ -60,7 +60,7 @@ function Drop() {
   return (
     <div class="drop">
       Drop .glb files, or a folder with a scene
-      <small>with Shift held, characters join those on the stage</small>
+      <small>hold Shift to add characters to the scene</small>
     </div>
   );
 }

@@ -14,7 +14,7 @@ interface CardProps {
   index: number;
   instance: Instance;
   character: CharacterFacts;
-  /** What its handles do, where it has some. */
+  /** Mode of the handles; null without handles. */
   gizmo: State['gizmo'] | null;
   isOneOfMany: boolean;
   update: Update;
@@ -48,7 +48,7 @@ export const CharacterCard = memo((props: CardProps) => {
 function Warnings({ warnings }: Pick<CharacterFacts, 'warnings'>) {
   return (
     <details>
-      <summary>Passed over in this file: {counted(warnings.length, 'thing')}</summary>
+      <summary>Ignored in this file: {counted(warnings.length, 'thing')}</summary>
       <ul>
         {warnings.map((warning) => (
           <li>{warning}</li>
@@ -63,7 +63,7 @@ function Clip({ character: { clips }, update, instance, index }: CardProps) {
   return (
     <select
       aria-label="clip"
-      title="The clip that it plays"
+      title="Clip"
       value={String(clips.findIndex((clip) => clip.name === instance.clip))}
       onChange={({ currentTarget }) =>
         change({ clip: clips[Number(currentTarget.value)]?.name ?? null })
@@ -79,14 +79,14 @@ function Clip({ character: { clips }, update, instance, index }: CardProps) {
   );
 }
 
-/** Clips go by their names: of those with the same one, only the first can be played. */
+/** Clips are selected by name, so only the first of several clips with one name can be played. */
 function isHidden(clips: CharacterFacts['clips'], index: number): boolean {
   return clips.findIndex(({ name }) => name === clips[index].name) < index;
 }
 
 const AXES = ['x', 'y', 'z'];
 
-/** What it plays from when on and how fast, and where it stands. */
+/** Start and speed of the clip, and the placement. */
 function Placement({ update, instance, index, gizmo: shown }: CardProps) {
   const change = changer(update, index);
   const { start, speed, translation, velocity, rotation, scale } = instance;
@@ -113,7 +113,7 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
         <NumberField
           key={axis}
           label={axis}
-          title="Place in frame 0"
+          title="Position at frame 0"
           step={0.01}
           value={translation[i]}
           onChange={(value) => change({ translation: replaced(translation, i, value) })}
@@ -122,7 +122,7 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
       <NumberField
         label="speed"
         unit="×"
-        title="Of the clip"
+        title="Playback speed of the clip"
         step={0.1}
         value={speed}
         onChange={(value) => change({ speed: value })}
@@ -131,7 +131,7 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
         <NumberField
           key={`velocity ${axis}`}
           label={`${axis}/s`}
-          title="Way in a second"
+          title="Units per second"
           step={0.05}
           value={velocity[i]}
           onChange={(value) => change({ velocity: replaced(velocity, i, value) })}

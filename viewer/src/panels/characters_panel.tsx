@@ -3,7 +3,7 @@ import type { PanelProps } from './panel_props';
 import { CharacterCard } from './character_card';
 import { StageFields } from './stage_fields';
 
-/** So many show what they play without being selected. */
+/** Up to this number of characters, cards show the clip without being selected. */
 const FEW = 4;
 
 export function CharactersPanel({
@@ -21,7 +21,7 @@ export function CharactersPanel({
         <button
           class="add"
           onClick={addFiles}
-          title="Open .glb files beside these, or drop them with Shift held"
+          title="Add .glb files to these characters, or drop files with Shift held"
         >
           + Add
         </button>

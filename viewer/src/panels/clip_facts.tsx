@@ -42,7 +42,7 @@ export const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
   const contacts = counts.reduce((sum, count) => sum + count, 0);
   const touched = counts.filter((count) => count > 0).length;
   return (
-    <small title="As `pelt check` prints them">
+    <small title="The same numbers as in `pelt check`">
       <span data-fact="total">{withCommas(contacts)}</span>
       {contacts === 1 ? ' contact' : ' contacts'} in {counted(touched, 'frame')}
       {total.hash && (

@@ -17,7 +17,7 @@ export function Header({ state, update, openFiles }: PanelProps & { openFiles: (
         <button
           disabled={!scene}
           onClick={() => saveScene(state)}
-          title="Save the scene for `pelt check`, which gives the same numbers"
+          title="Save the scene; `pelt check` gives the same numbers for it"
         >
           Save scene
         </button>

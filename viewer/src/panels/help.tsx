@@ -27,21 +27,21 @@ function Shown() {
   return (
     <ul class="shown">
       <Thing colour={ACCENT} name="Contacts">
-        triangles of two characters that intersect, decided exactly; a shimmer where something hides
-        them. The bars are the contacts of each frame. The number beside their sum is their hash: it
-        is that of <code>pelt check</code> if, and only if, they are the same.
+        intersecting triangles of two characters, decided exactly; a faint glow if something hides
+        them. The bars are the contacts of each frame. The hash beside the total equals the hash of{' '}
+        <code>pelt check</code> if and only if all contacts are the same.
       </Thing>
       <Thing colour={OPENED} name="Opened">
-        with bounds drawn: boxes that the query looked into. Only there were vertices skinned.
+        with bounds on: boxes that the query opened. Vertices were skinned only there.
       </Thing>
       <Thing colour={REFITTED} name="Refitted">
-        boxes that were computed for this pose, and no more than that.
+        boxes that were computed for this pose but not opened.
       </Thing>
       <Thing colour={UNTOUCHED} name="Untouched">
         boxes that the query never needed.
       </Thing>
       <Thing name="Work">
-        what the query of this frame did, beside what refitting all boxes first takes.
+        the work of the query of this frame, compared with refitting all boxes first.
       </Thing>
     </ul>
   );

@@ -1,7 +1,7 @@
 import { toggleBy, toggleFirstContact } from '../state/changes';
 import type { PanelProps } from './panel_props';
 
-/** What is asked: instances or parts, all contacts or the first. */
+/** Switches of the query: instances or parts, all contacts or the first. */
 export function QuerySwitches({ state, update }: PanelProps) {
   const { by, characters, firstContact, scene } = state;
   const haveParts = characters.some(({ partCount }) => partCount > 1);
@@ -9,7 +9,10 @@ export function QuerySwitches({ state, update }: PanelProps) {
   return (
     <>
       {(haveParts || by === 'part') && (
-        <label class="switch" title="All parts with each other, also those of one character">
+        <label
+          class="switch"
+          title="Test all parts against each other, including parts of one character"
+        >
           <input
             type="checkbox"
             role="switch"
@@ -23,7 +26,7 @@ export function QuerySwitches({ state, update }: PanelProps) {
         class="switch"
         title={
           ignores
-            ? 'Not here: the contact found first may be one that the scene ignores'
+            ? 'Not available: the first contact may be one that the scene ignores'
             : 'Stop each query at its first contact (F)'
         }
       >

@@ -7,7 +7,7 @@ import type { State } from '../state/state';
 import { counted, withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 
-/** What the command found, and whether the page finds the same. */
+/** The result of the command, and whether the page agrees. */
 export function ReportPanel({ state, update }: PanelProps) {
   const { report } = state;
   if (!report?.answer) return null;
@@ -44,13 +44,13 @@ function Comparison({ answer }: { answer: ReportAnswer }) {
   if (!comparison) return null;
   const { fresh, grown, known, gone, newlyHeld } = comparison;
   return (
-    <p class="comparison" title="Touches, compared with the baseline by their worst frames">
+    <p class="comparison" title="Comparison with the baseline, by the worst frame of each contact">
       <b>
         {withCommas(fresh)} new, {withCommas(grown)} grown
       </b>
       , {withCommas(known)} as known
       {gone > 0 && `, ${withCommas(gone)} gone`}
-      {newlyHeld > 0 && `, ${withCommas(newlyHeld)} newly held whole`}
+      {newlyHeld > 0 && `, ${withCommas(newlyHeld)} newly contained`}
     </p>
   );
 }
@@ -108,17 +108,17 @@ function Row({ name, children }: { name: string; children: ComponentChildren }) 
   );
 }
 
-/** By the names of the command; what is as usual is left out. */
+/** Options under the names of the command, without default values. */
 function optionsOf({ reading, made, pelt }: Report, { options, verdict }: ReportAnswer) {
   const [first, end, step] = options.frames;
   const rows: [string, string][] = [
-    ['frames', `${first} to ${end - 1}${step > 1 ? `, each ${step}.` : ''}`],
+    ['frames', `${first} to ${end - 1}${step > 1 ? `, step ${step}` : ''}`],
     ['by', options.by],
     ['method', options.method],
     ['fails on', verdict.fail_on],
     ['made', `${made.replace('T', ' ').replace('Z', ' UTC')}, by Pelt ${pelt}`],
   ];
-  if (options.max_contacts === 1) rows.push(['first', 'one contact of each pair']);
+  if (options.max_contacts === 1) rows.push(['first', 'one contact per pair']);
   for (const pair of options.ignore) rows.push(['ignore', pair.join(', ')]);
   for (const note of verdict.notes ?? []) rows.push(['baseline', note]);
   if (reading.renormalise) rows.push(['renormalise', 'weights divided by their sum']);

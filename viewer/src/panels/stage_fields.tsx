@@ -8,16 +8,16 @@ const FPS = { least: 1, most: 1000 };
 
 interface StageProps extends Pick<Scene, 'frameCount' | 'fps'> {
   arrangement: State['arrangement'];
-  /** The scene came with a place for everyone. */
+  /** The scene has its own placements. */
   wasPlaced: boolean;
   update: Update;
 }
 
-/** Where everyone stands, and for how long. */
+/** Arrangement and length of the scene. */
 export const StageFields = memo(
   ({ arrangement, wasPlaced, frameCount, fps, update }: StageProps) => (
     <div class="fields">
-      <label class="wide" title="Places everyone anew">
+      <label class="wide" title="Place all characters again">
         arrangement
         <select
           value={arrangement}
@@ -32,7 +32,7 @@ export const StageFields = memo(
       </label>
       <NumberField
         label="frames"
-        title="Length of the scene; all of the longest clip at first"
+        title="Length of the scene in frames; by default that of the longest clip"
         step={1}
         least={1}
         most={MOST_FRAMES}

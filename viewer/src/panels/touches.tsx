@@ -71,7 +71,7 @@ function Row({ touch, several, isFirst, isOpen, state, update }: RowProps) {
         class="touch"
         tabIndex={isFirst ? 0 : -1}
         aria-expanded={isOpen}
-        title={`Look at it in frame ${worst.frame}, with ${counted(worst.contacts, 'contact')}`}
+        title={`Go to frame ${worst.frame}, with ${counted(worst.contacts, 'contact')}`}
         onClick={() => update(isOpen ? lookAt(null) : lookAt({ a, b }, worst.frame))}
       >
         <Place surface={a} withPart={several.has(a.instance)} />

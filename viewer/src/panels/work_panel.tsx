@@ -3,12 +3,12 @@ import type { MeasuredShot } from '../state/state';
 import { withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 
-/** The counts are of the frame shown. What has to be measured may be of an earlier one, and says so. */
+/** Shows the counts of the displayed frame. Measurements may belong to an earlier frame, which is named. */
 export function WorkPanel({ state: { scene, answer, costs, isPlaying } }: PanelProps) {
   if (!scene) return null;
   const work = answer?.work;
   const isOfFrame = costs !== null && answer !== null && isSameQuery(costs.shot, answer.shot);
-  // While the scene plays they are of this frame only by chance, and to say so would flicker.
+  // While the scene plays, the frames coincide only by chance, and the note would flicker.
   const isEarlier = costs !== null && (isPlaying || !isOfFrame);
   const measured = isEarlier ? `in frame ${costs.shot.frame}` : null;
   return (
@@ -61,7 +61,7 @@ export function WorkPanel({ state: { scene, answer, costs, isPlaying } }: PanelP
 
 function Ratio({ costs: { ratio } }: { costs: MeasuredShot }) {
   return (
-    <small class="number" title="Time on demand beside that of refitting everything first">
+    <small class="number" title="Time on demand, compared with refitting everything first">
       {ratio >= 1 ? `${shortened(ratio)}× less` : `${shortened(1 / ratio)}× more`}
     </small>
   );
@@ -69,9 +69,9 @@ function Ratio({ costs: { ratio } }: { costs: MeasuredShot }) {
 
 interface RowProps {
   name: string;
-  /** For whoever looks for the numbers in the page. */
+  /** Identifies the numbers in the page, for tests. */
   fact: string;
-  /** Where the numbers are not of the frame shown. */
+  /** Set if the numbers are not those of the displayed frame. */
   note?: string | null;
   value: number | undefined;
   whole: number | undefined;

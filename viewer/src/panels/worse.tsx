@@ -10,7 +10,7 @@ export function Worse({ state, touch }: { state: State; touch: Touch }) {
   const { worst, known } = found;
   const isNew = known === 0;
   return (
-    <small class="worse" title="Contacts of its worst frame, here and in the baseline">
+    <small class="worse" title="Contacts in the worst frame, now and in the baseline">
       <b class={isNew ? 'standing new' : 'standing grown'}>{isNew ? 'new' : 'grown'}</b>
       {` ${withCommas(worst.contacts)} in frame ${worst.frame}`}
       {!isNew && `, was ${withCommas(known)}`}

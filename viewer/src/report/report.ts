@@ -92,12 +92,14 @@ export function findReport(page: Document): Report | null {
   if (!text) return null;
   const data = parse(text);
   if (data.format !== 'pelt-report' || data.version !== 1) {
-    throw new Error('The data in this page is no report: let `pelt check --html` write it again.');
+    throw new Error(
+      'The data in this page is not a report: write it again with `pelt check --html`.',
+    );
   }
   if (data.pelt !== PELT_VERSION) {
     throw new Error(
-      `The data is of Pelt ${data.pelt}, the page of ${PELT_VERSION}: let the command of the ` +
-        'same version write it again.',
+      `The data was written by Pelt ${data.pelt}, the page by ${PELT_VERSION}: write the report ` +
+        'again with one version.',
     );
   }
   return data as Report;
@@ -107,7 +109,7 @@ function parse(text: string): Partial<Report> {
   try {
     return JSON.parse(text);
   } catch {
-    throw new Error('The data in this page is cut short or damaged: get the file again.');
+    throw new Error('The data in this page is truncated or damaged: get the file again.');
   }
 }
 

@@ -13,11 +13,11 @@ export function meetsItself({ instances }: Scene, characters: readonly Character
 export function notesOn(scene: Scene, characters: readonly CharacterFacts[]): string[] {
   const notes = [];
   if (meetsItself(scene, characters)) {
-    notes.push('Alone, it meets itself: 1 is the same character as 0, until another is added.');
+    notes.push('A single character meets itself: 1 is a copy of 0 until you add another one.');
   }
   if (playsChosenClips(scene, characters)) {
     const clips = clipsInWords(scene);
-    notes.push(`Clips chosen by the page: ${clips}. The command plays none unless told.`);
+    notes.push(`Clips chosen by the page: ${clips}. The command plays a clip only with --clip.`);
   }
   return notes;
 }

@@ -42,7 +42,7 @@ export class Keeper {
       this.lost = isStageGood ? '' : `${reason} Open smaller files, or fewer at once.`;
       this.desk = this.openDesk(isStageGood ? this.onStage : []);
     }
-    return this.lost || `${reason} The stage is as it was.`;
+    return this.lost || `${reason} The scene is unchanged.`;
   }
 
   private async openDesk(onStage: readonly Request[] = []): Promise<Desk> {
@@ -55,8 +55,8 @@ export class Keeper {
 
 function reasonOf(error: unknown): string {
   const isMemory = error instanceof PeltError && error.code === 'out_of_memory';
-  const what = isMemory ? 'That takes more memory than there is' : 'The engine has failed';
-  return `${what}, and it had to start anew.`;
+  const what = isMemory ? 'The engine ran out of memory' : 'The engine failed';
+  return `${what} and was restarted.`;
 }
 
 function isOpening({ kind }: Request): boolean {
