@@ -74,7 +74,8 @@ class Crowd {
   ~Crowd();
 
   /// Adds an instance, in the rest pose until it gets a palette, and returns its number: the least
-  /// that no instance ever had, or that of a removed one. O(J), allocates.
+  /// that no instance ever had, or that of a removed one. O(J), allocates. If memory ends, throws
+  /// std::bad_alloc and the crowd is as before.
   std::uint32_t add(const SkinnedModel& model, const CrowdGroups& groups = {});
 
   /// Removes an instance. Precondition of this and of all that follow: `add` returned the number,
@@ -110,6 +111,9 @@ class Crowd {
   /// nothing, whichever thread does what. There is no `reserve`: it would have to make room for all
   /// that all instances could open, once for each thread. Who must never allocate asks reserved
   /// poses.
+  ///
+  /// If memory ends on any thread, throws std::bad_alloc on the caller's thread. `contacts` is then
+  /// unchanged, and the crowd can be queried again.
   CrowdStats collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options = {});
 
   /// Appends the pairs of instances that touch, in ascending order: cheaper, for a pair is done

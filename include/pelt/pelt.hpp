@@ -2,6 +2,10 @@
 
 /// Exact collision detection for skinned characters: a SkinnedModel is built once, a Pose moves it,
 /// a query asks two Poses, Contacts come out.
+///
+/// Pelt reports bad input by `Result` and throws nothing itself. If memory ends, std::bad_alloc
+/// leaves the function that needed it. Models, poses, crowds and scratch stay usable then, and
+/// nothing leaks; lists to which results are appended are unchanged.
 
 #include <pelt/bounds.hpp>
 #include <pelt/check.hpp>

@@ -1,7 +1,9 @@
 #include "base/workers.hpp"
 
+#include "base/exceptions.hpp"
+
 #include <algorithm>
-#include <system_error>
+#include <utility>
 
 namespace pelt::detail {
 
@@ -34,21 +36,32 @@ void Workers::run(std::uint32_t count, const Job& job) {
     running_ = count - 1;
   }
   has_job_.notify_all();
-  job(0);
+  call(job, 0);
   std::unique_lock lock(mutex_);
   is_done_.wait(lock, [&] { return running_ == 0; });
+  if (const std::exception_ptr error = std::exchange(error_, nullptr))
+    std::rethrow_exception(error);
 }
 
 std::uint32_t Workers::available() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-/// A system that has no more threads to give says so by an exception.
+/// A system that has no more threads to give, or no memory for them, says so by an exception.
 void Workers::start(std::uint32_t count) {
-  try {
+  PELT_TRY {
     while (threads_.size() + 1 < count) {
       const auto worker = static_cast<std::uint32_t>(threads_.size()) + 1;
       threads_.emplace_back([this, worker] { wait_for_jobs(worker); });
     }
-  } catch (const std::system_error&) {
+  }
+  PELT_CATCH_ALL {}
+}
+
+/// Keeps an exception of the job: it must reach the caller of `run`, whichever thread it is on.
+void Workers::call(const Job& job, std::uint32_t worker) noexcept {
+  PELT_TRY { job(worker); }
+  PELT_CATCH_ALL {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::current_exception();
   }
 }
 
@@ -60,7 +73,7 @@ void Workers::wait_for_jobs(std::uint32_t worker) {
     done = job_number_;
     const Job& job = *job_;
     lock.unlock();
-    job(worker);
+    call(job, worker);
     lock.lock();
     if (--running_ == 0) is_done_.notify_one();
   }

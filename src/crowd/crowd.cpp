@@ -48,17 +48,22 @@ Result<void> Crowd::set_morph_weights(std::uint32_t instance, std::span<const fl
 
 CrowdStats Crowd::collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options) {
   const CrowdStats stats = crowd_->query.run(crowd_->instances, options, options.max_contacts);
+  std::size_t end = contacts.size(), count = 0;
+  for (const detail::TouchingPair& pair : crowd_->query.touching()) count += pair.contacts.size();
+  contacts.resize(end + count);
   for (const auto& [instances, touching] : crowd_->query.touching())
     for (const Contact& contact : touching)
-      contacts.push_back(
-          {instances.instance_a, instances.instance_b, contact.triangle_a, contact.triangle_b});
+      contacts[end++] = {instances.instance_a, instances.instance_b, contact.triangle_a,
+                         contact.triangle_b};
   return stats;
 }
 
 CrowdStats Crowd::touching(std::vector<CrowdPair>& pairs, const CrowdOptions& options) {
   CrowdStats stats = crowd_->query.run(crowd_->instances, options, 1);
-  for (const detail::TouchingPair& touching : crowd_->query.touching())
-    pairs.push_back(touching.instances);
+  const std::span<const detail::TouchingPair> touching = crowd_->query.touching();
+  std::size_t end = pairs.size();
+  pairs.resize(end + touching.size());
+  for (const detail::TouchingPair& pair : touching) pairs[end++] = pair.instances;
   stats.work.cut_short = false;
   return stats;
 }

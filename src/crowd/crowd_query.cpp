@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace pelt::detail {
 namespace {
@@ -39,7 +40,7 @@ void even_out(Arena& arena, std::size_t used) {
 
 CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& options,
                            std::uint32_t max_contacts) {
-  const std::uint64_t moved = box_instances(instances);
+  box_instances(instances);
   sweep_.find_pairs(pairs_);
   filter_pairs(instances, options);
   groups_.form(pairs_, instances.end());
@@ -47,23 +48,22 @@ CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& option
   share_out();
   collide(instances, max_contacts);
   CrowdStats stats = gather();
-  stats.work.refits += moved;
+  stats.work.refits += std::exchange(moved_, 0);
   even_out();
   return stats;
 }
 
-/// The number of those that have moved since the last query.
-std::uint64_t CrowdQuery::box_instances(CrowdInstances& instances) {
-  std::uint64_t moved = 0;
+/// Closes them too: a query that ended for want of memory may have left some open.
+void CrowdQuery::box_instances(CrowdInstances& instances) {
   sweep_.clear();
   for (std::uint32_t number = 0; number < instances.end(); ++number) {
     if (!instances.has(number)) continue;
     CrowdInstance& instance = instances[number];
     sweep_.add(number, instance.root_box);
-    moved += instance.has_moved;
+    moved_ += instance.has_moved;
     instance.has_moved = false;
+    instance.close();
   }
-  return moved;
 }
 
 void CrowdQuery::filter_pairs(CrowdInstances& instances, const CrowdOptions& options) {
@@ -79,6 +79,7 @@ void CrowdQuery::start_workers(std::uint32_t threads) {
   worker_count_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(pairs_.size(), 1, threads));
   if (workers_.size() < worker_count_) workers_.resize(worker_count_);
   for (Worker& worker : workers_) {
+    worker.nodes.clear();
     worker.shared_nodes.clear();
     worker.contacts.clear();
     worker.most_nodes = 0;

@@ -8,6 +8,9 @@
 /// Answers and stats are those of one thread. A descent depends on the two palettes alone: a node
 /// is opened to the same bits by whoever needs it, and counted by the one who published it. What
 /// the descents found is put in order after them.
+///
+/// Memory may end in any pass and on any thread. The exception then leaves `run`; every pass of the
+/// next query begins anew from the palettes, so nothing that was left unfinished is seen.
 
 #include <pelt/crowd.hpp>
 
@@ -59,7 +62,7 @@ class CrowdQuery {
     std::size_t memory_bytes() const;
   };
 
-  std::uint64_t box_instances(CrowdInstances& instances);
+  void box_instances(CrowdInstances& instances);
   void filter_pairs(CrowdInstances& instances, const CrowdOptions& options);
   void start_workers(std::uint32_t threads);
   void share_out();
@@ -68,6 +71,7 @@ class CrowdQuery {
   void even_out();
 
   Sweep sweep_;
+  std::uint64_t moved_ = 0;                  // instances since the last query that ended well
   std::vector<CrowdPair> pairs_;             // to be asked
   PairGroups groups_;                        // of them
   std::vector<CrowdPair> shared_pairs_;      // of the large groups

@@ -14,16 +14,22 @@ void take_box(CrowdInstance& instance) {
 
 }  // namespace
 
+/// A number is taken from the free ones only when its instance stands, so that want of memory
+/// anywhere leaves all as it was.
 std::uint32_t CrowdInstances::add(const SkinnedModel& model, const CrowdGroups& groups) {
-  if (free_.empty()) {
-    free_.push_back(end());
-    slots_.emplace_back();
-  }
+  if (free_.empty()) add_slot();
   const std::uint32_t number = free_.back();
-  free_.pop_back();
   take_box(slots_[number].emplace(model, groups));
+  free_.pop_back();
   ++count_;
   return number;
+}
+
+/// Makes room first for all numbers to be free at once: `remove` then never allocates.
+void CrowdInstances::add_slot() {
+  if (free_.capacity() == slots_.size()) free_.reserve(2 * slots_.size() + 1);
+  slots_.emplace_back();
+  free_.push_back(end() - 1);
 }
 
 void CrowdInstances::remove(std::uint32_t number) {

@@ -28,7 +28,7 @@ struct CrowdInstance {
   CrowdGroups groups;
   Palette palette;
   RootBox root_box;
-  OpenedNodes opened;     // none between queries
+  OpenedNodes opened;     // of use during a query only
   bool has_moved = true;  // since the last query
 };
 
@@ -56,6 +56,8 @@ class CrowdInstances {
   std::size_t memory_bytes() const;
 
  private:
+  void add_slot();
+
   std::vector<std::optional<CrowdInstance>> slots_;
   std::vector<std::uint32_t> free_;
   std::uint32_t count_ = 0;

@@ -1,0 +1,168 @@
+/// Memory that ends while a model is built, posed or asked.
+
+#include <pelt/pelt.hpp>
+
+#include "support/failing_allocation.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace pelt::test {
+namespace {
+
+/// Runs an operation that keeps nothing, failing each of its allocations.
+void fail_and_leak_nothing(const std::function<void()>& operation) {
+  operation();  // what is kept for ever is allocated now
+  const std::ptrdiff_t before = live_allocations();
+  const std::size_t failures =
+      fail_each_allocation(operation, [&] { EXPECT_EQ(live_allocations(), before); });
+  EXPECT_EQ(live_allocations(), before);
+  EXPECT_GE(failures, 1u);
+  std::printf("%zu allocations failed\n", failures);
+}
+
+const Shape& limb() {
+  static const Shape shape = make_morphing_limb(10, 6, 3);
+  return shape;
+}
+
+TEST(Memory, EndsWhileAModelIsBuilt) {
+  fail_and_leak_nothing([] {
+    const Result<SkinnedModel> model = build_model(limb().view());
+    EXPECT_TRUE(model);
+  });
+}
+
+TEST(Memory, EndsWhileAModelIsSavedOrLoaded) {
+  const SkinnedModel model = *build_model(limb().view());
+  const std::vector<std::byte> saved = save_model(model);
+  fail_and_leak_nothing([&] { EXPECT_EQ(save_model(model), saved); });
+  fail_and_leak_nothing([&] { EXPECT_TRUE(load_model(saved)); });
+}
+
+TEST(Memory, EndsWhileAPoseOrASurfaceIsMade) {
+  const SkinnedModel model = *build_model(limb().view());
+  fail_and_leak_nothing([&] {
+    Pose pose(model);
+    pose.reserve();
+    const Surface surface(model);
+    EXPECT_TRUE(surface.is_closed());
+  });
+}
+
+/// Two poses that can be asked, with an answer to compare.
+template <typename Answer>
+class Question {
+ public:
+  using Ask = std::function<Answer(Pose& a, Pose& b, Scratch& scratch)>;
+
+  Question(const Vec3& offset, Ask ask)
+      : model_(*build_model(limb().view())), ask_(std::move(ask)) {
+    Random random(7);
+    palette_a_ = bend_limb(random, 3, 0.3, {0, 0, 0});
+    palette_b_ = bend_limb(random, 3, 0.3, offset);
+  }
+
+  /// The poses and the scratch outlive each failure, and are asked again at once and after a move.
+  void check() const {
+    const std::ptrdiff_t before = live_allocations();
+    {
+      Fresh fresh = make();
+      const Answer expected = ask(fresh);
+      std::size_t failures = 0;
+      fresh = make();
+      const auto repeat = [&] {
+        ++failures;
+        EXPECT_EQ(ask(fresh), expected);
+        fresh = make();
+      };
+      fail_each_allocation([&] { EXPECT_EQ(ask(fresh), expected); }, repeat);
+      EXPECT_GT(failures, 1u);
+    }
+    EXPECT_EQ(live_allocations(), before);
+  }
+
+ private:
+  struct Fresh {
+    Pose a, b;
+    Scratch scratch;
+  };
+
+  Fresh make() const {
+    Fresh fresh = {Pose(model_), Pose(model_), Scratch()};
+    EXPECT_TRUE(fresh.a.set_palette(palette_a_));
+    EXPECT_TRUE(fresh.b.set_palette(palette_b_));
+    return fresh;
+  }
+
+  Answer ask(Fresh& fresh) const { return ask_(fresh.a, fresh.b, fresh.scratch); }
+
+  SkinnedModel model_;
+  std::vector<Matrix4> palette_a_, palette_b_;
+  Ask ask_;
+};
+
+TEST(Memory, EndsWhilePosesCollide) {
+  Question<std::vector<Contact>>({0.1f, 0.05f, 0}, [](Pose& a, Pose& b, Scratch& scratch) {
+    std::vector<Contact> contacts;
+    collide(a, b, scratch, contacts);
+    EXPECT_GT(contacts.size(), 10u);
+    return contacts;
+  }).check();
+}
+
+TEST(Memory, EndsWhileDistancesAreMeasured) {
+  Question<double>({2, 0.5f, 0}, [](Pose& a, Pose& b, Scratch& scratch) {
+    Distance nearest;
+    distance(a, b, scratch, nearest);
+    EXPECT_GT(nearest.distance, 0.5);
+    return nearest.distance;
+  }).check();
+}
+
+TEST(Memory, EndsWhileContactsAreDescribed) {
+  const Surface surface(*build_model(limb().view()));
+  const SkinnedModel model = surface.model();
+  Pose a(model), b(model);
+  Random random(7);
+  ASSERT_TRUE(a.set_palette(bend_limb(random, 3, 0.3, {0, 0, 0})));
+  ASSERT_TRUE(b.set_palette(bend_limb(random, 3, 0.3, {0.1f, 0.05f, 0})));
+  Scratch scratch;
+  std::vector<Contact> contacts;
+  collide(a, b, scratch, contacts);
+  ContactGeometry expected;
+  describe_contacts(a, surface, b, surface, contacts, expected);
+  ASSERT_GT(expected.curves.size(), 0u);
+  fail_and_leak_nothing([&] {
+    ContactGeometry geometry;
+    describe_contacts(a, surface, b, surface, contacts, geometry);
+    EXPECT_EQ(geometry.members, expected.members);
+  });
+}
+
+TEST(Memory, EndsWhileVerticesAreInside) {
+  const Surface surface(*build_model(limb().view()));
+  const SkinnedModel model = surface.model();
+  Random random(7);
+  const std::vector<Matrix4> palette_a = bend_limb(random, 3, 0.3, {0, 0, 0});
+  const std::vector<Matrix4> palette_b = bend_limb(random, 3, 0.3, {0.1f, 0.05f, 0});
+  std::optional<std::uint32_t> expected;
+  fail_and_leak_nothing([&] {
+    Pose a(model), b(model);
+    ASSERT_TRUE(a.set_palette(palette_a));
+    ASSERT_TRUE(b.set_palette(palette_b));
+    Scratch scratch;
+    Penetration deepest;
+    deepest_vertex(a, surface, b, surface, scratch, deepest);
+    if (!expected) expected = deepest.vertex;
+    EXPECT_EQ(deepest.vertex, *expected);
+    EXPECT_NE(deepest.vertex, kNoVertex);
+  });
+}
+
+}  // namespace
+}  // namespace pelt::test
