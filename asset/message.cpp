@@ -1,5 +1,7 @@
 #include "asset/message.hpp"
 
+#include "asset/printable.hpp"
+
 namespace pelt::asset {
 
 Error with_remedy(const Error& error) {
@@ -8,15 +10,7 @@ Error with_remedy(const Error& error) {
                    ": mend it in the program that wrote the file, and export it again");
 }
 
-std::string quoted(std::string_view name) {
-  constexpr std::size_t kLongest = 64;
-  std::string text = "\"";
-  for (const char c : name.substr(0, kLongest)) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
-    text += control ? '?' : c;
-  }
-  return text + (name.size() > kLongest ? "...\"" : "\"");
-}
+std::string quoted(std::string_view name) { return '"' + printable_name(name) + '"'; }
 
 std::string label(std::string_view kind, std::size_t index, std::string_view name) {
   std::string text = std::string(kind) + " " + std::to_string(index);

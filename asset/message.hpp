@@ -26,7 +26,7 @@ Error with_remedy(const Error& error);
 /// What is left to do about a file of another format.
 inline constexpr const char* kExportGltf2 = ": export the character as glTF 2.0";
 
-/// A name out of a file, fit to be printed: in quotes, cut to 64 bytes, without control characters.
+/// A name out of a file in quotes, as `printable_name` shows it.
 std::string quoted(std::string_view name);
 
 /// A thing of the file by number and, where it has one, name: `node 12 "Hips"`.

@@ -4,6 +4,7 @@
 #include <pelt/version.hpp>
 
 #include "asset/message.hpp"
+#include "asset/printable.hpp"
 #include "scenes/nearest_name.hpp"
 #include "tools/pelt/output/output.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -24,7 +25,7 @@ constexpr const char* kFooter = R"(
 int code(ExitCode exit) { return static_cast<int>(exit); }
 
 int refuse(const std::string& message) {
-  std::cerr << "pelt: error: " << message << '\n';
+  std::cerr << "pelt: error: " << pelt::asset::printable(message) << '\n';
   return code(ExitCode::bad_input);
 }
 
@@ -120,7 +121,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "pelt: internal error: " << error.what() << '\n';
+    std::cerr << "pelt: internal error: " << pelt::asset::printable(error.what()) << '\n';
   } catch (...) {
     std::cerr << "pelt: internal error\n";
   }

@@ -1,5 +1,6 @@
 #include "tools/pelt/bench/bench_against.hpp"
 
+#include "asset/printable.hpp"
 #include "tools/pelt/bench/bench_ratios.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -69,12 +70,12 @@ class Comparer {
     const auto& scenes = baseline_.scenes;
     const auto then = std::find_if(scenes.begin(), scenes.end(),
                                    [&](const SceneFigures& s) { return s.scene == now.scene; });
-    out_ << '\n' << now.scene << ": ";
+    out_ << '\n' << asset::printable(now.scene) << ": ";
     if (then == scenes.end())
-      out_ << baseline_.path << " has no such scene\n";
+      out_ << asset::printable(baseline_.path) << " has no such scene\n";
     else if (then->frames != now.frames)
       out_ << counted(now.frames, "frame") << ", not the " << with_commas(then->frames) << " of "
-           << baseline_.path << ": not compared\n";
+           << asset::printable(baseline_.path) << ": not compared\n";
     else
       compare(*then, now);
   }
@@ -97,7 +98,8 @@ class Comparer {
   void print_lacking(const SceneFigures& then, const SceneFigures& now) {
     const std::set<std::string> known = names_in(then);
     for (const std::string& name : names_in(now))
-      if (known.count(name) == 0) out_ << baseline_.path << " has no " << name << '\n';
+      if (known.count(name) == 0)
+        out_ << asset::printable(baseline_.path) << " has no " << asset::printable(name) << '\n';
   }
 
   /// Other answers are other work.
@@ -168,7 +170,8 @@ class Comparer {
 BenchComparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
                                  std::uint32_t margin_percent, std::ostream& out) {
   Comparer comparer(then, margin_percent, out);
-  out << "against " << then.path << ": " << in_words(then.machine) << '\n';
+  out << "against " << asset::printable(then.path) << ": "
+      << asset::printable(in_words(then.machine)) << '\n';
   for (const SceneFigures& scene : now) comparer.compare(scene);
   const BenchComparison& result = comparer.result();
   out << '\n'

@@ -2,6 +2,7 @@
 
 #include "tools/pelt/bench/bench_report.hpp"
 #include "tools/pelt/bench/machine.hpp"
+#include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
@@ -67,7 +68,7 @@ std::string figures_json(const std::vector<SceneFigures>& scenes) {
                                 {"version", 1},
                                 {"machine", machine_json()},
                                 {"scenes", std::move(all)}};
-  return figures.dump(2) + "\n";
+  return json_text(figures, 2) + "\n";
 }
 
 }  // namespace pelt::tools

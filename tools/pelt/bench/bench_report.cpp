@@ -1,5 +1,6 @@
 #include "tools/pelt/bench/bench_report.hpp"
 
+#include "asset/printable.hpp"
 #include "tools/pelt/bench/bench_ratios.hpp"
 #include "tools/pelt/bench/machine.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -20,7 +21,7 @@ void print_name(const std::string& name, std::ostream& out) {
 void print_scene(const SceneFigures& scene, std::ostream& out) {
   const double bytes = static_cast<double>(scene.models.bytes);
   const double triangles = static_cast<double>(scene.models.triangles);
-  out << scene.scene << ": " << with_commas(scene.triangles) << " triangles, "
+  out << asset::printable(scene.scene) << ": " << with_commas(scene.triangles) << " triangles, "
       << counted(scene.frames, "frame") << " of which "
       << with_commas(scene.figures[0].answer.frames_in_contact) << " in contact\n"
       << "models: " << with_commas(scene.models.triangles) << " triangles, built in "

@@ -1,5 +1,6 @@
 #include "tools/pelt/bench/bench_scene.hpp"
 
+#include "asset/printable.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/output/progress.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -49,9 +50,9 @@ bool agrees(const scenes::Scene& scene, const std::string& engine, const Answers
             const Answers& reference, std::ostream& errors) {
   for (std::size_t q = 0; q < answers.size(); ++q) {
     if (answers[q].hash == reference[q].hash) continue;
-    errors << "pelt: internal error: " << scene.name << ": " << engine << " gives the hash "
-           << hex16(answers[q].hash) << ", " << bench::name_of(kReference) << " gives "
-           << hex16(reference[q].hash) << ": please report this with the scene\n";
+    errors << "pelt: internal error: " << asset::printable(scene.name) << ": " << engine
+           << " gives the hash " << hex16(answers[q].hash) << ", " << bench::name_of(kReference)
+           << " gives " << hex16(reference[q].hash) << ": please report this with the scene\n";
     return false;
   }
   return true;

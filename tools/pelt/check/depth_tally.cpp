@@ -1,5 +1,6 @@
 #include "tools/pelt/check/depth_tally.hpp"
 
+#include "asset/printable.hpp"
 #include "scenes/names.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ std::string DepthTally::name(const Place& place) const {
   const Collider& collider = colliders_[place.collider];
   const std::uint32_t character = scene_.instances[collider.instance].character;
   return collider_name(scene_, collider) + " " +
-         scenes::joint_name(scene_.characters[character].asset, place.joint);
+         asset::printable_name(scenes::joint_name(scene_.characters[character].asset, place.joint));
 }
 
 }  // namespace pelt::tools

@@ -1,5 +1,6 @@
 #include "tools/pelt/check/summary.hpp"
 
+#include "asset/printable.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
@@ -119,7 +120,8 @@ std::size_t new_touches(const Comparison& comparison) {
 /// What differs from the baseline.
 void print_comparison(const scenes::Scene& scene, std::span<const Collider> colliders,
                       const Comparison& comparison, std::ostream& out) {
-  for (const std::string& note : comparison.notes) label(out, "note") << note << '\n';
+  for (const std::string& note : comparison.notes)
+    label(out, "note") << asset::printable(note) << '\n';
   const std::size_t fresh = new_touches(comparison), grown = comparison.worse.size() - fresh;
   const std::size_t as_known = comparison.known_touches - comparison.gone.size() - grown;
   label(out, "baseline") << with_commas(fresh) << " new, " << with_commas(grown) << " grown, "

@@ -1,5 +1,6 @@
 #include "tools/pelt/check/touch_name.hpp"
 
+#include "asset/printable.hpp"
 #include "scenes/names.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
@@ -47,9 +48,9 @@ TouchName touch_name(const scenes::Scene& scene, const TouchPlace& place) {
 
 std::string in_words(const scenes::Scene& scene, const TouchPlace& place) {
   const scenes::Character& character = character_of(scene, place.instance);
-  return character.name + " " + std::to_string(place.instance) + " " +
-         scenes::part_name(character.asset, place.part) + " " +
-         scenes::joint_name(character.asset, place.joint);
+  return asset::printable_name(character.name) + " " + std::to_string(place.instance) + " " +
+         asset::printable_name(scenes::part_name(character.asset, place.part)) + " " +
+         asset::printable_name(scenes::joint_name(character.asset, place.joint));
 }
 
 ordered_json touch_json(const scenes::Scene& scene, const Touch& touch) {

@@ -34,7 +34,7 @@ struct TouchName {
 BodyName body_name(const scenes::Scene& scene, const Collider& collider);
 TouchName touch_name(const scenes::Scene& scene, const TouchPlace& place);
 
-/// "knight 0 Cape Spine", by the number of the instance in the scene.
+/// "knight 0 Cape Spine", by the number of the instance in the scene; printable.
 std::string in_words(const scenes::Scene& scene, const TouchPlace& place);
 
 /// As `pelt check --jsonl` has them; `instance` is the number in the scene.

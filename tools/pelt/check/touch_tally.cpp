@@ -1,6 +1,7 @@
 #include "tools/pelt/check/touch_tally.hpp"
 
 #include "asset/message.hpp"
+#include "asset/printable.hpp"
 #include "scenes/names.hpp"
 
 #include <algorithm>
@@ -100,8 +101,8 @@ std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, 
   }
   const auto full_name = [&](const Key& key) {
     const scenes::Character& character = scene_->characters[scene_->instances[key.first].character];
-    return character.name + " " + std::to_string(key.first) + " " +
-           name(character.asset, key.second);
+    return asset::printable_name(character.name) + " " + std::to_string(key.first) + " " +
+           asset::printable_name(name(character.asset, key.second));
   };
   std::vector<Row> rows;
   for (const auto& [keys, contacts] : counts) {

@@ -1,5 +1,7 @@
 #include "tools/pelt/output/output.hpp"
 
+#include "asset/printable.hpp"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -27,7 +29,7 @@ Result<void> write_file(const std::filesystem::path& path, std::span<const std::
 }
 
 void print_written(const std::string& name, std::ostream& words) {
-  if (!name.empty() && name != kStandardOutput) words << "wrote " << name << '\n';
+  if (!name.empty() && name != kStandardOutput) words << "wrote " << asset::printable(name) << '\n';
 }
 
 Result<void> check_writable(const std::filesystem::path& path) {

@@ -1,8 +1,10 @@
 #include "tools/pelt/prepared/prepared_info.hpp"
 
 #include "asset/file_bytes.hpp"
+#include "asset/printable.hpp"
 #include "base/hash.hpp"
 #include "model/prepared_format.hpp"
+#include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/prepared/prepared_file.hpp"
 
@@ -57,7 +59,7 @@ void print_line(const char* label, const std::string& text) {
 void print(const ordered_json& info) {
   const auto number = [&](const char* key) { return with_commas(info[key].get<std::uint64_t>()); };
   const ordered_json& prepared = info["prepared"];
-  print_line("model", info["model"].get<std::string>());
+  print_line("model", asset::printable(info["model"].get<std::string>()));
   print_line("prepared", with_commas(prepared["bytes"].get<std::uint64_t>()) + " bytes, version " +
                              prepared["version"].dump() + " of the format");
   print_line("vertices", number("vertices"));
@@ -79,7 +81,7 @@ Result<void> print_prepared_info(const std::string& path, InfoStyle style) {
   if (!model) return model.error();
   const ordered_json info = describe(path, *file, *model);
   if (style == InfoStyle::json)
-    std::cout << info.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+    std::cout << json_text(info, 2) << '\n';
   else
     print(info);
   return {};

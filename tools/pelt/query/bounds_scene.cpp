@@ -1,5 +1,6 @@
 #include "tools/pelt/query/bounds_scene.hpp"
 
+#include "asset/printable.hpp"
 #include "scenes/names.hpp"
 #include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -79,7 +80,8 @@ std::string name_of(const scenes::Scene& scene, const Collider& collider, const 
   const std::string name = collider_name(scene, collider);
   if (!bounded.joint) return name;
   const std::uint32_t character = scene.instances[collider.instance].character;
-  return name + " " + scenes::joint_name(scene.characters[character].asset, *bounded.joint);
+  const asset::Asset& asset = scene.characters[character].asset;
+  return name + " " + asset::printable_name(scenes::joint_name(asset, *bounded.joint));
 }
 
 void print_boxes(const scenes::Scene& scene, std::span<const Collider> colliders,

@@ -1,6 +1,7 @@
 #include "tools/pelt/query/ray_scene.hpp"
 
 #include "asset/message.hpp"
+#include "asset/printable.hpp"
 #include "scenes/names.hpp"
 #include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/output.hpp"
@@ -177,9 +178,10 @@ void print_nearest(const HitNames& names, const Ray& ray, const RayTally::Neares
   const std::vector<JointShare> joints = names.joints(nearest.instance, hit);
   label(out, "nearest") << "frame " << nearest.frame << ": "
                         << collider_name(names.scene(), names.colliders()[nearest.instance]) << ' '
-                        << names.part(nearest.instance, hit) << ", triangle " << hit.triangle
-                        << ", "
-                        << scenes::joint_name(names.asset_of(nearest.instance), joints[0].joint)
+                        << asset::printable_name(names.part(nearest.instance, hit)) << ", triangle "
+                        << hit.triangle << ", "
+                        << asset::printable_name(scenes::joint_name(
+                               names.asset_of(nearest.instance), joints[0].joint))
                         << '\n';
   label(out, "") << "t " << fixed(double{hit.t}, 6) << " at" << coordinates(point_of(ray, hit.t))
                  << ", normal" << coordinates(hit.normal) << '\n';

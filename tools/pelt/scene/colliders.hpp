@@ -30,7 +30,7 @@ struct Collider {
 Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
                                              const ModelArguments& arguments);
 
-/// "knight 0", or "knight 0 Knight_Helmet" for a part.
+/// "knight 0", or "knight 0 Knight_Helmet" for a part; printable.
 std::string collider_name(const scenes::Scene& scene, const Collider& collider);
 
 }  // namespace pelt::tools

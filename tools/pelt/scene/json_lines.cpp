@@ -3,6 +3,7 @@
 #include <pelt/version.hpp>
 
 #include "scenes/names.hpp"
+#include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -36,10 +37,6 @@ ordered_json colliders_json(const scenes::Scene& scene, std::span<const Collider
     entry["first_triangle"] = collider.first_triangle;
   }
   return instances;
-}
-
-std::string json_text(const ordered_json& value) {
-  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tools/pelt/scene/summary_lines.hpp"
 
+#include "asset/printable.hpp"
 #include "evaluation/methods/statistics.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -22,11 +23,12 @@ std::ostream& label(std::ostream& out, const char* name) {
 
 void print_scene(const scenes::Scene& scene, std::span<const Collider> colliders,
                  std::ostream& out) {
-  label(out, "scene") << scene.name << ": " << counted(scene.instances.size(), "instance");
+  label(out, "scene") << asset::printable(scene.name) << ": "
+                      << counted(scene.instances.size(), "instance");
   const bool parts = !colliders.empty() && colliders[0].part;
   if (parts) out << ", " << counted(colliders.size(), "part");
   out << ", " << with_commas(triangle_count(colliders)) << " triangles\n";
-  for (const std::string& note : scene.notes) label(out, "note") << note << '\n';
+  for (const std::string& note : scene.notes) label(out, "note") << asset::printable(note) << '\n';
 }
 
 bool has_many_parts(const scenes::Scene& scene) {

@@ -1,5 +1,6 @@
 #include "tools/pelt/scene/surface_names.hpp"
 
+#include "asset/printable.hpp"
 #include "scenes/names.hpp"
 
 #include <algorithm>
@@ -39,8 +40,9 @@ NamedPoint name_point(const scenes::Scene& scene, const Collider& collider,
 std::string place_words(const scenes::Scene& scene, const Collider& collider,
                         const SurfacePoint& point) {
   const NamedPoint named = name_point(scene, collider, point);
-  const std::string name = collider_name(scene, collider);
-  return name + (collider.part ? "" : " " + named.part) + " (" + named.joint + ", triangle " +
+  std::string words = collider_name(scene, collider);
+  if (!collider.part) words.append(" ").append(asset::printable_name(named.part));
+  return words + " (" + asset::printable_name(named.joint) + ", triangle " +
          std::to_string(named.triangle) + ")";
 }
 

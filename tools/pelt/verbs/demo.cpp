@@ -1,5 +1,6 @@
 /// `pelt demo`: two generated characters walk into each other; nothing has to be at hand.
 
+#include "asset/printable.hpp"
 #include "scenes/character_glb.hpp"
 #include "scenes/demo_scene.hpp"
 #include "tools/pelt/arguments/verb.hpp"
@@ -109,8 +110,8 @@ void render(const fs::path& description, const fs::path& picture) {
                    "`pelt demo` again\n";
       return;
     case ProgramEnd::failed:
-      std::cout << "no picture: POV-Ray failed on " << description.string() << "; run `povray "
-                << description.string() << "` to see why\n";
+      std::cout << "no picture: POV-Ray failed on " << asset::printable(description.string())
+                << "; run `povray " << asset::printable(description.string()) << "` to see why\n";
       return;
   }
 }
@@ -135,7 +136,7 @@ Result<ExitCode> demo(const Arguments& arguments) {
   // A missing viewer is no failure of the demo either.
   const Result<std::string> viewer = read_viewer();
   if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
-  if (!viewer) std::cout << "no report: " << viewer.error().message << '\n';
+  if (!viewer) std::cout << "no report: " << asset::printable(viewer.error().message) << '\n';
   if (arguments.no_picture) return ExitCode::success;
   if (const auto written = write_picture(*scene, folder); !written) return written.error();
   return ExitCode::success;

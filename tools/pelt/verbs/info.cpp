@@ -1,9 +1,11 @@
 /// `pelt info`: what a model file holds.
 
+#include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/prepared/prepared_file.hpp"
 #include "tools/pelt/prepared/prepared_info.hpp"
@@ -118,7 +120,7 @@ void print_line(const char* label, const T& value, const std::string& remark = {
 
 void print_counts(const ordered_json& info) {
   const auto number = [&](const char* key) { return with_commas(info[key].get<std::uint64_t>()); };
-  print_line("model", info["model"].get<std::string>());
+  print_line("model", asset::printable(info["model"].get<std::string>()));
   print_line("vertices", number("vertices"),
              ", at " + number("distinct_positions") + " distinct positions");
   print_line("triangles", number("triangles"),
@@ -136,7 +138,8 @@ void print_clips(const asset::Asset& asset) {
   print_line("clips", with_commas(asset.clips.size()));
   for (const asset::Clip& clip : asset.clips) {
     std::cout << "  " << std::right << std::setw(8) << fixed(static_cast<double>(clip.duration), 3)
-              << " s  " << (clip.name.empty() ? "\"\" (unnamed)" : clip.name) << '\n';
+              << " s  " << (clip.name.empty() ? "\"\" (unnamed)" : asset::printable_name(clip.name))
+              << '\n';
   }
 }
 
@@ -144,7 +147,8 @@ void print_parts(const asset::Asset& asset) {
   print_line("parts", with_commas(asset.parts.size()));
   for (const asset::Part& part : asset.parts) {
     std::cout << "  " << std::right << std::setw(8) << with_commas(part.triangle_count)
-              << " triangles  " << part.node << " / " << part.mesh << " / " << part.material
+              << " triangles  " << asset::printable_name(part.node) << " / "
+              << asset::printable_name(part.mesh) << " / " << asset::printable_name(part.material)
               << (part.skinned ? "" : "  (rides on its node)") << '\n';
   }
 }
@@ -153,7 +157,8 @@ void print(const ordered_json& info, const asset::Asset& asset) {
   print_counts(info);
   print_clips(asset);
   print_parts(asset);
-  for (const std::string& warning : asset.warnings) print_line("warning", warning);
+  for (const std::string& warning : asset.warnings)
+    print_line("warning", asset::printable(warning));
 }
 
 Result<ExitCode> info(const Arguments& arguments) {
@@ -175,7 +180,7 @@ Result<ExitCode> info(const Arguments& arguments) {
   if (!model) return model.error();
   const ordered_json description = describe(*character, *model);
   if (arguments.json) {
-    std::cout << description.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+    std::cout << json_text(description, 2) << '\n';
   } else {
     print(description, asset);
   }

@@ -2,6 +2,7 @@
 
 #include <pelt/prepared.hpp>
 
+#include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
@@ -74,8 +75,8 @@ Result<Prepared> build(const scenes::Character& character, const ModelArguments&
 
 void print(const scenes::Character& character, const Prepared& prepared) {
   const SkinnedModel& model = prepared.model;
-  label("model") << character.source << ": " << with_commas(model.vertex_count()) << " vertices, "
-                 << with_commas(model.triangle_count()) << " triangles, "
+  label("model") << asset::printable(character.source) << ": " << with_commas(model.vertex_count())
+                 << " vertices, " << with_commas(model.triangle_count()) << " triangles, "
                  << counted(model.joint_count(), "joint") << '\n';
   label("samples") << counted(prepared.sample_poses, "pose") << " of "
                    << counted(character.asset.clips.size(), "clip") << '\n';

@@ -1,0 +1,35 @@
+#pragma once
+
+/// Text out of files and command lines, made fit for a terminal.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace pelt::asset {
+
+/// The first code point of a text in UTF-8.
+struct CodePoint {
+  static constexpr char32_t kNone = 0xFFFFFFFF;
+
+  char32_t value = kNone;  ///< kNone: the first byte begins no code point
+  std::size_t bytes = 1;
+};
+
+/// Precondition: `text` is not empty.
+CodePoint first_code_point(std::string_view text);
+
+/// Whether a terminal may obey this code point instead of showing it: control characters (C0, DEL
+/// and C1), line and paragraph separators, and the marks that change the direction of writing.
+bool steers_terminal(char32_t code_point);
+
+/// Replaces every code point that steers a terminal, and every byte that is not UTF-8, by '?'.
+std::string printable(std::string_view text);
+
+/// The longest name that is shown whole, in bytes.
+inline constexpr std::size_t kLongestName = 64;
+
+/// A printable name. Cuts a longer one than kLongestName after a whole code point, and adds "...".
+std::string printable_name(std::string_view name);
+
+}  // namespace pelt::asset

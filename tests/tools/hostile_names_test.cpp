@@ -1,0 +1,125 @@
+/// Names out of files never steer the terminal: neither in what verbs print, nor in what they
+/// refuse.
+
+#include "asset/printable.hpp"
+#include "support/gltf_builder.hpp"
+#include "tools/run_program.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+/// What people would see, or would not, in a terminal.
+const std::string kHostile =
+    "a\x1b]0;b\x07\x1b[2J\xc2\x9b"
+    "31m\r\n\xe2\x80\xae"
+    "c";
+
+/// Of ten thousand letters of two bytes each.
+std::string very_long(const std::string& begin) {
+  std::string name = begin;
+  for (int i = 0; i < 10000; ++i) name += "é";
+  return name;
+}
+
+/// A strip of paper and a fan, as `strip_with_fan`, with other names.
+GltfBuilder strip_named(const std::string& name) {
+  GltfBuilder builder = strip_with_fan();
+  for (const char* array : {"nodes", "meshes", "skins", "animations"}) {
+    for (std::size_t i = 0; i < builder.document[array].size(); ++i)
+      builder.document[array][i]["name"] = name + std::to_string(i);
+  }
+  return builder;
+}
+
+/// Where a line is longer than its names cut short allow, or steers.
+std::string problem_of(std::string_view text) {
+  std::size_t line = 0;
+  while (!text.empty()) {
+    const asset::CodePoint point = asset::first_code_point(text);
+    line = point.value == '\n' ? 0 : line + point.bytes;
+    if (point.value == asset::CodePoint::kNone) return "a byte that is not UTF-8";
+    if (point.value != '\n' && asset::steers_terminal(point.value))
+      return "code point " + std::to_string(point.value);
+    if (line > 1000) return "a line of more than 1000 bytes";
+    text.remove_prefix(point.bytes);
+  }
+  return "";
+}
+
+void expect_harmless(const Ended& run, const std::string& what) {
+  EXPECT_EQ(problem_of(run.out), "") << what << '\n' << run.out.substr(0, 3000);
+  EXPECT_EQ(problem_of(run.err), "") << what << '\n' << run.err.substr(0, 3000);
+}
+
+class HostileNames : public ::testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(HostileNames, DoNotSteerTheTerminal) {
+  const std::string model = "m" + kHostile + ".glb";
+  for (const std::string& name : {kHostile, very_long(kHostile)}) {
+    const TestFolder folder;
+    write_bytes(folder / model, strip_named(name).glb());
+    std::vector<std::string> arguments = GetParam();
+    arguments.insert(arguments.begin() + 1, {model});
+    const Ended run = run_pelt(folder, arguments);
+    EXPECT_LE(run.exit_code, 1) << run.err;
+    EXPECT_NE(run.out, "");
+    expect_harmless(run, arguments[0]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Verbs, HostileNames,
+    ::testing::Values(std::vector<std::string>{"info"}, std::vector<std::string>{"check"},
+                      std::vector<std::string>{"check", "--by", "part", "--contacts"},
+                      std::vector<std::string>{"check", "--by", "part", "--glb", kHostile + ".glb"},
+                      std::vector<std::string>{"bounds", "--by", "joint"},
+                      std::vector<std::string>{"bounds", "--by", "part"},
+                      std::vector<std::string>{"distance", "--by", "part"},
+                      std::vector<std::string>{"ray", "--from", "0.4,0.5,-3", "--to", "0.4,0.5,3"},
+                      std::vector<std::string>{"region", "--sphere", "0,0,0,9", "--by", "part"},
+                      std::vector<std::string>{"prepare", "-o", kHostile + ".pelt"},
+                      std::vector<std::string>{"pose", "--frame", "0", "-o", kHostile + "p.glb"}));
+
+class HostileRefusal : public ::testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(HostileRefusal, DoesNotSteerTheTerminal) {
+  const TestFolder folder;
+  write_bytes(folder / "a.glb", strip_named(very_long(kHostile)).glb());
+  const Ended run = run_pelt(folder, GetParam());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(lines_of(run.err).size(), 1u);
+  expect_harmless(run, GetParam()[0]);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Verbs, HostileRefusal,
+    ::testing::Values(std::vector<std::string>{"check", kHostile},
+                      std::vector<std::string>{"check", "a.glb", "--clip", "none"},
+                      std::vector<std::string>{"check", "a.glb", "--clip", kHostile},
+                      std::vector<std::string>{"check", "a.glb", "--" + kHostile},
+                      std::vector<std::string>{"check", "a.glb", "--ignore", kHostile + ",b"},
+                      std::vector<std::string>{"check", "a.glb", "--jsonl", "no/" + kHostile},
+                      std::vector<std::string>{"check", "a.glb", "--frames", kHostile},
+                      std::vector<std::string>{"info", "a.glb", "--exclude", "none"},
+                      std::vector<std::string>{"info", "a.glb", kHostile},
+                      std::vector<std::string>{kHostile}));
+
+TEST(HostileNames, StayWhatTheyAreInJson) {
+  const TestFolder folder;
+  write_bytes(folder / "a.glb", strip_named(kHostile).glb());
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"info", "a.glb", "--json"},
+        std::vector<std::string>{"bounds", "a.glb", "--by", "joint", "--jsonl", "-"}}) {
+    const Ended run = run_pelt(folder, arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    expect_harmless(run, arguments[0]);
+    EXPECT_NE(run.out.find(R"(a\u001b]0;b\u0007\u001b[2J\u009b31m\r\n\u202ec)"), std::string::npos)
+        << run.out;
+  }
+  const json info = json::parse(run_pelt(folder, {"info", "a.glb", "--json"}).out);
+  EXPECT_EQ(info["clips"][0]["name"], kHostile + "0");
+}
+
+}  // namespace
+}  // namespace pelt::test
