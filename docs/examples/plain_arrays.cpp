@@ -1,8 +1,9 @@
 #include <pelt/pelt.hpp>
 
 #include <cstdio>
+#include <vector>
 
-// A ribbon of three rungs, one above the other: joint 0 holds the lowest, joint 1 the highest.
+// A ribbon with three rungs, one above the other: the lowest follows joint 0, the highest joint 1.
 const pelt::Vec3 kPositions[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}, {1, 2, 0}};
 const pelt::Triangle kTriangles[] = {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}};
 const std::uint16_t kJoints[] = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
@@ -10,7 +11,10 @@ const float kWeights[] = {1, 0, 1, 0, 0.5, 0.5, 0.5, 0.5, 0, 1, 0, 1};
 
 int main() {
   const auto model = pelt::build_model({kPositions, kTriangles, 2, kJoints, kWeights, 2});
-  if (!model) return std::puts(model.error().message.c_str()), 1;
+  if (!model) {
+    std::puts(model.error().message.c_str());
+    return 1;
+  }
 
   pelt::Pose a(*model), b(*model);
   pelt::Matrix4 palette_a[2], palette_b[2];  // column-major; [12] [13] [14] is the translation
