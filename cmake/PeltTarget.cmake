@@ -51,14 +51,25 @@ function(pelt_precompiled target)
   endif()
 endfunction()
 
-# pelt_compiled_together(TARGET [ALONE sources...]): where PELT_COMPILE_TOGETHER is on, the files of
-# TARGET are compiled eight at a time, for most of their time goes into headers that they share. Those
-# that use a name of another file for something else stay alone.
+# pelt_compiled_together(TARGET [BY_FOLDER] [ALONE sources...]): where PELT_COMPILE_TOGETHER is on, the
+# files of TARGET are compiled eight at a time, or all files of a folder at once, because most of the
+# time goes into headers that they share. Files stay alone that use a name of another file for
+# something else.
 option(PELT_COMPILE_TOGETHER "Compile many small files at once: a first build is shorter" OFF)
 function(pelt_compiled_together target)
-  cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})
-  if(PELT_COMPILE_TOGETHER)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
-    set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  cmake_parse_arguments(ARG "BY_FOLDER" "" "ALONE" ${ARGN})
+  if(NOT PELT_COMPILE_TOGETHER)
+    return()
   endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  if(ARG_BY_FOLDER)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      cmake_path(GET source PARENT_PATH folder)
+      string(REPLACE / _ folder "${folder}")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}")
+    endforeach()
+  endif()
+  set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -22,6 +22,7 @@ function(pelt_wide_sources library)
     set(objects ${library}_${target})
     add_library(${objects} OBJECT ${ARGN})
     pelt_target(${objects})
+    pelt_compiled_together(${objects} BY_FOLDER)
     target_compile_options(${objects} PRIVATE ${PELT_WIDE_FLAGS_${target}})
     target_include_directories(${objects}
       PRIVATE $<TARGET_PROPERTY:${library},INCLUDE_DIRECTORIES>)
