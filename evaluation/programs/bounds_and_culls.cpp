@@ -3,7 +3,6 @@
 /// Each time is a median over poses from all clips, each pose's the best of some runs; what both
 /// answer is compared, and nothing is printed when it differs.
 
-#include "base/wide_code.hpp"
 #include "evaluation/methods/statistics.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
@@ -54,7 +53,7 @@ Box skin_all(Pose& pose, std::vector<Vec3>& positions) {
 void open_all(Pose& pose) {
   const detail::PosedTree posed = pose.detail().posed_tree();
   make_table(posed);
-  detail::wide_code().open_all_exactly(posed);
+  detail::open_all_exactly(posed);
 }
 
 class Questions {

@@ -3,7 +3,6 @@
 /// in turn, so each finds the caches as the others leave them, and the medians count, for others
 /// may use the machine too. Where the answers differ nothing is printed.
 
-#include "base/wide_code.hpp"
 #include "distance/pair_search.hpp"
 #include "evaluation/methods/statistics.hpp"
 #include "evaluation/programs/microseconds.hpp"
@@ -65,8 +64,8 @@ struct Walkers {
   /// surfaces do not touch.
   QueryStats nearest_eagerly(detail::TriangleGap& nearest) {
     const detail::SearchLimits no_limits = {std::numeric_limits<double>::infinity(), 0, nullptr};
-    return detail::wide_code().nearest_triangles(exact_a.posed_tree(), exact_b.posed_tree(),
-                                                 scratch.detail(), no_limits, nearest);
+    return detail::nearest_triangles(exact_a.posed_tree(), exact_b.posed_tree(), scratch.detail(),
+                                     no_limits, nearest);
   }
 
   SkinnedModel model;

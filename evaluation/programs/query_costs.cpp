@@ -6,11 +6,11 @@
 /// runs. Where the answers of two ways differ nothing is printed of that question, but for Embree,
 /// which is not exact: there it is counted how often it is wrong by more than a 10,000th.
 
-#include "base/wide_code.hpp"
 #include "evaluation/methods/statistics.hpp"
 #include "evaluation/programs/measure_each.hpp"
 #include "evaluation/programs/microseconds.hpp"
 #include "evaluation/programs/query_stage.hpp"
+#include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 
 #include <pelt/inside.hpp>
@@ -138,7 +138,7 @@ class Costs {
     if (!opens_all) return;
     const detail::PosedTree posed = pose.detail().posed_tree();
     make_table(posed);
-    detail::wide_code().open_all_exactly(posed);
+    detail::open_all_exactly(posed);
   }
 
   void measure(const Question& question) { bench::measure(question, stage_, arguments_.runs); }

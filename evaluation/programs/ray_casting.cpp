@@ -6,10 +6,10 @@
 /// the others graze the body or miss it. Says nothing unless the two trees answer alike; how often
 /// Embree differs, which is not exact, is counted.
 
-#include "base/wide_code.hpp"
 #include "evaluation/methods/statistics.hpp"
 #include "evaluation/programs/measure_each.hpp"
 #include "evaluation/programs/microseconds.hpp"
+#include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "scenes/scene.hpp"
 
@@ -175,7 +175,7 @@ Way eager(Pose& pose) {
             (void)pose.set_palette(palette);
             const detail::PosedTree posed = pose.detail().posed_tree();
             make_table(posed);
-            detail::wide_code().open_all_exactly(posed);
+            detail::open_all_exactly(posed);
           },
           [&](std::span<const Ray> rays, std::span<RayHit> hits) { cast(pose, rays, hits); }};
 }

@@ -3,13 +3,13 @@
 #include <pelt/pose.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
 #include "evaluation/methods/method.hpp"
 #include "evaluation/paper/eager.hpp"
 #include "evaluation/paper/on_demand.hpp"
 #include "evaluation/reproduce/median_time.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
 #include "evaluation/reproduce/specimen.hpp"
+#include "pose/open_fully.hpp"
 #include "pose/pose.hpp"
 
 namespace pelt::reproduce {
@@ -74,7 +74,7 @@ double open_fully_us(const Specimen& specimen, const Palette& palette, std::uint
     PELT_ASSERT(taken);
     const detail::PosedTree tree = pose.detail().posed_tree();
     make_table(tree);
-    detail::wide_code().open_fully(tree);
+    detail::open_fully(tree);
   });
 }
 

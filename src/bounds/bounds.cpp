@@ -1,8 +1,8 @@
 #include <pelt/bounds.hpp>
 
 #include "base/vec3.hpp"
-#include "base/wide_code.hpp"
 #include "bounds/bounding_box.hpp"
+#include "bounds/bounding_radius.hpp"
 #include "model/intervals.hpp"
 #include "pose/pose.hpp"
 
@@ -29,14 +29,13 @@ float radius_of(const Box& box, const Vec3& centre) {
 float middle(float low, float high) { return low / 2 + high / 2; }
 
 Bounds bounds_of_levels(Pose& pose, std::uint32_t levels) {
-  const detail::WideCode& wide = detail::wide_code();
   const detail::PosedTree posed = pose.detail().posed_tree();
-  const detail::BoxFound found = wide.bounding_box(posed, levels);
+  const detail::BoxFound found = detail::bounding_box(posed, levels);
   const Vec3 low = {found.low[0], found.low[1], found.low[2]};
   const Vec3 high = {found.high[0], found.high[1], found.high[2]};
   const Vec3 centre = {middle(low.x, high.x), middle(low.y, high.y), middle(low.z, high.z)};
   const float around_centre[] = {centre.x, centre.y, centre.z, 0};
-  const float of_joints = wide.bounding_radius(posed.bounds, posed.palette, around_centre);
+  const float of_joints = detail::bounding_radius(posed.bounds, posed.palette, around_centre);
   const Box box = {low, high};
   return {box, {centre, std::min(radius_of(box, centre), of_joints)}, found.work};
 }

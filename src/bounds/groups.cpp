@@ -3,7 +3,6 @@
 #include "base/assert.hpp"
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"
-#include "base/wide_code.hpp"
 #include "bounds/bounding_box.hpp"
 #include "bounds/group_vertices.hpp"
 #include "model/unpack.hpp"
@@ -95,14 +94,13 @@ Groups group_by_joint(const SkinnedModel& model) {
 
 Box group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
   PELT_ASSERT(is_pose_of(pose, groups) && group < groups.count());
-  return to_box(
-      detail::wide_code().bound_of_set(groups.detail().bounds, group, pose.detail().palette));
+  return to_box(detail::bound_of_set(groups.detail().bounds, group, pose.detail().palette));
 }
 
 Box tight_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
   PELT_ASSERT(is_pose_of(pose, groups) && group < groups.count());
-  return to_box(detail::wide_code().box_places(pose.model().detail().tree, pose.detail().palette,
-                                               groups.detail().places_of(group)));
+  return to_box(detail::box_places(pose.model().detail().tree, pose.detail().palette,
+                                   groups.detail().places_of(group)));
 }
 
 }  // namespace pelt

@@ -1,6 +1,5 @@
 #include "bounds/level_boxes.hpp"
-
-#include "base/wide_code.hpp"
+#include "pose/open_fully.hpp"
 
 #include <algorithm>
 
@@ -93,7 +92,7 @@ void open_whole(const Pose& pose, Pose& whole) {
   whole.close_all();
   const PosedTree posed = whole.posed_tree();
   make_table(posed);
-  wide_code().open_fully(posed);
+  open_fully(posed);
 }
 
 void level_boxes(const Pose& pose, const Pose& whole, std::uint32_t level, LevelBoxes& out) {

@@ -1,7 +1,7 @@
 #include <pelt/collide.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
+#include "collide/pair_traversal.hpp"
 #include "collide/sort_contacts.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
@@ -12,8 +12,8 @@ QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& con
                    const CollideOptions& options) {
   PELT_ASSERT(&a != &b);
   detail::Stack<Contact>& found = scratch.detail().found;
-  const QueryStats stats = detail::wide_code().collide_trees(
-      a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), options.max_contacts);
+  const QueryStats stats = detail::collide_trees(a.detail().posed_tree(), b.detail().posed_tree(),
+                                                 scratch.detail(), options.max_contacts);
   detail::sort_contacts(found, scratch.detail().sorting);
   contacts.insert(contacts.end(), found.begin(), found.end());
   return stats;
@@ -21,8 +21,7 @@ QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& con
 
 bool intersects(Pose& a, Pose& b, Scratch& scratch) {
   PELT_ASSERT(&a != &b);
-  detail::wide_code().collide_trees(a.detail().posed_tree(), b.detail().posed_tree(),
-                                    scratch.detail(), 1);
+  detail::collide_trees(a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), 1);
   return !scratch.detail().found.empty();
 }
 

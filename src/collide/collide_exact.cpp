@@ -1,6 +1,6 @@
 #include "collide/collide_exact.hpp"
 
-#include "base/wide_code.hpp"
+#include "collide/pair_traversal.hpp"
 #include "collide/sort_contacts.hpp"
 
 namespace pelt::detail {
@@ -8,7 +8,7 @@ namespace pelt::detail {
 QueryStats collide(ExactPose& a, ExactPose& b, Scratch& scratch, std::vector<Contact>& contacts,
                    const CollideOptions& options) {
   const QueryStats stats =
-      wide_code().collide_trees(a.posed_tree(), b.posed_tree(), scratch, options.max_contacts);
+      collide_trees(a.posed_tree(), b.posed_tree(), scratch, options.max_contacts);
   sort_contacts(scratch.found, scratch.sorting);
   contacts.insert(contacts.end(), scratch.found.begin(), scratch.found.end());
   return stats;

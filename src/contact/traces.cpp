@@ -2,8 +2,8 @@
 
 #include "base/assert.hpp"
 #include "base/vec3.hpp"
-#include "base/wide_code.hpp"
 #include "model/model.hpp"
+#include "pose/open_node.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ TriangleCorners PosedSurface::corners(std::uint32_t triangle, QueryStats& work) 
   PELT_ASSERT(triangle < surface.places.size());
   const PosedTree posed = pose.posed_tree();
   make_table(posed);
-  const float* positions = wide_code().open_node(posed, surface.nodes[triangle], work).positions;
+  const float* positions = open_node(posed, surface.nodes[triangle], work).positions;
   TriangleCorners corners;
   for (std::size_t i = 0; i < 3; ++i) {
     const float* at = positions + posed.tree.corners[surface.places[triangle]][i];

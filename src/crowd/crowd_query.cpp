@@ -1,7 +1,7 @@
 #include "crowd/crowd_query.hpp"
 
 #include "base/bytes_held.hpp"
-#include "base/wide_code.hpp"
+#include "collide/pair_traversal.hpp"
 #include "collide/sort_contacts.hpp"
 
 #include <algorithm>
@@ -138,7 +138,7 @@ void CrowdQuery::Worker::collide_pair(CrowdInstances& instances, const CrowdPair
                                       Arena& arena, std::uint32_t max_contacts) {
   const PosedTree a = instances[pair.instance_a].posed_tree(arena);
   const PosedTree b = instances[pair.instance_b].posed_tree(arena);
-  work += wide_code().collide_trees(a, b, scratch, max_contacts);
+  work += collide_trees(a, b, scratch, max_contacts);
   Stack<Contact>& found = scratch.found;
   if (found.empty()) return;
   sort_contacts(found, scratch.sorting);

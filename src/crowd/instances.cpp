@@ -2,13 +2,13 @@
 
 #include "base/assert.hpp"
 #include "base/bytes_held.hpp"
-#include "base/wide_code.hpp"
+#include "pose/root_box.hpp"
 
 namespace pelt::detail {
 namespace {
 
 void take_box(CrowdInstance& instance) {
-  instance.root_box = wide_code().box_root(instance.model.detail().bounds, instance.palette);
+  instance.root_box = box_root(instance.model.detail().bounds, instance.palette);
   instance.has_moved = true;
 }
 

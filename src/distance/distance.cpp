@@ -1,7 +1,7 @@
 #include <pelt/distance.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
+#include "collide/pair_traversal.hpp"
 #include "collide/sort_contacts.hpp"
 #include "distance/answers.hpp"
 #include "distance/find_triangle.hpp"
@@ -18,7 +18,6 @@ namespace {
 
 using detail::PosedTree;
 using detail::surface_point;
-using detail::wide_code;
 
 /// The lowest pair of those that touch.
 Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact) {
@@ -36,7 +35,7 @@ Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact
 /// What both questions ask first: the pairs that touch, left in `scratch.found`.
 QueryStats find_touching(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                          std::uint32_t max_contacts) {
-  return wide_code().collide_trees(a, b, scratch.detail(), max_contacts);
+  return detail::collide_trees(a, b, scratch.detail(), max_contacts);
 }
 
 /// Leaves the pairs in `scratch.found`, in no particular order.
@@ -47,8 +46,7 @@ QueryStats find_within(Pose& a, Pose& b, double tolerance, Scratch& scratch,
   const PosedTree tree_a = a.detail().posed_tree(), tree_b = b.detail().posed_tree();
   QueryStats stats = find_touching(tree_a, tree_b, scratch, max_contacts);
   if (tolerance > 0 && scratch.detail().found.size() < max_contacts)
-    stats +=
-        wide_code().triangles_within(tree_a, tree_b, scratch.detail(), tolerance, max_contacts);
+    stats += detail::triangles_within(tree_a, tree_b, scratch.detail(), tolerance, max_contacts);
   return stats;
 }
 
@@ -58,8 +56,8 @@ QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch, Closes
                          const ClosestPointOptions& options) {
   PELT_ASSERT(options.max_distance >= 0);
   detail::PointGap gap;
-  const QueryStats stats = wide_code().nearest_to_point(
-      pose.detail().posed_tree(), point, scratch.detail(), options.max_distance, gap);
+  const QueryStats stats = detail::nearest_to_point(pose.detail().posed_tree(), point,
+                                                    scratch.detail(), options.max_distance, gap);
   closest.distance = std::sqrt(gap.nearest.squared_distance);
   closest.point = surface_point(gap.triangle, gap.corners, gap.nearest.at);
   return stats;
@@ -90,7 +88,7 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& nearest,
   detail::TriangleGap gap;
   const detail::SearchLimits limits = {options.max_distance, options.tolerance,
                                        options.hint ? &hint : nullptr};
-  stats += wide_code().nearest_triangles(tree_a, tree_b, scratch.detail(), limits, gap);
+  stats += detail::nearest_triangles(tree_a, tree_b, scratch.detail(), limits, gap);
   nearest = detail::distance_apart(gap, options);
   return stats;
 }

@@ -1,7 +1,7 @@
 #include "distance/find_triangle.hpp"
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
+#include "pose/open_node.hpp"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ FoundTriangle find_triangle(const PosedTree& posed, std::uint32_t id) {
   const auto place = static_cast<std::uint32_t>(number - tree.triangle_ids.begin());
   const std::uint32_t cluster = cluster_with(tree, place), node = node_with(tree, cluster);
   QueryStats work;
-  const OpenedNode& opened = wide_code().open_node(posed, node, work);
+  const OpenedNode& opened = open_node(posed, node, work);
   FoundTriangle found = {{}, node, cluster - tree.nodes[node].first_cluster};
   for (std::size_t k = 0; k < 3; ++k) {
     const float* p = opened.positions + tree.corners[place][k];

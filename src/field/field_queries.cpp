@@ -1,11 +1,12 @@
 #include <pelt/height_field.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
 #include "collide/sort_contacts.hpp"
 #include "distance/answers.hpp"
 #include "distance/find_triangle.hpp"
 #include "field/field_cast.hpp"
+#include "field/field_collide.hpp"
+#include "field/field_distance.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 
@@ -19,7 +20,7 @@ using detail::PosedTree;
 /// Leaves the contacts in `scratch`, in no particular order.
 QueryStats find_contacts(const PosedTree& posed, const HeightField& field, Scratch& scratch,
                          std::uint32_t max_contacts) {
-  return detail::wide_code().collide_field(posed, field.detail(), scratch.detail(), max_contacts);
+  return detail::collide_field(posed, field.detail(), scratch.detail(), max_contacts);
 }
 
 /// The lowest pair of those that touch.
@@ -66,8 +67,7 @@ QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Dist
   const detail::SearchLimits limits = {options.max_distance, options.tolerance,
                                        options.hint ? &hint : nullptr};
   detail::TriangleGap gap;
-  stats += detail::wide_code().nearest_field_triangle(posed, field.detail(), scratch.detail(),
-                                                      limits, gap);
+  stats += detail::nearest_field_triangle(posed, field.detail(), scratch.detail(), limits, gap);
   nearest = detail::distance_apart(gap, options);
   return stats;
 }

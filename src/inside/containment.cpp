@@ -1,7 +1,7 @@
 #include "inside/containment.hpp"
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
+#include "collide/pair_traversal.hpp"
 #include "contact/traces.hpp"
 #include "inside/side_of.hpp"
 #include "query/scratch.hpp"
@@ -31,8 +31,7 @@ bool holds(const Body& outer, const Body& inner, pelt::Scratch& scratch, QuerySt
 }
 
 bool touch(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, QueryStats& work) {
-  work += wide_code().collide_trees(a.detail().posed_tree(), b.detail().posed_tree(),
-                                    scratch.detail(), 1);
+  work += collide_trees(a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), 1);
   work.cut_short = false;  // one contact is enough
   return !scratch.detail().found.empty();
 }

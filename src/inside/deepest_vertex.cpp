@@ -8,10 +8,10 @@
 #include <pelt/inside.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
 #include "contact/surface.hpp"
 #include "inside/side_of.hpp"
 #include "model/model.hpp"
+#include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 
@@ -70,7 +70,7 @@ class DeepestVertex {
   void visit(std::uint32_t index, Side side) {
     ++work_.node_pairs;
     const Node& node = a_.tree.nodes[index];
-    const OpenedNode& opened = detail::wide_code().open_node(a_, index, work_);
+    const OpenedNode& opened = detail::open_node(a_, index, work_);
     for (std::uint32_t slot = 0; slot < node.cluster_count + node.child_count; ++slot) {
       const Side of_slot = side == Side::unknown ? side_of_all(box_of(opened, slot)) : side;
       if (of_slot == Side::outside) continue;

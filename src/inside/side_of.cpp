@@ -14,9 +14,10 @@
 #include "inside/side_of.hpp"
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
+#include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
+#include "ray/ray_traversal.hpp"
 #include "region/region_descent.hpp"
 
 namespace pelt {
@@ -31,7 +32,7 @@ bool is_far(const RootBox& root, const Vec3& p) {
 }  // namespace
 
 QueryStats touches_box(pelt::Pose& pose, const Box& box, pelt::Scratch& scratch, bool& touches) {
-  const RegionAnswer answer = wide_code().descend_in_faces(
+  const RegionAnswer answer = descend_in_faces(
       pose.detail().posed_tree(), PreparedRegion(box).faces, scratch.detail(), RegionWish::touch);
   touches = answer.touches;
   return answer.work;
@@ -45,7 +46,7 @@ QueryStats find_side(pelt::Pose& pose, const pelt::Surface& surface, const Vec3&
   QueryStats work;
   work.node_pairs = 1;
   side = PointSide::outside;
-  if (is_far(wide_code().root_box(posed, work), point)) return work;
+  if (is_far(root_box(posed, work), point)) return work;
   bool is_on = false;
   work += touches_box(pose, {point, point}, scratch, is_on);
   if (is_on) {
@@ -53,7 +54,7 @@ QueryStats find_side(pelt::Pose& pose, const pelt::Surface& surface, const Vec3&
     return work;
   }
   int winding = 0;
-  work += wide_code().winding_number(posed, point, winding);
+  work += winding_number(posed, point, winding);
   if (winding != 0) side = PointSide::inside;
   return work;
 }

@@ -1,6 +1,6 @@
 #include "pose/exact_pose.hpp"
 
-#include "base/wide_code.hpp"
+#include "pose/open_node.hpp"
 
 namespace pelt::detail {
 
@@ -22,7 +22,7 @@ void ExactPose::close_all() {
   opened_ = OpenedNodes(static_cast<std::uint32_t>(tree_.nodes.size()), arena_);
 }
 
-QueryStats ExactPose::open_all() { return wide_code().open_all_exactly(posed_tree()); }
+QueryStats ExactPose::open_all() { return open_all_exactly(posed_tree()); }
 
 PosedTree ExactPose::posed_tree() {
   return {tree_, no_bounds_, palette_, root_box_, opened_, arena_};

@@ -1,7 +1,7 @@
 #include "pose/pose.hpp"
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
+#include "pose/open_node.hpp"
 
 #include <utility>
 
@@ -35,7 +35,7 @@ void posed_vertices(const Pose& pose, std::span<Vec3> out) {
   const detail::Pose& data = pose.detail();
   const detail::Tree& tree = data.model.detail().tree;
   PELT_ASSERT(out.size() == tree.vertex_count());
-  detail::wide_code().pose_vertices(tree, data.palette, out);
+  detail::pose_vertices(tree, data.palette, out);
 }
 
 }  // namespace pelt

@@ -1,9 +1,9 @@
 #include <pelt/ray.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
+#include "ray/ray_traversal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
                 const CastOptions& options) {
   PELT_ASSERT(hits.size() == rays.size());
   PELT_ASSERT(are_valid(rays));
-  return detail::wide_code().first_hits(pose.detail().posed_tree(), rays, options.facing, hits);
+  return detail::first_hits(pose.detail().posed_tree(), rays, options.facing, hits);
 }
 
 RayHit cast(Pose& pose, const Ray& ray, const CastOptions& options) {
@@ -52,7 +52,7 @@ QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
                     const CastOptions& options) {
   PELT_ASSERT(hit.size() == rays.size());
   PELT_ASSERT(are_valid(rays));
-  return detail::wide_code().any_hits(pose.detail().posed_tree(), rays, options.facing, hit);
+  return detail::any_hits(pose.detail().posed_tree(), rays, options.facing, hit);
 }
 
 QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch, std::vector<RayHit>& hits,
@@ -60,8 +60,7 @@ QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch, std::vector<Ra
   PELT_ASSERT(is_valid(ray));
   detail::Stack<RayHit>& found = scratch.detail().ray_hits;
   found.clear();
-  const QueryStats work =
-      detail::wide_code().all_hits(pose.detail().posed_tree(), ray, options.facing, found);
+  const QueryStats work = detail::all_hits(pose.detail().posed_tree(), ray, options.facing, found);
   std::sort(found.begin(), found.end(), comes_before);
   hits.insert(hits.end(), found.begin(), found.end());
   return work;

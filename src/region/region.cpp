@@ -1,7 +1,6 @@
 #include <pelt/region.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_numbers.hpp"
@@ -19,9 +18,9 @@ using detail::RegionWish;
 
 RegionAnswer descend(Pose& pose, const PreparedRegion& region, Scratch& scratch, RegionWish wish) {
   const detail::PosedTree posed = pose.detail().posed_tree();
-  const detail::WideCode& wide = detail::wide_code();
-  return region.is_capsule ? wide.descend_in_capsule(posed, region.capsule, scratch.detail(), wish)
-                           : wide.descend_in_faces(posed, region.faces, scratch.detail(), wish);
+  return region.is_capsule
+             ? detail::descend_in_capsule(posed, region.capsule, scratch.detail(), wish)
+             : detail::descend_in_faces(posed, region.faces, scratch.detail(), wish);
 }
 
 Placement placement_of(const RegionAnswer& answer) {

@@ -2,7 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/problem.hpp"
-#include "base/wide_code.hpp"
+#include "skin/palette_scan.hpp"
 #include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ Result<void> Palette::set(std::span<const float> floats) {
     return invalid_argument(
         problem("the palette has %zu floats, expected %zu: 16 for each of the model's %zu joints",
                 floats.size(), 16 * joints_.size(), joints_.size()));
-  const PaletteScan scan = wide_code().scan_palette(floats.data(), joints_.size());
+  const PaletteScan scan = scan_palette(floats.data(), joints_.size());
   if (!are_good(scan, reach_))
     if (Problem found = find_bad_joint(floats, reach_); !found.empty())
       return invalid_argument(std::move(found));
@@ -92,8 +92,7 @@ bool Palette::are_good(const PaletteScan& joints, double reach) const {
 /// Joints that are good one by one are good together.
 Problem Palette::find_bad_joint(std::span<const float> floats, double reach) const {
   for (std::size_t j = 0; j < joints_.size(); ++j)
-    if (!are_good(wide_code().scan_palette(&floats[16 * j], 1), reach))
-      return describe(&floats[16 * j], j);
+    if (!are_good(scan_palette(&floats[16 * j], 1), reach)) return describe(&floats[16 * j], j);
   return {};
 }
 

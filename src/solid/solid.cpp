@@ -1,7 +1,6 @@
 #include <pelt/solid.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
 #include "distance/answers.hpp"
 #include "distance/find_triangle.hpp"
 #include "pose/pose.hpp"
@@ -21,10 +20,9 @@ Region region_of(const Solid& solid) {
 
 /// Leaves the triangles that touch in `scratch.touching`.
 QueryStats find_touching(const PosedTree& posed, const PreparedRegion& region, Scratch& scratch) {
-  const WideCode& wide = wide_code();
   return (region.is_capsule
-              ? wide.descend_in_capsule(posed, region.capsule, scratch, RegionWish::triangles)
-              : wide.descend_in_faces(posed, region.faces, scratch, RegionWish::triangles))
+              ? descend_in_capsule(posed, region.capsule, scratch, RegionWish::triangles)
+              : descend_in_faces(posed, region.faces, scratch, RegionWish::triangles))
       .work;
 }
 
@@ -56,8 +54,7 @@ QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDista
     return stats;
   }
   detail::SolidGap gap;
-  stats += detail::wide_code().nearest_to_solid(posed, prepared, scratch.detail(),
-                                                options.max_distance, gap);
+  stats += detail::nearest_to_solid(posed, prepared, scratch.detail(), options.max_distance, gap);
   nearest.distance = gap.nearest.distance;
   nearest.surface = detail::surface_point(gap.triangle, gap.corners, gap.nearest.at);
   nearest.solid = detail::to_float(gap.nearest.on_solid);

@@ -1,7 +1,8 @@
 /// Opening nodes, on every target: the same bits, the same work.
 
-#include "base/wide_code.hpp"
+#include "pose/open_node.hpp"
 #include "model/unpack.hpp"
+#include "pose/open_fully.hpp"
 #include "pose/pose.hpp"
 #include "skin/skin.hpp"
 #include "support/skinned_shapes.hpp"
@@ -73,20 +74,20 @@ void for_all_poses(Random& random, const Body& body) {
 
 using Opening = QueryStats (*)(const detail::PosedTree&);
 
-QueryStats open_fully(const detail::PosedTree& posed) {
+QueryStats open_fully_anew(const detail::PosedTree& posed) {
   make_table(posed);
-  return detail::wide_code().open_fully(posed);
+  return detail::open_fully(posed);
 }
 
-QueryStats open_all_exactly(const detail::PosedTree& posed) {
+QueryStats open_exactly_anew(const detail::PosedTree& posed) {
   make_table(posed);
-  return detail::wide_code().open_all_exactly(posed);
+  return detail::open_all_exactly(posed);
 }
 
 TEST(OpenNode, AllTargetsGiveTheSameBitsByTheSameWork) {
   Random random(70);
   for_all_poses(random, [](Pose pose, const std::vector<Matrix4>& palette) {
-    for (const Opening open : {open_fully, open_all_exactly}) {
+    for (const Opening open : {open_fully_anew, open_exactly_anew}) {
       Bits expected;
       QueryStats expected_work;
       test::on_each_target([&](Target target) {
@@ -113,7 +114,7 @@ TEST(OpenNode, PoolsHaveTheBitsOfTheDefinition) {
     const detail::SkinnedMesh vertices = unpack_vertices(tree);
     test::on_each_target([&](Target) {
       ASSERT_TRUE(pose.set_palette(palette));
-      open_fully(pose.detail().posed_tree());
+      open_fully_anew(pose.detail().posed_tree());
       for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
         const Node& node = tree.nodes[n];
         for (std::uint32_t v = 0; v < node.vertex_count; ++v, ++compared) {
@@ -140,7 +141,7 @@ TEST(OpenNode, AReservedPoseHasRoomForAllNodesAndNoMore) {
       const std::size_t reserved = arena.capacity();
       for (int round = 0; round < 2; ++round) {
         ASSERT_TRUE(pose.set_palette(palette));
-        open_fully(pose.detail().posed_tree());
+        open_fully_anew(pose.detail().posed_tree());
         EXPECT_EQ(arena.used(), reserved);
         EXPECT_EQ(arena.capacity(), reserved);
       }
@@ -188,7 +189,7 @@ TEST(OpenNode, BoxesOfClustersAndTrianglesAreExactAndFreeSlotsEmpty) {
   for_all_poses(random, [&](Pose pose, const std::vector<Matrix4>& palette) {
     const Tree& tree = pose.model().detail().tree;
     ASSERT_TRUE(pose.set_palette(palette));
-    open_fully(pose.detail().posed_tree());
+    open_fully_anew(pose.detail().posed_tree());
     for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
       const Node& node = tree.nodes[n];
       const OpenedNode& opened = *pose.detail().opened[n];
@@ -227,7 +228,7 @@ TEST(OpenNode, OpenedExactlyEveryBoxIsTheSmallest) {
   for_all_poses(random, [&](Pose pose, const std::vector<Matrix4>& palette) {
     const Tree& tree = pose.model().detail().tree;
     ASSERT_TRUE(pose.set_palette(palette));
-    const QueryStats work = open_all_exactly(pose.detail().posed_tree());
+    const QueryStats work = open_exactly_anew(pose.detail().posed_tree());
     EXPECT_EQ(work.refits, tree.clusters.size() + tree.nodes.size() - 1);
     std::vector<Box> below(tree.nodes.size(), kEmpty);
     for (std::size_t n = tree.nodes.size(); n-- > 0;) {

@@ -1,7 +1,6 @@
 #include <pelt/target.hpp>
 
 #include "base/assert.hpp"
-#include "base/wide_code.hpp"
 
 #include <atomic>
 #include <vector>
@@ -9,43 +8,26 @@
 namespace pelt {
 namespace detail {
 
-#ifdef PELT_HAS_SCALAR
-namespace scalar {
-extern const WideCode kWideCode;
-}
-#endif
-#ifdef PELT_HAS_SIMD128
-namespace simd128 {
-extern const WideCode kWideCode;
-}
-#endif
-#ifdef PELT_HAS_AVX2
-namespace avx2 {
-extern const WideCode kWideCode;
-}
-#endif
-
 namespace {
 
 struct Built {
   Target target;
-  const WideCode* code;
   bool (*runs_here)();
 };
 
 constexpr Built kBuilt[] = {
 #ifdef PELT_HAS_SCALAR
-    {Target::scalar, &scalar::kWideCode, [] { return true; }},
+    {Target::scalar, [] { return true; }},
 #endif
 #ifdef PELT_HAS_SIMD128
 #ifdef __x86_64__
-    {Target::simd128, &simd128::kWideCode, [] { return __builtin_cpu_supports("sse4.1") != 0; }},
+    {Target::simd128, [] { return __builtin_cpu_supports("sse4.1") != 0; }},
 #else
-    {Target::simd128, &simd128::kWideCode, [] { return true; }},
+    {Target::simd128, [] { return true; }},
 #endif
 #endif
 #ifdef PELT_HAS_AVX2
-    {Target::avx2, &avx2::kWideCode, [] { return __builtin_cpu_supports("avx2") != 0; }},
+    {Target::avx2, [] { return __builtin_cpu_supports("avx2") != 0; }},
 #endif
 };
 
@@ -62,8 +44,6 @@ std::atomic<const Built*>& active() {
 }
 
 }  // namespace
-
-const WideCode& wide_code() { return *active().load(std::memory_order_relaxed)->code; }
 
 }  // namespace detail
 
@@ -90,7 +70,7 @@ std::span<const Target> available_targets() {
   return available;
 }
 
-Target active_target() { return detail::active().load()->target; }
+Target active_target() { return detail::active().load(std::memory_order_relaxed)->target; }
 
 bool set_active_target(Target target) {
   for (const detail::Built& built : detail::kBuilt)

@@ -1,0 +1,83 @@
+#pragma once
+
+/// Chooses at run time which target's version of a function to call. A file that is compiled for
+/// each target defines `f` in the inline namespace PELT_TARGET. `dispatch.cpp` in the same folder
+/// is compiled once, for the baseline, and defines the `f` that all other baseline files call:
+///
+///     PELT_DECLARE_TARGETS(f)
+///
+///     inline namespace PELT_TARGET {
+///     int f(int argument) { return PELT_CHOOSE(f)(argument); }
+///     }
+///
+/// A build with one target, such as WebAssembly, calls that target's `f` directly.
+
+#include <pelt/target.hpp>
+
+#include "base/target.hpp"
+
+/// A target that the build does not have declares nothing and is null.
+#ifdef PELT_HAS_SCALAR
+#define PELT_SCALAR_VERSION(function) scalar::function
+#define PELT_DECLARE_SCALAR(function)           \
+  namespace scalar {                            \
+  extern decltype(baseline::function) function; \
+  }
+#else
+#define PELT_SCALAR_VERSION(function) nullptr
+#define PELT_DECLARE_SCALAR(function)
+#endif
+
+#ifdef PELT_HAS_SIMD128
+#define PELT_SIMD128_VERSION(function) simd128::function
+#define PELT_DECLARE_SIMD128(function)          \
+  namespace simd128 {                           \
+  extern decltype(baseline::function) function; \
+  }
+#else
+#define PELT_SIMD128_VERSION(function) nullptr
+#define PELT_DECLARE_SIMD128(function)
+#endif
+
+#ifdef PELT_HAS_AVX2
+#define PELT_AVX2_VERSION(function) avx2::function
+#define PELT_DECLARE_AVX2(function)             \
+  namespace avx2 {                              \
+  extern decltype(baseline::function) function; \
+  }
+#else
+#define PELT_AVX2_VERSION(function) nullptr
+#define PELT_DECLARE_AVX2(function)
+#endif
+
+/// Declares the version of `function` of each target. Precondition: a header declares `function` in
+/// the surrounding namespace for the baseline, and it is not overloaded.
+#define PELT_DECLARE_TARGETS(function) \
+  PELT_DECLARE_SCALAR(function)        \
+  PELT_DECLARE_SIMD128(function)       \
+  PELT_DECLARE_AVX2(function)
+
+/// Points to the version of `function` of the active target.
+#define PELT_CHOOSE(function)                           \
+  ::pelt::detail::choose<decltype(baseline::function)>( \
+      PELT_SCALAR_VERSION(function), PELT_SIMD128_VERSION(function), PELT_AVX2_VERSION(function))
+
+namespace pelt::detail {
+
+/// Returns the version of the active target. At least one is not null.
+template <typename Function>
+inline Function* choose(Function* scalar, Function* simd128, Function* avx2) {
+  if (!simd128 && !avx2) return scalar;
+  if (!scalar && !avx2) return simd128;
+  switch (active_target()) {
+    case Target::scalar:
+      return scalar;
+    case Target::simd128:
+      return simd128;
+    case Target::avx2:
+      return avx2;
+  }
+  return scalar;
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,34 @@
+/// The functions of this folder that exist once for each target.
+
+#include "base/dispatch.hpp"
+#include "bounds/bounding_box.hpp"
+#include "bounds/bounding_radius.hpp"
+
+namespace pelt::detail {
+
+PELT_DECLARE_TARGETS(bounding_box)
+PELT_DECLARE_TARGETS(bounding_radius)
+PELT_DECLARE_TARGETS(bound_of_set)
+PELT_DECLARE_TARGETS(box_places)
+
+inline namespace PELT_TARGET {
+
+BoxFound bounding_box(const PosedTree& posed, std::uint32_t levels) {
+  return PELT_CHOOSE(bounding_box)(posed, levels);
+}
+
+float bounding_radius(const NodeBounds& bounds, const Palette& palette, const float* centre) {
+  return PELT_CHOOSE(bounding_radius)(bounds, palette, centre);
+}
+
+BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette& palette) {
+  return PELT_CHOOSE(bound_of_set)(bounds, set, palette);
+}
+
+BoxFound box_places(const Tree& tree, const Palette& palette,
+                    std::span<const std::uint32_t> places) {
+  return PELT_CHOOSE(box_places)(tree, palette, places);
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,18 @@
+/// The functions of this folder that exist once for each target.
+
+#include "base/dispatch.hpp"
+#include "collide/pair_traversal.hpp"
+
+namespace pelt::detail {
+
+PELT_DECLARE_TARGETS(collide_trees)
+
+inline namespace PELT_TARGET {
+
+QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                         std::uint32_t max_contacts) {
+  return PELT_CHOOSE(collide_trees)(a, b, scratch, max_contacts);
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,34 @@
+/// The functions of this folder that exist once for each target.
+
+#include "base/dispatch.hpp"
+#include "ray/ray_traversal.hpp"
+
+namespace pelt::detail {
+
+PELT_DECLARE_TARGETS(first_hits)
+PELT_DECLARE_TARGETS(any_hits)
+PELT_DECLARE_TARGETS(all_hits)
+PELT_DECLARE_TARGETS(winding_number)
+
+inline namespace PELT_TARGET {
+
+QueryStats first_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
+                      std::span<RayHit> hits) {
+  return PELT_CHOOSE(first_hits)(posed, rays, facing, hits);
+}
+
+QueryStats any_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
+                    std::span<bool> hit) {
+  return PELT_CHOOSE(any_hits)(posed, rays, facing, hit);
+}
+
+QueryStats all_hits(const PosedTree& posed, const Ray& ray, Facing facing, Stack<RayHit>& hits) {
+  return PELT_CHOOSE(all_hits)(posed, ray, facing, hits);
+}
+
+QueryStats winding_number(const PosedTree& posed, const Vec3& point, int& winding) {
+  return PELT_CHOOSE(winding_number)(posed, point, winding);
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

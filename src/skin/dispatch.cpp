@@ -1,0 +1,17 @@
+/// The functions of this folder that exist once for each target.
+
+#include "base/dispatch.hpp"
+#include "skin/palette_scan.hpp"
+
+namespace pelt::detail {
+
+PELT_DECLARE_TARGETS(scan_palette)
+
+inline namespace PELT_TARGET {
+
+PaletteScan scan_palette(const float* floats, std::size_t joint_count) {
+  return PELT_CHOOSE(scan_palette)(floats, joint_count);
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
