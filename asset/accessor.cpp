@@ -95,7 +95,7 @@ Result<std::vector<float>> AccessorReader::floats(std::uint32_t index, ElementTy
   const GltfAccessor& accessor = document_.accessors[index];
   const std::string what = accessor_label(index, use);
   if (!may_be_stored(accessor, storage)) {
-    return malformed(what + ": numbers of this component type may not stand here");
+    return malformed(what + ": this component type is not allowed here");
   }
   const Result<void> right_type = require_type(accessor, type, what);
   if (!right_type) return right_type.error();

@@ -110,9 +110,9 @@ Result<std::vector<float>> ClipReader::read_times(std::uint32_t accessor) {
   Result<std::vector<float>> times =
       reader_.floats(accessor, ElementType::scalar, Storage::floats, use);
   if (!times) return times;
-  if (times->empty()) return malformed(accessor_label(accessor, use) + ": there are none");
+  if (times->empty()) return malformed(accessor_label(accessor, use) + ": is empty");
   if (times->front() < 0) {
-    return malformed(accessor_label(accessor, use) + ": the first is negative");
+    return malformed(accessor_label(accessor, use) + ": the first time is negative");
   }
   const auto fault = std::adjacent_find(times->begin(), times->end(),
                                         [](float time, float next) { return !(time < next); });
@@ -154,7 +154,7 @@ Result<void> ClipReader::normalise_keys(std::uint32_t accessor, std::vector<floa
     std::array<float, 4> rotation = {value[0], value[1], value[2], value[3]};
     if (!normalise(rotation)) {
       return malformed(accessor_label(accessor, "values of keys") + ": key " + std::to_string(key) +
-                       " is no unit quaternion");
+                       " is not a unit quaternion");
     }
     std::copy(rotation.begin(), rotation.end(), value);
   }
@@ -187,7 +187,7 @@ Result<std::vector<Clip>> read_clips(const GltfDocument& document, const NodeGra
   }
   if (clip_reader.passed_over() > 0) {
     warnings.push_back(std::to_string(clip_reader.passed_over()) +
-                       " animation channels are passed over: they move nothing that has been read");
+                       " animation channels are ignored: they animate nothing that was read");
   }
   return clips;
 }

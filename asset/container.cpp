@@ -15,7 +15,7 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 }
 
 Error cut_short(const std::string& how) {
-  return malformed("the .glb is cut short: " + how + ": copy or export it again");
+  return malformed("the .glb is truncated: " + how + ": copy or export it again");
 }
 
 /// Whether the text could be a JSON object, after white space and the mark of UTF-8.
@@ -31,7 +31,7 @@ Result<Container> read_text(std::string_view text) {
   if (begins_like_object(text)) return Container{text, {}};
   if (text.empty()) return malformed("the file is empty: copy or export it again");
   return malformed(
-      std::string("the file begins neither as a .glb nor as the JSON object of a .gltf") +
+      std::string("the file starts neither like a .glb nor like the JSON object of a .gltf") +
       kExportGltf2);
 }
 

@@ -260,7 +260,7 @@ GltfAnimation read_animation(const JsonObject& json, std::size_t accessor_count,
 }
 
 void require_version_2(const JsonObject& root) {
-  if (!root.has("asset")) root.refuse("asset", "is missing, as if this were no glTF file");
+  if (!root.has("asset")) root.refuse("asset", "is missing: this is not a glTF file");
   const JsonObject asset = root.object("asset");
   const std::string version = asset.text("version");
   const std::string minimum = asset.text("minVersion");

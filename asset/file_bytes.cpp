@@ -24,7 +24,7 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& path) {
   std::vector<std::byte> bytes(size);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (static_cast<std::uintmax_t>(stream.gcount()) != size)
-    return unreadable(path, "was cut short");
+    return unreadable(path, "was truncated while it was read");
   return bytes;
 }
 

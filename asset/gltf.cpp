@@ -26,7 +26,7 @@ Result<Asset> read_asset(GltfDocument& document, Buffers& buffers, Budget& budge
   if (!graph) return graph.error();
   Asset asset;
   for (const std::string& extension : document.passed_over_extensions) {
-    asset.warnings.push_back("extension " + asset::quoted(extension) + " is passed over");
+    asset.warnings.push_back("extension " + asset::quoted(extension) + " is ignored");
   }
   AccessorReader reader(document, buffers, budget);
   const Result<void> merged = merge_meshes(document, *graph, options, reader, budget, asset);

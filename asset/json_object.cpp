@@ -264,7 +264,7 @@ Result<json> parse_json(std::string_view text) {
   try {
     return json::parse(text);
   } catch (const json::exception& error) {
-    return malformed("the JSON text is wrong: " + plain_words(error));
+    return malformed("the JSON text is invalid: " + plain_words(error));
   }
 }
 

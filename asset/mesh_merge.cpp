@@ -174,7 +174,7 @@ bool Merger::is_drawn(PrimitivePlace place) {
   const GltfPrimitive& primitive = document_.meshes[place.mesh].primitives[place.primitive];
   const bool points_or_lines = primitive.mode == PrimitiveMode::points_or_lines;
   if (!points_or_lines && primitive.positions) return true;
-  asset_.warnings.push_back(primitive_label(document_, place) + " is passed over: it has " +
+  asset_.warnings.push_back(primitive_label(document_, place) + " is ignored: it has " +
                             (points_or_lines ? "points or lines" : "no POSITION"));
   return false;
 }
@@ -215,7 +215,7 @@ Result<void> merge_meshes(const GltfDocument& document, const NodeGraph& graph,
     if (!added) return added.error();
   }
   if (asset.triangles.empty())
-    return unsupported("the scene has no triangles: export its meshes too, and leave fewer out");
+    return unsupported("the scene has no triangles: export its meshes, and exclude fewer of them");
   return merger.finish();
 }
 

@@ -7,7 +7,7 @@ namespace pelt::asset {
 Error with_remedy(const Error& error) {
   if (error.code != ErrorCode::malformed_file) return error;
   return malformed(error.message +
-                   ": mend it in the program that wrote the file, and export it again");
+                   ": fix it in the program that wrote the file, and export it again");
 }
 
 std::string quoted(std::string_view name) { return '"' + printable_name(name) + '"'; }

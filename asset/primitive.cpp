@@ -106,7 +106,7 @@ Result<std::vector<std::uint32_t>> PrimitiveReader::joint_set(PrimitivePlace pla
     const std::uint32_t joint = (*indices)[i];
     if (joint < joint_count) continue;
     return malformed(accessor_label(accessor, use) + ": vertex " + std::to_string(i / 4) +
-                     " names joint " + std::to_string(joint) + ", but " + skin + " has " +
+                     " refers to joint " + std::to_string(joint) + ", but " + skin + " has " +
                      std::to_string(joint_count) + " joints");
   }
   return indices;
@@ -127,7 +127,7 @@ Result<std::vector<Triangle>> PrimitiveReader::triangles(PrimitivePlace place,
   if (!list) return list.error();
   if (mode == PrimitiveMode::triangles && list->size() % 3 != 0) {
     return malformed(label_of(place) + ": " + std::to_string(list->size()) +
-                     " corners are no whole number of triangles");
+                     " vertices are not a whole number of triangles");
   }
   std::vector<Triangle> triangles(triangle_count(mode, list->size()));
   for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -92,7 +92,7 @@ Result<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
     return *std::move(bytes);
   }
   const std::optional<std::string> text = percent_decode(data);
-  if (!text) return malformed("a data URI with a wrong percent code");
+  if (!text) return malformed("a data URI with an invalid percent code");
   const auto* first = reinterpret_cast<const std::byte*>(text->data());
   return std::vector<std::byte>(first, first + text->size());
 }
@@ -104,13 +104,13 @@ Result<fs::path> resolve_file_uri(std::string_view uri, const fs::path& folder) 
                      " is not the name of a file in the folder of the .gltf");
   }
   if (folder.empty()) {
-    return unsupported(
-        "uri " + asset::quoted(uri) +
-        " names a file, but there is no folder to look in: export a .glb, which has all in it");
+    return unsupported("uri " + asset::quoted(uri) +
+                       " refers to a file, but there is no folder to look in: export a .glb, which "
+                       "is self-contained");
   }
   const fs::path file = folder / *path;
   if (!lies_in(file, folder)) {
-    return malformed("uri " + asset::quoted(uri) + " leads out of the folder of the .gltf");
+    return malformed("uri " + asset::quoted(uri) + " leaves the folder of the .gltf");
   }
   return file;
 }

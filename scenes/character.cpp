@@ -9,7 +9,7 @@ namespace pelt::scenes {
 namespace {
 
 constexpr const char* kPrepared =
-    "is a prepared model, which has no skeleton and no clips: name the glTF file that it was "
+    "is a prepared model, which has no skeleton and no clips: give the glTF file that it was "
     "prepared from";
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {

@@ -35,10 +35,11 @@ Error unknown_node(const Scene& scene, const std::string& name) {
       names.insert(name.find('/') == name.npos ? part.node : character.name + "/" + part.node);
   }
   const std::vector<std::string_view> known(names.begin(), names.end());
-  return {ErrorCode::invalid_argument,
-          "no node to exclude is named " + asset::quoted(name) +
-              (known.empty() ? ": the scene's characters are not from files, exclude nothing"
-                             : suggestion(name, known))};
+  return {
+      ErrorCode::invalid_argument,
+      "no node to exclude is named " + asset::quoted(name) +
+          (known.empty() ? ": the characters of the scene do not come from files, exclude nothing"
+                         : suggestion(name, known))};
 }
 
 }  // namespace

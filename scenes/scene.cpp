@@ -16,7 +16,7 @@ namespace pelt::scenes {
 namespace {
 
 constexpr const char* kNoScene =
-    "is a model, not a scene: write a scene that names it, as docs/scenes.md tells";
+    "is a model, not a scene: write a scene that refers to it, see docs/scenes.md";
 constexpr const char* kRelative = ": paths in a scene are relative to its folder";
 
 Result<Character> make_character(const SceneFile::Model& model, const std::filesystem::path& folder,

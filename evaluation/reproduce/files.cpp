@@ -115,7 +115,8 @@ Result<void> make_folders(const fs::path& folder) {
     fs::create_directories(folder / name, error);
     if (error)
       return Error{ErrorCode::unreadable_file,
-                   folder.string() + ": is no folder and cannot be made: choose another with -o"};
+                   folder.string() +
+                       ": is not a folder and cannot be created: choose another folder with -o"};
   }
   return {};
 }

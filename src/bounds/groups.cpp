@@ -38,8 +38,8 @@ Problem check_labels(std::span<const std::uint32_t> labels, std::uint32_t triang
   for (std::size_t t = 0; t < labels.size(); ++t)
     if (labels[t] != kNoGroup && labels[t] >= triangle_count)
       return detail::problem(
-          "labels[%zu] is %u: number the groups from zero on, below the %u "
-          "triangles, or say kNoGroup",
+          "labels[%zu] is %u: number the groups from 0, below the %u "
+          "triangles, or use kNoGroup",
           t, labels[t], triangle_count);
   return {};
 }

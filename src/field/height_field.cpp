@@ -47,8 +47,8 @@ Problem check_places(const char* name, const std::vector<float>& places) {
     if (Problem found = check_place(name, i, places[i]); !found.empty()) return found;
     if (i > 0 && !(places[i - 1] < places[i]))
       return problem(
-          "%ss %zu and %zu of the height field are both at %g: so far from the origin their "
-          "spacing needs to be larger",
+          "%ss %zu and %zu of the height field are both at %g: this far from the origin "
+          "their spacing must be larger",
           name, i - 1, i, static_cast<double>(places[i]));
   }
   return {};

@@ -115,7 +115,7 @@ Problem BoundsCheck::check_joint_boxes() {
   for (std::size_t i = 0; i < bounds_.joint_boxes.size(); ++i)
     if (const JointBox& box = bounds_.joint_boxes[i];
         !is_point_within(box.centre, reach_) || !is_half_within(box.half, reach_))
-      return problem("bounds.joint_boxes[%zu] is no box in the mesh", i);
+      return problem("bounds.joint_boxes[%zu] is not a box within the mesh", i);
   return {};
 }
 
@@ -125,7 +125,7 @@ Problem BoundsCheck::check_shapes() {
         !is_point_within(shape.centre, reach_) || !is_half_within(shape.half, reach_) ||
         !is_vector_within(shape.axes_centre, reach_) || !is_vector_within(shape.axes[0], reach_) ||
         !is_vector_within(shape.axes[1], reach_) || !is_vector_within(shape.axes[2], reach_))
-      return problem("bounds.shapes[%zu] is no shape in the mesh", i);
+      return problem("bounds.shapes[%zu] is not a shape within the mesh", i);
   return {};
 }
 
@@ -174,7 +174,7 @@ Problem BoundsCheck::check_displacements() {
                        box.target);
       const double reach = 4 * double{tree_.morphs.extents[box.target]};
       if (!is_vector_within(box.centre, reach) || !is_half_within(box.half, reach))
-        return problem("bounds.displacements[%u] is no box of displacements", i);
+        return problem("bounds.displacements[%u] is not a box of displacements", i);
     }
   }
   return {};

@@ -135,7 +135,7 @@ Problem StructureCheck::check_nodes() {
     const Node& node = tree_.nodes[n];
     const std::uint32_t slots = std::uint32_t{node.cluster_count} + node.child_count;
     if (slots == 0 || slots > kMaxSlots) return problem("nodes[%zu] has %u slots", n, slots);
-    if (n == children) return problem("nodes[%zu] is nobody's child", n);
+    if (n == children) return problem("nodes[%zu] has no parent", n);
     if (node.first_child != children)
       return problem("nodes[%zu].first_child is %u, expected %zu", n, node.first_child, children);
     if (node.first_cluster != clusters)
@@ -203,7 +203,7 @@ Problem StructureCheck::check_cluster(std::uint32_t c) {
     const std::uint16_t vertex = tree_.cluster_vertices[cluster.first_vertex + i];
     if (vertex % kFloatsPerVertex != 0 || vertex >= kFloatsPerVertex * named_by_.size() ||
         std::exchange(named_by_[vertex / kFloatsPerVertex], c) == c)
-      return problem("cluster_vertices[%u] is %u, twice or not in the pool",
+      return problem("cluster_vertices[%u] is %u, a duplicate or not in the pool",
                      cluster.first_vertex + i, vertex);
   }
   for (std::uint32_t i = cluster.vertex_count; i < cluster.listed_vertex_count(); ++i)
@@ -215,7 +215,7 @@ Problem StructureCheck::check_cluster(std::uint32_t c) {
     for (const std::uint16_t corner : tree_.corners[cluster.first_triangle + i]) {
       if (corner % kFloatsPerVertex != 0 || corner >= kFloatsPerVertex * named_by_.size() ||
           named_by_[corner / kFloatsPerVertex] != c)
-        return problem("corners[%u] has %u, which is none of its cluster_vertices",
+        return problem("corners[%u] has %u, which is not one of its cluster_vertices",
                        cluster.first_triangle + i, corner);
       used += std::exchange(used_by_[corner / kFloatsPerVertex], c) != c;
     }
@@ -229,7 +229,7 @@ Problem StructureCheck::check_triangle_ids() {
   for (std::size_t t = 0; t < seen.size(); ++t) {
     const std::uint32_t id = tree_.triangle_ids[t];
     if (id >= seen.size()) return problem("triangle_ids[%zu] is %u of %zu", t, id, seen.size());
-    if (seen[id]) return problem("triangle_ids[%zu] is %u, which has been before", t, id);
+    if (seen[id]) return problem("triangle_ids[%zu] is %u, a repetition", t, id);
     seen[id] = true;
   }
   return {};
@@ -257,16 +257,17 @@ Problem check_welding(const Tree& tree) {
     for (std::uint32_t i = 0; i < tree.nodes[n].vertex_count; ++i) {
       const std::uint32_t p = tree.nodes[n].first_vertex + i;
       if (last_pool[welded[p]] == n)
-        return problem("rest_positions[%u] is in the pool of nodes[%u] twice", p, n);
+        return problem("rest_positions[%u] is twice in the pool of nodes[%u]", p, n);
       last_pool[welded[p]] = n;
     }
   for (std::size_t p = end_of_pools(tree); p < welded.size(); ++p)
-    if (welded[p] != p) return problem("rest_positions[%zu] of no pool is there twice", p);
+    if (welded[p] != p) return problem("rest_positions[%zu] outside the pools is a duplicate", p);
 
   std::vector<bool> known(welded.size(), false);
   for (const std::uint32_t place : tree.vertex_places) known[welded[place]] = true;
   for (std::size_t p = 0; p < welded.size(); ++p)
-    if (!known[welded[p]]) return problem("rest_positions[%zu] is none of the caller's", p);
+    if (!known[welded[p]])
+      return problem("rest_positions[%zu] belongs to no vertex of the caller", p);
   return {};
 }
 

@@ -87,8 +87,9 @@ bool is_prepared_model(std::span<const std::byte> file) {
 
 Result<SkinnedModel> load_model(std::span<const std::byte> file) {
   if (!is_prepared_model(file))
-    return Error{ErrorCode::malformed_file,
-                 "the file is no prepared model: `pelt prepare` and save_model() write them"};
+    return Error{
+        ErrorCode::malformed_file,
+        "the file is not a prepared model: create one with `pelt prepare` or save_model()"};
   const PreparedHeader header = read_header(file);
   if (const Problem found = find_foreign(header); !found.empty())
     return refusal(ErrorCode::unsupported, found);

@@ -61,8 +61,8 @@ std::vector<Box> boxes_below(const Tree& tree, const std::vector<Vec3>& posed) {
 
 Problem left_out(std::uint32_t node, const char* bound, std::uint32_t number, std::size_t axis,
                  float distance) {
-  return detail::problem("node %u: the box of %s %u leaves out a vertex by %g along %c", node,
-                         bound, number, static_cast<double>(distance), "xyz"[axis]);
+  return detail::problem("node %u: the box of %s %u misses a vertex by %g along %c", node, bound,
+                         number, static_cast<double>(distance), "xyz"[axis]);
 }
 
 /// The bounds of one instance against its posed vertices.

@@ -19,7 +19,7 @@ constexpr double kFloatRounding = 0x1p-16;
 Problem check_sizes(const SkinnedMeshView& view) {
   if (view.rest_positions.size() > 0x7FFFFFFF || view.triangles.size() > 0x7FFFFFFF)
     return problem("rest_positions or triangles have more than 2^31 - 1 elements");
-  if (view.triangles.empty()) return problem("triangles is empty: there is nothing to collide");
+  if (view.triangles.empty()) return problem("triangles is empty");
   if (view.influences_per_vertex == 0) return problem("influences_per_vertex is 0");
   if (view.joint_count == 0 || view.joint_count > kMaxJoints)
     return problem("joint_count is %u, expected 1 to %u", view.joint_count, kMaxJoints);
@@ -50,7 +50,7 @@ Problem check_triangles(std::span<const Triangle> triangles, std::size_t vertex_
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (const std::uint32_t v : triangles[t])
       if (v >= vertex_count)
-        return problem("triangles[%zu] names vertex %u, but there are %zu rest_positions", t, v,
+        return problem("triangles[%zu] refers to vertex %u, but there are %zu rest_positions", t, v,
                        vertex_count);
   return {};
 }

@@ -96,7 +96,7 @@ TEST(Clips, PassOverWeightsOfNoMorphTargetsButLastAsLong) {
   EXPECT_TRUE(asset->clips[0].channels.empty());
   EXPECT_EQ(asset->clips[0].duration, 1);
   ASSERT_EQ(asset->warnings.size(), 1u);
-  EXPECT_NE(asset->warnings[0].find("1 animation channels are passed over"), std::string::npos);
+  EXPECT_NE(asset->warnings[0].find("1 animation channels are ignored"), std::string::npos);
 }
 
 /// The strip with two morph targets and weights of three keys, at 0, 1 and 2 seconds.
@@ -171,13 +171,13 @@ TEST(Clips, RefuseTimesThatDoNotAscend) {
   }
   GltfBuilder builder = test::paper_strip();
   builder.set_value<float>(5, 0, -1);
-  EXPECT_TRUE(refused(builder.load(), {"accessor 5", "the first is negative"}));
+  EXPECT_TRUE(refused(builder.load(), {"accessor 5", "the first time is negative"}));
 }
 
 TEST(Clips, RefuseSamplersWithoutKeys) {
   GltfBuilder builder = test::paper_strip();
   builder.accessor(5)["count"] = 0;
-  EXPECT_TRUE(refused(builder.load(), {"accessor 5", "there are none"}));
+  EXPECT_TRUE(refused(builder.load(), {"accessor 5", "is empty"}));
 }
 
 TEST(Clips, RefuseAnotherNumberOfValues) {
@@ -189,7 +189,7 @@ TEST(Clips, RefuseAnotherNumberOfValues) {
 TEST(Clips, RefuseRotationsThatAreNone) {
   GltfBuilder builder = test::paper_strip();
   builder.set_value<float>(6, 7, 0);
-  EXPECT_TRUE(refused(builder.load(), {"accessor 6", "key 1 is no unit quaternion"}));
+  EXPECT_TRUE(refused(builder.load(), {"accessor 6", "key 1 is not a unit quaternion"}));
 }
 
 TEST(Clips, RefuseTwoChannelsForOneProperty) {

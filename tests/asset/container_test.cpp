@@ -59,7 +59,7 @@ TEST(Container, RefusesALengthBeyondTheFile) {
 TEST(Container, RefusesAChunkBeyondTheFile) {
   std::vector<std::byte> file = test::stone().glb();
   set_u32(file, 12, 0xFFFFFFFF);
-  EXPECT_TRUE(refused(load(file), {"cut short", "4294967295"}));
+  EXPECT_TRUE(refused(load(file), {"truncated", "4294967295"}));
 }
 
 TEST(Container, RefusesAFirstChunkThatIsNotJson) {

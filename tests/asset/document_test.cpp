@@ -198,7 +198,7 @@ TEST(Document, TakesRequiredExtensionsThatDoNotTouchShapes) {
 TEST(Document, WarnsOfExtensionsThatItPassesOver) {
   const Result<Asset> asset = load_with("/extensionsUsed", {"KHR_materials_unlit", "EXT_novelty"});
   ASSERT_TRUE(asset);
-  EXPECT_EQ(asset->warnings, std::vector<std::string>{"extension \"EXT_novelty\" is passed over"});
+  EXPECT_EQ(asset->warnings, std::vector<std::string>{"extension \"EXT_novelty\" is ignored"});
 }
 
 TEST(Document, RefusesSetsOfInfluencesWithGaps) {

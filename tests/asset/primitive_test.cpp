@@ -72,7 +72,7 @@ TEST(Primitive, PassesOverPointsAndLinesWithAWarning) {
     EXPECT_EQ(asset->triangles.size(), 1u);
     ASSERT_EQ(asset->warnings.size(), 1u);
     EXPECT_EQ(asset->warnings[0],
-              "mesh 0 \"rock\", primitive 1 is passed over: it has points or lines");
+              "mesh 0 \"rock\", primitive 1 is ignored: it has points or lines");
   }
 }
 
@@ -81,7 +81,7 @@ TEST(Primitive, PassesOverOneWithoutPositions) {
   builder.document["meshes"][0]["primitives"].push_back({{"attributes", json::object()}});
   const Result<Asset> asset = builder.load();
   ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->warnings[0], "mesh 0 \"rock\", primitive 1 is passed over: it has no POSITION");
+  EXPECT_EQ(asset->warnings[0], "mesh 0 \"rock\", primitive 1 is ignored: it has no POSITION");
 }
 
 TEST(Primitive, TooShortStripsHaveNoTriangles) {

@@ -80,7 +80,7 @@ const Breach kBreaches[] = {
     {"nodes[1].first_child is", [](Tree& t) { t.nodes[1].first_child = 1; }},
     {"nodes[1].first_cluster is", [](Tree& t) { ++t.nodes[1].first_cluster; }},
     {"nodes[1].first_vertex is", [](Tree& t) { --t.nodes[1].first_vertex; }},
-    {"is nobody's child",
+    {"has no parent",
      [](Tree& t) {
        Node lost = t.nodes.back();
        lost.first_vertex += lost.vertex_count, lost.vertex_count = 0;
@@ -111,7 +111,7 @@ const Breach kBreaches[] = {
     {"clusters have", [](Tree& t) { t.cluster_vertices.push_back(0); }},
 
     {"corners[0] has 65535", [](Tree& t) { t.corners[0][1] = 65535; }},
-    {"none of its cluster_vertices",
+    {"not one of its cluster_vertices",
      [](Tree& t) {  // the corner of another cluster
        const Node& node = *std::find_if(t.nodes.begin(), t.nodes.end(),
                                         [](const Node& n) { return n.cluster_count > 1; });
@@ -150,10 +150,10 @@ const Breach kBreaches[] = {
      }},
 
     {"triangle_ids[0] is 4000000000", [](Tree& t) { t.triangle_ids[0] = 4000000000; }},
-    {"which has been before", [](Tree& t) { t.triangle_ids[7] = t.triangle_ids[8]; }},
+    {"a repetition", [](Tree& t) { t.triangle_ids[7] = t.triangle_ids[8]; }},
     {"vertex_places[5] is", [](Tree& t) { t.vertex_places[5] = 0xFFFFFFFF; }},
 
-    {"is in the pool of nodes[",
+    {"is twice in the pool of nodes[",
      [](Tree& t) {
        t.morphs = {};
        const Node& node = *std::find_if(t.nodes.begin(), t.nodes.end(),
@@ -166,7 +166,7 @@ const Breach kBreaches[] = {
          t.weights[i + begin[1] - begin[0]] = t.weights[i];
        }
      }},
-    {"of no pool is there twice",
+    {"outside the pools is a duplicate",
      [](Tree& t) {
        t.rest_positions.push_back(Vec3(t.rest_positions.back()));
        const std::uint32_t begin = *(t.influence_begin.end() - 2), end = t.influence_begin.back();
@@ -200,8 +200,8 @@ const Breach kBreaches[] = {
     {"displacements[2] is zero", [](Tree& t) { t.morphs.displacements[2].by = {}; }},
     {"extents[1] is", [](Tree& t) { t.morphs.extents[1] *= 0.5f; }},
     {"extents[1] is nan", [](Tree& t) { t.morphs.extents[1] = kNan; }},
-    {"is none of the caller's", [](Tree& t) { t.vertex_places.back() = 0; }},
-    {"is none of the caller's", [](Tree& t) { t.vertex_places.clear(); }},
+    {"belongs to no vertex of the caller", [](Tree& t) { t.vertex_places.back() = 0; }},
+    {"belongs to no vertex of the caller", [](Tree& t) { t.vertex_places.clear(); }},
 };
 
 TEST(CheckTree, FindsNothingInASoundTree) {

@@ -114,8 +114,8 @@ struct Forgery {
 };
 
 const Forgery kForgeries[] = {
-    {"is no prepared model", [](detail::PreparedHeader& h) { h.magic[0] = 'P'; }},
-    {"is no prepared model", [](detail::PreparedHeader& h) { h.magic[7] = 0; }},
+    {"is not a prepared model", [](detail::PreparedHeader& h) { h.magic[0] = 'P'; }},
+    {"is not a prepared model", [](detail::PreparedHeader& h) { h.magic[7] = 0; }},
     {"the prepared model was made by another version of Pelt (version 1 of the format, this one "
      "reads version 3): run `pelt prepare` or save_model() again",
      [](detail::PreparedHeader& h) { h.version = 1; }},

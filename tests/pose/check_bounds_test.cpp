@@ -59,7 +59,7 @@ TEST(CheckBounds, NamesWhatQueriesLeftAndWhichIsTooSmall) {
   ASSERT_TRUE(root.known);
   const float root_low = root.low[1];
   root.low[1] = 100;
-  EXPECT_NE(check_bounds(pose).find("node 0: the box of the root 0 leaves out a vertex by "),
+  EXPECT_NE(check_bounds(pose).find("node 0: the box of the root 0 misses a vertex by "),
             std::string::npos);
   root.low[1] = root_low;
 
@@ -78,7 +78,7 @@ TEST(CheckBounds, NamesWhatQueriesLeftAndWhichIsTooSmall) {
     const std::string node = "node " + std::to_string(n) + ": the box of ";
     const auto expect_named = [&](const std::string& message, const std::string& bound,
                                   const char* axis) {
-      EXPECT_EQ(message.find(node + bound + " leaves out a vertex by "), 0u) << message;
+      EXPECT_EQ(message.find(node + bound + " misses a vertex by "), 0u) << message;
       EXPECT_NE(message.find(std::string(" along ") + axis), std::string::npos) << message;
     };
     expect_named(message_with(opened->all_high[2], -100), "all slots of node " + std::to_string(n),

@@ -117,7 +117,7 @@ TEST(SkinnedMesh, NamesArrayIndexAndValueOfWhatItRefuses) {
   EXPECT_EQ(refuse([&](Shape& s) { s.rest_positions[2].z = 0x1p61f; }),
             "rest_positions[2] has the coordinate 2.30584e+18, expected finite and within 2^60");
   EXPECT_EQ(refuse([](Shape& s) { s.triangles[0][1] = 3; }),
-            "triangles[0] names vertex 3, but there are 3 rest_positions");
+            "triangles[0] refers to vertex 3, but there are 3 rest_positions");
   EXPECT_EQ(refuse([](Shape& s) { s.joints[0] = 3; }),
             "joints[0] of vertex 0 is 3, but joint_count is 3");
   EXPECT_EQ(refuse([](Shape& s) { s.joints[3] = 7; }),
@@ -133,8 +133,7 @@ TEST(SkinnedMesh, NamesArrayIndexAndValueOfWhatItRefuses) {
   EXPECT_EQ(refuse([](Shape& s) { s.weights.pop_back(); }),
             "joints has 6 and weights has 5 elements, expected 6 (rest_positions x "
             "influences_per_vertex)");
-  EXPECT_EQ(refuse([](Shape& s) { s.triangles.clear(); }),
-            "triangles is empty: there is nothing to collide");
+  EXPECT_EQ(refuse([](Shape& s) { s.triangles.clear(); }), "triangles is empty");
   EXPECT_EQ(refuse([](Shape& s) { s.influences_per_vertex = 0; }), "influences_per_vertex is 0");
   EXPECT_EQ(refuse([](Shape& s) { s.influences_per_vertex = 0xFFFFFFFF; }),
             "rest_positions x influences_per_vertex is more than 2^32 - 1");

@@ -51,7 +51,7 @@ TEST(Against, ADifferentAnswerIsAFailure) {
   const Ended run = bench(folder, {"--against", "old.json", "--json", "new.json"});
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_NE(run.out.find("a different answer: hash 0123456789abcdef then"), std::string::npos);
-  EXPECT_NE(run.err.find("1 answer other than in old.json"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("1 answer different from old.json"), std::string::npos) << run.err;
   EXPECT_TRUE(std::filesystem::exists(folder / "new.json")) << "what was measured is not lost";
 }
 

@@ -123,7 +123,7 @@ TEST(BenchAgainst, NamesWhatTheFileLacks) {
   SceneFigures other = walkers();
   other.scene = "other.json";
   const Compared more = compared({walkers()}, {other, now});
-  EXPECT_TRUE(more.says("other.json: old.json has no such scene\n"));
+  EXPECT_TRUE(more.says("other.json: old.json does not contain this scene\n"));
   EXPECT_TRUE(more.says("old.json has no method hybrid\n"));
   EXPECT_TRUE(more.says("old.json has no query first with cold caches\n"));
   EXPECT_TRUE(more.says("old.json has no crowd of on_demand on 2 threads\n"));

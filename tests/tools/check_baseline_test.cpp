@@ -95,7 +95,7 @@ TEST(CheckBaseline, SaysInWordsWhatIsWorse) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.out.find(" new, 0 grown, 0 as known\n"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("(new)  frame "), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("note       frames was [0,1,1] in the baseline and is [0,12,1] here"),
+  EXPECT_NE(run.out.find("note       frames was [0,1,1] in the baseline and is [0,12,1] now"),
             std::string::npos)
       << run.out;
 }

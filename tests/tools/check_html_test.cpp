@@ -156,7 +156,7 @@ TEST_F(CheckHtml, RefusesWhatThePageCannotShow) {
     arguments.insert(arguments.end(), option.begin(), option.end());
     const Ended run = run_pelt(folder_, arguments);
     EXPECT_EQ(run.exit_code, 2);
-    EXPECT_NE(run.err.find("--html: the page does not know " + option[0]), std::string::npos)
+    EXPECT_NE(run.err.find("--html: cannot be combined with " + option[0]), std::string::npos)
         << run.err;
   }
 }

@@ -1,4 +1,4 @@
-/// `pelt check --inside`: bodies held whole, and how deep those are that touch.
+/// `pelt check --inside`: contained bodies, and the depth of bodies that touch.
 
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
@@ -22,7 +22,9 @@ TEST(CheckInside, TellsWhatIsHeldAndHowDeepWhatTouches) {
   write_text(folder / "leaving.json", kLeaving);
   const Ended run = run_pelt(folder, {"check", "leaving.json", "--inside", "--jsonl", "-"});
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("inside     one is held whole in frames 0"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("inside     a body is contained in another in frames 0"),
+            std::string::npos)
+      << run.err;
   EXPECT_NE(run.err.find("deepest    a vertex of two 1 is 0."), std::string::npos) << run.err;
   const CheckFile file = parse_check_file(run.out);
   EXPECT_EQ(file.header["options"]["inside"], true);
@@ -104,7 +106,7 @@ TEST(CheckInside, MayBeKnownToTheBaseline) {
   EXPECT_EQ(parse_check_file(left.out).totals["verdict"]["no_longer_held"],
             json::parse(R"([{"inner": {"model": "two", "copy": 0},
                              "outer": {"model": "one", "copy": 0}}])"));
-  EXPECT_NE(left.err.find(" known touches, and 1 that held another whole"), std::string::npos)
+  EXPECT_NE(left.err.find(" known touches, and 1 known contained bod"), std::string::npos)
       << left.err;
 }
 

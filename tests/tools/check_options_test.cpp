@@ -46,7 +46,7 @@ TEST(CheckOptions, SummaryNamesFramesPartsAndJoints) {
 TEST(CheckOptions, SummarySaysWhereThereIsNothingToTouch) {
   const TestFolder folder;
   const std::string strip = write_strip(folder, "strip.glb");
-  const std::string note = "nothing to touch";
+  const std::string note = "nothing can touch";
   const Ended alone = run_pelt(folder, {"check", strip});
   EXPECT_EQ(alone.exit_code, 0);
   EXPECT_NE(alone.out.find(note + "; --by part"), std::string::npos) << alone.out;

@@ -44,9 +44,10 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedCheck{{"--ignore", "limb"}, {"--ignore: \"limb\" is no", "--ignore cape,spine"}},
         RefusedCheck{{"--ignore", ",limb"}, {"--ignore: \",limb\" is no"}},
         RefusedCheck{{"--ignore", "limb,"}, {"--ignore: \"limb,\" is no"}},
-        RefusedCheck{{"--ignore", "limb,limb", "--first"}, {"--first: the contacts found first"}},
+        RefusedCheck{{"--ignore", "limb,limb", "--first"},
+                     {"--first: cannot be combined with ignored pairs"}},
         RefusedCheck{{"--ignore", "limb,limb", "--max-contacts", "3"},
-                     {"--max-contacts: the contacts found first"}},
+                     {"--max-contacts: cannot be combined with ignored pairs"}},
         RefusedCheck{{},
                      {"error: rotten.json: ignore: no part and no joint is named \"wing\""},
                      "rotten.json"}));
@@ -59,20 +60,21 @@ INSTANTIATE_TEST_SUITE_P(
     Baseline, CheckRefuses,
     ::testing::Values(
         RefusedCheck{{"--baseline", "known.jsonl", "--first"},
-                     {"--baseline: needs all contacts", "leave out --first"}},
-        RefusedCheck{{"--baseline", "known.jsonl", "--max-contacts", "9"}, {"needs all contacts"}},
+                     {"--baseline: requires all contacts", "leave out --first"}},
+        RefusedCheck{{"--baseline", "known.jsonl", "--max-contacts", "9"},
+                     {"requires all contacts"}},
         RefusedCheck{{"--baseline", "answer.jsonl"}, {"--jsonl: is the --baseline itself"}},
         RefusedCheck{{"--baseline", "./answer.jsonl"}, {"--jsonl: is the --baseline itself"}},
         RefusedCheck{{"--baseline", "known.jsonl", "--glb", "known.jsonl"},
                      {"--glb: is the --baseline itself"}},
         RefusedCheck{{"--baseline", "known.jsonl", "--by", "part"},
-                     {"was written --by instance, and here it is --by part"}},
+                     {"was written --by instance, but this check is --by part"}},
         RefusedCheck{{"--baseline", "known.jsonl", "--clearance", "0.1"},
-                     {"without --clearance, and here it is --clearance 0.1"}},
+                     {"without --clearance, but this check is --clearance 0.1"}},
         RefusedCheck{{"--baseline", "known.jsonl", "--inside"}, {"was written without --inside"}},
         RefusedCheck{{"--fail-on", "worse"}, {"--fail-on", "contact, grown, new or never"}},
-        RefusedCheck{{"--fail-on", "new"}, {"--fail-on: new needs", "--baseline FILE"}},
-        RefusedCheck{{"--fail-on", "grown"}, {"--fail-on: grown needs", "--baseline FILE"}}));
+        RefusedCheck{{"--fail-on", "new"}, {"--fail-on: new requires", "--baseline FILE"}},
+        RefusedCheck{{"--fail-on", "grown"}, {"--fail-on: grown requires", "--baseline FILE"}}));
 
 TEST(CheckIgnore, MayNameInASceneWhatIsLeftOut) {
   const TestFolder folder;

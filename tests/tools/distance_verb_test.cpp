@@ -129,9 +129,9 @@ TEST(DistanceVerb, SummaryNamesTheNearestPlaces) {
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
   const Ended far =
       run_pelt(folder, {"distance", "scene.json", "--frames", "0:1", "--within", "0"});
-  EXPECT_NE(far.out.find("nothing is so near"), std::string::npos) << far.out;
+  EXPECT_NE(far.out.find("nothing is within that distance"), std::string::npos) << far.out;
   const Ended alone = run_pelt(folder, {"distance", "strip.glb"});
-  EXPECT_NE(alone.out.find("nothing to touch; --by part"), std::string::npos) << alone.out;
+  EXPECT_NE(alone.out.find("nothing can touch; --by part"), std::string::npos) << alone.out;
   const Ended parts = run_pelt(folder, {"distance", "strip.glb", "--by", "part"});
   EXPECT_NE(parts.out.find("strip 0 fan ("), std::string::npos) << parts.out;
 }
@@ -185,7 +185,7 @@ TEST(Clearance, IsNamedInHeaderAndSummary) {
   const Ended run =
       run_pelt(folder, {"check", "scene.json", "--clearance", "0.25", "--jsonl", "-"});
   EXPECT_EQ(parse_check_file(run.out).header["options"]["clearance"], 0.25);
-  EXPECT_NE(run.err.find("what is at most 0.25 apart counts"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("counts triangles at most 0.25 apart"), std::string::npos) << run.err;
 }
 
 TEST(DistanceVerb, TellsWhatIsNearestToPoints) {

@@ -108,23 +108,24 @@ TEST(KnownBaseline, RefusesTheAnswerToAnotherQuestion) {
   };
   for (const auto& [key, value, words] :
        {Case{"by", "part",
-             "was written --by part, and here it is --by instance: give the same here, or write it "
-             "anew"},
+             "was written --by part, but this check is --by instance: use the same options, or "
+             "write a new baseline"},
         Case{"clearance", 0.5,
-             "was written --clearance 0.5, and here it is without --clearance: give the same here, "
-             "or write it anew"},
+             "was written --clearance 0.5, but this check is without --clearance: use the same "
+             "options, or write a new baseline"},
         Case{"max_contacts", 1,
-             "was written with --first or --max-contacts, which leave contacts out: write it anew "
-             "without these"}}) {
+             "was written with --first or --max-contacts and lacks contacts: write a new baseline "
+             "without them"}}) {
     Answer answer;
     answer.header["options"][key] = value;
     EXPECT_EQ(message_of(parse(answer)), "--baseline: b.jsonl: " + words);
   }
   CheckQuestion question = asked();
   question.inside = true;
-  EXPECT_EQ(message_of(parse({}, question)),
-            "--baseline: b.jsonl: was written without --inside: write it anew with it, or leave it "
-            "out here");
+  EXPECT_EQ(
+      message_of(parse({}, question)),
+      "--baseline: b.jsonl: was written without --inside: write a new baseline with --inside, "
+      "or leave out --inside");
 }
 
 TEST(KnownBaseline, RefusesWhatIsNoAnswer) {
@@ -146,8 +147,8 @@ TEST(KnownBaseline, RefusesWhatIsNoAnswer) {
 TEST(KnownBaseline, NamesAMissingFileOnceAndSaysWhatToGive) {
   const auto missing = CheckBaseline::read("none.jsonl", asked(), scene_of({"knight"}));
   EXPECT_EQ(message_of(missing),
-            "--baseline: none.jsonl: there is no such file: name a file that pelt check --jsonl "
-            "wrote");
+            "--baseline: none.jsonl: there is no such file: give a file written by pelt check "
+            "--jsonl");
 }
 
 TEST(KnownBaseline, RefusesAFileThatIsCutShort) {
@@ -164,8 +165,8 @@ TEST(KnownBaseline, RefusesAFileThatIsCutShort) {
 
 TEST(KnownBaseline, RefusesAnotherScene) {
   EXPECT_NE(message_of(parse({}, asked(), {"elf", "orc"}))
-                .find("is of another scene, one of \"knight\", \"thief\", and here are \"elf\", "
-                      "\"orc\": name the baseline of this scene"),
+                .find("belongs to another scene, with \"knight\", \"thief\" instead of \"elf\", "
+                      "\"orc\": give the baseline of this scene"),
             std::string::npos);
 }
 
@@ -178,10 +179,10 @@ TEST(KnownBaseline, NotesWhatElseDiffers) {
   EXPECT_EQ(
       std::vector<std::string>(baseline->notes().begin(), baseline->notes().end()),
       (std::vector<std::string>{
-          "frames was [0,10,1] in the baseline and is [0,20,2] here",
-          "ignore was [] in the baseline and is [[\"cape\",\"arm\"]] here",
+          "frames was [0,10,1] in the baseline and is [0,20,2] now",
+          "ignore was [] in the baseline and is [[\"cape\",\"arm\"]] now",
           "instances were 2 of \"knight\", \"thief\" in the baseline and are 3 of \"knight\", "
-          "\"thief\" here"}));
+          "\"thief\" now"}));
 }
 
 TEST(KnownBaseline, CountsInstancesOnceWhosePartsAreColliders) {

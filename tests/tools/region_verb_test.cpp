@@ -91,7 +91,7 @@ TEST(RegionVerb, RefusesWhatIsNoRegion) {
     return run.err;
   };
   EXPECT_EQ(refusal({}),
-            "pelt: error: --box: there is no region: give one by --box, --sphere, --capsule or "
+            "pelt: error: --box: no region is given: give one by --box, --sphere, --capsule or "
             "--camera\n");
   EXPECT_EQ(refusal({"--sphere", "1,2,3"}),
             "pelt: error: --sphere: \"1,2,3\" is not 4 numbers: give them as in --sphere "

@@ -40,9 +40,9 @@ TEST_F(SceneArguments, NoteModelsThatStandInTheDefaultPoseAndInOnePlace) {
   const std::vector<std::string> both = notes(arguments);
   ASSERT_EQ(both.size(), 2u);
   EXPECT_EQ(both[0],
-            "2 models stand in the default pose: name a clip for each with --clip, as pelt info "
-            "lists them (-: that pose)");
-  EXPECT_EQ(both[1], "all models are in one place: put them apart with --at X,Y,Z for each");
+            "2 models stand in the default pose: select a clip for each model with --clip; pelt "
+            "info lists the clips (-: default pose)");
+  EXPECT_EQ(both[1], "all models are in one place: place each of them with --at X,Y,Z");
   arguments.positions = {"0,0,0"};
   arguments.clips = {"bend"};
   EXPECT_EQ(notes(arguments).size(), 1u);
@@ -57,7 +57,7 @@ TEST_F(SceneArguments, NoteThatAllFramesAreAlike) {
   EXPECT_TRUE(notes(arguments, "3:4").empty());
   const std::vector<std::string> alike = notes(arguments, "0:10");
   ASSERT_EQ(alike.size(), 1u);
-  EXPECT_EQ(alike[0].find("nothing moves, so that all frames are alike"), 0u);
+  EXPECT_EQ(alike[0].find("nothing moves, so all frames are the same"), 0u);
   arguments.clips = {"bend"};
   EXPECT_TRUE(notes(arguments, "0:10").empty());
 }
@@ -88,8 +88,9 @@ TEST_F(SceneArguments, SayWhatMayBeGivenForAFileOfAnotherKind) {
   write_text(folder_ / "answer.jsonl", "{}\n{}\n");
   tools::SceneArguments arguments;
   arguments.inputs = {folder_ / "answer.jsonl"};
-  EXPECT_EQ(refusal(arguments),
-            arguments.inputs[0] + ": is no model: give a scene, .json, or models, .glb or .gltf");
+  EXPECT_EQ(
+      refusal(arguments),
+      arguments.inputs[0] + ": is not a model: give a scene, .json, or models, .glb or .gltf");
   write_text(folder_ / "empty.glb", "");
   arguments.inputs = {folder_ / "empty.glb"};
   EXPECT_EQ(refusal(arguments),
@@ -97,7 +98,7 @@ TEST_F(SceneArguments, SayWhatMayBeGivenForAFileOfAnotherKind) {
   const auto scene = tools::load_named_character(folder_ / "scene.json", {},
                                                  "a glTF file, .glb or .gltf, or a prepared model");
   ASSERT_FALSE(scene);
-  EXPECT_NE(scene.error().message.find("is no model: give a glTF file"), std::string::npos);
+  EXPECT_NE(scene.error().message.find("is not a model: give a glTF file"), std::string::npos);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ TEST(PoseInstances, RefuseWhatNoGlbCanHold) {
   ASSERT_FALSE(posed);
   EXPECT_EQ(
       posed.error().message,
-      "crowd.json: its posed characters take 4577 MiB, more than a .glb can hold: make scenes "
-      "of fewer instances");
+      "crowd.json: the posed characters take 4577 MiB, more than a .glb file can contain: use "
+      "fewer instances");
 }
 
 /// Two small creatures that walk through each other.

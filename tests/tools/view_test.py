@@ -136,7 +136,7 @@ def opens_browser(command, folder):
 def says_where_no_browser_opens(command, folder):
     with start(command, folder, PATH=path_with(folder, "#!/bin/sh\nexit 3\n")) as running:
         address_of(running)
-        assert running.stdout.readline() == "open it in a browser\n"
+        assert running.stdout.readline() == "open this address in a browser\n"
         assert end(running) == 0
 
 

@@ -37,7 +37,7 @@ test('options of the wrong kind are refused', () => {
   expected({ clips: 'walk' }, 'clips: expected an array of strings, found a string');
   expected({ clips: ['walk', 1] }, 'clips[1]: expected a string, found 1');
   expected({ clips: ['wlak'] }, /there is no clip "wlak", did you mean "walk"\?$/);
-  expected({ name: '\ud800' }, /^options: the JSON text is wrong/);
+  expected({ name: '\ud800' }, /^options: the JSON text is invalid/);
   expected(null, 'options: expected an object, found null');
   expected(new Map([['triangles', 2000]]), 'options: expected an object, found a Map');
   expected(['walk'], 'options: expected an object, found an Array');

@@ -45,9 +45,9 @@ function refuseBroken() {
   const refused = (use, message) => assert.throws(use, { name: 'PeltError', message });
   refused(() => pelt.readCharacter(half, { name: 'half' }), /^half: /);
   refused(() => pelt.readScene('scenes/rocks.json', { ...kFiles, 'models/rock.gltf': half }),
-          /models\.rock: .*the JSON text is wrong/);
+          /models\.rock: .*the JSON text is invalid/);
   refused(() => pelt.readScene('scenes/two.json', { ...kFiles, 'models/half.gltf': half }),
-          /models\.zero: .*the JSON text is wrong/);
+          /models\.zero: .*the JSON text is invalid/);
   const light = skinnedRock({ weight: 0.5 });
   refused(() => pelt.readScene('scenes/two.json', { ...kFiles, 'models/half.gltf': light }),
           /weights of vertex 0 sum to 0\.5/);

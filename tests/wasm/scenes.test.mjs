@@ -203,7 +203,7 @@ test('broken scenes are refused as the command refuses them', () => {
   refused({ models: { a: creature }, instances: [], extra: 1 }, /unknown key "extra"/);
   assert.throws(
     () => pelt.readScene('scene.json', { 'scene.json': new Uint8Array([0x7b, 0x22]) }),
-    /the JSON text is wrong/,
+    /the JSON text is invalid/,
   );
   assert.throws(() => pelt.readScene('other.json', {}), /there is no such file/);
 });

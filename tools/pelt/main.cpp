@@ -19,7 +19,7 @@ namespace {
 using pelt::tools::ExitCode;
 
 constexpr const char* kFooter = R"(
-`pelt VERB --help` teaches each verb with examples. Exit codes: 0 success (check: no contact),
+`pelt VERB --help` explains each verb with examples. Exit codes: 0 success (check: no contact),
 1 contact (check only), 2 bad input or arguments, 3 internal error.)";
 
 int code(ExitCode exit) { return static_cast<int>(exit); }
@@ -48,7 +48,7 @@ std::string meant_option(const CLI::App& verb, std::string_view option) {
 /// CLI11 says of what a verb does not know only that it "was not expected".
 std::string words_for_unread(const CLI::App& verb, const std::string& argument) {
   if (!argument.starts_with('-'))
-    return pelt::asset::quoted(argument) + " is one argument too many";
+    return pelt::asset::quoted(argument) + " is an unexpected argument";
   const std::string option = argument.substr(0, argument.find('='));
   const std::string problem = "there is no option " + pelt::asset::quoted(option);
   const std::string meant = meant_option(verb, option);
@@ -68,8 +68,8 @@ std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
   std::vector<std::string> names;
   for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
-  if (unread.empty()) return "a verb is missing" + pelt::scenes::suggestion("", known);
-  return pelt::asset::quoted(unread[0]) + " is no verb" +
+  if (unread.empty()) return "no verb is given" + pelt::scenes::suggestion("", known);
+  return pelt::asset::quoted(unread[0]) + " is not a verb" +
          pelt::scenes::suggestion(unread[0], known);
 }
 
@@ -89,7 +89,7 @@ int end_of_parse(const CLI::App& app, const CLI::ParseError& error) {
 int run(int argc, char** argv) {
   CLI::App app("Exact collision detection for animated, skinned characters.", "pelt");
   app.set_version_flag("--version", "pelt " PELT_VERSION);
-  app.set_help_all_flag("--help-all", "Print this help and that of every verb");
+  app.set_help_all_flag("--help-all", "Print the help of all verbs");
   app.require_subcommand(1);
   app.footer(kFooter);
   pelt::tools::Command command;

@@ -14,8 +14,8 @@ std::vector<std::uint32_t> FrameRange::frames() const {
 }
 
 Result<FrameRange> parse_frame_range(std::string_view text) {
-  const Error unclear = bad_argument("--frames", asset::quoted(text) + " is no range of frames",
-                                     "give A:B, half-open with A < B, or A:B:STRIDE");
+  const Error unclear = bad_argument("--frames", asset::quoted(text) + " is not a range of frames",
+                                     "give A:B with A < B, which excludes B, or A:B:STRIDE");
   const std::vector<std::string_view> fields = split(text, ':');
   if (fields.size() < 2 || fields.size() > 3) return unclear;
   FrameRange range;

@@ -25,14 +25,14 @@ void add_model_options(Verb& verb, ModelArguments& arguments) {
   verb.flag("--no-unskinned", arguments.no_unskinned,
             "Leave out meshes without a skin (weapons, armour)");
   verb.option("--exclude", arguments.exclude,
-              "Leave out the mesh node of this name and its children, of all models or, as in "
-              "knight/Cape, of one (repeatable)",
+              "Leave out the mesh node of this name and its children; knight/Cape names a node of "
+              "one model (repeatable)",
               {.type = "NAME"});
   verb.flag("--renormalise", arguments.renormalise,
-            "Accept weights that do not sum to 1: divide them by their sum, as renderers do");
+            "Accept weights that do not sum to 1, and divide them by their sum, as renderers do");
   verb.option("--samples", arguments.samples,
-              "Poses taken from a character's clips to prepare it for; 0: build faster, answer "
-              "more slowly",
+              "Number of sample poses of the clips that a character is optimised for; 0: faster "
+              "builds, slower queries",
               {.type = "N", .most = 1000});
 }
 
@@ -45,7 +45,7 @@ Result<scenes::Character> load_named_character(const std::string& path,
   Result<scenes::Character> character = scenes::load_character(path, own);
   if (character || character.error().code != ErrorCode::malformed_file || is_named_as_gltf(path))
     return character;
-  return bad_argument(path, "is no model", std::string("give ") + kinds);
+  return bad_argument(path, "is not a model", std::string("give ") + kinds);
 }
 
 Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,

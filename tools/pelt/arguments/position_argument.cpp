@@ -15,7 +15,7 @@ Result<std::array<double, 3>> parse_position(const std::string& option, const st
     good = parse_number(fields[i], position[i]) && std::fabs(position[i]) <= 1e12;
   }
   if (good) return position;
-  return bad_argument(option, asset::quoted(text) + " is no position",
+  return bad_argument(option, asset::quoted(text) + " is not a position",
                       "give x,y,z as in " + option + " 0.5,0,-1");
 }
 

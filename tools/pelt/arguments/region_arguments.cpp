@@ -45,14 +45,15 @@ Result<std::vector<float>> parse_numbers(const Kind& kind, const std::string& te
 Result<void> check_numbers(const Kind& kind, std::span<const float> n) {
   const bool has_radius = kind.count % 3 == 1;
   if (has_radius && n.back() < 0)
-    return bad_argument(kind.option, "the radius is negative", "give one that is not");
+    return bad_argument(kind.option, "the radius is negative", "give 0 or more");
   const std::string name = kind.name;
   for (int axis = 0; axis < 3 && name == "box"; ++axis)
     if (n[axis] > n[axis + 3])
-      return bad_argument(kind.option, "its lowest corner is above its highest one",
+      return bad_argument(kind.option, "the lowest corner is above the highest corner",
                           "give the lowest x, y and z first");
   if (name == "camera" && n[0] == n[3] && n[1] == n[4] && n[2] == n[5])
-    return bad_argument(kind.option, "it looks at where it is", "give another place to look at");
+    return bad_argument(kind.option, "position and target are the same point",
+                        "give another point to look at");
   return {};
 }
 
@@ -91,18 +92,19 @@ Region ChosenRegion::region() const {
 }
 
 void add_region_options(Verb& verb, RegionArguments& arguments) {
-  verb.option("--box", arguments.box, "A box: its lowest and its highest corner",
+  verb.option("--box", arguments.box, "Box, by its lowest and highest corner",
               {.type = "X,Y,Z,X,Y,Z"});
-  verb.option("--sphere", arguments.sphere, "A ball: its centre and radius", {.type = "X,Y,Z,R"});
-  verb.option("--capsule", arguments.capsule, "All that is so near a segment: its ends, the radius",
+  verb.option("--sphere", arguments.sphere, "Ball, by its centre and radius", {.type = "X,Y,Z,R"});
+  verb.option("--capsule", arguments.capsule, "Capsule, by the ends of its segment and its radius",
               {.type = "X,Y,Z,X,Y,Z,R"});
-  verb.option("--camera", arguments.camera,
-              "What a camera sees, however far: where it is and where it looks",
-              {.type = "X,Y,Z,X,Y,Z"});
-  verb.option("--angle", arguments.angle, "Of the camera, from left to right (default: 60)",
+  verb.option(
+      "--camera", arguments.camera,
+      "View of a camera without a far plane, by its position and the point that it looks at",
+      {.type = "X,Y,Z,X,Y,Z"});
+  verb.option("--angle", arguments.angle, "Horizontal field of view of the camera (default: 60)",
               {.type = "DEGREES"});
   verb.option("--aspect", arguments.aspect,
-              "Of the camera's picture, width over height (default: 16/9)", {.type = "RATIO"});
+              "Width over height of the camera's picture (default: 16/9)", {.type = "RATIO"});
 }
 
 Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
@@ -110,12 +112,12 @@ Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
   for (const Kind& kind : kKinds) {
     if ((arguments.*kind.text).empty()) continue;
     if (chosen != nullptr)
-      return bad_argument(kind.option, std::string("there is ") + chosen->option + " too",
+      return bad_argument(kind.option, std::string("cannot be combined with ") + chosen->option,
                           "give one region");
     chosen = &kind;
   }
   if (chosen == nullptr)
-    return bad_argument("--box", "there is no region",
+    return bad_argument("--box", "no region is given",
                         "give one by --box, --sphere, --capsule or --camera");
   Result<std::vector<float>> numbers = parse_numbers(*chosen, arguments.*chosen->text);
   if (!numbers) return numbers.error();

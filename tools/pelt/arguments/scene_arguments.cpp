@@ -43,7 +43,7 @@ std::array<PlacingOption, 5> placing_options(const SceneArguments& arguments) {
 Result<void> check_for_scene(const SceneArguments& arguments) {
   for (const PlacingOption& option : placing_options(arguments)) {
     if (option.count == 0) continue;
-    return bad_argument(option.name, "places models of the command line, but here is a scene file",
+    return bad_argument(option.name, "applies to models on the command line, not to a scene file",
                         "edit " + arguments.inputs[0]);
   }
   return {};
@@ -53,15 +53,15 @@ Result<void> check_for_models(const SceneArguments& arguments) {
   const std::size_t models = arguments.inputs.size();
   for (const std::string& input : arguments.inputs) {
     if (!is_scene_file(input)) continue;
-    return bad_argument(input, "is a scene file beside other files",
-                        "give one scene file alone, or models only");
+    return bad_argument(input, "is a scene file, but other files are given too",
+                        "give a single scene file, or models only");
   }
   for (const PlacingOption& option : placing_options(arguments)) {
     if (option.count <= models) continue;
     return bad_argument(
         option.name,
         "is given " + counted(option.count, "time") + " for " + counted(models, "model"),
-        "give it at most once for each model, in their order");
+        "give it at most once per model, in the order of the models");
   }
   return {};
 }
@@ -156,10 +156,10 @@ std::vector<std::string> placing_notes(const SceneArguments& arguments, const Sc
   std::vector<std::string> notes;
   if (const std::size_t standing = count_left_standing(arguments, scene); standing > 0)
     notes.push_back(counted(standing, "model") + (standing == 1 ? " stands" : " stand") +
-                    " in the default pose: name a clip for each with --clip, as pelt info lists "
-                    "them (-: that pose)");
+                    " in the default pose: select a clip for each model with --clip; pelt info "
+                    "lists the clips (-: default pose)");
   if (scene.instances.size() > 1 && arguments.positions.empty())
-    notes.push_back("all models are in one place: put them apart with --at X,Y,Z for each");
+    notes.push_back("all models are in one place: place each of them with --at X,Y,Z");
   return notes;
 }
 
@@ -200,14 +200,15 @@ void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded neede
   verb.option("INPUT", arguments.inputs, "SCENE.json, or models: A.glb B.gltf ...",
               {.is_required = needed == InputsNeeded::one});
   placing("--clip", arguments.clips, "NAME",
-          "Animation clip, looped; \"\": the unnamed clip, -: the default pose");
+          "Animation clip, played in a loop; \"\": the unnamed clip; -: the default pose");
   placing("--start", arguments.starts, "SECONDS", "Time in the clip at frame 0");
   placing("--at", arguments.positions, "X,Y,Z", "Position");
-  placing("--turn", arguments.turns, "DEGREES", "Turn around the y axis, which points up");
+  placing("--turn", arguments.turns, "DEGREES", "Rotation about the y axis, which points up");
   placing("--scale", arguments.scales, "FACTOR", "Uniform scale");
-  verb.option("--fps", arguments.fps,
-              "Frames per second: frame f stands at f / FPS seconds (30, or the scene's)",
-              {.type = "FPS"});
+  verb.option(
+      "--fps", arguments.fps,
+      "Frames per second: frame f is at f / FPS seconds (default: that of the scene, or 30)",
+      {.type = "FPS"});
   add_model_options(verb, arguments.models);
 }
 
@@ -227,7 +228,7 @@ Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& 
     scene.frame_count = std::max(scene.frame_count, range->end);
     if (range->frames().size() > 1 && plays_nothing(scene))
       scene.notes.push_back(
-          "nothing moves, so that all frames are alike: name clips with --clip, or leave out "
+          "nothing moves, so all frames are the same: select clips with --clip, or leave out "
           "--frames");
   }
   if (range->end <= scene.frame_count) return range;

@@ -24,8 +24,8 @@ std::string available_names() {
 
 void add_simd_option(Verb& verb, std::string& name) {
   verb.option("--simd", name,
-              "Instructions that queries use, for comparisons: the answers are the same "
-              "(default: the fastest that runs here)",
+              "Instruction set for queries; does not change answers (default: the fastest that the "
+              "processor supports)",
               {.type = "scalar|simd128|avx2"});
 }
 
@@ -36,7 +36,8 @@ Result<void> choose_simd(const std::string& name) {
   const bool is_known = target != kTargets.end();
   if (is_known && set_active_target(*target)) return {};
   return bad_argument("--simd",
-                      is_known ? name + " does not run here" : "there is no " + asset::quoted(name),
+                      is_known ? name + " is not supported by this processor"
+                               : "there is no " + asset::quoted(name),
                       "give " + available_names());
 }
 

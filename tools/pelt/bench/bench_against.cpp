@@ -72,7 +72,7 @@ class Comparer {
                                    [&](const SceneFigures& s) { return s.scene == now.scene; });
     out_ << '\n' << asset::printable(now.scene) << ": ";
     if (then == scenes.end())
-      out_ << asset::printable(baseline_.path) << " has no such scene\n";
+      out_ << asset::printable(baseline_.path) << " does not contain this scene\n";
     else if (then->frames != now.frames)
       out_ << counted(now.frames, "frame") << ", not the " << with_commas(then->frames) << " of "
            << asset::printable(baseline_.path) << ": not compared\n";
@@ -108,7 +108,7 @@ class Comparer {
     for (const Figures& figures : now.figures) {
       const std::optional<std::uint64_t> hash = other_hash(then, figures);
       if (!hash || !different.insert(figures.variant.question).second) continue;
-      out_ << "query " << name_of(figures.variant.question) << ": a different answer: hash "
+      out_ << "query " << name_of(figures.variant.question) << ": different answers: hash "
            << hex16(*hash) << " then, " << hex16(figures.answer.hash) << " now: not compared\n";
       ++result_.different_answers;
     }

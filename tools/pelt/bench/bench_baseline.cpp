@@ -14,7 +14,7 @@ namespace {
 using asset::FirstError;
 using asset::JsonObject;
 
-constexpr const char* kRemedy = "name a file that this version of pelt bench --json wrote";
+constexpr const char* kRemedy = "give a file written by pelt bench --json of this version";
 
 std::string required_text(const JsonObject& object, const char* key) {
   std::string text = object.text(key);

@@ -26,21 +26,21 @@ void print_scene(const SceneFigures& scene, std::ostream& out) {
       << with_commas(scene.figures[0].answer.frames_in_contact) << " in contact\n"
       << "models: " << with_commas(scene.models.triangles) << " triangles, built in "
       << fixed(scene.models.build_seconds, 3) << " s, " << fixed(bytes / triangles, 1)
-      << " bytes a triangle\n";
+      << " bytes per triangle\n";
 }
 
 void print_repetitions(const SceneFigures& scene, std::ostream& out) {
   if (scene.repetitions >= kEnoughRepetitions) return;
-  out << "a rough look: " << counted(scene.repetitions, "repetition") << " of each frame, where "
-      << kEnoughRepetitions << " or more level out what else the machine does\n";
+  out << "rough measurement: " << counted(scene.repetitions, "repetition") << " per frame; use "
+      << kEnoughRepetitions << " or more to reduce noise\n";
 }
 
 /// The unit, and what stands close to it.
 void print_skinning(const SceneFigures& scene, std::ostream& out) {
   const Skinning& skinning = scene.skinning;
   out << "all " << with_commas(skinning.vertices)
-      << " vertices skinned: " << fixed(skinning.mean_us, 1) << " us a frame, "
-      << fixed(skinning.ns_per_vertex(), 2) << " ns a vertex";
+      << " vertices skinned: " << fixed(skinning.mean_us, 1) << " us per frame, "
+      << fixed(skinning.ns_per_vertex(), 2) << " ns per vertex";
   for (const char* engine : {"paper", "eager"}) {
     const double* mean = mean_of(scene, engine, scene.figures[0].variant);
     if (mean) out << "; " << engine << " " << fixed(*mean / skinning.mean_us, 2) << " times that";
@@ -105,7 +105,7 @@ void print_work(const SceneFigures& scene, const Figures& figures, std::ostream&
 
 /// Work does not depend on caches and threads, so each engine is shown once for each question.
 void print_all_work(const SceneFigures& scene, std::ostream& out) {
-  print_name("work a frame", out);
+  print_name("work per frame", out);
   out << std::setw(8) << "query";
   for (const char* head : {"node pairs", "refits", "posed vertices", "triangle pairs"})
     out << std::setw(kWorkColumn) << head;

@@ -24,7 +24,7 @@ Result<bench::MethodKind> choose_method(const std::string& name) {
 Result<std::optional<std::uint32_t>> choose_limit(const CheckArguments& arguments) {
   if (arguments.first) return std::optional<std::uint32_t>(1);
   if (arguments.max_contacts == 0u) {
-    return bad_argument("--max-contacts", "a limit of 0 finds nothing", "give 1 or more");
+    return bad_argument("--max-contacts", "must not be 0", "give 1 or more");
   }
   return arguments.max_contacts;
 }
@@ -37,11 +37,12 @@ Result<std::optional<std::uint32_t>> choose_glb_frame(const CheckArguments& argu
                                                       const FrameRange& frames) {
   if (!arguments.glb_frame) return arguments.glb_frame;
   if (arguments.glb.empty()) {
-    return bad_argument("--glb-frame", "there is no --glb", "name the file with --glb FILE");
+    return bad_argument("--glb-frame", "needs --glb", "name the output with --glb FILE");
   }
   if (contains(frames, *arguments.glb_frame)) return arguments.glb_frame;
-  return bad_argument("--glb-frame", std::to_string(*arguments.glb_frame) + " is not checked",
-                      "choose one of the frames that are");
+  return bad_argument("--glb-frame",
+                      std::to_string(*arguments.glb_frame) + " is not a checked frame",
+                      "choose a frame of --frames");
 }
 
 Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
@@ -50,13 +51,11 @@ Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
   if (!(*arguments.clearance >= 0 && *arguments.clearance <= 1e12))
     return bad_argument("--clearance", "is out of range", "give a number from 0 to 1e12");
   if (method != bench::MethodKind::on_demand)
-    return bad_argument("--clearance", "only on_demand answers that", "leave out --method");
+    return bad_argument("--clearance", "requires the method on_demand", "leave out --method");
   if (arguments.contacts)
-    return bad_argument("--clearance", "what does not touch has no --contacts",
-                        "give one of the two");
+    return bad_argument("--clearance", "cannot be combined with --contacts", "give one of the two");
   if (arguments.inside)
-    return bad_argument("--clearance", "what is --inside is told of bodies that touch or not",
-                        "give one of the two");
+    return bad_argument("--clearance", "cannot be combined with --inside", "give one of the two");
   return arguments.clearance;
 }
 
@@ -66,7 +65,7 @@ Result<scenes::NamePair> parse_name_pair(const std::string& text) {
   if (comma != std::string::npos && comma > 0 && comma + 1 < text.size())
     return scenes::NamePair{text.substr(0, comma), text.substr(comma + 1)};
   return bad_argument("--ignore", asset::quoted(text) + " is not a pair of names",
-                      "give two parts or joints as in --ignore cape,spine");
+                      "give two parts or joints, as in --ignore cape,spine");
 }
 
 /// With --exclude or --no-unskinned a scene's rules may name what is left out.
@@ -96,8 +95,10 @@ Result<std::vector<scenes::NamePair>> choose_ignored(const CheckArguments& argum
     return asset::prefixed(scene.name + ": ignore", known.error());
   pairs->insert(pairs->begin(), scene.ignore.begin(), scene.ignore.end());
   if (pairs->empty() || (!arguments.first && !arguments.max_contacts)) return *pairs;
-  return bad_argument(arguments.first ? "--first" : "--max-contacts",
-                      "the contacts found first may be those to ignore", "leave it out");
+  return bad_argument(
+      arguments.first ? "--first" : "--max-contacts",
+      "cannot be combined with ignored pairs, because the first contacts may be ignored ones",
+      "leave it out");
 }
 
 /// What a failing check wrote over its baseline would pass the next one.
@@ -123,7 +124,8 @@ Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& argum
                                                      const scenes::Scene& scene) {
   if (arguments.baseline.empty()) return std::optional<CheckBaseline>();
   if (settings.max_contacts)
-    return bad_argument("--baseline", "needs all contacts", "leave out --first and --max-contacts");
+    return bad_argument("--baseline", "requires all contacts",
+                        "leave out --first and --max-contacts");
   if (const auto kept = keep_baseline(arguments); !kept) return kept.error();
   const CheckQuestion question = question_of(settings, scene, arguments.scene.models);
   Result<CheckBaseline> known = CheckBaseline::read(arguments.baseline, question, scene);
@@ -140,8 +142,8 @@ Result<FailOn> choose_fail_on(const CheckArguments& arguments) {
                         "give contact, grown, new or never");
   const bool needs_baseline = *fail_on == FailOn::grown || *fail_on == FailOn::newly;
   if (needs_baseline && arguments.baseline.empty())
-    return bad_argument("--fail-on", arguments.fail_on + " needs something to compare with",
-                        "name an earlier answer with --baseline FILE");
+    return bad_argument("--fail-on", arguments.fail_on + " requires a baseline",
+                        "give an earlier answer with --baseline FILE");
   return *fail_on;
 }
 
@@ -172,54 +174,53 @@ class Choices {
 
 void add_check_options(Verb& verb, CheckArguments& arguments) {
   add_scene_options(verb, arguments.scene);
-  verb.option("--frames", arguments.frames,
-              "Frames A to B - 1, each S-th of them with A:B:S (default: all of the scene, or of "
-              "the longest clip)",
-              {.type = "A:B"});
-  verb.option("--by", arguments.by,
-              "What collides: every instance with every other, or every part with every other, "
-              "also of the same instance",
-              {.type = "instance|part"});
+  verb.option(
+      "--frames", arguments.frames,
+      "Frames A to B - 1; with A:B:S every S-th of them (default: all frames of the scene or "
+      "of the longest clip)",
+      {.type = "A:B"});
+  verb.option(
+      "--by", arguments.by,
+      "What is tested: every two instances, or every two parts, including parts of the same "
+      "instance",
+      {.type = "instance|part"});
   verb.option("--method", arguments.method, "One of " + listed(bench::method_names()),
               {.type = "NAME"});
   add_simd_option(verb, arguments.simd);
   verb.flag("--first", arguments.first, "Stop at the first contact of each pair in each frame");
   verb.option("--max-contacts", arguments.max_contacts,
-              "Stop after so many contacts of each pair in each frame",
+              "Stop after N contacts of each pair in each frame",
               {.type = "N", .excludes = "--first"});
   verb.option("--ignore", arguments.ignore,
-              "Contacts of two parts or joints that do not count; may be given several times",
-              {.type = "A,B"});
+              "Do not count contacts between two parts or joints (repeatable)", {.type = "A,B"});
   verb.option("--baseline", arguments.baseline,
-              "Compare with the --jsonl of an earlier check: fail only on parts and joints that "
-              "touch newly, or with more contacts in their worst frame",
+              "Compare with the --jsonl of an earlier check; fail only if parts and joints touch "
+              "that did not, or have more contacts in their worst frame",
               {.type = "FILE"});
   verb.option("--fail-on", arguments.fail_on,
-              "What makes the exit code 1 (default: contact, with a baseline grown)",
+              "What sets the exit code to 1 (default: contact; with --baseline: grown)",
               {.type = "contact|grown|new|never"});
   verb.option("--jsonl", arguments.jsonl,
-              "Write the answer, a JSON object a line; -: to standard output, the summary then to "
-              "standard error",
+              "Write the answer, one JSON object per line; -: to standard output, with the summary "
+              "on standard error",
               {.type = "FILE"});
-  verb.flag("--pairs", arguments.pairs, "Write the triangle pairs too, not only their number");
+  verb.flag("--pairs", arguments.pairs, "Also write the triangle pairs, not only their number");
   verb.flag("--contacts", arguments.contacts,
-            "Tell where and how the triangles cut each other: segments, curves, regions, normals, "
-            "depths, joints");
+            "Describe how the triangles intersect: segments, curves, regions, normals, depths, "
+            "joints");
   verb.flag("--inside", arguments.inside,
-            "Of closed surfaces, tell too which holds another whole, and how deep the deepest "
-            "vertex is where they touch");
-  verb.option(
-      "--clearance", arguments.clearance,
-      "Find all pairs of triangles that are at most so far apart, not only those that touch",
-      {.type = "DISTANCE"});
-  verb.option(
-      "--html", arguments.html,
-      "Write the report: a page that plays the scene and finds its contacts, all in one file",
-      {.type = "FILE"});
-  verb.option("--glb", arguments.glb,
-              "Write the posed characters of the worst frame, colliding triangles coloured",
+            "For closed surfaces, also report contained bodies and, where surfaces touch, the "
+            "depth of the deepest vertex");
+  verb.option("--clearance", arguments.clearance,
+              "Find all pairs of triangles at most DISTANCE apart, not only those that touch",
+              {.type = "DISTANCE"});
+  verb.option("--html", arguments.html,
+              "Write a self-contained page that plays the scene and finds its contacts",
               {.type = "FILE"});
-  verb.option("--glb-frame", arguments.glb_frame, "The frame for --glb", {.type = "N"});
+  verb.option("--glb", arguments.glb,
+              "Write the posed characters of the worst frame, with intersecting triangles coloured",
+              {.type = "FILE"});
+  verb.option("--glb-frame", arguments.glb_frame, "Write this frame to --glb", {.type = "N"});
 }
 
 Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::Scene& scene) {

@@ -58,16 +58,16 @@ Result<void> compare_questions(const json& theirs, const json& ours) {
     const json then = value_of(theirs, key);
     const std::string option = std::string("--") + key;
     if (then != ours[key])
-      return incomparable("was written " + option_words(option, then) + ", and here it is " +
+      return incomparable("was written " + option_words(option, then) + ", but this check is " +
                               option_words(option, ours[key]),
-                          "give the same here, or write it anew");
+                          "use the same options, or write a new baseline");
   }
   if (!value_of(theirs, "max_contacts").is_null())
-    return incomparable("was written with --first or --max-contacts, which leave contacts out",
-                        "write it anew without these");
+    return incomparable("was written with --first or --max-contacts and lacks contacts",
+                        "write a new baseline without them");
   if (ours["inside"] == true && value_of(theirs, "inside") != true)
     return incomparable("was written without --inside",
-                        "write it anew with it, or leave it out here");
+                        "write a new baseline with --inside, or leave out --inside");
   return {};
 }
 
@@ -77,7 +77,7 @@ void note_differences(const json& theirs, const json& ours, std::vector<std::str
     const json then = value_of(theirs, key);
     if (then.is_null() || then == ours[key]) continue;
     notes.push_back(std::string(key) + " was " + then.dump() + " in the baseline and is " +
-                    ours[key].dump() + " here");
+                    ours[key].dump() + " now");
   }
 }
 
@@ -124,21 +124,21 @@ Result<void> compare_models(const std::vector<std::string>& theirs,
   if (theirs == ours) return {};
   if (!have_one_in_common(theirs, ours))
     return incomparable(
-        "is of another scene, one of " + listed(theirs) + ", and here are " + listed(ours),
-        "name the baseline of this scene");
+        "belongs to another scene, with " + listed(theirs) + " instead of " + listed(ours),
+        "give the baseline of this scene");
   notes.push_back("instances were " + std::to_string(theirs.size()) + " of " + listed(theirs) +
                   " in the baseline and are " + std::to_string(ours.size()) + " of " +
-                  listed(ours) + " here");
+                  listed(ours) + " now");
   return {};
 }
 
-constexpr const char* kAnswerOfCheck = ": name a file that pelt check --jsonl wrote";
+constexpr const char* kAnswerOfCheck = ": give a file written by pelt check --jsonl";
 
 Error unusable_baseline(const std::string& path, const Error& error) {
   const bool is_answer = error.code != ErrorCode::malformed_file;
   const std::string problem =
       is_answer ? error.message
-                : "is no whole answer of pelt check (" + error.message + ")" + kAnswerOfCheck;
+                : "is not a complete answer of pelt check (" + error.message + ")" + kAnswerOfCheck;
   return {error.code, "--baseline: " + path + ": " + problem};
 }
 

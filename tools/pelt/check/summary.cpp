@@ -26,7 +26,7 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
   label(out, "worst") << "frame " << report.worst_frame << " (" << fixed(time, 3)
                       << " s): " << counted(report.worst_contacts, "contact") << '\n';
   label(out, "contacts") << with_commas(totals.contacts) << " in all"
-                         << (settings.max_contacts ? ", cut short by the limit" : "") << '\n';
+                         << (settings.max_contacts ? ", limited by the options" : "") << '\n';
 }
 
 /// How many a list leaves out.
@@ -77,7 +77,7 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
 
 std::string held_words(const scenes::Scene& scene, std::span<const Collider> colliders,
                        const Held& held) {
-  return collider_name(scene, colliders[held.inner]) + " is held whole by " +
+  return collider_name(scene, colliders[held.inner]) + " is contained in " +
          collider_name(scene, colliders[held.outer]) + " in " + counted(held.frames, "frame") +
          ", first " + std::to_string(held.first_frame);
 }
@@ -105,7 +105,9 @@ void print_gone(const Comparison& comparison, std::ostream& out) {
   if (touches + held == 0) return;
   label(out, "gone") << with_commas(touches) << " of " << with_commas(comparison.known_touches)
                      << " known touches";
-  if (held > 0) out << ", and " << with_commas(held) << " that held another whole";
+  if (held > 0)
+    out << ", and " << with_commas(held)
+        << (held == 1 ? " known contained body" : " known contained bodies");
   // What was asked otherwise can come again.
   out << (comparison.notes.empty() ? ": write a new baseline\n" : "\n");
 }
@@ -147,13 +149,14 @@ void print_inside(const scenes::Scene& scene, std::span<const Collider> collider
                   const InsideTally& inside, std::uint32_t stride, std::ostream& out) {
   label(out, "inside");
   if (inside.closed_colliders == 0) {
-    out << "no surface is closed, so none has an inside\n";
+    out << "not tested: no surface is closed\n";
     return;
   }
   if (inside.frames_held.empty()) {
-    out << "nothing is held whole\n";
+    out << "no body is contained in another\n";
   } else {
-    out << "one is held whole in frames " << frame_runs(inside.frames_held, stride) << '\n';
+    out << "a body is contained in another in frames " << frame_runs(inside.frames_held, stride)
+        << '\n';
     print_held(scene, colliders, "", inside.held, out);
   }
   const InsideTally::Deepest& deepest = inside.deepest;
@@ -173,7 +176,7 @@ void print_summary(const scenes::Scene& scene, std::span<const Collider> collide
   label(out, "method") << bench::name_of(settings.method) << '\n';
   if (colliders.size() < 2) print_too_few(scene, settings.granularity, out);
   if (settings.clearance)
-    label(out, "clearance") << "what is at most " << *settings.clearance << " apart counts\n";
+    label(out, "clearance") << "counts triangles at most " << *settings.clearance << " apart\n";
   print_contacts(scene, settings, report, out);
   if (report.totals.ignored > 0)
     label(out, "ignored") << counted(report.totals.ignored, "contact") << '\n';

@@ -12,11 +12,12 @@ namespace pelt::tools {
 
 Error unwritable(const std::string& name) {
   if (name == kStandardOutput) {
-    return {ErrorCode::unreadable_file,
-            "standard output: cannot be written: see that it is open and that the disk has room"};
+    return {
+        ErrorCode::unreadable_file,
+        "standard output: cannot be written: check that it is open and that the disk has space"};
   }
   return {ErrorCode::unreadable_file,
-          name + ": cannot be written: see that its folder exists and that the disk has room"};
+          name + ": cannot be written: check that its folder exists and that the disk has space"};
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {

@@ -33,7 +33,7 @@ Result<void> check_unchanged(const scenes::Character& character, std::span<const
   hash.add_bytes(bytes);
   if (hash.value() == character.hash) return {};
   return Error{ErrorCode::unreadable_file,
-               character.source + ": has changed since it was read: try again"};
+               character.source + ": was changed after it was read: try again"};
 }
 
 Result<void> add_file(const fs::path& path, const std::string& name, CharacterFiles& files) {

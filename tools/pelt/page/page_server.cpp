@@ -24,7 +24,7 @@ void own_port(httplib::Server& server) {
 
 Error taken(std::uint16_t port) {
   return {ErrorCode::invalid_argument,
-          "--port: " + std::to_string(port) + " is taken: give another, or leave it out"};
+          "--port: " + std::to_string(port) + " is in use: give another port, or leave out --port"};
 }
 
 Result<int> bind(httplib::Server& server, std::uint16_t port) {
@@ -33,8 +33,8 @@ Result<int> bind(httplib::Server& server, std::uint16_t port) {
   const int any = server.bind_to_any_port(kLoopback);
   if (any > 0) return any;
   return Error{ErrorCode::unsupported,
-               "--port: this machine has no free port on the loopback "
-               "address: write the page to a file with pelt check --html"};
+               "--port: there is no free port on the loopback address: "
+               "write the page to a file with pelt check --html"};
 }
 
 /// Names of other hosts that lead here would let their pages read the scene (DNS rebinding).
@@ -78,7 +78,7 @@ void open_browser(const std::string& address) {
   std::thread([address] {
     const std::vector<std::string> command = {"xdg-open", address};
     if (run_program(command, CtrlC::ends_caller) != ProgramEnd::succeeded)
-      std::cout << "open it in a browser\n" << std::flush;
+      std::cout << "open this address in a browser\n" << std::flush;
   }).detach();
 }
 

@@ -17,7 +17,7 @@ constexpr std::string_view kPlace = R"(<script type="application/json" id="pelt-
 constexpr std::string_view kMaker = R"(<meta name="generator" content="Pelt )" PELT_VERSION "\"";
 
 constexpr const char* kRemedy =
-    "build it with scripts/build-viewer, or name it in the environment as PELT_VIEWER";
+    "build it with scripts/build-viewer, or set PELT_VIEWER to its path";
 
 /// Where the page may be, the most particular place first.
 std::vector<fs::path> places() {
@@ -39,7 +39,7 @@ std::string as_text(const std::vector<std::byte>& bytes) {
 
 const char* problem_of(std::string_view page) {
   if (page.find(kPlace) == page.npos) return "not the viewer's page";
-  if (page.find(kMaker) == page.npos) return "the page of another version than " PELT_VERSION;
+  if (page.find(kMaker) == page.npos) return "the page of another version, not of " PELT_VERSION;
   return nullptr;
 }
 
@@ -64,7 +64,7 @@ Result<std::string> read_viewer() {
     return Error{ErrorCode::malformed_file, place.string() + ": is " + problem + ": " + kRemedy};
   }
   return Error{ErrorCode::unreadable_file,
-               std::string("the viewer's page has not been built: ") + kRemedy};
+               std::string("the viewer's page was not built: ") + kRemedy};
 }
 
 Result<std::string> page_of_scene(const scenes::Scene& scene, const ModelArguments& models,

@@ -92,7 +92,7 @@ void print_boxes(const scenes::Scene& scene, std::span<const Collider> colliders
     names.push_back(name_of(scene, colliders[b.collider], b));
     width = std::max(width, names.back().size());
   }
-  out << "\nleast and greatest x, y, z of all frames"
+  out << "\nminimum and maximum x, y, z over all frames"
       << (bounded.empty() || !bounded[0].sphere ? "" : "; largest radius") << '\n';
   for (std::size_t i = 0; i < bounded.size(); ++i) {
     const Bounded& b = bounded[i];

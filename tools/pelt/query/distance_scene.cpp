@@ -137,7 +137,7 @@ void print_nearest(const scenes::Scene& scene, std::span<const Collider> collide
                    std::span<const PairDistance> pairs, std::ostream& out) {
   const std::vector<PairDistance> nearest = nearest_pairs(pairs);
   if (nearest.empty()) {
-    label(out, "distance") << "nothing is so near\n";
+    label(out, "distance") << "nothing is within that distance\n";
     return;
   }
   out << "\nleast distances\n";

@@ -142,7 +142,7 @@ void print_summary(const scenes::Scene& scene, std::span<const Collider> collide
     label(out, ("point " + std::to_string(p)).c_str());
     const Nearest& least = query.least(p);
     if (!least.closest.found()) {
-      out << "nothing is so near\n";
+      out << "nothing is within that distance\n";
       continue;
     }
     out << "nearest in frame " << query.least_frame(p) << ": " << fixed(least.closest.distance, 6)

@@ -22,8 +22,8 @@ Result<void> check_glb_size(const scenes::Scene& scene) {
   }
   if (bytes <= kMost) return {};
   return Error{ErrorCode::unsupported,
-               scene.name + ": its posed characters take " + std::to_string(bytes >> 20) +
-                   " MiB, more than a .glb can hold: make scenes of fewer instances"};
+               scene.name + ": the posed characters take " + std::to_string(bytes >> 20) +
+                   " MiB, more than a .glb file can contain: use fewer instances"};
 }
 
 /// Without sample poses: nothing is asked of these models but posed vertices.

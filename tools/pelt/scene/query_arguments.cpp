@@ -10,14 +10,15 @@ namespace pelt::tools {
 
 void add_query_options(Verb& verb, QueryArguments& arguments) {
   add_scene_options(verb, arguments.scene);
-  verb.option("--frames", arguments.frames,
-              "Frames A to B - 1, each S-th of them with A:B:S (default: all of the scene, or of "
-              "the longest clip)",
-              {.type = "A:B"});
+  verb.option(
+      "--frames", arguments.frames,
+      "Frames A to B - 1; with A:B:S every S-th of them (default: all frames of the scene or "
+      "of the longest clip)",
+      {.type = "A:B"});
   add_simd_option(verb, arguments.simd);
   verb.option("--jsonl", arguments.jsonl,
-              "Write the answer, a JSON object a line; -: to standard output, the summary then to "
-              "standard error",
+              "Write the answer, one JSON object per line; -: to standard output, with the summary "
+              "on standard error",
               {.type = "FILE"});
 }
 

@@ -41,8 +41,8 @@ bool has_many_parts(const scenes::Scene& scene) {
 void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ostream& out) {
   const bool parts = granularity == Granularity::part;
   label(out, "note") << "fewer than two " << (parts ? "parts" : "instances")
-                     << ", so there is nothing to touch";
-  if (!parts && has_many_parts(scene)) out << "; --by part checks the parts with each other";
+                     << ", so nothing can touch";
+  if (!parts && has_many_parts(scene)) out << "; --by part tests the parts against each other";
   out << '\n';
 }
 
@@ -63,7 +63,7 @@ std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stri
 void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out) {
   const std::vector<double> seconds(frame_seconds.begin(), frame_seconds.end());
   label(out, "time") << "median " << fixed(1e3 * bench::median(seconds), 3) << " ms, mean "
-                     << fixed(1e3 * bench::mean(seconds), 3) << " ms a frame\n";
+                     << fixed(1e3 * bench::mean(seconds), 3) << " ms per frame\n";
   label(out, "work") << with_commas(work.node_pairs) << " node pairs, " << with_commas(work.refits)
                      << " refits, " << with_commas(work.posed_vertices) << " posed vertices, "
                      << with_commas(work.triangle_pairs) << " triangle pairs";

@@ -35,40 +35,40 @@ Examples:
   pelt bench scene.json --frames 0:60:20 --against figures.json
   pelt bench scene.json --methods eager,on_demand --threads 1,2
 
-Each repetition of a frame first runs the frame before it (the last one before the first), untimed;
-then the clock runs while the palettes are set and all pairs are asked. The median of the
-repetitions stands for the frame, and fewer than 9 give a rough look only; shown are the mean over
-all frames, over those in contact, and what 95 % of the frames do not exceed.
-"update" is the part before the queries: for eager and paper_eager skinning and boxes or spheres.
-Sampling of the clips is not timed, nor is the building of the rigid trees, which stand for what the
-same query costs rigid bodies. "vs paper" and "vs eager": how many times faster than these; "of
-rigid": how many times the cost of it. With cold caches 64 MB are read before the clock starts, and
-at most 30 frames are measured, evenly over all. Methods take turns at every frame.
+Each repetition of a frame first runs the previous frame untimed (for the first frame, the last one),
+then times setting the palettes and querying all pairs. The time of a frame is the median of its
+repetitions; fewer than 9 give a rough measurement. The columns show the mean over all frames, the
+mean over the frames in contact, and the 95th percentile. "update" is the part before the queries: for
+eager and paper_eager, skinning and boxes or spheres. Sampling clips and building the trees of rigid
+are not timed; rigid represents the cost of the same query between rigid bodies. "vs paper" and
+"vs eager" are speed-ups over these methods, and "of rigid" is the cost relative to rigid. With cold
+caches, 64 MB are read before each measurement, and at most 30 evenly spaced frames are measured. The
+methods take turns at every frame.
 
-Methods are asked pair by pair on one thread, and pauses in which the system runs other programs are
-not counted. With --threads, on_demand is asked as a crowd instead, once on each of these numbers of
-threads; they share the pairs of instances and, where there are 64 or more for each, the palettes.
-All times of that run are wall times. "vs 1 thread": how many times faster than a crowd on one.
+Pairs are queried one by one on one thread, in thread time, which excludes pauses in which the system
+runs other programs. With --threads, on_demand runs as a crowd instead, once for each of these numbers
+of threads. The threads share the pairs of instances and, from 64 palettes per thread, the palettes.
+All times of that run are wall times. "vs 1 thread" is the speed-up over a crowd on one thread.
 
---against prints last, for each scene, query and cache, how many times faster than paper and eager a
-method is now and was in FILE, its cost over rigid, and now/then of each; "worse" marks what lost
-more than --margin. Machines differ in times, but little in these ratios; noise they have: beside
-other programs 1 in 14 ratios of the very same build was marked at 15 %, so measure again before you
-believe it. Where only one ratio of a method is worse, what it is taken to has become faster. What
-FILE lacks is named. A method that is slower is no failure; an answer other than in FILE is, with
-exit code 3.
+--against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
+method over paper and eager and its cost relative to rigid, then, now, and as now/then; "worse" marks
+ratios that are worse by more than --margin. These ratios differ little between machines, but they
+have noise: on a loaded machine, 1 in 14 ratios of the same build was marked at 15 %, so repeat a
+measurement that looks worse. If only one ratio of a method is worse, the method that it is compared
+with has become faster. The output names what is missing from FILE. A slower method is not a failure;
+an answer that differs from FILE is, with exit code 3.
 
 --json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
-  machine    cpu, cores, target (instructions used), compiler, build, flags, pelt (version)
+  machine    cpu, cores, target (instruction set), compiler, build, flags, pelt (version)
   scenes     scene (file), frames, frames_in_contact, repetitions, time (thread or wall)
-    models   triangles, bytes, build_seconds: of all models, each once
+    models   triangles, bytes, build_seconds: totals, counting each model once
     skinning vertices (of all instances), mean_us, ns_per_vertex
-    engines  engine (method), query, cache, asked (pairs or crowd), threads, frames (timed ones),
+    engines  engine (method), query, cache, asked (pairs or crowd), threads, frames (timed frames),
              mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
-    counters of an engine in all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
-Names that end in _us are microseconds a frame. pelt(1) tells each field, with an example.)";
+    counters of an engine over all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
+Names that end in _us are microseconds per frame. pelt(1) describes each field, with an example.)";
 
-/// Who asks for more has mistyped.
+/// A larger number is probably a typing error.
 constexpr std::uint32_t kMostThreads = 256;
 
 constexpr std::array kQuestions = {Question::all, Question::first};
@@ -117,7 +117,7 @@ Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
     std::uint32_t count = 0;
     if (!parse_whole(word, count) || count == 0 || count > kMostThreads) {
       return bad_argument(
-          "--threads", asset::quoted(word) + " is no number of threads",
+          "--threads", asset::quoted(word) + " is not a number of threads",
           "give numbers from 1 to " + std::to_string(kMostThreads) + " with commas between them");
     }
     if (std::find(counts.begin(), counts.end(), count) == counts.end()) counts.push_back(count);
@@ -193,10 +193,11 @@ ExitCode compare(const Baseline& baseline, const Arguments& arguments,
   const BenchComparison comparison =
       print_comparison(baseline, figures, arguments.margin.value_or(kNoisePercent), std::cout);
   if (comparison.different_answers == 0) return ExitCode::success;
-  std::cerr << "pelt: error: " << counted(comparison.different_answers, "answer")
-            << " other than in " << baseline.path
-            << ": if scenes, characters and options are the same, please report this; if they are "
-               "meant to differ, write the file anew with --json\n";
+  std::cerr
+      << "pelt: error: " << counted(comparison.different_answers, "answer") << " different from "
+      << baseline.path
+      << ": if scenes, characters and options are the same, please report this; if the answers "
+         "should differ, write a new file with --json\n";
   return ExitCode::internal;
 }
 
@@ -225,13 +226,14 @@ Result<ExitCode> bench_scenes(const Arguments& arguments) {
 
 void add_options(Verb& verb, Arguments& arguments) {
   verb.option("SCENE", arguments.scenes, "Scene files", {.is_required = true});
-  verb.option("--methods", arguments.methods, "Methods, with commas between them", {.type = "A,B"});
+  verb.option("--methods", arguments.methods, "Methods to measure, separated by commas",
+              {.type = "A,B"});
   verb.option("--queries", arguments.queries,
               "all: every contact; first: only whether each pair touches", {.type = "all,first"});
-  verb.option("--caches", arguments.caches, "hot: as the frame before left them; cold: emptied",
+  verb.option("--caches", arguments.caches, "hot: as the previous frame left them; cold: emptied",
               {.type = "hot,cold"});
-  verb.option("--threads", arguments.threads, "Ask on_demand as a crowd on so many threads",
-              {.type = "N,M"});
+  verb.option("--threads", arguments.threads,
+              "Run on_demand as a crowd on N threads, on M threads, ...", {.type = "N,M"});
   verb.option("--repeat", arguments.repetitions, "Repetitions of each frame", {.type = "N"});
   verb.option("--frames", arguments.frames, "Frames A to B - 1, each S-th of them",
               {.type = "A:B[:S]"});
@@ -239,7 +241,7 @@ void add_options(Verb& verb, Arguments& arguments) {
   verb.option("--against", arguments.against, "Compare with figures that --json has written",
               {.type = "FILE"});
   verb.option("--margin", arguments.margin,
-              "Hundredths by which a ratio may be worse before it is marked (default: " +
+              "How much worse a ratio may become before it is marked, in per cent (default: " +
                   std::to_string(kNoisePercent) + ")",
               {.type = "PERCENT", .most = 1000});
   add_simd_option(verb, arguments.simd);
@@ -249,7 +251,7 @@ void add_options(Verb& verb, Arguments& arguments) {
 }  // namespace
 
 void add_bench(CLI::App& app, Command& chosen) {
-  Verb verb(app, "bench", "Measure every method on scenes", kFooter);
+  Verb verb(app, "bench", "Measure the speed of methods on scenes", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_options(verb, *arguments);
   verb.runs([arguments] { return bench_scenes(*arguments); }, chosen);

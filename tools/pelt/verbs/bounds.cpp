@@ -25,9 +25,9 @@ Examples:
   pelt bounds knight.glb --clip Walk --by joint --jsonl -
   pelt bounds knight.glb --clip Attack --exact --jsonl bounds.jsonl
 
-Boxes and spheres enclose every triangle for certain. Without --exact they come from the joint
-matrices alone, and nothing is skinned: a box is then a few hundredths to a quarter larger than the
-exact one. With --by joint a box encloses the vertices that follow the joint most.)";
+Boxes and spheres are guaranteed to enclose every triangle. Without --exact they are computed from
+the joint matrices alone, without skinning; a box is then a few per cent to 25 % larger than the
+exact one. With --by joint, a box encloses the vertices for which the joint has the largest weight.)";
 
 Result<BoundsBy> choose_by(const std::string& name) {
   if (name == "instance") return BoundsBy::instance;
@@ -53,12 +53,14 @@ Result<ExitCode> bounds(const Arguments& arguments) {
 }  // namespace
 
 void add_bounds(CLI::App& app, Command& chosen) {
-  Verb verb(app, "bounds", "Tell how large the characters are in every frame", kFooter);
+  Verb verb(app, "bounds", "Compute boxes and spheres around the characters in every frame",
+            kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_query_options(verb, arguments->query);
-  verb.flag("--exact", arguments->exact,
-            "The smallest box of the posed vertices that triangles use, to the bit");
-  verb.option("--by", arguments->by, "What has bounds: every instance, its parts, or its joints",
+  verb.flag(
+      "--exact", arguments->exact,
+      "Compute the smallest box around the posed vertices that triangles use, exact to the bit");
+  verb.option("--by", arguments->by, "What gets bounds: each instance, each part, or each joint",
               {.type = "instance|part|joint"});
   verb.runs([arguments] { return bounds(*arguments); }, chosen);
 }

@@ -28,19 +28,20 @@ Examples:
   pelt check scene.json --ignore limb,joint*
   pelt check scene.json --baseline contacts.jsonl
 
-Exact: triangles are closed, so touching counts, on the very float32 positions that `pelt pose`
-writes. All methods give the same contacts and the same hash; they differ in their work.
-With --by part, a and b number the colliders of the header's "instances", one for each part.
-Names of --ignore are those of parts and joints, of one model as in knight/hand_r; * stands for any
-characters. A baseline is an earlier --jsonl: then only what is new or has grown fails.
-Exit codes: 0 no contact, 1 contact (or what --fail-on says; with --inside also one that holds
-another), 2 bad input or arguments, 3 internal error.)";
+Answers are exact on the float32 positions that `pelt pose` writes. Triangles are closed sets, so
+touching counts. All methods give the same contacts and the same hash; they differ in their work.
+With --by part, a and b are indices of the header's "instances", which has one entry per part.
+--ignore takes names of parts or joints; knight/hand_r restricts a name to one model, and * matches
+any characters. --baseline takes the --jsonl of an earlier check; then only contacts that are new or
+have grown fail.
+Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside also a contained
+body), 2 bad input or arguments, 3 internal error.)";
 
 /// The page counts contacts itself: it can show no answer to a question that it cannot ask.
 Result<void> check_for_page(const CheckArguments& arguments) {
   if (arguments.html.empty()) return {};
   const auto refused = [](const char* option) {
-    return bad_argument("--html", std::string("the page does not know ") + option, "leave it out");
+    return bad_argument("--html", std::string("cannot be combined with ") + option, "leave it out");
   };
   if (arguments.clearance) return refused("--clearance");
   if (arguments.max_contacts) return refused("--max-contacts");
@@ -71,7 +72,7 @@ Result<ExitCode> check(const CheckArguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& app, Command& chosen) {
-  Verb verb(app, "check", "Find every colliding triangle pair of every frame", kFooter);
+  Verb verb(app, "check", "Find every pair of intersecting triangles in every frame", kFooter);
   const auto arguments = std::make_shared<CheckArguments>();
   add_check_options(verb, *arguments);
   verb.tells(arguments->words);

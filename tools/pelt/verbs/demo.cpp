@@ -31,9 +31,9 @@ Examples:
   pelt demo --no-picture
 
 Writes scene.json (then try `pelt check pelt-demo/scene.json`), azure.glb and sand.glb (its two
-characters, with skins and clips), contacts.jsonl (every colliding triangle pair of every frame),
-contacts.glb (the worst frame, for any glTF viewer), report.html (the whole clip, playing in a
-browser) and still.png (the picture of one frame, by POV-Ray).)";
+characters, with skins and clips), contacts.jsonl (every pair of intersecting triangles in every
+frame), contacts.glb (the worst frame, for any glTF viewer), report.html (a page that plays the whole
+clip in a browser) and still.png (a picture of one frame, rendered by POV-Ray).)";
 
 /// The frame of still.png.
 constexpr std::uint32_t kStillFrame = 40;
@@ -46,8 +46,9 @@ Result<void> make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (fs::is_directory(folder, error)) return {};
-  return Error{ErrorCode::unreadable_file,
-               folder.string() + ": is no folder and cannot be made: choose another with -o"};
+  return Error{
+      ErrorCode::unreadable_file,
+      folder.string() + ": is not a folder and cannot be created: choose another folder with -o"};
 }
 
 Result<scenes::Scene> write_scene(const fs::path& folder) {
@@ -106,7 +107,7 @@ void render(const fs::path& description, const fs::path& picture) {
       remove_file(description);
       return;
     case ProgramEnd::not_found:
-      std::cout << "no picture: POV-Ray is not installed. After `apt-get install povray`, run "
+      std::cout << "no picture: POV-Ray is not installed. Run `apt-get install povray`, then "
                    "`pelt demo` again\n";
       return;
     case ProgramEnd::failed:
@@ -145,10 +146,11 @@ Result<ExitCode> demo(const Arguments& arguments) {
 }  // namespace
 
 void add_demo(CLI::App& app, Command& chosen) {
-  Verb verb(app, "demo", "Let two generated characters collide", kFooter);
+  Verb verb(app, "demo", "Check a scene of two generated characters", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("-o,--output", arguments->folder, "Folder for the files", {.type = "DIR"});
-  verb.flag("--no-picture", arguments->no_picture, "Leave out the picture, which takes longest");
+  verb.flag("--no-picture", arguments->no_picture,
+            "Leave out the picture, which takes most of the time");
   verb.runs([arguments] { return demo(*arguments); }, chosen);
 }
 

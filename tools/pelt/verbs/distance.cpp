@@ -27,10 +27,10 @@ Examples:
   pelt distance scene.json --frames 0:9 --within 0.5 --jsonl distances.jsonl
   pelt distance scene.json --from 0,1,0 --from 0.5,1,0
 
-The least distance of any two triangles, and where it is: 0 if and only if `pelt check` finds a
-contact. Of pairs of triangles that are equally near the lowest counts. A surface is not a solid:
-one that is wholly inside another has a distance from it. With --from it is that of these points
-from every instance, and where that is nearest.)";
+Reports the least distance of any two triangles and where it occurs. It is 0 if and only if
+`pelt check` finds a contact. Of equally near pairs of triangles, the lowest is reported. A surface is
+not a solid: a surface wholly inside another has a positive distance from it. With --from, reports the
+distance of each point from each instance, with the nearest point of the surface.)";
 
 Result<double> choose_within(const std::optional<double>& within) {
   if (!within) return DistanceSettings().within;
@@ -74,15 +74,17 @@ Result<ExitCode> distance(const Arguments& arguments) {
 }  // namespace
 
 void add_distance(CLI::App& app, Command& chosen) {
-  Verb verb(app, "distance", "Tell how far characters are from each other in every frame", kFooter);
+  Verb verb(app, "distance", "Compute the least distances between characters in every frame",
+            kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_query_options(verb, arguments->query);
-  verb.option("--by", arguments->by,
-              "Between what: every two instances, or every two parts, also of the same instance",
-              {.type = "instance|part"});
-  verb.option("--within", arguments->within, "Leave out pairs that are further apart: faster",
+  verb.option(
+      "--by", arguments->by,
+      "Between what: every two instances, or every two parts, including those of one instance",
+      {.type = "instance|part"});
+  verb.option("--within", arguments->within, "Leave out pairs that are further apart (faster)",
               {.type = "DISTANCE"});
-  verb.option("--from", arguments->from, "Between this point and all of these instead; repeatable",
+  verb.option("--from", arguments->from, "Compute distances from this point instead (repeatable)",
               {.type = "X,Y,Z"});
   verb.runs([arguments] { return distance(*arguments); }, chosen);
 }

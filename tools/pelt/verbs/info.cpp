@@ -149,7 +149,7 @@ void print_parts(const asset::Asset& asset) {
     std::cout << "  " << std::right << std::setw(8) << with_commas(part.triangle_count)
               << " triangles  " << asset::printable_name(part.node) << " / "
               << asset::printable_name(part.mesh) << " / " << asset::printable_name(part.material)
-              << (part.skinned ? "" : "  (rides on its node)") << '\n';
+              << (part.skinned ? "" : "  (not skinned)") << '\n';
   }
 }
 
@@ -190,7 +190,7 @@ Result<ExitCode> info(const Arguments& arguments) {
 }  // namespace
 
 void add_info(CLI::App& app, Command& chosen) {
-  Verb verb(app, "info", "Tell what a model file holds", kFooter);
+  Verb verb(app, "info", "Print what a model file contains", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("MODEL", arguments->model, "A glTF file, .glb or .gltf, or a prepared model",
               {.is_required = true});

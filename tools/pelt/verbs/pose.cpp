@@ -23,9 +23,9 @@ Examples:
   pelt pose scene.json --frame 20 -o posed.glb
   pelt pose knight.glb --clip Walk --frame 12 -o knight_12.glb
 
-One root node for each instance, in their order and without a transform: one mesh, one primitive,
-all vertices, float32 positions bit for bit as `pelt check` collides them, triangles as numbered in
-its answers.)";
+Each instance becomes a root node without a transform, in the order of the scene, with one mesh of
+one primitive. The file has all vertices; positions are bit for bit those that `pelt check` tests, and
+triangles have the numbers used in its answers.)";
 
 Result<ExitCode> pose(const Arguments& arguments) {
   Result<scenes::Scene> scene = open_scene(arguments.scene);
@@ -51,7 +51,8 @@ void add_pose(CLI::App& app, Command& chosen) {
   Verb verb(app, "pose", "Write the posed characters of one frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_scene_options(verb, arguments->scene);
-  verb.option("--frame", arguments->frame, "The frame", {.type = "N", .is_required = true});
+  verb.option("--frame", arguments->frame, "The frame to write",
+              {.type = "N", .is_required = true});
   verb.option("-o,--output", arguments->output, "The .glb file to write",
               {.type = "FILE", .is_required = true});
   verb.runs([arguments] { return pose(*arguments); }, chosen);

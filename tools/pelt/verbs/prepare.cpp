@@ -31,9 +31,9 @@ Examples:
   pelt prepare knight.glb -o knight.pelt
   pelt info knight.pelt
 
-pelt::load_model() reads the file, and checks it, in a small part of the time that building takes.
-It holds the model alone: skeleton and clips stay in the glTF file. Another version of Pelt may
-want it prepared again.)";
+pelt::load_model() reads and validates the file in a fraction of the time that building takes. The
+file contains only the model; skeleton and clips stay in the glTF file. Another version of Pelt may
+require the model to be prepared again.)";
 
 template <typename Work>
 double milliseconds(const Work& work) {
@@ -110,10 +110,10 @@ Result<ExitCode> prepare(const Arguments& arguments) {
 }  // namespace
 
 void add_prepare(CLI::App& app, Command& chosen) {
-  Verb verb(app, "prepare", "Build a model into a file that loads fast", kFooter);
+  Verb verb(app, "prepare", "Build a model and write it to a file that loads fast", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("MODEL", arguments->model, "A glTF file, .glb or .gltf", {.is_required = true});
-  verb.option("-o,--output", arguments->output, "The prepared model to write, .pelt",
+  verb.option("-o,--output", arguments->output, "The prepared model to write (.pelt)",
               {.type = "FILE", .is_required = true});
   add_model_options(verb, arguments->models);
   verb.runs([arguments] { return prepare(*arguments); }, chosen);

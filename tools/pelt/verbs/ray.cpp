@@ -27,8 +27,8 @@ Examples:
   pelt ray scene.json --frames 20:21 --from -2,0.5,0 --to 2,0.5,0 --from 0,9,0 --to 0,8,0 --beyond
   pelt ray knight.glb --clip Walk --from 0,0.5,-3 --to 0,0.5,3 --facing front --jsonl -
 
-Watertight: no ray slips through an edge or a corner that triangles share. t is 0 at --from and 1 at
---to. Of hits at the same t the first instance's counts, and in it the lowest triangle.)";
+Rays are watertight: no ray passes through an edge or a vertex that triangles share. t is 0 at --from
+and 1 at --to. Of hits at the same t, the first instance and its lowest triangle are reported.)";
 
 Result<Facing> choose_facing(const std::string& name) {
   if (name == "both") return Facing::both;
@@ -43,7 +43,8 @@ Result<Ray> parse_ray(const std::string& from, const std::string& to, bool beyon
   const Result<Vec3> end = parse_point("--to", to);
   if (!end) return end.error();
   if (*begin == *end) {
-    return bad_argument("--to", asset::quoted(to) + " is where --from is", "give another point");
+    return bad_argument("--to", asset::quoted(to) + " is the same point as --from",
+                        "give another point");
   }
   Ray ray = segment(*begin, *end);
   if (beyond) ray.t_max = std::numeric_limits<float>::infinity();
@@ -55,7 +56,7 @@ Result<std::vector<Ray>> parse_rays(const Arguments& arguments) {
     return bad_argument("--to",
                         "is given " + counted(arguments.to.size(), "time") + " and --from " +
                             counted(arguments.from.size(), "time"),
-                        "give both for each ray");
+                        "give both options for each ray");
   }
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < arguments.from.size(); ++i) {
@@ -87,16 +88,16 @@ Result<ExitCode> ray(const Arguments& arguments) {
 }  // namespace
 
 void add_ray(CLI::App& app, Command& chosen) {
-  Verb verb(app, "ray", "Tell what rays hit first in every frame", kFooter);
+  Verb verb(app, "ray", "Find the first hits of rays in every frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_query_options(verb, arguments->query);
-  verb.option("--from", arguments->from, "Where a ray begins; repeatable, each with its --to",
+  verb.option("--from", arguments->from, "Start of a ray (repeatable, with one --to each)",
               {.type = "X,Y,Z", .is_required = true});
-  verb.option("--to", arguments->to, "Where it ends", {.type = "X,Y,Z", .is_required = true});
-  verb.flag("--beyond", arguments->beyond, "Rays go on beyond --to");
+  verb.option("--to", arguments->to, "End of the ray", {.type = "X,Y,Z", .is_required = true});
+  verb.flag("--beyond", arguments->beyond, "Continue rays beyond --to");
   verb.option("--facing", arguments->facing,
-              "Which side of a triangle can be hit; its front is where its corners are seen "
-              "counter-clockwise",
+              "Which side of a triangle can be hit; its vertices appear counter-clockwise from the "
+              "front",
               {.type = "both|front|back"});
   verb.runs([arguments] { return ray(*arguments); }, chosen);
 }

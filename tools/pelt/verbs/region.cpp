@@ -23,8 +23,8 @@ Examples:
   pelt region knight.glb --clip Walk --box -1,0,-1,1,2,1 --by part
   pelt region scene.json --capsule 0,0,0,0,1,0,0.2
 
-Outside: no triangle touches the region. Inside: all lie wholly in it. Else partly. Exact: both the
-region and the posed triangles are closed sets, so touching counts.)";
+Outside: no triangle touches the region. Inside: all triangles lie wholly in the region. Otherwise:
+partly. The answer is exact. Region and triangles are closed sets, so touching counts.)";
 
 Result<ExitCode> region(const Arguments& arguments) {
   Result<ChosenRegion> chosen = choose_region(arguments.region);
@@ -45,15 +45,16 @@ Result<ExitCode> region(const Arguments& arguments) {
 }  // namespace
 
 void add_region(CLI::App& app, Command& chosen) {
-  Verb verb(app, "region", "Tell which characters are in a box, a ball, what a camera sees",
+  Verb verb(app, "region",
+            "Find which characters are in a box, a ball, a capsule or the view of a camera",
             kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_query_options(verb, arguments->query);
   add_region_options(verb, arguments->region);
-  verb.option("--by", arguments->by, "What is in it: every instance, or every part",
+  verb.option("--by", arguments->by, "What is tested: each instance, or each part",
               {.type = "instance|part"});
   verb.flag("--triangles", arguments->triangles,
-            "Write the triangles too that touch it, and those inside");
+            "Also write the triangles that touch the region and those inside");
   verb.runs([arguments] { return region(*arguments); }, chosen);
 }
 

@@ -26,8 +26,8 @@ Examples:
   pelt view knight.glb barbarian.glb --clip Walk --clip Attack
   pelt view scene.json --port 8000 --no-browser
 
-The page answers by itself, also offline: the command only hands it over, to this machine alone, until
-Ctrl+C ends it. `pelt check --html` writes the same page as a file.)";
+The page does all work itself, also offline. The command serves the page to this machine only, until
+Ctrl+C. `pelt check --html` writes the same page to a file.)";
 
 Result<std::string> make_page(const Arguments& arguments) {
   if (arguments.scene.inputs.empty()) return read_viewer();
@@ -52,12 +52,12 @@ Result<ExitCode> view(const Arguments& arguments) {
 }  // namespace
 
 void add_view(CLI::App& app, Command& chosen) {
-  Verb verb(app, "view", "Show characters touching, in a browser", kFooter);
+  Verb verb(app, "view", "Show a scene and its contacts in a browser", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_scene_options(verb, arguments->scene, InputsNeeded::none);
-  verb.option("--port", arguments->port, "Port of the loopback address (0: any free one)",
+  verb.option("--port", arguments->port, "Port on the loopback address (0: any free port)",
               {.type = "N"});
-  verb.flag("--no-browser", arguments->no_browser, "Print the address and open no browser");
+  verb.flag("--no-browser", arguments->no_browser, "Print the address and do not open a browser");
   verb.tells(arguments->words);
   verb.runs([arguments] { return view(*arguments); }, chosen);
 }
