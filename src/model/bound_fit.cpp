@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kUnit = 0x1p-24;  // u of the rounding analysis
 
-/// A steeper line, or one whose values sum to more, is not used: the vertices of the node then
-/// coincide or nearly do, and say nothing about a slope.
+/// Limits of the slopes, and of the sum of the mean weights. Beyond them the vertices of the node
+/// nearly coincide and do not determine a slope, and the affine bound is not used.
 constexpr double kMaxSlope = 0x1p40, kMaxMeans = 32;
 
 Vec3d to_vec3d(const float* v) { return Vec3d(Vec3{v[0], v[1], v[2]}); }
@@ -25,8 +25,8 @@ void store(const Vec3d& v, float* out) {
   out[0] = rounded.x, out[1] = rounded.y, out[2] = rounded.z;
 }
 
-/// The box along the principal axes of the offsets. Rounding of the axes is far below the millionth
-/// of the extents by which the box grows.
+/// Fits the box along the principal axes of the offsets. The box is enlarged by a millionth of its
+/// extents, which is far above the rounding of the axes.
 void fit_axes(std::span<const Vec3d> offsets, RestShape& shape) {
   Symmetric3 squares;
   for (const Vec3d& x : offsets) squares.add_square(x);
@@ -41,8 +41,8 @@ void fit_axes(std::span<const Vec3d> offsets, RestShape& shape) {
   store((along.z.reach(middle.z) + slack) * axes[2], shape.axes[2]);
 }
 
-/// Least squares over the node's vertices: each weight as an affine function of x. The slope is
-/// damped across a flat patch, where the vertices say little about it.
+/// Least squares fit of each weight as an affine function of x over the vertices of a node. The
+/// slope is damped across a flat patch, where the vertices hardly determine it.
 class WeightFit {
  public:
   WeightFit(const NodeVertices& vertices, std::span<const Vec3d> offsets)
@@ -63,7 +63,7 @@ class WeightFit {
     if (!is_tame()) std::fill(gradient_.begin(), gradient_.end(), Vec3d());
   }
 
-  /// The slope and the value at x = 0 of joint i's weight.
+  /// Stores the slope and the value at x = 0 of the weight of joint i.
   void store_line(std::size_t i, JointFit& fit) const {
     store(gradient_[i], fit.line);
     fit.line[3] = static_cast<float>(value_at_centre(i));
@@ -72,12 +72,12 @@ class WeightFit {
  private:
   double value_at_centre(std::size_t i) const { return mean_[i] - dot(gradient_[i], centroid_); }
 
-  /// Slopes of coinciding vertices are not even numbers.
+  /// Whether all slopes and values are within the limits. Slopes are NaN if vertices coincide.
   bool is_tame() const {
     double values = 0, steepest = 0;
     for (std::size_t i = 0; i < mean_.size(); ++i) {
       const Vec3d slope = magnitude(gradient_[i]);
-      values += std::fabs(value_at_centre(i));  // NaN if a slope is
+      values += std::fabs(value_at_centre(i));  // NaN if a slope is NaN
       steepest = std::max({steepest, slope.x, slope.y, slope.z});
     }
     return values <= kMaxMeans && steepest <= kMaxSlope;
@@ -89,7 +89,7 @@ class WeightFit {
   std::vector<Vec3d> gradient_;
 };
 
-/// What the line leaves of one joint's weights.
+/// Residual of one joint's weights: what the affine function does not explain.
 struct Residual {
   Interval rest;              // of r_j
   Intervals3 moment;          // of (w_j - m_j) x
@@ -116,7 +116,7 @@ std::vector<Residual> residuals(const NodeVertices& vertices, std::span<const Ve
   return found;
 }
 
-/// How far the two boxes of a rest shape reach from its centre on each axis.
+/// Largest distance of the two boxes of a rest shape from its centre, on each axis.
 Vec3d reach(const RestShape& shape) {
   Vec3d along_axes = magnitude(to_vec3d(shape.axes_centre));
   for (const auto& axis : shape.axes) along_axes = along_axes + magnitude(to_vec3d(axis));
@@ -125,7 +125,7 @@ Vec3d reach(const RestShape& shape) {
           std::max(half.z, along_axes.z)};
 }
 
-/// Makes the joint of which most is left the reference.
+/// Makes the joint with the largest residual the reference.
 void take_reference(AffineFit& fit, std::vector<Residual>& left) {
   const auto reference =
       std::max_element(fit.fits.begin(), fit.fits.end(),
@@ -137,7 +137,7 @@ void take_reference(AffineFit& fit, std::vector<Residual>& left) {
   left.erase(left.begin() + reference);
 }
 
-/// Terms of second order.
+/// Factor for terms of second order.
 constexpr double kSecondOrder = 1 + 0x1p-6;
 
 /// The margin of node_bounds.hpp.
@@ -158,7 +158,7 @@ float affine_margin(const AffineFit& fit, std::span<const Residual> left,
                      (2 * n + 20) * kUnit * (stretch * (1 + 2 * means) + 2 * terms)));
 }
 
-/// The shape of the node's vertices, and where they lie from its centre.
+/// Fits the rest shape, and writes the offsets of the vertices from its centre.
 RestShape fit_shape(const NodeVertices& vertices, std::vector<Vec3d>& offsets) {
   RestShape shape;
   Intervals3 box;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The coefficients of one node's bound, fitted to its rest vertices; see node_bounds.hpp.
+/// Fits the coefficients of one node's bound to its rest vertices; see node_bounds.hpp.
 
 #include "model/node_bounds.hpp"
 #include "model/node_vertices.hpp"
@@ -9,10 +9,10 @@
 
 namespace pelt::detail {
 
-/// What the margins need of the whole mesh.
+/// Properties of the whole mesh that the margins depend on.
 struct WeightRounding {
-  double influences = 0;  ///< the most of one vertex
-  double sum_error = 0;   ///< the furthest that a vertex's weights sum from 1
+  double influences = 0;  ///< largest number of a vertex
+  double sum_error = 0;   ///< largest error of a vertex's sum of weights
   double rest_extent = 0;
 };
 

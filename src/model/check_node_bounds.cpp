@@ -7,10 +7,10 @@
 namespace pelt::detail {
 namespace {
 
-/// Far more than any fit needs, and finite when it is multiplied by the extent of a palette.
+/// Far larger than any fitted margin, and finite if multiplied by the extent of a palette.
 constexpr float kMaxMargin = 0x1p28f;
 
-/// As palettes count it.
+/// Size of the mesh as palettes define it.
 double mesh_size(float rest_extent) { return double{std::max(rest_extent, kLeastRestExtent)}; }
 
 double sum_of_magnitudes(const float* v) {
@@ -35,7 +35,7 @@ class BoundsCheck {
   BoundsCheck(const NodeBounds& bounds, const Tree& tree)
       : bounds_(bounds), tree_(tree), reach_(4 * mesh_size(tree.rest_extent)) {}
 
-  /// Each check may rely on what those before it found sound.
+  /// Later checks rely on the earlier ones.
   Problem run() {
     for (const auto check :
          {&BoundsCheck::check_nodes, &BoundsCheck::check_joints, &BoundsCheck::check_joint_boxes,
@@ -57,11 +57,11 @@ class BoundsCheck {
 
   const NodeBounds& bounds_;
   const Tree& tree_;
-  double reach_;  // nothing of a shape lies further from the origin
+  double reach_;  // largest allowed distance of a shape from the origin
 };
 
-/// Every element of every array belongs to one node, as far as their numbers tell: so the work of
-/// evaluating all nodes is in proportion to the arrays.
+/// Checks by the counts that every element of every array belongs to one node. The work of
+/// evaluating all nodes is then proportional to the size of the arrays.
 Problem BoundsCheck::check_nodes() {
   if (bounds_.nodes.size() != tree_.nodes.size())
     return problem("bounds has %zu nodes, but the tree %zu", bounds_.nodes.size(),
@@ -129,7 +129,7 @@ Problem BoundsCheck::check_shapes() {
   return {};
 }
 
-/// Their sizes have been judged by stays_finite.
+/// The magnitudes were checked by stays_finite.
 Problem BoundsCheck::check_fits() {
   for (std::size_t i = 0; i < bounds_.fits.size(); ++i) {
     const JointFit& fit = bounds_.fits[i];
@@ -140,7 +140,7 @@ Problem BoundsCheck::check_fits() {
   return {};
 }
 
-/// Here, too, every box belongs to one node, as far as numbers tell.
+/// Checks by the counts that every displacement box belongs to one rest body.
 Problem BoundsCheck::check_displacement_begin() {
   const auto& begin = bounds_.displacement_begin;
   const std::size_t bodies = bounds_.joint_boxes.size() + bounds_.shapes.size();

@@ -8,7 +8,7 @@
 namespace pelt::detail {
 namespace {
 
-/// Where the vertices of a node's pool begin and end; those without triangles count as a last node.
+/// Range of the vertices of a node's pool. The vertices without triangles form a last node.
 struct Pool {
   std::size_t begin, end;
 };
@@ -25,7 +25,7 @@ class MorphCheck {
   explicit MorphCheck(const Tree& tree)
       : tree_(tree), morphs_(tree.morphs), largest_(tree.morphs.extents.size()) {}
 
-  /// Each check may rely on what those before it found sound.
+  /// Later checks rely on the earlier ones.
   Problem run() {
     for (const auto check : {&MorphCheck::check_sizes, &MorphCheck::check_node_begin,
                              &MorphCheck::check_nodes, &MorphCheck::check_extents})
@@ -43,7 +43,7 @@ class MorphCheck {
 
   const Tree& tree_;
   const PoolMorphs& morphs_;
-  std::vector<Vec3> largest_;  // by target: along each axis
+  std::vector<Vec3> largest_;  // by target: largest displacement along each axis
   std::size_t displacements_ = 0;
 };
 
@@ -87,7 +87,7 @@ Problem MorphCheck::check_nodes() {
   return {};
 }
 
-/// Its displacements follow those of the target before it: so each belongs to one.
+/// Checks that the displacements follow those of the previous target, so that each belongs to one.
 Problem MorphCheck::check_target(std::uint32_t t, const Pool& pool) {
   const PoolTarget& run = morphs_.targets[t];
   if (run.target >= largest_.size())

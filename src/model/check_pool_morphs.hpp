@@ -5,8 +5,8 @@
 
 namespace pelt::detail {
 
-/// The first rule that the displacements of a tree's pools break, which may come from a hostile
-/// file; empty when there is none. Precondition: the nodes are sound. O(N + D).
+/// Validates the displacements of a tree's pools, which may come from a hostile file. Returns the
+/// first problem, or an empty Problem. Precondition: the nodes are valid. O(N + D).
 Problem check_pool_morphs(const Tree& tree);
 
 }  // namespace pelt::detail

@@ -14,8 +14,8 @@
 namespace pelt::detail {
 namespace {
 
-/// Dividing weights by their sum leaves less: a rounding for each influence, none of which is
-/// larger than 2^-24 of its weight.
+/// Allowed error of a sum of weights. Dividing weights by their sum leaves less: one rounding for
+/// each influence, of at most 2^-24 of its weight.
 constexpr double kNormalisedSumError = 0x1p-22;
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
@@ -24,7 +24,7 @@ class StructureCheck {
  public:
   explicit StructureCheck(const Tree& tree) : tree_(tree) {}
 
-  /// Each check may rely on what those before it found sound.
+  /// Later checks rely on the earlier ones.
   Problem run() {
     for (const auto check :
          {&StructureCheck::check_sizes, &StructureCheck::check_influence_begin,
@@ -52,7 +52,7 @@ class StructureCheck {
   }
 
   const Tree& tree_;
-  // By vertex of one pool: the last cluster that has it in cluster_vertices, and in corners.
+  // By vertex of one pool: the last cluster with the vertex in cluster_vertices, and in corners.
   std::vector<std::uint32_t> named_by_, used_by_;
 };
 
@@ -126,8 +126,8 @@ Problem StructureCheck::check_influences(std::size_t vertex) {
   return {};
 }
 
-/// Everything that nodes name follows what the node before it named: so each child, cluster and
-/// vertex belongs to one node.
+/// Checks that the children, clusters and vertices of each node follow those of the node before, so
+/// that each of them belongs to one node.
 Problem StructureCheck::check_nodes() {
   std::size_t children = 1, clusters = 0, vertices = 0;
   std::vector<std::uint32_t> depths(tree_.nodes.size(), 1);
@@ -196,7 +196,8 @@ Problem StructureCheck::check_pools() {
   return {};
 }
 
-/// Corners are offsets of vertices in the pool, and `cluster_vertices` are these, each named once.
+/// Checks that corners are offsets of vertices in the pool, and that `cluster_vertices` lists each
+/// of them once.
 Problem StructureCheck::check_cluster(std::uint32_t c) {
   const Cluster& cluster = tree_.clusters[c];
   for (std::uint32_t i = 0; i < cluster.vertex_count; ++i) {
@@ -243,13 +244,13 @@ Problem StructureCheck::check_vertex_places() {
   return {};
 }
 
-/// The vertices of pools [0, end) and those that no triangle uses lie one after the other.
+/// Number of vertices in pools. The vertices that no triangle uses follow them.
 std::size_t end_of_pools(const Tree& tree) {
   return std::size_t{tree.nodes.back().first_vertex} + tree.nodes.back().vertex_count;
 }
 
-/// No two vertices of a pool, and none that has no triangle and any other, are alike; and each is
-/// like one of the caller's.
+/// Checks that no two vertices of a pool are equal, that vertices without triangles equal no other
+/// vertex, and that each vertex equals one of the caller's.
 Problem check_welding(const Tree& tree) {
   const std::vector<std::uint32_t> welded = weld_vertices(unpack_vertices(tree));
   std::vector<std::uint32_t> last_pool(welded.size(), kNone);

@@ -44,7 +44,7 @@ Float4 ClusterCut::doubled_centre(std::uint32_t sample, std::uint32_t triangle) 
 
 void ClusterCut::clear_side() { std::fill(side_.begin(), side_.end(), empty_box()); }
 
-/// Adds one box in each sample; returns the side's area, summed over the samples.
+/// Adds one box per sample to the side. Returns the area of the side, summed over the samples.
 double ClusterCut::grow_side(const Box4* boxes) {
   double area = 0;
   for (Box4& box : side_) {
@@ -64,7 +64,7 @@ std::uint32_t ClusterCut::cut_between_bins(std::span<std::uint32_t> triangles) {
     for (std::size_t axis = 0; axis < 3; ++axis) weigh_bins(axis, best);
     if (best.cost < before) best_grid = grid;
   }
-  // All centres are one, or nothing has area.
+  // All centres coincide, or nothing has area.
   if (best.at == 0 || best.cost == 0) return halves(triangles);
   const auto right = std::stable_partition(
       triangles.begin(), triangles.end(),
@@ -80,7 +80,7 @@ ClusterCut::Grid ClusterCut::lay_grid(std::uint32_t sample,
     box = unite(box, {centre, centre});
   }
   const Float4 size = box.high - box.low;
-  // An axis with no extent to divide by has all its centres in the first bin.
+  // An axis without extent has all centres in the first bin.
   const Float4 usable = size - Float4(kBins * std::numeric_limits<float>::min());
   return {sample, box.low, if_positive(usable, Float4(kBins) / size, Float4(0.0f))};
 }

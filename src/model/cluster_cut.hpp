@@ -9,33 +9,33 @@
 
 namespace pelt::detail {
 
-/// Cuts sets of triangles in two at the least cost, as clusters.hpp measures it: the areas of the
-/// sides times the clusters that each must have.
+/// Cuts sets of triangles in two at the least cost as defined in clusters.hpp: the sum over both
+/// sides of area times number of clusters.
 ///
-/// Large sets are cut between bins, tried along the axes of every sample pose. Small ones are cut
-/// between any two triangles, which fills clusters better; they stand in the order of their boxes'
-/// centres in the rest pose alone, as the axes of the others gain 1 % of area for four times the
-/// time.
+/// Large sets are cut between bins, along the axes of every sample pose. Small sets are cut between
+/// any two triangles, which fills clusters better. They are sorted by the centres of their boxes in
+/// the rest pose only: sorting along the axes of the other samples gains 1 % of area for four times
+/// the time.
 class ClusterCut {
  public:
   explicit ClusterCut(const SampleBoxes& boxes);
 
-  /// Orders `triangles` so that those of the left side come first, and returns how many they are:
-  /// neither none nor all. Precondition: more triangles than a cluster holds.
+  /// Moves the triangles of the left side to the front of `triangles` and returns their number,
+  /// which is at least 1 and less than all. Precondition: more triangles than fit into a cluster.
   std::uint32_t cheapest(std::span<std::uint32_t> triangles);
 
-  /// The same for sides of equal numbers of clusters, without a look at the triangles.
+  /// Returns the number for sides with equal numbers of clusters, whatever the triangles.
   static std::uint32_t halves(std::span<const std::uint32_t> triangles);
 
  private:
   static constexpr std::uint32_t kBins = 16;
 
   struct Choice {
-    double cost;  // of both sides, with areas summed over the samples
+    double cost;  // of both sides; areas are summed over the samples
     std::size_t axis;
-    std::uint32_t at;  // the first bin, or the first triangle, of the right side; 0: none yet
+    std::uint32_t at;  // first bin or first triangle of the right side; 0: no cut yet
   };
-  /// Where the bins lie along the three axes of a sample pose.
+  /// The bins along the three axes of a sample pose.
   struct Grid {
     std::uint32_t sample;
     Float4 low, scale;
@@ -61,13 +61,13 @@ class ClusterCut {
   void weigh_keys(std::size_t axis, Choice& best);
 
   const SampleBoxes& boxes_;
-  std::vector<Box4> side_;           // [S] what a sweep has gathered so far
-  std::vector<double> right_costs_;  // by the place of the cut
+  std::vector<Box4> side_;           // [S] boxes of the side that a sweep has collected so far
+  std::vector<double> right_costs_;  // by position of the cut
 
   std::vector<Box4> bins_;  // [3][kBins][S]
   std::array<std::array<std::uint32_t, kBins>, 3> bin_counts_;
 
-  std::vector<Key> keys_;  // of the triangles, in order along an axis
+  std::vector<Key> keys_;  // of the triangles, sorted along an axis
 };
 
 }  // namespace pelt::detail

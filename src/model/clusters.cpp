@@ -10,7 +10,7 @@
 namespace pelt::detail {
 namespace {
 
-/// From this depth on sets are halved, which takes 31 levels at most.
+/// From this depth on, sets are halved, which takes at most 31 levels.
 constexpr std::uint32_t kHalvingDepth = kMaxClusterTreeDepth - 32;
 
 class ClusterTreeBuilder {

@@ -1,13 +1,13 @@
 #pragma once
 
-/// Triangles to clusters: a binary tree, cut from the top down by the surface area heuristic
+/// Groups triangles into clusters: a binary tree, built top-down with the surface area heuristic
 /// (MacDonald & Booth 1990, "Heuristics for ray tracing using space subdivision") over bins (Wald
 /// 2007, "On fast construction of SAH-based bounding volume hierarchies").
 ///
-/// What a cluster costs does not depend on how full it is: opening one tests all of its places side
-/// by side. So a set of n triangles counts as ceil(n / 16) clusters, and cuts that fill clusters
-/// win. The area of a set is its mean over the sample poses, so that triangles are kept together
-/// that stay together in motion.
+/// The cost of a cluster does not depend on the number of its triangles, because all 16 lanes are
+/// tested at once. A set of n triangles therefore counts as ceil(n / 16) clusters, which favours
+/// cuts that fill clusters. The area of a set is the mean over the sample poses, so that triangles
+/// which stay together in motion end up in the same cluster.
 
 #include "model/sample_boxes.hpp"
 
@@ -20,7 +20,7 @@ namespace pelt::detail {
 struct ClusterTreeNode {
   std::uint32_t first = 0;       ///< into ClusterTree::triangle_order
   std::uint32_t count = 0;       ///< triangles
-  std::uint32_t left_child = 0;  ///< the right one follows it; 0: a cluster
+  std::uint32_t left_child = 0;  ///< the right child follows it; 0: this is a cluster
   double area = 0;               ///< half the surface of its box, mean over the sample poses
 
   bool is_cluster() const { return left_child == 0; }
@@ -31,11 +31,11 @@ struct ClusterTree {
   std::vector<ClusterTreeNode> nodes;
 };
 
-/// No path from the root to a cluster has more nodes, whatever the triangles.
+/// Largest number of nodes on any path from the root to a cluster.
 inline constexpr std::uint32_t kMaxClusterTreeDepth = 96;
 
-/// Precondition: there is at least one triangle. O(S^2 T log T) for S samples; the same tree on
-/// every machine.
+/// Builds the tree, which is the same on every machine. Precondition: there is at least one
+/// triangle. O(S^2 T log T) for S samples.
 ClusterTree build_cluster_tree(const SampleBoxes& boxes);
 
 }  // namespace pelt::detail

@@ -36,7 +36,7 @@ void DisplacementFit::gather(std::uint32_t body, std::uint32_t place) {
     displaced_.push_back({body, displacement});
 }
 
-/// The number of a set's body, plus `first`, is that among all of the kind.
+/// `first` is the number of the set's first body among all bodies of its kind.
 void DisplacementFit::box_all(std::vector<Boxes>& bodies, std::size_t first) {
   const auto key = [](const Displaced& d) { return std::tuple(d.body, d.displacement.target); };
   std::sort(displaced_.begin(), displaced_.end(),

@@ -8,23 +8,24 @@
 
 namespace pelt::detail {
 
-/// The boxes around the displacements of the vertices of each rest body. For one set of vertices
-/// after the other whose bound is there already, in any order, and then for all bounds at once.
+/// Computes the boxes of the displacements of each rest body's vertices. Call `add` for the
+/// vertices of each bound, in any order, and then `finish` once.
 class DisplacementFit {
  public:
   explicit DisplacementFit(const Tree& tree);
 
-  /// Takes the vertices, named by their places in the pools, that `bound` of `bounds` is around.
-  /// O(D log D) for their displacements D, counted once for each of a vertex's influences.
+  /// Adds the vertices that `bound` of `bounds` encloses, given by their positions in the pools.
+  /// O(D log D) for their displacements D, counted once for each influence of a vertex.
   void add(const NodeBounds& bounds, const NodeBound& bound, std::span<const std::uint32_t> places);
 
-  /// Writes what was found to `bounds`, the same as before.
+  /// Writes the boxes to `bounds`. Precondition: `bounds` is the object given to `add`.
   void finish(NodeBounds& bounds) const;
 
  private:
   using Boxes = std::vector<DisplacementBox>;
 
-  /// Of a vertex in the body of that number; one that follows several joints is in all of theirs.
+  /// A displacement of a vertex in the body with this number. A vertex that follows several joints
+  /// is in the bodies of all of them.
   struct Displaced {
     std::uint32_t body;
     Displacement displacement;
@@ -35,7 +36,7 @@ class DisplacementFit {
   DisplacementBox box_of(std::span<const Displaced> of_one_target) const;
 
   SkinnedMesh vertices_;                // in the order of the pools
-  std::vector<std::uint32_t> numbers_;  // by joint; of those of the set at hand
+  std::vector<std::uint32_t> numbers_;  // by joint: its number among the joints of the current set
   std::vector<std::uint32_t> vertex_counts_;
   std::vector<Displaced> displaced_;
   std::vector<Boxes> joint_boxes_, shapes_;  // by body

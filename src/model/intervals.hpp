@@ -8,7 +8,7 @@
 
 namespace pelt::detail {
 
-/// No less than `value`, as a float.
+/// `value` rounded up to a float.
 inline float rounded_up(double value) {
   return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
 }
@@ -23,7 +23,7 @@ struct Interval {
   }
   double middle() const { return (low + high) / 2; }
 
-  /// The largest distance from `value` in the interval.
+  /// Largest distance of a point of the interval from `value`.
   double reach(double value) const { return std::max(high - value, value - low); }
 };
 
@@ -33,7 +33,7 @@ struct Intervals3 {
   void include(const Vec3d& p) { x.include(p.x), y.include(p.y), z.include(p.z); }
   Vec3d middle() const { return {x.middle(), y.middle(), z.middle()}; }
 
-  /// Rounds the middle to float and the half extents up, so that they enclose the intervals.
+  /// Rounds the centre to float and the half extents up, so that the box encloses the intervals.
   void store(float* centre, float* half) const {
     const Interval* axes[] = {&x, &y, &z};
     for (int a = 0; a < 3; ++a) {

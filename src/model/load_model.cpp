@@ -22,14 +22,14 @@ Error refusal(ErrorCode code, const Problem& found) {
 
 Error malformed(const Problem& found) { return refusal(ErrorCode::malformed_file, found); }
 
-/// As much of it as the file has.
+/// Reads as much of the header as the file contains.
 PreparedHeader read_header(std::span<const std::byte> file) {
   PreparedHeader header;
   std::memcpy(&header, file.data(), std::min(file.size(), sizeof header));
   return header;
 }
 
-/// Of another machine or another Pelt, whose headers may have another size.
+/// Detects files of another machine or another version, whose headers may have another size.
 Problem find_foreign(const PreparedHeader& header) {
   if (header.byte_order == detail::kForeignMark)
     return problem("was prepared on a machine with the other byte order");
@@ -40,7 +40,7 @@ Problem find_foreign(const PreparedHeader& header) {
   return {};
 }
 
-/// Each check may rely on those before it.
+/// Later checks rely on the earlier ones.
 Problem find_damage(std::span<const std::byte> file, const PreparedHeader& header) {
   if (file.size() < sizeof header)
     return problem("has %zu bytes, less than its header", file.size());

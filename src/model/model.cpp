@@ -16,7 +16,7 @@ using detail::Palette;
 using detail::problem;
 using detail::SkinnedMesh;
 
-/// The caller's sample poses, or an error that names the one that is no palette.
+/// Returns the caller's sample poses, or an error for the first that is not a valid palette.
 Result<std::vector<Palette>> take_sample_poses(const SkinnedMesh& mesh,
                                                std::span<const Matrix4> matrices) {
   const std::size_t joints = mesh.joint_count;
@@ -35,7 +35,7 @@ Result<std::vector<Palette>> take_sample_poses(const SkinnedMesh& mesh,
   return palettes;
 }
 
-/// Rest positions first, then those of the sample poses.
+/// Returns the rest positions, then the positions of the sample poses.
 std::vector<std::vector<Vec3>> sample_positions(const SkinnedMesh& mesh,
                                                 std::span<const Palette> palettes) {
   std::vector<std::vector<Vec3>> positions = {mesh.rest_positions};

@@ -7,7 +7,7 @@
 
 namespace pelt::detail {
 
-/// What a SkinnedModel shares between its copies.
+/// The data that copies of a SkinnedModel share.
 struct Model {
   Tree tree;
   NodeBounds bounds;

@@ -8,11 +8,11 @@
 namespace pelt::detail {
 namespace {
 
-/// Nodes that more joints move than this get joint boxes without a try: their weights are far from
+/// Nodes with more joints than this get joint boxes without a fit: their weights are far from
 /// affine, and the fit would take long.
 constexpr std::size_t kMaxFittedJoints = 32;
 
-/// An affine bound has to be smaller than joint boxes by this factor, because it costs more.
+/// An affine bound must be smaller than joint boxes by this factor, because it costs more.
 constexpr double kAffineAdvantage = 0.95;
 
 NodeBound add_joint_boxes(const JointBoxesFit& fit, std::span<const std::uint16_t> joints,

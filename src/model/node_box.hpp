@@ -1,6 +1,6 @@
 #pragma once
 
-/// A node's bound evaluated on a palette; model/node_bounds.hpp has the formulas and their proof.
+/// Evaluates a node's bound on a palette; model/node_bounds.hpp has the formulas and their proof.
 
 #include "base/float8.hpp"
 #include "geometry/box4.hpp"
@@ -11,7 +11,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// Columns of a 3 x 4 matrix, two by two.
+/// Columns of a 3 x 4 matrix, in pairs.
 struct ColumnPairs {
   Float8 xy, zt;
 };
@@ -36,7 +36,7 @@ inline ColumnPairs without_translation(const ColumnPairs& m) {
   return {m.xy, Float8(m.zt.low(), Float4(0.0f))};
 }
 
-/// The columns times the factors, still in two shares that `fold` adds up.
+/// The columns times the factors, as two partial sums that `fold` adds.
 inline Float8 image(const ColumnPairs& m, const ColumnFactors& v) {
   return v.xy * m.xy + v.zw * m.zt;
 }
@@ -64,7 +64,7 @@ inline Box4 joint_boxes_box(const NodeBounds& bounds, const NodeBound& bound, co
   return all;
 }
 
-/// `centre` is that of the shape, or displaced.
+/// `centre` is the centre of the shape, or the displaced centre.
 inline Box4 affine_box(const NodeBounds& bounds, const NodeBound& bound, const float* centre4,
                        const Palette& palette) {
   const std::uint16_t* joint = bounds.joints.data() + bound.first_joint;
@@ -84,7 +84,7 @@ inline Box4 affine_box(const NodeBounds& bounds, const NodeBound& bound, const f
     spread = spread + image(magnitudes(without_translation(d)), fit->spread);
     rest = rest + Float4(fit->rest()) * abs(t);
   }
-  const ColumnPairs a = b + slope;  // its last column is meaningless, and multiplied by zero
+  const ColumnPairs a = b + slope;  // the last column is meaningless and is multiplied by zero
   const Float4 centre = fold(image(b, rest_centre) + shift), excess = rest + fold(spread);
   const Float4 half = excess + fold(image(magnitudes(a), shape.half));
   const Float4 axes_half = excess + abs(fold(image(a, shape.axes[0]))) +
@@ -94,7 +94,7 @@ inline Box4 affine_box(const NodeBounds& bounds, const NodeBound& bound, const f
                    {axes_centre - axes_half, axes_centre + axes_half});
 }
 
-/// How the active morph targets displace a rest body's vertices.
+/// Box of the displacement of a rest body's vertices by the active morph targets.
 struct BodyDisplacement {
   Float4 centre, half;
   std::uint32_t target_count;
@@ -121,8 +121,7 @@ inline BodyDisplacement displacement_of(const NodeBounds& bounds, std::size_t bo
   return sum;
 }
 
-/// The image of a box around zero by the linear part of whichever joint of the node makes it
-/// largest, along each axis.
+/// Largest image of a box around zero under the linear parts of the node's joints, on each axis.
 inline Float4 largest_image(const NodeBounds& bounds, const NodeBound& bound, const float* half,
                             const Palette& palette) {
   const std::uint16_t* joint = bounds.joints.data() + bound.first_joint;
@@ -132,7 +131,7 @@ inline Float4 largest_image(const NodeBounds& bounds, const NodeBound& bound, co
   return largest;
 }
 
-/// A box and how much larger it has to be.
+/// A box and the margin to add to it.
 struct LooseBox {
   Box4 box;
   Float4 margin;
@@ -143,7 +142,7 @@ inline Float4 morph_margin(std::uint32_t target_count) {
   return Float4(target_count == 0 ? 0 : static_cast<float>(2 * target_count + 8) * kRounding);
 }
 
-/// A joint's rest box as active morph targets leave it, and the margin that this adds.
+/// A joint's rest box displaced by active morph targets, and the additional margin.
 struct MorphedJointBox {
   JointBox box;
   Float4 margin;
@@ -184,7 +183,7 @@ inline LooseBox morphed_affine_box(const NodeBounds& bounds, const NodeBound& bo
               largest_image(bounds, bound, displaced.half, palette)};
 }
 
-/// Not inlined, for the sake of those without morph targets.
+/// Not inlined, so that models without morph targets pay nothing.
 [[gnu::noinline]] inline LooseBox morphed_box(const NodeBounds& bounds, const NodeBound& bound,
                                               const Palette& palette) {
   return bound.is_affine() ? morphed_affine_box(bounds, bound, palette)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the fitting of bounds asks about the vertices below a node, in double.
+/// The vertices below a node, in double precision, for fitting bounds.
 
 #include "base/vec3.hpp"
 #include "model/tree.hpp"
@@ -17,7 +17,7 @@ class NodeVertices {
  public:
   explicit NodeVertices(const Tree& tree) : tree_(tree), number_(tree.joint_count) {}
 
-  /// Takes another node's vertices, named by their places in the pools.
+  /// Replaces the content with the vertices of a node, given by their positions in the pools.
   void assign(std::span<const std::uint32_t> places) {
     places_ = places;
     joints_.clear();
@@ -47,11 +47,11 @@ class NodeVertices {
   const Tree& tree_;
   std::span<const std::uint32_t> places_;
   std::vector<std::uint16_t> joints_;
-  std::vector<std::uint32_t> number_;  // by joint; of those in joints_
+  std::vector<std::uint32_t> number_;  // by joint: its index in joints_
 };
 
-/// Calls `visit(node, places)` for every node with the places of all vertices below it. Children
-/// are visited before their parents.
+/// Calls `visit(node, places)` for every node with the positions in the pools of all vertices below
+/// the node. Children are visited before their parents.
 template <typename Visit>
 void each_subtree(const Tree& tree, const Visit& visit) {
   std::vector<std::vector<std::uint32_t>> places(tree.nodes.size());

@@ -1,8 +1,7 @@
 #pragma once
 
-/// What morph targets do to the vertices of a tree's pools: target by target within each node, so
-/// that opening a node costs something only for the targets that are active and displace a vertex
-/// of its pool.
+/// Displacements of the vertices of a tree's pools, sorted by node and then by target. Opening a
+/// node therefore costs nothing for targets that are inactive or displace no vertex of its pool.
 
 #include "base/target.hpp"
 #include "skin/morph_weights.hpp"
@@ -21,7 +20,7 @@ struct PoolTarget {
   std::uint32_t displacement_count = 0;  ///< at least one
 };
 
-/// Of the vertex at `place` in Tree::rest_positions.
+/// Displacement of the vertex at `place` in Tree::rest_positions.
 struct PlacedDisplacement {
   Vec3 by;  ///< not zero
   std::uint32_t place = 0;
@@ -39,8 +38,8 @@ struct PoolMorphs {
 
 inline namespace PELT_TARGET {
 
-/// Calls `visit(item)` for the items, in a list that ascends by their `target`, whose targets are
-/// active: in as many steps as there are items, or a few for each active target, whichever is less.
+/// Calls `visit(item)` for each item with an active target. Precondition: the items ascend by
+/// `target`. Cost: one step per item, or a few per active target, whichever is less.
 template <typename Item, typename Visit>
 inline void each_active(const Item* begin, const Item* end, const MorphWeights& morphs,
                         const Visit& visit) {
@@ -51,7 +50,7 @@ inline void each_active(const Item* begin, const Item* end, const MorphWeights& 
     return;
   }
   for (const std::uint32_t target : active) {
-    for (std::ptrdiff_t count = end - begin; count > 0;) {  // the first that is no less
+    for (std::ptrdiff_t count = end - begin; count > 0;) {  // find the first item that is not less
       const std::ptrdiff_t half = count / 2;
       const bool is_less = begin[half].target < target;
       begin += is_less ? half + 1 : 0;

@@ -1,13 +1,14 @@
 #pragma once
 
-/// The layout of a prepared model in a file: a header, then the arrays of the model as they are in
-/// memory, each from a multiple of 16 on, gaps filled with zeros. docs/prepared-format.md has the
-/// table of fields; whoever changes one of them, or what an array means, raises the version. The
-/// magic, the version and the byte order mark stay where they are in all versions.
+/// Layout of a prepared model in a file: a header, then the arrays of the model with their
+/// in-memory layout, each starting at a multiple of 16 bytes, with gaps of zeros.
+/// docs/prepared-format.md has the table of fields. Increase the version when a field or the
+/// meaning of an array changes. Magic, version and byte order mark keep their offsets in all
+/// versions.
 ///
-/// Numbers are in the order of the machine that wrote them, which is little-endian wherever Pelt
-/// runs today. A file of the other order is refused, and prepared again where it is needed: that is
-/// simpler than code for swapping that no machine at hand would ever run.
+/// Numbers are in the byte order of the machine that wrote them, which is little-endian on all
+/// machines that run Pelt today. A file in the other order is rejected and must be prepared again;
+/// this is simpler than byte swapping code that no available machine could test.
 
 #include "base/checksum.hpp"
 #include "model/model.hpp"
@@ -20,7 +21,7 @@
 
 namespace pelt::detail {
 
-/// Not text in any encoding, and changed by whoever takes it for text (as the head of a PNG file).
+/// Not valid text in any encoding, and damaged by any conversion of text, like the PNG signature.
 inline constexpr std::array<unsigned char, 8> kPreparedMagic = {0x8B, 'P',  'E',  'L',
                                                                 'T',  '\r', '\n', 0x1A};
 inline constexpr std::uint32_t kPreparedVersion = 3;
@@ -31,8 +32,8 @@ struct PreparedHeader {
   std::array<unsigned char, 8> magic = kPreparedMagic;
   std::uint32_t version = kPreparedVersion;
   std::uint32_t byte_order = kByteOrderMark;
-  std::uint64_t file_size = 0;  ///< bytes, this header included
-  std::uint64_t checksum = 0;   ///< of all that follows it
+  std::uint64_t file_size = 0;  ///< bytes, including this header
+  std::uint64_t checksum = 0;   ///< of all bytes after it
 
   std::uint32_t joint_count = 0;
   float rest_extent = 0;
@@ -42,17 +43,17 @@ struct PreparedHeader {
 
 static_assert(sizeof(PreparedHeader) == 136 && std::is_trivially_copyable_v<PreparedHeader>);
 
-// What stands in the arrays, without any byte that is not a value's.
+// The element types have no padding bytes.
 static_assert(sizeof(Cluster) == 12 && std::has_unique_object_representations_v<Cluster>);
 static_assert(sizeof(Node) == 16 && std::has_unique_object_representations_v<Node>);
 static_assert(sizeof(NodeBound) == 20 && sizeof(JointBox) == 32 && sizeof(RestShape) == 96 &&
               sizeof(JointFit) == 48 && sizeof(DisplacementBox) == 36);
 static_assert(sizeof(PoolTarget) == 12 && sizeof(PlacedDisplacement) == 16);
 
-/// Where the array after one that ends at `end` begins.
+/// Offset of the array that follows an array ending at `end`.
 inline std::uint64_t next_array(std::uint64_t end) { return (end + 15) / 16 * 16; }
 
-/// Bytes of a file with these numbers of elements.
+/// Size in bytes of a file with these numbers of elements.
 inline std::uint64_t file_size_of(const std::array<std::uint32_t, kPreparedArrays>& counts) {
   std::uint64_t end = sizeof(PreparedHeader);
   std::size_t next = 0;

@@ -12,8 +12,8 @@ namespace pelt::detail {
 /// The boxes of all triangles in all sample poses.
 class SampleBoxes {
  public:
-  /// `samples` are the posed positions of all vertices in each pose, at least one. Precondition:
-  /// finite.
+  /// `samples`: posed positions of all vertices in each pose. Precondition: at least one pose, and
+  /// all positions are finite.
   SampleBoxes(std::span<const Triangle> triangles, std::span<const std::vector<Vec3>> samples);
 
   std::uint32_t triangle_count() const { return triangle_count_; }

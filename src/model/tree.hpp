@@ -1,12 +1,18 @@
 #pragma once
 
-/// The tree behind every query, in flat arrays that can be written to a file as they are.
+/// The tree behind every query, in flat arrays that can be written to a file unchanged.
 ///
-/// Triangles lie in clusters of at most 16, clusters and nodes in nodes of at most eight slots. The
-/// first slots of a node are its clusters, the others its child nodes; both are numbered
-/// consecutively. All clusters of a node take their corners from the node's pool of vertices, in
-/// which no two are alike, so that opening a node poses each of its vertices once. Parents come
-/// before their children; node 0 is the root.
+/// Triangles are grouped into clusters of at most 16, and clusters into nodes of at most eight
+/// slots. The first slots of a node are its clusters, the other slots its child nodes; clusters and
+/// children of a node are numbered consecutively. The corners of a node's clusters refer to the
+/// node's pool of distinct vertices, so opening a node poses each of its vertices once. Parents
+/// precede their children; node 0 is the root.
+///
+///     node 0    | cluster 0 | cluster 1 | child 1 | child 2 |          slots
+///     node 1    | cluster 2 | cluster 3 |
+///     node 2    | cluster 4 | child 3 |
+///
+///     vertices  | pool of 0      | pool of 1  | pool of 2  | ... | vertices without triangles |
 
 #include "model/pool_morphs.hpp"
 #include "skin/palette.hpp"
@@ -22,21 +28,21 @@ namespace pelt::detail {
 inline constexpr std::uint32_t kMaxClusterTriangles = 16;
 inline constexpr std::uint32_t kMaxSlots = 8;
 
-/// A posed vertex takes so many floats. Corners are offsets in floats, not numbers of vertices: the
-/// loops over them then need no multiplication.
+/// Number of floats of a posed vertex. Corners are offsets in floats and not vertex numbers, so
+/// loops over corners need no multiplication.
 inline constexpr std::uint32_t kFloatsPerVertex = 4;
 
-/// Lists of a cluster's vertices are filled up to a multiple of this.
+/// Lists of a cluster's vertices are padded to a multiple of this.
 inline constexpr std::uint32_t kVertexGroup = 4;
 
 struct Cluster {
   std::uint32_t first_triangle = 0;  ///< into Tree::corners and Tree::triangle_ids
   std::uint32_t first_vertex = 0;    ///< into Tree::cluster_vertices
   std::uint8_t triangle_count = 0;   ///< 1 to kMaxClusterTriangles
-  std::uint8_t vertex_count = 0;     ///< different corners of these triangles
-  std::uint16_t unused = 0;          ///< so that every byte of a file has a value
+  std::uint8_t vertex_count = 0;     ///< distinct vertices of these triangles
+  std::uint16_t unused = 0;          ///< padding, so that every byte of a file is defined
 
-  /// With those that fill the list up.
+  /// Number of vertices including padding.
   std::uint32_t listed_vertex_count() const {
     return (vertex_count + kVertexGroup - 1) / kVertexGroup * kVertexGroup;
   }
@@ -52,24 +58,24 @@ struct Node {
 };
 
 struct Tree {
-  // The vertices [P] of all pools, node after node; after them those that no triangle uses.
+  // Vertices [P] of all pools in the order of the nodes, then the vertices without triangles.
   std::vector<Vec3> rest_positions;            // [P]
   std::vector<std::uint32_t> influence_begin;  // [P + 1], into joints and weights
-  std::vector<std::uint16_t> joints;           // of the influences, ascending in each vertex
+  std::vector<std::uint16_t> joints;           // of the influences; ascending for each vertex
   std::vector<float> weights;                  // of the influences, positive
 
   // Triangles [T] in the order of the clusters.
-  std::vector<std::array<std::uint16_t, 3>> corners;  // [T] offsets in the posed pool
-  std::vector<std::uint32_t> triangle_ids;            // [T] the caller's number
+  std::vector<std::array<std::uint16_t, 3>> corners;  // [T] offsets into the posed pool
+  std::vector<std::uint32_t> triangle_ids;            // [T] the caller's numbers
 
-  // The corners of each cluster, each offset once and the last one again until the list is full:
-  // loops over it then take few different numbers of steps, which branches predict.
+  // The distinct corners of each cluster, padded with the last one: loops over the list then have
+  // few different lengths, which branches predict well.
   std::vector<std::uint16_t> cluster_vertices;
 
   std::vector<Cluster> clusters;
   std::vector<Node> nodes;
 
-  std::vector<std::uint32_t> vertex_places;  // [V] where each of the caller's vertices lies in [P]
+  std::vector<std::uint32_t> vertex_places;  // [V] position in [P] of each of the caller's vertices
 
   PoolMorphs morphs;
 
@@ -80,7 +86,7 @@ struct Tree {
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangle_ids.size()); }
 };
 
-/// Of an instance in the rest pose.
+/// The palette of an instance in the rest pose.
 inline Palette rest_palette(const Tree& tree) {
   return Palette(tree.joint_count, tree.rest_extent, tree.morphs.extents);
 }

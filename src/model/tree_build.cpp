@@ -19,7 +19,7 @@ std::uint32_t size32(std::size_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
-/// Writes the arrays of a tree, node after node.
+/// Writes the arrays of a tree, node by node.
 class TreeWriter {
  public:
   TreeWriter(const SkinnedMesh& mesh, const ClusterTree& clusters)
@@ -63,7 +63,7 @@ class TreeWriter {
     return {clusters_.triangle_order.data() + node.first, node.count};
   }
 
-  /// The welded vertices of these clusters, each once, those with few influences first.
+  /// Collects the distinct welded vertices of these clusters, ordered by number of influences.
   void fill_pool(std::span<const std::uint32_t> clusters) {
     const std::uint32_t this_node = size32(tree_.nodes.size());
     pool_.clear();
@@ -90,7 +90,7 @@ class TreeWriter {
       displaced_.push_back({displacement.target, {displacement.by, places_[v]}});
   }
 
-  /// Those of the vertices written since it was called last, target by target.
+  /// Writes the displacements of the vertices written since the last call, sorted by target.
   void write_displacements() {
     PoolMorphs& morphs = tree_.morphs;
     if (morphs.extents.empty()) return;
@@ -137,7 +137,7 @@ class TreeWriter {
     return corners;
   }
 
-  /// Where each vertex lies; those that no triangle uses are written now.
+  /// Writes the position of each vertex, after appending the vertices without triangles.
   void write_vertex_places() {
     tree_.vertex_places.reserve(welded_.size());
     for (const std::uint32_t v : welded_) {
@@ -170,11 +170,11 @@ class TreeWriter {
   const SkinnedMesh& mesh_;
   const ClusterTree& clusters_;
   std::vector<std::uint32_t> welded_;
-  std::vector<std::uint32_t> last_node_;  // by welded vertex: the last node with it in its pool
-  std::vector<std::uint32_t> places_;     // by welded vertex: where it was written last
+  std::vector<std::uint32_t> last_node_;  // by welded vertex: the last node whose pool has it
+  std::vector<std::uint32_t> places_;     // by welded vertex: its last position
   std::vector<std::uint32_t> pool_;       // the welded vertices of one node
   std::vector<std::uint16_t> named_;      // the corners of one cluster
-  std::vector<Displaced> displaced_;      // in the pool of one node
+  std::vector<Displaced> displaced_;      // displacements in the pool of one node
   Tree tree_;
 };
 

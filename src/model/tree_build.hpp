@@ -8,16 +8,16 @@
 
 namespace pelt::detail {
 
-/// Builds the tree for poses like the samples, which are the posed positions [V] of all vertices;
-/// the first is the rest pose. Vertices that are bit-identical become one, so their numbers are not
-/// kept, but for each vertex of the mesh the tree knows one that is posed to the same bits.
+/// Builds a tree that is optimised for poses like the samples. A sample has the posed positions [V]
+/// of all vertices; the first sample is the rest pose. Bit-identical vertices are merged; the tree
+/// stores for each vertex of the mesh a vertex that is posed to the same bits. The tree is the same
+/// on every machine.
 ///
-/// Nodes are numbered breadth first; a node's clusters, children and pool, a cluster's triangles
-/// and vertices follow those of the node or cluster before it. In a pool, vertices with few
-/// influences come first, so that a loop over them seldom changes its length.
+/// Nodes are numbered breadth first. The clusters, children and pool of a node follow those of the
+/// previous node, and the triangles and vertices of a cluster those of the previous cluster. A pool
+/// is sorted by number of influences, so that a loop over its vertices seldom changes its length.
 ///
-/// Precondition: one sample at least, finite. O((T + V) log(T + V)); the same tree on every
-/// machine.
+/// Precondition: at least one sample, and finite positions. O((T + V) log(T + V)).
 Tree build_tree(const SkinnedMesh& mesh, std::span<const std::vector<Vec3>> samples);
 
 }  // namespace pelt::detail

@@ -16,7 +16,7 @@ void append_vertex(const SkinnedMesh& from, std::uint32_t v, SkinnedMesh& to) {
   to.displacement_begin.push_back(static_cast<std::uint32_t>(to.displacements.size()));
 }
 
-/// Sorts by vertex what stands by node and target, in two passes: one counts, one puts.
+/// Sorts displacements by vertex instead of by node and target: one pass counts, one moves.
 void unpack_displacements(const PoolMorphs& morphs, SkinnedMesh& mesh) {
   mesh.morph_extents = morphs.extents;
   if (morphs.extents.empty()) return;
@@ -34,7 +34,7 @@ void unpack_displacements(const PoolMorphs& morphs, SkinnedMesh& mesh) {
     }
 }
 
-/// For each vertex of the tree [P] the caller's number.
+/// Returns the caller's number of each vertex of the tree [P].
 std::vector<std::uint32_t> callers_numbers(const Tree& tree, const SkinnedMesh& vertices) {
   const std::vector<std::uint32_t> welded = weld_vertices(vertices);
   std::vector<std::uint32_t> numbers(welded.size());  // at first only where welded[p] == p
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> callers_numbers(const Tree& tree, const SkinnedMesh& 
   return numbers;
 }
 
-/// The triangles of one cluster, by the caller's numbers of vertices.
+/// Writes the triangles of one cluster with the caller's vertex numbers.
 void unpack_cluster(const Tree& tree, const Node& node, const Cluster& cluster,
                     const std::vector<std::uint32_t>& numbers, std::vector<Triangle>& triangles) {
   const std::uint32_t end = cluster.first_triangle + cluster.triangle_count;

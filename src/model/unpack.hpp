@@ -5,13 +5,12 @@
 
 namespace pelt::detail {
 
-/// The vertices [P] of a tree as they lie there, without triangles. Precondition: `check_structure`
-/// finds nothing wrong.
+/// Returns the vertices [P] of a tree in their order, without triangles. Precondition:
+/// `check_structure` finds no problem.
 SkinnedMesh unpack_vertices(const Tree& tree);
 
-/// The mesh in the caller's numbers of triangles and vertices. Where vertices of the caller's are
-/// bit-identical, triangles name the lowest of them. Precondition: `check_tree` finds nothing
-/// wrong. O(P log P).
+/// Returns the mesh with the caller's triangle and vertex numbers. Of bit-identical vertices,
+/// triangles refer to the lowest. Precondition: `check_tree` finds no problem. O(P log P).
 SkinnedMesh unpack_mesh(const Tree& tree);
 
 }  // namespace pelt::detail

@@ -20,14 +20,14 @@ Key key_of(const SkinnedMesh& mesh, std::uint32_t vertex) {
   return {{bits(p.x), bits(p.y), bits(p.z)}, vertex};
 }
 
-/// Less than, equal to or greater than zero; any order will do that knows equal bits.
+/// Three-way comparison. Any total order suffices in which equal means equal bits.
 template <typename T>
 int compare(std::span<const T> a, std::span<const T> b) {
   if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
   return a.empty() ? 0 : std::memcmp(a.data(), b.data(), a.size_bytes());
 }
 
-/// All but the rest positions.
+/// Compares everything except the rest positions.
 int compare_motion(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
   const int influences = compare(mesh.influences_of(a), mesh.influences_of(b));
   return influences != 0 ? influences : compare(mesh.displacements_of(a), mesh.displacements_of(b));
@@ -35,7 +35,7 @@ int compare_motion(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-// Sorted, not looked up in a hash table: a file can be made whose vertices all have one hash.
+// Sorts instead of hashing, because a hostile file could give all vertices the same hash.
 std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh) {
   std::vector<Key> keys;
   keys.reserve(mesh.vertex_count());

@@ -7,10 +7,9 @@
 
 namespace pelt::detail {
 
-/// For each vertex [V] the lowest number among the vertices that are bit-identical to it in rest
-/// position, influences and displacements. Exporters split vertices at seams of texture and
-/// normals; such vertices are posed to the same bits, whatever the pose. O(V log V), whatever the
-/// input.
+/// Returns for each vertex [V] the lowest number of a vertex with bit-identical rest position,
+/// influences and displacements. Exporters split vertices at seams of textures and normals; such
+/// vertices are posed to the same bits in any pose. O(V log V) for any input.
 std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh);
 
 }  // namespace pelt::detail

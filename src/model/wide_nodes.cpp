@@ -8,12 +8,15 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// How a subtree is best spread over `k` slots of a node, for each k: index 1 is one slot, its
-/// cluster or its own wide node.
+/// The best distribution of a subtree over k slots of a node, for each k. With k = 1 the slot is a
+/// cluster, at no cost, or a wide node of its own. For a subtree with children l and r:
+///
+///     cost[k] = min over 1 <= i < k of  l.cost[i] + r.cost[k - i]       for k > 1
+///     cost[1] = min over k > 1 of       cost[k] + area (kNodeCost + k)
 struct Spread {
   std::array<double, kMaxSlots + 1> cost;          ///< of the wide nodes in the subtree
   std::array<std::uint8_t, kMaxSlots + 1> left{};  ///< how many of the slots go to the left child
-  std::uint8_t slots = 0;                          ///< of the subtree's own wide node
+  std::uint8_t slots = 0;                          ///< slots of the subtree's own wide node
 };
 
 Spread spread_of_cluster() {
@@ -23,7 +26,7 @@ Spread spread_of_cluster() {
   return spread;
 }
 
-/// Of a subtree whose root is cut: its children's slots side by side, or a wide node over them.
+/// Computes the distribution of a subtree from those of its children.
 Spread spread_over(const Spread& left, const Spread& right, double area) {
   Spread spread = spread_of_cluster();
   spread.cost[1] = kNever;
@@ -56,7 +59,7 @@ class Collapse {
   explicit Collapse(const ClusterTree& tree) : tree_(tree), spreads_(spread_all(tree)) {}
 
   std::vector<WideNode> run() && {
-    std::vector<std::uint32_t> origins = {0};  // by wide node: its number in the cluster tree
+    std::vector<std::uint32_t> origins = {0};  // by wide node: its node in the cluster tree
     for (std::size_t n = 0; n < origins.size(); ++n) {
       WideNode node = make_node(origins[n]);
       node.first_child = static_cast<std::uint32_t>(origins.size());
@@ -74,7 +77,7 @@ class Collapse {
     WideNode node;
     std::vector<std::uint32_t> slots;
     if (is_cluster(origin))
-      slots = {origin};  // the whole mesh is one cluster
+      slots = {origin};  // the whole mesh is a single cluster
     else
       spread(origin, spreads_[origin].slots, slots);
     const auto middle = std::stable_partition(slots.begin(), slots.end(),
@@ -85,7 +88,7 @@ class Collapse {
     return node;
   }
 
-  /// Appends the `k` slots over which `origin` is spread: two or more for its children.
+  /// Appends the `k` slots of the subtree `origin`.
   void spread(std::uint32_t origin, std::uint32_t k, std::vector<std::uint32_t>& slots) const {
     if (k == 1) {
       slots.push_back(origin);

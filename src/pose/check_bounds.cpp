@@ -22,7 +22,7 @@ using detail::Tree;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Around vertices, exactly.
+/// Exact box of vertices.
 struct Box {
   std::array<float, 3> low = {kInfinity, kInfinity, kInfinity};
   std::array<float, 3> high = {-kInfinity, -kInfinity, -kInfinity};
@@ -37,7 +37,7 @@ struct Box {
   }
 };
 
-/// All vertices, posed by the definition.
+/// Poses all vertices by the definition.
 std::vector<Vec3> pose_all(const Tree& tree, const detail::Palette& palette) {
   const detail::SkinnedMesh mesh = detail::unpack_vertices(tree);
   std::vector<Vec3> posed(tree.rest_positions.size());
@@ -46,7 +46,7 @@ std::vector<Vec3> pose_all(const Tree& tree, const detail::Palette& palette) {
   return posed;
 }
 
-/// For each node the box around the vertices of all pools below it.
+/// Returns for each node the box of the vertices of all pools below it.
 std::vector<Box> boxes_below(const Tree& tree, const std::vector<Vec3>& posed) {
   std::vector<Box> boxes(tree.nodes.size());
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
@@ -65,18 +65,18 @@ Problem left_out(std::uint32_t node, const char* bound, std::uint32_t number, st
                          number, static_cast<double>(distance), "xyz"[axis]);
 }
 
-/// The bounds of one instance against its posed vertices.
+/// Compares the bounds of one instance with its posed vertices.
 class BoundsCheck {
  public:
   BoundsCheck(const Tree& tree, const std::vector<Vec3>& posed)
       : tree_(tree), posed_(posed), below_(boxes_below(tree, posed)) {}
 
-  /// Looks at the bounds that are known.
+  /// Checks all bounds that have been computed.
   Problem run(const detail::Pose& pose) {
     node_ = 0;
     const detail::RootBox& root = pose.root_box;
     if (root.known) expect(box_of(root.low, root.high), below_[0], "the root", 0);
-    if (!pose.opened) return problem_;  // no query has come near
+    if (!pose.opened) return problem_;  // no query has opened a node
     for (; node_ < tree_.nodes.size() && problem_.empty(); ++node_)
       if (const OpenedNode* node = pose.opened[node_]) check(*node);
     return problem_;
@@ -94,7 +94,7 @@ class BoundsCheck {
             {high[0][lane], high[1][lane], high[2][lane]}};
   }
 
-  /// Also finds bounds that are NaN.
+  /// Also detects bounds that are NaN.
   void expect(const Box& bound, const Box& exact, const char* name, std::uint32_t number) {
     for (std::size_t a = 0; a < 3 && problem_.empty(); ++a) {
       if (!(bound.low[a] <= exact.low[a]))

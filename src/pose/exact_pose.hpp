@@ -1,6 +1,6 @@
 #pragma once
 
-/// A pose whose nodes are all open, with exact boxes: what methods without refit on demand have.
+/// A pose with all nodes open and with exact boxes, as in methods without refitting on demand.
 
 #include <pelt/query.hpp>
 
@@ -15,17 +15,18 @@ class ExactPose {
   /// The rest pose, with no node open yet. `tree` must outlive this.
   explicit ExactPose(const Tree& tree);
 
-  /// Takes the weights of morph targets for the palette set next, or refuses them.
+  /// Copies the morph weights for the next palette, or returns an error if they are invalid.
   Result<void> set_morph_weights(std::span<const float> weights);
 
-  /// Takes a joint palette, or refuses it and stays as it was. No node is open after it.
+  /// Copies the joint palette and closes all nodes. If it is invalid, returns an error and changes
+  /// nothing.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
-  /// Skins all vertices and computes the exact boxes bottom-up, that of the root included, so that
+  /// Skins all vertices and computes all exact boxes bottom-up, including that of the root, so that
   /// queries compute no bound.
   QueryStats open_all();
 
-  /// What queries take. Precondition: all nodes are open.
+  /// Returns the view that queries use. Precondition: all nodes are open.
   PosedTree posed_tree();
 
  private:

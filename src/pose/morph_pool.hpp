@@ -6,9 +6,8 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// Writes the rest positions of a node's pool, displaced by the active morph targets, to `out`, as
-/// the posed vertices will stand there. Returns how many displacements there were: of none, nothing
-/// is written.
+/// Writes the rest positions of a node's pool, displaced by the active morph targets, to `out` in
+/// the layout of posed vertices. Returns the number of displacements; if it is 0, writes nothing.
 inline std::uint64_t morph_pool(const Tree& tree, std::uint32_t index, const MorphWeights& morphs,
                                 float* out) {
   const Node& node = tree.nodes[index];

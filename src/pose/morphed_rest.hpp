@@ -6,10 +6,10 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// The rest positions as they lie in the tree, displaced by the active morph targets, one at a time
-/// and in any order. O(1) in a pool that no active target displaces, else O(log) of the pool's
-/// displacements for each one that does; O(log N) more for a vertex in another pool than the last.
-/// Precondition: the tree has morph targets.
+/// Random access to the rest positions of a tree, displaced by the active morph targets.
+/// Precondition: the tree has morph targets. Cost of a vertex: O(1) in a pool that no active target
+/// displaces, otherwise O(log) of the pool's displacements for each target that does, and O(log N)
+/// more if the pool is not that of the previous vertex.
 class MorphedRest {
  public:
   MorphedRest(const Tree& tree, const MorphWeights& morphs) : tree_(tree), morphs_(morphs) {}
@@ -25,8 +25,8 @@ class MorphedRest {
   }
 
  private:
-  /// Finds the last node whose pool does not begin behind `place`. What no triangle uses lies
-  /// behind all pools, as if there were one node more.
+  /// Finds the last node whose pool does not begin behind `place`. Vertices without triangles
+  /// follow all pools, as if they belonged to one more node.
   void find_pool(std::uint32_t place) {
     const Node* nodes = tree_.nodes.data();
     const auto node_count = static_cast<std::uint32_t>(tree_.nodes.size());
@@ -48,7 +48,7 @@ class MorphedRest {
     end_ = tree_.morphs.targets.data() + begin[1];
   }
 
-  /// What the target does to the vertex at `place`; null: nothing.
+  /// Returns the displacement of the vertex at `place` by the target, or null.
   const PlacedDisplacement* find(const PoolTarget& target, std::uint32_t place) const {
     const PlacedDisplacement* first = tree_.morphs.displacements.data() + target.first_displacement;
     for (std::uint32_t count = target.displacement_count; count > 1;) {
@@ -61,8 +61,8 @@ class MorphedRest {
 
   const Tree& tree_;
   const MorphWeights& morphs_;
-  std::uint32_t first_place_ = 0, end_place_ = 0;       // of the pool that was found last
-  const PoolTarget *begin_ = nullptr, *end_ = nullptr;  // its targets
+  std::uint32_t first_place_ = 0, end_place_ = 0;       // range of the current pool
+  const PoolTarget *begin_ = nullptr, *end_ = nullptr;  // targets of the current pool
 };
 
 }  // namespace PELT_TARGET

@@ -8,8 +8,8 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// Computes every bound that a query could ask for: the box around the root, all nodes, the boxes
-/// of all triangles. Returns the work. Precondition: there is a table of opened nodes.
+/// Computes every bound that a query could need: the root box, all nodes, and the boxes of all
+/// triangles. Returns the work. Precondition: the table of opened nodes exists.
 QueryStats open_fully(const PosedTree& posed);
 
 }  // namespace PELT_TARGET

@@ -9,8 +9,8 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// Where the tree's vertices lie, in plain pointers: the compiler would else load those of the
-/// vectors again after each store.
+/// Plain pointers to the arrays of the tree's vertices; otherwise the compiler reloads the vectors'
+/// data pointers after every store.
 struct Places {
   explicit Places(const Tree& tree)
       : influence_begin(tree.influence_begin.data()),
@@ -21,7 +21,7 @@ struct Places {
     return influence_begin[place + 1] - influence_begin[place];
   }
 
-  /// Poses the vertex at `place`, which has `count` influences and lies at `rest`.
+  /// Poses the vertex at `place` with `count` influences and the rest position `rest`.
   [[gnu::always_inline]] Float4 pose(const Vec3& rest, std::uint32_t place, std::uint32_t count,
                                      const Matrix4* palette) const {
     const std::uint32_t begin = influence_begin[place];
@@ -40,8 +40,8 @@ struct Places {
   const float* weights;
 };
 
-/// Poses the vertices from `place` on as long as they have kCount influences, and returns the place
-/// behind them: a loop over influences whose length is known needs no branch.
+/// Poses the run of vertices with kCount influences that starts at `place`, and returns the end of
+/// the run. A loop over influences of known length needs no branch.
 template <std::uint32_t kCount, typename RestAt>
 std::uint32_t pose_run(const Places& places, const RestAt& rest_at, const Matrix4* palette,
                        std::uint32_t place, std::uint32_t end, float*& out) {
@@ -50,8 +50,8 @@ std::uint32_t pose_run(const Places& places, const RestAt& rest_at, const Matrix
   return place;
 }
 
-/// Poses a pool; pools are sorted by the number of influences. The vertex at a place is at rest at
-/// `rest_at(place, out)`, where `out` is what it will be written to.
+/// Poses a pool, which is sorted by number of influences. `rest_at(place, out)` returns the rest
+/// position of a vertex, where `out` is the destination of the posed vertex.
 template <typename RestAt>
 void pose_pool(const Tree& tree, const RestAt& rest_at, const Matrix4* palette, std::uint32_t place,
                std::uint32_t end, float* out) {
@@ -71,7 +71,7 @@ void pose_node(const PosedTree& posed, const Node& node, float* out) {
       posed.palette.joints().data(), node.first_vertex, node.first_vertex + node.vertex_count, out);
 }
 
-/// The same from the rest positions that `morph_pool` has left in `out`.
+/// Poses a pool from the displaced rest positions that `morph_pool` has written to `out`.
 void pose_morphed_node(const PosedTree& posed, const Node& node, float* out) {
   pose_pool(
       posed.tree,
@@ -81,7 +81,7 @@ void pose_morphed_node(const PosedTree& posed, const Node& node, float* out) {
       posed.palette.joints().data(), node.first_vertex, node.first_vertex + node.vertex_count, out);
 }
 
-/// An unpublished node with its pool posed, and the work of it.
+/// Creates an unpublished node, poses its pool and counts the work.
 OpenedNode* begin_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
   const Node& node = posed.tree.nodes[index];
   OpenedNode* opened = posed.arena.allocate<OpenedNode>();
@@ -110,7 +110,7 @@ Box4 cluster_box(const Tree& tree, const Cluster& cluster, const float* position
   return box;
 }
 
-/// Writes eight boxes side by side, from lane `first` on.
+/// Writes eight boxes in structure-of-arrays order, starting at lane `first`.
 template <std::size_t kCount>
 void store_boxes(const Box4 (&box)[8], float (&low)[3][kCount], float (&high)[3][kCount],
                  std::uint32_t first) {
@@ -127,7 +127,7 @@ void store_boxes(const Box4 (&box)[8], float (&low)[3][kCount], float (&high)[3]
         high);
 }
 
-/// Slot boxes: exact ones of the clusters, and whatever `child_box` says of the children.
+/// Computes the slot boxes: exact boxes of clusters, and `child_box` of children.
 template <typename ChildBox>
 void box_slots(const Tree& tree, const Node& node, OpenedNode& opened, const ChildBox& child_box) {
   Box4 box[kMaxSlots], all = empty_box();
@@ -149,7 +149,7 @@ Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
   return {min(min(a, b), c), max(max(a, b), c)};
 }
 
-/// Calls `visit` with the posed vertices at these places.
+/// Calls `visit` with the posed vertices at `places`.
 template <typename Visit>
 void each_posed(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at,
                 const Visit& visit) {

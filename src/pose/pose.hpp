@@ -23,14 +23,14 @@ struct Pose {
     return {data.tree, data.bounds, palette, root_box, opened, arena};
   }
 
-  /// The palette has changed.
+  /// Closes all nodes, because the palette has changed.
   void close_all() {
     arena.clear();
     opened = OpenedNodes();
     root_box.known = false;
   }
 
-  /// One block, because pieces would leave the ends of several unused.
+  /// Allocates one block; several blocks would waste memory at their ends.
   void reserve() {
     close_all();
     arena = Arena();

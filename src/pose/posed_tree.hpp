@@ -1,9 +1,9 @@
 #pragma once
 
-/// One instance as queries see it, and the one thing that they do to it: open a node. That poses
-/// the node's vertices, takes the exact boxes of its clusters from them and the bounds of its child
-/// nodes from the joint palette. That it waits until then is Kavan & Zara's refit on demand (2005,
-/// section 4.2).
+/// View of one instance for queries. Queries change an instance only by opening nodes, which poses
+/// the node's vertices, computes exact boxes of its clusters from them, and computes the boxes of
+/// its children from the joint palette. Doing this only when needed is the refit on demand of Kavan
+/// & Zara (2005, section 4.2).
 
 #include "model/node_bounds.hpp"
 #include "model/tree.hpp"
@@ -19,16 +19,16 @@ struct PosedTree {
   const Tree& tree;
   const NodeBounds& bounds;
   const Palette& palette;
-  RootBox& root_box;  ///< not to be asked for by two threads at once, unlike the nodes
+  RootBox& root_box;  ///< unlike nodes, must not be used by two threads at once
   OpenedNodes& opened;
-  Arena& arena;  ///< where this thread's opened nodes lie
+  Arena& arena;  ///< memory for the nodes that this thread opens
 };
 
-/// Makes the table of opened nodes if there is none yet, which instances that are far from all
-/// others never need. Not by two threads at once.
+/// Creates the table of opened nodes if necessary. Instances that are far from all others never
+/// need it. Must not be called by two threads at once.
 void make_table(const PosedTree& posed);
 
-/// What the table and everything that can be opened take of one thread's arena.
+/// Bytes of arena memory for the table and all nodes, if one thread opens everything.
 std::size_t bytes_to_open(const Tree& tree);
 
 }  // namespace pelt::detail

@@ -6,7 +6,7 @@
 
 namespace pelt::detail {
 
-/// A box around all vertices, once asked for.
+/// Box of all vertices, computed when first needed.
 struct RootBox {
   bool known = false;
   float low[4], high[4];
@@ -14,7 +14,7 @@ struct RootBox {
 
 inline namespace PELT_TARGET {
 
-/// The box from the joint palette alone.
+/// Computes the box from the joint palette alone.
 RootBox box_root(const NodeBounds& bounds, const Palette& palette);
 
 }  // namespace PELT_TARGET

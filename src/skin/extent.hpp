@@ -9,7 +9,7 @@
 
 namespace pelt::detail {
 
-/// The sum over the axes of the largest coordinate of any point, rounded up.
+/// Returns the sum over the axes of the largest absolute coordinate of any point, rounded up.
 inline float extent_of(std::span<const Vec3> points) {
   Vec3 largest;
   for (const Vec3& p : points)

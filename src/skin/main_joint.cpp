@@ -5,7 +5,7 @@
 namespace pelt::detail {
 namespace {
 
-/// `sums` is memory lent by the caller.
+/// `sums` is working memory of the caller.
 std::uint32_t main_joint(const SkinnedMesh& mesh, const Triangle& corners,
                          std::vector<Influence>& sums) {
   sums.clear();

@@ -7,8 +7,9 @@
 
 namespace pelt::detail {
 
-/// [T] The joint that each triangle follows most: the largest sum of weights over the corners, the
-/// lowest joint of equal ones. O(influences of all corners, times those of one).
+/// Returns for each triangle [T] the joint with the largest sum of weights over the triangle's
+/// vertices; of equal joints, the lowest. O(influences of all triangle vertices, times those of one
+/// triangle).
 std::vector<std::uint16_t> main_joints(const SkinnedMesh& mesh);
 
 }  // namespace pelt::detail

@@ -47,7 +47,7 @@ Problem check_target(const MorphTargetsView& view, std::size_t target, std::size
   return {};
 }
 
-/// Sorts by vertex what stands by target, in two passes: one counts, one puts.
+/// Sorts displacements by vertex instead of by target: one pass counts, one moves.
 void sort_by_vertex(const MorphTargetsView& view, SkinnedMesh& mesh) {
   auto& begin = mesh.displacement_begin;
   begin.assign(mesh.rest_positions.size() + 1, 0);

@@ -5,8 +5,8 @@
 
 namespace pelt::detail {
 
-/// Checks the morph targets and gives them to the mesh, displacements of zero left out. The mesh
-/// has its rest positions already. O(V + M + D).
+/// Validates the morph targets and copies their nonzero displacements into the mesh. Precondition:
+/// the mesh has its rest positions. O(V + M + D).
 Problem take_morph_targets(const MorphTargetsView& view, SkinnedMesh& mesh);
 
 }  // namespace pelt::detail

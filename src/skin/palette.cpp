@@ -16,11 +16,11 @@ namespace {
 
 static_assert(kMaxExtent == 4 * kMaxCoordinate);
 
-/// Linear parts count as no smaller, so that what underflows in products with them is far below the
+/// Lower limit of the size of linear parts. Underflow in products with them is then far below the
 /// rounding of M.
 constexpr double kLeastLinear = 0x1p-100;
 
-/// M of the joints scanned, rounded up; not finite when an element is not or nearly overflows.
+/// M of the scanned joints, rounded up. Not finite if an element is not finite or nearly overflows.
 float extent_of(const PaletteScan& scan, double reach) {
   const double sum = std::max(double{scan.linear}, kLeastLinear) * reach + double{scan.translation};
   return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
@@ -30,7 +30,7 @@ bool has_affine_last_row(const float* m) {
   return m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
 }
 
-/// Why the matrix of a joint is refused.
+/// Describes what is wrong with the matrix of a joint.
 Problem describe(const float* m, std::size_t joint) {
   for (int i = 0; i < 16; ++i)
     if (!std::isfinite(m[i]))
@@ -70,8 +70,8 @@ Result<void> Palette::set(std::span<const float> floats) {
   return {};
 }
 
-/// Weights that displace no further than those before need no look at the joints: these may come
-/// from the constructor, which alone allows more than kMaxCoordinate.
+/// Skips the check of the joints if the weights displace no further than before. This is necessary
+/// because the constructor's joints may exceed kMaxCoordinate.
 Result<void> Palette::set_morph_weights(std::span<const float> weights) {
   if (Problem found = morphs_.check(weights); !found.empty())
     return invalid_argument(std::move(found));
@@ -89,7 +89,7 @@ bool Palette::are_good(const PaletteScan& joints, double reach) const {
   return joints.is_affine && extent_of(joints, reach) <= kMaxCoordinate;
 }
 
-/// Joints that are good one by one are good together.
+/// Checks the joints one by one; joints that are valid alone are valid together.
 Problem Palette::find_bad_joint(std::span<const float> floats, double reach) const {
   for (std::size_t j = 0; j < joints_.size(); ++j)
     if (!are_good(scan_palette(&floats[16 * j], 1), reach)) return describe(&floats[16 * j], j);

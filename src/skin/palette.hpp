@@ -12,35 +12,35 @@
 
 namespace pelt::detail {
 
-/// The largest extent of any palette, four times kMaxCoordinate. When a palette is set no joint
-/// alone throws a rest position beyond kMaxCoordinate; but one may stretch while another moves
-/// away, which together makes twice that. A new palette has the rest extent, of three coordinates.
-/// The rest is for rounding.
+/// Largest extent of any palette, four times kMaxCoordinate. No single joint of a palette moves a
+/// rest position beyond kMaxCoordinate. One joint may stretch and another may translate, however,
+/// which together makes twice that. A new palette has the rest extent, a sum of three coordinates.
+/// The remainder allows for rounding.
 inline constexpr float kMaxExtent = 0x1p62f;
 
-/// A mesh counts as no smaller: what throws it no further than kMaxCoordinate then has no element
-/// beyond 2^120, and no blend of such matrices overflows.
+/// Smallest rest extent used for the checks. A matrix that moves a mesh of this size at most to
+/// kMaxCoordinate has no element beyond 2^120, and no blend of such matrices overflows.
 inline constexpr float kLeastRestExtent = 0x1p-60f;
 
-/// The floats of matrices that stand side by side.
+/// The floats of an array of matrices.
 inline std::span<const float> floats_of(std::span<const Matrix4> matrices) {
   return {reinterpret_cast<const float*>(matrices.data()), 16 * matrices.size()};
 }
 
-/// A joint palette that has been checked, and the morph weights that it goes with: finite, affine,
-/// and throwing no rest position, displaced by morph targets, beyond kMaxCoordinate, so that no
-/// query meets NaN or infinity.
+/// A validated joint palette with its morph weights. Matrices are finite and affine, and move no
+/// displaced rest position beyond kMaxCoordinate, so queries never see NaN or infinity.
 class Palette {
  public:
-  /// Identity matrices, for a mesh of that `rest_extent`, which is less than kMaxExtent, and with
-  /// morph targets of these extents; all weights are zero.
+  /// Identity matrices and zero weights, for a mesh with this `rest_extent` and with morph targets
+  /// of these extents. Precondition: rest_extent < kMaxExtent.
   Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents = {});
 
-  /// Takes `floats`, 16 for each joint, or says what is wrong with them and changes nothing.
+  /// Copies `floats`, 16 per joint, if they are valid; otherwise returns an error and changes
+  /// nothing.
   Result<void> set(std::span<const float> floats);
   Result<void> set(std::span<const Matrix4> matrices) { return set(floats_of(matrices)); }
 
-  /// The same for the weights of the morph targets.
+  /// Copies the weights of the morph targets, likewise.
   Result<void> set_morph_weights(std::span<const float> weights);
 
   std::span<const Matrix4> joints() const { return joints_; }
@@ -48,14 +48,14 @@ class Palette {
 
   const MorphWeights& morphs() const { return morphs_; }
 
-  /// M of the rounding analyses: for every joint and every point v of the mesh's rest box,
-  /// sum_b |A_ab| |v_b| + |t_a| <= M; for |v_b| the magnitudes of all weighted displacements of a
-  /// vertex count, too, be they added or subtracted. No coordinate of a posed vertex is larger, and
-  /// float32 rounding of posed vertices and bounds is a small multiple of 2^-24 M. At most
-  /// kMaxExtent, and never so small that what underflows counts beside that rounding.
+  /// M of the rounding analyses: sum_b |A_ab| |v_b| + |t_a| <= M for every joint (A | t) and every
+  /// point v of the mesh's rest box, where |v_b| includes the magnitudes of all weighted
+  /// displacements of a vertex. No coordinate of a posed vertex is larger than M, and float32
+  /// rounding of posed vertices and bounds is a small multiple of 2^-24 M. At most kMaxExtent, and
+  /// large enough that underflow is negligible beside this rounding.
   float extent() const { return extent_; }
 
-  /// No vertex is posed further from the origin.
+  /// Upper bound of the distance of any posed vertex from the origin.
   float reach() const { return extent_ * 1.7320510f; }
 
   std::size_t memory_bytes() const { return joints().size_bytes() + morphs_.memory_bytes(); }
@@ -68,7 +68,7 @@ class Palette {
   PaletteScan scan_ = {.linear = 1};  // of the joints
   MorphWeights morphs_;
   float rest_extent_;
-  double reach_;  // the rest extent and that of the weighted displacements
+  double reach_;  // rest extent plus the extent of the weighted displacements
   float extent_;
 };
 

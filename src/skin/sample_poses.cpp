@@ -7,10 +7,10 @@ namespace {
 
 constexpr std::uint32_t kPoseCount = 4;
 
-/// Knuth's 64-bit linear congruential generator: this needs no better one.
+/// Knuth's 64-bit linear congruential generator, which is good enough here.
 class Noise {
  public:
-  /// In [-1, 1).
+  /// Returns a number in [-1, 1).
   double next() {
     state_ = state_ * 6364136223846793005u + 1442695040888963407u;
     return static_cast<double>(state_ >> 11) * 0x1p-52 - 1;
@@ -20,7 +20,7 @@ class Noise {
   std::uint64_t state_ = 1;
 };
 
-/// The mean place of the vertices that each joint moves, weighted.
+/// Returns for each joint the weighted mean position of the vertices that it moves.
 std::vector<Vec3d> joint_middles(const SkinnedMesh& mesh) {
   std::vector<Vec3d> middles(mesh.joint_count);
   std::vector<double> weights(mesh.joint_count);
@@ -35,7 +35,7 @@ std::vector<Vec3d> joint_middles(const SkinnedMesh& mesh) {
   return middles;
 }
 
-/// The turn by the unit quaternion along (1, x, y, z) about `middle`.
+/// Returns the rotation about `middle` by the unit quaternion parallel to (1, x, y, z).
 Matrix4 turn_about(const Vec3d& middle, double x, double y, double z) {
   const double s = 2 / (1 + x * x + y * y + z * z);
   const Vec3d columns[] = {{1 - s * (y * y + z * z), s * (x * y + z), s * (x * z - y)},
@@ -54,7 +54,7 @@ Matrix4 turn_about(const Vec3d& middle, double x, double y, double z) {
 }  // namespace
 
 std::vector<Palette> invent_sample_poses(const SkinnedMesh& mesh) {
-  constexpr double kLargestTangent = 0.24;  // of half an angle, for each axis: 45 degrees in all
+  constexpr double kLargestTangent = 0.24;  // of half an angle, per axis: 45 degrees in total
   const std::vector<Vec3d> middles = joint_middles(mesh);
   std::vector<Palette> poses(kPoseCount, Palette(mesh.joint_count, mesh.rest_extent));
   std::vector<Matrix4> matrices(mesh.joint_count);
@@ -65,7 +65,7 @@ std::vector<Palette> invent_sample_poses(const SkinnedMesh& mesh) {
       matrices[j] =
           turn_about(middles[j], kLargestTangent * x, kLargestTangent * y, kLargestTangent * z);
     }
-    // A mesh near the limit of coordinates may be turned beyond it; the pose is then the rest pose.
+    // Rotation can move a mesh beyond the limit of coordinates; the pose then stays the rest pose.
     (void)pose.set(matrices);
   }
   return poses;

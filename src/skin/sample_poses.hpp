@@ -7,9 +7,9 @@
 
 namespace pelt::detail {
 
-/// Palettes to try bounds on when the caller has given none: each joint turns about the middle of
-/// the vertices that it moves, by up to 45 degrees. Real skeletons move with more sense,
-/// but what is tight here is tight there. The same on every machine.
+/// Generates palettes for choosing bounds if the caller gives none: each joint rotates about the
+/// middle of the vertices that it moves, by up to 45 degrees. Real skeletons move differently, but
+/// bounds that are tight here are tight there, too. The palettes are the same on every machine.
 std::vector<Palette> invent_sample_poses(const SkinnedMesh& mesh);
 
 }  // namespace pelt::detail

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The definition of a posed vertex. Every query, baseline, export and test poses vertices by the
-/// functions of this file, and "exact" means: exact on what they return.
+/// Definition of a posed vertex. Every query, comparison method, export and test poses vertices
+/// with the functions of this file, and "exact" means exact on their results.
 ///
 /// Linear blend skinning (Kavan & Zara 2005, eq. 1), v' = sum_k w_k C_jk v, evaluated in float32
 /// without fused operations, influences in ascending order of their joints:
@@ -12,9 +12,8 @@
 /// Morph targets come first: v = v0 + m_1 d_1 + m_2 d_2 ..., summed from the left, over the targets
 /// that displace the vertex and whose weight is not zero, in ascending order.
 ///
-/// Two columns of B stand side by side in one Float8: that is why x goes with z and y with the
-/// translation. A vertex with a single influence has weight 1 exactly, so B = C_j: the one-joint
-/// special case.
+/// A Float8 holds two columns of B, which is why x is paired with z and y with the translation. A
+/// vertex with a single influence has weight 1 exactly, so B = C_j, the special case of one joint.
 
 #include "base/float8.hpp"
 #include "skin/palette.hpp"
@@ -25,7 +24,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// The posed vertex of the influences `influence(0)` to `influence(count - 1)`. Lanes x, y, z; lane
+/// Returns the posed vertex for `influence(0)` to `influence(count - 1)` in the lanes x, y, z. Lane
 /// 3 is meaningless.
 template <typename InfluenceAt>
 inline Float4 posed_vertex4(const Vec3& rest, std::uint32_t count, const InfluenceAt& influence,
@@ -42,12 +41,12 @@ inline Float4 posed_vertex4(const Vec3& rest, std::uint32_t count, const Influen
   return fold(pair8(rest.x, rest.y) * xy + pair8(rest.z, 1) * zt);
 }
 
-/// The rest position, displaced by one target more.
+/// Returns `v`, displaced by one more target.
 inline Vec3 displaced(const Vec3& v, float weight, const Vec3& by) {
   return {v.x + weight * by.x, v.y + weight * by.y, v.z + weight * by.z};
 }
 
-/// The rest position with all displacements.
+/// Returns the rest position with all displacements.
 inline Vec3 morphed_vertex(const SkinnedMesh& mesh, const MorphWeights& morphs,
                            std::uint32_t vertex) {
   Vec3 v = mesh.rest_positions[vertex];
@@ -80,7 +79,7 @@ void posed_vertices(const SkinnedMesh& mesh, const Palette& palette, std::span<V
 
 namespace pelt::scalar {
 
-/// The definition above, spelled out float by float; the wide code must match its bits.
+/// The definition above, written float by float. The vector code must produce the same bits.
 Vec3 posed_vertex(const detail::SkinnedMesh& mesh, const detail::Palette& palette,
                   std::uint32_t vertex);
 

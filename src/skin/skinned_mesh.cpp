@@ -10,10 +10,10 @@
 namespace pelt::detail {
 namespace {
 
-/// Sums of weights further from 1 are not an exporter's rounding.
+/// Sums of weights further from 1 are more than rounding by an exporter.
 constexpr double kExporterRounding = 0x1p-7;
 
-/// Sums of weights nearer to 1 are the rounding of floats and not worth a word in the report.
+/// Sums of weights nearer to 1 are rounding of floats and are not reported.
 constexpr double kFloatRounding = 0x1p-16;
 
 Problem check_sizes(const SkinnedMeshView& view) {
@@ -66,8 +66,8 @@ Problem check_influence(const SkinnedMeshView& view, std::size_t vertex, std::si
   return {};
 }
 
-/// The view's influences of one vertex: zero weights left out, a joint named twice summed, joints
-/// ascending. Replaces the content of `merged`.
+/// Replaces the content of `merged` with the influences of one vertex: without zero weights, with
+/// the weights of a repeated joint summed, and with joints in ascending order.
 void merge_influences(const SkinnedMeshView& view, std::size_t vertex,
                       std::vector<Influence>& merged, BuildReport& report) {
   merged.clear();
@@ -93,7 +93,7 @@ Problem normalise_weights(std::span<Influence> influences, std::size_t vertex,
                           const ModelOptions& options, BuildReport& report) {
   double sum = 0;
   for (const Influence& influence : influences) sum += static_cast<double>(influence.weight);
-  if (!(sum > 0 && std::isfinite(sum)))  // floats of one joint may have summed to infinity
+  if (!(sum > 0 && std::isfinite(sum)))  // weights of one joint may sum to infinity
     return problem("weights of vertex %zu sum to %g, expected 1", vertex, sum);
   const double error = std::fabs(sum - 1);
   if (error > kExporterRounding && options.off_weights == OffWeights::refuse)
@@ -117,7 +117,7 @@ Problem take_influences(const SkinnedMeshView& view, const ModelOptions& options
       if (Problem found = check_influence(view, v, slot); !found.empty()) return found;
     merge_influences(view, v, merged, report);
     if (Problem found = normalise_weights(merged, v, options, report); !found.empty()) return found;
-    // A weight that is tiny beside the others can become zero by the division.
+    // The division can turn a tiny weight into zero.
     for (const Influence& influence : merged)
       if (influence.weight > 0) mesh.influences.push_back(influence);
     mesh.influence_begin.push_back(static_cast<std::uint32_t>(mesh.influences.size()));

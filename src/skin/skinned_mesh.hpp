@@ -8,7 +8,7 @@
 
 namespace pelt::detail {
 
-/// One joint that a vertex follows, and how much.
+/// A joint that a vertex follows, with its weight.
 struct Influence {
   std::uint32_t joint = 0;
   float weight = 0;
@@ -20,17 +20,16 @@ struct Displacement {
   Vec3 by;
 };
 
-/// The nodes of a tree count their joints in 16 bits.
+/// Nodes of a tree store joint numbers with 16 bits.
 inline constexpr std::uint32_t kMaxJoints = 65535;
 
-/// Rounding analyses count the targets that displace a vertex: of so many, in units of 2^-24, terms
-/// of second order are still nothing.
+/// Rounding analyses count the targets that displace a vertex. Up to this number, in units of
+/// 2^-24, terms of second order are negligible.
 inline constexpr std::uint32_t kMaxMorphTargets = 65535;
 
-/// A skinned mesh that has been checked and brought to one form: influences of a vertex have
-/// positive weights that sum to 1 up to rounding, and stand in ascending order of their joints, so
-/// that vertices that were split at a seam are posed to the same bits. For the same reason there
-/// are no displacements of zero.
+/// A validated skinned mesh in normal form. Influences of a vertex have positive weights that sum
+/// to 1 up to rounding, and joints in ascending order. There are no zero displacements. Vertices
+/// that were split at a seam are therefore posed to the same bits.
 struct SkinnedMesh {
   std::vector<Vec3> rest_positions;            // [V]
   std::vector<Triangle> triangles;             // [T]
@@ -39,8 +38,8 @@ struct SkinnedMesh {
   std::uint32_t joint_count = 0;
   float rest_extent = 0;  // sum over the axes of the largest coordinate
 
-  // Morph targets, vertex by vertex and ascending for each.
-  std::vector<float> morph_extents;               // [M] as rest_extent, of the displacements
+  // Displacements by vertex; the targets of each vertex ascend.
+  std::vector<float> morph_extents;               // [M] like rest_extent, of the displacements
   std::vector<std::uint32_t> displacement_begin;  // [V + 1], into displacements; [] if M is 0
   std::vector<Displacement> displacements;
 
@@ -59,11 +58,11 @@ struct SkinnedMesh {
   }
 };
 
-/// No coordinate, in the rest pose or posed, is larger: squared distances then stay finite in
+/// Largest absolute coordinate in the rest pose and posed. Squared distances stay finite in
 /// float32.
 inline constexpr float kMaxCoordinate = 0x1p60f;
 
-/// Checks `view`, copies it into the form above and fills `report`.
+/// Validates `view`, copies it into normal form and fills `report`.
 Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOptions& options,
                                       BuildReport& report);
 
