@@ -23,7 +23,6 @@
 #include "query/lanes.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -43,7 +42,7 @@ class RaySlabs {
     const double farthest = largest(bound) + largest(origin);
     for (unsigned a = 0; a < 3; ++a)
       axes_[a] =
-          make_axis(a, origin[a], direction[a] * shrink, bound[a] + std::fabs(origin[a]), farthest);
+          make_axis(origin[a], direction[a] * shrink, bound[a] + std::fabs(origin[a]), farthest);
     first_ = scaled(ray.t_min, -1);
     last_ = scaled(ray.t_max, 1);
   }
@@ -56,29 +55,28 @@ class RaySlabs {
 
   /// Whether the ray enters the box around all vertices.
   bool enters(const RootBox& all) const {
-    const float bounds[] = {all.low[0],  all.low[1],  all.low[2],
-                            all.high[0], all.high[1], all.high[2]};
+    const float* const ends[] = {all.low, all.high};
     float entries[8];
-    return entered([&](unsigned row) { return Float8(bounds[row]); }, entries) != 0;
+    return entered([&](unsigned end, unsigned a) { return Float8(ends[end][a]); }, entries) != 0;
   }
 
   /// The slots of a node that the ray enters, a bit each, and where or a little before.
   unsigned entered(const OpenedNode& node, float (&entries)[kMaxSlots]) const {
-    static_assert(offsetof(OpenedNode, high) == offsetof(OpenedNode, low) + sizeof(node.low));
-    const auto* rows = reinterpret_cast<const float*>(&node) + offsetof(OpenedNode, low) / 4;
-    return entered([&](unsigned row) { return load8(rows + kMaxSlots * row); }, entries);
+    const float(*const ends[])[kMaxSlots] = {node.low, node.high};
+    return entered([&](unsigned end, unsigned a) { return load8(ends[end][a]); }, entries);
   }
 
  private:
-  /// `bound(row)` has the low bounds on each axis, and then the high ones. Which is near is looked
-  /// up: to guess it, as a branch would, is to be wrong half the time.
+  /// `bound(end, a)` has the low bounds on axis `a` for end 0, the high ones for end 1. Which end
+  /// is near is looked up: a branch would be mispredicted half the time.
   template <typename Bound>
   [[gnu::always_inline]] unsigned entered(const Bound& bound, float (&entries)[8]) const {
     Float8 entry(first_), exit(last_);
-    for (const Axis& axis : axes_) {
+    for (unsigned a = 0; a < 3; ++a) {
+      const Axis& axis = axes_[a];
       const Float8 reciprocal(axis.reciprocal);
-      entry = max(entry, (bound(axis.near_row) - Float8(axis.origin_of_near)) * reciprocal);
-      exit = min(exit, (bound(axis.far_row) - Float8(axis.origin_of_far)) * reciprocal);
+      entry = max(entry, (bound(axis.near_end, a) - Float8(axis.origin_of_near)) * reciprocal);
+      exit = min(exit, (bound(1 - axis.near_end, a) - Float8(axis.origin_of_far)) * reciprocal);
     }
     entry.store(entries);
     return (entry <= exit).bits();
@@ -86,7 +84,7 @@ class RaySlabs {
 
   struct Axis {
     float origin_of_near, origin_of_far, reciprocal;
-    unsigned near_row, far_row;
+    unsigned near_end;  // 0: low, 1: high
   };
 
   static double larger(double a, double b) {
@@ -103,16 +101,14 @@ class RaySlabs {
     return value;
   }
 
-  static Axis make_axis(unsigned axis, double origin, double direction, double reach,
-                        double farthest) {
+  static Axis make_axis(double origin, double direction, double reach, double farthest) {
     const double margin = 0x1p-21 * reach + 0x1p-60 * farthest + 0x1p-140;
     const bool is_backward = direction < 0, is_flat = std::fabs(direction) < 0x1p-126;
     const double reciprocal = is_flat ? (is_backward ? -0x1p126 : 0x1p126) : 1 / direction;
     const auto below = static_cast<float>(origin - margin);
     const auto above = static_cast<float>(origin + margin);
     return {is_backward ? below : above, is_backward ? above : below,
-            static_cast<float>(reciprocal), is_backward ? axis + 3 : axis,
-            is_backward ? axis : axis + 3};
+            static_cast<float>(reciprocal), is_backward ? 1u : 0u};
   }
 
   /// A bound of t, moved to the side of `sign` by more than the rounding of t.

@@ -5,6 +5,7 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pelt::asset {
@@ -151,11 +152,27 @@ TEST(Meshopt, QuaternionsAgreeWithTheLibrary) {
   for (std::size_t i = 0; i < own.size(); ++i) ASSERT_LE(std::abs(own[i] - theirs[i]), 1) << i;
 }
 
+/// Also such as no encoder writes: a scale that is zero or negative, components beyond it.
 TEST(Meshopt, QuaternionFilterTakesAnyBytes) {
   test::Random random(32);
-  std::vector<std::uint64_t> bytes(10000);
-  for (std::uint64_t& word : bytes) word = random.bits();
-  decode_quaternion_filter(std::as_writable_bytes(std::span(bytes)));
+  std::vector<std::int16_t> before(40000);
+  for (std::int16_t& value : before) value = static_cast<std::int16_t>(random.bits());
+  std::vector<std::int16_t> after = before;
+  decode_quaternion_filter(std::as_writable_bytes(std::span(after)));
+  int beyond_scale = 0;
+  for (std::size_t i = 0; i < before.size(); i += 4) {
+    const int left_out = before[i + 3] & 3;
+    double squared = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double value = before[i + k] * std::sqrt(0.5) / (before[i + 3] | 3);
+      squared += value * value;
+      EXPECT_NEAR(after[i + (left_out + 1 + k) % 4], 32767 * std::clamp(value, -1.0, 1.0), 0.51);
+    }
+    beyond_scale += squared > 1;
+    EXPECT_NEAR(after[i + left_out], 32767 * std::sqrt(std::max(0.0, 1 - squared)), 0.51);
+  }
+  EXPECT_GT(beyond_scale, 1000);
+  EXPECT_LT(beyond_scale, 9900);
 }
 
 TEST(Meshopt, DecodesTheOctahedralFilter) {
