@@ -362,7 +362,8 @@ std::size_t component_count(ElementType type) {
 const char* name(ElementType type) { return kElementTypes[static_cast<std::size_t>(type)].text; }
 
 Result<GltfDocument> read_document(std::string_view text) {
-  const Result<nlohmann::json> json = parse_json(text);
+  Result<nlohmann::json> json = parse_json(text);
+  const JsonEnd end(json);
   if (!json) return json.error();
   FirstError errors;
   const JsonObject root(*json, "", errors);

@@ -2,13 +2,28 @@
 
 #include <pelt/result.hpp>
 
+#include "base/exceptions.hpp"
+
 #include <cstddef>
 #include <filesystem>
+#include <new>
+#include <type_traits>
 #include <vector>
 
 namespace pelt::asset {
 
-/// All bytes of a regular file.
+/// The error of a file that needs more memory than there is.
+Error out_of_memory(const std::filesystem::path& path);
+
+/// Calls `read`, which returns a Result of what it makes of the file at `path`. If memory ends
+/// meanwhile, returns an error that names the file.
+template <typename Read>
+std::invoke_result_t<Read> within_memory(const std::filesystem::path& path, const Read& read) {
+  PELT_TRY { return read(); }
+  PELT_CATCH(std::bad_alloc) { return out_of_memory(path); }
+}
+
+/// All bytes of a regular file. A file larger than the free memory is an error.
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
 }  // namespace pelt::asset

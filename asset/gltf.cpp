@@ -43,12 +43,14 @@ Result<Asset> read_asset(GltfDocument& document, Buffers& buffers, Budget& budge
 }  // namespace
 
 Result<Asset> load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
-  const Result<std::vector<std::byte>> file = read_file(path);
-  if (!file) return file.error();
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  Result<Asset> asset = load_gltf(*file, folder, options);
-  if (!asset) return prefixed(path.string(), asset.error());
-  return asset;
+  return within_memory(path, [&]() -> Result<Asset> {
+    const Result<std::vector<std::byte>> file = read_file(path);
+    if (!file) return file.error();
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    Result<Asset> asset = load_gltf(*file, folder, options);
+    if (!asset) return prefixed(path.string(), asset.error());
+    return asset;
+  });
 }
 
 Result<Asset> load_gltf(std::span<const std::byte> file, const std::filesystem::path& folder,

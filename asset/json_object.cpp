@@ -69,6 +69,13 @@ std::string plain_words(const json::exception& error) {
   return std::string(words.substr(bracket == words.npos ? 0 : bracket + 2).substr(0, 200));
 }
 
+/// As deep as `parse_json` allows.
+void take_apart(json& value) {
+  if (!value.is_structured()) return;
+  for (json& element : value) take_apart(element);
+  value.clear();
+}
+
 }  // namespace
 
 void FirstError::set(Error error) {
@@ -248,6 +255,10 @@ void JsonObject::require_index(std::uint64_t value, std::size_t size,
   if (value < size) return;
   errors_->set(malformed(path + ": must be a whole number below " + std::to_string(size) +
                          ", the number of elements there are"));
+}
+
+JsonEnd::~JsonEnd() {
+  if (json_) take_apart(*json_);
 }
 
 Result<json> parse_json(std::string_view text) {

@@ -81,6 +81,19 @@ class JsonObject {
   FirstError* errors_;
 };
 
+/// Takes a parsed text apart when it ends, from the leaves up. The destructor of nlohmann::json
+/// allocates to do the same, and ends the program where memory has ended.
+class JsonEnd {
+ public:
+  explicit JsonEnd(Result<nlohmann::json>& json) : json_(json) {}
+  ~JsonEnd();
+  JsonEnd(const JsonEnd&) = delete;
+  JsonEnd& operator=(const JsonEnd&) = delete;
+
+ private:
+  Result<nlohmann::json>& json_;
+};
+
 /// Parses a whole JSON text. Refuses one nested deeper than any glTF file needs, before it costs
 /// stack or memory.
 Result<nlohmann::json> parse_json(std::string_view text);

@@ -24,9 +24,7 @@ Character generated(const char* name, const std::string& source, asset::Asset&& 
   return {name, source, hash_of(std::as_bytes(std::span(source))), std::move(asset), options};
 }
 
-}  // namespace
-
-Result<Character> load_character(const std::filesystem::path& path,
+Result<Character> read_character(const std::filesystem::path& path,
                                  const asset::GltfOptions& options) {
   const Result<std::vector<std::byte>> file = asset::read_file(path);
   if (!file) return file.error();
@@ -37,6 +35,13 @@ Result<Character> load_character(const std::filesystem::path& path,
   Result<asset::Asset> asset = asset::load_gltf(*file, folder, options);
   if (!asset) return asset::prefixed(path.string(), asset.error());
   return Character{path.stem().string(), path.string(), hash_of(*file), std::move(*asset), path};
+}
+
+}  // namespace
+
+Result<Character> load_character(const std::filesystem::path& path,
+                                 const asset::GltfOptions& options) {
+  return asset::within_memory(path, [&] { return read_character(path, options); });
 }
 
 Result<Character> generate_character(const CreatureOptions& options) {

@@ -116,9 +116,7 @@ ClipTime clip_at(const asset::Asset& asset, const Instance& instance, double sec
   return {clip, static_cast<float>(wrapped(time, duration))};
 }
 
-}  // namespace
-
-Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOptions& options) {
+Result<Scene> read_scene(const std::filesystem::path& path, const asset::GltfOptions& options) {
   const Result<std::vector<std::byte>> bytes = asset::read_file(path);
   if (!bytes) return bytes.error();
   const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
@@ -128,6 +126,12 @@ Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOpt
   if (!scene) return asset::prefixed(path.string(), scene.error());
   scene->name = path.filename().string();
   return scene;
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOptions& options) {
+  return asset::within_memory(path, [&] { return read_scene(path, options); });
 }
 
 Result<Scene> parse_scene(std::string_view text, const std::filesystem::path& folder,

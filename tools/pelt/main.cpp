@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <new>
 
 namespace {
 
@@ -120,6 +121,9 @@ int main(int argc, char** argv) {
   pelt::tools::reserve_standard_streams();
   try {
     return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "pelt: there is not enough memory: use fewer or smaller characters\n";
+    return code(ExitCode::bad_input);
   } catch (const std::exception& error) {
     std::cerr << "pelt: internal error: " << pelt::asset::printable(error.what()) << '\n';
   } catch (...) {

@@ -1,5 +1,6 @@
 #include "tools/pelt/arguments/model_arguments.hpp"
 
+#include "asset/file_bytes.hpp"
 #include "scenes/excluded_nodes.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -54,7 +55,9 @@ Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedM
   ModelOptions options;
   if (arguments.renormalise) options.off_weights = OffWeights::renormalise;
   options.sample_palettes = sample_palettes;
-  Result<SkinnedModel> model = build_model(mesh, options);
+  Result<SkinnedModel> model =
+      asset::within_memory(source, [&] { return build_model(mesh, options); });
+  if (!model && model.error().code == ErrorCode::unreadable_file) return model;
   if (!model && !sample_palettes.empty()) return build_named_model(source, mesh, arguments);
   if (model) return model;
   std::string message = source + ": " + model.error().message;

@@ -2,6 +2,7 @@
 
 #include <pelt/prepared.hpp>
 
+#include "asset/file_bytes.hpp"
 #include "asset/message.hpp"
 
 #include <array>
@@ -10,8 +11,8 @@
 namespace pelt::tools {
 
 Result<SkinnedModel> load_named_model(const std::string& name, std::span<const std::byte> file) {
-  Result<SkinnedModel> model = load_model(file);
-  if (model) return model;
+  Result<SkinnedModel> model = asset::within_memory(name, [&] { return load_model(file); });
+  if (model || model.error().code == ErrorCode::unreadable_file) return model;
   return asset::prefixed(name, model.error());
 }
 

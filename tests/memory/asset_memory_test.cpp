@@ -1,0 +1,66 @@
+/// Memory that ends while a file is read.
+
+#include <pelt/asset.hpp>
+
+#include "support/failing_allocation.hpp"
+#include "support/gltf_builder.hpp"
+#include "support/gltf_corpus.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace pelt::test {
+namespace {
+
+std::vector<std::byte> file_of(const GltfSeed& seed) {
+  if (!seed.binary.empty()) return make_glb(seed.json, seed.binary);
+  const auto* first = reinterpret_cast<const std::byte*>(seed.json.data());
+  return {first, first + seed.json.size()};
+}
+
+TEST(AssetMemory, EndsAnywhereAndNothingLeaks) {
+  std::size_t failures = 0;
+  for (const GltfSeed& seed : gltf_corpus()) {
+    SCOPED_TRACE(seed.name);
+    const std::vector<std::byte> file = file_of(seed);
+    const auto load = [&] {
+      const Result<asset::Asset> asset = asset::load_gltf(file, {});
+      EXPECT_TRUE(asset) << asset.error().message;
+    };
+    load();
+    const std::ptrdiff_t before = live_allocations();
+    failures += fail_each_allocation(load, [&] { EXPECT_EQ(live_allocations(), before); });
+    EXPECT_EQ(live_allocations(), before);
+  }
+  std::printf("%zu allocations failed\n", failures);
+  EXPECT_GT(failures, 500u);
+}
+
+/// Of a file by its path: an error, not an exception, and the same file loads afterwards.
+TEST(AssetMemory, IsToldWithTheFilesName) {
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / "pelt_asset_memory.glb";
+  const std::vector<std::byte> file = file_of(gltf_corpus()[0]);
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
+  std::size_t named = 0;
+  const std::size_t failures = fail_each_allocation(
+      [&] {
+        const Result<asset::Asset> asset = asset::load_gltf(path);
+        if (asset) return;
+        EXPECT_EQ(asset.error().code, ErrorCode::unreadable_file);
+        EXPECT_NE(asset.error().message.find(path.string()), std::string::npos);
+        EXPECT_NE(asset.error().message.find("more memory"), std::string::npos);
+        ++named;
+      },
+      [] { ADD_FAILURE() << "an exception left load_gltf"; });
+  std::filesystem::remove(path);
+  EXPECT_GT(named, 50u);
+  EXPECT_GE(failures, named);
+}
+
+}  // namespace
+}  // namespace pelt::test
