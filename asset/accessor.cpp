@@ -13,8 +13,8 @@ std::size_t element_size(const GltfAccessor& accessor) {
   return byte_size(accessor.component) * component_count(accessor.type);
 }
 
-/// Whether `count` elements of `size` bytes, `stride` apart, lie in `length` bytes from `offset`
-/// on.
+/// Whether `count` elements of `size` bytes, `stride` apart, fit into `length` bytes when they
+/// start at `offset`.
 bool fits(std::uint64_t offset, std::uint64_t count, std::uint64_t size, std::uint64_t stride,
           std::uint64_t length) {
   if (count == 0) return true;
@@ -132,11 +132,11 @@ Result<std::vector<std::uint32_t>> AccessorReader::integers(std::uint32_t index,
   return values;
 }
 
-/// The accessor's elements without gaps, sparse ones put in.
+/// Returns the accessor's elements without gaps, with sparse values applied.
 Result<AccessorReader::Bytes> AccessorReader::elements(std::uint32_t index,
                                                        const std::string& what) {
   const GltfAccessor& accessor = document_.accessors[index];
-  // Numbers of one byte become four.
+  // Components of one byte grow to four.
   const Result<void> taken = budget_.take(accessor.count, 4 * component_count(accessor.type), what);
   if (!taken) return taken.error();
   Bytes out;
@@ -198,7 +198,7 @@ Result<void> AccessorReader::copy_sparse(const GltfAccessor& accessor, Bytes& ou
   return {};
 }
 
-/// `count` elements of `size` bytes that stand in a view without gaps.
+/// Returns `count` elements of `size` bytes of a view without gaps.
 Result<std::span<const std::byte>> AccessorReader::packed(std::uint32_t view, std::uint64_t offset,
                                                           std::uint64_t count, std::size_t size,
                                                           const std::string& what) {

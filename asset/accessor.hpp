@@ -4,26 +4,26 @@
 
 namespace pelt::asset {
 
-/// Which numbers an accessor may be stored as, by what it is used for.
+/// Component types that an accessor may have, depending on its use.
 enum class Storage : std::uint8_t {
   floats,                ///< float32 only
-  floats_or_normalised,  ///< or integers that stand for fractions
+  floats_or_normalised,  ///< or normalised integers, which represent fractions
   floats_or_integers,    ///< or any integers of 8 or 16 bits (KHR_mesh_quantization)
 };
 
-/// Reads whole accessors: strided, sparse, of any component type. What is asked for is checked
-/// against the bytes that are there before anything is allocated.
+/// Reads whole accessors: strided, sparse, of any component type. Validates sizes against the
+/// available bytes before it allocates anything.
 class AccessorReader {
  public:
   /// Borrows all its arguments.
   AccessorReader(const GltfDocument& document, Buffers& buffers, Budget& budget);
 
-  /// [count][components] finite numbers; normalised integers as fractions. `use` says what for:
-  /// "POSITION of mesh 3".
+  /// Returns [count][components] finite numbers, with normalised integers as fractions. `use` names
+  /// the purpose in messages: "POSITION of mesh 3".
   Result<std::vector<float>> floats(std::uint32_t accessor, ElementType type, Storage storage,
                                     const std::string& use);
 
-  /// [count][components] unsigned integers of at most `largest` type.
+  /// Returns [count][components] unsigned integers of at most `largest` type.
   Result<std::vector<std::uint32_t>> integers(std::uint32_t accessor, ElementType type,
                                               ComponentType largest, const std::string& use);
 
@@ -44,7 +44,7 @@ class AccessorReader {
   Budget& budget_;
 };
 
-/// "accessor 12 (POSITION of mesh 3)", as the messages name it.
+/// Returns the name of an accessor in messages: "accessor 12 (POSITION of mesh 3)".
 std::string accessor_label(std::uint32_t accessor, const std::string& use);
 
 }  // namespace pelt::asset

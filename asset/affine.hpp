@@ -33,7 +33,7 @@ inline Matrix4 matrix_of(const Affine& affine) {
   return result;
 }
 
-/// First `b`, then `a`.
+/// The map that applies `b` first, then `a`.
 inline Affine operator*(const Affine& a, const Affine& b) {
   Affine result;
   for (int column = 0; column < 4; ++column) {
@@ -46,7 +46,7 @@ inline Affine operator*(const Affine& a, const Affine& b) {
   return result;
 }
 
-/// Nothing when the map flattens space, or nearly: its determinant is then rounding alone.
+/// Returns the inverse, or nothing if the map is singular up to rounding.
 inline std::optional<Affine> inverted(const Affine& m) {
   const auto minor = [&](int a, int b, int c, int d) { return m[a] * m[d] - m[b] * m[c]; };
   const double c0 = minor(4, 5, 7, 8), c1 = minor(7, 8, 1, 2), c2 = minor(1, 2, 4, 5);
@@ -76,7 +76,7 @@ inline std::optional<Affine> inverted(const Affine& m) {
   return inverse;
 }
 
-/// T * R * S. A rotation that is not of norm 1 is taken as it is, as renderers do.
+/// Returns T * R * S. The rotation is not normalised, as in renderers.
 inline Affine compose(const std::array<double, 3>& translation, const Quaternion& q,
                       const std::array<double, 3>& scale) {
   const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;

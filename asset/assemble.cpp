@@ -8,7 +8,7 @@ namespace pelt::asset {
 
 namespace {
 
-/// By vertex: whether it belongs to a part that is skinned as `skinned` says.
+/// Returns for each vertex whether it belongs to a part whose `skinned` has this value.
 std::vector<bool> vertices_of_parts(const Asset& asset, bool skinned) {
   std::vector<bool> belongs(asset.rest_positions.size(), false);
   for (const Part& part : asset.parts) {
@@ -20,7 +20,7 @@ std::vector<bool> vertices_of_parts(const Asset& asset, bool skinned) {
   return belongs;
 }
 
-/// By joint: whether any of these vertices names it.
+/// Returns for each joint whether any of these vertices follows it.
 std::vector<bool> joints_of(const Asset& asset, const std::vector<bool>& vertices) {
   std::vector<bool> named(asset.joints.size(), false);
   for (std::size_t i = 0; i < asset.joint_indices.size(); ++i) {
@@ -38,7 +38,7 @@ Vec3 transformed(const Affine& m, const Vec3& p) {
   return {row(0), row(1), row(2)};
 }
 
-/// By the linear part alone.
+/// Transforms a displacement by the linear part alone.
 Vec3 turned(Affine m, const Vec3& displacement) {
   m[9] = m[10] = m[11] = 0;
   return transformed(m, displacement);

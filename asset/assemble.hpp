@@ -4,12 +4,12 @@
 
 namespace pelt::asset {
 
-/// Moves the rest positions of unskinned parts from their node's frame to where the default pose
-/// has them, and gives their joints the inverse matrix. Posed positions are the same up to
-/// rounding. But the rest pose is now the assembled character, with the sword in the hand and not
-/// inside the shield, and a bounding volume tree built over it fits.
+/// Moves the rest positions of unskinned parts from the frame of their node to their place in the
+/// default pose, and sets the inverse matrices of their joints accordingly. Posed positions are the
+/// same up to rounding. The rest pose then is the assembled character, with the sword in the hand
+/// and not inside the shield, so bounding volumes built over it are tight.
 ///
-/// Parts on a node whose default matrix is the identity, or cannot be inverted, stay as they are.
+/// Does not change parts whose node has the identity or a singular matrix in the default pose.
 void assemble(Asset& asset);
 
 }  // namespace pelt::asset

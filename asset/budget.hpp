@@ -7,27 +7,28 @@
 
 namespace pelt::asset {
 
-/// How much memory a file may ask for. A few bytes can name the same mesh or the same keys over and
-/// over (instances, shared accessors) or stand for zeros without number, so what is read is
-/// counted, all of it, and stopped at `kExpansion` times what the file has. Real characters stay
-/// under 20.
+/// Limits the memory that a file may need. A few bytes can refer to the same mesh or the same keys
+/// many times (instances, shared accessors), or stand for any number of zeros. Everything that is
+/// read is therefore counted, and rejected beyond `kExpansion` times the size of the file. Real
+/// characters stay below 20.
 class Budget {
  public:
   static constexpr std::uint64_t kExpansion = 256;
-  static constexpr std::uint64_t kStart = 16 << 20;  ///< for small files
-  /// Vertices and triangles take 12 bytes at least, so below this their numbers fit 32 bits. Where
-  /// addresses have 32 bits, 2 GB are there for everything: what is read takes up to twice as much
-  /// on the way, and the model that is built of it as much again.
+  static constexpr std::uint64_t kStart = 16 << 20;  ///< additional allowance, for small files
+  /// Vertices and triangles take at least 12 bytes, so below this limit their numbers fit into 32
+  /// bits. On 32-bit platforms, 2 GB must suffice for everything: reading needs up to twice the
+  /// result, and the model that is built from it as much again.
   static constexpr std::uint64_t kMost = std::uint64_t{sizeof(void*) == 8 ? 48 * 1024 : 256} << 20;
 
-  /// Of the values in a JSON text, each of which may become a node of half a kilobyte.
+  /// Limit of the values in a JSON text, each of which may become a node of half a kilobyte.
   static constexpr std::uint64_t kMostValues =
       sizeof(void*) == 8 ? std::uint64_t{1} << 48 : 2'000'000;
 
-  /// The file has `bytes` more than was known.
+  /// Increases the known size of the file by `bytes`.
   void grant(std::uint64_t bytes);
 
-  /// Counts `count` elements of `size` bytes, or refuses. `size` is small; `count` may be anything.
+  /// Counts `count` elements of `size` bytes, or returns an error. `size` is small; `count` may be
+  /// any number.
   Result<void> take(std::uint64_t count, std::uint64_t size, const std::string& what);
 
  private:

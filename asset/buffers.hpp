@@ -9,16 +9,16 @@
 
 namespace pelt::asset {
 
-/// The bytes behind a document's buffers and views. They are fetched when they are first asked for:
-/// what no mesh or clip uses is never read, and may be missing.
+/// The bytes of a document's buffers and views. They are read at their first use. Buffers that no
+/// mesh or clip uses are never read, and may be missing.
 class Buffers {
  public:
-  /// Borrows all its arguments. `folder` is where external files are looked for; empty: there are
+  /// Borrows all its arguments. `folder`: where external files are looked up; empty if there are
   /// none.
   Buffers(const GltfDocument& document, std::optional<std::span<const std::byte>> binary_chunk,
           const std::filesystem::path& folder, Budget& budget);
 
-  /// The bytes of a view, decompressed. `what` names the user of the view in messages.
+  /// Returns the decompressed bytes of a view. `what` names the user of the view in messages.
   Result<std::span<const std::byte>> view(std::uint32_t view, const std::string& what);
 
  private:

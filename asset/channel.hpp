@@ -7,15 +7,15 @@
 
 namespace pelt::asset {
 
-/// Numbers in one value of the property, but of weights: 4 for a rotation (x y z w), else 3.
+/// Numbers in one value of a property other than weights: 4 for a rotation (x y z w), otherwise 3.
 inline std::size_t value_size(Path path) { return path == Path::rotation ? 4 : 3; }
 
-/// The property at `seconds`, clamped to the first and last key; the fourth number counts for
-/// rotations only. glTF 2.0, appendix C. Precondition: as stated at Channel,
-/// and it is not one of weights.
+/// Returns the property at `seconds`, clamped to the first and last key. The fourth number is used
+/// for rotations only. Source: glTF 2.0, appendix C. Precondition: the channel is valid as defined
+/// at Channel, and does not animate weights.
 std::array<double, 4> sample_channel(const Channel& channel, float seconds);
 
-/// The same for a channel of weights, one for each element of `out`, rounded to float.
+/// Writes the weights of a channel of weights, one per element of `out`, rounded to float.
 void sample_weights(const Channel& channel, float seconds, std::span<float> out);
 
 }  // namespace pelt::asset

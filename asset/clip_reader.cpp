@@ -50,13 +50,13 @@ ClipReader::ClipReader(const GltfDocument& document, const NodeGraph& graph, Acc
   for (const MorphTarget& target : targets) ++target_counts_[target.node];
 }
 
-/// The morph targets that a channel of weights is about.
+/// Number of morph targets that a channel of weights animates.
 std::size_t ClipReader::weights_of(const GltfChannel& channel) const {
   const auto known = target_counts_.find(graph_.position[*channel.node]);
   return known == target_counts_.end() ? 0 : known->second;
 }
 
-/// Whether it moves anything that has been read.
+/// Whether the channel animates anything that was read.
 bool ClipReader::is_of_interest(const GltfChannel& channel) const {
   if (!channel.node || channel.path == GltfPath::unknown) return false;
   return channel.path != GltfPath::weights || weights_of(channel) > 0;

@@ -5,8 +5,8 @@
 
 namespace pelt::asset {
 
-/// The animations of the document. What moves nothing that has been read (no node, no morph target
-/// of `targets`) is passed over with a warning, but counts for a clip's duration.
+/// Reads the animations of the document. Channels that animate nothing that was read (no node, no
+/// morph target of `targets`) are ignored with a warning, but count for the duration of the clip.
 Result<std::vector<Clip>> read_clips(const GltfDocument& document, const NodeGraph& graph,
                                      AccessorReader& reader,
                                      const std::vector<MorphTarget>& targets,

@@ -15,8 +15,8 @@ struct Container {
   std::optional<std::span<const std::byte>> binary;  ///< the binary chunk of a .glb
 };
 
-/// Takes a .glb apart; a file without its magic number is the JSON text of a .gltf, if it begins
-/// like an object. O(number of chunks); nothing is copied.
+/// Splits a .glb into its chunks. A file without the magic number of .glb is the JSON text of a
+/// .gltf if it starts like a JSON object. O(number of chunks); copies nothing.
 Result<Container> open_container(std::span<const std::byte> file);
 
 }  // namespace pelt::asset

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
-/// A word of the format and what it stands for.
+/// A keyword of the format and its meaning.
 template <typename T>
 struct Word {
   const char* text;
@@ -25,8 +25,8 @@ constexpr Word<ElementType> kElementTypes[] = {
     {"VEC4", ElementType::vec4},     {"MAT2", ElementType::mat2}, {"MAT3", ElementType::mat3},
     {"MAT4", ElementType::mat4}};
 
-/// The value of the word that stands at `key`, or of the first one, which is the default where the
-/// field is absent.
+/// Returns the value of the keyword at `key`. If the field is absent, returns the first value,
+/// which is the default.
 template <typename T, std::size_t N>
 T read_word(const JsonObject& json, const char* key, const Word<T> (&words)[N]) {
   if (!json.has(key)) return words[0].value;
@@ -169,7 +169,7 @@ GltfPrimitive read_primitive(const JsonObject& json, std::size_t accessor_count,
   return primitive;
 }
 
-/// What exporters agreed on; whatever else stands in extras is nobody's business.
+/// Reads the names that exporters store in `extras` by convention. Ignores all other extras.
 std::vector<std::string> read_target_names(const JsonObject& json) {
   if (!json.is_object("extras")) return {};
   const JsonObject extras = json.object("extras");
@@ -274,8 +274,7 @@ void require_version_2(const JsonObject& root) {
   }
 }
 
-/// Whether a file that uses the extension means the same without knowing it, as far as shapes and
-/// their motion go.
+/// Whether ignoring the extension does not change shapes and their motion.
 bool is_known(const std::string& extension) {
   static constexpr std::string_view kShape[] = {kMeshopt, "KHR_mesh_quantization"};
   static constexpr std::string_view kLooks[] = {"KHR_texture_transform", "KHR_texture_basisu",

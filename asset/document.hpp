@@ -1,8 +1,8 @@
 #pragma once
 
-/// The JSON part of a glTF file, typed. Every field that Pelt needs has been checked by itself
-/// here, and every index points at something; what only the bytes can tell (ranges, counts of
-/// accessors that belong together) is checked where the bytes are read.
+/// The JSON part of a glTF file, with types. Every field that Pelt needs is validated here by
+/// itself, and every index is in range. Properties that depend on the bytes (ranges, equal counts
+/// of related accessors) are validated where the bytes are read.
 
 #include <pelt/asset.hpp>
 
@@ -21,13 +21,13 @@ const char* name(ElementType type);  ///< as the format writes it
 struct GltfBuffer {
   std::optional<std::string> uri;
   std::uint64_t length = 0;
-  bool meshopt_fallback = false;  ///< stands in for compressed views and has no bytes of its own
+  bool meshopt_fallback = false;  ///< placeholder for compressed views, without bytes of its own
 };
 
 enum class MeshoptMode : std::uint8_t { attributes, triangles, indices };
 enum class MeshoptFilter : std::uint8_t { none, octahedral, quaternion, exponential };
 
-/// Where a view's bytes really are, by EXT_meshopt_compression.
+/// Location of a view's compressed bytes, from EXT_meshopt_compression.
 struct GltfMeshopt {
   std::uint32_t buffer = 0;
   std::uint64_t offset = 0, length = 0;
@@ -39,7 +39,7 @@ struct GltfMeshopt {
 struct GltfView {
   std::uint32_t buffer = 0;
   std::uint64_t offset = 0, length = 0;
-  std::uint64_t stride = 0;  ///< 0: elements stand without gaps
+  std::uint64_t stride = 0;  ///< 0: elements without gaps
   std::optional<GltfMeshopt> meshopt;
 };
 
@@ -81,7 +81,7 @@ struct GltfMesh {
   std::vector<float> weights;             ///< of the morph targets; empty: all 0
   std::vector<std::string> target_names;  ///< of `extras`, as many as there are
 
-  /// Of the primitive that has most; all should have as many.
+  /// Largest number of a primitive; all primitives should have the same number.
   std::size_t target_count() const;
 };
 
@@ -134,8 +134,8 @@ struct GltfDocument {
   std::vector<std::string> passed_over_extensions;  ///< used, not required, unknown to Pelt
 };
 
-/// Reads the JSON text of a glTF 2.0 file, or says which field is wrong. A required extension that
-/// Pelt does not know is refused by its name.
+/// Reads the JSON text of a glTF 2.0 file. Returns an error that names the invalid field, or a
+/// required extension that Pelt does not support.
 Result<GltfDocument> read_document(std::string_view json);
 
 }  // namespace pelt::asset

@@ -12,18 +12,18 @@
 
 namespace pelt::asset {
 
-/// The error of a file that needs more memory than there is.
+/// Returns the error for a file that needs more memory than is available.
 Error out_of_memory(const std::filesystem::path& path);
 
-/// Calls `read`, which returns a Result of what it makes of the file at `path`. If memory ends
-/// meanwhile, returns an error that names the file.
+/// Calls `read`, which returns a Result made from the file at `path`. If memory runs out meanwhile,
+/// returns an error that names the file.
 template <typename Read>
 std::invoke_result_t<Read> within_memory(const std::filesystem::path& path, const Read& read) {
   PELT_TRY { return read(); }
   PELT_CATCH(std::bad_alloc) { return out_of_memory(path); }
 }
 
-/// All bytes of a regular file. A file larger than the free memory is an error.
+/// Reads all bytes of a regular file. A file larger than the free memory is an error.
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
 }  // namespace pelt::asset

@@ -46,7 +46,7 @@ Result<std::uint16_t> JointTable::add(std::uint32_t node, const Matrix4& inverse
   return number;
 }
 
-/// One matrix for each joint of the skin, identity where the file has none.
+/// Returns one matrix per joint of the skin; the identity if the file has none.
 Result<std::vector<Matrix4>> JointTable::inverse_binds(std::uint32_t index) {
   const GltfSkin& skin = document_.skins[index];
   std::vector<Matrix4> matrices(skin.joints.size());

@@ -7,17 +7,17 @@
 
 namespace pelt::asset {
 
-/// The joints of all skins and riding parts that a file uses, those that mean the same (the same
-/// node and the same bits of the inverse bind matrix) kept once.
+/// The joints of all skins and unskinned parts that a file uses. Equal joints (the same node and
+/// the same bits of the inverse bind matrix) are stored once.
 class JointTable {
  public:
   /// Borrows all its arguments.
   JointTable(const GltfDocument& document, const NodeGraph& graph, AccessorReader& reader);
 
-  /// For each joint of the skin its number in the table. The reference stays good.
+  /// Returns for each joint of the skin its number in the table. The reference stays valid.
   Result<const std::vector<std::uint16_t>*> add_skin(std::uint32_t skin);
 
-  /// The joint that moves as `node` (the document's number) does.
+  /// Returns the joint that moves like `node` (the document's number).
   Result<std::uint16_t> add_node(std::uint32_t node);
 
   std::vector<Joint> take() && { return std::move(joints_); }

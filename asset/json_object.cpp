@@ -40,8 +40,8 @@ std::optional<float> finite_float(const json& value) {
   return static_cast<float>(number);
 }
 
-/// What a text would take, found without a parse: the depth of the deepest bracket, and no fewer
-/// values than there are. Brackets inside strings do not count.
+/// Size of a text, estimated without parsing: the depth of the deepest bracket, and an upper bound
+/// of the number of values. Brackets inside strings do not count.
 struct TextSize {
   std::size_t depth = 0, values = 1;
 };
@@ -62,14 +62,14 @@ TextSize measure(std::string_view text) {
   return size;
 }
 
-/// nlohmann's message without its own number of the error, and cut, for it may quote the file.
+/// Returns nlohmann's message without its error number, truncated because it may quote the file.
 std::string plain_words(const json::exception& error) {
   const std::string_view words = error.what();
   const std::size_t bracket = words.find("] ");
   return std::string(words.substr(bracket == words.npos ? 0 : bracket + 2).substr(0, 200));
 }
 
-/// As deep as `parse_json` allows.
+/// Recursion is limited by the depth that `parse_json` allows.
 void take_apart(json& value) {
   if (!value.is_structured()) return;
   for (json& element : value) take_apart(element);

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Typed reading of JSON from strangers. A field that has the wrong type or is out of range is
-/// noted once, with its path in the file, and reads as its default; whoever reads a whole object
-/// checks for the first error at the end.
+/// Typed reading of untrusted JSON. A field with the wrong type or out of range is recorded as an
+/// error with its path in the file, and returns its default. Check for the first error after
+/// reading a whole object.
 
 #include <pelt/result.hpp>
 
@@ -16,7 +16,7 @@
 
 namespace pelt::asset {
 
-/// Keeps the first error of a stage of reading.
+/// Stores the first error of a stage of reading.
 class FirstError {
  public:
   void set(Error error);
@@ -26,10 +26,11 @@ class FirstError {
   std::optional<Error> error_;
 };
 
-/// An object in a JSON text, borrowed, and the path that names it in messages.
+/// A borrowed object in a JSON text, with its path for messages.
 class JsonObject {
  public:
-  /// `value` may be anything; what is no object is noted as an error and reads as empty.
+  /// `value` may have any type. Anything but an object is recorded as an error and treated as
+  /// empty.
   JsonObject(const nlohmann::json& value, std::string path, FirstError& errors);
 
   bool has(const char* key) const;
@@ -37,15 +38,15 @@ class JsonObject {
   bool is_list_of_texts(const char* key) const;
   std::vector<std::string> keys() const;
 
-  std::string text(const char* key) const;  ///< "" where absent
-  bool flag(const char* key) const;         ///< false where absent
+  std::string text(const char* key) const;  ///< "" if absent
+  bool flag(const char* key) const;         ///< false if absent
   float number(const char* key, float otherwise) const;
 
-  /// A whole number that is not negative.
+  /// Returns a whole number that is not negative.
   std::uint64_t count(const char* key) const;
   std::uint64_t count(const char* key, std::uint64_t otherwise) const;
 
-  /// A number of an array that has `size` elements.
+  /// Returns an index into an array with `size` elements.
   std::uint32_t index(const char* key, std::size_t size) const;
   std::optional<std::uint32_t> optional_index(const char* key, std::size_t size) const;
   std::vector<std::uint32_t> indices(const char* key, std::size_t size) const;
@@ -60,11 +61,11 @@ class JsonObject {
     return values;
   }
 
-  JsonObject object(const char* key) const;  ///< empty where absent
+  JsonObject object(const char* key) const;  ///< empty if absent
   std::vector<JsonObject> objects(const char* key) const;
   std::size_t array_size(const char* key) const;
 
-  /// Notes that `key` breaks a rule: "path.key: what".
+  /// Records an error of `key`: "path.key: what".
   void refuse(const char* key, const std::string& what) const;
   void refuse_as_unsupported(const char* key, const std::string& what) const;
 
@@ -81,8 +82,8 @@ class JsonObject {
   FirstError* errors_;
 };
 
-/// Takes a parsed text apart when it ends, from the leaves up. The destructor of nlohmann::json
-/// allocates to do the same, and ends the program where memory has ended.
+/// Destroys a parsed text from the leaves up. The destructor of nlohmann::json allocates for this,
+/// and terminates the program if memory has run out.
 class JsonEnd {
  public:
   explicit JsonEnd(Result<nlohmann::json>& json) : json_(json) {}
@@ -94,7 +95,7 @@ class JsonEnd {
   Result<nlohmann::json>& json_;
 };
 
-/// Parses a whole JSON text. Refuses one nested deeper than any glTF file needs, before it costs
+/// Parses a whole JSON text. Rejects texts nested deeper than any glTF file needs, before they cost
 /// stack or memory.
 Result<nlohmann::json> parse_json(std::string_view text);
 

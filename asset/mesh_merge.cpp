@@ -11,7 +11,7 @@ namespace pelt::asset {
 
 namespace {
 
-/// Walks the scene once and appends what it meets to the asset.
+/// Traverses the scene once and appends its meshes to the asset.
 class Merger {
  public:
   Merger(const GltfDocument& document, const NodeGraph& graph, AccessorReader& reader,
@@ -38,12 +38,12 @@ class Merger {
   MorphMerge morphs_;
   Influences influences_;  ///< of all vertices so far
   std::map<std::uint32_t, std::vector<std::uint32_t>> drawn_;
-  /// First vertex of each combination of accessors that the node at hand has used: primitives that
-  /// share their vertices in the file share them here.
+  /// First vertex of each combination of accessors that the current node has used: primitives that
+  /// share vertices in the file share them here.
   std::map<std::vector<std::uint32_t>, std::uint32_t> shared_;
 };
 
-/// What a primitive's vertices are made of; equal for primitives that share them.
+/// Identifies a primitive's vertices; equal for primitives that share them.
 std::vector<std::uint32_t> vertex_key(const GltfPrimitive& primitive) {
   std::vector<std::uint32_t> key = {*primitive.positions};
   for (const GltfInfluenceSet& set : primitive.influence_sets) {
@@ -91,7 +91,7 @@ Result<void> Merger::add_primitive(std::uint32_t node, PrimitivePlace place) {
   return {};
 }
 
-/// The first of the primitive's vertices, which are added unless another primitive has.
+/// Returns the first of the primitive's vertices. Adds them unless another primitive shares them.
 Result<std::uint32_t> Merger::vertices(std::uint32_t node, PrimitivePlace place) {
   const GltfPrimitive& primitive = document_.meshes[place.mesh].primitives[place.primitive];
   const std::vector<std::uint32_t> key = vertex_key(primitive);
@@ -131,7 +131,7 @@ Result<Influences> Merger::influences(std::uint32_t node, PrimitivePlace place,
   return primitives_.influences(place, **joints, skin_label(document_, *skin));
 }
 
-/// A mesh without a skin rides on its node: one influence, the node itself.
+/// Returns the influences of a mesh without a skin, which follows its node as a single joint.
 Result<Influences> Merger::rigid_influences(std::uint32_t node, std::size_t vertex_count) {
   const Result<std::uint16_t> joint = joints_.add_node(node);
   if (!joint) return joint.error();
@@ -159,7 +159,7 @@ Result<void> Merger::add_part(std::uint32_t node, PrimitivePlace place,
   return taken;
 }
 
-/// The primitives of a mesh that have triangles. Warns of the others, once for each mesh.
+/// Returns the primitives of a mesh with triangles. Warns of the others, once per mesh.
 const std::vector<std::uint32_t>& Merger::drawn_primitives(std::uint32_t mesh) {
   const auto known = drawn_.find(mesh);
   if (known != drawn_.end()) return known->second;
@@ -179,7 +179,7 @@ bool Merger::is_drawn(PrimitivePlace place) {
   return false;
 }
 
-/// Gives every vertex the same number of influences, the largest that any has.
+/// Gives every vertex the same number of influences, the largest number of any vertex.
 Result<void> Merger::finish() {
   const std::size_t vertex_count = asset_.rest_positions.size();
   std::uint64_t most = 1;

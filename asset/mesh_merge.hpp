@@ -5,7 +5,7 @@
 
 namespace pelt::asset {
 
-/// Merges the meshes of the scene into one: fills everything of `asset` but its nodes and clips.
+/// Merges the meshes of the scene into one: fills `asset` except for its nodes and clips.
 Result<void> merge_meshes(const GltfDocument& document, const NodeGraph& graph,
                           const GltfOptions& options, AccessorReader& reader, Budget& budget,
                           Asset& asset);

@@ -10,7 +10,7 @@ namespace pelt::asset {
 
 namespace {
 
-/// The decoder's own preconditions, which it asserts.
+/// Checks the preconditions of the decoder, which it asserts.
 const char* broken_rule(const GltfMeshopt& meshopt) {
   const bool attributes = meshopt.mode == MeshoptMode::attributes;
   const std::uint64_t stride = meshopt.stride;
@@ -31,9 +31,9 @@ const char* broken_rule(const GltfMeshopt& meshopt) {
   return nullptr;
 }
 
-/// The most elements that compressed bytes can hold: an attribute byte takes 1/64 of a byte (a
-/// group of 16 equal ones takes 2 bits), three indices of TRIANGLES one byte, an index of INDICES
-/// one.
+/// Upper bound of the number of elements in compressed bytes: an attribute byte takes at least 1/64
+/// of a byte (a group of 16 equal ones takes 2 bits), three indices of TRIANGLES one byte, an index
+/// of INDICES one byte.
 std::uint64_t most_elements(const GltfMeshopt& meshopt) {
   if (meshopt.mode == MeshoptMode::attributes) return meshopt.length * 64 / meshopt.stride;
   return meshopt.mode == MeshoptMode::triangles ? meshopt.length * 3 : meshopt.length;
@@ -43,8 +43,8 @@ std::int16_t to_normalised(double value) {
   return static_cast<std::int16_t>(std::clamp(value, -1.0, 1.0) * 32767 + (value < 0 ? -0.5 : 0.5));
 }
 
-/// One rotation: the three smaller components in units of `scale` * sqrt 2, and in the fourth
-/// number that scale and which component was left out.
+/// Decodes one rotation: the three smaller components in units of `scale` * sqrt 2; the fourth
+/// number has the scale and the index of the omitted component.
 void decode_quaternion(std::int16_t (&q)[4]) {
   const int left_out = q[3] & 3;
   const double unit = std::sqrt(0.5) / (q[3] | 3);
@@ -58,7 +58,7 @@ void decode_quaternion(std::int16_t (&q)[4]) {
 
 }  // namespace
 
-// Pelt's own, because decoders take whatever vector instructions a machine has, and they round
+// Implemented here, because decoders use the vector instructions of the machine, which round
 // differently.
 void decode_quaternion_filter(std::span<std::byte> bytes) {
   std::int16_t q[4];

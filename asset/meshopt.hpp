@@ -7,8 +7,8 @@
 
 namespace pelt::asset {
 
-/// The bytes of a view compressed by EXT_meshopt_compression. Refuses, before it allocates, a count
-/// that so few bytes cannot have come from. `what` names the view.
+/// Decompresses a view of EXT_meshopt_compression. Before it allocates, rejects a count that is too
+/// large for the number of compressed bytes. `what` names the view in messages.
 Result<std::vector<std::byte>> decode_meshopt(const GltfMeshopt& meshopt,
                                               std::span<const std::byte> compressed, Budget& budget,
                                               const std::string& what);

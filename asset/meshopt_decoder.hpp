@@ -7,11 +7,11 @@
 
 namespace pelt::asset {
 
-/// Writes the elements that bytes of EXT_meshopt_compression hold, with the filter undone unless it
-/// is that of quaternions. Preconditions: the extension's rules hold for `meshopt`, and `out` has
-/// count * stride bytes, more than none.
+/// Decompresses bytes of EXT_meshopt_compression into `out`, and undoes every filter but that of
+/// quaternions. Preconditions: `meshopt` follows the rules of the extension, and `out` has count *
+/// stride bytes, at least one.
 ///
-/// By the library meshoptimizer; in WebAssembly by what JavaScript has handed over.
+/// Uses the library meshoptimizer; in WebAssembly, the decoder passed in from JavaScript.
 Result<void> decompress(const GltfMeshopt& meshopt, std::span<const std::byte> compressed,
                         std::span<std::byte> out);
 

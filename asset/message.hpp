@@ -1,6 +1,6 @@
 #pragma once
 
-/// The words in which the reader refuses a file.
+/// Wording of the reader's errors.
 
 #include <pelt/result.hpp>
 
@@ -19,20 +19,20 @@ inline Error unsupported(std::string message) {
   return {ErrorCode::unsupported, std::move(message)};
 }
 
-/// An error with what is left to do about a file that breaks a rule of glTF: nothing here can mend
-/// it. One of another kind is returned as it is.
+/// Adds the remedy for a file that violates the glTF format, which Pelt cannot repair. Returns
+/// errors of other kinds unchanged.
 Error with_remedy(const Error& error);
 
-/// What is left to do about a file of another format.
+/// Remedy for a file of another format.
 inline constexpr const char* kExportGltf2 = ": export the character as glTF 2.0";
 
-/// A name out of a file in quotes, as `printable_name` shows it.
+/// Returns a name from a file in quotes, as shown by `printable_name`.
 std::string quoted(std::string_view name);
 
-/// A thing of the file by number and, where it has one, name: `node 12 "Hips"`.
+/// Returns a label with the number and, if there is one, the name: `node 12 "Hips"`.
 std::string label(std::string_view kind, std::size_t index, std::string_view name = {});
 
-/// Puts the place before what went wrong there.
+/// Prefixes the message of an error with the place of the error.
 Error prefixed(std::string_view place, const Error& error);
 
 }  // namespace pelt::asset

@@ -19,7 +19,7 @@ Result<void> MorphMerge::add_vertices(PrimitivePlace place, std::uint32_t first,
   for (std::uint32_t t = 0; t < targets_.size(); ++t) {
     const Result<std::vector<Vec3>> displacements = primitives_.displacements(place, t, count);
     if (!displacements) return displacements.error();
-    // Twice: here and in the asset.
+    // Counted twice: here and in the asset.
     const Result<void> taken = budget_.take(displacements->size(), 2 * (sizeof(Vec3) + 4),
                                             primitive_label(document_, place) + ", morph targets");
     if (!taken) return taken.error();

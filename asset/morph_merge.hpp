@@ -5,7 +5,7 @@
 
 namespace pelt::asset {
 
-/// Appends the morph targets of one node's mesh after the other to the asset.
+/// Appends the morph targets of meshes to the asset, node by node.
 class MorphMerge {
  public:
   /// Borrows all its arguments.
@@ -14,13 +14,13 @@ class MorphMerge {
 
   void begin_node(std::uint32_t node, std::uint32_t mesh);
 
-  /// Takes the displacements of a primitive's vertices, which the asset has from `first` on.
+  /// Adds the displacements of a primitive's vertices, which start at `first` in the asset.
   Result<void> add_vertices(PrimitivePlace place, std::uint32_t first, std::size_t count);
 
   Result<void> end_node();
 
  private:
-  /// Of one target, in all primitives of the node's mesh.
+  /// Displacements of one target in all primitives of the node's mesh.
   struct Displaced {
     std::vector<std::uint32_t> vertices;
     std::vector<Vec3> displacements;
@@ -33,7 +33,7 @@ class MorphMerge {
   PrimitiveReader& primitives_;
   Budget& budget_;
   Asset& asset_;
-  std::uint32_t node_ = 0, mesh_ = 0;  // at hand
+  std::uint32_t node_ = 0, mesh_ = 0;  // the current node and mesh
   std::vector<Displaced> targets_;
 };
 

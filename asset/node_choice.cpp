@@ -8,7 +8,7 @@ namespace pelt::asset {
 
 namespace {
 
-/// The names of the scene's mesh nodes, for a message: the first few.
+/// Returns the names of the first few mesh nodes of the scene, for a message.
 std::string mesh_node_names(const GltfDocument& document, const NodeGraph& graph) {
   constexpr std::size_t kMost = 20;
   std::string names;
@@ -20,7 +20,7 @@ std::string mesh_node_names(const GltfDocument& document, const NodeGraph& graph
   return count < kMost ? names : names + ", ...";
 }
 
-/// For each node of the scene whether it or a node above it has one of the names.
+/// Returns for each node of the scene whether the node or an ancestor has one of the names.
 Result<std::vector<bool>> find_excluded(const GltfDocument& document, const NodeGraph& graph,
                                         const GltfOptions& options) {
   std::set<std::string_view> unknown(options.exclude_nodes.begin(), options.exclude_nodes.end());

@@ -4,8 +4,8 @@
 
 namespace pelt::asset {
 
-/// The nodes of the scene whose meshes are wanted, in scene order (the document's numbers). Refuses
-/// a name to exclude that no node has, unless it need not exist.
+/// Returns the nodes of the scene whose meshes to read, in scene order (the document's numbers).
+/// Returns an error for a name to exclude that no node has, if it must exist.
 Result<std::vector<std::uint32_t>> choose_mesh_nodes(const GltfDocument& document,
                                                      const NodeGraph& graph,
                                                      const GltfOptions& options);

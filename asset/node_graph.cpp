@@ -7,7 +7,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// The parent of each node, in the document's numbers.
+/// Returns the parent of each node, in the document's numbers.
 Result<Indices> find_parents(const GltfDocument& document) {
   Indices parents(document.nodes.size(), kNoParent);
   for (std::uint32_t node = 0; node < parents.size(); ++node) {
@@ -23,8 +23,8 @@ Result<Indices> find_parents(const GltfDocument& document) {
   return parents;
 }
 
-/// The roots of the scene to show: the one that the file names, else its first; a file without
-/// scenes shows all its nodes.
+/// Returns the roots of the scene to read: the default scene of the file, or else its first scene.
+/// A file without scenes has all its nodes in one scene.
 Indices scene_roots(const GltfDocument& document, const Indices& parents) {
   if (!document.scenes.empty()) return document.scenes[document.scene.value_or(0)];
   Indices roots;
@@ -34,7 +34,7 @@ Indices scene_roots(const GltfDocument& document, const Indices& parents) {
   return roots;
 }
 
-/// Appends the tree below `root`, depth-first. Node chains may be long, so there is no recursion.
+/// Appends the tree below `root`, depth-first. Chains of nodes may be long, so it does not recurse.
 void append_tree(const GltfDocument& document, std::uint32_t root, NodeGraph& graph) {
   Indices stack = {root};
   while (!stack.empty()) {

@@ -5,15 +5,15 @@
 namespace pelt::asset {
 
 /// The nodes of a document in Pelt's order, parents first: depth-first through the scene, children
-/// in order, and after it the nodes that are in no scene.
+/// in order, then the nodes that are in no scene.
 struct NodeGraph {
   std::vector<std::uint32_t> order;     ///< [N] the document's number of each
   std::vector<std::uint32_t> position;  ///< [N] the inverse: Pelt's number of the document's node
   std::vector<std::uint32_t> parent;    ///< [N] in Pelt's numbers, kNoParent for roots
-  std::uint32_t scene_count = 0;        ///< the first so many are in the scene
+  std::uint32_t scene_count = 0;        ///< this number of nodes, the first ones, are in the scene
 };
 
-/// Orders the nodes, or names one that has two parents or lies in a cycle.
+/// Orders the nodes. Returns an error that names a node with two parents or in a cycle.
 Result<NodeGraph> order_nodes(const GltfDocument& document);
 
 /// `node 12 "Hips"`.

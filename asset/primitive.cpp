@@ -20,7 +20,8 @@ std::size_t triangle_count(PrimitiveMode mode, std::size_t corner_count) {
   return corner_count < 3 ? 0 : corner_count - 2;
 }
 
-/// The corners of triangle `i`, as numbers in the list of corners (glTF 2.0, section 3.7.2.1).
+/// Returns the corners of triangle `i` as indices into the list of corners (glTF 2.0,
+/// section 3.7.2.1).
 std::array<std::size_t, 3> corners_of(PrimitiveMode mode, std::size_t i) {
   if (mode == PrimitiveMode::triangles) return {3 * i, 3 * i + 1, 3 * i + 2};
   if (mode == PrimitiveMode::strip) return {i, i + 1 + i % 2, i + 2 - i % 2};
@@ -137,7 +138,7 @@ Result<std::vector<Triangle>> PrimitiveReader::triangles(PrimitivePlace place,
   return triangles;
 }
 
-/// The vertices in the order in which the primitive draws them.
+/// Returns the vertices in the order in which the primitive draws them.
 Result<std::vector<std::uint32_t>> PrimitiveReader::corners(PrimitivePlace place,
                                                             std::uint64_t vertex_count) {
   if (!at(place).indices) {

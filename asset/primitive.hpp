@@ -1,12 +1,12 @@
 #pragma once
 
-/// What a primitive's accessors say, each list checked by itself and against the others.
+/// Reads the accessors of a primitive, and validates each list by itself and against the others.
 
 #include "asset/accessor.hpp"
 
 namespace pelt::asset {
 
-/// A mesh's primitive and the names under which messages speak of it.
+/// A primitive of a mesh, with its names for messages.
 struct PrimitivePlace {
   std::uint32_t mesh = 0, primitive = 0;
 };
@@ -16,7 +16,7 @@ struct Influence {
   float weight = 0;
 };
 
-/// The influences of each vertex in the file's order, without those of zero weight.
+/// Influences of each vertex in the order of the file, without zero weights.
 struct Influences {
   std::vector<std::uint64_t> first = {0};  ///< [V + 1] vertex v has first[v] to first[v + 1]
   std::vector<Influence> list;
@@ -29,16 +29,18 @@ class PrimitiveReader {
 
   Result<std::vector<Vec3>> positions(PrimitivePlace place);
 
-  /// How far the morph target moves each of `vertex_count` vertices; nothing if it moves none.
+  /// Returns the displacement of each of `vertex_count` vertices by the morph target; empty if it
+  /// displaces none.
   Result<std::vector<Vec3>> displacements(PrimitivePlace place, std::uint32_t target,
                                           std::uint64_t vertex_count);
 
-  /// Influences of all sets. `joints` has the palette's number of each joint of the skin, which
-  /// messages call `skin`.
+  /// Returns the influences of all sets. `joints` maps joints of the skin to joints of the palette;
+  /// `skin` names the skin in messages.
   Result<Influences> influences(PrimitivePlace place, const std::vector<std::uint16_t>& joints,
                                 const std::string& skin);
 
-  /// Triangles of a list, strip or fan, with or without indices, over `vertex_count` vertices.
+  /// Returns the triangles of a list, strip or fan, with or without indices, over `vertex_count`
+  /// vertices.
   Result<std::vector<Triangle>> triangles(PrimitivePlace place, std::uint64_t vertex_count);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace pelt::asset {
 
-/// A rotation when its norm is 1; w is the real part.
+/// A quaternion, which is a rotation if its norm is 1; w is the real part.
 struct Quaternion {
   double x = 0, y = 0, z = 0, w = 1;
 };
@@ -22,14 +22,14 @@ inline Quaternion blend(const Quaternion& a, double s, const Quaternion& b, doub
   return {a.x * s + b.x * t, a.y * s + b.y * t, a.z * s + b.z * t, a.w * s + b.w * t};
 }
 
-/// The quaternion of norm 1 in the same direction; the identity for zero, which has none.
+/// Returns the quaternion scaled to norm 1; the identity for zero.
 inline Quaternion normalised(const Quaternion& q) {
   const double norm = std::sqrt(dot(q, q));
   if (!(norm > 0)) return {};
   return {q.x / norm, q.y / norm, q.z / norm, q.w / norm};
 }
 
-/// First `b`, then `a`.
+/// The rotation that applies `b` first, then `a`.
 inline Quaternion operator*(const Quaternion& a, const Quaternion& b) {
   return {
       a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
@@ -46,8 +46,8 @@ inline detail::Vec3d rotate(const Quaternion& q, const detail::Vec3d& v) {
   return v + q.w * twice + cross(axis, twice);
 }
 
-/// From `a` (t = 0) to `b` (t = 1) at constant speed on the shorter way. Precondition: unit
-/// quaternions, 0 <= t <= 1.
+/// Interpolates from `a` (t = 0) to `b` (t = 1) at constant speed along the shorter arc.
+/// Preconditions: unit quaternions, 0 <= t <= 1.
 inline Quaternion slerp(const Quaternion& a, const Quaternion& b, double t) {
   const double signed_cosine = dot(a, b);
   const double sign = signed_cosine < 0 ? -1 : 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a `uri` of a glTF file stands for: bytes written into it, or a file beside it.
+/// Resolves a `uri` of a glTF file: embedded bytes, or a file beside the glTF file.
 
 #include <pelt/result.hpp>
 
@@ -16,8 +16,8 @@ bool is_data_uri(std::string_view uri);
 /// The bytes of a data URI, in base64 or percent-encoded.
 Result<std::vector<std::byte>> decode_data_uri(std::string_view uri);
 
-/// The file that a relative URI names inside `folder`. Refuses everything else: other schemes,
-/// absolute paths, `..`, and links that lead out of the folder.
+/// Returns the path of the file that a relative URI refers to inside `folder`. Rejects everything
+/// else: other schemes, absolute paths, `..`, and links that leave the folder.
 Result<std::filesystem::path> resolve_file_uri(std::string_view uri,
                                                const std::filesystem::path& folder);
 

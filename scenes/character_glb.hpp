@@ -1,6 +1,6 @@
 #pragma once
 
-/// Generated characters as files that other programs can play.
+/// Writes generated characters to files that other programs can play.
 
 #include <pelt/asset.hpp>
 
@@ -9,11 +9,12 @@
 
 namespace pelt::scenes {
 
-/// A binary glTF 2.0 file of a character, its skin, morph targets and clips, every number bit for
-/// bit: `asset::load_gltf` gives the same asset, its nodes depth-first. O(asset).
+/// Returns a binary glTF 2.0 file of a character with its skin, morph targets and clips. Every
+/// number is exact: `asset::load_gltf` returns the same asset, with nodes depth-first. O(asset).
 ///
-/// Precondition: as `make_creature` and `make_face` make them: one part, whose node is node 0, four
-/// influences a vertex, nodes without matrices, and each morph target displaces something.
+/// Precondition: the asset is like those of `make_creature` and `make_face`, with one part whose
+/// node is node 0, four influences per vertex, nodes without matrices, and morph targets that
+/// displace something.
 std::vector<std::byte> character_glb(const asset::Asset& asset);
 
 }  // namespace pelt::scenes

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Typical poses of a character, from its own clips: what ModelOptions::sample_palettes wants.
+/// Typical poses of a character from its own clips, for ModelOptions::sample_palettes.
 
 #include "scenes/scene.hpp"
 
@@ -10,14 +10,14 @@
 
 namespace pelt::scenes {
 
-/// The clips that the instances of a character play, each once.
+/// Returns the clips that the instances of a character play, each once.
 std::vector<const asset::Clip*> played_clips(const Scene& scene, std::uint32_t character);
 
-/// The first `count` clips, or fewer where there are fewer.
+/// Returns the first `count` clips, or all if there are fewer.
 std::vector<const asset::Clip*> first_clips(const asset::Asset& asset, std::uint32_t count);
 
-/// The joint palettes of `count` poses, evenly over all clips laid end to end as if they took the
-/// same time; none without clips.
+/// Returns the joint palettes of `count` poses, evenly spaced over all clips, each of which has the
+/// same share; none without clips.
 std::vector<Matrix4> clip_samples(const asset::Asset& asset,
                                   std::span<const asset::Clip* const> clips, std::uint32_t count);
 

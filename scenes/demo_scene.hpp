@@ -4,9 +4,9 @@
 
 namespace pelt::scenes {
 
-/// Two generated characters walk into each other: what `pelt demo` shows, and the page first.
-/// They walk at the speed of their feet (1.2 kWalkSpeed), out of step, and pass with a touch of
-/// shoulders and arms.
+/// Two generated characters walk into each other: the scene of `pelt demo`, and the first scene of
+/// the page. They walk without sliding (1.2 kWalkSpeed), out of step, and touch with shoulders and
+/// arms.
 inline constexpr std::string_view kDemoScene = R"({
   "models": {
     "azure": {"creature": {"triangles": 32000, "joints": 56, "seed": 1}},

@@ -10,7 +10,7 @@
 namespace pelt::scenes {
 namespace {
 
-/// What a node of the model has to be called.
+/// Returns the part of a name that applies to nodes of the model.
 std::string name_in(const std::string& model, const std::string& name) {
   return name.starts_with(model + "/") ? name.substr(model.size() + 1) : name;
 }

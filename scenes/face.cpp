@@ -10,7 +10,7 @@
 namespace pelt::scenes {
 namespace {
 
-/// Every joint but the jaw, which morphs.
+/// Returns all joints except the jaw, which is a morph target.
 std::vector<std::uint32_t> joints_of(const BodyPlan& bust) {
   std::vector<std::uint32_t> stands_for;
   for (std::uint32_t j = 0; j < bust.joints.size(); ++j) stands_for.push_back(j);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A .glb file while it is written: the JSON and the binary chunk grow together.
+/// Builds a .glb file: JSON and binary chunk grow together.
 
 #include <pelt/mesh.hpp>
 
@@ -16,29 +16,29 @@ namespace pelt::scenes {
 
 class GlbBuilder {
  public:
-  /// "asset", and one scene without nodes.
+  /// Starts with "asset" and one scene without nodes.
   GlbBuilder();
 
   nlohmann::ordered_json json;
 
-  /// Positions, with the bounds that glTF requires of these. Not empty, as all arrays here.
+  /// Adds positions with the bounds that glTF requires. Precondition, as for all arrays: not empty.
   std::size_t add_positions(std::span<const Vec3> positions);
   std::size_t add_vectors(std::span<const Vec3> vectors);
   std::size_t add_indices(std::span<const Triangle> triangles);
 
-  /// As an accessor of `count` elements; all these return their numbers.
+  /// Adds an accessor of `count` elements. Like all of these, returns the accessor's number.
   std::size_t add_floats(std::span<const float> floats, std::size_t count, const char* type);
   std::size_t add_shorts(std::span<const std::uint16_t> shorts, std::size_t count,
                          const char* type);
 
-  /// Times of keys, with their bounds.
+  /// Adds times of keys with their bounds.
   std::size_t add_times(std::span<const float> times);
 
-  /// `count` vectors, zero but at these indices, which ascend.
+  /// Adds `count` vectors that are zero except at these ascending indices.
   std::size_t add_sparse(std::size_t count, std::span<const std::uint32_t> indices,
                          std::span<const Vec3> vectors);
 
-  /// The whole file.
+  /// Returns the whole file.
   std::vector<std::byte> file();
 
  private:

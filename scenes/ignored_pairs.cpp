@@ -11,7 +11,7 @@
 namespace pelt::scenes {
 namespace {
 
-/// Which parts and joints of a character a pattern means.
+/// Parts and joints of a character that a pattern matches.
 struct Named {
   std::vector<bool> parts, joints;
 
@@ -39,7 +39,7 @@ Named find_named(std::string_view pattern, const Character& character) {
   return named;
 }
 
-/// Each once, in their order; with their models if so wanted.
+/// Returns all names, each once, in their order; with their models if `with_models`.
 std::vector<std::string> all_names(CharacterSpan characters, bool with_models) {
   std::vector<std::string> names;
   const auto add = [&](const Character& character, const std::string& bare) {
@@ -62,7 +62,7 @@ Error unknown_name(CharacterSpan characters, std::string_view name) {
           "no part and no joint is named " + asset::quoted(name) + suggestion(name, known)};
 }
 
-/// [triangle] whether the pattern means it.
+/// Returns for each triangle whether the pattern matches it.
 std::vector<bool> find_meant(std::string_view pattern, const Character& character,
                              const TriangleLabels& labels) {
   const Named named = find_named(pattern, character);

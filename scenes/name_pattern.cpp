@@ -13,7 +13,7 @@ bool matches(std::string_view pattern, std::string_view text) {
       ++p;
       ++t;
     } else if (star != std::string_view::npos) {
-      // The last star takes one more character; what an earlier one takes need not change.
+      // Extend the match of the last star by one character; earlier stars need not change.
       p = star + 1;
       t = ++after_star;
     } else {

@@ -4,8 +4,8 @@
 
 namespace pelt::scenes {
 
-/// Whether `text` is `pattern`, in which a `*` stands for any characters, also for none. O(length
-/// of one times the other at worst).
+/// Whether `text` matches `pattern`, in which a `*` matches any number of characters. O(length of
+/// `text` times length of `pattern`) in the worst case.
 bool matches(std::string_view pattern, std::string_view text);
 
 }  // namespace pelt::scenes

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What parts and joints are called, so that a person can find them in the file.
+/// Names of parts and joints, by which a person finds them in the file.
 
 #include <pelt/asset.hpp>
 
@@ -9,11 +9,11 @@
 
 namespace pelt::scenes {
 
-/// The node of a part, or its mesh where the node has no name; "node:material" or "node:number"
-/// where several parts share that.
+/// Returns the name of the part's node, or of its mesh if the node has no name; "node:material" or
+/// "node:number" if several parts share that name.
 std::string part_name(const asset::Asset& asset, std::uint32_t part);
 
-/// The name of a joint's node; "joint 7" where it has none.
+/// Returns the name of the joint's node, or "joint 7" if it has none.
 std::string joint_name(const asset::Asset& asset, std::uint32_t joint);
 
 }  // namespace pelt::scenes

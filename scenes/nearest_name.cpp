@@ -10,7 +10,7 @@
 namespace pelt::scenes {
 namespace {
 
-/// The fewest characters inserted, removed, replaced or swapped with their neighbours.
+/// Returns the least number of insertions, deletions, replacements and swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1), above, second_above;
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -34,7 +34,7 @@ std::string in_lower_case(std::string_view name) {
   return text;
 }
 
-/// The known name with the fewest typing errors.
+/// Returns the known name with the fewest typing errors.
 std::optional<std::string_view> nearest_by_errors(std::string_view name,
                                                   std::span<const std::string_view> known) {
   constexpr std::size_t kLongestTypo = 64, kShortest = 3;
@@ -51,7 +51,7 @@ std::optional<std::string_view> nearest_by_errors(std::string_view name,
   return nearest;
 }
 
-/// The shortest known name that has this one in it.
+/// Returns the shortest known name that contains `name`.
 std::optional<std::string_view> nearest_around(std::string_view name,
                                                std::span<const std::string_view> known) {
   constexpr std::size_t kShortest = 3;

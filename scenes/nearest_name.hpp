@@ -1,6 +1,6 @@
 #pragma once
 
-/// Help for a name that is not among the known ones.
+/// Suggestions for unknown names.
 
 #include <optional>
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace pelt::scenes {
 
-/// The known name that was meant, upper and lower case aside: one with at most one typing error in
-/// three characters, else the shortest that has `name` in it. O(length of `name` times the length
-/// of all known ones).
+/// Returns the known name that was probably meant, ignoring case: a name with at most one typing
+/// error per three characters, or else the shortest name that contains `name`. O(length of `name`
+/// times the length of all known names).
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> known);
 
-/// `, did you mean "clip"?` where a name is near, else `, expected one of "model", "clip"`, the
-/// first of them. Costs what `nearest_name` does.
+/// Returns `, did you mean "clip"?` if a similar name is known, otherwise the first known names as
+/// `, expected one of "model", "clip"`. Same cost as `nearest_name`.
 std::string suggestion(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace pelt::scenes

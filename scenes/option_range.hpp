@@ -5,7 +5,7 @@
 
 namespace pelt::scenes {
 
-/// "creature: triangles is 3, expected 1000 to 1000000", or nothing where `value` is in the range.
+/// "creature: triangles is 3, expected 1000 to 1000000", or nothing if `value` is in the range.
 inline std::string check_range(const char* what, const char* name, std::uint32_t value,
                                std::uint32_t low, std::uint32_t high) {
   if (value >= low && value <= high) return {};

@@ -58,13 +58,13 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
   return scene;
 }
 
-/// In [0, duration). `fmod` is no libm in the sense of the rule on determinism: IEEE 754 defines it
-/// exactly, so that it has the same bits everywhere.
+/// Returns a time in [0, duration). The rule against libm does not apply to `fmod`: IEEE 754
+/// defines it exactly, so it has the same bits everywhere.
 double wrapped(double seconds, double duration) {
   if (!(duration > 0)) return 0;
   const double rest = std::fmod(seconds, duration);
   const double wrapped = rest < 0 ? rest + duration : rest;
-  return wrapped < duration ? wrapped : 0;  // a tiny negative rest rounds up to the duration
+  return wrapped < duration ? wrapped : 0;  // a tiny negative remainder rounds up to the duration
 }
 
 Matrix4 placement(const Instance& instance, double seconds) {
@@ -89,7 +89,7 @@ bool names(const MorphWeight& morph, const asset::Asset& asset, std::size_t targ
   return std::get<std::string>(morph.target) == asset.morph_targets[target].name;
 }
 
-/// What is wrong with `morph`, which names no target; begins with the character's name.
+/// Describes why `morph` matches no target, starting with the character's name.
 std::string why_none(const MorphWeight& morph, const Character& character) {
   const auto& targets = character.asset.morph_targets;
   const std::string begin = asset::quoted(character.name) + " has ";
@@ -102,7 +102,7 @@ std::string why_none(const MorphWeight& morph, const Character& character) {
   return begin + "no morph target " + asset::quoted(name) + suggestion(name, known);
 }
 
-/// What an instance plays at a time, and where in the clip it is.
+/// The clip of an instance, and the time in the clip.
 struct ClipTime {
   const asset::Clip* clip;
   float seconds;

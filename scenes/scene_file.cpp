@@ -18,7 +18,8 @@ namespace {
 using nlohmann::json;
 using Problem = StrictObject::Problem;
 
-constexpr double kMaxNumber = 1e12;  // far beyond any use, near enough to keep arithmetic finite
+/// Far beyond any use, but small enough to keep arithmetic finite.
+constexpr double kMaxNumber = 1e12;
 constexpr Range kAnyNumber = {-kMaxNumber, kMaxNumber};
 constexpr Range kAnyCount = {0, std::numeric_limits<std::uint32_t>::max()};
 
@@ -69,7 +70,7 @@ std::uint32_t read_character(const StrictObject& object, std::span<const SceneFi
   return static_cast<std::uint32_t>(found - names.begin());
 }
 
-/// Rotations written with a few decimals are not quite of length 1; others are mistakes.
+/// Accepts rotations written with a few decimals, whose length is nearly 1. Others are mistakes.
 void require_unit_length(const StrictObject& object, const std::array<double, 4>& q) {
   constexpr double kTolerance = 1e-3;
   const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
@@ -88,7 +89,7 @@ std::array<double, N> read_vector(const StrictObject& object, std::string_view k
   return vector;
 }
 
-/// An array of one number for each target, or an object of numbers by names of targets.
+/// Reads an array with one number per target, or an object that maps names of targets to numbers.
 std::vector<MorphWeight> read_morph_weights(const StrictObject& object) {
   constexpr std::string_view kKey = "morph_weights";
   std::vector<MorphWeight> weights;
@@ -138,7 +139,7 @@ std::vector<Instance> read_instances(const StrictObject& file,
   return instances;
 }
 
-/// An array of pairs of names.
+/// Reads an array of pairs of names.
 std::vector<NamePair> read_ignore(const StrictObject& file) {
   constexpr std::string_view kKey = "ignore";
   std::vector<NamePair> pairs;

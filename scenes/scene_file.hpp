@@ -1,6 +1,6 @@
 #pragma once
 
-/// The text of a scene file, before the characters that it names are loaded.
+/// Parses the text of a scene file, without loading its characters.
 
 #include "scenes/scene.hpp"
 
@@ -14,7 +14,7 @@ namespace pelt::scenes {
 struct SceneFile {
   struct Model {
     std::string name;
-    /// Path of a glTF file, or generated.
+    /// Path of a glTF file, or options of a generated character.
     std::variant<std::string, CreatureOptions, FaceOptions> source;
   };
 
@@ -25,8 +25,8 @@ struct SceneFile {
   std::vector<NamePair> ignore;
 };
 
-/// The message of an error begins with the path inside the file. O(text) but for looking up the
-/// names of models, O(instances times models); the parsed JSON is in memory on the way.
+/// Parses a scene file. Error messages start with the place in the file. O(text), and O(instances
+/// times models) for looking up the names of models. The parsed JSON is in memory meanwhile.
 Result<SceneFile> parse_scene_file(std::string_view text);
 
 }  // namespace pelt::scenes

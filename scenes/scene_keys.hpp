@@ -1,7 +1,7 @@
 #pragma once
 
-/// The keys of the scene format, object by object: what the reader takes and docs/scene.schema.json
-/// documents.
+/// Keys of the scene format, object by object, as read by the parser and documented in
+/// docs/scene.schema.json.
 
 #include <array>
 #include <string_view>

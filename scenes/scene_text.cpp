@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Names of models are keys, so none may stand twice.
+/// Makes the names of models unique, because they are keys.
 std::vector<std::string> distinct_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Character& character : scene.characters) {

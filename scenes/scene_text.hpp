@@ -1,6 +1,6 @@
 #pragma once
 
-/// A scene as the text of a scene file again, for whoever takes it elsewhere.
+/// Writes a scene as the text of a scene file.
 
 #include "scenes/scene.hpp"
 
@@ -9,9 +9,9 @@
 
 namespace pelt::scenes {
 
-/// What `parse_scene` reads as this scene, all numbers to the last bit. `paths` are those of the
-/// characters' files in it; that of a generated one does not matter. Characters of the same name
-/// get numbers. Precondition: as many paths as characters. O(instances).
+/// Returns a text from which `parse_scene` reads this scene, with every number exact. `paths` are
+/// the paths to write for the characters' files; those of generated characters are ignored.
+/// Characters with the same name get numbers. Precondition: one path per character. O(instances).
 std::string scene_text(const Scene& scene, std::span<const std::string> paths);
 
 }  // namespace pelt::scenes

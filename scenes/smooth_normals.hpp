@@ -8,11 +8,13 @@
 
 namespace pelt::scenes {
 
-/// Writes normals of unit length for smooth shading, the triangles around a vertex weighted by
-/// their area. `seams` has for each vertex the one whose normal it shares, which shares its own:
-/// exporters split vertices where a texture has a seam, and none should show. Vertices that no
-/// triangle uses, or only collapsed ones, get +y. Precondition: as many of `seams` and `normals` as
-/// of `positions`.
+/// Writes unit normals for smooth shading: the means of the normals of the triangles around a
+/// vertex, weighted by area. Vertices without triangles, or with collapsed triangles only, get +y.
+///
+/// `seams`: for each vertex, the vertex whose normal it shares; a vertex that is shared refers to
+///   itself. Exporters split vertices at seams of textures, which should not be visible.
+///
+/// Precondition: `seams` and `normals` have one element per position.
 void smooth_normals(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                     std::span<const std::uint32_t> seams, std::span<Vec3> normals);
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Reading of a JSON object that may hold nothing but known keys. The first thing that is wrong is
-/// noted with its path in the file ("instances[3].rotation: expected 4 numbers, found 3") and reads
-/// as its default; whoever reads a whole file asks for the error at the end.
+/// Reads JSON objects with known keys only. The first error is recorded with its place in the file
+/// ("instances[3].rotation: expected 4 numbers, found 3"), and invalid fields return their default.
+/// Check for the error after reading a whole file.
 
 #include <pelt/result.hpp>
 
@@ -18,7 +18,7 @@
 
 namespace pelt::scenes {
 
-/// What a number may be.
+/// Allowed values of a number.
 struct Range {
   double least, most;
 };
@@ -27,16 +27,16 @@ class StrictObject {
  public:
   using Problem = std::optional<std::string>;
 
-  /// `value` may be anything; `path` names it in messages, "" is the whole file.
+  /// `value` may have any type. `path` is its place in messages; "" is the whole file.
   StrictObject(const nlohmann::json& value, std::string path,
                std::span<const std::string_view> keys, Problem& problem);
 
   bool has(std::string_view key) const { return find(key) != nullptr; }
 
-  /// The value as it is, or null where it is absent.
+  /// Returns the value, or null if it is absent.
   const nlohmann::json* find(std::string_view key) const;
 
-  /// A string, or nothing where it is absent or null.
+  /// Returns a string, or nothing if it is absent or null.
   std::optional<std::string> text(std::string_view key) const;
   double number(std::string_view key, double otherwise, Range range) const;
   std::uint32_t count(std::string_view key, std::uint32_t otherwise, Range range) const;
@@ -51,10 +51,10 @@ class StrictObject {
   std::vector<StrictObject> objects(std::string_view key,
                                     std::span<const std::string_view> keys) const;
 
-  /// The members of an object whose keys are names that the file chooses; at least one.
+  /// Returns an object with at least one member, whose keys are names of the file.
   const nlohmann::json& members(std::string_view key) const;
 
-  /// Notes that `key` is missing, where it is.
+  /// Records an error if `key` is missing.
   void require(std::string_view key) const;
   void refuse(std::string_view key, const std::string& why) const;
   std::string path_of(std::string_view key) const;
@@ -68,7 +68,7 @@ class StrictObject {
   Problem* problem_;
 };
 
-/// What JSON calls a value, for messages: "an array", "a string" ...
+/// Returns the JSON type of a value for messages: "an array", "a string" ...
 std::string kind_of(const nlohmann::json& value);
 
 }  // namespace pelt::scenes

@@ -8,14 +8,14 @@
 
 namespace pelt::scenes {
 
-/// What a person calls each triangle of a character: joint and part as the asset numbers them.
+/// Joint and part of each triangle of a character, as numbered in the asset.
 struct TriangleLabels {
   std::vector<std::uint16_t> joint;  ///< [T] that the triangle follows most, as ContactRegion's
-  std::vector<std::uint32_t> part;   ///< [T] that has the triangle
+  std::vector<std::uint32_t> part;   ///< [T] the part with the triangle
 };
 
-/// Refuses what `build_model` refuses, but for weights that do not sum to 1. O(influences of all
-/// vertices and triangles).
+/// Returns the errors of `build_model`, except for weights that do not sum to 1. O(influences of
+/// all vertices and triangles).
 Result<TriangleLabels> label_triangles(const asset::Asset& asset);
 
 }  // namespace pelt::scenes

@@ -158,7 +158,7 @@ TEST(BenchAgainst, TellsADifferentAnswerAndDoesNotCompareIt) {
   const Compared different = compared({then}, {now});
   EXPECT_EQ(different.comparison.different_answers, 1u);
   EXPECT_TRUE(different.says(
-      "query all: a different answer: hash 0000000000000abc then, 0000000000000def now"));
+      "query all: different answers: hash 0000000000000abc then, 0000000000000def now"));
   EXPECT_EQ(different.comparison.ratios, 1u) << "those of the other question remain";
   EXPECT_EQ(row(different.text, "eager"), Words());
 }
