@@ -22,19 +22,19 @@ void print_row(const PeerFigures& figures, const PeerFigures& pelt, std::ostream
       << std::setw(kWord) << figures.narrow_phase << std::right;
   for (const double time : {figures.skinning_us, figures.update_us, figures.all_us,
                             figures.first_us, figures.frame_us, figures.first_frame_us})
-    out << std::setw(kColumn) << fixed(time, 1);
-  out << std::setw(kColumn) << fixed(figures.frame_us / pelt.frame_us, 1);
+    out << std::setw(kColumn) << output::fixed(time, 1);
+  out << std::setw(kColumn) << output::fixed(figures.frame_us / pelt.frame_us, 1);
   for (const std::size_t count : {figures.difference.missing, figures.difference.extra})
-    out << std::setw(kColumn) << with_commas(count);
+    out << std::setw(kColumn) << output::with_commas(count);
   out << '\n';
 }
 
 }  // namespace
 
 void print_peers(const ScenePeers& scene, std::ostream& out) {
-  out << scene.scene << ": " << with_commas(scene.triangles) << " triangles, "
-      << counted(scene.frames, "frame") << " of which " << scene.frames_in_contact
-      << " in contact, " << with_commas(scene.contacts) << " contacts in all\n"
+  out << scene.scene << ": " << output::with_commas(scene.triangles) << " triangles, "
+      << output::counted(scene.frames, "frame") << " of which " << scene.frames_in_contact
+      << " in contact, " << output::with_commas(scene.contacts) << " contacts in all\n"
       << "microseconds a frame on one thread, medians of " << scene.repetitions
       << ", means over the frames; less is better\n";
   print_head(out);

@@ -22,12 +22,12 @@ struct Arguments {
 
 Result<std::vector<std::uint32_t>> chosen_frames(const std::string& text,
                                                  const scenes::Scene& scene) {
-  if (text.empty()) return FrameRange{0, scene.frame_count}.frames();
-  const Result<FrameRange> range = parse_frame_range(text);
+  if (text.empty()) return arguments::FrameRange{0, scene.frame_count}.frames();
+  const Result<arguments::FrameRange> range = arguments::parse_frame_range(text);
   if (!range) return range.error();
   if (range->end <= scene.frame_count) return range->frames();
-  return bad_argument("--frames", text + " goes beyond the last frame",
-                      scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+  return output::bad_argument("--frames", text + " goes beyond the last frame",
+                              scene.name + " has frames 0:" + std::to_string(scene.frame_count));
 }
 
 Result<ScenePeers> measure_scene(const std::string& path, const Arguments& arguments) {
@@ -35,11 +35,11 @@ Result<ScenePeers> measure_scene(const std::string& path, const Arguments& argum
   if (!scene) return scene.error();
   const auto frames = chosen_frames(arguments.frames, *scene);
   if (!frames) return frames.error();
-  ModelArguments models;
+  arguments::ModelArguments models;
   models.renormalise = true;
-  const auto colliders = make_colliders(*scene, Granularity::instance, models);
+  const auto colliders = scene::make_colliders(*scene, scene::Granularity::instance, models);
   if (!colliders) return colliders.error();
-  Progress progress(peer_steps(frames->size()));
+  output::Progress progress(peer_steps(frames->size()));
   return measure_peers({*scene, *colliders, *frames}, arguments.repetitions,
                        [&] { progress.advance(); });
 }

@@ -15,7 +15,8 @@ T demand(Result<T> result) {
   std::exit(1);
 }
 
-Pose pose_of(const scenes::Scene& scene, std::size_t instance, const tools::Palettes& palettes) {
+Pose pose_of(const scenes::Scene& scene, std::size_t instance,
+             const tools::scene::Palettes& palettes) {
   const asset::Asset& asset = scene.characters[scene.instances[instance].character].asset;
   Pose pose(demand(build_model(asset.mesh())));
   if (!pose.set_palette(palettes[instance]) || !pose.set_morph_weights(palettes.morphs[instance]))
@@ -28,9 +29,10 @@ Pose pose_of(const scenes::Scene& scene, std::size_t instance, const tools::Pale
 Cast::Cast(std::string_view scene_text, std::uint32_t frame)
     : scene_(std::make_unique<scenes::Scene>(demand(scenes::parse_scene(scene_text, {})))) {
   asset::SampleScratch scratch;
-  tools::Palettes palettes;
-  tools::sample_palettes(*scene_, frame, scratch, palettes);
-  std::vector<tools::PosedInstance> posed = demand(tools::pose_instances(*scene_, frame, {}));
+  tools::scene::Palettes palettes;
+  tools::scene::sample_palettes(*scene_, frame, scratch, palettes);
+  std::vector<tools::scene::PosedInstance> posed =
+      demand(tools::scene::pose_instances(*scene_, frame, {}));
   for (std::size_t i = 0; i < posed.size(); ++i)
     actors.push_back({pose_of(*scene_, i, palettes), std::move(posed[i])});
 }

@@ -14,7 +14,7 @@ namespace pelt::pictures {
 
 struct Actor {
   Pose pose;
-  tools::PosedInstance posed;
+  tools::scene::PosedInstance posed;
 };
 
 /// One frame of a scene. Exits with a message where the scene is wrong: scenes are written here.

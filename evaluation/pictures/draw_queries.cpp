@@ -17,7 +17,7 @@ using namespace pelt;
 void shrink(const std::filesystem::path& png) {
   const std::vector<std::string> command = {"convert", png.string(), "+dither",
                                             "-colors", "256",        "PNG8:" + png.string()};
-  if (tools::run_program(command) != tools::ProgramEnd::succeeded)
+  if (tools::output::run_program(command) != tools::output::ProgramEnd::succeeded)
     std::fprintf(stderr, "%s stays large: ImageMagick did not shrink it\n", png.c_str());
 }
 

@@ -6,7 +6,7 @@
 namespace pelt::pictures {
 
 /// A picture in the size that the page shows.
-inline reproduce::Picture framed(const char* id, const tools::PovCamera& camera,
+inline reproduce::Picture framed(const char* id, const tools::picture::PovCamera& camera,
                                  const std::string& objects) {
   reproduce::Picture picture =
       reproduce::make_picture({id, ""}, camera, reproduce::white_floor() + objects, {});

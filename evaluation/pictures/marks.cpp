@@ -8,7 +8,7 @@ namespace pelt::pictures {
 namespace {
 
 using reproduce::unit;
-using tools::pov_vector;
+using tools::picture::pov_vector;
 
 std::string texture_of(Tone tone) {
   const char* colour = tone == Tone::answer     ? "<0.95,0.22,0.02>"
@@ -58,13 +58,13 @@ std::string painted(const Actor& actor, std::size_t skin) {
 std::string painted(const Actor& actor, const std::string& texture,
                     const std::vector<bool>& marked) {
   const std::vector<bool> none(actor.posed.triangles.size());
-  return tools::pov_mesh(actor.posed, marked.empty() ? none : marked, texture);
+  return tools::picture::pov_mesh(actor.posed, marked.empty() ? none : marked, texture);
 }
 
 std::string unshadowed(const std::string& mesh) { return "object {" + mesh + "no_shadow}\n"; }
 
 std::string glass(const std::array<float, 3>& colour, double through) {
-  std::string pigment = tools::pov_colour(colour);
+  std::string pigment = tools::picture::pov_colour(colour);
   pigment.insert(pigment.find('>'), "," + std::to_string(through));
   pigment.replace(0, 3, "rgbt");
   return "pigment {" + pigment +
@@ -73,7 +73,7 @@ std::string glass(const std::array<float, 3>& colour, double through) {
 }
 
 std::string paint(const std::array<float, 3>& colour) {
-  return "Matt(" + tools::pov_colour(colour) + ")";
+  return "Matt(" + tools::picture::pov_colour(colour) + ")";
 }
 
 }  // namespace pelt::pictures

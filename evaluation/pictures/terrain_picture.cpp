@@ -40,9 +40,9 @@ std::string painted(const HeightField& field, const std::vector<bool>& touched) 
   std::string text;
   for (std::uint32_t t = 0; t < field.triangle_count(); ++t) {
     const std::array<Vec3, 3> corners = field.triangle(t);
-    text += "triangle {" + tools::pov_vector(Vec3d(corners[0])) + ", " +
-            tools::pov_vector(Vec3d(corners[1])) + ", " + tools::pov_vector(Vec3d(corners[2])) +
-            " texture {" +
+    text += "triangle {" + tools::picture::pov_vector(Vec3d(corners[0])) + ", " +
+            tools::picture::pov_vector(Vec3d(corners[1])) + ", " +
+            tools::picture::pov_vector(Vec3d(corners[2])) + " texture {" +
             paint(touched[t] ? std::array{0.95f, 0.22f, 0.02f} : std::array{0.62f, 0.66f, 0.55f}) +
             "}}\n";
   }
@@ -69,8 +69,9 @@ Picture terrain_picture() {
   SolidDistance nearest;
   distance(actor.pose, pillar, scratch, nearest);
   const Vec3d from(nearest.surface.position), to(nearest.solid);
-  const std::string stone = "sphere_sweep {linear_spline 2, " + tools::pov_vector(Vec3d(pillar.a)) +
-                            ", 0.16, " + tools::pov_vector(Vec3d(pillar.b)) + ", 0.16 texture {" +
+  const std::string stone = "sphere_sweep {linear_spline 2, " +
+                            tools::picture::pov_vector(Vec3d(pillar.a)) + ", 0.16, " +
+                            tools::picture::pov_vector(Vec3d(pillar.b)) + ", 0.16 texture {" +
                             paint({0.72f, 0.66f, 0.56f}) + "}}\n";
   const std::string objects = painted(actor, paint({0.26f, 0.40f, 0.55f}), of_skin) +
                               painted(*field, of_field) + stone +

@@ -35,7 +35,7 @@ std::string range(const std::string& axis, const Range& of) {
 /// Without powers: "0.05", "1,000,000".
 std::string label(double figure) {
   return figure < 1 ? number(figure)
-                    : tools::with_commas(static_cast<std::uint64_t>(std::llround(figure)));
+                    : tools::output::with_commas(static_cast<std::uint64_t>(std::llround(figure)));
 }
 
 /// Of 1 to 9 times a power of ten. The fewer decades there are, the more tics have labels.

@@ -32,10 +32,10 @@ int significant_decimals(double figure) {
 
 /// "-1,234.50"
 std::string with_decimals(double figure, int decimals) {
-  const std::string digits = tools::fixed(std::fabs(figure), decimals);
+  const std::string digits = tools::output::fixed(std::fabs(figure), decimals);
   const std::size_t point = std::min(digits.find('.'), digits.size());
-  return (figure < 0 ? "-" : "") + tools::with_commas(std::stoull(digits.substr(0, point))) +
-         digits.substr(point);
+  return (figure < 0 ? "-" : "") +
+         tools::output::with_commas(std::stoull(digits.substr(0, point))) + digits.substr(point);
 }
 
 }  // namespace

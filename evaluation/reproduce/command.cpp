@@ -18,7 +18,7 @@
 #include <ctime>
 #include <iostream>
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 using reproduce::Experiment;
@@ -49,8 +49,9 @@ Result<std::vector<Experiment>> all_experiments(bool has_peers) {
   if (!has_peers) return all;
   const Experiment* const peers = reproduce::peers_experiment();
   if (peers == nullptr)
-    return bad_argument("--peers", "this pelt was built without other libraries",
-                        "build it with -DPELT_BENCH_PEERS=ON, see evaluation/peers/README.md");
+    return output::bad_argument(
+        "--peers", "this pelt was built without other libraries",
+        "build it with -DPELT_BENCH_PEERS=ON, see evaluation/peers/README.md");
   all.push_back(*peers);
   return all;
 }
@@ -62,7 +63,7 @@ Result<std::vector<Experiment>> chosen_experiments(const std::vector<Experiment>
   std::vector<std::string_view> known;
   for (const Experiment& experiment : all) known.push_back(experiment.id);
   std::vector<Experiment> chosen;
-  for (const std::string_view id : split(only, ',')) {
+  for (const std::string_view id : output::split(only, ',')) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Experiment& e) { return e.id == id; });
     if (found == all.end())
@@ -86,7 +87,8 @@ std::vector<std::string> provenance(const Arguments& arguments) {
   const Machine machine = this_machine();
   std::vector<std::string> lines = {
       "Measured on " + today() + ": " + machine.cpu + ", " + std::to_string(machine.cores) +
-          " cores, " + fixed(machine.memory_gib, 0) + " GiB of memory, " + machine.system + ".",
+          " cores, " + output::fixed(machine.memory_gib, 0) + " GiB of memory, " + machine.system +
+          ".",
       "pelt " PELT_VERSION ", " + machine.compiler + " " + machine.flags + ", " + machine.build +
           "; Pelt's and the rivals' hot code for " + machine.target + "."};
   if (arguments.is_quick)
@@ -106,14 +108,14 @@ Result<Section> run_experiment(const Experiment& experiment,
   return section;
 }
 
-Result<ExitCode> reproduce_all(const Arguments& arguments) {
+Result<arguments::ExitCode> reproduce_all(const Arguments& arguments) {
   const auto all = all_experiments(arguments.has_peers);
   if (!all) return all.error();
   const auto chosen = chosen_experiments(*all, arguments.only);
   if (!chosen) return chosen.error();
   if (!arguments.models.empty() && !std::filesystem::is_directory(arguments.models))
-    return bad_argument("--models", arguments.models + " is no folder",
-                        "name one that holds .glb files");
+    return output::bad_argument("--models", arguments.models + " is no folder",
+                                "name one that holds .glb files");
   if (const auto made = reproduce::make_folders(arguments.folder); !made) return made.error();
   Report report;
   report.provenance = provenance(arguments);
@@ -122,7 +124,7 @@ Result<ExitCode> reproduce_all(const Arguments& arguments) {
               << experiment.title << std::endl;  // bars are drawn on the lines below
     Result<Section> section = run_experiment(experiment, {arguments.is_quick, arguments.models});
     if (!section) return section.error();
-    std::cout << "    " << fixed(section->seconds, 1) << " s" << std::endl;
+    std::cout << "    " << output::fixed(section->seconds, 1) << " s" << std::endl;
     report.sections.push_back(std::move(*section));
   }
   report.sections.insert(report.sections.begin(), summary(report.sections));
@@ -130,13 +132,13 @@ Result<ExitCode> reproduce_all(const Arguments& arguments) {
   const auto written = reproduce::write_report(report, arguments.folder, std::cout);
   if (!written) return written.error();
   std::cout << "wrote " << arguments.folder << "/report.html\n";
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_reproduce(CLI::App& app, Command& chosen) {
-  Verb verb(app, "reproduce", "Run the experiments of the paper again", kFooter);
+void add_reproduce(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "reproduce", "Run the experiments of the paper again", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("-o,--output", arguments->folder, "Folder for the report", {.type = "DIR"});
   verb.flag("--quick", arguments->is_quick, "Few frames, repetitions and sizes");
@@ -149,4 +151,4 @@ void add_reproduce(CLI::App& app, Command& chosen) {
   verb.runs([arguments] { return reproduce_all(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

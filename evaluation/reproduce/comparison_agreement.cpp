@@ -38,8 +38,8 @@ double without(std::span<const Contact> a, std::span<const Contact> b) {
 }
 
 Result<std::vector<Contact>> contacts_of(const tools::Engine& engine,
-                                         std::span<const tools::Collider> colliders,
-                                         const tools::Palettes& palettes) {
+                                         std::span<const tools::scene::Collider> colliders,
+                                         const tools::scene::Palettes& palettes) {
   tools::Runner runner(colliders, engine);
   if (const auto posed = runner.pose(palettes); !posed) return posed.error();
   runner.ask(Question::all);
@@ -48,11 +48,12 @@ Result<std::vector<Contact>> contacts_of(const tools::Engine& engine,
 
 /// Adds how the answers about one pair differ; returns the contacts of brute force.
 Result<double> compare(const scenes::Scene& scene, std::vector<Asked>& methods) {
-  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  const auto colliders =
+      tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return colliders.error();
   asset::SampleScratch scratch;
-  tools::Palettes palettes;
-  tools::sample_palettes(scene, 0, scratch, palettes);
+  tools::scene::Palettes palettes;
+  tools::scene::sample_palettes(scene, 0, scratch, palettes);
   const auto exact = contacts_of(tools::engine_of(MethodKind::brute), *colliders, palettes);
   if (!exact) return exact.error();
   for (Asked& asked : methods) {

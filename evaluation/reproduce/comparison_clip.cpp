@@ -30,7 +30,7 @@ Result<tools::SceneFigures> measure_clip(const scenes::Scene& scene, const Condi
   settings.caches = {Cache::hot, Cache::cold};
   settings.repetitions = conditions.is_quick ? 3 : 9;
   const std::uint32_t frames = conditions.is_quick ? kFrames / 5 : kFrames;
-  settings.frames = tools::FrameRange{0, scene.frame_count, scene.frame_count / frames};
+  settings.frames = tools::arguments::FrameRange{0, scene.frame_count, scene.frame_count / frames};
   std::vector<tools::SceneFigures> figures;
   std::ostringstream errors;
   const auto exit = tools::bench_scene(scene, settings, figures, errors);
@@ -81,7 +81,7 @@ Memory memory_of(MethodKind method, const SkinnedModel& model,
 }
 
 std::string note_of(const tools::SceneFigures& figures, const Conditions& conditions) {
-  return how_measured(tools::counted(figures.frames, "frame") + ", " +
+  return how_measured(tools::output::counted(figures.frames, "frame") + ", " +
                           std::to_string(figures.figures[0].answer.frames_in_contact) +
                           " of them in contact; all contacts. Cold: 64 MB are read before every "
                           "frame, which "
@@ -100,11 +100,12 @@ Result<Table> clip_table(const Conditions& conditions) {
   if (!scene) return scene.error();
   const auto figures = measure_clip(*scene, conditions);
   if (!figures) return figures.error();
-  const auto colliders = tools::make_colliders(*scene, tools::Granularity::instance, {});
+  const auto colliders =
+      tools::scene::make_colliders(*scene, tools::scene::Granularity::instance, {});
   if (!colliders) return colliders.error();
   asset::SampleScratch scratch;
-  tools::Palettes palettes;
-  tools::sample_palettes(*scene, kMiddle, scratch, palettes);
+  tools::scene::Palettes palettes;
+  tools::scene::sample_palettes(*scene, kMiddle, scratch, palettes);
   Table table = {"clip",
                  "Two creatures walk through each other",
                  {{"method", "method"},

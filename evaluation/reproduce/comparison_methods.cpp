@@ -79,8 +79,8 @@ void add_with_charts(Table table, const std::string& x, Axes axes, std::optional
 }
 
 tools::Engine rival_engine(const std::string& name, const MakeRival& make) {
-  return {name, [make](std::span<const tools::Collider> colliders) {
-            return tools::SceneQuery(colliders, bench::adapt(make()));
+  return {name, [make](std::span<const tools::scene::Collider> colliders) {
+            return tools::scene::SceneQuery(colliders, bench::adapt(make()));
           }};
 }
 

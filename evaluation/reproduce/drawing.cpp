@@ -7,16 +7,16 @@ namespace pelt::reproduce {
 
 Result<void> draw(const DrawingProgram& program, std::span<const std::string> command,
                   const std::filesystem::path& file, const std::string& description) {
-  const auto written = tools::write_file(file, std::as_bytes(std::span(description)));
+  const auto written = tools::output::write_file(file, std::as_bytes(std::span(description)));
   if (!written) return written.error();
   const std::string name = program.name;
-  const tools::ProgramEnd end = tools::run_program(command);
-  if (end == tools::ProgramEnd::failed)
+  const tools::output::ProgramEnd end = tools::output::run_program(command);
+  if (end == tools::output::ProgramEnd::failed)
     return Error{ErrorCode::unsupported,
                  file.string() + ": " + name + " failed: run it to see why"};
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
-  if (end == tools::ProgramEnd::succeeded) return {};
+  if (end == tools::output::ProgramEnd::succeeded) return {};
   return Error{ErrorCode::unsupported, name + " is not installed: run `apt-get install " +
                                            program.package + "`, then this again"};
 }

@@ -12,7 +12,7 @@ namespace pelt::reproduce {
 namespace {
 
 using detail::Vec3d;
-using tools::PosedInstance;
+using tools::scene::PosedInstance;
 
 /// Some triangles of an instance, and which of them touch.
 struct Part {
@@ -64,20 +64,22 @@ std::string edges(const PosedInstance& instance, const Part& part, double radius
   }
   std::string text = "mesh {\n";
   for (std::size_t i = 0; i < corners.size(); i += 3)
-    text += "triangle {" + tools::pov_vector(corners[i]) + ", " +
-            tools::pov_vector(corners[i + 1]) + ", " + tools::pov_vector(corners[i + 2]) + "}\n";
+    text += "triangle {" + tools::picture::pov_vector(corners[i]) + ", " +
+            tools::picture::pov_vector(corners[i + 1]) + ", " +
+            tools::picture::pov_vector(corners[i + 2]) + "}\n";
   return corners.empty() ? "" : text + "texture {Edge} no_shadow}\n";
 }
 
 }  // namespace
 
-std::string facets(const tools::StillFrame& still, double edge, const Around& around) {
+std::string facets(const tools::picture::StillFrame& still, double edge, const Around& around) {
   std::string text;
   for (std::size_t i = 0; i < still.instances.size(); ++i) {
     const Part part = part_of(still.instances[i], still.touching[i], around);
     if (part.triangles.empty()) continue;
     const PosedInstance shown = {"", still.instances[i].positions, part.triangles};
-    text += tools::pov_mesh(shown, part.touching, skin_texture(i), tools::Shading::flat) +
+    text += tools::picture::pov_mesh(shown, part.touching, skin_texture(i),
+                                     tools::picture::Shading::flat) +
             edges(shown, part, edge);
   }
   return text;

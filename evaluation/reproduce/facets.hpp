@@ -17,6 +17,6 @@ struct Around {
 
 /// All triangles of a frame's characters that reach into `around`, flat, with dark edges of that
 /// radius; triangles in contact glow.
-std::string facets(const tools::StillFrame& still, double edge, const Around& around);
+std::string facets(const tools::picture::StillFrame& still, double edge, const Around& around);
 
 }  // namespace pelt::reproduce

@@ -16,14 +16,14 @@ namespace {
 using detail::Palette;
 using detail::Vec3d;
 using paper::Float4;
-using tools::PovCamera;
-using tools::StillFrame;
+using tools::picture::PovCamera;
+using tools::picture::StillFrame;
 
 std::string ball(const Float4& sphere, const char* texture) {
   return reproduce::ball(Vec3d(sphere[0], sphere[1], sphere[2]), sphere[3], texture);
 }
 
-tools::PosedInstance posed(const detail::SkinnedMesh& mesh, const Palette& palette) {
+tools::scene::PosedInstance posed(const detail::SkinnedMesh& mesh, const Palette& palette) {
   std::vector<Vec3> positions(mesh.vertex_count());
   detail::posed_vertices(mesh, palette, positions);
   return {"", std::move(positions), mesh.triangles};
@@ -61,8 +61,8 @@ std::string row(const detail::SkinnedMesh& mesh, const Palette& palette,
 Result<std::array<Palette, 2>> palettes_of(const scenes::Scene& scene, std::uint32_t frame,
                                            const detail::SkinnedMesh& mesh) {
   asset::SampleScratch scratch;
-  tools::Palettes joints;
-  tools::sample_palettes(scene, frame, scratch, joints);
+  tools::scene::Palettes joints;
+  tools::scene::sample_palettes(scene, frame, scratch, joints);
   const Palette rest(mesh.joint_count, mesh.rest_extent);
   std::array<Palette, 2> palettes = {rest, rest};
   for (std::size_t i = 0; i < 2; ++i)
@@ -107,7 +107,7 @@ Result<Picture> refit_picture(const scenes::Scene& scene, const Conditions& cond
   if (!man) return man.error();
   const auto palettes = palettes_of(scene, kRefitFrame, man->mesh);
   if (!palettes) return palettes.error();
-  const Result<StillFrame> still = tools::take_still(scene, kRefitFrame);
+  const Result<StillFrame> still = tools::picture::take_still(scene, kRefitFrame);
   if (!still) return still.error();
   const paper::SphereModel model = paper::build_sphere_model(man->mesh);
   const AskedPair pair = ask_on_demand(man->mesh, model, *palettes);
@@ -131,7 +131,7 @@ Result<Picture> passing_picture(const scenes::Scene& scene, const Conditions& co
   std::string objects = white_floor();
   Vec3d place(0, 0, -2);
   for (const std::uint32_t frame : kFrames) {
-    const Result<StillFrame> still = tools::take_still(scene, frame);
+    const Result<StillFrame> still = tools::picture::take_still(scene, frame);
     if (!still) return still.error();
     objects += moved(characters(*still), place) +
                word("frame " + std::to_string(frame), kFloorWord + place, camera);
@@ -154,7 +154,7 @@ Result<Picture> dwarves_picture(const scenes::Scene& apart, const scenes::Scene&
   for (const auto& [scene, still] :
        {std::pair(&apart, &stills[0]), std::pair(&interfering, &stills[1]),
         std::pair(&subdivided, &stills[2])}) {
-    Result<StillFrame> taken = tools::take_still(*scene, 0);
+    Result<StillFrame> taken = tools::picture::take_still(*scene, 0);
     if (!taken) return taken.error();
     *still = std::move(*taken);
   }
@@ -178,7 +178,7 @@ Result<Picture> dwarves_picture(const scenes::Scene& apart, const scenes::Scene&
 
 Result<Picture> crowd_picture(const scenes::Scene& scene, const Conditions& conditions) {
   constexpr double kReach = 0.3;
-  const Result<StillFrame> still = tools::take_still(scene, 0);
+  const Result<StillFrame> still = tools::picture::take_still(scene, 0);
   if (!still) return still.error();
   const PovCamera camera = {{-1.6, 7.6, 12.8}, {3.55, 0.42, 2.5}, 43};
   const Vec3d focus = densest_contact(*still, kReach);

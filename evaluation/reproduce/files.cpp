@@ -57,7 +57,7 @@ const Table& table_of(const Section& section, const Chart& chart) {
 }
 
 Result<void> write_text(const fs::path& path, const std::string& text) {
-  return tools::write_file(path, std::as_bytes(std::span(text)));
+  return tools::output::write_file(path, std::as_bytes(std::span(text)));
 }
 
 std::string read_all(const fs::path& path) {
@@ -104,7 +104,7 @@ class Images {
   std::ostream& messages_;
   std::map<std::string, std::string> bytes_;
   std::set<std::string> told_;
-  tools::Progress progress_;
+  tools::output::Progress progress_;
 };
 
 }  // namespace

@@ -143,7 +143,7 @@ std::string html_figure(const ImageKind& kind, const std::string& id, const std:
   const auto image = images.find(id);
   if (image == images.end()) return element("p", "(not drawn: " + caption + ")", " class=\"note\"");
   return "<figure id=\"" + (kind.prefix + id) + "\"><img alt=\"" + typeset(caption) +
-         "\" src=\"data:" + kind.type + ";base64," + tools::base64(image->second) + "\">" +
+         "\" src=\"data:" + kind.type + ";base64," + tools::output::base64(image->second) + "\">" +
          (kind.has_caption ? element("figcaption", caption) : "") + "</figure>\n";
 }
 

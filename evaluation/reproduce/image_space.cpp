@@ -59,10 +59,10 @@ std::vector<tools::Engine> engines() {
 Result<std::vector<bool>> ask(const tools::Subject& subject, const tools::Engine& engine) {
   tools::Runner runner(subject.colliders, engine);
   asset::SampleScratch scratch;
-  tools::Palettes palettes;
+  tools::scene::Palettes palettes;
   std::vector<bool> touching;
   for (const std::uint32_t frame : subject.frames) {
-    tools::sample_palettes(subject.scene, frame, scratch, palettes);
+    tools::scene::sample_palettes(subject.scene, frame, scratch, palettes);
     if (const auto posed = runner.pose(palettes); !posed)
       return tools::in_frame(frame, posed.error());
     runner.ask(Question::first);
@@ -161,7 +161,8 @@ Result<void> add_image_space(const scenes::Character& character, const Condition
                              Section& section) {
   const std::uint32_t count = conditions.is_quick ? 16 : 64;
   const scenes::Scene scene = closing_pair(character, kFrom, kTo, count);
-  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  const auto colliders =
+      tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return colliders.error();
   std::vector<std::uint32_t> frames(count);
   std::iota(frames.begin(), frames.end(), 0);

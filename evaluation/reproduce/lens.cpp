@@ -8,8 +8,8 @@ namespace pelt::reproduce {
 namespace {
 
 using detail::Vec3d;
-using tools::pov_vector;
-using tools::PovCamera;
+using tools::picture::pov_vector;
+using tools::picture::PovCamera;
 
 /// Of the way to the stage: in front of all that stands there.
 constexpr double kDepth = 0.5;
@@ -61,10 +61,10 @@ std::string magnified(const Lens& lens, const std::string& objects, const Vec3d&
          ", " + pov_vector(centre - radius * way) + ", " + std::to_string(0.6 * line) + kRimTexture;
 }
 
-Vec3d densest_contact(const tools::StillFrame& still, double reach) {
+Vec3d densest_contact(const tools::picture::StillFrame& still, double reach) {
   std::vector<Vec3d> middles;
   for (std::size_t i = 0; i < still.instances.size(); ++i) {
-    const tools::PosedInstance& instance = still.instances[i];
+    const tools::scene::PosedInstance& instance = still.instances[i];
     for (std::size_t t = 0; t < instance.triangles.size(); ++t) {
       if (!still.touching[i][t]) continue;
       Vec3d sum(0, 0, 0);

@@ -16,10 +16,10 @@ struct Lens {
 /// What the lens shows of `objects`, which stand where `shift` moves them, and a ring around that
 /// place on the stage with a line to the lens.
 std::string magnified(const Lens& lens, const std::string& objects, const detail::Vec3d& shift,
-                      const tools::PovCamera& camera);
+                      const tools::picture::PovCamera& camera);
 
 /// The middle of the triangles in contact within `reach` of the one that has most of them there;
 /// the origin where nothing touches.
-detail::Vec3d densest_contact(const tools::StillFrame& still, double reach);
+detail::Vec3d densest_contact(const tools::picture::StillFrame& still, double reach);
 
 }  // namespace pelt::reproduce

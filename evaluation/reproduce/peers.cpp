@@ -34,9 +34,9 @@ Table table_of(const std::string& id, const std::string& title, const tools::Sce
                   {"missing", "missing pairs"},
                   {"extra", "extra pairs"}},
                  {},
-                 tools::counted(scene.frames, "frame") + ", " +
+                 tools::output::counted(scene.frames, "frame") + ", " +
                      std::to_string(scene.frames_in_contact) + " of them in contact, with " +
-                     tools::with_commas(scene.contacts) + " contacts in all. Medians of " +
+                     tools::output::with_commas(scene.contacts) + " contacts in all. Medians of " +
                      std::to_string(scene.repetitions) +
                      " repetitions, means over the frames; one thread, hot caches. Skinning is "
                      "measured as a method that "
@@ -61,11 +61,13 @@ struct Walk {
 Result<Table> measure_walk(const Walk& walk, const Conditions& conditions) {
   const auto scene = scenes::parse_scene(walk.scene, {});
   if (!scene) return scene.error();
-  const auto colliders = tools::make_colliders(*scene, tools::Granularity::instance, {});
+  const auto colliders =
+      tools::scene::make_colliders(*scene, tools::scene::Granularity::instance, {});
   if (!colliders) return colliders.error();
   const std::uint32_t most = conditions.is_quick ? 2 : walk.frame_count;
   const std::vector<std::uint32_t> frames =
-      tools::FrameRange{0, scene->frame_count, (scene->frame_count + most - 1) / most}.frames();
+      tools::arguments::FrameRange{0, scene->frame_count, (scene->frame_count + most - 1) / most}
+          .frames();
   const auto figures =
       tools::measure_peers({*scene, *colliders, frames}, conditions.is_quick ? 3 : 9, [] {});
   if (!figures) return figures.error();

@@ -77,7 +77,7 @@ Result<Table> vertices_table(const Conditions& conditions) {
   const std::uint32_t triangles = conditions.is_quick ? 13590 : 100000;
   const Result<Specimen> creature = make_specimen(scenes::CreatureOptions{triangles, 56, 1});
   if (!creature) return creature.error();
-  table.note = "A creature of " + tools::with_commas(triangles) +
+  table.note = "A creature of " + tools::output::with_commas(triangles) +
                " triangles, and the same with other weights: all its vertices follow the same two "
                "joints. Both have the same tree.";
   const Palette palette = walking_palette(*creature, kSeconds);

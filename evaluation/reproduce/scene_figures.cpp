@@ -35,12 +35,12 @@ std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
 }
 
 std::string summary(const SceneFigures& scene) {
-  return tools::counted(scene.frames, "frame") + ", " +
+  return tools::output::counted(scene.frames, "frame") + ", " +
          std::to_string(scene.figures[0].answer.frames_in_contact) + " of them in contact, with " +
          shown(contact_count(scene)) + " contacts a frame in the mean; " +
-         tools::with_commas(scene.triangles) + " triangles. All vertices skinned once take " +
-         shown(scene.skinning.mean_us) + " us a frame. Medians of " +
-         std::to_string(scene.repetitions) +
+         tools::output::with_commas(scene.triangles) +
+         " triangles. All vertices skinned once take " + shown(scene.skinning.mean_us) +
+         " us a frame. Medians of " + std::to_string(scene.repetitions) +
          " repetitions, means over the frames, one thread, caches hot; all methods give the same "
          "contacts. \"Update\" is the part before the queries; what is rigid has none. Trees eight "
          "wide keep a vertex once for each node that needs it, so Pelt eager skins more vertices "
@@ -48,7 +48,7 @@ std::string summary(const SceneFigures& scene) {
 }
 
 /// At most so many, evenly over all.
-tools::FrameRange frames_of(const scenes::Scene& scene, std::uint32_t most) {
+tools::arguments::FrameRange frames_of(const scenes::Scene& scene, std::uint32_t most) {
   return {0, scene.frame_count, (scene.frame_count + most - 1) / most};
 }
 

@@ -8,8 +8,8 @@ namespace pelt::reproduce {
 namespace {
 
 using detail::Vec3d;
-using tools::pov_vector;
-using tools::PovCamera;
+using tools::picture::pov_vector;
+using tools::picture::PovCamera;
 
 constexpr const char* kMaterials = R"(#version 3.7;
 global_settings {assumed_gamma 1}
@@ -71,15 +71,15 @@ std::string ball(const Vec3d& centre, double radius, const char* texture) {
 }
 
 std::string skin_texture(std::size_t skin) {
-  return "Matt(" + tools::pov_colour(kSkins[skin % kSkins.size()]) + ")";
+  return "Matt(" + tools::picture::pov_colour(kSkins[skin % kSkins.size()]) + ")";
 }
 
-std::string mesh_in_skin(const tools::PosedInstance& instance, const std::vector<bool>& touching,
-                         std::size_t skin) {
-  return tools::pov_mesh(instance, touching, skin_texture(skin));
+std::string mesh_in_skin(const tools::scene::PosedInstance& instance,
+                         const std::vector<bool>& touching, std::size_t skin) {
+  return tools::picture::pov_mesh(instance, touching, skin_texture(skin));
 }
 
-std::string characters(const tools::StillFrame& still) {
+std::string characters(const tools::picture::StillFrame& still) {
   std::string text;
   for (std::size_t i = 0; i < still.instances.size(); ++i)
     text += mesh_in_skin(still.instances[i], still.touching[i], i);

@@ -25,24 +25,24 @@ std::string ball(const detail::Vec3d& centre, double radius, const char* texture
 std::string skin_texture(std::size_t skin);
 
 /// Smooth, in the skin of that number.
-std::string mesh_in_skin(const tools::PosedInstance& instance, const std::vector<bool>& touching,
-                         std::size_t skin);
+std::string mesh_in_skin(const tools::scene::PosedInstance& instance,
+                         const std::vector<bool>& touching, std::size_t skin);
 
 /// All characters of a frame, in skins of their own; triangles in contact glow.
-std::string characters(const tools::StillFrame& still);
+std::string characters(const tools::picture::StillFrame& still);
 
 std::string moved(const std::string& objects, const detail::Vec3d& by);
 
 /// Letters that face the camera, centred, standing on that place, as high in every picture.
 std::string word(const std::string& letters, const detail::Vec3d& place,
-                 const tools::PovCamera& camera);
+                 const tools::picture::PovCamera& camera);
 
 struct Caption {
   const char *id, *text;
 };
 
 /// As many pixels whatever the camera's aspect; a third of them in a quick run.
-Picture make_picture(const Caption& caption, const tools::PovCamera& camera,
+Picture make_picture(const Caption& caption, const tools::picture::PovCamera& camera,
                      const std::string& objects, const Conditions& conditions);
 
 }  // namespace pelt::reproduce

@@ -177,12 +177,13 @@ Table drift_table(const std::vector<scenes::Character>& dwarves) {
 
 /// Both build times of sphere trees over the posed dwarves.
 Result<double> rigid_build_us(const scenes::Scene& scene) {
-  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  const auto colliders =
+      tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return colliders.error();
-  tools::SceneQuery query(*colliders, bench::make_method(MethodKind::paper_rigid));
+  tools::scene::SceneQuery query(*colliders, bench::make_method(MethodKind::paper_rigid));
   asset::SampleScratch scratch;
-  tools::Palettes palettes;
-  tools::sample_palettes(scene, 0, scratch, palettes);
+  tools::scene::Palettes palettes;
+  tools::scene::sample_palettes(scene, 0, scratch, palettes);
   std::vector<double> times;
   for (int repetition = 0; repetition < 5; ++repetition) {
     tools::Stopwatch watch;

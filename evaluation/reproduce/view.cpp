@@ -16,7 +16,7 @@ double length(const Vec3d& v) { return std::sqrt(squared_length(v)); }
 
 Vec3d unit(const Vec3d& v) { return (1 / length(v)) * v; }
 
-View::View(const tools::PovCamera& camera)
+View::View(const tools::picture::PovCamera& camera)
     : ahead(unit(camera.at - camera.from)),
       right(unit(cross(ahead, Vec3d(0, 1, 0)))),
       up(cross(right, ahead)),

@@ -11,7 +11,7 @@ detail::Vec3d unit(const detail::Vec3d& v);
 
 /// What a camera calls right, up and ahead.
 struct View {
-  explicit View(const tools::PovCamera& camera);
+  explicit View(const tools::picture::PovCamera& camera);
 
   /// The width of what the picture shows at the depth of that place.
   double width_at(const detail::Vec3d& place) const;

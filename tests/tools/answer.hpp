@@ -35,8 +35,8 @@ inline CheckFile parse_check_file(const std::string& text) {
 }
 
 /// Contacts of a range of triangles of one instance with one of another, as JSON.
-inline nlohmann::json brute_force_json(const tools::PosedInstance& a,
-                                       const tools::PosedInstance& b) {
+inline nlohmann::json brute_force_json(const tools::scene::PosedInstance& a,
+                                       const tools::scene::PosedInstance& b) {
   std::vector<Contact> contacts;
   bench::brute_force_collide(a.triangles, a.positions, b.triangles, b.positions, contacts,
                              std::numeric_limits<std::uint32_t>::max());

@@ -17,7 +17,7 @@
 
 namespace {
 
-using pelt::tools::ExitCode;
+using pelt::tools::arguments::ExitCode;
 
 constexpr const char* kFooter = R"(
 `pelt VERB --help` explains each verb with examples. Exit codes: 0 success (check: no contact),
@@ -32,7 +32,7 @@ int refuse(const std::string& message) {
 
 /// No exit code of success where what was to be printed is lost.
 int finish(ExitCode exit) {
-  const pelt::Result<void> printed = pelt::tools::flush_standard_output();
+  const pelt::Result<void> printed = pelt::tools::output::flush_standard_output();
   return printed ? code(exit) : refuse(printed.error().message);
 }
 
@@ -93,19 +93,19 @@ int run(int argc, char** argv) {
   app.set_help_all_flag("--help-all", "Print the help of all verbs");
   app.require_subcommand(1);
   app.footer(kFooter);
-  pelt::tools::Command command;
-  pelt::tools::add_check(app, command);
-  pelt::tools::add_view(app, command);
-  pelt::tools::add_bounds(app, command);
-  pelt::tools::add_distance(app, command);
-  pelt::tools::add_ray(app, command);
-  pelt::tools::add_region(app, command);
-  pelt::tools::add_info(app, command);
-  pelt::tools::add_prepare(app, command);
-  pelt::tools::add_pose(app, command);
-  pelt::tools::add_demo(app, command);
-  pelt::tools::add_bench(app, command);
-  pelt::tools::add_reproduce(app, command);
+  pelt::tools::arguments::Command command;
+  pelt::tools::verbs::add_check(app, command);
+  pelt::tools::verbs::add_view(app, command);
+  pelt::tools::verbs::add_bounds(app, command);
+  pelt::tools::verbs::add_distance(app, command);
+  pelt::tools::verbs::add_ray(app, command);
+  pelt::tools::verbs::add_region(app, command);
+  pelt::tools::verbs::add_info(app, command);
+  pelt::tools::verbs::add_prepare(app, command);
+  pelt::tools::verbs::add_pose(app, command);
+  pelt::tools::verbs::add_demo(app, command);
+  pelt::tools::verbs::add_bench(app, command);
+  pelt::tools::verbs::add_reproduce(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -118,7 +118,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  pelt::tools::reserve_standard_streams();
+  pelt::tools::output::reserve_standard_streams();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -121,11 +121,11 @@ TEST(DwarvesPicture, ShowsContactsFromNearAsTheyAreAndSubdivided) {
 TEST(DensestContact, LiesBetweenTheTwo) {
   const scenes::Character dwarf = *scenes::generate_character(scenes::kDwarf);
   const scenes::Scene meeting = facing_pair(dwarf, 0.73);
-  const detail::Vec3d contact = densest_contact(*tools::take_still(meeting, 0), 0.1);
+  const detail::Vec3d contact = densest_contact(*tools::picture::take_still(meeting, 0), 0.1);
   EXPECT_LT(std::abs(contact.z), 0.1);
   EXPECT_GT(contact.y, 0.2);
   const scenes::Scene apart = facing_pair(dwarf, 3);
-  EXPECT_EQ(squared_length(densest_contact(*tools::take_still(apart, 0), 0.1)), 0);
+  EXPECT_EQ(squared_length(densest_contact(*tools::picture::take_still(apart, 0), 0.1)), 0);
 }
 
 TEST(View, FindsPlacesOnThePicture) {

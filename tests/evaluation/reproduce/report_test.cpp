@@ -35,12 +35,12 @@ TEST(Shown, KeepsThreeDigitsOrMore) {
 }
 
 TEST(Base64, IsThatOfTheRfc) {
-  EXPECT_EQ(tools::base64(""), "");
-  EXPECT_EQ(tools::base64("f"), "Zg==");
-  EXPECT_EQ(tools::base64("fo"), "Zm8=");
-  EXPECT_EQ(tools::base64("foo"), "Zm9v");
-  EXPECT_EQ(tools::base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(tools::base64("\xff\xfe\xfd"), "//79");
+  EXPECT_EQ(tools::output::base64(""), "");
+  EXPECT_EQ(tools::output::base64("f"), "Zg==");
+  EXPECT_EQ(tools::output::base64("fo"), "Zm8=");
+  EXPECT_EQ(tools::output::base64("foo"), "Zm9v");
+  EXPECT_EQ(tools::output::base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(tools::output::base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(Csv, QuotesWhatHasToBe) {

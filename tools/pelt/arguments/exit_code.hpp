@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 
 /// What the command returns to the shell.
 enum class ExitCode : int {
@@ -17,4 +17,4 @@ enum class ExitCode : int {
 /// A verb with its arguments, ready to run.
 using Command = std::function<Result<ExitCode>()>;
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

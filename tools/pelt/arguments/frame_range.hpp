@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 
 /// Frames begin, begin + stride, ... below end. Never empty.
 struct FrameRange {
@@ -20,4 +20,4 @@ struct FrameRange {
 /// "A:B" or "A:B:S", half-open.
 Result<FrameRange> parse_frame_range(std::string_view text);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

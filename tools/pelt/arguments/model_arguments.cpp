@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 namespace {
 
 bool is_named_as_gltf(const std::filesystem::path& path) {
@@ -46,7 +46,7 @@ Result<scenes::Character> load_named_character(const std::string& path,
   Result<scenes::Character> character = scenes::load_character(path, own);
   if (character || character.error().code != ErrorCode::malformed_file || is_named_as_gltf(path))
     return character;
-  return bad_argument(path, "is not a model", std::string("give ") + kinds);
+  return output::bad_argument(path, "is not a model", std::string("give ") + kinds);
 }
 
 Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
@@ -68,4 +68,4 @@ Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedM
   return Error{model.error().code, message};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 
 /// How models are read and built, on the command line of every verb that reads any.
 struct ModelArguments {
@@ -37,4 +37,4 @@ Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedM
                                        const ModelArguments& arguments,
                                        std::span<const Matrix4> sample_palettes = {});
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 
 /// "x,y,z", each at most 1e12 from 0. The message of an error names `option`.
 Result<std::array<double, 3>> parse_position(const std::string& option, const std::string& text);
@@ -14,4 +14,4 @@ Result<std::array<double, 3>> parse_position(const std::string& option, const st
 /// The same, rounded to float.
 Result<Vec3> parse_point(const std::string& option, const std::string& text);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

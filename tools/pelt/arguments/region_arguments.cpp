@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 namespace {
 
 using detail::Vec3d;
@@ -30,30 +30,30 @@ constexpr Kind kKinds[] = {
 
 Result<std::vector<float>> parse_numbers(const Kind& kind, const std::string& text) {
   std::vector<float> numbers;
-  for (const std::string_view field : split(text, ',')) {
+  for (const std::string_view field : output::split(text, ',')) {
     double number = 0;
-    if (!parse_number(field, number) || !(std::fabs(number) <= 1e12)) break;
+    if (!output::parse_number(field, number) || !(std::fabs(number) <= 1e12)) break;
     numbers.push_back(static_cast<float>(number));
   }
-  if (numbers.size() == kind.count && split(text, ',').size() == kind.count) return numbers;
-  return bad_argument(kind.option,
-                      asset::quoted(text) + " is not " + std::to_string(kind.count) + " numbers",
-                      std::string("give them as in ") + kind.option + " " + kind.example);
+  if (numbers.size() == kind.count && output::split(text, ',').size() == kind.count) return numbers;
+  return output::bad_argument(
+      kind.option, asset::quoted(text) + " is not " + std::to_string(kind.count) + " numbers",
+      std::string("give them as in ") + kind.option + " " + kind.example);
 }
 
 /// A radius, and the order of a box's corners.
 Result<void> check_numbers(const Kind& kind, std::span<const float> n) {
   const bool has_radius = kind.count % 3 == 1;
   if (has_radius && n.back() < 0)
-    return bad_argument(kind.option, "the radius is negative", "give 0 or more");
+    return output::bad_argument(kind.option, "the radius is negative", "give 0 or more");
   const std::string name = kind.name;
   for (int axis = 0; axis < 3 && name == "box"; ++axis)
     if (n[axis] > n[axis + 3])
-      return bad_argument(kind.option, "the lowest corner is above the highest corner",
-                          "give the lowest x, y and z first");
+      return output::bad_argument(kind.option, "the lowest corner is above the highest corner",
+                                  "give the lowest x, y and z first");
   if (name == "camera" && n[0] == n[3] && n[1] == n[4] && n[2] == n[5])
-    return bad_argument(kind.option, "position and target are the same point",
-                        "give another point to look at");
+    return output::bad_argument(kind.option, "position and target are the same point",
+                                "give another point to look at");
   return {};
 }
 
@@ -112,13 +112,13 @@ Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
   for (const Kind& kind : kKinds) {
     if ((arguments.*kind.text).empty()) continue;
     if (chosen != nullptr)
-      return bad_argument(kind.option, std::string("cannot be combined with ") + chosen->option,
-                          "give one region");
+      return output::bad_argument(
+          kind.option, std::string("cannot be combined with ") + chosen->option, "give one region");
     chosen = &kind;
   }
   if (chosen == nullptr)
-    return bad_argument("--box", "no region is given",
-                        "give one by --box, --sphere, --capsule or --camera");
+    return output::bad_argument("--box", "no region is given",
+                                "give one by --box, --sphere, --capsule or --camera");
   Result<std::vector<float>> numbers = parse_numbers(*chosen, arguments.*chosen->text);
   if (!numbers) return numbers.error();
   if (const auto checked = check_numbers(*chosen, *numbers); !checked) return checked.error();
@@ -126,10 +126,11 @@ Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
     return ChosenRegion(chosen->name, std::move(*numbers));
   const double angle = arguments.angle.value_or(60), aspect = arguments.aspect.value_or(16. / 9);
   if (!(angle > 0 && angle < 180))
-    return bad_argument("--angle", "is out of range", "give degrees between 0 and 180");
+    return output::bad_argument("--angle", "is out of range", "give degrees between 0 and 180");
   if (!(aspect > 0 && aspect <= 1e6))
-    return bad_argument("--aspect", "is out of range", "give a ratio up to 1e6, as in 1.78");
+    return output::bad_argument("--aspect", "is out of range",
+                                "give a ratio up to 1e6, as in 1.78");
   return ChosenRegion::seen_by_camera(std::move(*numbers), angle / 360, aspect);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

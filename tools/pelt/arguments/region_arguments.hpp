@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 
 struct RegionArguments {
   std::string box, sphere, capsule, camera;
@@ -43,4 +43,4 @@ class ChosenRegion {
 /// The message of an error names the option.
 Result<ChosenRegion> choose_region(const RegionArguments& arguments);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

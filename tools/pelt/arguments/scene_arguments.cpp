@@ -10,7 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 namespace {
 
 using scenes::Instance;
@@ -43,8 +43,9 @@ std::array<PlacingOption, 5> placing_options(const SceneArguments& arguments) {
 Result<void> check_for_scene(const SceneArguments& arguments) {
   for (const PlacingOption& option : placing_options(arguments)) {
     if (option.count == 0) continue;
-    return bad_argument(option.name, "applies to models on the command line, not to a scene file",
-                        "edit " + arguments.inputs[0]);
+    return output::bad_argument(option.name,
+                                "applies to models on the command line, not to a scene file",
+                                "edit " + arguments.inputs[0]);
   }
   return {};
 }
@@ -53,15 +54,15 @@ Result<void> check_for_models(const SceneArguments& arguments) {
   const std::size_t models = arguments.inputs.size();
   for (const std::string& input : arguments.inputs) {
     if (!is_scene_file(input)) continue;
-    return bad_argument(input, "is a scene file, but other files are given too",
-                        "give a single scene file, or models only");
+    return output::bad_argument(input, "is a scene file, but other files are given too",
+                                "give a single scene file, or models only");
   }
   for (const PlacingOption& option : placing_options(arguments)) {
     if (option.count <= models) continue;
-    return bad_argument(
-        option.name,
-        "is given " + counted(option.count, "time") + " for " + counted(models, "model"),
-        "give it at most once per model, in the order of the models");
+    return output::bad_argument(option.name,
+                                "is given " + output::counted(option.count, "time") + " for " +
+                                    output::counted(models, "model"),
+                                "give it at most once per model, in the order of the models");
   }
   return {};
 }
@@ -85,11 +86,11 @@ Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
   instance.start = nth(arguments.starts, i, 0.0);
   instance.scale = nth(arguments.scales, i, 1.0);
   if (!(instance.scale >= scenes::kMinScale && instance.scale <= scenes::kMaxScale)) {
-    return bad_argument("--scale", "is out of range", "give a number from 1e-6 to 1e6");
+    return output::bad_argument("--scale", "is out of range", "give a number from 1e-6 to 1e6");
   }
   const double degrees = nth(arguments.turns, i, 0.0);
   if (!(std::fabs(degrees) <= 1e9 && std::fabs(instance.start) <= 1e12)) {
-    return bad_argument("--turn or --start", "is out of range", "give a smaller number");
+    return output::bad_argument("--turn or --start", "is out of range", "give a smaller number");
   }
   instance.rotation = turned(degrees);
   const Result<std::array<double, 3>> position =
@@ -155,7 +156,7 @@ std::size_t count_left_standing(const SceneArguments& arguments, const Scene& sc
 std::vector<std::string> placing_notes(const SceneArguments& arguments, const Scene& scene) {
   std::vector<std::string> notes;
   if (const std::size_t standing = count_left_standing(arguments, scene); standing > 0)
-    notes.push_back(counted(standing, "model") + (standing == 1 ? " stands" : " stand") +
+    notes.push_back(output::counted(standing, "model") + (standing == 1 ? " stands" : " stand") +
                     " in the default pose: select a clip for each model with --clip; pelt info "
                     "lists the clips (-: default pose)");
   if (scene.instances.size() > 1 && arguments.positions.empty())
@@ -214,7 +215,7 @@ void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded neede
 
 Result<Scene> open_scene(const SceneArguments& arguments) {
   if (arguments.fps && !(*arguments.fps >= scenes::kMinFps && *arguments.fps <= scenes::kMaxFps)) {
-    return bad_argument("--fps", "is out of range", "give a number from 1e-6 to 1e6");
+    return output::bad_argument("--fps", "is out of range", "give a number from 1e-6 to 1e6");
   }
   return asks_for_scene(arguments) ? scene_of_file(arguments) : scene_of_models(arguments);
 }
@@ -232,8 +233,8 @@ Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& 
           "--frames");
   }
   if (range->end <= scene.frame_count) return range;
-  return bad_argument("--frames", text + " goes beyond the last frame",
-                      scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+  return output::bad_argument("--frames", text + " goes beyond the last frame",
+                              scene.name + " has frames 0:" + std::to_string(scene.frame_count));
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

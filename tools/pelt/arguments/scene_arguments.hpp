@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 
 struct SceneArguments {
   std::vector<std::string> inputs;  ///< SCENE.json, or one glTF file for each instance
@@ -36,4 +36,4 @@ Result<scenes::Scene> open_scene(const SceneArguments& arguments);
 Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& arguments,
                                  scenes::Scene& scene);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 namespace {
 
 constexpr std::array kTargets = {Target::scalar, Target::simd128, Target::avx2};
@@ -35,10 +35,10 @@ Result<void> choose_simd(const std::string& name) {
                                    [&](Target known) { return name == name_of(known); });
   const bool is_known = target != kTargets.end();
   if (is_known && set_active_target(*target)) return {};
-  return bad_argument("--simd",
-                      is_known ? name + " is not supported by this processor"
-                               : "there is no " + asset::quoted(name),
-                      "give " + available_names());
+  return output::bad_argument("--simd",
+                              is_known ? name + " is not supported by this processor"
+                                       : "there is no " + asset::quoted(name),
+                              "give " + available_names());
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

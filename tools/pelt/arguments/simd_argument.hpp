@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 
 /// Adds --simd, whose value goes to `name`.
 void add_simd_option(Verb& verb, std::string& name);
@@ -14,4 +14,4 @@ void add_simd_option(Verb& verb, std::string& name);
 /// Lets queries use the instructions of that name; "" leaves the choice to the library.
 Result<void> choose_simd(const std::string& name);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 namespace {
 
 template <typename T>
@@ -86,4 +86,4 @@ void Verb::runs(Command command, Command& chosen) {
   });
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

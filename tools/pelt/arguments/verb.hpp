@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 
 /// How an option is given, and how --help shows it.
 struct OptionSyntax {
@@ -47,4 +47,4 @@ class Verb {
   std::string* words_ = nullptr;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

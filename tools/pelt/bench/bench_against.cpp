@@ -40,7 +40,7 @@ std::string variant_name(const Variant& variant) {
 
 std::string engine_name(const Figures& figures) {
   if (figures.asked == Asked::pairs) return "method " + figures.engine;
-  return "crowd of " + figures.engine + " on " + counted(figures.threads, "thread");
+  return "crowd of " + figures.engine + " on " + output::counted(figures.threads, "thread");
 }
 
 std::set<std::string> names_in(const SceneFigures& scene) {
@@ -74,8 +74,9 @@ class Comparer {
     if (then == scenes.end())
       out_ << asset::printable(baseline_.path) << " does not contain this scene\n";
     else if (then->frames != now.frames)
-      out_ << counted(now.frames, "frame") << ", not the " << with_commas(then->frames) << " of "
-           << asset::printable(baseline_.path) << ": not compared\n";
+      out_ << output::counted(now.frames, "frame") << ", not the "
+           << output::with_commas(then->frames) << " of " << asset::printable(baseline_.path)
+           << ": not compared\n";
     else
       compare(*then, now);
   }
@@ -84,7 +85,7 @@ class Comparer {
 
  private:
   void compare(const SceneFigures& then, const SceneFigures& now) {
-    out_ << counted(now.frames, "frame") << ", " << name_of(now.time) << " time";
+    out_ << output::counted(now.frames, "frame") << ", " << name_of(now.time) << " time";
     if (then.time != now.time) out_ << ", " << name_of(then.time) << " time then";
     out_ << '\n';
     print_lacking(then, now);
@@ -109,7 +110,8 @@ class Comparer {
       const std::optional<std::uint64_t> hash = other_hash(then, figures);
       if (!hash || !different.insert(figures.variant.question).second) continue;
       out_ << "query " << name_of(figures.variant.question) << ": different answers: hash "
-           << hex16(*hash) << " then, " << hex16(figures.answer.hash) << " now: not compared\n";
+           << output::hex16(*hash) << " then, " << output::hex16(figures.answer.hash)
+           << " now: not compared\n";
       ++result_.different_answers;
     }
     return different;
@@ -175,7 +177,7 @@ BenchComparison print_comparison(const Baseline& then, std::span<const SceneFigu
   for (const SceneFigures& scene : now) comparer.compare(scene);
   const BenchComparison& result = comparer.result();
   out << '\n'
-      << result.worse << " of " << counted(result.ratios, "ratio") << " worse by more than "
+      << result.worse << " of " << output::counted(result.ratios, "ratio") << " worse by more than "
       << margin_percent << " %\n";
   return result;
 }

@@ -8,7 +8,7 @@ namespace {
 /// Over who touches whom: which contact of a pair is found first is unspecified.
 class TouchHash {
  public:
-  void add(std::uint32_t frame, std::size_t collider_count, const FrameContacts& found) {
+  void add(std::uint32_t frame, std::size_t collider_count, const scene::FrameContacts& found) {
     auto pair = found.pairs.begin();
     for (std::uint32_t a = 0; a < collider_count; ++a) {
       for (std::uint32_t b = a + 1; b < collider_count; ++b) {
@@ -35,7 +35,7 @@ QueryStats difference(QueryStats after, const QueryStats& before) {
 
 /// An answer while frames are added.
 struct AnswerSoFar {
-  void add(std::uint32_t frame, std::size_t collider_count, const FrameContacts& found) {
+  void add(std::uint32_t frame, std::size_t collider_count, const scene::FrameContacts& found) {
     contacts.add(frame, found);
     touches.add(frame, collider_count, found);
     frames_in_contact += !found.contacts.empty();
@@ -47,7 +47,7 @@ struct AnswerSoFar {
     return {all ? contacts.value() : touches.value(), work, frames_in_contact, contact_count};
   }
 
-  ContactHash contacts;
+  scene::ContactHash contacts;
   TouchHash touches;
   QueryStats work;
   std::uint64_t frames_in_contact = 0, contact_count = 0;
@@ -59,10 +59,10 @@ Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
                                    std::span<const Question> questions) {
   Runner runner(subject.colliders, engine);
   asset::SampleScratch scratch;
-  Palettes palettes;
+  scene::Palettes palettes;
   std::vector<AnswerSoFar> answers(questions.size());
   for (const std::uint32_t frame : subject.frames) {
-    sample_palettes(subject.scene, frame, scratch, palettes);
+    scene::sample_palettes(subject.scene, frame, scratch, palettes);
     for (std::size_t q = 0; q < questions.size(); ++q) {
       const QueryStats before = runner.work();
       if (const auto posed = runner.pose(palettes); !posed) return in_frame(frame, posed.error());

@@ -41,7 +41,7 @@ double positive(const JsonObject& object, const char* key) {
 
 std::uint64_t hash(const JsonObject& object) {
   std::uint64_t value = 0;
-  if (!parse_hex16(object.text("hash"), value))
+  if (!output::parse_hex16(object.text("hash"), value))
     object.refuse("hash", "must be 16 hexadecimal digits");
   return value;
 }

@@ -7,14 +7,15 @@
 namespace pelt::tools {
 
 Engine engine_of(bench::MethodKind method) {
-  return {std::string(bench::name_of(method)), [method](std::span<const Collider> colliders) {
-            return SceneQuery(colliders, bench::make_method(method));
+  return {std::string(bench::name_of(method)),
+          [method](std::span<const scene::Collider> colliders) {
+            return scene::SceneQuery(colliders, bench::make_method(method));
           }};
 }
 
 Engine crowd_engine(std::uint32_t threads) {
-  const auto make = [threads](std::span<const Collider> colliders) {
-    return SceneQuery::as_crowd(colliders, threads);
+  const auto make = [threads](std::span<const scene::Collider> colliders) {
+    return scene::SceneQuery::as_crowd(colliders, threads);
   };
   return {std::string(bench::name_of(bench::MethodKind::on_demand)), make, Asked::crowd, threads};
 }

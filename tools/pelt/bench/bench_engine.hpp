@@ -25,7 +25,7 @@ enum class Asked {
 
 struct Engine {
   std::string name;
-  std::function<SceneQuery(std::span<const Collider>)> make;
+  std::function<scene::SceneQuery(std::span<const scene::Collider>)> make;
   Asked asked = Asked::pairs;
   std::uint32_t threads = 1;
 };
@@ -41,31 +41,31 @@ Time time_of(std::span<const Engine> engines);
 /// What is run. Borrows.
 struct Subject {
   const scenes::Scene& scene;
-  std::span<const Collider> colliders;
+  std::span<const scene::Collider> colliders;
   std::span<const std::uint32_t> frames;
 };
 
 /// An engine with the colliders of a scene.
 class Runner {
  public:
-  Runner(std::span<const Collider> colliders, const Engine& engine)
+  Runner(std::span<const scene::Collider> colliders, const Engine& engine)
       : query_(engine.make(colliders)), threads_(engine.threads) {}
 
   std::uint32_t threads() const { return threads_; }
 
-  Result<void> pose(const Palettes& palettes) { return query_.set_palettes(palettes); }
+  Result<void> pose(const scene::Palettes& palettes) { return query_.set_palettes(palettes); }
   bool update_counts() const { return query_.update_counts(); }
 
   void ask(Question question);
 
   /// What was found last.
-  const FrameContacts& found() const { return found_; }
+  const scene::FrameContacts& found() const { return found_; }
   QueryStats work() const { return query_.work(); }
 
  private:
-  SceneQuery query_;
+  scene::SceneQuery query_;
   std::uint32_t threads_;
-  FrameContacts found_;
+  scene::FrameContacts found_;
 };
 
 /// What went wrong, with the frame in which it did.

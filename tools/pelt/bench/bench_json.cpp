@@ -34,8 +34,8 @@ ordered_json engine_json(const Figures& figures) {
           {"mean_contact_us", in_contact},
           {"p95_us", times.p95_us},
           {"mean_update_us", times.mean_update_us},
-          {"hash", hex16(figures.answer.hash)},
-          {"counters", counters_json(figures.answer.work)}};
+          {"hash", output::hex16(figures.answer.hash)},
+          {"counters", scene::counters_json(figures.answer.work)}};
 }
 
 ordered_json scene_json(const SceneFigures& scene) {
@@ -68,7 +68,7 @@ std::string figures_json(const std::vector<SceneFigures>& scenes) {
                                 {"version", 1},
                                 {"machine", machine_json()},
                                 {"scenes", std::move(all)}};
-  return json_text(figures, 2) + "\n";
+  return output::json_text(figures, 2) + "\n";
 }
 
 }  // namespace pelt::tools

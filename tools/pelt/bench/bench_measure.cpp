@@ -35,7 +35,7 @@ std::uint32_t frame_before(std::uint32_t frame, const scenes::Scene& scene) {
 
 /// A frame and the one before it.
 struct FramePair {
-  Palettes before, now;
+  scene::Palettes before, now;
 };
 
 struct FrameTime {
@@ -123,8 +123,9 @@ class Measurement {
   Result<void> run(const std::function<void()>& advance) {
     for (std::size_t i = 0; i < subject_.frames.size(); ++i) {
       const std::uint32_t frame = subject_.frames[i];
-      sample_palettes(subject_.scene, frame_before(frame, subject_.scene), scratch_, frame_.before);
-      sample_palettes(subject_.scene, frame, scratch_, frame_.now);
+      scene::sample_palettes(subject_.scene, frame_before(frame, subject_.scene), scratch_,
+                             frame_.before);
+      scene::sample_palettes(subject_.scene, frame, scratch_, frame_.now);
       for (std::size_t engine = 0; engine < runners_.size(); ++engine) {
         if (const auto done = measure_frame(i, engine); !done) return in_frame(frame, done.error());
         advance();

@@ -34,6 +34,8 @@ Ratios ratios_of(const SceneFigures& scene, const Figures& figures) {
           ratio(own, mean_of(scene, "rigid", figures.variant))};
 }
 
-std::string in_words(const std::optional<double>& ratio) { return ratio ? fixed(*ratio, 2) : "-"; }
+std::string in_words(const std::optional<double>& ratio) {
+  return ratio ? output::fixed(*ratio, 2) : "-";
+}
 
 }  // namespace pelt::tools

@@ -21,29 +21,30 @@ void print_name(const std::string& name, std::ostream& out) {
 void print_scene(const SceneFigures& scene, std::ostream& out) {
   const double bytes = static_cast<double>(scene.models.bytes);
   const double triangles = static_cast<double>(scene.models.triangles);
-  out << asset::printable(scene.scene) << ": " << with_commas(scene.triangles) << " triangles, "
-      << counted(scene.frames, "frame") << " of which "
-      << with_commas(scene.figures[0].answer.frames_in_contact) << " in contact\n"
-      << "models: " << with_commas(scene.models.triangles) << " triangles, built in "
-      << fixed(scene.models.build_seconds, 3) << " s, " << fixed(bytes / triangles, 1)
-      << " bytes per triangle\n";
+  out << asset::printable(scene.scene) << ": " << output::with_commas(scene.triangles)
+      << " triangles, " << output::counted(scene.frames, "frame") << " of which "
+      << output::with_commas(scene.figures[0].answer.frames_in_contact) << " in contact\n"
+      << "models: " << output::with_commas(scene.models.triangles) << " triangles, built in "
+      << output::fixed(scene.models.build_seconds, 3) << " s, "
+      << output::fixed(bytes / triangles, 1) << " bytes per triangle\n";
 }
 
 void print_repetitions(const SceneFigures& scene, std::ostream& out) {
   if (scene.repetitions >= kEnoughRepetitions) return;
-  out << "rough measurement: " << counted(scene.repetitions, "repetition") << " per frame; use "
-      << kEnoughRepetitions << " or more to reduce noise\n";
+  out << "rough measurement: " << output::counted(scene.repetitions, "repetition")
+      << " per frame; use " << kEnoughRepetitions << " or more to reduce noise\n";
 }
 
 /// The unit, and what stands close to it.
 void print_skinning(const SceneFigures& scene, std::ostream& out) {
   const Skinning& skinning = scene.skinning;
-  out << "all " << with_commas(skinning.vertices)
-      << " vertices skinned: " << fixed(skinning.mean_us, 1) << " us per frame, "
-      << fixed(skinning.ns_per_vertex(), 2) << " ns per vertex";
+  out << "all " << output::with_commas(skinning.vertices)
+      << " vertices skinned: " << output::fixed(skinning.mean_us, 1) << " us per frame, "
+      << output::fixed(skinning.ns_per_vertex(), 2) << " ns per vertex";
   for (const char* engine : {"paper", "eager"}) {
     const double* mean = mean_of(scene, engine, scene.figures[0].variant);
-    if (mean) out << "; " << engine << " " << fixed(*mean / skinning.mean_us, 2) << " times that";
+    if (mean)
+      out << "; " << engine << " " << output::fixed(*mean / skinning.mean_us, 2) << " times that";
   }
   out << "\n\n";
 }
@@ -53,8 +54,9 @@ void print_head(const SceneFigures& scene, const Figures& figures, std::ostream&
   out << "query " << name_of(variant.question) << ", cache " << name_of(variant.cache) << ", "
       << name_of(scene.time) << " time, median of " << scene.repetitions;
   if (figures.times.frames < scene.frames)
-    out << ", " << counted(figures.times.frames, "frame") << " of " << with_commas(scene.frames);
-  out << "; hash " << hex16(figures.answer.hash) << " by every method\n";
+    out << ", " << output::counted(figures.times.frames, "frame") << " of "
+        << output::with_commas(scene.frames);
+  out << "; hash " << output::hex16(figures.answer.hash) << " by every method\n";
   print_name("method", out);
   for (const char* head : {"threads", "mean us", "in contact", "95 %", "update", "query",
                            "vs paper", "vs eager", "of rigid", "vs 1 thread"})
@@ -69,10 +71,11 @@ void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& 
       figures.asked == Asked::crowd ? mean_of(scene, figures.engine, figures.variant) : nullptr;
   print_name(figures.engine, out);
   for (const std::string& cell :
-       {std::to_string(figures.threads), fixed(times.mean_us, 1),
-        times.frames_in_contact > 0 ? fixed(times.mean_contact_us, 1) : "-", fixed(times.p95_us, 1),
-        fixed(times.mean_update_us, 1), fixed(times.mean_us - times.mean_update_us, 1),
-        in_words(ratios.vs_paper), in_words(ratios.vs_eager), in_words(ratios.of_rigid),
+       {std::to_string(figures.threads), output::fixed(times.mean_us, 1),
+        times.frames_in_contact > 0 ? output::fixed(times.mean_contact_us, 1) : "-",
+        output::fixed(times.p95_us, 1), output::fixed(times.mean_update_us, 1),
+        output::fixed(times.mean_us - times.mean_update_us, 1), in_words(ratios.vs_paper),
+        in_words(ratios.vs_eager), in_words(ratios.of_rigid),
         in_words(ratio(one_thread, &times.mean_us))})
     out << std::setw(kColumn) << cell;
   out << '\n';
@@ -98,7 +101,7 @@ void print_work(const SceneFigures& scene, const Figures& figures, std::ostream&
   for (const std::uint64_t count :
        {work.node_pairs, work.refits, work.posed_vertices, work.triangle_pairs}) {
     const double mean = static_cast<double>(count) / static_cast<double>(scene.frames);
-    out << std::setw(kWorkColumn) << fixed(mean, 1);
+    out << std::setw(kWorkColumn) << output::fixed(mean, 1);
   }
   out << '\n';
 }

@@ -13,29 +13,30 @@ namespace {
 /// What the answers of the others are compared with: it shares no tree with the fast engines.
 constexpr bench::MethodKind kReference = bench::MethodKind::paper;
 
-Result<std::vector<std::uint32_t>> choose_frames(const scenes::Scene& scene,
-                                                 const std::optional<FrameRange>& chosen) {
-  const FrameRange frames = chosen.value_or(FrameRange{0, scene.frame_count});
+Result<std::vector<std::uint32_t>> choose_frames(
+    const scenes::Scene& scene, const std::optional<arguments::FrameRange>& chosen) {
+  const arguments::FrameRange frames = chosen.value_or(arguments::FrameRange{0, scene.frame_count});
   if (frames.end <= scene.frame_count) return frames.frames();
-  return bad_argument("--frames", std::to_string(frames.end) + " goes beyond the last frame",
-                      scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+  return output::bad_argument("--frames",
+                              std::to_string(frames.end) + " goes beyond the last frame",
+                              scene.name + " has frames 0:" + std::to_string(scene.frame_count));
 }
 
 struct Prepared {
-  std::vector<Collider> colliders;
+  std::vector<scene::Collider> colliders;
   ModelFigures models;
 };
 
-Result<Prepared> prepare(const scenes::Scene& scene, const ModelArguments& arguments) {
+Result<Prepared> prepare(const scenes::Scene& scene, const arguments::ModelArguments& arguments) {
   Stopwatch watch;
-  auto colliders = make_colliders(scene, Granularity::instance, arguments);
+  auto colliders = scene::make_colliders(scene, scene::Granularity::instance, arguments);
   if (!colliders) return colliders.error();
   watch.stop();
   Prepared prepared;
   prepared.colliders = std::move(*colliders);
   prepared.models.build_seconds = watch.microseconds() * 1e-6;
   std::set<const detail::Model*> counted;
-  for (const Collider& collider : prepared.colliders) {
+  for (const scene::Collider& collider : prepared.colliders) {
     if (!counted.insert(&collider.model.detail()).second) continue;
     prepared.models.triangles += collider.model.triangle_count();
     prepared.models.bytes += collider.model.memory_bytes();
@@ -51,8 +52,9 @@ bool agrees(const scenes::Scene& scene, const std::string& engine, const Answers
   for (std::size_t q = 0; q < answers.size(); ++q) {
     if (answers[q].hash == reference[q].hash) continue;
     errors << "pelt: internal error: " << asset::printable(scene.name) << ": " << engine
-           << " gives the hash " << hex16(answers[q].hash) << ", " << bench::name_of(kReference)
-           << " gives " << hex16(reference[q].hash) << ": please report this with the scene\n";
+           << " gives the hash " << output::hex16(answers[q].hash) << ", "
+           << bench::name_of(kReference) << " gives " << output::hex16(reference[q].hash)
+           << ": please report this with the scene\n";
     return false;
   }
   return true;
@@ -87,7 +89,7 @@ std::vector<Variant> variants_of(const BenchSettings& settings) {
 Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSettings& settings,
                                          const std::vector<Answers>& answers) {
   const std::vector<Variant> variants = variants_of(settings);
-  Progress progress(subject.frames.size() * settings.engines.size());
+  output::Progress progress(subject.frames.size() * settings.engines.size());
   const auto times = measure(subject, settings.engines, variants, settings.repetitions,
                              [&] { progress.advance(); });
   if (!times) return times.error();
@@ -105,8 +107,8 @@ Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSett
 
 }  // namespace
 
-Result<ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
-                             std::vector<SceneFigures>& figures, std::ostream& errors) {
+Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
+                                        std::vector<SceneFigures>& figures, std::ostream& errors) {
   const auto frames = choose_frames(scene, settings.frames);
   if (!frames) return frames.error();
   const Result<Prepared> prepared = prepare(scene, settings.models);
@@ -114,16 +116,17 @@ Result<ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& se
   const Subject subject = {scene, prepared->colliders, *frames};
   const auto answers = ask_all(subject, settings, errors);
   if (!answers) return answers.error();
-  if (answers->empty()) return ExitCode::internal;
+  if (answers->empty()) return arguments::ExitCode::internal;
   const auto measured = measure_all(subject, settings, *answers);
   if (!measured) return measured.error();
   const Result<Skinning> skinning = measure_skinning(subject, settings.repetitions);
   if (!skinning) return skinning.error();
   std::uint64_t triangles = 0;
-  for (const Collider& collider : prepared->colliders) triangles += collider.model.triangle_count();
+  for (const scene::Collider& collider : prepared->colliders)
+    triangles += collider.model.triangle_count();
   figures.push_back({scene.name, triangles, frames->size(), settings.repetitions,
                      time_of(settings.engines), prepared->models, *skinning, *measured});
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace pelt::tools

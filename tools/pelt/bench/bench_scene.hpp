@@ -15,13 +15,13 @@ struct BenchSettings {
   std::vector<Question> questions;
   std::vector<Cache> caches;
   std::uint32_t repetitions = kEnoughRepetitions;
-  std::optional<FrameRange> frames;  ///< nothing: all of the scene
-  ModelArguments models;
+  std::optional<arguments::FrameRange> frames;  ///< nothing: all of the scene
+  arguments::ModelArguments models;
 };
 
 /// Appends the scene's figures, unless an engine does not answer as the paper's does: then it is
 /// named on `errors`, no time is taken, and ExitCode::internal returned.
-Result<ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
-                             std::vector<SceneFigures>& figures, std::ostream& errors);
+Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
+                                        std::vector<SceneFigures>& figures, std::ostream& errors);
 
 }  // namespace pelt::tools

@@ -10,7 +10,7 @@ namespace {
 
 /// An instance and where its posed vertices go.
 struct Skinned {
-  explicit Skinned(const Collider& collider)
+  explicit Skinned(const scene::Collider& collider)
       : instance(collider.instance),
         pose(collider.model),
         positions(collider.model.vertex_count()) {}
@@ -32,10 +32,10 @@ double time_us(std::vector<Skinned>& all) {
 Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetitions) {
   std::vector<Skinned> all(subject.colliders.begin(), subject.colliders.end());
   asset::SampleScratch scratch;
-  Palettes palettes;
+  scene::Palettes palettes;
   std::vector<double> frames;
   for (const std::uint32_t frame : subject.frames) {
-    sample_palettes(subject.scene, frame, scratch, palettes);
+    scene::sample_palettes(subject.scene, frame, scratch, palettes);
     for (Skinned& skinned : all) {
       const auto morphed = skinned.pose.set_morph_weights(palettes.morphs[skinned.instance]);
       if (!morphed) return morphed.error();

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 Result<bench::MethodKind> choose_method(const std::string& name) {
@@ -24,38 +24,41 @@ Result<bench::MethodKind> choose_method(const std::string& name) {
 Result<std::optional<std::uint32_t>> choose_limit(const CheckArguments& arguments) {
   if (arguments.first) return std::optional<std::uint32_t>(1);
   if (arguments.max_contacts == 0u) {
-    return bad_argument("--max-contacts", "must not be 0", "give 1 or more");
+    return output::bad_argument("--max-contacts", "must not be 0", "give 1 or more");
   }
   return arguments.max_contacts;
 }
 
-bool contains(const FrameRange& range, std::uint32_t frame) {
+bool contains(const arguments::FrameRange& range, std::uint32_t frame) {
   return frame >= range.begin && frame < range.end && (frame - range.begin) % range.stride == 0;
 }
 
 Result<std::optional<std::uint32_t>> choose_glb_frame(const CheckArguments& arguments,
-                                                      const FrameRange& frames) {
+                                                      const arguments::FrameRange& frames) {
   if (!arguments.glb_frame) return arguments.glb_frame;
   if (arguments.glb.empty()) {
-    return bad_argument("--glb-frame", "needs --glb", "name the output with --glb FILE");
+    return output::bad_argument("--glb-frame", "needs --glb", "name the output with --glb FILE");
   }
   if (contains(frames, *arguments.glb_frame)) return arguments.glb_frame;
-  return bad_argument("--glb-frame",
-                      std::to_string(*arguments.glb_frame) + " is not a checked frame",
-                      "choose a frame of --frames");
+  return output::bad_argument("--glb-frame",
+                              std::to_string(*arguments.glb_frame) + " is not a checked frame",
+                              "choose a frame of --frames");
 }
 
 Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
                                                bench::MethodKind method) {
   if (!arguments.clearance) return arguments.clearance;
   if (!(*arguments.clearance >= 0 && *arguments.clearance <= 1e12))
-    return bad_argument("--clearance", "is out of range", "give a number from 0 to 1e12");
+    return output::bad_argument("--clearance", "is out of range", "give a number from 0 to 1e12");
   if (method != bench::MethodKind::on_demand)
-    return bad_argument("--clearance", "requires the method on_demand", "leave out --method");
+    return output::bad_argument("--clearance", "requires the method on_demand",
+                                "leave out --method");
   if (arguments.contacts)
-    return bad_argument("--clearance", "cannot be combined with --contacts", "give one of the two");
+    return output::bad_argument("--clearance", "cannot be combined with --contacts",
+                                "give one of the two");
   if (arguments.inside)
-    return bad_argument("--clearance", "cannot be combined with --inside", "give one of the two");
+    return output::bad_argument("--clearance", "cannot be combined with --inside",
+                                "give one of the two");
   return arguments.clearance;
 }
 
@@ -64,12 +67,12 @@ Result<scenes::NamePair> parse_name_pair(const std::string& text) {
   const std::size_t comma = text.rfind(',');
   if (comma != std::string::npos && comma > 0 && comma + 1 < text.size())
     return scenes::NamePair{text.substr(0, comma), text.substr(comma + 1)};
-  return bad_argument("--ignore", asset::quoted(text) + " is not a pair of names",
-                      "give two parts or joints, as in --ignore cape,spine");
+  return output::bad_argument("--ignore", asset::quoted(text) + " is not a pair of names",
+                              "give two parts or joints, as in --ignore cape,spine");
 }
 
 /// With --exclude or --no-unskinned a scene's rules may name what is left out.
-bool is_read_whole(const ModelArguments& models) {
+bool is_read_whole(const arguments::ModelArguments& models) {
   return models.exclude.empty() && !models.no_unskinned;
 }
 
@@ -95,7 +98,7 @@ Result<std::vector<scenes::NamePair>> choose_ignored(const CheckArguments& argum
     return asset::prefixed(scene.name + ": ignore", known.error());
   pairs->insert(pairs->begin(), scene.ignore.begin(), scene.ignore.end());
   if (pairs->empty() || (!arguments.first && !arguments.max_contacts)) return *pairs;
-  return bad_argument(
+  return output::bad_argument(
       arguments.first ? "--first" : "--max-contacts",
       "cannot be combined with ignored pairs, because the first contacts may be ignored ones",
       "leave it out");
@@ -111,9 +114,9 @@ Result<void> keep_baseline(const CheckArguments& arguments) {
        {Output{"--jsonl", arguments.jsonl}, Output{"--glb", arguments.glb},
         Output{"--html", arguments.html}}) {
     std::error_code missing;
-    if (path.empty() || path == kStandardOutput) continue;
+    if (path.empty() || path == output::kStandardOutput) continue;
     if (!std::filesystem::equivalent(path, arguments.baseline, missing)) continue;
-    return bad_argument(option, "is the --baseline itself", "name another file");
+    return output::bad_argument(option, "is the --baseline itself", "name another file");
   }
   return {};
 }
@@ -124,8 +127,8 @@ Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& argum
                                                      const scenes::Scene& scene) {
   if (arguments.baseline.empty()) return std::optional<CheckBaseline>();
   if (settings.max_contacts)
-    return bad_argument("--baseline", "requires all contacts",
-                        "leave out --first and --max-contacts");
+    return output::bad_argument("--baseline", "requires all contacts",
+                                "leave out --first and --max-contacts");
   if (const auto kept = keep_baseline(arguments); !kept) return kept.error();
   const CheckQuestion question = question_of(settings, scene, arguments.scene.models);
   Result<CheckBaseline> known = CheckBaseline::read(arguments.baseline, question, scene);
@@ -138,12 +141,12 @@ Result<FailOn> choose_fail_on(const CheckArguments& arguments) {
     return arguments.baseline.empty() ? FailOn::contact : FailOn::grown;
   const auto fail_on = find_fail_on(arguments.fail_on);
   if (!fail_on)
-    return bad_argument("--fail-on", "there is no " + asset::quoted(arguments.fail_on),
-                        "give contact, grown, new or never");
+    return output::bad_argument("--fail-on", "there is no " + asset::quoted(arguments.fail_on),
+                                "give contact, grown, new or never");
   const bool needs_baseline = *fail_on == FailOn::grown || *fail_on == FailOn::newly;
   if (needs_baseline && arguments.baseline.empty())
-    return bad_argument("--fail-on", arguments.fail_on + " requires a baseline",
-                        "give an earlier answer with --baseline FILE");
+    return output::bad_argument("--fail-on", arguments.fail_on + " requires a baseline",
+                                "give an earlier answer with --baseline FILE");
   return *fail_on;
 }
 
@@ -172,8 +175,8 @@ class Choices {
 
 }  // namespace
 
-void add_check_options(Verb& verb, CheckArguments& arguments) {
-  add_scene_options(verb, arguments.scene);
+void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
+  arguments::add_scene_options(verb, arguments.scene);
   verb.option(
       "--frames", arguments.frames,
       "Frames A to B - 1; with A:B:S every S-th of them (default: all frames of the scene or "
@@ -186,7 +189,7 @@ void add_check_options(Verb& verb, CheckArguments& arguments) {
       {.type = "instance|part"});
   verb.option("--method", arguments.method, "One of " + listed(bench::method_names()),
               {.type = "NAME"});
-  add_simd_option(verb, arguments.simd);
+  arguments::add_simd_option(verb, arguments.simd);
   verb.flag("--first", arguments.first, "Stop at the first contact of each pair in each frame");
   verb.option("--max-contacts", arguments.max_contacts,
               "Stop after N contacts of each pair in each frame",
@@ -231,9 +234,9 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   Choices choices;
   choices.take(choose_method(arguments.method), settings.method);
   choices.take(choose_clearance(arguments, settings.method), settings.clearance);
-  choices.take(choose_granularity(arguments.by), settings.granularity);
+  choices.take(scene::choose_granularity(arguments.by), settings.granularity);
   choices.take(choose_limit(arguments), settings.max_contacts);
-  choices.take(choose_frames(arguments.frames, arguments.scene, scene), settings.frames);
+  choices.take(arguments::choose_frames(arguments.frames, arguments.scene, scene), settings.frames);
   choices.take(choose_ignored(arguments, scene), settings.ignore);
   choices.take(choose_glb_frame(arguments, settings.frames), settings.frame_to_keep);
   choices.take(choose_fail_on(arguments), settings.fail_on);
@@ -241,9 +244,10 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   if (choices.refusal()) return *choices.refusal();
   // What cannot be written should be said before long work, and before --jsonl is replaced.
   if (!arguments.glb.empty()) {
-    if (const auto writable = check_writable(arguments.glb); !writable) return writable.error();
+    if (const auto writable = output::check_writable(arguments.glb); !writable)
+      return writable.error();
   }
   return settings;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 struct CheckArguments {
-  SceneArguments scene;
+  arguments::SceneArguments scene;
   std::string frames, by = "instance", method = "on_demand";
   bool first = false, pairs = false, contacts = false, inside = false;
   std::optional<double> clearance;
@@ -23,10 +23,10 @@ struct CheckArguments {
   std::string jsonl, glb, html, simd, words;
 };
 
-void add_check_options(Verb& verb, CheckArguments& arguments);
+void add_check_options(arguments::Verb& verb, CheckArguments& arguments);
 
 /// Refuses what does not fit together or to the scene, before anything is computed or written.
 /// Reads the baseline.
 Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::Scene& scene);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 using asset::FirstError;
@@ -85,7 +85,7 @@ void note_differences(const json& theirs, const json& ours, std::vector<std::str
 std::vector<std::string> models_of(const scenes::Scene& scene) {
   std::vector<std::string> models;
   for (const scenes::Instance& instance : scene.instances)
-    models.push_back(as_json_holds(scene.characters[instance.character].name));
+    models.push_back(scene::as_json_holds(scene.characters[instance.character].name));
   std::sort(models.begin(), models.end());
   return models;
 }
@@ -158,7 +158,7 @@ Result<CheckBaseline> CheckBaseline::compare(const json& first, const json& last
   const JsonObject header(first, "", errors), totals(last, "", errors);
   require_check(header);
   if (errors.get()) return *errors.get();
-  const json ours = as_json_holds(question_json(question));
+  const json ours = scene::as_json_holds(question_json(question));
   if (const auto same = compare_questions(first["options"], ours); !same) return same.error();
   CheckBaseline baseline;
   note_differences(first["options"], ours, baseline.notes_);
@@ -216,4 +216,4 @@ CheckBaseline::TouchNames names_of(const scenes::Scene& scene, const Touch& touc
   return ordered(touch_name(scene, touch.a), touch_name(scene, touch.b));
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

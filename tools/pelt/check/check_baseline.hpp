@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 class CheckBaseline {
  public:
@@ -56,4 +56,4 @@ class CheckBaseline {
 /// The two places of a touch as a baseline knows them.
 CheckBaseline::TouchNames names_of(const scenes::Scene& scene, const Touch& touch);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

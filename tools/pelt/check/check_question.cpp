@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 nlohmann::ordered_json question_json(const CheckQuestion& question) {
   nlohmann::ordered_json json = {
@@ -25,4 +25,4 @@ nlohmann::ordered_json question_json(const CheckQuestion& question) {
   return json;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 struct CheckQuestion {
   std::string method, by;
-  FrameRange frames;
+  arguments::FrameRange frames;
   double fps = 30;
   std::optional<std::uint32_t> max_contacts;
   std::optional<double> clearance;
@@ -29,4 +29,4 @@ struct CheckQuestion {
 /// "options" of the header of `pelt check --jsonl`.
 nlohmann::ordered_json question_json(const CheckQuestion& question);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

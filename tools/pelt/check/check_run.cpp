@@ -8,7 +8,7 @@
 
 #include <chrono>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -17,7 +17,7 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void count_frame(std::uint32_t frame, const FrameContacts& found, CheckReport& report) {
+void count_frame(std::uint32_t frame, const scene::FrameContacts& found, CheckReport& report) {
   const std::uint64_t contacts = found.contacts.size();
   ++report.totals.frames;
   report.frame_contacts.push_back(contacts);
@@ -41,7 +41,7 @@ bool is_to_be_kept(std::uint32_t frame, const CheckSettings& settings, const Che
 class ExtraQueries {
  public:
   /// All arguments must outlive this.
-  ExtraQueries(const scenes::Scene& scene, std::span<const Collider> colliders,
+  ExtraQueries(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                const CheckSettings& settings, const scenes::IgnoredPairs& ignored) {
     if (settings.asks_inside) inside_.emplace(scene, colliders, ignored);
     if (!settings.describes_contacts) return;
@@ -50,15 +50,16 @@ class ExtraQueries {
   }
 
   /// `found` has all contacts, those to be ignored among them.
-  Result<void> ask_inside(std::uint32_t frame, const Palettes& palettes,
-                          const FrameContacts& found) {
+  Result<void> ask_inside(std::uint32_t frame, const scene::Palettes& palettes,
+                          const scene::FrameContacts& found) {
     if (!inside_) return {};
     if (const auto asked = inside_->ask(palettes, found); !asked) return asked;
     insides_.add(frame, inside_->pairs());
     return {};
   }
 
-  Result<void> describe(std::uint32_t frame, const Palettes& palettes, const FrameContacts& found) {
+  Result<void> describe(std::uint32_t frame, const scene::Palettes& palettes,
+                        const scene::FrameContacts& found) {
     if (!details_) return {};
     if (const auto described = details_->describe(palettes, found); !described) return described;
     depths_->add(frame, found, *details_);
@@ -90,8 +91,9 @@ class ExtraQueries {
 /// `Query` is SceneQuery or ClearanceQuery.
 template <typename Query>
 Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
-                              std::span<const Collider> colliders, const CheckSettings& settings,
-                              TouchTally& tally, JsonlWriter* jsonl) {
+                              std::span<const scene::Collider> colliders,
+                              const CheckSettings& settings, TouchTally& tally,
+                              JsonlWriter* jsonl) {
   const auto ignored = scenes::IgnoredPairs::make(scenes::characters_of(scene), settings.ignore);
   if (!ignored) return ignored.error();
   CheckReport report;
@@ -99,14 +101,14 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
   CollideOptions options;
   if (settings.max_contacts) options.max_contacts = *settings.max_contacts;
   asset::SampleScratch scratch;
-  Palettes palettes;
-  FrameContacts found;
-  ContactHash hash;
+  scene::Palettes palettes;
+  scene::FrameContacts found;
+  scene::ContactHash hash;
   ExtraQueries extras(scene, colliders, settings, *ignored);
   const std::vector<std::uint32_t> frames = settings.frames.frames();
-  Progress progress(frames.size());
+  output::Progress progress(frames.size());
   for (const std::uint32_t frame : frames) {
-    sample_palettes(scene, frame, scratch, palettes);
+    scene::sample_palettes(scene, frame, scratch, palettes);
     const Clock::time_point begin = Clock::now();
     const Result<void> posed = query.set_palettes(palettes);
     if (!posed) return asset::prefixed("frame " + std::to_string(frame), posed.error());
@@ -130,7 +132,7 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
 }
 
 /// What is known only of all frames.
-void conclude(const scenes::Scene& scene, std::span<const Collider> colliders,
+void conclude(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
               const CheckSettings& settings, const TouchTally& tally, CheckReport& report,
               JsonlWriter* jsonl) {
   const std::vector<Touch> touches = tally.touches();
@@ -141,20 +143,22 @@ void conclude(const scenes::Scene& scene, std::span<const Collider> colliders,
   if (jsonl != nullptr) jsonl->totals(report.totals, found, report.verdict);
 }
 
-Result<CheckReport> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
+Result<CheckReport> run_frames(const scenes::Scene& scene,
+                               std::span<const scene::Collider> colliders,
                                const CheckSettings& settings, TouchTally& tally,
                                JsonlWriter* jsonl) {
   if (settings.clearance) {
     ClearanceQuery query(colliders, *settings.clearance);
     return run_query(query, scene, colliders, settings, tally, jsonl);
   }
-  SceneQuery query(colliders, settings.method);
+  scene::SceneQuery query(colliders, settings.method);
   return run_query(query, scene, colliders, settings, tally, jsonl);
 }
 
 }  // namespace
 
-Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collider> colliders,
+Result<CheckReport> run_check(const scenes::Scene& scene,
+                              std::span<const scene::Collider> colliders,
                               const CheckSettings& settings, TouchTally& tally,
                               JsonlWriter* jsonl) {
   Result<CheckReport> report = run_frames(scene, colliders, settings, tally, jsonl);
@@ -162,4 +166,4 @@ Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collid
   return report;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -11,13 +11,13 @@
 
 #include <optional>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 struct CheckReport {
   /// The contacts of one frame, and its number.
   struct Kept {
     std::uint32_t frame = 0;
-    FrameContacts found;
+    scene::FrameContacts found;
   };
 
   CheckTotals totals;
@@ -35,7 +35,8 @@ struct CheckReport {
 
 /// Runs through the frames. `jsonl` may be null. Writes no file itself and prints nothing but the
 /// progress bar.
-Result<CheckReport> run_check(const scenes::Scene& scene, std::span<const Collider> colliders,
+Result<CheckReport> run_check(const scenes::Scene& scene,
+                              std::span<const scene::Collider> colliders,
                               const CheckSettings& settings, TouchTally& tally, JsonlWriter* jsonl);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -8,19 +8,21 @@
 
 #include <sstream>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 Result<void> write_contacts_glb(const std::string& path, const scenes::Scene& scene,
-                                std::span<const Collider> colliders, const CheckReport::Kept& kept,
-                                const ModelArguments& models) {
-  const auto posed = pose_instances(scene, kept.frame, models);
+                                std::span<const scene::Collider> colliders,
+                                const CheckReport::Kept& kept,
+                                const arguments::ModelArguments& models) {
+  const auto posed = scene::pose_instances(scene, kept.frame, models);
   if (!posed) return posed.error();
-  return write_file(path, contacts_glb(*posed, touching_triangles(*posed, colliders, kept.found)));
+  return output::write_file(
+      path, scene::contacts_glb(*posed, scene::touching_triangles(*posed, colliders, kept.found)));
 }
 
 /// The first line of --jsonl and the last.
-std::string outer_lines(const scenes::Scene& scene, std::span<const Collider> colliders,
+std::string outer_lines(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                         const CheckQuestion& question, const CheckReport& report,
                         const TouchTally& tally) {
   const std::vector<Touch> touches = tally.touches();
@@ -34,22 +36,22 @@ std::string outer_lines(const scenes::Scene& scene, std::span<const Collider> co
 }
 
 Result<void> write_page(const CheckOutputs& outputs, const scenes::Scene& scene,
-                        const ModelArguments& models, const PageAnswer& answer) {
-  const Result<std::string> page = page_of_scene(scene, models, {outputs.words, answer});
+                        const arguments::ModelArguments& models, const page::PageAnswer& answer) {
+  const Result<std::string> page = page::page_of_scene(scene, models, {outputs.words, answer});
   if (!page) return page.error();
-  return write_file(outputs.html, std::as_bytes(std::span(*page)));
+  return output::write_file(outputs.html, std::as_bytes(std::span(*page)));
 }
 
 }  // namespace
 
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
-                                const ModelArguments& models, const CheckOutputs& outputs,
-                                std::ostream& words) {
-  const auto colliders = make_colliders(scene, settings.granularity, models);
+                                const arguments::ModelArguments& models,
+                                const CheckOutputs& outputs, std::ostream& words) {
+  const auto colliders = scene::make_colliders(scene, settings.granularity, models);
   if (!colliders) return colliders.error();
   Result<TouchTally> tally = TouchTally::make(scene, *colliders);
   if (!tally) return tally.error();
-  LineOutput lines;
+  output::LineOutput lines;
   if (const auto opened = lines.open(outputs.jsonl); !opened) return opened.error();
   std::optional<JsonlWriter> jsonl;
   const CheckQuestion question = question_of(settings, scene, models);
@@ -64,15 +66,15 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
     if (!written) return written.error();
   }
   if (!outputs.html.empty()) {
-    const PageAnswer answer = {report->frame_contacts,
-                               outer_lines(scene, *colliders, question, *report, *tally)};
+    const page::PageAnswer answer = {report->frame_contacts,
+                                     outer_lines(scene, *colliders, question, *report, *tally)};
     const auto written = write_page(outputs, scene, models, answer);
     if (!written) return written.error();
   }
   print_summary(scene, *colliders, settings, *report, *tally, words);
   for (const std::string& name : {outputs.jsonl, outputs.glb, outputs.html})
-    print_written(name, words);
+    output::print_written(name, words);
   return report;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 struct CheckOutputs {
   std::string jsonl;  ///< file, kStandardOutput or "" for none
@@ -20,7 +20,7 @@ struct CheckOutputs {
 
 /// The summary goes to `words`.
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
-                                const ModelArguments& models, const CheckOutputs& outputs,
-                                std::ostream& words);
+                                const arguments::ModelArguments& models,
+                                const CheckOutputs& outputs, std::ostream& words);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -1,12 +1,12 @@
 #include "tools/pelt/check/check_settings.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& scene,
-                          const ModelArguments& models) {
+                          const arguments::ModelArguments& models) {
   CheckQuestion question;
   question.method = bench::name_of(settings.method);
-  question.by = settings.granularity == Granularity::part ? "part" : "instance";
+  question.by = settings.granularity == scene::Granularity::part ? "part" : "instance";
   question.frames = settings.frames;
   question.fps = scene.fps;
   question.max_contacts = settings.max_contacts;
@@ -21,4 +21,4 @@ CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& sc
   return question;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

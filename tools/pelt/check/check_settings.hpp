@@ -8,12 +8,12 @@
 #include <optional>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 /// What `pelt check` is to do, decided and checked; what it writes is in CheckOutputs.
 struct CheckSettings {
   bench::MethodKind method = bench::MethodKind::on_demand;
-  Granularity granularity = Granularity::instance;
+  scene::Granularity granularity = scene::Granularity::instance;
   std::optional<std::uint32_t> max_contacts;  ///< of a pair of colliders in a frame
   /// Nothing: triangles that touch are found; else those that are at most so far apart.
   std::optional<double> clearance;
@@ -23,11 +23,11 @@ struct CheckSettings {
   std::vector<scenes::NamePair> ignore;
   std::optional<CheckBaseline> baseline;
   FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline
-  FrameRange frames;
+  arguments::FrameRange frames;
   std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
 };
 
 CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& scene,
-                          const ModelArguments& models);
+                          const arguments::ModelArguments& models);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

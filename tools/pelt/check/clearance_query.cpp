@@ -1,8 +1,8 @@
 #include "tools/pelt/check/clearance_query.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
-void ClearanceQuery::collide(const CollideOptions& options, FrameContacts& found) {
+void ClearanceQuery::collide(const CollideOptions& options, scene::FrameContacts& found) {
   found.pairs.clear();
   found.contacts.clear();
   const std::span<Pose> poses = posed_.poses();
@@ -21,4 +21,4 @@ void ClearanceQuery::collide(const CollideOptions& options, FrameContacts& found
   }
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -9,29 +9,31 @@
 
 #include <span>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 class ClearanceQuery {
  public:
   /// `colliders` must outlive the query.
-  ClearanceQuery(std::span<const Collider> colliders, double tolerance)
+  ClearanceQuery(std::span<const scene::Collider> colliders, double tolerance)
       : colliders_(colliders), posed_(colliders), tolerance_(tolerance) {}
 
   /// The message of an error names the instance.
-  Result<void> set_palettes(const Palettes& palettes) { return posed_.set_palettes(palettes); }
+  Result<void> set_palettes(const scene::Palettes& palettes) {
+    return posed_.set_palettes(palettes);
+  }
 
   /// Replaces `found` by the pairs of triangles of every pair of colliders.
-  void collide(const CollideOptions& options, FrameContacts& found);
+  void collide(const CollideOptions& options, scene::FrameContacts& found);
 
   /// The work so far.
   QueryStats work() const { return work_; }
 
  private:
-  std::span<const Collider> colliders_;
-  ScenePoses posed_;
+  std::span<const scene::Collider> colliders_;
+  scene::ScenePoses posed_;
   double tolerance_;
   Scratch scratch_;
   QueryStats work_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -2,11 +2,13 @@
 
 #include "tools/pelt/check/surfaces.hpp"
 
-namespace pelt::tools {
-ContactDetails::ContactDetails(const scenes::Scene& scene, std::span<const Collider> colliders)
+namespace pelt::tools::check {
+ContactDetails::ContactDetails(const scenes::Scene& scene,
+                               std::span<const scene::Collider> colliders)
     : colliders_(colliders), surfaces_(make_surfaces(scene, colliders)), posed_(colliders) {}
 
-Result<void> ContactDetails::describe(const Palettes& palettes, const FrameContacts& found) {
+Result<void> ContactDetails::describe(const scene::Palettes& palettes,
+                                      const scene::FrameContacts& found) {
   if (found.pairs.empty()) return {};
   if (const Result<void> taken = posed_.set_palettes(palettes); !taken) return taken;
   if (geometry_.size() < found.pairs.size()) geometry_.resize(found.pairs.size());
@@ -23,4 +25,4 @@ Result<void> ContactDetails::describe(const Palettes& palettes, const FrameConta
   return {};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

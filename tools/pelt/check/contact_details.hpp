@@ -9,26 +9,26 @@
 #include <span>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 class ContactDetails {
  public:
   /// Both arguments must outlive this.
-  ContactDetails(const scenes::Scene& scene, std::span<const Collider> colliders);
+  ContactDetails(const scenes::Scene& scene, std::span<const scene::Collider> colliders);
 
   /// Replaces what is known by the geometry of contacts that were found in these palettes.
-  Result<void> describe(const Palettes& palettes, const FrameContacts& found);
+  Result<void> describe(const scene::Palettes& palettes, const scene::FrameContacts& found);
 
   /// Of one of the pairs that were found, by its place among them; triangles have their numbers in
   /// the colliders' own models.
   const ContactGeometry& of_pair(std::size_t pair) const { return geometry_[pair]; }
 
  private:
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
   std::vector<Surface> surfaces_;  // of each collider; those of one model share
-  ScenePoses posed_;
+  scene::ScenePoses posed_;
   std::vector<Contact> contacts_;
   std::vector<ContactGeometry> geometry_;  // of each pair; kept from frame to frame for its memory
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 using nlohmann::ordered_json;
@@ -21,7 +21,7 @@ const char* name_of(ContactKind kind) {
 /// One of the two bodies.
 class Side {
  public:
-  Side(const scenes::Scene& scene, const Collider& collider)
+  Side(const scenes::Scene& scene, const scene::Collider& collider)
       : collider_(collider),
         asset_(scene.characters[scene.instances[collider.instance].character].asset) {}
 
@@ -37,7 +37,7 @@ class Side {
   std::string part(std::uint32_t part) const { return scenes::part_name(asset_, part); }
 
  private:
-  const Collider& collider_;
+  const scene::Collider& collider_;
   const asset::Asset& asset_;
 };
 
@@ -45,9 +45,9 @@ ordered_json trace_json(const Side& a, const Side& b, const ContactTrace& trace)
   return {
       {"triangles", {a.triangle(trace.contact.triangle_a), b.triangle(trace.contact.triangle_b)}},
       {"kind", name_of(trace.kind)},
-      {"from", vector_json(trace.from)},
-      {"to", vector_json(trace.to)},
-      {"normal", vector_json(trace.normal)},
+      {"from", scene::vector_json(trace.from)},
+      {"to", scene::vector_json(trace.to)},
+      {"normal", scene::vector_json(trace.normal)},
       {"depth", trace.depth},
       {"joints", {a.joint(trace.joint_a), b.joint(trace.joint_b)}}};
 }
@@ -57,7 +57,7 @@ ordered_json curve_json(const ContactGeometry& geometry, const ContactCurve& cur
   const auto steps = std::span(geometry.steps).subspan(curve.first, curve.count);
   const auto end_of = [&](const CurveStep& step, bool is_last) {
     const ContactTrace& trace = geometry.traces[step.trace];
-    return vector_json(step.is_reversed == is_last ? trace.from : trace.to);
+    return scene::vector_json(step.is_reversed == is_last ? trace.from : trace.to);
   };
   for (const CurveStep& step : steps) {
     traces.push_back(step.trace);
@@ -84,8 +84,8 @@ ordered_json region_json(const Side& a, const Side& b, const ContactGeometry& ge
   const auto contact_of = [&](std::uint32_t m) { return geometry.traces[m].contact; };
   return {{"traces", members},
           {"length", region.length},
-          {"point", vector_json(region.point)},
-          {"normal", vector_json(region.normal)},
+          {"point", scene::vector_json(region.point)},
+          {"normal", scene::vector_json(region.normal)},
           {"depth", region.depth},
           {"joints", {a.joint(region.joint_a), b.joint(region.joint_b)}},
           {"parts",
@@ -95,8 +95,8 @@ ordered_json region_json(const Side& a, const Side& b, const ContactGeometry& ge
 
 }  // namespace
 
-ordered_json contact_geometry_json(const scenes::Scene& scene, const Collider& a, const Collider& b,
-                                   const ContactGeometry& geometry) {
+ordered_json contact_geometry_json(const scenes::Scene& scene, const scene::Collider& a,
+                                   const scene::Collider& b, const ContactGeometry& geometry) {
   const Side side_a(scene, a), side_b(scene, b);
   ordered_json traces = ordered_json::array(), curves = traces, regions = traces;
   for (const ContactTrace& trace : geometry.traces)
@@ -109,4 +109,4 @@ ordered_json contact_geometry_json(const scenes::Scene& scene, const Collider& a
           {"regions", std::move(regions)}};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -7,11 +7,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 /// The geometry of two colliders' contacts, with names of parts and joints: `traces`, `curves` and
 /// `regions` as the manual page has them.
-nlohmann::ordered_json contact_geometry_json(const scenes::Scene& scene, const Collider& a,
-                                             const Collider& b, const ContactGeometry& geometry);
+nlohmann::ordered_json contact_geometry_json(const scenes::Scene& scene, const scene::Collider& a,
+                                             const scene::Collider& b,
+                                             const ContactGeometry& geometry);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

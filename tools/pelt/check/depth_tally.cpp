@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
-void DepthTally::add(std::uint32_t frame, const FrameContacts& found,
+void DepthTally::add(std::uint32_t frame, const scene::FrameContacts& found,
                      const ContactDetails& details) {
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {
-    const FrameContacts::Pair& pair = found.pairs[i];
+    const scene::FrameContacts::Pair& pair = found.pairs[i];
     for (const ContactRegion& region : details.of_pair(i).regions) {
       ++regions_;
       Deepest& known = deepest_[{Place{pair.a, region.joint_a}, Place{pair.b, region.joint_b}}];
@@ -29,10 +29,10 @@ std::vector<DepthTally::Row> DepthTally::deepest() const {
 }
 
 std::string DepthTally::name(const Place& place) const {
-  const Collider& collider = colliders_[place.collider];
+  const scene::Collider& collider = colliders_[place.collider];
   const std::uint32_t character = scene_.instances[collider.instance].character;
-  return collider_name(scene_, collider) + " " +
+  return scene::collider_name(scene_, collider) + " " +
          asset::printable_name(scenes::joint_name(scene_.characters[character].asset, place.joint));
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

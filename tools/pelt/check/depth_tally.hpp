@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 class DepthTally {
  public:
   /// Both arguments must outlive the tally.
-  DepthTally(const scenes::Scene& scene, std::span<const Collider> colliders)
+  DepthTally(const scenes::Scene& scene, std::span<const scene::Collider> colliders)
       : scene_(scene), colliders_(colliders) {}
 
-  void add(std::uint32_t frame, const FrameContacts& found, const ContactDetails& details);
+  void add(std::uint32_t frame, const scene::FrameContacts& found, const ContactDetails& details);
 
   std::uint64_t regions() const { return regions_; }
 
@@ -46,9 +46,9 @@ class DepthTally {
   std::string name(const Place& place) const;
 
   const scenes::Scene& scene_;
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
   std::uint64_t regions_ = 0;
   std::map<std::pair<Place, Place>, Deepest> deepest_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored, const scenes::Scene& scene,
-                               std::span<const Collider> colliders, FrameContacts& found) {
+                               std::span<const scene::Collider> colliders,
+                               scene::FrameContacts& found) {
   if (ignored.is_empty()) return 0;
   const auto character_of = [&](std::uint32_t collider) {
     return scene.instances[colliders[collider].instance].character;
   };
   const std::size_t before = found.contacts.size();
   std::size_t end = 0;
-  for (FrameContacts::Pair& pair : found.pairs) {
+  for (scene::FrameContacts::Pair& pair : found.pairs) {
     const std::span<Contact> contacts =
         std::span(found.contacts).subspan(pair.begin, pair.end - pair.begin);
     const std::size_t counted =
@@ -23,8 +24,8 @@ std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored, const scenes
     pair.end = end += counted;
   }
   found.contacts.resize(end);
-  std::erase_if(found.pairs, [](const FrameContacts::Pair& p) { return p.begin == p.end; });
+  std::erase_if(found.pairs, [](const scene::FrameContacts::Pair& p) { return p.begin == p.end; });
   return before - end;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

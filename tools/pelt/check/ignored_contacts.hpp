@@ -6,11 +6,12 @@
 #include <cstdint>
 #include <span>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 /// Takes the contacts out that do not count, and pairs of colliders that have no others; returns
 /// how many contacts that were. `ignored` was made of the scene's characters.
 std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored, const scenes::Scene& scene,
-                               std::span<const Collider> colliders, FrameContacts& found);
+                               std::span<const scene::Collider> colliders,
+                               scene::FrameContacts& found);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -6,24 +6,25 @@
 #include <map>
 #include <utility>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 using Body = scenes::IgnoredPairs::Body;
 
-Body body_of(const scenes::Scene& scene, const Collider& collider) {
+Body body_of(const scenes::Scene& scene, const scene::Collider& collider) {
   return {scene.instances[collider.instance].character, collider.first_triangle,
           collider.model.triangle_count()};
 }
 
 /// [a][b] of all pairs. Instances of a character have the same answers.
-std::vector<bool> find_ignored(const scenes::Scene& scene, std::span<const Collider> colliders,
+std::vector<bool> find_ignored(const scenes::Scene& scene,
+                               std::span<const scene::Collider> colliders,
                                const scenes::IgnoredPairs& ignored) {
   std::vector<bool> are_ignored;
   if (ignored.is_empty()) return are_ignored;
   std::map<std::pair<Body, Body>, bool> known;
-  for (const Collider& a : colliders)
-    for (const Collider& b : colliders) {
+  for (const scene::Collider& a : colliders)
+    for (const scene::Collider& b : colliders) {
       const auto bodies = std::make_pair(body_of(scene, a), body_of(scene, b));
       const auto [answer, is_new] = known.try_emplace(bodies);
       if (is_new) answer->second = ignored.are_ignored(bodies.first, bodies.second);
@@ -56,14 +57,14 @@ void InsideTally::add(std::uint32_t frame, std::span<const InsidePair> pairs) {
   if (is_held) frames_held.push_back(frame);
 }
 
-InsideQuery::InsideQuery(const scenes::Scene& scene, std::span<const Collider> colliders,
+InsideQuery::InsideQuery(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                          const scenes::IgnoredPairs& ignored)
     : colliders_(colliders),
       surfaces_(make_surfaces(scene, colliders)),
       is_ignored_(find_ignored(scene, colliders, ignored)),
       posed_(colliders) {}
 
-Result<void> InsideQuery::ask(const Palettes& palettes, const FrameContacts& found) {
+Result<void> InsideQuery::ask(const scene::Palettes& palettes, const scene::FrameContacts& found) {
   pairs_.clear();
   if (const Result<void> taken = posed_.set_palettes(palettes); !taken) return taken;
   auto touching = found.pairs.begin();
@@ -106,4 +107,4 @@ std::size_t InsideQuery::closed_count() const {
                                                 [](const Surface& s) { return s.is_closed(); }));
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 /// Two colliders of which one holds the other whole, or that reach into each other.
 struct InsidePair {
@@ -45,13 +45,13 @@ class InsideQuery {
  public:
   /// Pairs of colliders that `ignored` means whole are not asked. `scene` and `colliders` must
   /// outlive this.
-  InsideQuery(const scenes::Scene& scene, std::span<const Collider> colliders,
+  InsideQuery(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
               const scenes::IgnoredPairs& ignored);
 
   /// Replaces what is known by what holds in these palettes. `found` has the contacts of the frame:
   /// what touches is asked how deep it is, the others whether one holds the other. Of the former
   /// those are left out of which no vertex is inside.
-  Result<void> ask(const Palettes& palettes, const FrameContacts& found);
+  Result<void> ask(const scene::Palettes& palettes, const scene::FrameContacts& found);
 
   std::span<const InsidePair> pairs() const { return pairs_; }  ///< ascending
   QueryStats work() const { return work_; }
@@ -63,13 +63,13 @@ class InsideQuery {
   bool is_ignored(std::uint32_t a, std::uint32_t b) const;
   Penetration deepest(std::uint32_t a, std::uint32_t b);
 
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
   std::vector<Surface> surfaces_;  // of each collider
   std::vector<bool> is_ignored_;   // [a][b] of all pairs; empty: none is
-  ScenePoses posed_;
+  scene::ScenePoses posed_;
   Scratch scratch_;
   QueryStats work_;
   std::vector<InsidePair> pairs_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 using nlohmann::ordered_json;
@@ -28,26 +28,26 @@ ordered_json gone_json(const GoneTouch& gone) {
 }  // namespace
 
 void JsonlWriter::header() {
-  ordered_json header = header_json("pelt-check", scene_, colliders_);
+  ordered_json header = scene::header_json("pelt-check", scene_, colliders_);
   header["options"] = question_json(question_);
-  write_line(header, out_);
+  scene::write_line(header, out_);
 }
 
-void JsonlWriter::frame(std::uint32_t frame, double time, const FrameContacts& found,
+void JsonlWriter::frame(std::uint32_t frame, double time, const scene::FrameContacts& found,
                         const FrameExtras& extras) {
   ordered_json line = {{"frame", frame},
                        {"time", time},
                        {"contacts", found.contacts.size()},
                        {"pairs", pairs_json(found, extras.details)}};
   if (extras.inside != nullptr) line["inside"] = inside_json(*extras.inside);
-  write_line(line, out_);
+  scene::write_line(line, out_);
 }
 
-ordered_json JsonlWriter::pairs_json(const FrameContacts& found,
+ordered_json JsonlWriter::pairs_json(const scene::FrameContacts& found,
                                      const ContactDetails* details) const {
   ordered_json pairs = ordered_json::array();
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {
-    const FrameContacts::Pair& pair = found.pairs[i];
+    const scene::FrameContacts::Pair& pair = found.pairs[i];
     ordered_json& entry = pairs.emplace_back();
     entry["a"] = pair.a;
     entry["b"] = pair.b;
@@ -65,8 +65,8 @@ ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
   const auto deepest = [&](const Penetration& found, std::uint32_t outer) -> ordered_json {
     if (!found.found()) return nullptr;
     return {{"depth", found.depth},
-            {"position", vector_json(found.position)},
-            {"nearest", vector_json(found.nearest.position)},
+            {"position", scene::vector_json(found.position)},
+            {"nearest", scene::vector_json(found.nearest.position)},
             {"triangle", found.nearest.triangle + colliders_[outer].first_triangle}};
   };
   ordered_json pairs = ordered_json::array();
@@ -111,10 +111,10 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
                          {"frames_in_contact", totals.frames_in_contact},
                          {"contacts", totals.contacts},
                          {"ignored", totals.ignored}}},
-                       {"counters", counters_json(totals.work)},
+                       {"counters", scene::counters_json(totals.work)},
                        {"hash", nullptr}};
   if (totals.hash) {
-    last["hash"] = hex16(*totals.hash);
+    last["hash"] = output::hex16(*totals.hash);
   } else {
     last["cut_short"] = true;
   }
@@ -122,7 +122,7 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
   for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(scene_, touch));
   if (question_.inside) last["held"] = held_list(found.held);
   last["verdict"] = verdict_json(verdict);
-  write_line(last, out_);
+  scene::write_line(last, out_);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -15,7 +15,7 @@
 #include <ostream>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 struct CheckTotals {
   std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
@@ -34,17 +34,17 @@ class JsonlWriter {
  public:
   /// All arguments must outlive the writer.
   JsonlWriter(std::ostream& out, const CheckQuestion& question, const scenes::Scene& scene,
-              std::span<const Collider> colliders)
+              std::span<const scene::Collider> colliders)
       : out_(out), question_(question), scene_(scene), colliders_(colliders) {}
 
   void header();
 
-  void frame(std::uint32_t frame, double time, const FrameContacts& found,
+  void frame(std::uint32_t frame, double time, const scene::FrameContacts& found,
              const FrameExtras& extras);
   void totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict);
 
  private:
-  nlohmann::ordered_json pairs_json(const FrameContacts& found,
+  nlohmann::ordered_json pairs_json(const scene::FrameContacts& found,
                                     const ContactDetails* details) const;
   nlohmann::ordered_json inside_json(const InsideQuery& inside) const;
 
@@ -54,7 +54,7 @@ class JsonlWriter {
   std::ostream& out_;
   const CheckQuestion& question_;
   const scenes::Scene& scene_;
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iomanip>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 constexpr std::size_t kMostRows = 10;
@@ -16,24 +16,28 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
                     const CheckReport& report, std::ostream& out) {
   const CheckTotals& totals = report.totals;
   if (totals.contacts == 0) {
-    label(out, "contact") << "none in " << counted(totals.frames, "frame") << '\n';
+    scene::label(out, "contact") << "none in " << output::counted(totals.frames, "frame") << '\n';
     return;
   }
-  label(out, "contact") << "in " << with_commas(totals.frames_in_contact) << " of "
-                        << counted(totals.frames, "frame") << ": "
-                        << frame_runs(report.frames_in_contact, settings.frames.stride) << '\n';
+  scene::label(out, "contact") << "in " << output::with_commas(totals.frames_in_contact) << " of "
+                               << output::counted(totals.frames, "frame") << ": "
+                               << scene::frame_runs(report.frames_in_contact,
+                                                    settings.frames.stride)
+                               << '\n';
   const double time = scenes::frame_time(scene, report.worst_frame);
-  label(out, "worst") << "frame " << report.worst_frame << " (" << fixed(time, 3)
-                      << " s): " << counted(report.worst_contacts, "contact") << '\n';
-  label(out, "contacts") << with_commas(totals.contacts) << " in all"
-                         << (settings.max_contacts ? ", limited by the options" : "") << '\n';
+  scene::label(out, "worst") << "frame " << report.worst_frame << " (" << output::fixed(time, 3)
+                             << " s): " << output::counted(report.worst_contacts, "contact")
+                             << '\n';
+  scene::label(out, "contacts") << output::with_commas(totals.contacts) << " in all"
+                                << (settings.max_contacts ? ", limited by the options" : "")
+                                << '\n';
 }
 
 /// How many a list leaves out.
 void print_rest(std::size_t count, std::ostream& out) {
   if (count > kMostRows)
     out << std::right << std::setw(12) << "..."
-        << " and " << with_commas(count - kMostRows) << " more, see --jsonl\n";
+        << " and " << output::with_commas(count - kMostRows) << " more, see --jsonl\n";
 }
 
 /// Those of a list that are shown.
@@ -57,9 +61,9 @@ void print_rows(const char* title, const std::vector<TouchTally::Row>& rows, std
   for (const TouchTally::Row& row : shown(rows)) {
     const double percent =
         100.0 * static_cast<double>(row.contacts) / static_cast<double>(contacts);
-    out << std::right << std::setw(12) << with_commas(row.contacts) << std::setw(6)
-        << fixed(percent, 1) << " %  " << std::left << std::setw(width) << row.a << "  " << row.b
-        << '\n';
+    out << std::right << std::setw(12) << output::with_commas(row.contacts) << std::setw(6)
+        << output::fixed(percent, 1) << " %  " << std::left << std::setw(width) << row.a << "  "
+        << row.b << '\n';
   }
   print_rest(rows.size(), out);
 }
@@ -68,33 +72,34 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
                     std::ostream& out) {
   const std::uint64_t contacts = report.totals.contacts;
   if (contacts == 0) return;
-  if (has_many_parts(scene)) {
+  if (scene::has_many_parts(scene)) {
     print_rows("parts that touch", tally.parts(), contacts, out);
   }
   print_rows("joints that touch", tally.joints(), contacts, out);
   out << '\n';
 }
 
-std::string held_words(const scenes::Scene& scene, std::span<const Collider> colliders,
+std::string held_words(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                        const Held& held) {
-  return collider_name(scene, colliders[held.inner]) + " is contained in " +
-         collider_name(scene, colliders[held.outer]) + " in " + counted(held.frames, "frame") +
-         ", first " + std::to_string(held.first_frame);
+  return scene::collider_name(scene, colliders[held.inner]) + " is contained in " +
+         scene::collider_name(scene, colliders[held.outer]) + " in " +
+         output::counted(held.frames, "frame") + ", first " + std::to_string(held.first_frame);
 }
 
-void print_held(const scenes::Scene& scene, std::span<const Collider> colliders, const char* name,
-                std::span<const Held> held, std::ostream& out) {
+void print_held(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
+                const char* name, std::span<const Held> held, std::ostream& out) {
   for (std::size_t i = 0; i < std::min(held.size(), kMostRows); ++i)
-    label(out, name) << held_words(scene, colliders, held[i]) << '\n';
+    scene::label(out, name) << held_words(scene, colliders, held[i]) << '\n';
   print_rest(held.size(), out);
 }
 
 void print_worse(const scenes::Scene& scene, std::span<const Worse> worse, std::ostream& out) {
   for (std::size_t i = 0; i < std::min(worse.size(), kMostRows); ++i) {
     const auto& [touch, known] = worse[i];
-    out << std::right << std::setw(12) << with_commas(touch.worst) << " ("
-        << (known == 0 ? "new" : "was " + with_commas(known)) << ")  frame " << touch.worst_frame
-        << "  " << in_words(scene, touch.a) << "  " << in_words(scene, touch.b) << '\n';
+    out << std::right << std::setw(12) << output::with_commas(touch.worst) << " ("
+        << (known == 0 ? "new" : "was " + output::with_commas(known)) << ")  frame "
+        << touch.worst_frame << "  " << in_words(scene, touch.a) << "  " << in_words(scene, touch.b)
+        << '\n';
   }
   print_rest(worse.size(), out);
 }
@@ -103,10 +108,10 @@ void print_worse(const scenes::Scene& scene, std::span<const Worse> worse, std::
 void print_gone(const Comparison& comparison, std::ostream& out) {
   const std::size_t touches = comparison.gone.size(), held = comparison.no_longer_held.size();
   if (touches + held == 0) return;
-  label(out, "gone") << with_commas(touches) << " of " << with_commas(comparison.known_touches)
-                     << " known touches";
+  scene::label(out, "gone") << output::with_commas(touches) << " of "
+                            << output::with_commas(comparison.known_touches) << " known touches";
   if (held > 0)
-    out << ", and " << with_commas(held)
+    out << ", and " << output::with_commas(held)
         << (held == 1 ? " known contained body" : " known contained bodies");
   // What was asked otherwise can come again.
   out << (comparison.notes.empty() ? ": write a new baseline\n" : "\n");
@@ -120,34 +125,36 @@ std::size_t new_touches(const Comparison& comparison) {
 }
 
 /// What differs from the baseline.
-void print_comparison(const scenes::Scene& scene, std::span<const Collider> colliders,
+void print_comparison(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                       const Comparison& comparison, std::ostream& out) {
   for (const std::string& note : comparison.notes)
-    label(out, "note") << asset::printable(note) << '\n';
+    scene::label(out, "note") << asset::printable(note) << '\n';
   const std::size_t fresh = new_touches(comparison), grown = comparison.worse.size() - fresh;
   const std::size_t as_known = comparison.known_touches - comparison.gone.size() - grown;
-  label(out, "baseline") << with_commas(fresh) << " new, " << with_commas(grown) << " grown, "
-                         << with_commas(as_known) << " as known\n";
+  scene::label(out, "baseline") << output::with_commas(fresh) << " new, "
+                                << output::with_commas(grown) << " grown, "
+                                << output::with_commas(as_known) << " as known\n";
   print_worse(scene, comparison.worse, out);
   print_held(scene, colliders, "new", comparison.newly_held, out);
   print_gone(comparison, out);
 }
 
 void print_deepest(const CheckReport& report, std::ostream& out) {
-  label(out, "regions") << with_commas(report.regions) << " in all\n\ndeepest regions\n";
+  scene::label(out, "regions") << output::with_commas(report.regions)
+                               << " in all\n\ndeepest regions\n";
   const int width = width_of(shown(report.deepest));
   for (const DepthTally::Row& row : shown(report.deepest)) {
-    out << std::right << std::setw(12) << fixed(static_cast<double>(row.depth), 6) << "  frame "
-        << std::setw(5) << row.frame << "  " << std::left << std::setw(width) << row.a << "  "
-        << row.b << '\n';
+    out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.depth), 6)
+        << "  frame " << std::setw(5) << row.frame << "  " << std::left << std::setw(width) << row.a
+        << "  " << row.b << '\n';
   }
   print_rest(report.deepest.size(), out);
   out << '\n';
 }
 
-void print_inside(const scenes::Scene& scene, std::span<const Collider> colliders,
+void print_inside(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                   const InsideTally& inside, std::uint32_t stride, std::ostream& out) {
-  label(out, "inside");
+  scene::label(out, "inside");
   if (inside.closed_colliders == 0) {
     out << "not tested: no surface is closed\n";
     return;
@@ -155,38 +162,40 @@ void print_inside(const scenes::Scene& scene, std::span<const Collider> collider
   if (inside.frames_held.empty()) {
     out << "no body is contained in another\n";
   } else {
-    out << "a body is contained in another in frames " << frame_runs(inside.frames_held, stride)
-        << '\n';
+    out << "a body is contained in another in frames "
+        << scene::frame_runs(inside.frames_held, stride) << '\n';
     print_held(scene, colliders, "", inside.held, out);
   }
   const InsideTally::Deepest& deepest = inside.deepest;
   if (deepest.depth == 0) return;
-  label(out, "deepest") << "a vertex of " << collider_name(scene, colliders[deepest.inner])
-                        << " is " << fixed(deepest.depth, 6) << " deep in "
-                        << collider_name(scene, colliders[deepest.outer]) << ", frame "
-                        << deepest.frame << '\n';
+  scene::label(out, "deepest") << "a vertex of "
+                               << scene::collider_name(scene, colliders[deepest.inner]) << " is "
+                               << output::fixed(deepest.depth, 6) << " deep in "
+                               << scene::collider_name(scene, colliders[deepest.outer])
+                               << ", frame " << deepest.frame << '\n';
 }
 
 }  // namespace
 
-void print_summary(const scenes::Scene& scene, std::span<const Collider> colliders,
+void print_summary(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                    const CheckSettings& settings, const CheckReport& report,
                    const TouchTally& tally, std::ostream& out) {
-  print_scene(scene, colliders, out);
-  label(out, "method") << bench::name_of(settings.method) << '\n';
-  if (colliders.size() < 2) print_too_few(scene, settings.granularity, out);
+  scene::print_scene(scene, colliders, out);
+  scene::label(out, "method") << bench::name_of(settings.method) << '\n';
+  if (colliders.size() < 2) scene::print_too_few(scene, settings.granularity, out);
   if (settings.clearance)
-    label(out, "clearance") << "counts triangles at most " << *settings.clearance << " apart\n";
+    scene::label(out, "clearance")
+        << "counts triangles at most " << *settings.clearance << " apart\n";
   print_contacts(scene, settings, report, out);
   if (report.totals.ignored > 0)
-    label(out, "ignored") << counted(report.totals.ignored, "contact") << '\n';
+    scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
   print_touching(scene, report, tally, out);
   if (report.verdict.comparison)
     print_comparison(scene, colliders, *report.verdict.comparison, out);
   if (report.regions > 0) print_deepest(report, out);
   if (report.inside) print_inside(scene, colliders, *report.inside, settings.frames.stride, out);
-  print_costs(report.frame_seconds, report.totals.work, out);
-  if (report.totals.hash) label(out, "hash") << hex16(*report.totals.hash) << '\n';
+  scene::print_costs(report.frame_seconds, report.totals.work, out);
+  if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -6,10 +6,10 @@
 
 #include <ostream>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
-void print_summary(const scenes::Scene& scene, std::span<const Collider> colliders,
+void print_summary(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                    const CheckSettings& settings, const CheckReport& report,
                    const TouchTally& tally, std::ostream& out);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -3,13 +3,13 @@
 #include <map>
 #include <utility>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 std::vector<Surface> make_surfaces(const scenes::Scene& scene,
-                                   std::span<const Collider> colliders) {
+                                   std::span<const scene::Collider> colliders) {
   std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, Surface> by_model;
   std::vector<Surface> surfaces;
-  for (const Collider& collider : colliders) {
+  for (const scene::Collider& collider : colliders) {
     const std::uint32_t character = scene.instances[collider.instance].character;
     const auto key = std::make_pair(character, collider.part);
     surfaces.push_back(by_model.try_emplace(key, collider.model).first->second);
@@ -17,4 +17,4 @@ std::vector<Surface> make_surfaces(const scenes::Scene& scene,
   return surfaces;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -7,9 +7,10 @@
 #include <span>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 /// The surface of each collider; those of one model share theirs.
-std::vector<Surface> make_surfaces(const scenes::Scene& scene, std::span<const Collider> colliders);
+std::vector<Surface> make_surfaces(const scenes::Scene& scene,
+                                   std::span<const scene::Collider> colliders);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

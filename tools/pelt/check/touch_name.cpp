@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 using nlohmann::ordered_json;
@@ -18,7 +18,7 @@ const scenes::Character& character_of(const scenes::Scene& scene, std::uint32_t 
 BodyName instance_name(const scenes::Scene& scene, std::uint32_t instance) {
   const std::string& model = character_of(scene, instance).name;
   BodyName name;
-  name.model = as_json_holds(model);
+  name.model = scene::as_json_holds(model);
   for (std::uint32_t i = 0; i < instance; ++i) name.copy += character_of(scene, i).name == model;
   return name;
 }
@@ -31,18 +31,18 @@ ordered_json with_instance(std::uint32_t instance, const ordered_json& name) {
 
 }  // namespace
 
-BodyName body_name(const scenes::Scene& scene, const Collider& collider) {
+BodyName body_name(const scenes::Scene& scene, const scene::Collider& collider) {
   BodyName name = instance_name(scene, collider.instance);
   const asset::Asset& asset = character_of(scene, collider.instance).asset;
-  if (collider.part) name.part = as_json_holds(scenes::part_name(asset, *collider.part));
+  if (collider.part) name.part = scene::as_json_holds(scenes::part_name(asset, *collider.part));
   return name;
 }
 
 TouchName touch_name(const scenes::Scene& scene, const TouchPlace& place) {
   const asset::Asset& asset = character_of(scene, place.instance).asset;
   TouchName name = {instance_name(scene, place.instance),
-                    as_json_holds(scenes::joint_name(asset, place.joint))};
-  name.body.part = as_json_holds(scenes::part_name(asset, place.part));
+                    scene::as_json_holds(scenes::joint_name(asset, place.joint))};
+  name.body.part = scene::as_json_holds(scenes::part_name(asset, place.part));
   return name;
 }
 
@@ -61,7 +61,7 @@ ordered_json touch_json(const scenes::Scene& scene, const Touch& touch) {
           {"worst", {{"frame", touch.worst_frame}, {"contacts", touch.worst}}}};
 }
 
-ordered_json held_json(const scenes::Scene& scene, std::span<const Collider> colliders,
+ordered_json held_json(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                        const Held& held) {
   const auto body = [&](std::uint32_t collider) {
     return with_instance(colliders[collider].instance,
@@ -85,4 +85,4 @@ ordered_json name_json(const TouchName& name) {
   return place;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -13,7 +13,7 @@
 #include <span>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 /// An instance, or a part of one. Texts are as JSON holds them, which knows UTF-8 only.
 struct BodyName {
@@ -31,7 +31,7 @@ struct TouchName {
   friend auto operator<=>(const TouchName&, const TouchName&) = default;
 };
 
-BodyName body_name(const scenes::Scene& scene, const Collider& collider);
+BodyName body_name(const scenes::Scene& scene, const scene::Collider& collider);
 TouchName touch_name(const scenes::Scene& scene, const TouchPlace& place);
 
 /// "knight 0 Cape Spine", by the number of the instance in the scene; printable.
@@ -39,11 +39,11 @@ std::string in_words(const scenes::Scene& scene, const TouchPlace& place);
 
 /// As `pelt check --jsonl` has them; `instance` is the number in the scene.
 nlohmann::ordered_json touch_json(const scenes::Scene& scene, const Touch& touch);
-nlohmann::ordered_json held_json(const scenes::Scene& scene, std::span<const Collider> colliders,
-                                 const Held& held);
+nlohmann::ordered_json held_json(const scenes::Scene& scene,
+                                 std::span<const scene::Collider> colliders, const Held& held);
 
 /// Without numbers of instances, for what this scene has no longer.
 nlohmann::ordered_json name_json(const BodyName& name);
 nlohmann::ordered_json name_json(const TouchName& name);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

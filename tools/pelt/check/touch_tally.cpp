@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 using NameOf = std::string (*)(const asset::Asset&, std::uint32_t index);
@@ -34,7 +34,7 @@ std::pair<T, T> ascending(const T& a, const T& b) {
 }  // namespace
 
 Result<TouchTally> TouchTally::make(const scenes::Scene& scene,
-                                    std::span<const Collider> colliders) {
+                                    std::span<const scene::Collider> colliders) {
   TouchTally tally(scene, colliders);
   for (const scenes::Character& character : scene.characters) {
     Result<scenes::TriangleLabels> labels = scenes::label_triangles(character.asset);
@@ -53,9 +53,9 @@ TouchPlace TouchTally::place_of(std::uint32_t collider, std::uint32_t triangle) 
   return {instance, labels.part[triangle], labels.joint[triangle]};
 }
 
-void TouchTally::add(std::uint32_t frame, const FrameContacts& found) {
+void TouchTally::add(std::uint32_t frame, const scene::FrameContacts& found) {
   std::map<Places, std::uint64_t> contacts;
-  for (const FrameContacts::Pair& pair : found.pairs) {
+  for (const scene::FrameContacts::Pair& pair : found.pairs) {
     for (const Contact& contact : found.of(pair))
       ++contacts[ascending(place_of(pair.a, contact.triangle_a),
                            place_of(pair.b, contact.triangle_b))];
@@ -113,4 +113,4 @@ std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, 
   return rows;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 /// Where on an instance: a part of it, and a joint that triangles of this part follow.
 struct TouchPlace {
@@ -32,10 +32,11 @@ struct Touch {
 class TouchTally {
  public:
   /// Both arguments must outlive the tally. Refuses what no model could be built of.
-  static Result<TouchTally> make(const scenes::Scene& scene, std::span<const Collider> colliders);
+  static Result<TouchTally> make(const scenes::Scene& scene,
+                                 std::span<const scene::Collider> colliders);
 
   /// Adds the contacts of a frame, once for each frame.
-  void add(std::uint32_t frame, const FrameContacts& found);
+  void add(std::uint32_t frame, const scene::FrameContacts& found);
 
   /// Those with the most contacts first.
   std::vector<Touch> touches() const;
@@ -53,7 +54,7 @@ class TouchTally {
   using Places = std::pair<TouchPlace, TouchPlace>;  // ascending
   using Name = std::string (*)(const asset::Asset&, std::uint32_t index);
 
-  TouchTally(const scenes::Scene& scene, std::span<const Collider> colliders)
+  TouchTally(const scenes::Scene& scene, std::span<const scene::Collider> colliders)
       : scene_(&scene), colliders_(colliders) {}
 
   TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
@@ -61,9 +62,9 @@ class TouchTally {
   std::vector<Row> rows(std::uint32_t TouchPlace::*index, Name name) const;
 
   const scenes::Scene* scene_;
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
   std::vector<scenes::TriangleLabels> labels_;  // by character
   std::map<Places, Touch> touches_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

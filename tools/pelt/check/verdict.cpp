@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, FailOn>, 4> kNames = {
@@ -48,7 +48,7 @@ void compare_touches(const scenes::Scene& scene, std::span<const Touch> touches,
   for (const auto& [names, known] : rest) comparison.gone.push_back({names, known});
 }
 
-void compare_held(const scenes::Scene& scene, std::span<const Collider> colliders,
+void compare_held(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                   std::span<const Held> held, const CheckBaseline& baseline,
                   Comparison& comparison) {
   std::set<CheckBaseline::HeldNames> rest = baseline.held();
@@ -74,7 +74,7 @@ const char* name_of(FailOn fail_on) {
   return kNames[static_cast<std::size_t>(fail_on)].first.data();
 }
 
-Comparison compare(const scenes::Scene& scene, std::span<const Collider> colliders,
+Comparison compare(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                    const Findings& found, const CheckBaseline& baseline) {
   Comparison comparison;
   comparison.notes.assign(baseline.notes().begin(), baseline.notes().end());
@@ -83,7 +83,7 @@ Comparison compare(const scenes::Scene& scene, std::span<const Collider> collide
   return comparison;
 }
 
-Verdict judge(const scenes::Scene& scene, std::span<const Collider> colliders,
+Verdict judge(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
               const Findings& found, const CheckBaseline* baseline, FailOn fail_on) {
   Verdict verdict;
   verdict.fail_on = fail_on;
@@ -92,4 +92,4 @@ Verdict judge(const scenes::Scene& scene, std::span<const Collider> colliders,
   return verdict;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

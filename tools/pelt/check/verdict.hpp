@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 
 enum class FailOn {
   contact,  ///< any contact, and any body that is held whole
@@ -51,7 +51,7 @@ struct Comparison {
   std::vector<std::string> notes;  ///< how the earlier check differed from this one
 };
 
-Comparison compare(const scenes::Scene& scene, std::span<const Collider> colliders,
+Comparison compare(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                    const Findings& found, const CheckBaseline& baseline);
 
 struct Verdict {
@@ -61,7 +61,7 @@ struct Verdict {
 };
 
 /// `baseline` may be null only where `fail_on` asks for nothing that was known.
-Verdict judge(const scenes::Scene& scene, std::span<const Collider> colliders,
+Verdict judge(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
               const Findings& found, const CheckBaseline* baseline, FailOn fail_on);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 std::string base64(const std::string& bytes) {
   constexpr const char* kDigits =
@@ -20,4 +20,4 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

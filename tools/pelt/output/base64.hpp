@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 /// Bytes as text (RFC 4648, section 4), to stand inside a page.
 std::string base64(const std::string& bytes);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

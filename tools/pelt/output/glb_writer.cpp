@@ -2,7 +2,7 @@
 
 #include "scenes/glb_builder.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 namespace {
 
 using nlohmann::ordered_json;
@@ -47,4 +47,4 @@ std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
   return glb.file();
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 struct GlbMaterial {
   std::string name;
@@ -34,4 +34,4 @@ struct GlbMesh {
 std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
                                 std::span<const GlbMaterial> materials);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string_view>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 namespace {
 
 bool is_plain(char c) { return static_cast<unsigned char>(c) < 0x7F; }
@@ -47,4 +47,4 @@ std::string json_text(const nlohmann::ordered_json& value, int indent) {
   return std::all_of(text.begin(), text.end(), is_plain) ? text : escape_steering(text);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <utility>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,4 +64,4 @@ std::ostream& words_beside(const std::string& jsonl) {
   return jsonl == kStandardOutput ? std::cerr : std::cout;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 /// --jsonl's file, standard output, or nothing. A file is whole or as it was before: it is written
 /// beside its place, as FILE.partial, and moved there by `close`. What is no file (a pipe, a
@@ -43,4 +43,4 @@ class LineOutput {
 /// Where the words for people go: standard error if the lines take standard output.
 std::ostream& words_beside(const std::string& jsonl);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

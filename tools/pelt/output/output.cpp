@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iostream>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 Error unwritable(const std::string& name) {
   if (name == kStandardOutput) {
@@ -54,4 +54,4 @@ void reserve_standard_streams() {
   }
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 /// Names standard output where a file is asked for.
 inline constexpr const char* kStandardOutput = "-";
@@ -34,4 +34,4 @@ Result<void> flush_standard_output();
 /// that no file opened later takes their place and receives what is printed.
 void reserve_standard_streams();
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

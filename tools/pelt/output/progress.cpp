@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 namespace {
 
 constexpr auto kPause = std::chrono::milliseconds(100);
@@ -33,4 +33,4 @@ void Progress::advance() {
   std::fprintf(stderr, "\r[%s] %zu / %zu", bar.c_str(), done_, total_);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

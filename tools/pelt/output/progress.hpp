@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstddef>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 /// A bar on standard error while something long runs; silent where that is no terminal.
 class Progress {
@@ -23,4 +23,4 @@ class Progress {
   Clock::time_point next_drawing_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -11,7 +11,7 @@
 
 extern char** environ;
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 namespace {
 
 /// Where a program's output goes.
@@ -69,4 +69,4 @@ ProgramEnd run_program(std::span<const std::string> words, CtrlC ctrl_c) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? ProgramEnd::succeeded : ProgramEnd::failed;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

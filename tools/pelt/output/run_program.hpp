@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 enum class ProgramEnd { succeeded, failed, not_found };
 
@@ -14,4 +14,4 @@ enum class CtrlC { ends_both, ends_caller };
 /// signal is blocked for it, whatever the caller has blocked.
 ProgramEnd run_program(std::span<const std::string> words, CtrlC ctrl_c = CtrlC::ends_both);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 namespace {
 
 template <typename T>
@@ -72,4 +72,4 @@ std::string counted(std::uint64_t count, const char* noun) {
   return with_commas(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 
 /// An error in the form that the command prints: "--frames: what is wrong: what to do".
 inline Error bad_argument(const std::string& argument, const std::string& problem,
@@ -38,4 +38,4 @@ bool parse_hex16(std::string_view text, std::uint64_t& value);
 /// "1 frame", "2 frames"
 std::string counted(std::uint64_t count, const char* noun);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::page {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ Result<CharacterFiles> read_character_files(const scenes::Scene& scene) {
   return files;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::page

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::page {
 
 struct CharacterFiles {
   std::map<std::string, std::vector<std::byte>> bytes;  ///< by path
@@ -20,4 +20,4 @@ struct CharacterFiles {
 /// buffers that it names, but no images. Refuses a file that has changed since the scene was read.
 Result<CharacterFiles> read_character_files(const scenes::Scene& scene);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::page

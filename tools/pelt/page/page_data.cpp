@@ -12,7 +12,7 @@
 #include <ctime>
 #include <sstream>
 
-namespace pelt::tools {
+namespace pelt::tools::page {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,8 +50,8 @@ std::string scene_title(const scenes::Scene& scene) {
 
 ordered_json files_json(const CharacterFiles& files, const std::string& scene,
                         const std::string& text) {
-  ordered_json json = {{scene, base64(text)}};
-  for (const auto& [path, bytes] : files.bytes) json[path] = base64(as_text(bytes));
+  ordered_json json = {{scene, output::base64(text)}};
+  for (const auto& [path, bytes] : files.bytes) json[path] = output::base64(as_text(bytes));
   return json;
 }
 
@@ -62,7 +62,7 @@ ordered_json inputs_json(const scenes::Scene& scene, const CharacterFiles& files
     const scenes::Character& character = scene.characters[c];
     ordered_json& input = inputs.emplace_back();
     input = {{"path", character.source}, {"file", nullptr}, {"bytes", nullptr}};
-    input["hash"] = hex16(character.hash);
+    input["hash"] = output::hex16(character.hash);
     if (files.paths[c].empty()) continue;
     input["file"] = files.paths[c];
     input["bytes"] = files.bytes.at(files.paths[c]).size();
@@ -70,7 +70,7 @@ ordered_json inputs_json(const scenes::Scene& scene, const CharacterFiles& files
   return inputs;
 }
 
-ordered_json reading_json(const ModelArguments& models) {
+ordered_json reading_json(const arguments::ModelArguments& models) {
   return {{"renormalise", models.renormalise},
           {"noUnskinned", models.no_unskinned},
           {"exclude", models.exclude},
@@ -88,7 +88,7 @@ ordered_json answer_json(const PageAnswer& answer) {
 
 }  // namespace
 
-Result<std::string> page_data(const scenes::Scene& scene, const ModelArguments& models,
+Result<std::string> page_data(const scenes::Scene& scene, const arguments::ModelArguments& models,
                               const PageData& data) {
   const Result<CharacterFiles> files = read_character_files(scene);
   if (!files) return files.error();
@@ -108,4 +108,4 @@ Result<std::string> page_data(const scenes::Scene& scene, const ModelArguments& 
   return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::page

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::page {
 
 /// What `pelt check` has found, for the page to compare with what it finds.
 struct PageAnswer {
@@ -27,7 +27,7 @@ struct PageData {
 
 /// The data as JSON: the scene with all its files, how it is to be read, and what was found. Reads
 /// the files again, and refuses those that have changed since the scene was read.
-Result<std::string> page_data(const scenes::Scene& scene, const ModelArguments& models,
+Result<std::string> page_data(const scenes::Scene& scene, const arguments::ModelArguments& models,
                               const PageData& data);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::page

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <thread>
 
-namespace pelt::tools {
+namespace pelt::tools::page {
 namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
@@ -77,7 +77,7 @@ void wait_until_listening(const httplib::Server& server) {
 void open_browser(const std::string& address) {
   std::thread([address] {
     const std::vector<std::string> command = {"xdg-open", address};
-    if (run_program(command, CtrlC::ends_caller) != ProgramEnd::succeeded)
+    if (output::run_program(command, output::CtrlC::ends_caller) != output::ProgramEnd::succeeded)
       std::cout << "open this address in a browser\n" << std::flush;
   }).detach();
 }
@@ -103,4 +103,4 @@ Result<void> serve_page(const std::string& page, std::uint16_t port, Browser bro
   return {};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::page

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::page {
 
 enum class Browser { opened, left_alone };
 
@@ -13,4 +13,4 @@ enum class Browser { opened, left_alone };
 /// comes. `port` 0: any free one. A browser that cannot be opened is no failure.
 Result<void> serve_page(const std::string& page, std::uint16_t port, Browser browser);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::page

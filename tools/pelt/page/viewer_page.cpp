@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace pelt::tools {
+namespace pelt::tools::page {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,8 +67,8 @@ Result<std::string> read_viewer() {
                std::string("the viewer's page was not built: ") + kRemedy};
 }
 
-Result<std::string> page_of_scene(const scenes::Scene& scene, const ModelArguments& models,
-                                  const PageData& data) {
+Result<std::string> page_of_scene(const scenes::Scene& scene,
+                                  const arguments::ModelArguments& models, const PageData& data) {
   Result<std::string> page = read_viewer();
   if (!page) return page;
   Result<std::string> json = page_data(scene, models, data);
@@ -77,4 +77,4 @@ Result<std::string> page_of_scene(const scenes::Scene& scene, const ModelArgumen
   return page;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::page

@@ -4,7 +4,7 @@
 
 #include "tools/pelt/page/page_data.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::page {
 
 /// The page as it was built: it opens with generated characters. Where the environment's
 /// PELT_VIEWER says, and nowhere else if it says anything; else beside the command's installation
@@ -12,7 +12,7 @@ namespace pelt::tools {
 Result<std::string> read_viewer();
 
 /// The page that opens with this scene: self-contained, files and all.
-Result<std::string> page_of_scene(const scenes::Scene& scene, const ModelArguments& models,
-                                  const PageData& data);
+Result<std::string> page_of_scene(const scenes::Scene& scene,
+                                  const arguments::ModelArguments& models, const PageData& data);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::page

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace pelt::tools {
+namespace pelt::tools::picture {
 namespace {
 
 using detail::Vec3d;
@@ -49,13 +49,14 @@ std::string pov_camera(const PovCamera& camera) {
   return "camera {location " + pov_vector(camera.from) + " look_at " + pov_vector(camera.at) + lens;
 }
 
-std::string pov_mesh(const PosedInstance& instance, const std::vector<bool>& touching,
+std::string pov_mesh(const scene::PosedInstance& instance, const std::vector<bool>& touching,
                      const std::string& skin, Shading shading) {
   std::string normals;
-  if (shading == Shading::smooth) normals = vectors("normal_vectors", normals_of(instance), 3);
+  if (shading == Shading::smooth)
+    normals = vectors("normal_vectors", scene::normals_of(instance), 3);
   return "mesh2 {\n" + vectors("vertex_vectors", instance.positions, 6) + normals +
          "  texture_list {1, texture {Glow}}\n" + faces(instance.triangles, touching) +
          "  texture {" + skin + "}\n}\n";
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::picture

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::picture {
 
 /// POV-Ray's axes are left-handed: z is turned round wherever a point or direction is written.
 std::string pov_vector(const detail::Vec3d& v);
@@ -30,7 +30,7 @@ enum class Shading { smooth, flat };
 
 /// A mesh in the texture `skin`. Triangles in contact have the texture Glow, which is the
 /// stage's to declare.
-std::string pov_mesh(const PosedInstance& instance, const std::vector<bool>& touching,
+std::string pov_mesh(const scene::PosedInstance& instance, const std::vector<bool>& touching,
                      const std::string& skin, Shading shading = Shading::smooth);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::picture

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace pelt::tools {
+namespace pelt::tools::picture {
 namespace {
 
 using detail::Vec3d;
@@ -15,7 +15,7 @@ using detail::Vec3d;
 /// Where the ground is below the middle of the box around all instances.
 Vec3d middle(const StillFrame& still) {
   Vec3 least = still.instances[0].positions[0], most = least;
-  for (const PosedInstance& instance : still.instances) {
+  for (const scene::PosedInstance& instance : still.instances) {
     for (const Vec3& p : instance.positions) {
       least = {std::min(least.x, p.x), 0, std::min(least.z, p.z)};
       most = {std::max(most.x, p.x), 0, std::max(most.z, p.z)};
@@ -34,7 +34,7 @@ std::string glow_lights(const StillFrame& still) {
   std::map<std::array<int, 3>, Sum> cells;
   const auto cell_of = [](double x) { return static_cast<int>(std::floor(x / kCell)); };
   for (std::size_t i = 0; i < still.instances.size(); ++i) {
-    const PosedInstance& instance = still.instances[i];
+    const scene::PosedInstance& instance = still.instances[i];
     for (std::size_t t = 0; t < instance.triangles.size(); ++t) {
       if (!still.touching[i][t]) continue;
       const Vec3d p(instance.positions[instance.triangles[t][0]]);
@@ -81,7 +81,9 @@ PovCamera camera(const Vec3d& ground) {
   return {ground + Vec3d(-4.1, 1.5, 0.8), ground + Vec3d(0, 0.89, 0), 44};
 }
 
-std::string skin(std::size_t instance) { return "Skin(" + pov_colour(skin_colour(instance)) + ")"; }
+std::string skin(std::size_t instance) {
+  return "Skin(" + pov_colour(scene::skin_colour(instance)) + ")";
+}
 
 }  // namespace
 
@@ -94,4 +96,4 @@ std::string describe_still(const StillFrame& still) {
   return text;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::picture

@@ -6,14 +6,14 @@
 
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::picture {
 
 struct StillFrame {
-  std::vector<PosedInstance> instances;
+  std::vector<scene::PosedInstance> instances;
   std::vector<std::vector<bool>> touching;  ///< for each instance, whether each triangle is
 };
 
 /// `scene` must outlive the result.
 Result<StillFrame> take_still(const scenes::Scene& scene, std::uint32_t frame);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::picture

@@ -8,7 +8,7 @@
 #include <array>
 #include <fstream>
 
-namespace pelt::tools {
+namespace pelt::tools::prepared {
 
 Result<SkinnedModel> load_named_model(const std::string& name, std::span<const std::byte> file) {
   Result<SkinnedModel> model = asset::within_memory(name, [&] { return load_model(file); });
@@ -24,4 +24,4 @@ bool is_prepared_file(const std::filesystem::path& path) {
   return is_prepared_model(std::as_bytes(std::span(begin)));
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::prepared

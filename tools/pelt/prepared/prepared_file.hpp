@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::prepared {
 
 /// load_model; the message of an error begins with `name`.
 Result<SkinnedModel> load_named_model(const std::string& name, std::span<const std::byte> file);
@@ -18,4 +18,4 @@ Result<SkinnedModel> load_named_model(const std::string& name, std::span<const s
 /// Whether there is such a file and begins like a prepared model.
 bool is_prepared_file(const std::filesystem::path& path);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::prepared

@@ -14,7 +14,7 @@
 #include <iomanip>
 #include <iostream>
 
-namespace pelt::tools {
+namespace pelt::tools::prepared {
 namespace {
 
 using nlohmann::ordered_json;
@@ -39,7 +39,7 @@ ordered_json describe(const std::string& path, std::span<const std::byte> file,
   return {{"format", "pelt-info"},
           {"version", 1},
           {"model", path},
-          {"hash", hex16(hash_of(file))},
+          {"hash", output::hex16(hash_of(file))},
           {"prepared", {{"version", detail::kPreparedVersion}, {"bytes", file.size()}}},
           {"vertices", model.vertex_count()},
           {"triangles", model.triangle_count()},
@@ -57,11 +57,13 @@ void print_line(const char* label, const std::string& text) {
 }
 
 void print(const ordered_json& info) {
-  const auto number = [&](const char* key) { return with_commas(info[key].get<std::uint64_t>()); };
+  const auto number = [&](const char* key) {
+    return output::with_commas(info[key].get<std::uint64_t>());
+  };
   const ordered_json& prepared = info["prepared"];
   print_line("model", asset::printable(info["model"].get<std::string>()));
-  print_line("prepared", with_commas(prepared["bytes"].get<std::uint64_t>()) + " bytes, version " +
-                             prepared["version"].dump() + " of the format");
+  print_line("prepared", output::with_commas(prepared["bytes"].get<std::uint64_t>()) +
+                             " bytes, version " + prepared["version"].dump() + " of the format");
   print_line("vertices", number("vertices"));
   print_line("triangles",
              number("triangles") + ", " + number("degenerate_triangles") + " degenerate at rest");
@@ -81,10 +83,10 @@ Result<void> print_prepared_info(const std::string& path, InfoStyle style) {
   if (!model) return model.error();
   const ordered_json info = describe(path, *file, *model);
   if (style == InfoStyle::json)
-    std::cout << json_text(info, 2) << '\n';
+    std::cout << output::json_text(info, 2) << '\n';
   else
     print(info);
   return {};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::prepared

@@ -4,11 +4,11 @@
 
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::prepared {
 
 enum class InfoStyle { text, json };
 
 /// Tells on standard output what a prepared model holds.
 Result<void> print_prepared_info(const std::string& path, InfoStyle style);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::prepared

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 namespace {
 
 Box united(const Box& a, const Box& b) {
@@ -13,7 +13,7 @@ Box united(const Box& a, const Box& b) {
 
 }  // namespace
 
-BoundsQuery::BoundsQuery(std::span<const Collider> colliders, const BoundsSettings& settings)
+BoundsQuery::BoundsQuery(std::span<const scene::Collider> colliders, const BoundsSettings& settings)
     : kind_(settings.kind) {
   for (std::uint32_t c = 0; c < colliders.size(); ++c) {
     if (settings.by == BoundsBy::joint) {
@@ -60,4 +60,4 @@ Box BoundsQuery::joint_box(const Pose& pose, const Groups& groups, std::uint32_t
                                     : group_bounds(pose, groups, joint);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 
 /// The box of nothing.
 constexpr Box empty_box() {
@@ -33,7 +33,7 @@ struct Bounded {
 
 class BoundsQuery {
  public:
-  BoundsQuery(std::span<const Collider> colliders, const BoundsSettings& settings);
+  BoundsQuery(std::span<const scene::Collider> colliders, const BoundsSettings& settings);
 
   QueryStats ask(std::span<Pose> poses);
 
@@ -51,4 +51,4 @@ class BoundsQuery {
   std::vector<Bounded> bounded_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

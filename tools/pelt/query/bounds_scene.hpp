@@ -9,7 +9,7 @@
 #include <ostream>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 
 enum class BoundsBy { instance, part, joint };
 
@@ -21,12 +21,12 @@ enum class BoundsKind {
 struct BoundsSettings {
   BoundsBy by = BoundsBy::instance;
   BoundsKind kind = BoundsKind::guaranteed;
-  FrameRange frames;
+  arguments::FrameRange frames;
 };
 
 /// `jsonl` as for LineOutput; the summary goes to `words`.
 Result<void> bounds_scene(const scenes::Scene& scene, const BoundsSettings& settings,
-                          const ModelArguments& models, const std::string& jsonl,
+                          const arguments::ModelArguments& models, const std::string& jsonl,
                           std::ostream& words);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

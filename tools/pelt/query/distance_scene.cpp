@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <iomanip>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 namespace {
 
 using nlohmann::ordered_json;
@@ -66,17 +66,19 @@ class DistanceQuery {
 
 class DistanceWriter {
  public:
-  DistanceWriter(const scenes::Scene& scene, std::span<const Collider> colliders, std::ostream& out)
+  DistanceWriter(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
+                 std::ostream& out)
       : scene_(scene), colliders_(colliders), out_(out) {}
 
   void header(const DistanceSettings& settings) {
-    const FrameRange& frames = settings.frames;
-    ordered_json header = header_json("pelt-distance", scene_, colliders_);
-    header["options"] = {{"by", settings.granularity == Granularity::part ? "part" : "instance"},
-                         {"within", settings.within},  // infinity is written as null
-                         {"frames", {frames.begin, frames.end, frames.stride}},
-                         {"fps", scene_.fps}};
-    write_line(header, out_);
+    const arguments::FrameRange& frames = settings.frames;
+    ordered_json header = scene::header_json("pelt-distance", scene_, colliders_);
+    header["options"] = {
+        {"by", settings.granularity == scene::Granularity::part ? "part" : "instance"},
+        {"within", settings.within},  // infinity is written as null
+        {"frames", {frames.begin, frames.end, frames.stride}},
+        {"fps", scene_.fps}};
+    scene::write_line(header, out_);
   }
 
   void frame(std::uint32_t frame, std::span<const PairDistance> pairs) {
@@ -84,39 +86,40 @@ class DistanceWriter {
     for (const PairDistance& pair : pairs) {
       if (pair.now.found()) found.push_back(pair_json(pair, pair.now));
     }
-    write_line({{"frame", frame},
-                {"time", scenes::frame_time(scene_, frame)},
-                {"pairs", std::move(found)}},
-               out_);
+    scene::write_line({{"frame", frame},
+                       {"time", scenes::frame_time(scene_, frame)},
+                       {"pairs", std::move(found)}},
+                      out_);
   }
 
-  void totals(std::span<const PairDistance> pairs, const FrameCosts& costs) {
+  void totals(std::span<const PairDistance> pairs, const scene::FrameCosts& costs) {
     ordered_json least = ordered_json::array();
     for (const PairDistance& pair : pairs) {
       if (!pair.least.found()) continue;
       ordered_json& entry = least.emplace_back(pair_json(pair, pair.least));
       entry["frame"] = pair.least_frame;
     }
-    write_line({{"totals", {{"frames", costs.seconds.size()}, {"least", std::move(least)}}},
-                {"counters", counters_json(costs.work)}},
-               out_);
+    scene::write_line({{"totals", {{"frames", costs.seconds.size()}, {"least", std::move(least)}}},
+                       {"counters", scene::counters_json(costs.work)}},
+                      out_);
   }
 
  private:
   ordered_json pair_json(const PairDistance& pair, const Distance& distance) const {
-    const NamedPoint a = name_point(scene_, colliders_[pair.a], distance.a);
-    const NamedPoint b = name_point(scene_, colliders_[pair.b], distance.b);
+    const scene::NamedPoint a = scene::name_point(scene_, colliders_[pair.a], distance.a);
+    const scene::NamedPoint b = scene::name_point(scene_, colliders_[pair.b], distance.b);
     return {{"a", pair.a},
             {"b", pair.b},
             {"distance", distance.distance},
             {"triangles", {a.triangle, b.triangle}},
-            {"points", {vector_json(distance.a.position), vector_json(distance.b.position)}},
+            {"points",
+             {scene::vector_json(distance.a.position), scene::vector_json(distance.b.position)}},
             {"parts", {a.part, b.part}},
             {"joints", {a.joint, b.joint}}};
   }
 
   const scenes::Scene& scene_;
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
   std::ostream& out_;
 };
 
@@ -133,54 +136,54 @@ std::vector<PairDistance> nearest_pairs(std::span<const PairDistance> pairs) {
   return nearest;
 }
 
-void print_nearest(const scenes::Scene& scene, std::span<const Collider> colliders,
+void print_nearest(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                    std::span<const PairDistance> pairs, std::ostream& out) {
   const std::vector<PairDistance> nearest = nearest_pairs(pairs);
   if (nearest.empty()) {
-    label(out, "distance") << "nothing is within that distance\n";
+    scene::label(out, "distance") << "nothing is within that distance\n";
     return;
   }
   out << "\nleast distances\n";
   for (const PairDistance& pair : nearest) {
-    out << std::right << std::setw(12) << fixed(pair.least.distance, 6) << "  frame "
-        << pair.least_frame << "  " << place_words(scene, colliders[pair.a], pair.least.a) << "  "
-        << place_words(scene, colliders[pair.b], pair.least.b) << '\n';
+    out << std::right << std::setw(12) << output::fixed(pair.least.distance, 6) << "  frame "
+        << pair.least_frame << "  " << scene::place_words(scene, colliders[pair.a], pair.least.a)
+        << "  " << scene::place_words(scene, colliders[pair.b], pair.least.b) << '\n';
   }
   out << '\n';
 }
 
-void print_summary(const scenes::Scene& scene, std::span<const Collider> colliders,
+void print_summary(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                    std::span<const PairDistance> pairs, const DistanceSettings& settings,
-                   const FrameCosts& costs, std::ostream& out) {
-  print_scene(scene, colliders, out);
-  label(out, "frames") << with_commas(costs.seconds.size()) << '\n';
+                   const scene::FrameCosts& costs, std::ostream& out) {
+  scene::print_scene(scene, colliders, out);
+  scene::label(out, "frames") << output::with_commas(costs.seconds.size()) << '\n';
   if (pairs.empty()) {
-    print_too_few(scene, settings.granularity, out);
+    scene::print_too_few(scene, settings.granularity, out);
   } else {
     print_nearest(scene, colliders, pairs, out);
   }
-  print_costs(costs.seconds, costs.work, out);
+  scene::print_costs(costs.seconds, costs.work, out);
 }
 
 }  // namespace
 
 Result<void> distance_scene(const scenes::Scene& scene, const DistanceSettings& settings,
-                            const ModelArguments& models, const std::string& jsonl,
+                            const arguments::ModelArguments& models, const std::string& jsonl,
                             std::ostream& words) {
-  const auto colliders = make_colliders(scene, settings.granularity, models);
+  const auto colliders = scene::make_colliders(scene, settings.granularity, models);
   if (!colliders) return colliders.error();
-  LineOutput lines;
+  output::LineOutput lines;
   if (const auto opened = lines.open(jsonl); !opened) return opened.error();
   std::optional<DistanceWriter> writer;
   if (lines.stream() != nullptr) writer.emplace(scene, *colliders, *lines.stream());
   if (writer) writer->header(settings);
   DistanceQuery query(static_cast<std::uint32_t>(colliders->size()), settings.within);
-  const Result<FrameCosts> costs =
+  const Result<scene::FrameCosts> costs =
       answer_frames(scene, *colliders, settings.frames, query, writer, lines);
   if (!costs) return costs.error();
   print_summary(scene, *colliders, query.answers(), settings, *costs, words);
-  print_written(jsonl, words);
+  output::print_written(jsonl, words);
   return {};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

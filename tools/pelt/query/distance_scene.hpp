@@ -11,17 +11,17 @@
 #include <ostream>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 
 struct DistanceSettings {
-  Granularity granularity = Granularity::instance;
+  scene::Granularity granularity = scene::Granularity::instance;
   double within = std::numeric_limits<double>::infinity();  ///< nothing further is looked for
-  FrameRange frames;
+  arguments::FrameRange frames;
 };
 
 /// `jsonl` as for LineOutput; the summary goes to `words`.
 Result<void> distance_scene(const scenes::Scene& scene, const DistanceSettings& settings,
-                            const ModelArguments& models, const std::string& jsonl,
+                            const arguments::ModelArguments& models, const std::string& jsonl,
                             std::ostream& words);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 namespace {
 
 using nlohmann::ordered_json;
@@ -77,20 +77,22 @@ class NearestQuery {
 
 class NearestWriter {
  public:
-  NearestWriter(const scenes::Scene& scene, std::span<const Collider> colliders, std::ostream& out)
+  NearestWriter(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
+                std::ostream& out)
       : scene_(scene), colliders_(colliders), out_(out) {}
 
   void header(std::span<const Vec3> points, const DistanceSettings& settings) {
-    const FrameRange& frames = settings.frames;
+    const arguments::FrameRange& frames = settings.frames;
     ordered_json from = ordered_json::array();
-    for (const Vec3& point : points) from.push_back(vector_json(point));
-    ordered_json header = header_json("pelt-distance", scene_, colliders_);
-    header["options"] = {{"from", std::move(from)},
-                         {"by", settings.granularity == Granularity::part ? "part" : "instance"},
-                         {"within", settings.within},  // infinity is written as null
-                         {"frames", {frames.begin, frames.end, frames.stride}},
-                         {"fps", scene_.fps}};
-    write_line(header, out_);
+    for (const Vec3& point : points) from.push_back(scene::vector_json(point));
+    ordered_json header = scene::header_json("pelt-distance", scene_, colliders_);
+    header["options"] = {
+        {"from", std::move(from)},
+        {"by", settings.granularity == scene::Granularity::part ? "part" : "instance"},
+        {"within", settings.within},  // infinity is written as null
+        {"frames", {frames.begin, frames.end, frames.stride}},
+        {"fps", scene_.fps}};
+    scene::write_line(header, out_);
   }
 
   void frame(std::uint32_t frame, const NearestQuery& query) {
@@ -101,13 +103,13 @@ class NearestWriter {
         if (nearest.closest.found()) places.push_back(place_json(nearest));
       points.push_back({{"point", p}, {"places", std::move(places)}});
     }
-    write_line({{"frame", frame},
-                {"time", scenes::frame_time(scene_, frame)},
-                {"points", std::move(points)}},
-               out_);
+    scene::write_line({{"frame", frame},
+                       {"time", scenes::frame_time(scene_, frame)},
+                       {"points", std::move(points)}},
+                      out_);
   }
 
-  void totals(const NearestQuery& query, const FrameCosts& costs) {
+  void totals(const NearestQuery& query, const scene::FrameCosts& costs) {
     ordered_json least = ordered_json::array();
     for (std::size_t p = 0; p < query.points().size(); ++p) {
       if (!query.least(p).closest.found()) continue;
@@ -115,62 +117,64 @@ class NearestWriter {
       entry["point"] = p;
       entry["frame"] = query.least_frame(p);
     }
-    write_line({{"totals", {{"frames", costs.seconds.size()}, {"least", std::move(least)}}},
-                {"counters", counters_json(costs.work)}},
-               out_);
+    scene::write_line({{"totals", {{"frames", costs.seconds.size()}, {"least", std::move(least)}}},
+                       {"counters", scene::counters_json(costs.work)}},
+                      out_);
   }
 
  private:
   ordered_json place_json(const Nearest& nearest) const {
     const SurfacePoint& point = nearest.closest.point;
-    const NamedPoint named = name_point(scene_, colliders_[nearest.collider], point);
+    const scene::NamedPoint named = scene::name_point(scene_, colliders_[nearest.collider], point);
     return {{"index", nearest.collider},  {"distance", nearest.closest.distance},
-            {"triangle", named.triangle}, {"position", vector_json(point.position)},
+            {"triangle", named.triangle}, {"position", scene::vector_json(point.position)},
             {"part", named.part},         {"joint", named.joint}};
   }
 
   const scenes::Scene& scene_;
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
   std::ostream& out_;
 };
 
-void print_summary(const scenes::Scene& scene, std::span<const Collider> colliders,
-                   const NearestQuery& query, const FrameCosts& costs, std::ostream& out) {
-  print_scene(scene, colliders, out);
-  label(out, "frames") << with_commas(costs.seconds.size()) << '\n';
+void print_summary(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
+                   const NearestQuery& query, const scene::FrameCosts& costs, std::ostream& out) {
+  scene::print_scene(scene, colliders, out);
+  scene::label(out, "frames") << output::with_commas(costs.seconds.size()) << '\n';
   for (std::size_t p = 0; p < query.points().size(); ++p) {
-    label(out, ("point " + std::to_string(p)).c_str());
+    scene::label(out, ("point " + std::to_string(p)).c_str());
     const Nearest& least = query.least(p);
     if (!least.closest.found()) {
       out << "nothing is within that distance\n";
       continue;
     }
-    out << "nearest in frame " << query.least_frame(p) << ": " << fixed(least.closest.distance, 6)
-        << " from " << place_words(scene, colliders[least.collider], least.closest.point) << '\n';
-    label(out, "") << "at" << coordinates(least.closest.point.position) << '\n';
+    out << "nearest in frame " << query.least_frame(p) << ": "
+        << output::fixed(least.closest.distance, 6) << " from "
+        << scene::place_words(scene, colliders[least.collider], least.closest.point) << '\n';
+    scene::label(out, "") << "at" << scene::coordinates(least.closest.point.position) << '\n';
   }
-  print_costs(costs.seconds, costs.work, out);
+  scene::print_costs(costs.seconds, costs.work, out);
 }
 
 }  // namespace
 
 Result<void> nearest_scene(const scenes::Scene& scene, std::span<const Vec3> points,
-                           const DistanceSettings& settings, const ModelArguments& models,
-                           const std::string& jsonl, std::ostream& words) {
-  const auto colliders = make_colliders(scene, settings.granularity, models);
+                           const DistanceSettings& settings,
+                           const arguments::ModelArguments& models, const std::string& jsonl,
+                           std::ostream& words) {
+  const auto colliders = scene::make_colliders(scene, settings.granularity, models);
   if (!colliders) return colliders.error();
-  LineOutput lines;
+  output::LineOutput lines;
   if (const auto opened = lines.open(jsonl); !opened) return opened.error();
   std::optional<NearestWriter> writer;
   if (lines.stream() != nullptr) writer.emplace(scene, *colliders, *lines.stream());
   if (writer) writer->header(points, settings);
   NearestQuery query(points, static_cast<std::uint32_t>(colliders->size()), settings.within);
-  const Result<FrameCosts> costs =
+  const Result<scene::FrameCosts> costs =
       answer_frames(scene, *colliders, settings.frames, query, writer, lines);
   if (!costs) return costs.error();
   print_summary(scene, *colliders, query, *costs, words);
-  print_written(jsonl, words);
+  output::print_written(jsonl, words);
   return {};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

@@ -6,11 +6,12 @@
 
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 
 /// `jsonl` as for LineOutput; the summary goes to `words`.
 Result<void> nearest_scene(const scenes::Scene& scene, std::span<const Vec3> points,
-                           const DistanceSettings& settings, const ModelArguments& models,
-                           const std::string& jsonl, std::ostream& words);
+                           const DistanceSettings& settings,
+                           const arguments::ModelArguments& models, const std::string& jsonl,
+                           std::ostream& words);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 namespace {
 
 using nlohmann::ordered_json;
@@ -78,11 +78,11 @@ struct RayTally {
 /// Hits in words and as JSON, by the names of the scene.
 class HitNames {
  public:
-  HitNames(const scenes::Scene& scene, std::span<const Collider> colliders)
+  HitNames(const scenes::Scene& scene, std::span<const scene::Collider> colliders)
       : scene_(scene), colliders_(colliders) {}
 
   const scenes::Scene& scene() const { return scene_; }
-  std::span<const Collider> colliders() const { return colliders_; }
+  std::span<const scene::Collider> colliders() const { return colliders_; }
 
   const asset::Asset& asset_of(std::uint32_t instance) const {
     return scene_.characters[scene_.instances[instance].character].asset;
@@ -102,7 +102,7 @@ class HitNames {
 
  private:
   const scenes::Scene& scene_;
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
 };
 
 ordered_json hit_json(const HitNames& names, std::uint32_t instance, const Ray& ray,
@@ -116,8 +116,8 @@ ordered_json hit_json(const HitNames& names, std::uint32_t instance, const Ray& 
           {"part", names.part(instance, hit)},
           {"triangle", hit.triangle},
           {"t", hit.t},
-          {"point", vector_json(point_of(ray, hit.t))},
-          {"normal", vector_json(hit.normal)},
+          {"point", scene::vector_json(point_of(ray, hit.t))},
+          {"normal", scene::vector_json(hit.normal)},
           {"weights", hit.weights},
           {"joints", std::move(joints)}};
 }
@@ -137,9 +137,10 @@ ordered_json options_json(const scenes::Scene& scene, const RaySettings& setting
   constexpr const char* kFacings[] = {"both", "front", "back"};
   ordered_json rays = ordered_json::array();
   for (const Ray& ray : settings.rays) {
-    rays.push_back({{"from", vector_json(ray.origin)}, {"direction", vector_json(ray.direction)}});
+    rays.push_back({{"from", scene::vector_json(ray.origin)},
+                    {"direction", scene::vector_json(ray.direction)}});
   }
-  const FrameRange& frames = settings.frames;
+  const arguments::FrameRange& frames = settings.frames;
   return {{"rays", std::move(rays)},
           {"beyond", settings.rays[0].t_max > 1},
           {"facing", kFacings[static_cast<int>(settings.facing)]},
@@ -148,9 +149,9 @@ ordered_json options_json(const scenes::Scene& scene, const RaySettings& setting
 }
 
 void write_header(const HitNames& names, const RaySettings& settings, std::ostream& out) {
-  ordered_json header = header_json("pelt-ray", names.scene(), names.colliders());
+  ordered_json header = scene::header_json("pelt-ray", names.scene(), names.colliders());
   header["options"] = options_json(names.scene(), settings);
-  write_line(header, out);
+  scene::write_line(header, out);
 }
 
 void write_frame(const HitNames& names, const RaySettings& settings, std::uint32_t frame,
@@ -158,53 +159,59 @@ void write_frame(const HitNames& names, const RaySettings& settings, std::uint32
   ordered_json rays = ordered_json::array();
   for (std::size_t r = 0; r < hits.ray_count(); ++r)
     rays.push_back(ray_json(names, settings.rays[r], r, hits));
-  write_line({{"frame", frame},
-              {"time", scenes::frame_time(names.scene(), frame)},
-              {"rays", std::move(rays)}},
-             out);
+  scene::write_line({{"frame", frame},
+                     {"time", scenes::frame_time(names.scene(), frame)},
+                     {"rays", std::move(rays)}},
+                    out);
 }
 
-void write_totals(std::span<const RayTally> tallies, const FrameCosts& costs, std::ostream& out) {
+void write_totals(std::span<const RayTally> tallies, const scene::FrameCosts& costs,
+                  std::ostream& out) {
   ordered_json frames_hit = ordered_json::array();
   for (const RayTally& tally : tallies) frames_hit.push_back(tally.frames.size());
-  write_line({{"totals", {{"frames", costs.seconds.size()}, {"frames_hit", std::move(frames_hit)}}},
-              {"counters", counters_json(costs.work)}},
-             out);
+  scene::write_line(
+      {{"totals", {{"frames", costs.seconds.size()}, {"frames_hit", std::move(frames_hit)}}},
+       {"counters", scene::counters_json(costs.work)}},
+      out);
 }
 
 void print_nearest(const HitNames& names, const Ray& ray, const RayTally::Nearest& nearest,
                    std::ostream& out) {
   const RayHit& hit = nearest.hit;
   const std::vector<JointShare> joints = names.joints(nearest.instance, hit);
-  label(out, "nearest") << "frame " << nearest.frame << ": "
-                        << collider_name(names.scene(), names.colliders()[nearest.instance]) << ' '
-                        << asset::printable_name(names.part(nearest.instance, hit)) << ", triangle "
-                        << hit.triangle << ", "
-                        << asset::printable_name(scenes::joint_name(
-                               names.asset_of(nearest.instance), joints[0].joint))
-                        << '\n';
-  label(out, "") << "t " << fixed(double{hit.t}, 6) << " at" << coordinates(point_of(ray, hit.t))
-                 << ", normal" << coordinates(hit.normal) << '\n';
+  scene::label(out, "nearest") << "frame " << nearest.frame << ": "
+                               << scene::collider_name(names.scene(),
+                                                       names.colliders()[nearest.instance])
+                               << ' ' << asset::printable_name(names.part(nearest.instance, hit))
+                               << ", triangle " << hit.triangle << ", "
+                               << asset::printable_name(scenes::joint_name(
+                                      names.asset_of(nearest.instance), joints[0].joint))
+                               << '\n';
+  scene::label(out, "") << "t " << output::fixed(double{hit.t}, 6) << " at"
+                        << scene::coordinates(point_of(ray, hit.t)) << ", normal"
+                        << scene::coordinates(hit.normal) << '\n';
 }
 
 void print_ray(const HitNames& names, const RaySettings& settings, std::size_t number,
                const RayTally& tally, std::size_t frames, std::ostream& out) {
-  label(out, ("ray " + std::to_string(number)).c_str());
+  scene::label(out, ("ray " + std::to_string(number)).c_str());
   if (!tally.nearest) {
-    out << "hits nothing in " << counted(frames, "frame") << '\n';
+    out << "hits nothing in " << output::counted(frames, "frame") << '\n';
     return;
   }
-  out << "hits in " << with_commas(tally.frames.size()) << " of " << counted(frames, "frame")
-      << ": " << frame_runs(tally.frames, settings.frames.stride) << '\n';
+  out << "hits in " << output::with_commas(tally.frames.size()) << " of "
+      << output::counted(frames, "frame") << ": "
+      << scene::frame_runs(tally.frames, settings.frames.stride) << '\n';
   print_nearest(names, settings.rays[number], *tally.nearest, out);
 }
 
 void print_summary(const HitNames& names, const RaySettings& settings,
-                   std::span<const RayTally> tallies, const FrameCosts& costs, std::ostream& out) {
-  print_scene(names.scene(), names.colliders(), out);
+                   std::span<const RayTally> tallies, const scene::FrameCosts& costs,
+                   std::ostream& out) {
+  scene::print_scene(names.scene(), names.colliders(), out);
   for (std::size_t r = 0; r < tallies.size(); ++r)
     print_ray(names, settings, r, tallies[r], costs.seconds.size(), out);
-  print_costs(costs.seconds, costs.work, out);
+  scene::print_costs(costs.seconds, costs.work, out);
 }
 
 QueryStats cast_at_all(std::span<Pose> poses, const RaySettings& settings, RayHits& hits) {
@@ -217,12 +224,12 @@ QueryStats cast_at_all(std::span<Pose> poses, const RaySettings& settings, RayHi
 }  // namespace
 
 Result<void> ray_scene(const scenes::Scene& scene, const RaySettings& settings,
-                       const ModelArguments& models, const std::string& jsonl,
+                       const arguments::ModelArguments& models, const std::string& jsonl,
                        std::ostream& words) {
-  const auto colliders = make_colliders(scene, Granularity::instance, models);
+  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, models);
   if (!colliders) return colliders.error();
   const HitNames names(scene, *colliders);
-  LineOutput lines;
+  output::LineOutput lines;
   if (const auto opened = lines.open(jsonl); !opened) return opened.error();
   if (lines.stream() != nullptr) write_header(names, settings, *lines.stream());
   RayHits hits(settings.rays.size(), colliders->size());
@@ -232,13 +239,14 @@ Result<void> ray_scene(const scenes::Scene& scene, const RaySettings& settings,
     if (lines.stream() != nullptr) write_frame(names, settings, frame, hits, *lines.stream());
   };
   const auto ask = [&](std::span<Pose> poses) { return cast_at_all(poses, settings, hits); };
-  const Result<FrameCosts> costs = run_frames(scene, *colliders, settings.frames, {ask, record});
+  const Result<scene::FrameCosts> costs =
+      scene::run_frames(scene, *colliders, settings.frames, {ask, record});
   if (!costs) return asset::prefixed(scene.name, costs.error());
   if (lines.stream() != nullptr) write_totals(tallies, *costs, *lines.stream());
   if (const auto closed = lines.close(); !closed) return closed.error();
   print_summary(names, settings, tallies, *costs, words);
-  print_written(jsonl, words);
+  output::print_written(jsonl, words);
   return {};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

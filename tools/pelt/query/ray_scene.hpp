@@ -12,16 +12,17 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 
 struct RaySettings {
   std::vector<Ray> rays;
   Facing facing = Facing::both;
-  FrameRange frames;
+  arguments::FrameRange frames;
 };
 
 /// `jsonl` as for LineOutput; the summary goes to `words`.
 Result<void> ray_scene(const scenes::Scene& scene, const RaySettings& settings,
-                       const ModelArguments& models, const std::string& jsonl, std::ostream& words);
+                       const arguments::ModelArguments& models, const std::string& jsonl,
+                       std::ostream& words);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

@@ -12,7 +12,7 @@
 #include <array>
 #include <iomanip>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 namespace {
 
 using nlohmann::ordered_json;
@@ -62,19 +62,20 @@ class RegionQuery {
 
 class RegionWriter {
  public:
-  RegionWriter(const scenes::Scene& scene, std::span<const Collider> colliders,
+  RegionWriter(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                const RegionSettings& settings, std::ostream& out)
       : scene_(scene), colliders_(colliders), settings_(settings), out_(out) {}
 
   void header() {
-    const FrameRange& frames = settings_.frames;
-    ordered_json header = header_json("pelt-region", scene_, colliders_);
-    header["options"] = {{settings_.region.kind(), settings_.region.numbers()},
-                         {"by", settings_.granularity == Granularity::part ? "part" : "instance"},
-                         {"triangles", settings_.finds_triangles},
-                         {"frames", {frames.begin, frames.end, frames.stride}},
-                         {"fps", scene_.fps}};
-    write_line(header, out_);
+    const arguments::FrameRange& frames = settings_.frames;
+    ordered_json header = scene::header_json("pelt-region", scene_, colliders_);
+    header["options"] = {
+        {settings_.region.kind(), settings_.region.numbers()},
+        {"by", settings_.granularity == scene::Granularity::part ? "part" : "instance"},
+        {"triangles", settings_.finds_triangles},
+        {"frames", {frames.begin, frames.end, frames.stride}},
+        {"fps", scene_.fps}};
+    scene::write_line(header, out_);
   }
 
   void frame(std::uint32_t frame, std::span<const Placed> placed) {
@@ -87,13 +88,13 @@ class RegionWriter {
       entry["touching"] = numbers_in_model(c, placed[c].triangles.touching);
       entry["inside"] = numbers_in_model(c, placed[c].triangles.inside);
     }
-    write_line({{"frame", frame},
-                {"time", scenes::frame_time(scene_, frame)},
-                {"placements", std::move(placements)}},
-               out_);
+    scene::write_line({{"frame", frame},
+                       {"time", scenes::frame_time(scene_, frame)},
+                       {"placements", std::move(placements)}},
+                      out_);
   }
 
-  void totals(std::span<const Placed> placed, const FrameCosts& costs) {
+  void totals(std::span<const Placed> placed, const scene::FrameCosts& costs) {
     ordered_json placements = ordered_json::array();
     for (std::size_t c = 0; c < placed.size(); ++c) {
       ordered_json& entry = placements.emplace_back();
@@ -101,9 +102,9 @@ class RegionWriter {
       for (const Placement p : {Placement::outside, Placement::partly, Placement::inside})
         entry[name_of(p)] = placed[c].frames[static_cast<std::size_t>(p)];
     }
-    write_line(
+    scene::write_line(
         {{"totals", {{"frames", costs.seconds.size()}, {"placements", std::move(placements)}}},
-         {"counters", counters_json(costs.work)}},
+         {"counters", scene::counters_json(costs.work)}},
         out_);
   }
 
@@ -117,17 +118,17 @@ class RegionWriter {
   }
 
   const scenes::Scene& scene_;
-  std::span<const Collider> colliders_;
+  std::span<const scene::Collider> colliders_;
   const RegionSettings& settings_;
   std::ostream& out_;
 };
 
-void print_placements(const scenes::Scene& scene, std::span<const Collider> colliders,
+void print_placements(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                       std::span<const Placed> placed, std::uint32_t stride, std::ostream& out) {
   std::vector<std::string> names;
   std::size_t width = 0;
-  for (const Collider& collider : colliders) {
-    names.push_back(collider_name(scene, collider));
+  for (const scene::Collider& collider : colliders) {
+    names.push_back(scene::collider_name(scene, collider));
     width = std::max(width, names.back().size());
   }
   const auto column = [&](auto text) -> std::ostream& { return out << std::setw(9) << text; };
@@ -139,7 +140,7 @@ void print_placements(const scenes::Scene& scene, std::span<const Collider> coll
     out << "  " << std::left << std::setw(static_cast<int>(width)) << names[c] << std::right;
     for (const std::uint32_t frames : placed[c].frames) column(frames);
     if (!placed[c].frames_not_outside.empty())
-      out << "  not outside in " << frame_runs(placed[c].frames_not_outside, stride);
+      out << "  not outside in " << scene::frame_runs(placed[c].frames_not_outside, stride);
     out << '\n';
   }
   out << '\n';
@@ -148,24 +149,24 @@ void print_placements(const scenes::Scene& scene, std::span<const Collider> coll
 }  // namespace
 
 Result<void> region_scene(const scenes::Scene& scene, const RegionSettings& settings,
-                          const ModelArguments& models, const std::string& jsonl,
+                          const arguments::ModelArguments& models, const std::string& jsonl,
                           std::ostream& words) {
-  const auto colliders = make_colliders(scene, settings.granularity, models);
+  const auto colliders = scene::make_colliders(scene, settings.granularity, models);
   if (!colliders) return colliders.error();
-  LineOutput lines;
+  output::LineOutput lines;
   if (const auto opened = lines.open(jsonl); !opened) return opened.error();
   std::optional<RegionWriter> writer;
   if (lines.stream() != nullptr) writer.emplace(scene, *colliders, settings, *lines.stream());
   if (writer) writer->header();
   RegionQuery query(settings, colliders->size());
-  const Result<FrameCosts> costs =
+  const Result<scene::FrameCosts> costs =
       answer_frames(scene, *colliders, settings.frames, query, writer, lines);
   if (!costs) return costs.error();
-  print_scene(scene, *colliders, words);
+  scene::print_scene(scene, *colliders, words);
   print_placements(scene, *colliders, query.answers(), settings.frames.stride, words);
-  print_costs(costs->seconds, costs->work, words);
-  print_written(jsonl, words);
+  scene::print_costs(costs->seconds, costs->work, words);
+  output::print_written(jsonl, words);
   return {};
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

@@ -11,18 +11,18 @@
 #include <ostream>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::query {
 
 struct RegionSettings {
-  ChosenRegion region;
-  Granularity granularity = Granularity::instance;
+  arguments::ChosenRegion region;
+  scene::Granularity granularity = scene::Granularity::instance;
   bool finds_triangles = false;
-  FrameRange frames;
+  arguments::FrameRange frames;
 };
 
 /// `jsonl` as for LineOutput; the summary goes to `words`.
 Result<void> region_scene(const scenes::Scene& scene, const RegionSettings& settings,
-                          const ModelArguments& models, const std::string& jsonl,
+                          const arguments::ModelArguments& models, const std::string& jsonl,
                           std::ostream& words);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::query

@@ -6,14 +6,15 @@
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 using scenes::Character;
 
 /// What is shared by all instances of a character: a collider for each part, or one for all.
 Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32_t index,
-                                         Granularity granularity, const ModelArguments& arguments) {
+                                         Granularity granularity,
+                                         const arguments::ModelArguments& arguments) {
   const Character& character = scene.characters[index];
   const std::vector<Matrix4> samples =
       scenes::clip_samples(character.asset, scenes::played_clips(scene, index), arguments.samples);
@@ -21,7 +22,8 @@ Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32
   std::vector<Collider> colliders;
   const auto add = [&](const SkinnedMeshView& mesh, std::optional<std::uint32_t> part,
                        std::uint32_t first_triangle) -> Result<void> {
-    Result<SkinnedModel> model = build_named_model(character.source, mesh, arguments, samples);
+    Result<SkinnedModel> model =
+        arguments::build_named_model(character.source, mesh, arguments, samples);
     if (!model) return model.error();
     colliders.push_back({0, part, first_triangle, std::move(*model)});
     return {};
@@ -43,7 +45,7 @@ Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32
 }  // namespace
 
 Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
-                                             const ModelArguments& arguments) {
+                                             const arguments::ModelArguments& arguments) {
   std::vector<std::vector<Collider>> by_character;
   for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
     Result<std::vector<Collider>> made = prototypes(scene, c, granularity, arguments);
@@ -68,4 +70,4 @@ std::string collider_name(const scenes::Scene& scene, const Collider& collider) 
   return name + " " + asset::printable_name(scenes::part_name(character.asset, *collider.part));
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

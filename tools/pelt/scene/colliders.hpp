@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 enum class Granularity {
   instance,  ///< two instances collide, never an instance with itself
@@ -28,9 +28,9 @@ struct Collider {
 /// In order of instances, then parts; parts without triangles are left out. Models are prepared for
 /// the clips that the scene plays.
 Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
-                                             const ModelArguments& arguments);
+                                             const arguments::ModelArguments& arguments);
 
 /// "knight 0", or "knight 0 Knight_Helmet" for a part; printable.
 std::string collider_name(const scenes::Scene& scene, const Collider& collider);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

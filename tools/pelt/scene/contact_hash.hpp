@@ -3,7 +3,7 @@
 #include "base/hash.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 /// FNV-1a 64 over little-endian u32 frame, a, b, triangle_a, triangle_b of every contact, in that
 /// order: equal for equal answers, whatever the method, machine or compiler.
@@ -26,4 +26,4 @@ class ContactHash {
   detail::Fnv1a64 hash_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 using nlohmann::ordered_json;
@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 ordered_json inputs_json(const scenes::Scene& scene) {
   ordered_json inputs = ordered_json::array();
   for (const scenes::Character& character : scene.characters) {
-    inputs.push_back({{"path", character.source}, {"hash", hex16(character.hash)}});
+    inputs.push_back({{"path", character.source}, {"hash", output::hex16(character.hash)}});
   }
   return inputs;
 }
@@ -61,13 +61,15 @@ ordered_json counters_json(const QueryStats& work) {
 }
 
 nlohmann::json as_json_holds(const ordered_json& value) {
-  return nlohmann::json::parse(json_text(value));
+  return nlohmann::json::parse(output::json_text(value));
 }
 
 std::string as_json_holds(const std::string& text) {
   return as_json_holds(ordered_json(text)).get<std::string>();
 }
 
-void write_line(const ordered_json& value, std::ostream& out) { out << json_text(value) << '\n'; }
+void write_line(const ordered_json& value, std::ostream& out) {
+  out << output::json_text(value) << '\n';
+}
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

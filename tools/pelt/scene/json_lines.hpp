@@ -16,7 +16,7 @@
 #include <span>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 /// The header without the options: `format`, `version`, `pelt`, `inputs`, `instances`.
 nlohmann::ordered_json header_json(const char* format, const scenes::Scene& scene,
@@ -33,4 +33,4 @@ std::string as_json_holds(const std::string& text);
 
 void write_line(const nlohmann::ordered_json& value, std::ostream& out);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

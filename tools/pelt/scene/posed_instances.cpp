@@ -9,7 +9,7 @@
 #include <array>
 #include <map>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 /// What the instances take in a .glb, positions, normals and indices: its sizes are 32 bits wide.
@@ -28,11 +28,11 @@ Result<void> check_glb_size(const scenes::Scene& scene) {
 
 /// Without sample poses: nothing is asked of these models but posed vertices.
 Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
-                                               const ModelArguments& arguments) {
+                                               const arguments::ModelArguments& arguments) {
   std::vector<SkinnedModel> models;
   for (const scenes::Character& character : scene.characters) {
     Result<SkinnedModel> model =
-        build_named_model(character.source, character.asset.mesh(), arguments);
+        arguments::build_named_model(character.source, character.asset.mesh(), arguments);
     if (!model) return model.error();
     models.push_back(std::move(*model));
   }
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> first_at_place(std::span<const Vec3> positions) {
 }  // namespace
 
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
-                                                  const ModelArguments& arguments) {
+                                                  const arguments::ModelArguments& arguments) {
   if (const Result<void> fits = check_glb_size(scene); !fits) return fits.error();
   const Result<std::vector<SkinnedModel>> models = build_models(scene, arguments);
   if (!models) return models.error();
@@ -91,4 +91,4 @@ std::vector<Vec3> normals_of(const PosedInstance& instance) {
   return normals;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

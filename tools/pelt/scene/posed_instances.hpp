@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 struct PosedInstance {
   std::string name;                     ///< "knight 0"
@@ -21,9 +21,9 @@ struct PosedInstance {
 
 /// `scene` must outlive the result. Refuses what no .glb could hold.
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
-                                                  const ModelArguments& arguments);
+                                                  const arguments::ModelArguments& arguments);
 
 /// Smooth normals, which vertices at the same place share.
 std::vector<Vec3> normals_of(const PosedInstance& instance);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

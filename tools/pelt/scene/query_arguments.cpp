@@ -6,16 +6,16 @@
 
 #include <utility>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
-void add_query_options(Verb& verb, QueryArguments& arguments) {
-  add_scene_options(verb, arguments.scene);
+void add_query_options(arguments::Verb& verb, QueryArguments& arguments) {
+  arguments::add_scene_options(verb, arguments.scene);
   verb.option(
       "--frames", arguments.frames,
       "Frames A to B - 1; with A:B:S every S-th of them (default: all frames of the scene or "
       "of the longest clip)",
       {.type = "A:B"});
-  add_simd_option(verb, arguments.simd);
+  arguments::add_simd_option(verb, arguments.simd);
   verb.option("--jsonl", arguments.jsonl,
               "Write the answer, one JSON object per line; -: to standard output, with the summary "
               "on standard error",
@@ -23,10 +23,11 @@ void add_query_options(Verb& verb, QueryArguments& arguments) {
 }
 
 Result<QueryInput> open_query(const QueryArguments& arguments) {
-  if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
-  Result<scenes::Scene> scene = open_scene(arguments.scene);
+  if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
+  Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
-  const Result<FrameRange> frames = choose_frames(arguments.frames, arguments.scene, *scene);
+  const Result<arguments::FrameRange> frames =
+      arguments::choose_frames(arguments.frames, arguments.scene, *scene);
   if (!frames) return frames.error();
   return QueryInput{std::move(*scene), *frames};
 }
@@ -34,7 +35,8 @@ Result<QueryInput> open_query(const QueryArguments& arguments) {
 Result<Granularity> choose_granularity(const std::string& name) {
   if (name == "instance") return Granularity::instance;
   if (name == "part") return Granularity::part;
-  return bad_argument("--by", "there is no " + asset::quoted(name), "give instance or part");
+  return output::bad_argument("--by", "there is no " + asset::quoted(name),
+                              "give instance or part");
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

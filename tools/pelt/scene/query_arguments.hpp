@@ -7,19 +7,19 @@
 
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 struct QueryArguments {
-  SceneArguments scene;
+  arguments::SceneArguments scene;
   std::string frames, jsonl, simd;
 };
 
-void add_query_options(Verb& verb, QueryArguments& arguments);
+void add_query_options(arguments::Verb& verb, QueryArguments& arguments);
 
 /// The scene and which frames of it.
 struct QueryInput {
   scenes::Scene scene;
-  FrameRange frames;
+  arguments::FrameRange frames;
 };
 
 /// Loads what the arguments name and chooses the instructions to be used.
@@ -28,4 +28,4 @@ Result<QueryInput> open_query(const QueryArguments& arguments);
 /// What --by names.
 Result<Granularity> choose_granularity(const std::string& name);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

@@ -2,7 +2,7 @@
 
 #include "tools/pelt/output/glb_writer.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 constexpr std::array<std::array<float, 3>, 4> kSkinColours = {{
@@ -13,8 +13,8 @@ constexpr std::array<std::array<float, 3>, 4> kSkinColours = {{
 }};
 
 /// One for each skin colour, then the one of triangles in contact.
-std::vector<GlbMaterial> materials() {
-  std::vector<GlbMaterial> all;
+std::vector<output::GlbMaterial> materials() {
+  std::vector<output::GlbMaterial> all;
   for (const std::array<float, 3>& colour : kSkinColours) {
     all.push_back({"skin " + std::to_string(all.size()), colour});
   }
@@ -46,13 +46,13 @@ std::array<float, 3> skin_colour(std::size_t instance) {
 }
 
 std::vector<std::byte> posed_glb(std::span<const PosedInstance> instances) {
-  std::vector<GlbMesh> meshes;
+  std::vector<output::GlbMesh> meshes;
   for (const PosedInstance& instance : instances) {
-    GlbMesh mesh{instance.name, instance.positions, {}, {}};
+    output::GlbMesh mesh{instance.name, instance.positions, {}, {}};
     mesh.primitives.push_back({instance.triangles, skin_material(meshes.size())});
     meshes.push_back(std::move(mesh));
   }
-  return make_glb(meshes, materials());
+  return output::make_glb(meshes, materials());
 }
 
 std::vector<std::vector<bool>> touching_triangles(std::span<const PosedInstance> instances,
@@ -79,16 +79,16 @@ std::vector<std::byte> contacts_glb(std::span<const PosedInstance> instances,
     sorted.push_back(sort_triangles(instances[i].triangles, touching[i]));
     normals.push_back(normals_of(instances[i]));
   }
-  std::vector<GlbMesh> meshes;
+  std::vector<output::GlbMesh> meshes;
   for (std::size_t i = 0; i < instances.size(); ++i) {
-    GlbMesh mesh{instances[i].name, instances[i].positions, normals[i], {}};
+    output::GlbMesh mesh{instances[i].name, instances[i].positions, normals[i], {}};
     if (!sorted[i].free.empty()) mesh.primitives.push_back({sorted[i].free, skin_material(i)});
     if (!sorted[i].touching.empty()) {
       mesh.primitives.push_back({sorted[i].touching, kContactMaterial});
     }
     meshes.push_back(std::move(mesh));
   }
-  return make_glb(meshes, materials());
+  return output::make_glb(meshes, materials());
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

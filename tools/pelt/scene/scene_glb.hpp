@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 /// The instances as they were collided: one root node each in order, one mesh, one primitive, all
 /// vertices bit for bit, all triangles as numbered in the answers.
@@ -26,4 +26,4 @@ std::vector<std::byte> contacts_glb(std::span<const PosedInstance> instances,
 /// Linear colours that tell neighbours apart; they repeat.
 std::array<float, 3> skin_colour(std::size_t instance);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

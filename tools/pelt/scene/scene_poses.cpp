@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 Result<void> set_pose(Pose& pose, const Palettes& palettes, std::uint32_t instance) {
@@ -33,14 +33,14 @@ Result<void> ScenePoses::set_palettes(const Palettes& palettes) {
 }
 
 Result<FrameCosts> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
-                              const FrameRange& frames, const FrameSteps& steps) {
+                              const arguments::FrameRange& frames, const FrameSteps& steps) {
   using Clock = std::chrono::steady_clock;
   FrameCosts costs;
   ScenePoses posed(colliders);
   asset::SampleScratch scratch;
   Palettes palettes;
   const std::vector<std::uint32_t> numbers = frames.frames();
-  Progress progress(numbers.size());
+  output::Progress progress(numbers.size());
   for (const std::uint32_t frame : numbers) {
     sample_palettes(scene, frame, scratch, palettes);
     const Clock::time_point begin = Clock::now();
@@ -54,4 +54,4 @@ Result<FrameCosts> run_frames(const scenes::Scene& scene, std::span<const Collid
   return costs;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

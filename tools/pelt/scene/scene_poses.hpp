@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 /// A pose for each collider, in their order.
 class ScenePoses {
@@ -43,6 +43,6 @@ struct FrameCosts {
 
 /// Runs through the frames.
 Result<FrameCosts> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
-                              const FrameRange& frames, const FrameSteps& steps);
+                              const arguments::FrameRange& frames, const FrameSteps& steps);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

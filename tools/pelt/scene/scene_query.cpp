@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 /// Fewer palettes than this are set before a thread has woken up.
@@ -135,4 +135,4 @@ QueryStats SceneQuery::work() const {
   return work;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 /// The joint palette of every instance at one frame.
 struct Palettes {
@@ -89,4 +89,4 @@ class SceneQuery {
   QueryStats query_work_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

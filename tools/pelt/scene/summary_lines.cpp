@@ -6,7 +6,7 @@
 
 #include <iomanip>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 std::uint64_t triangle_count(std::span<const Collider> colliders) {
@@ -24,10 +24,10 @@ std::ostream& label(std::ostream& out, const char* name) {
 void print_scene(const scenes::Scene& scene, std::span<const Collider> colliders,
                  std::ostream& out) {
   label(out, "scene") << asset::printable(scene.name) << ": "
-                      << counted(scene.instances.size(), "instance");
+                      << output::counted(scene.instances.size(), "instance");
   const bool parts = !colliders.empty() && colliders[0].part;
-  if (parts) out << ", " << counted(colliders.size(), "part");
-  out << ", " << with_commas(triangle_count(colliders)) << " triangles\n";
+  if (parts) out << ", " << output::counted(colliders.size(), "part");
+  out << ", " << output::with_commas(triangle_count(colliders)) << " triangles\n";
   for (const std::string& note : scene.notes) label(out, "note") << asset::printable(note) << '\n';
 }
 
@@ -62,22 +62,24 @@ std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stri
 
 void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out) {
   const std::vector<double> seconds(frame_seconds.begin(), frame_seconds.end());
-  label(out, "time") << "median " << fixed(1e3 * bench::median(seconds), 3) << " ms, mean "
-                     << fixed(1e3 * bench::mean(seconds), 3) << " ms per frame\n";
-  label(out, "work") << with_commas(work.node_pairs) << " node pairs, " << with_commas(work.refits)
-                     << " refits, " << with_commas(work.posed_vertices) << " posed vertices, "
-                     << with_commas(work.triangle_pairs) << " triangle pairs";
-  if (work.displacements > 0) out << ", " << with_commas(work.displacements) << " displacements";
+  label(out, "time") << "median " << output::fixed(1e3 * bench::median(seconds), 3) << " ms, mean "
+                     << output::fixed(1e3 * bench::mean(seconds), 3) << " ms per frame\n";
+  label(out, "work") << output::with_commas(work.node_pairs) << " node pairs, "
+                     << output::with_commas(work.refits) << " refits, "
+                     << output::with_commas(work.posed_vertices) << " posed vertices, "
+                     << output::with_commas(work.triangle_pairs) << " triangle pairs";
+  if (work.displacements > 0)
+    out << ", " << output::with_commas(work.displacements) << " displacements";
   out << '\n';
 }
 
 std::string coordinates(const Vec3& v) {
   std::string text;
   for (const float x : {v.x, v.y, v.z}) {
-    const std::string number = fixed(static_cast<double>(x), 3);
+    const std::string number = output::fixed(static_cast<double>(x), 3);
     text += std::string(number.size() < 9 ? 9 - number.size() : 1, ' ') + number;
   }
   return text;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 /// The first column: what the line is about.
 std::ostream& label(std::ostream& out, const char* name);
@@ -38,4 +38,4 @@ std::string coordinates(const Vec3& v);
 /// Time a frame and work of all frames.
 void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

@@ -7,7 +7,7 @@
 #include <array>
 #include <map>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 /// The joint that a point of a triangle follows most; of equal ones the lowest.
@@ -46,4 +46,4 @@ std::string place_words(const scenes::Scene& scene, const Collider& collider,
          std::to_string(named.triangle) + ")";
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

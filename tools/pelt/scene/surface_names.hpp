@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 
 /// What the command says of a point of a collider's surface.
 struct NamedPoint {
@@ -23,4 +23,4 @@ NamedPoint name_point(const scenes::Scene& scene, const Collider& collider,
 std::string place_words(const scenes::Scene& scene, const Collider& collider,
                         const SurfacePoint& point);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

@@ -14,7 +14,7 @@
 #include <array>
 #include <iostream>
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
@@ -24,7 +24,7 @@ struct Arguments {
   std::string threads, json, against, frames, simd;
   std::optional<std::uint32_t> margin;
   std::uint32_t repetitions = kEnoughRepetitions;
-  ModelArguments models;
+  arguments::ModelArguments models;
 };
 
 constexpr const char* kFooter = R"(
@@ -80,7 +80,7 @@ Result<std::vector<T>> parse_list(const char* option, const std::string& text,
                                   std::span<const T> values,
                                   std::span<const std::string_view> names) {
   std::vector<T> parsed;
-  for (const std::string_view name : split(text, ',')) {
+  for (const std::string_view name : output::split(text, ',')) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
       return Error{ErrorCode::invalid_argument, std::string(option) + ": there is no " +
@@ -113,10 +113,10 @@ Result<std::vector<bench::MethodKind>> parse_methods(const std::string& text) {
 Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
   std::vector<std::uint32_t> counts;
   if (text.empty()) return counts;
-  for (const std::string_view word : split(text, ',')) {
+  for (const std::string_view word : output::split(text, ',')) {
     std::uint32_t count = 0;
-    if (!parse_whole(word, count) || count == 0 || count > kMostThreads) {
-      return bad_argument(
+    if (!output::parse_whole(word, count) || count == 0 || count > kMostThreads) {
+      return output::bad_argument(
           "--threads", asset::quoted(word) + " is not a number of threads",
           "give numbers from 1 to " + std::to_string(kMostThreads) + " with commas between them");
     }
@@ -138,8 +138,8 @@ Result<std::vector<Engine>> choose_engines(const Arguments& arguments) {
       for (const std::uint32_t count : *threads) engines.push_back(crowd_engine(count));
   }
   if (!threads->empty() && time_of(engines) == Time::thread) {
-    return bad_argument("--threads", "only on_demand works on several",
-                        "put on_demand among --methods, or leave the threads out");
+    return output::bad_argument("--threads", "only on_demand works on several",
+                                "put on_demand among --methods, or leave the threads out");
   }
   return engines;
 }
@@ -156,23 +156,23 @@ Result<BenchSettings> choose(const Arguments& arguments) {
   if (!caches) return caches.error();
   settings.caches = *caches;
   if (arguments.repetitions == 0) {
-    return bad_argument("--repeat", "0 repetitions measure nothing", "give 1 or more");
+    return output::bad_argument("--repeat", "0 repetitions measure nothing", "give 1 or more");
   }
   settings.repetitions = arguments.repetitions;
   settings.models = arguments.models;
   if (arguments.frames.empty()) return settings;
-  const auto frames = parse_frame_range(arguments.frames);
+  const auto frames = arguments::parse_frame_range(arguments.frames);
   if (!frames) return frames.error();
   settings.frames = *frames;
   return settings;
 }
 
-Result<ExitCode> bench_file(const std::string& path, const BenchSettings& settings,
-                            std::vector<SceneFigures>& figures) {
+Result<arguments::ExitCode> bench_file(const std::string& path, const BenchSettings& settings,
+                                       std::vector<SceneFigures>& figures) {
   const auto scene = scenes::load_scene(path, settings.models.gltf_options());
   if (!scene) return scene.error();
-  const Result<ExitCode> exit = bench_scene(*scene, settings, figures, std::cerr);
-  if (!exit || *exit != ExitCode::success) return exit;
+  const Result<arguments::ExitCode> exit = bench_scene(*scene, settings, figures, std::cerr);
+  if (!exit || *exit != arguments::ExitCode::success) return exit;
   if (figures.size() == 1) print_machine(std::cout);
   print_figures(figures.back(), std::cout);
   return exit;
@@ -181,50 +181,52 @@ Result<ExitCode> bench_file(const std::string& path, const BenchSettings& settin
 /// Nothing where no file is named to compare with.
 Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments) {
   if (arguments.against.empty() && arguments.margin)
-    return bad_argument("--margin", "there is no --against", "name the file with --against FILE");
+    return output::bad_argument("--margin", "there is no --against",
+                                "name the file with --against FILE");
   if (arguments.against.empty()) return std::optional<Baseline>();
   auto baseline = read_baseline(arguments.against);
   if (!baseline) return baseline.error();
   return std::optional<Baseline>(std::move(*baseline));
 }
 
-ExitCode compare(const Baseline& baseline, const Arguments& arguments,
-                 std::span<const SceneFigures> figures) {
+arguments::ExitCode compare(const Baseline& baseline, const Arguments& arguments,
+                            std::span<const SceneFigures> figures) {
   const BenchComparison comparison =
       print_comparison(baseline, figures, arguments.margin.value_or(kNoisePercent), std::cout);
-  if (comparison.different_answers == 0) return ExitCode::success;
+  if (comparison.different_answers == 0) return arguments::ExitCode::success;
   std::cerr
-      << "pelt: error: " << counted(comparison.different_answers, "answer") << " different from "
-      << baseline.path
+      << "pelt: error: " << output::counted(comparison.different_answers, "answer")
+      << " different from " << baseline.path
       << ": if scenes, characters and options are the same, please report this; if the answers "
          "should differ, write a new file with --json\n";
-  return ExitCode::internal;
+  return arguments::ExitCode::internal;
 }
 
-Result<ExitCode> bench_scenes(const Arguments& arguments) {
-  if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
+Result<arguments::ExitCode> bench_scenes(const Arguments& arguments) {
+  if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
   const Result<BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
   const auto baseline = choose_baseline(arguments);
   if (!baseline) return baseline.error();
   if (!arguments.json.empty()) {
-    if (const auto writable = check_writable(arguments.json); !writable) return writable.error();
+    if (const auto writable = output::check_writable(arguments.json); !writable)
+      return writable.error();
   }
   std::vector<SceneFigures> figures;
   for (const std::string& path : arguments.scenes) {
-    const Result<ExitCode> exit = bench_file(path, *settings, figures);
-    if (!exit || *exit != ExitCode::success) return exit;
+    const Result<arguments::ExitCode> exit = bench_file(path, *settings, figures);
+    if (!exit || *exit != arguments::ExitCode::success) return exit;
   }
   if (!arguments.json.empty()) {
     const std::string text = figures_json(figures);
-    const auto written = write_file(arguments.json, std::as_bytes(std::span(text)));
+    const auto written = output::write_file(arguments.json, std::as_bytes(std::span(text)));
     if (!written) return written.error();
-    print_written(arguments.json, std::cout);
+    output::print_written(arguments.json, std::cout);
   }
-  return *baseline ? compare(**baseline, arguments, figures) : ExitCode::success;
+  return *baseline ? compare(**baseline, arguments, figures) : arguments::ExitCode::success;
 }
 
-void add_options(Verb& verb, Arguments& arguments) {
+void add_options(arguments::Verb& verb, Arguments& arguments) {
   verb.option("SCENE", arguments.scenes, "Scene files", {.is_required = true});
   verb.option("--methods", arguments.methods, "Methods to measure, separated by commas",
               {.type = "A,B"});
@@ -244,17 +246,17 @@ void add_options(Verb& verb, Arguments& arguments) {
               "How much worse a ratio may become before it is marked, in per cent (default: " +
                   std::to_string(kNoisePercent) + ")",
               {.type = "PERCENT", .most = 1000});
-  add_simd_option(verb, arguments.simd);
-  add_model_options(verb, arguments.models);
+  arguments::add_simd_option(verb, arguments.simd);
+  arguments::add_model_options(verb, arguments.models);
 }
 
 }  // namespace
 
-void add_bench(CLI::App& app, Command& chosen) {
-  Verb verb(app, "bench", "Measure the speed of methods on scenes", kFooter);
+void add_bench(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "bench", "Measure the speed of methods on scenes", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   add_options(verb, *arguments);
   verb.runs([arguments] { return bench_scenes(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

@@ -9,11 +9,11 @@
 
 #include "asset/message.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
-  QueryArguments query;
+  scene::QueryArguments query;
   std::string by = "instance";
   bool exact = false;
 };
@@ -29,34 +29,36 @@ Boxes and spheres are guaranteed to enclose every triangle. Without --exact they
 the joint matrices alone, without skinning; a box is then a few per cent to 25 % larger than the
 exact one. With --by joint, a box encloses the vertices for which the joint has the largest weight.)";
 
-Result<BoundsBy> choose_by(const std::string& name) {
-  if (name == "instance") return BoundsBy::instance;
-  if (name == "part") return BoundsBy::part;
-  if (name == "joint") return BoundsBy::joint;
-  return bad_argument("--by", "there is no " + asset::quoted(name), "give instance, part or joint");
+Result<query::BoundsBy> choose_by(const std::string& name) {
+  if (name == "instance") return query::BoundsBy::instance;
+  if (name == "part") return query::BoundsBy::part;
+  if (name == "joint") return query::BoundsBy::joint;
+  return output::bad_argument("--by", "there is no " + asset::quoted(name),
+                              "give instance, part or joint");
 }
 
-Result<ExitCode> bounds(const Arguments& arguments) {
-  const Result<BoundsBy> by = choose_by(arguments.by);
+Result<arguments::ExitCode> bounds(const Arguments& arguments) {
+  const Result<query::BoundsBy> by = choose_by(arguments.by);
   if (!by) return by.error();
-  const Result<QueryInput> input = open_query(arguments.query);
+  const Result<scene::QueryInput> input = scene::open_query(arguments.query);
   if (!input) return input.error();
-  const BoundsSettings settings = {
-      *by, arguments.exact ? BoundsKind::exact : BoundsKind::guaranteed, input->frames};
+  const query::BoundsSettings settings = {
+      *by, arguments.exact ? query::BoundsKind::exact : query::BoundsKind::guaranteed,
+      input->frames};
   const Result<void> answered =
-      bounds_scene(input->scene, settings, arguments.query.scene.models, arguments.query.jsonl,
-                   words_beside(arguments.query.jsonl));
+      query::bounds_scene(input->scene, settings, arguments.query.scene.models,
+                          arguments.query.jsonl, output::words_beside(arguments.query.jsonl));
   if (!answered) return answered.error();
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_bounds(CLI::App& app, Command& chosen) {
-  Verb verb(app, "bounds", "Compute boxes and spheres around the characters in every frame",
-            kFooter);
+void add_bounds(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "bounds",
+                       "Compute boxes and spheres around the characters in every frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_query_options(verb, arguments->query);
+  scene::add_query_options(verb, arguments->query);
   verb.flag(
       "--exact", arguments->exact,
       "Compute the smallest box around the posed vertices that triangles use, exact to the bit");
@@ -65,4 +67,4 @@ void add_bounds(CLI::App& app, Command& chosen) {
   verb.runs([arguments] { return bounds(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

@@ -9,7 +9,7 @@
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 constexpr const char* kFooter = R"(
@@ -38,45 +38,47 @@ Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside al
 body), 2 bad input or arguments, 3 internal error.)";
 
 /// The page counts contacts itself: it can show no answer to a question that it cannot ask.
-Result<void> check_for_page(const CheckArguments& arguments) {
+Result<void> check_for_page(const check::CheckArguments& arguments) {
   if (arguments.html.empty()) return {};
   const auto refused = [](const char* option) {
-    return bad_argument("--html", std::string("cannot be combined with ") + option, "leave it out");
+    return output::bad_argument("--html", std::string("cannot be combined with ") + option,
+                                "leave it out");
   };
   if (arguments.clearance) return refused("--clearance");
   if (arguments.max_contacts) return refused("--max-contacts");
   // What is missing should be said before long work.
-  if (const auto viewer = read_viewer(); !viewer) return viewer.error();
-  return check_writable(arguments.html);
+  if (const auto viewer = page::read_viewer(); !viewer) return viewer.error();
+  return output::check_writable(arguments.html);
 }
 
-Result<ExitCode> check(const CheckArguments& arguments) {
-  if (const auto chosen = choose_simd(arguments.simd); !chosen) return chosen.error();
-  Result<scenes::Scene> scene = open_scene(arguments.scene);
+Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
+  if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
+  Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
   if (const auto checked = check_for_page(arguments); !checked) return checked.error();
-  const Result<CheckSettings> settings = choose_settings(arguments, *scene);
+  const Result<check::CheckSettings> settings = check::choose_settings(arguments, *scene);
   if (!settings) return settings.error();
   scene->ignore = settings->ignore;  // so that the page has it too
-  CheckOutputs outputs;
+  check::CheckOutputs outputs;
   outputs.jsonl = arguments.jsonl;
   outputs.glb = arguments.glb;
   outputs.html = arguments.html;
   outputs.words = arguments.words;
-  const Result<CheckReport> report = check_scene(*scene, *settings, arguments.scene.models, outputs,
-                                                 words_beside(arguments.jsonl));
+  const Result<check::CheckReport> report = check::check_scene(
+      *scene, *settings, arguments.scene.models, outputs, output::words_beside(arguments.jsonl));
   if (!report) return report.error();
-  return report->verdict.is_failed ? ExitCode::contact : ExitCode::success;
+  return report->verdict.is_failed ? arguments::ExitCode::contact : arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_check(CLI::App& app, Command& chosen) {
-  Verb verb(app, "check", "Find every pair of intersecting triangles in every frame", kFooter);
-  const auto arguments = std::make_shared<CheckArguments>();
-  add_check_options(verb, *arguments);
+void add_check(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "check", "Find every pair of intersecting triangles in every frame",
+                       kFooter);
+  const auto arguments = std::make_shared<check::CheckArguments>();
+  check::add_check_options(verb, *arguments);
   verb.tells(arguments->words);
   verb.runs([arguments] { return check(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

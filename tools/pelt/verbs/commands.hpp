@@ -9,19 +9,19 @@ namespace CLI {
 class App;
 }
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 
-void add_check(CLI::App& app, Command& chosen);
-void add_view(CLI::App& app, Command& chosen);
-void add_bounds(CLI::App& app, Command& chosen);
-void add_distance(CLI::App& app, Command& chosen);
-void add_ray(CLI::App& app, Command& chosen);
-void add_region(CLI::App& app, Command& chosen);
-void add_info(CLI::App& app, Command& chosen);
-void add_prepare(CLI::App& app, Command& chosen);
-void add_pose(CLI::App& app, Command& chosen);
-void add_demo(CLI::App& app, Command& chosen);
-void add_bench(CLI::App& app, Command& chosen);
-void add_reproduce(CLI::App& app, Command& chosen);  // evaluation/reproduce
+void add_check(CLI::App& app, arguments::Command& chosen);
+void add_view(CLI::App& app, arguments::Command& chosen);
+void add_bounds(CLI::App& app, arguments::Command& chosen);
+void add_distance(CLI::App& app, arguments::Command& chosen);
+void add_ray(CLI::App& app, arguments::Command& chosen);
+void add_region(CLI::App& app, arguments::Command& chosen);
+void add_info(CLI::App& app, arguments::Command& chosen);
+void add_prepare(CLI::App& app, arguments::Command& chosen);
+void add_pose(CLI::App& app, arguments::Command& chosen);
+void add_demo(CLI::App& app, arguments::Command& chosen);
+void add_bench(CLI::App& app, arguments::Command& chosen);
+void add_reproduce(CLI::App& app, arguments::Command& chosen);  // evaluation/reproduce
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <iostream>
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,7 +39,7 @@ clip in a browser) and still.png (a picture of one frame, rendered by POV-Ray).)
 constexpr std::uint32_t kStillFrame = 40;
 
 Result<void> write_text(const fs::path& path, std::string_view text) {
-  return write_file(path, std::as_bytes(std::span(text)));
+  return output::write_file(path, std::as_bytes(std::span(text)));
 }
 
 Result<void> make_folder(const fs::path& folder) {
@@ -54,7 +54,7 @@ Result<void> make_folder(const fs::path& folder) {
 Result<scenes::Scene> write_scene(const fs::path& folder) {
   const fs::path path = folder / "scene.json";
   if (const auto written = write_text(path, scenes::kDemoScene); !written) return written.error();
-  print_written(path.string(), std::cout);
+  output::print_written(path.string(), std::cout);
   return scenes::load_scene(path);
 }
 
@@ -62,9 +62,9 @@ Result<scenes::Scene> write_scene(const fs::path& folder) {
 Result<void> write_characters(const scenes::Scene& scene, const fs::path& folder) {
   for (const scenes::Character& character : scene.characters) {
     const fs::path path = folder / (character.name + ".glb");
-    const auto written = write_file(path, scenes::character_glb(character.asset));
+    const auto written = output::write_file(path, scenes::character_glb(character.asset));
     if (!written) return written;
-    print_written(path.string(), std::cout);
+    output::print_written(path.string(), std::cout);
   }
   return {};
 }
@@ -72,15 +72,16 @@ Result<void> write_characters(const scenes::Scene& scene, const fs::path& folder
 /// With a report where `viewer` is a page.
 Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
                          const Result<std::string>& viewer) {
-  CheckSettings settings;
+  check::CheckSettings settings;
   settings.frames = {0, scene.frame_count};
   settings.lists_triangles = true;
-  CheckOutputs outputs;
+  check::CheckOutputs outputs;
   outputs.jsonl = (folder / "contacts.jsonl").string();
   outputs.glb = (folder / "contacts.glb").string();
   if (viewer) outputs.html = (folder / "report.html").string();
   outputs.words = "pelt demo";
-  const Result<CheckReport> report = check_scene(scene, settings, {}, outputs, std::cout);
+  const Result<check::CheckReport> report =
+      check::check_scene(scene, settings, {}, outputs, std::cout);
   if (!report) return report.error();
   return {};
 }
@@ -101,16 +102,16 @@ void render(const fs::path& description, const fs::path& picture) {
                                             "-D",
                                             "-P",
                                             "+Q11"};
-  switch (run_program(command)) {
-    case ProgramEnd::succeeded:
-      print_written(picture.string(), std::cout);
+  switch (output::run_program(command)) {
+    case output::ProgramEnd::succeeded:
+      output::print_written(picture.string(), std::cout);
       remove_file(description);
       return;
-    case ProgramEnd::not_found:
+    case output::ProgramEnd::not_found:
       std::cout << "no picture: POV-Ray is not installed. Run `apt-get install povray`, then "
                    "`pelt demo` again\n";
       return;
-    case ProgramEnd::failed:
+    case output::ProgramEnd::failed:
       std::cout << "no picture: POV-Ray failed on " << asset::printable(description.string())
                 << "; run `povray " << asset::printable(description.string()) << "` to see why\n";
       return;
@@ -118,35 +119,35 @@ void render(const fs::path& description, const fs::path& picture) {
 }
 
 Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
-  const Result<StillFrame> still = take_still(scene, kStillFrame);
+  const Result<picture::StillFrame> still = picture::take_still(scene, kStillFrame);
   if (!still) return still.error();
   const fs::path description = folder / "still.pov";
-  if (const auto written = write_text(description, describe_still(*still)); !written)
+  if (const auto written = write_text(description, picture::describe_still(*still)); !written)
     return written.error();
   std::cout << "rendering ..." << std::endl;
   render(description, folder / "still.png");
   return {};
 }
 
-Result<ExitCode> demo(const Arguments& arguments) {
+Result<arguments::ExitCode> demo(const Arguments& arguments) {
   const fs::path folder = arguments.folder;
   if (const auto made = make_folder(folder); !made) return made.error();
   const Result<scenes::Scene> scene = write_scene(folder);
   if (!scene) return scene.error();
   if (const auto written = write_characters(*scene, folder); !written) return written.error();
   // A missing viewer is no failure of the demo either.
-  const Result<std::string> viewer = read_viewer();
+  const Result<std::string> viewer = page::read_viewer();
   if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
   if (!viewer) std::cout << "no report: " << asset::printable(viewer.error().message) << '\n';
-  if (arguments.no_picture) return ExitCode::success;
+  if (arguments.no_picture) return arguments::ExitCode::success;
   if (const auto written = write_picture(*scene, folder); !written) return written.error();
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_demo(CLI::App& app, Command& chosen) {
-  Verb verb(app, "demo", "Check a scene of two generated characters", kFooter);
+void add_demo(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "demo", "Check a scene of two generated characters", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("-o,--output", arguments->folder, "Folder for the files", {.type = "DIR"});
   verb.flag("--no-picture", arguments->no_picture,
@@ -154,4 +155,4 @@ void add_demo(CLI::App& app, Command& chosen) {
   verb.runs([arguments] { return demo(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

@@ -10,11 +10,11 @@
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
-  QueryArguments query;
+  scene::QueryArguments query;
   std::string by = "instance";
   std::optional<double> within;
   std::vector<std::string> from;
@@ -33,24 +33,24 @@ not a solid: a surface wholly inside another has a positive distance from it. Wi
 distance of each point from each instance, with the nearest point of the surface.)";
 
 Result<double> choose_within(const std::optional<double>& within) {
-  if (!within) return DistanceSettings().within;
+  if (!within) return query::DistanceSettings().within;
   if (*within >= 0 && *within <= 1e12) return *within;
-  return bad_argument("--within", "is out of range", "give a number from 0 to 1e12");
+  return output::bad_argument("--within", "is out of range", "give a number from 0 to 1e12");
 }
 
 Result<std::vector<Vec3>> parse_points(std::span<const std::string> texts) {
   std::vector<Vec3> points;
   for (const std::string& text : texts) {
-    const Result<Vec3> point = parse_point("--from", text);
+    const Result<Vec3> point = arguments::parse_point("--from", text);
     if (!point) return point.error();
     points.push_back(*point);
   }
   return points;
 }
 
-Result<ExitCode> distance(const Arguments& arguments) {
-  DistanceSettings settings;
-  const Result<Granularity> granularity = choose_granularity(arguments.by);
+Result<arguments::ExitCode> distance(const Arguments& arguments) {
+  query::DistanceSettings settings;
+  const Result<scene::Granularity> granularity = scene::choose_granularity(arguments.by);
   if (!granularity) return granularity.error();
   settings.granularity = *granularity;
   const Result<double> within = choose_within(arguments.within);
@@ -58,26 +58,27 @@ Result<ExitCode> distance(const Arguments& arguments) {
   settings.within = *within;
   const Result<std::vector<Vec3>> points = parse_points(arguments.from);
   if (!points) return points.error();
-  const Result<QueryInput> input = open_query(arguments.query);
+  const Result<scene::QueryInput> input = scene::open_query(arguments.query);
   if (!input) return input.error();
   settings.frames = input->frames;
-  const ModelArguments& models = arguments.query.scene.models;
+  const arguments::ModelArguments& models = arguments.query.scene.models;
   const std::string& jsonl = arguments.query.jsonl;
-  const Result<void> answered =
-      points->empty()
-          ? distance_scene(input->scene, settings, models, jsonl, words_beside(jsonl))
-          : nearest_scene(input->scene, *points, settings, models, jsonl, words_beside(jsonl));
+  const Result<void> answered = points->empty()
+                                    ? query::distance_scene(input->scene, settings, models, jsonl,
+                                                            output::words_beside(jsonl))
+                                    : query::nearest_scene(input->scene, *points, settings, models,
+                                                           jsonl, output::words_beside(jsonl));
   if (!answered) return answered.error();
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_distance(CLI::App& app, Command& chosen) {
-  Verb verb(app, "distance", "Compute the least distances between characters in every frame",
-            kFooter);
+void add_distance(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "distance",
+                       "Compute the least distances between characters in every frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_query_options(verb, arguments->query);
+  scene::add_query_options(verb, arguments->query);
   verb.option(
       "--by", arguments->by,
       "Between what: every two instances, or every two parts, including those of one instance",
@@ -89,4 +90,4 @@ void add_distance(CLI::App& app, Command& chosen) {
   verb.runs([arguments] { return distance(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

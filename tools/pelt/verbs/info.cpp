@@ -18,14 +18,14 @@
 #include <iostream>
 #include <set>
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 using nlohmann::ordered_json;
 
 struct Arguments {
   std::string model;
-  ModelArguments models;
+  arguments::ModelArguments models;
   bool json = false;
 };
 
@@ -97,7 +97,7 @@ ordered_json describe(const scenes::Character& character, const SkinnedModel& mo
   return {{"format", "pelt-info"},
           {"version", 1},
           {"model", character.source},
-          {"hash", hex16(character.hash)},
+          {"hash", output::hex16(character.hash)},
           {"vertices", model.vertex_count()},
           {"distinct_positions", distinct_positions(asset)},
           {"triangles", model.triangle_count()},
@@ -119,7 +119,9 @@ void print_line(const char* label, const T& value, const std::string& remark = {
 }
 
 void print_counts(const ordered_json& info) {
-  const auto number = [&](const char* key) { return with_commas(info[key].get<std::uint64_t>()); };
+  const auto number = [&](const char* key) {
+    return output::with_commas(info[key].get<std::uint64_t>());
+  };
   print_line("model", asset::printable(info["model"].get<std::string>()));
   print_line("vertices", number("vertices"),
              ", at " + number("distinct_positions") + " distinct positions");
@@ -128,25 +130,25 @@ void print_counts(const ordered_json& info) {
   print_line("influences", "up to " + number("influences_per_vertex"), " for each vertex");
   print_line("weights", number("renormalised_vertices"),
              " vertices renormalised, " + number("merged_influences") + " influences merged");
-  print_line("joints", with_commas(info["joints"].size()));
+  print_line("joints", output::with_commas(info["joints"].size()));
   if (!info["morph_targets"].empty())
-    print_line("morphs", with_commas(info["morph_targets"].size()), " targets");
+    print_line("morphs", output::with_commas(info["morph_targets"].size()), " targets");
   print_line("prepared", number("prepared_bytes"), " bytes");
 }
 
 void print_clips(const asset::Asset& asset) {
-  print_line("clips", with_commas(asset.clips.size()));
+  print_line("clips", output::with_commas(asset.clips.size()));
   for (const asset::Clip& clip : asset.clips) {
-    std::cout << "  " << std::right << std::setw(8) << fixed(static_cast<double>(clip.duration), 3)
-              << " s  " << (clip.name.empty() ? "\"\" (unnamed)" : asset::printable_name(clip.name))
-              << '\n';
+    std::cout << "  " << std::right << std::setw(8)
+              << output::fixed(static_cast<double>(clip.duration), 3) << " s  "
+              << (clip.name.empty() ? "\"\" (unnamed)" : asset::printable_name(clip.name)) << '\n';
   }
 }
 
 void print_parts(const asset::Asset& asset) {
-  print_line("parts", with_commas(asset.parts.size()));
+  print_line("parts", output::with_commas(asset.parts.size()));
   for (const asset::Part& part : asset.parts) {
-    std::cout << "  " << std::right << std::setw(8) << with_commas(part.triangle_count)
+    std::cout << "  " << std::right << std::setw(8) << output::with_commas(part.triangle_count)
               << " triangles  " << asset::printable_name(part.node) << " / "
               << asset::printable_name(part.mesh) << " / " << asset::printable_name(part.material)
               << (part.skinned ? "" : "  (not skinned)") << '\n';
@@ -161,42 +163,42 @@ void print(const ordered_json& info, const asset::Asset& asset) {
     print_line("warning", asset::printable(warning));
 }
 
-Result<ExitCode> info(const Arguments& arguments) {
-  if (is_prepared_file(arguments.model)) {
-    const auto printed =
-        print_prepared_info(arguments.model, arguments.json ? InfoStyle::json : InfoStyle::text);
+Result<arguments::ExitCode> info(const Arguments& arguments) {
+  if (prepared::is_prepared_file(arguments.model)) {
+    const auto printed = prepared::print_prepared_info(
+        arguments.model, arguments.json ? prepared::InfoStyle::json : prepared::InfoStyle::text);
     if (!printed) return printed.error();
-    return ExitCode::success;
+    return arguments::ExitCode::success;
   }
   const Result<scenes::Character> character =
-      load_named_character(arguments.model, arguments.models.gltf_options(),
-                           "a glTF file, .glb or .gltf, or a prepared model, .pelt");
+      arguments::load_named_character(arguments.model, arguments.models.gltf_options(),
+                                      "a glTF file, .glb or .gltf, or a prepared model, .pelt");
   if (!character) return character.error();
   const asset::Asset& asset = character->asset;
   const std::uint32_t samples = arguments.models.samples;
-  const Result<SkinnedModel> model =
-      build_named_model(character->source, asset.mesh(), arguments.models,
-                        scenes::clip_samples(asset, scenes::first_clips(asset, samples), samples));
+  const Result<SkinnedModel> model = arguments::build_named_model(
+      character->source, asset.mesh(), arguments.models,
+      scenes::clip_samples(asset, scenes::first_clips(asset, samples), samples));
   if (!model) return model.error();
   const ordered_json description = describe(*character, *model);
   if (arguments.json) {
-    std::cout << json_text(description, 2) << '\n';
+    std::cout << output::json_text(description, 2) << '\n';
   } else {
     print(description, asset);
   }
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_info(CLI::App& app, Command& chosen) {
-  Verb verb(app, "info", "Print what a model file contains", kFooter);
+void add_info(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "info", "Print what a model file contains", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("MODEL", arguments->model, "A glTF file, .glb or .gltf, or a prepared model",
               {.is_required = true});
   verb.flag("--json", arguments->json, "Print JSON");
-  add_model_options(verb, arguments->models);
+  arguments::add_model_options(verb, arguments->models);
   verb.runs([arguments] { return info(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

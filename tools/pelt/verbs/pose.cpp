@@ -9,11 +9,11 @@
 
 #include <iostream>
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
-  SceneArguments scene;
+  arguments::SceneArguments scene;
   std::uint32_t frame = 0;
   std::string output;
 };
@@ -27,30 +27,31 @@ Each instance becomes a root node without a transform, in the order of the scene
 one primitive. The file has all vertices; positions are bit for bit those that `pelt check` tests, and
 triangles have the numbers used in its answers.)";
 
-Result<ExitCode> pose(const Arguments& arguments) {
-  Result<scenes::Scene> scene = open_scene(arguments.scene);
+Result<arguments::ExitCode> pose(const Arguments& arguments) {
+  Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
   const std::string only =
       std::to_string(arguments.frame) + ":" + std::to_string(std::uint64_t{arguments.frame} + 1);
-  const auto chosen = choose_frames(only, arguments.scene, *scene);
+  const auto chosen = arguments::choose_frames(only, arguments.scene, *scene);
   if (!chosen) {
-    return bad_argument("--frame", std::to_string(arguments.frame) + " is beyond the last frame",
-                        scene->name + " has " + counted(scene->frame_count, "frame"));
+    return output::bad_argument(
+        "--frame", std::to_string(arguments.frame) + " is beyond the last frame",
+        scene->name + " has " + output::counted(scene->frame_count, "frame"));
   }
-  const auto posed = pose_instances(*scene, arguments.frame, arguments.scene.models);
+  const auto posed = scene::pose_instances(*scene, arguments.frame, arguments.scene.models);
   if (!posed) return posed.error();
-  const auto written = write_file(arguments.output, posed_glb(*posed));
+  const auto written = output::write_file(arguments.output, scene::posed_glb(*posed));
   if (!written) return written.error();
-  print_written(arguments.output, std::cout);
-  return ExitCode::success;
+  output::print_written(arguments.output, std::cout);
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_pose(CLI::App& app, Command& chosen) {
-  Verb verb(app, "pose", "Write the posed characters of one frame", kFooter);
+void add_pose(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "pose", "Write the posed characters of one frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_scene_options(verb, arguments->scene);
+  arguments::add_scene_options(verb, arguments->scene);
   verb.option("--frame", arguments->frame, "The frame to write",
               {.type = "N", .is_required = true});
   verb.option("-o,--output", arguments->output, "The .glb file to write",
@@ -58,4 +59,4 @@ void add_pose(CLI::App& app, Command& chosen) {
   verb.runs([arguments] { return pose(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

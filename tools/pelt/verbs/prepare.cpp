@@ -17,12 +17,12 @@
 #include <iomanip>
 #include <iostream>
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
   std::string model;
-  ModelArguments models;
+  arguments::ModelArguments models;
   std::string output;
 };
 
@@ -62,61 +62,65 @@ struct Prepared {
   double build_ms;
 };
 
-Result<Prepared> build(const scenes::Character& character, const ModelArguments& arguments) {
+Result<Prepared> build(const scenes::Character& character,
+                       const arguments::ModelArguments& arguments) {
   const asset::Asset& asset = character.asset;
   const std::vector<Matrix4> samples =
       scenes::clip_samples(asset, scenes::first_clips(asset, arguments.samples), arguments.samples);
   Result<SkinnedModel> model = Error{};
-  const double build_ms = milliseconds(
-      [&] { model = build_named_model(character.source, asset.mesh(), arguments, samples); });
+  const double build_ms = milliseconds([&] {
+    model = arguments::build_named_model(character.source, asset.mesh(), arguments, samples);
+  });
   if (!model) return model.error();
   return Prepared{*model, samples.size() / asset.joints.size(), build_ms};
 }
 
 void print(const scenes::Character& character, const Prepared& prepared) {
   const SkinnedModel& model = prepared.model;
-  label("model") << asset::printable(character.source) << ": " << with_commas(model.vertex_count())
-                 << " vertices, " << with_commas(model.triangle_count()) << " triangles, "
-                 << counted(model.joint_count(), "joint") << '\n';
-  label("samples") << counted(prepared.sample_poses, "pose") << " of "
-                   << counted(character.asset.clips.size(), "clip") << '\n';
-  label("build") << fixed(prepared.build_ms, 2) << " ms\n";
+  label("model") << asset::printable(character.source) << ": "
+                 << output::with_commas(model.vertex_count()) << " vertices, "
+                 << output::with_commas(model.triangle_count()) << " triangles, "
+                 << output::counted(model.joint_count(), "joint") << '\n';
+  label("samples") << output::counted(prepared.sample_poses, "pose") << " of "
+                   << output::counted(character.asset.clips.size(), "clip") << '\n';
+  label("build") << output::fixed(prepared.build_ms, 2) << " ms\n";
 }
 
 void print(const std::string& output, std::span<const std::byte> file, double build_ms) {
   const double load_ms = loading_milliseconds(file);
-  label("prepared") << with_commas(file.size()) << " bytes\n";
-  label("load") << fixed(load_ms, 2) << " ms, " << fixed(build_ms / load_ms, 0)
+  label("prepared") << output::with_commas(file.size()) << " bytes\n";
+  label("load") << output::fixed(load_ms, 2) << " ms, " << output::fixed(build_ms / load_ms, 0)
                 << " times faster\n";
-  print_written(output, std::cout);
+  output::print_written(output, std::cout);
 }
 
-Result<ExitCode> prepare(const Arguments& arguments) {
-  const Result<scenes::Character> character = load_named_character(
+Result<arguments::ExitCode> prepare(const Arguments& arguments) {
+  const Result<scenes::Character> character = arguments::load_named_character(
       arguments.model, arguments.models.gltf_options(), "a glTF file, .glb or .gltf");
   if (!character) return character.error();
   const Result<Prepared> prepared = build(*character, arguments.models);
   if (!prepared) return prepared.error();
   const std::vector<std::byte> file = save_model(prepared->model);
-  const Result<SkinnedModel> loaded = load_named_model(arguments.output, file);
+  const Result<SkinnedModel> loaded = prepared::load_named_model(arguments.output, file);
   if (!loaded) return loaded.error();
-  const Result<void> written = write_file(arguments.output, file);
+  const Result<void> written = output::write_file(arguments.output, file);
   if (!written) return written.error();
   print(*character, *prepared);
   print(arguments.output, file, prepared->build_ms);
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_prepare(CLI::App& app, Command& chosen) {
-  Verb verb(app, "prepare", "Build a model and write it to a file that loads fast", kFooter);
+void add_prepare(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "prepare", "Build a model and write it to a file that loads fast",
+                       kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("MODEL", arguments->model, "A glTF file, .glb or .gltf", {.is_required = true});
   verb.option("-o,--output", arguments->output, "The prepared model to write (.pelt)",
               {.type = "FILE", .is_required = true});
-  add_model_options(verb, arguments->models);
+  arguments::add_model_options(verb, arguments->models);
   verb.runs([arguments] { return prepare(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

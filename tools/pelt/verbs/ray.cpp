@@ -11,11 +11,11 @@
 
 #include <limits>
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
-  QueryArguments query;
+  scene::QueryArguments query;
   std::vector<std::string> from, to;
   bool beyond = false;
   std::string facing = "both";
@@ -34,17 +34,18 @@ Result<Facing> choose_facing(const std::string& name) {
   if (name == "both") return Facing::both;
   if (name == "front") return Facing::front;
   if (name == "back") return Facing::back;
-  return bad_argument("--facing", "there is no " + asset::quoted(name), "give both, front or back");
+  return output::bad_argument("--facing", "there is no " + asset::quoted(name),
+                              "give both, front or back");
 }
 
 Result<Ray> parse_ray(const std::string& from, const std::string& to, bool beyond) {
-  const Result<Vec3> begin = parse_point("--from", from);
+  const Result<Vec3> begin = arguments::parse_point("--from", from);
   if (!begin) return begin.error();
-  const Result<Vec3> end = parse_point("--to", to);
+  const Result<Vec3> end = arguments::parse_point("--to", to);
   if (!end) return end.error();
   if (*begin == *end) {
-    return bad_argument("--to", asset::quoted(to) + " is the same point as --from",
-                        "give another point");
+    return output::bad_argument("--to", asset::quoted(to) + " is the same point as --from",
+                                "give another point");
   }
   Ray ray = segment(*begin, *end);
   if (beyond) ray.t_max = std::numeric_limits<float>::infinity();
@@ -53,10 +54,10 @@ Result<Ray> parse_ray(const std::string& from, const std::string& to, bool beyon
 
 Result<std::vector<Ray>> parse_rays(const Arguments& arguments) {
   if (arguments.from.size() != arguments.to.size()) {
-    return bad_argument("--to",
-                        "is given " + counted(arguments.to.size(), "time") + " and --from " +
-                            counted(arguments.from.size(), "time"),
-                        "give both options for each ray");
+    return output::bad_argument("--to",
+                                "is given " + output::counted(arguments.to.size(), "time") +
+                                    " and --from " + output::counted(arguments.from.size(), "time"),
+                                "give both options for each ray");
   }
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < arguments.from.size(); ++i) {
@@ -67,30 +68,30 @@ Result<std::vector<Ray>> parse_rays(const Arguments& arguments) {
   return rays;
 }
 
-Result<ExitCode> ray(const Arguments& arguments) {
-  RaySettings settings;
+Result<arguments::ExitCode> ray(const Arguments& arguments) {
+  query::RaySettings settings;
   const Result<Facing> facing = choose_facing(arguments.facing);
   if (!facing) return facing.error();
   settings.facing = *facing;
   const Result<std::vector<Ray>> rays = parse_rays(arguments);
   if (!rays) return rays.error();
   settings.rays = *rays;
-  const Result<QueryInput> input = open_query(arguments.query);
+  const Result<scene::QueryInput> input = scene::open_query(arguments.query);
   if (!input) return input.error();
   settings.frames = input->frames;
   const Result<void> answered =
-      ray_scene(input->scene, settings, arguments.query.scene.models, arguments.query.jsonl,
-                words_beside(arguments.query.jsonl));
+      query::ray_scene(input->scene, settings, arguments.query.scene.models, arguments.query.jsonl,
+                       output::words_beside(arguments.query.jsonl));
   if (!answered) return answered.error();
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_ray(CLI::App& app, Command& chosen) {
-  Verb verb(app, "ray", "Find the first hits of rays in every frame", kFooter);
+void add_ray(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "ray", "Find the first hits of rays in every frame", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_query_options(verb, arguments->query);
+  scene::add_query_options(verb, arguments->query);
   verb.option("--from", arguments->from, "Start of a ray (repeatable, with one --to each)",
               {.type = "X,Y,Z", .is_required = true});
   verb.option("--to", arguments->to, "End of the ray", {.type = "X,Y,Z", .is_required = true});
@@ -102,4 +103,4 @@ void add_ray(CLI::App& app, Command& chosen) {
   verb.runs([arguments] { return ray(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

@@ -6,12 +6,12 @@
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
-  QueryArguments query;
-  RegionArguments region;
+  scene::QueryArguments query;
+  arguments::RegionArguments region;
   std::string by = "instance";
   bool triangles = false;
 };
@@ -26,31 +26,31 @@ Examples:
 Outside: no triangle touches the region. Inside: all triangles lie wholly in the region. Otherwise:
 partly. The answer is exact. Region and triangles are closed sets, so touching counts.)";
 
-Result<ExitCode> region(const Arguments& arguments) {
-  Result<ChosenRegion> chosen = choose_region(arguments.region);
+Result<arguments::ExitCode> region(const Arguments& arguments) {
+  Result<arguments::ChosenRegion> chosen = arguments::choose_region(arguments.region);
   if (!chosen) return chosen.error();
-  const Result<Granularity> granularity = choose_granularity(arguments.by);
+  const Result<scene::Granularity> granularity = scene::choose_granularity(arguments.by);
   if (!granularity) return granularity.error();
-  const Result<QueryInput> input = open_query(arguments.query);
+  const Result<scene::QueryInput> input = scene::open_query(arguments.query);
   if (!input) return input.error();
-  const RegionSettings settings = {std::move(*chosen), *granularity, arguments.triangles,
-                                   input->frames};
+  const query::RegionSettings settings = {std::move(*chosen), *granularity, arguments.triangles,
+                                          input->frames};
   const Result<void> answered =
-      region_scene(input->scene, settings, arguments.query.scene.models, arguments.query.jsonl,
-                   words_beside(arguments.query.jsonl));
+      query::region_scene(input->scene, settings, arguments.query.scene.models,
+                          arguments.query.jsonl, output::words_beside(arguments.query.jsonl));
   if (!answered) return answered.error();
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_region(CLI::App& app, Command& chosen) {
-  Verb verb(app, "region",
-            "Find which characters are in a box, a ball, a capsule or the view of a camera",
-            kFooter);
+void add_region(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(
+      app, "region",
+      "Find which characters are in a box, a ball, a capsule or the view of a camera", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_query_options(verb, arguments->query);
-  add_region_options(verb, arguments->region);
+  scene::add_query_options(verb, arguments->query);
+  arguments::add_region_options(verb, arguments->region);
   verb.option("--by", arguments->by, "What is tested: each instance, or each part",
               {.type = "instance|part"});
   verb.flag("--triangles", arguments->triangles,
@@ -58,4 +58,4 @@ void add_region(CLI::App& app, Command& chosen) {
   verb.runs([arguments] { return region(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

@@ -9,11 +9,11 @@
 
 #include <memory>
 
-namespace pelt::tools {
+namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
-  SceneArguments scene;
+  arguments::SceneArguments scene;
   std::uint32_t port = 0;
   bool no_browser = false;
   std::string words;
@@ -30,31 +30,32 @@ The page does all work itself, also offline. The command serves the page to this
 Ctrl+C. `pelt check --html` writes the same page to a file.)";
 
 Result<std::string> make_page(const Arguments& arguments) {
-  if (arguments.scene.inputs.empty()) return read_viewer();
-  const Result<scenes::Scene> scene = open_scene(arguments.scene);
+  if (arguments.scene.inputs.empty()) return page::read_viewer();
+  const Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
-  return page_of_scene(*scene, arguments.scene.models, {arguments.words, std::nullopt});
+  return page::page_of_scene(*scene, arguments.scene.models, {arguments.words, std::nullopt});
 }
 
-Result<ExitCode> view(const Arguments& arguments) {
+Result<arguments::ExitCode> view(const Arguments& arguments) {
   constexpr std::uint32_t kMaxPort = 65535;
   if (arguments.port > kMaxPort)
-    return bad_argument("--port", "is out of range", "give a number from 0 to 65535");
+    return output::bad_argument("--port", "is out of range", "give a number from 0 to 65535");
   const Result<std::string> page = make_page(arguments);
   if (!page) return page.error();
-  const Browser browser = arguments.no_browser ? Browser::left_alone : Browser::opened;
+  const page::Browser browser =
+      arguments.no_browser ? page::Browser::left_alone : page::Browser::opened;
   const Result<void> served =
-      serve_page(*page, static_cast<std::uint16_t>(arguments.port), browser);
+      page::serve_page(*page, static_cast<std::uint16_t>(arguments.port), browser);
   if (!served) return served.error();
-  return ExitCode::success;
+  return arguments::ExitCode::success;
 }
 
 }  // namespace
 
-void add_view(CLI::App& app, Command& chosen) {
-  Verb verb(app, "view", "Show a scene and its contacts in a browser", kFooter);
+void add_view(CLI::App& app, arguments::Command& chosen) {
+  arguments::Verb verb(app, "view", "Show a scene and its contacts in a browser", kFooter);
   const auto arguments = std::make_shared<Arguments>();
-  add_scene_options(verb, arguments->scene, InputsNeeded::none);
+  arguments::add_scene_options(verb, arguments->scene, arguments::InputsNeeded::none);
   verb.option("--port", arguments->port, "Port on the loopback address (0: any free port)",
               {.type = "N"});
   verb.flag("--no-browser", arguments->no_browser, "Print the address and do not open a browser");
@@ -62,4 +63,4 @@ void add_view(CLI::App& app, Command& chosen) {
   verb.runs([arguments] { return view(*arguments); }, chosen);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

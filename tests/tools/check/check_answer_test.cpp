@@ -21,7 +21,7 @@ TEST(CheckAnswer, EqualsBruteForceInEveryFrame) {
   ASSERT_EQ(file.frames.size(), 12u);
   std::uint64_t contacts = 0, frames_in_contact = 0;
   for (std::uint32_t frame = 0; frame < 12; ++frame) {
-    const auto posed = tools::pose_instances(*scene, frame, {});
+    const auto posed = tools::scene::pose_instances(*scene, frame, {});
     ASSERT_TRUE(posed);
     const json expected = brute_force_json((*posed)[0], (*posed)[1]);
     json line = {{"frame", frame}, {"time", frame / 6.0}, {"contacts", expected.size()}};
@@ -145,11 +145,11 @@ TEST(CheckAnswer, ByPartMeetsPartsOfOneInstance) {
   scene.instances[1].translation = {0.25, 0.1, 0.05};
   bool met_within = false, met_between = false;
   for (std::uint32_t frame = 0; frame < file.frames.size(); ++frame) {
-    const auto posed = tools::pose_instances(scene, frame, {});
+    const auto posed = tools::scene::pose_instances(scene, frame, {});
     ASSERT_TRUE(posed);
     // The parts' triangles as models of their own; their numbers in answers go on counting.
-    std::vector<tools::PosedInstance> parts;
-    for (const tools::PosedInstance& instance : *posed) {
+    std::vector<tools::scene::PosedInstance> parts;
+    for (const tools::scene::PosedInstance& instance : *posed) {
       for (const auto& part : character->asset.parts) {
         parts.push_back(instance);
         parts.back().triangles =

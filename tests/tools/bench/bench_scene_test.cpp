@@ -36,8 +36,8 @@ class Forgetful final : public bench::Method {
 };
 
 Engine forgetful(int every) {
-  return {"forgetful", [every](std::span<const Collider> colliders) {
-            return SceneQuery(colliders, std::make_unique<Forgetful>(every));
+  return {"forgetful", [every](std::span<const scene::Collider> colliders) {
+            return scene::SceneQuery(colliders, std::make_unique<Forgetful>(every));
           }};
 }
 
@@ -73,11 +73,11 @@ TEST(BenchScene, RefusesAnEngineThatForgetsOneContact) {
   for (const int every : {1, 10}) {
     std::vector<SceneFigures> figures;
     std::ostringstream errors;
-    const Result<ExitCode> exit = bench_scene(
+    const Result<arguments::ExitCode> exit = bench_scene(
         walkers(), settings_with({engine_of(bench::MethodKind::on_demand), forgetful(every)}),
         figures, errors);
     ASSERT_TRUE(exit);
-    EXPECT_EQ(*exit, ExitCode::internal);
+    EXPECT_EQ(*exit, arguments::ExitCode::internal);
     EXPECT_TRUE(figures.empty());
     EXPECT_EQ(errors.str().find("pelt: internal error: walkers: forgetful gives the hash "), 0u)
         << errors.str();
@@ -89,9 +89,9 @@ TEST(BenchScene, RefusesAnEngineThatDeniesThatAPairTouches) {
   settings.questions = {Question::first};
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
-  const Result<ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
+  const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
   ASSERT_TRUE(exit);
-  EXPECT_EQ(*exit, ExitCode::internal);
+  EXPECT_EQ(*exit, arguments::ExitCode::internal);
   EXPECT_TRUE(figures.empty());
 }
 
@@ -123,8 +123,8 @@ TEST(BenchScene, RunsTheFrameBeforeEachAndTheLastBeforeTheFirst) {
   scenes::Scene scene = walkers();
   scene.frame_count = 3;
   std::vector<float> places;
-  const Engine noting = {"noting", [&](std::span<const Collider> colliders) {
-                           return SceneQuery(colliders, std::make_unique<Noting>(places));
+  const Engine noting = {"noting", [&](std::span<const scene::Collider> colliders) {
+                           return scene::SceneQuery(colliders, std::make_unique<Noting>(places));
                          }};
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
@@ -161,9 +161,9 @@ TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {
   settings.caches = {Cache::hot, Cache::cold};
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
-  const Result<ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
+  const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
   ASSERT_TRUE(exit);
-  ASSERT_EQ(*exit, ExitCode::success) << errors.str();
+  ASSERT_EQ(*exit, arguments::ExitCode::success) << errors.str();
   const SceneFigures& scene = figures.at(0);
   EXPECT_EQ(scene.triangles, 2000u);
   EXPECT_EQ(scene.models.triangles, 1000u);
@@ -190,7 +190,7 @@ TEST(BenchScene, UpdatesOfRigidBodiesCostNothing) {
       settings_with({engine_of(bench::MethodKind::eager), engine_of(bench::MethodKind::rigid)});
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
-  const Result<ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
+  const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
   ASSERT_TRUE(exit);
   const Figures &eager = figures.at(0).figures.at(0), &rigid = figures[0].figures.at(1);
   EXPECT_GT(eager.answer.work.posed_vertices, 0u);

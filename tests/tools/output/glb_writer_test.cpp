@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 namespace {
 
 /// Values whose bits a careless writer would lose.
@@ -87,4 +87,4 @@ TEST(GlbWriter, KeepsTheRulesOfTheDocument) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

@@ -11,14 +11,15 @@ namespace pelt::test {
 namespace {
 
 TEST(Output, FileThatCannotBeWrittenIsNamed) {
-  const auto written = tools::write_file("no/such/folder/a.glb", {});
+  const auto written = tools::output::write_file("no/such/folder/a.glb", {});
   ASSERT_FALSE(written);
   EXPECT_NE(written.error().message.find("no/such/folder/a.glb"), std::string::npos);
 }
 
 TEST(Output, FileThatWasWrittenIsTold) {
   std::ostringstream words;
-  for (const char* name : {"", tools::kStandardOutput, "a.glb"}) tools::print_written(name, words);
+  for (const char* name : {"", tools::output::kStandardOutput, "a.glb"})
+    tools::output::print_written(name, words);
   EXPECT_EQ(words.str(), "wrote a.glb\n");
 }
 

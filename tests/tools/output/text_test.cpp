@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools {
+namespace pelt::tools::output {
 namespace {
 
 TEST(Text, Commas) {
@@ -40,4 +40,4 @@ TEST(Text, Words) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::output

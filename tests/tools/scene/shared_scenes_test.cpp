@@ -1,7 +1,7 @@
 /// Real characters, where they are at hand: every method gives the same contacts, and there are
 /// some.
 
-#include "tools/every_method.hpp"
+#include "tools/scene/every_method.hpp"
 
 #include <filesystem>
 

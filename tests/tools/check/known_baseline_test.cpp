@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 using nlohmann::json;
@@ -202,4 +202,4 @@ TEST(KnownBaseline, KnowsNamesThatAreNoText) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

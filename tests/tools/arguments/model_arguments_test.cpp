@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 namespace {
 
 /// A clip may throw the model out of range at times that nobody asks for.
@@ -21,4 +21,4 @@ TEST(BuildNamedModel, PassesOverSamplesThatAModelCannotTake) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

@@ -7,7 +7,7 @@ namespace pelt::test {
 namespace {
 
 namespace fs = std::filesystem;
-using tools::LineOutput;
+using tools::output::LineOutput;
 
 TEST(LineOutput, LeavesTheFileAsItWasUntilItIsClosed) {
   const TestFolder folder;

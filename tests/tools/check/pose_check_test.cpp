@@ -19,7 +19,7 @@ json touching_pairs(const GlbFile& file) {
   const std::size_t count = file.document["meshes"].size();
   std::vector<std::vector<Triangle>> triangles;
   for (std::size_t i = 0; i < count; ++i) triangles.push_back(file.triangles(i));
-  std::vector<tools::PosedInstance> posed;
+  std::vector<tools::scene::PosedInstance> posed;
   for (std::size_t i = 0; i < count; ++i) posed.push_back({"", file.positions(i), triangles[i]});
 
   json pairs = json::array();

@@ -17,16 +17,16 @@ class SceneArguments : public ::testing::Test {
 
   std::string limb() const { return folder_ / "one.glb"; }
 
-  std::string refusal(const tools::SceneArguments& arguments) {
-    const auto scene = tools::open_scene(arguments);
+  std::string refusal(const tools::arguments::SceneArguments& arguments) {
+    const auto scene = tools::arguments::open_scene(arguments);
     return scene ? "" : scene.error().message;
   }
 
-  std::vector<std::string> notes(const tools::SceneArguments& arguments,
+  std::vector<std::string> notes(const tools::arguments::SceneArguments& arguments,
                                  const std::string& frames = "") {
-    auto scene = tools::open_scene(arguments);
+    auto scene = tools::arguments::open_scene(arguments);
     EXPECT_TRUE(scene) << scene.error().message;
-    EXPECT_TRUE(tools::choose_frames(frames, arguments, *scene));
+    EXPECT_TRUE(tools::arguments::choose_frames(frames, arguments, *scene));
     return scene->notes;
   }
 
@@ -35,7 +35,7 @@ class SceneArguments : public ::testing::Test {
 };
 
 TEST_F(SceneArguments, NoteModelsThatStandInTheDefaultPoseAndInOnePlace) {
-  tools::SceneArguments arguments;
+  tools::arguments::SceneArguments arguments;
   arguments.inputs = {strip_, limb()};
   const std::vector<std::string> both = notes(arguments);
   ASSERT_EQ(both.size(), 2u);
@@ -51,7 +51,7 @@ TEST_F(SceneArguments, NoteModelsThatStandInTheDefaultPoseAndInOnePlace) {
 }
 
 TEST_F(SceneArguments, NoteThatAllFramesAreAlike) {
-  tools::SceneArguments arguments;
+  tools::arguments::SceneArguments arguments;
   arguments.inputs = {strip_};
   arguments.clips = {"-"};
   EXPECT_TRUE(notes(arguments, "3:4").empty());
@@ -66,16 +66,16 @@ TEST_F(SceneArguments, SayInTheSummaryWhatTheyNote) {
   scenes::Scene scene;
   scene.notes = {"one thing", "another"};
   std::ostringstream words;
-  tools::print_scene(scene, {}, words);
+  tools::scene::print_scene(scene, {}, words);
   EXPECT_NE(words.str().find("\nnote       one thing\nnote       another\n"), std::string::npos);
 }
 
 TEST_F(SceneArguments, LeaveOutWhatOneOfSeveralModelsHas) {
-  tools::SceneArguments arguments;
+  tools::arguments::SceneArguments arguments;
   arguments.inputs = {strip_, limb()};
   for (const char* name : {"fan", "strip/fan"}) {
     arguments.models.exclude = {name};
-    const auto scene = tools::open_scene(arguments);
+    const auto scene = tools::arguments::open_scene(arguments);
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->characters[0].asset.parts.size(), 1u);
     EXPECT_EQ(scene->characters[1].asset.parts.size(), 1u);
@@ -86,7 +86,7 @@ TEST_F(SceneArguments, LeaveOutWhatOneOfSeveralModelsHas) {
 
 TEST_F(SceneArguments, SayWhatMayBeGivenForAFileOfAnotherKind) {
   write_text(folder_ / "answer.jsonl", "{}\n{}\n");
-  tools::SceneArguments arguments;
+  tools::arguments::SceneArguments arguments;
   arguments.inputs = {folder_ / "answer.jsonl"};
   EXPECT_EQ(
       refusal(arguments),
@@ -95,8 +95,8 @@ TEST_F(SceneArguments, SayWhatMayBeGivenForAFileOfAnotherKind) {
   arguments.inputs = {folder_ / "empty.glb"};
   EXPECT_EQ(refusal(arguments),
             arguments.inputs[0] + ": the file is empty: copy or export it again");
-  const auto scene = tools::load_named_character(folder_ / "scene.json", {},
-                                                 "a glTF file, .glb or .gltf, or a prepared model");
+  const auto scene = tools::arguments::load_named_character(
+      folder_ / "scene.json", {}, "a glTF file, .glb or .gltf, or a prepared model");
   ASSERT_FALSE(scene);
   EXPECT_NE(scene.error().message.find("is not a model: give a glTF file"), std::string::npos);
 }

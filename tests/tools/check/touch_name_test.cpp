@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 /// Instances of a knight, a thief and a knight again, whose two parts have one name.
@@ -40,4 +40,4 @@ TEST(TouchName, IsTextAsAFileHoldsIt) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools {
+namespace pelt::tools::arguments {
 namespace {
 
 TEST(FrameRange, IsHalfOpen) {
@@ -34,4 +34,4 @@ TEST(FrameRange, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::arguments

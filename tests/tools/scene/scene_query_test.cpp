@@ -1,9 +1,9 @@
 #include "tools/pelt/scene/scene_query.hpp"
 
-#include "tools/every_method.hpp"
 #include "tools/pelt/scene/posed_instances.hpp"
+#include "tools/scene/every_method.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::scene {
 namespace {
 
 TEST(PoseInstances, RefuseWhatNoGlbCanHold) {
@@ -164,4 +164,4 @@ TEST(SceneQuery, RefusedPaletteNamesItsInstance) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::scene

@@ -15,15 +15,15 @@ struct FramesAnswer {
   bool operator==(const FramesAnswer&) const = default;
 };
 
-inline FramesAnswer ask_frames(const scenes::Scene& scene, tools::SceneQuery query,
+inline FramesAnswer ask_frames(const scenes::Scene& scene, tools::scene::SceneQuery query,
                                std::uint32_t begin, std::uint32_t end) {
   FramesAnswer answer;
   asset::SampleScratch scratch;
-  tools::Palettes palettes;
-  tools::FrameContacts found;
-  tools::ContactHash hash;
+  tools::scene::Palettes palettes;
+  tools::scene::FrameContacts found;
+  tools::scene::ContactHash hash;
   for (std::uint32_t frame = begin; frame < end; ++frame) {
-    tools::sample_palettes(scene, frame, scratch, palettes);
+    tools::scene::sample_palettes(scene, frame, scratch, palettes);
     const Result<void> posed = query.set_palettes(palettes);
     EXPECT_TRUE(posed) << posed.error().message;
     query.collide({}, found);
@@ -37,12 +37,13 @@ inline FramesAnswer ask_frames(const scenes::Scene& scene, tools::SceneQuery que
 /// All methods give the same contacts in frames [begin, end); in how many of them there are some.
 inline std::uint32_t in_contact_by_every_method(const scenes::Scene& scene, std::uint32_t begin,
                                                 std::uint32_t end) {
-  const auto colliders = tools::make_colliders(scene, tools::Granularity::instance, {});
+  const auto colliders =
+      tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return ADD_FAILURE() << colliders.error().message, 0;
   std::vector<FramesAnswer> answers;
   for (const std::string_view name : bench::method_names()) {
     const bench::MethodKind method = *bench::find_method(name);
-    answers.push_back(ask_frames(scene, tools::SceneQuery(*colliders, method), begin, end));
+    answers.push_back(ask_frames(scene, tools::scene::SceneQuery(*colliders, method), begin, end));
     EXPECT_EQ(answers.back(), answers.front()) << name;
   }
   return answers.front().in_contact;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools {
+namespace pelt::tools::check {
 namespace {
 
 /// Three triangles: the first follows joint "arm" most, by the sum over its vertices although no
@@ -37,9 +37,9 @@ scenes::Scene two_of(asset::Asset asset) {
 
 TEST(TouchTally, CountsByDominantJointAndPart) {
   const scenes::Scene scene = two_of(three_triangles());
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
   ASSERT_TRUE(colliders) << colliders.error().message;
-  FrameContacts found;
+  scene::FrameContacts found;
   found.contacts = {{0, 0}, {0, 2}, {1, 2}, {2, 1}};
   found.pairs = {{0, 1, 0, 4}};
   Result<TouchTally> tally = TouchTally::make(scene, *colliders);
@@ -61,4 +61,4 @@ TEST(TouchTally, CountsByDominantJointAndPart) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::check

@@ -142,9 +142,9 @@ TEST_F(CheckHtml, TakesTheBuffersOfAGltfFile) {
 TEST_F(CheckHtml, TakesNoFileThatHasChangedMeanwhile) {
   const auto scene = scenes::load_scene(folder_ / "scene.json");
   ASSERT_TRUE(scene);
-  EXPECT_TRUE(tools::read_character_files(*scene));
+  EXPECT_TRUE(tools::page::read_character_files(*scene));
   write_bytes(folder_ / "two.glb", swaying_limb(16));
-  const auto files = tools::read_character_files(*scene);
+  const auto files = tools::page::read_character_files(*scene);
   ASSERT_FALSE(files);
   EXPECT_NE(files.error().message.find("two.glb: has changed"), std::string::npos);
 }

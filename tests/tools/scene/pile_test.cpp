@@ -1,6 +1,6 @@
 /// Contact everywhere: several characters in one place, their clips offset.
 
-#include "tools/every_method.hpp"
+#include "tools/scene/every_method.hpp"
 #include "tools/test_scenes.hpp"
 
 #include <set>
