@@ -13,13 +13,13 @@
 ///   void take(gap)            takes a pair that it wants
 ///   bool is_done() const      nothing more is wanted
 
-#include "distance/gaps.hpp"
 #include "distance/pair_search.hpp"
-#include "distance/reach.hpp"
 #include "distance/triangle_gaps.hpp"
 #include "geometry/triangle_distances.hpp"
 #include "pose/open_node.hpp"
+#include "query/reach.hpp"
 #include "query/slots.hpp"
+#include "query/squared_gaps.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {

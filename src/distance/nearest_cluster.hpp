@@ -3,11 +3,11 @@
 /// A place that is not far from the nearest: the cluster whose box is nearest to a point. It takes
 /// no triangle, and opens only nodes whose boxes are nearer than that.
 
-#include "distance/gaps.hpp"
-#include "distance/nearest_parts.hpp"
-#include "distance/part.hpp"
 #include "pose/open_node.hpp"
+#include "query/push_nearest_last.hpp"
 #include "query/scratch.hpp"
+#include "query/squared_gaps.hpp"
+#include "query/tree_part.hpp"
 
 #include <cmath>
 
@@ -15,17 +15,17 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 
 /// Precondition: there is a table of opened nodes.
-inline Part nearest_cluster(const PosedTree& posed, const Vec3& point, Stack<NearPart>& parts,
-                            QueryStats& work) {
+inline TreePart nearest_cluster(const PosedTree& posed, const Vec3& point, Stack<NearPart>& parts,
+                                QueryStats& work) {
   const Box8 box = {{Float8(point.x), Float8(point.y), Float8(point.z)},
                     {Float8(point.x), Float8(point.y), Float8(point.z)}};
-  NearPart nearest = {HUGE_VALF, 0, Part::kWhole};
+  NearPart nearest = {HUGE_VALF, 0, TreePart::kWhole};
   parts.clear();
-  parts.push({0, 0, Part::kWhole});
+  parts.push({0, 0, TreePart::kWhole});
   while (!parts.empty()) {
     const NearPart near = parts.pop();
     if (!(near.squared_gap < nearest.squared_gap)) continue;
-    const Part part = {near.node, near.slot};
+    const TreePart part = {near.node, near.slot};
     if (is_cluster(posed, part)) {
       nearest = near;
       continue;
@@ -44,7 +44,7 @@ inline Part nearest_cluster(const PosedTree& posed, const Vec3& point, Stack<Nea
 }
 
 /// The point of a cluster's box that is nearest to another.
-inline Vec3 nearest_of_box(const PosedTree& posed, const Part& cluster, const Vec3& point) {
+inline Vec3 nearest_of_box(const PosedTree& posed, const TreePart& cluster, const Vec3& point) {
   const OpenedNode& opened = *posed.opened[cluster.node];
   const auto nearest = [&](int axis, float x) {
     const float low = opened.low[axis][cluster.slot], high = opened.high[axis][cluster.slot];

@@ -8,8 +8,8 @@
 #include "distance/least_gap.hpp"
 #include "distance/near_triangles.hpp"
 #include "distance/nearest_cluster.hpp"
-#include "distance/nearest_parts.hpp"
-#include "distance/part.hpp"
+#include "query/push_nearest_last.hpp"
+#include "query/tree_part.hpp"
 
 #include <cmath>
 
@@ -43,15 +43,8 @@ class AllWithin {
   Stack<Contact>& pairs_;
 };
 
-/// No less than any difference of two coordinates of the two poses.
 double extent(const RootBox& a, const RootBox& b) {
-  double most = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = a.low[axis] < b.low[axis] ? a.low[axis] : b.low[axis];
-    const double high = a.high[axis] > b.high[axis] ? a.high[axis] : b.high[axis];
-    most = high - low > most ? high - low : most;
-  }
-  return most;
+  return common_extent(a.low, a.high, b.low, b.high);
 }
 
 /// The sum of the box's sides.
@@ -74,7 +67,7 @@ class PairSearch {
 
   QueryStats run(const Places* begin = nullptr) {
     parts_.clear();
-    parts_.push({0, 0, Part::kWhole, 0, Part::kWhole});
+    parts_.push({0, 0, TreePart::kWhole, 0, TreePart::kWhole});
     if (!is_near()) return work_;
     make_table(a_);
     make_table(b_);
@@ -104,13 +97,13 @@ class PairSearch {
     const RootBox& box = a_.root_box;
     const auto middle = [&](int axis) { return box.low[axis] / 2 + box.high[axis] / 2; };
     const Vec3 in_a = {middle(0), middle(1), middle(2)};
-    const Part b = nearest_cluster(b_, in_a, near_point_, work_);
-    const Part a = nearest_cluster(a_, nearest_of_box(b_, b, in_a), near_point_, work_);
+    const TreePart b = nearest_cluster(b_, in_a, near_point_, work_);
+    const TreePart a = nearest_cluster(a_, nearest_of_box(b_, b, in_a), near_point_, work_);
     return {a.node, a.slot, b.node, b.slot};
   }
 
   void look_first(const Places& places) {
-    const Part a = {places[0], places[1]}, b = {places[2], places[3]};
+    const TreePart a = {places[0], places[1]}, b = {places[2], places[3]};
     if (a.node >= a_.tree.nodes.size() || !is_cluster(a_, a)) return;
     if (b.node >= b_.tree.nodes.size() || !is_cluster(b_, b)) return;
     open_node(a_, a.node, work_);
@@ -121,12 +114,12 @@ class PairSearch {
   }
 
   /// Whether they have been compared already.
-  bool were_first(const Part& a, const Part& b) const {
+  bool were_first(const TreePart& a, const TreePart& b) const {
     return a.node == first_a_.node && a.slot == first_a_.slot && b.node == first_b_.node &&
            b.slot == first_b_.slot;
   }
 
-  void visit(const Part& a, const Part& b) {
+  void visit(const TreePart& a, const TreePart& b) {
     const bool a_is_cluster = is_cluster(a_, a), b_is_cluster = is_cluster(b_, b);
     if (a_is_cluster && b_is_cluster) return arrive(a, b);
     const Box8 box_a = known_box(a_, a), box_b = known_box(b_, b);
@@ -144,7 +137,8 @@ class PairSearch {
 
   /// Whether a part of the first tree is to be replaced before one of the second: if it is open,
   /// so that the other may never have to be; else if it is larger.
-  bool goes_first(const Part& a, const Box8& box_a, const Part& b, const Box8& box_b) const {
+  bool goes_first(const TreePart& a, const Box8& box_a, const TreePart& b,
+                  const Box8& box_b) const {
     const bool a_is_open = a_.opened[node_of(a_, a)], b_is_open = b_.opened[node_of(b_, b)];
     return a_is_open != b_is_open ? a_is_open : size(box_a) >= size(box_b);
   }
@@ -155,18 +149,18 @@ class PairSearch {
   }
 
   /// The descent has come to two clusters. Before the first ones it looks at what may be nearer.
-  void arrive(const Part& a, const Part& b) {
+  void arrive(const TreePart& a, const TreePart& b) {
     if (!has_begun_ && goal_.keeps_best()) look_first(guess());
     if (!were_first(a, b)) compare(a, b);
   }
 
-  void compare(const Part& a, const Part& b) {
+  void compare(const TreePart& a, const TreePart& b) {
     triangles_.add(cluster_of(a_, a), cluster_of(b_, b), {a.node, a.slot, b.node, b.slot});
   }
 
   /// Pushes the pairs of a part's slots with the other part, whose box is `other`.
   template <typename Pair>
-  void replace(const PosedTree& posed, const Part& part, const Box8& other, const Pair& pair) {
+  void replace(const PosedTree& posed, const TreePart& part, const Box8& other, const Pair& pair) {
     ++work_.node_pairs;
     const std::uint32_t node = node_of(posed, part);
     const OpenedNode& opened = open_node(posed, node, work_);
@@ -181,7 +175,7 @@ class PairSearch {
   Stack<NearParts>& parts_;  // the one on top is next
   Goal& goal_;
   bool has_begun_ = false;
-  Part first_a_, first_b_;  // what it has begun with; wholes if it has not
+  TreePart first_a_, first_b_;  // what it has begun with; wholes if it has not
   QueryStats work_;
   NearTriangles<Goal> triangles_;
 };

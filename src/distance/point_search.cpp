@@ -20,16 +20,10 @@ class NearestToPoint {
 
   double extent(const RootBox& box) const {
     const float point[3] = {point_.x, point_.y, point_.z};
-    double most = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double low = box.low[axis] < point[axis] ? box.low[axis] : point[axis];
-      const double high = box.high[axis] > point[axis] ? box.high[axis] : point[axis];
-      most = high - low > most ? high - low : most;
-    }
-    return most;
+    return common_extent(box.low, box.high, point, point);
   }
 
-  Float8 squared_gaps(const Box8& boxes) const { return squared_gap(boxes, box_); }
+  Float8 squared_gaps(const Boxes8& boxes) const { return squared_gap(boxes, box_); }
 
   bool takes(std::uint32_t triangle, const TriangleCorners& corners) {
     const NearestOnTriangle nearest = nearest_on_triangle(Vec3d(point_), corners);

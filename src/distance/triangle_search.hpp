@@ -3,19 +3,19 @@
 /// The descent of a tree that looks for the triangle nearest to one thing, a point or a solid: as
 /// that of two trees (pair_search.cpp), with the thing instead of the second.
 
-#include "distance/gaps.hpp"
-#include "distance/nearest_parts.hpp"
-#include "distance/part.hpp"
-#include "distance/reach.hpp"
 #include "distance/triangle_gaps.hpp"
 #include "pose/open_node.hpp"
+#include "query/push_nearest_last.hpp"
+#include "query/reach.hpp"
+#include "query/squared_gaps.hpp"
+#include "query/tree_part.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
 /// `Goal` has the best triangle so far, and tells
 ///   double extent(const RootBox&) const: no less than any difference of two coordinates;
-///   Float8 squared_gaps(const Box8&) const: lower bounds for eight boxes, of which `Reach` says
+///   Float8 squared_gaps(const Boxes8&) const: lower bounds for eight boxes, of which `Reach` says
 ///     what they may be wrong by;
 ///   bool takes(triangle, corners): whether that triangle is better, and now the best;
 ///   double reach() const: how near a better one has to be.
@@ -34,9 +34,9 @@ class TriangleSearch {
     parts_.clear();
     ++work_.node_pairs;
     const RootBox& root = root_box(posed_, work_);
-    if ((near(goal_.squared_gaps(point_box(root.low, root.high))) & 1) == 0) return work_;
+    if ((near(goal_.squared_gaps(repeat(point_box(root.low, root.high)))) & 1) == 0) return work_;
     make_table(posed_);
-    parts_.push({0, 0, Part::kWhole});
+    parts_.push({0, 0, TreePart::kWhole});
     while (!parts_.empty()) {
       const NearPart part = parts_.pop();
       if (part.squared_gap <= reach_.squared_gap()) visit({part.node, part.slot});
@@ -47,12 +47,12 @@ class TriangleSearch {
  private:
   unsigned near(const Float8& gaps) const { return (gaps <= Float8(reach_.squared_gap())).bits(); }
 
-  void visit(const Part& part) {
+  void visit(const TreePart& part) {
     if (is_cluster(posed_, part)) return compare(cluster_of(posed_, part));
     ++work_.node_pairs;
     const std::uint32_t node = node_of(posed_, part);
     const OpenedNode& opened = open_node(posed_, node, work_);
-    const Float8 gaps = goal_.squared_gaps(boxes_from(opened.low, opened.high, 0));
+    const Float8 gaps = goal_.squared_gaps(load_boxes(opened.low, opened.high, 0));
     push_nearest_last(parts_, near(gaps) & slots_of(posed_.tree.nodes.data()[node]), gaps,
                       [&](unsigned slot, float gap) {
                         return NearPart{gap, node, slot};
@@ -64,8 +64,8 @@ class TriangleSearch {
     const TriangleBoxes& boxes =
         triangle_boxes(cluster.posed, cluster.node, cluster.opened, cluster.slot);
     TriangleValues gaps;
-    goal_.squared_gaps(boxes_from(boxes.low, boxes.high, 0)).store(gaps.of);
-    goal_.squared_gaps(boxes_from(boxes.low, boxes.high, 8)).store(gaps.of + 8);
+    goal_.squared_gaps(load_boxes(boxes.low, boxes.high, 0)).store(gaps.of);
+    goal_.squared_gaps(load_boxes(boxes.low, boxes.high, 8)).store(gaps.of + 8);
     const std::uint32_t first = lowest_of(gaps);
     if (!(gaps.of[first] <= reach_.squared_gap())) return;
     measure(cluster, first);

@@ -75,9 +75,9 @@ class FieldDescent {
     const OpenedNode& opened = open_node(posed_, index, work_);
     FieldRect cells;
     if (!find_cells(field_, box_of(opened.all_low, opened.all_high), cells)) return;
-    const unsigned all = (1u << (node.cluster_count + node.child_count)) - 1;
     const HeightRange heights = heights_of(field_, cells);
-    for (SetBits slot(all & between(opened.low, opened.high, 0, heights)); slot; ++slot) {
+    for (SetBits slot(slots_of(node) & between(opened.low, opened.high, 0, heights)); slot;
+         ++slot) {
       if (!is_near(lane_of(opened.low, opened.high, *slot))) continue;
       if (*slot >= node.cluster_count) {
         nodes_.push(child(node, *slot));

@@ -4,14 +4,14 @@
 
 #include "field/field_distance.hpp"
 
-#include "distance/gaps.hpp"
 #include "distance/least_gap.hpp"
-#include "distance/nearest_parts.hpp"
-#include "distance/part.hpp"
-#include "distance/reach.hpp"
 #include "distance/triangle_gaps.hpp"
 #include "field/field_cells.hpp"
 #include "pose/open_node.hpp"
+#include "query/push_nearest_last.hpp"
+#include "query/reach.hpp"
+#include "query/squared_gaps.hpp"
+#include "query/tree_part.hpp"
 
 #include <cmath>
 
@@ -76,8 +76,9 @@ std::uint32_t least_of(const float* values, std::uint32_t count, float most) {
   return least;
 }
 
-double larger(double a, double b) { return a < b ? b : a; }
-double smaller(double a, double b) { return a < b ? a : b; }
+double extent(const RootBox& root, const FieldBox& field) {
+  return common_extent(root.low, root.high, field.low, field.high);
+}
 
 class FieldSearch {
  public:
@@ -100,7 +101,7 @@ class FieldSearch {
     if (!is_within_reach(point_box(root.low, root.high), box8(box_of(top_)))) return work_;
     make_table(posed_);
     if (limits_.begin) look_first(*limits_.begin);
-    parts_.push({0, 0, Part::kWhole, top_.level, top_.number});
+    parts_.push({0, 0, TreePart::kWhole, top_.level, top_.number});
     while (!parts_.empty()) {
       const NearParts pair = parts_.pop();
       if (pair.squared_gap <= reach_.squared_gap())
@@ -110,15 +111,6 @@ class FieldSearch {
   }
 
  private:
-  /// No less than any difference of two coordinates.
-  static double extent(const RootBox& root, const FieldBox& field) {
-    double most = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      most = larger(most, larger(root.high[axis], field.high[axis]) -
-                              smaller(root.low[axis], field.low[axis]));
-    return most;
-  }
-
   static Box8 box8(const FieldBox& box) {
     return {{Float8(box.low[0]), Float8(box.low[1]), Float8(box.low[2])},
             {Float8(box.high[0]), Float8(box.high[1]), Float8(box.high[2])}};
@@ -148,14 +140,14 @@ class FieldSearch {
   }
 
   void look_first(const Places& places) {
-    const Part part = {places[0], places[1]};
+    const TreePart part = {places[0], places[1]};
     if (part.node >= posed_.tree.nodes.size() || !is_cluster(posed_, part)) return;
     if (places[2] >= field_.levels.data()[0].blocks.size()) return;
     open_node(posed_, part.node, work_);
     compare(part, places[2]);
   }
 
-  void visit(const Part& part, const Block& block) {
+  void visit(const TreePart& part, const Block& block) {
     const bool part_is_last = is_cluster(posed_, part), block_is_last = block.level == 0;
     if (part_is_last && block_is_last) return compare(part, block.number);
     const Box8 part_box = known_box(posed_, part), block_box = box8(box_of(block));
@@ -172,7 +164,7 @@ class FieldSearch {
     return (box.high[0] - box.low[0] + (box.high[2] - box.low[2])).low()[0];
   }
 
-  void replace_part(const Part& part, const Block& block, const Box8& block_box) {
+  void replace_part(const TreePart& part, const Block& block, const Box8& block_box) {
     ++work_.node_pairs;
     const std::uint32_t node = node_of(posed_, part);
     const OpenedNode& opened = open_node(posed_, node, work_);
@@ -184,7 +176,7 @@ class FieldSearch {
                       });
   }
 
-  void replace_block(const Part& part, const Box8& part_box, const Block& block) {
+  void replace_block(const TreePart& part, const Box8& part_box, const Block& block) {
     ++work_.node_pairs;
     const FieldLevel& level = field_.levels.data()[block.level];
     const FieldLevel& below = field_.levels.data()[block.level - 1];
@@ -211,7 +203,7 @@ class FieldSearch {
   }
 
   /// The triangles of a cluster with those of a block, nearest boxes first.
-  void compare(const Part& part, std::uint32_t block) {
+  void compare(const TreePart& part, std::uint32_t block) {
     const PosedCluster cluster = cluster_of(posed_, part);
     const TriangleBoxes& boxes = triangle_boxes(posed_, cluster.node, cluster.opened, cluster.slot);
     const Box8 block_box = box8(box_of({0, block}));

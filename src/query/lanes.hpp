@@ -40,6 +40,24 @@ template <std::size_t kCount>
           {Float8(high[0]), Float8(high[1]), Float8(high[2])}};
 }
 
+/// Eight boxes side by side, one in each lane.
+struct Boxes8 {
+  Float8 low[3], high[3];
+};
+
+/// Loads the boxes from lane `first` on.
+template <std::size_t kCount>
+[[gnu::always_inline]] inline Boxes8 load_boxes(const float (&low)[3][kCount],
+                                                const float (&high)[3][kCount], unsigned first) {
+  return {{load8(low[0] + first), load8(low[1] + first), load8(low[2] + first)},
+          {load8(high[0] + first), load8(high[1] + first), load8(high[2] + first)}};
+}
+
+/// The same box in each lane, for functions that compare eight different boxes.
+[[gnu::always_inline]] inline Boxes8 repeat(const Box8& box) {
+  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+}
+
 /// Which of the eight boxes from lane `first` on overlap `box`, one bit each. Touching counts.
 template <std::size_t kCount>
 [[gnu::always_inline]] inline unsigned overlapping(const float (&low)[3][kCount],

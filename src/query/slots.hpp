@@ -23,15 +23,20 @@ inline namespace PELT_TARGET {
 
 inline constexpr unsigned kAllSlots = (1u << kMaxSlots) - 1;
 
-/// Those that are clusters.
+/// The slots in use, one bit each.
+inline unsigned slots_of(const Node& node) {
+  return (1u << (node.cluster_count + node.child_count)) - 1;
+}
+
+/// The slots that are clusters.
 inline unsigned clusters_of(const Node& node) { return (1u << node.cluster_count) - 1; }
 
-/// The child in a slot that is none of a cluster.
+/// Index of the child node in `slot`. Precondition: the slot does not hold a cluster.
 inline std::uint32_t child(const Node& node, unsigned slot) {
   return node.first_child + slot - node.cluster_count;
 }
 
-/// Those whose boxes overlap `box`.
+/// The slots whose boxes overlap `box`.
 inline unsigned slots_in(const OpenedNode& opened, const Box8& box) {
   return overlapping(opened.low, opened.high, 0, box);
 }

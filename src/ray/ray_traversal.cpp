@@ -165,10 +165,6 @@ class RayTraversal {
       if (slabs_.reaches(entries[*slot])) push(child(node, *slot), entries[*slot], first);
   }
 
-  static unsigned slots_of(const Node& node) {
-    return (1u << (node.cluster_count + node.child_count)) - 1;
-  }
-
   /// The nearest first.
   void test_clusters(const Node& node, const OpenedNode& opened, unsigned clusters,
                      const float (&entries)[kMaxSlots]) {

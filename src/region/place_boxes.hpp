@@ -18,6 +18,7 @@
 /// than the amounts that are added for what underflows.
 
 #include "base/float8.hpp"
+#include "query/lanes.hpp"
 #include "region/prepared_region.hpp"
 
 #include <cstddef>
@@ -29,18 +30,6 @@ inline namespace PELT_TARGET {
 struct PlacedBoxes {
   unsigned outside = 0, inside = 0;
 };
-
-/// Eight boxes side by side.
-struct Boxes8 {
-  Float8 low[3], high[3];
-};
-
-template <std::size_t kCount>
-inline Boxes8 load_boxes(const float (&low)[3][kCount], const float (&high)[3][kCount],
-                         unsigned first) {
-  return {{load8(low[0] + first), load8(low[1] + first), load8(low[2] + first)},
-          {load8(high[0] + first), load8(high[1] + first), load8(high[2] + first)}};
-}
 
 /// The largest coordinate of each box on each axis.
 struct Reaches8 {

@@ -39,9 +39,7 @@ class RegionDescent {
   void place_root() {
     ++answer_.work.node_pairs;
     const RootBox& root = root_box(posed_, answer_.work);
-    const Box8 box = point_box(root.low, root.high);
-    const PlacedBoxes placed = place_boxes(
-        region_, {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}});
+    const PlacedBoxes placed = place_boxes(region_, repeat(point_box(root.low, root.high)));
     if (placed.outside & 1) {
       answer_.leaves = true;
     } else if (placed.inside & 1) {
@@ -56,7 +54,7 @@ class RegionDescent {
     ++answer_.work.node_pairs;
     const Node& node = posed_.tree.nodes[index];
     const OpenedNode& opened = open_node(posed_, index, answer_.work);
-    const unsigned slots = (1u << (node.cluster_count + node.child_count)) - 1;
+    const unsigned slots = slots_of(node);
     const PlacedBoxes placed = place_boxes(region_, load_boxes(opened.low, opened.high, 0));
     if (slots & placed.outside) answer_.leaves = true;
     const unsigned inside = slots & placed.inside & ~placed.outside;

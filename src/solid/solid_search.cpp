@@ -27,10 +27,7 @@ class NearestToSolid {
     return 2 * (most + solid_.extent);
   }
 
-  Float8 squared_gaps(const Box8& boxes) const {
-    return gaps_({{boxes.low[0], boxes.low[1], boxes.low[2]},
-                  {boxes.high[0], boxes.high[1], boxes.high[2]}});
-  }
+  Float8 squared_gaps(const Boxes8& boxes) const { return gaps_(boxes); }
 
   bool takes(std::uint32_t triangle, const TriangleCorners& corners) {
     const SolidPoints points = nearest_points(corners, solid_.solid);

@@ -15,19 +15,13 @@ inline namespace PELT_TARGET {
   return max(max(low_a - high_b, low_b - high_a), Float8(0.0f));
 }
 
-inline Float8 squared_gap(const Box8& a, const Box8& b) {
+/// The squared distance of the boxes in each lane. Both arguments are Box8 or Boxes8.
+template <typename BoxA, typename BoxB>
+[[gnu::always_inline]] inline Float8 squared_gap(const BoxA& a, const BoxB& b) {
   const Float8 x = gap(a.low[0], a.high[0], b.low[0], b.high[0]);
   const Float8 y = gap(a.low[1], a.high[1], b.low[1], b.high[1]);
   const Float8 z = gap(a.low[2], a.high[2], b.low[2], b.high[2]);
   return x * x + y * y + z * z;
-}
-
-/// The eight boxes from lane `first` on.
-template <std::size_t kCount>
-[[gnu::always_inline]] inline Box8 boxes_from(const float (&low)[3][kCount],
-                                              const float (&high)[3][kCount], unsigned first) {
-  return {{load8(low[0] + first), load8(low[1] + first), load8(low[2] + first)},
-          {load8(high[0] + first), load8(high[1] + first), load8(high[2] + first)}};
 }
 
 /// The squares of the distances of the boxes from lane `first` on from `box`, or a little less or
@@ -36,7 +30,7 @@ template <std::size_t kCount>
 [[gnu::always_inline]] inline Float8 squared_gaps(const float (&low)[3][kCount],
                                                   const float (&high)[3][kCount], unsigned first,
                                                   const Box8& box) {
-  return squared_gap(boxes_from(low, high, first), box);
+  return squared_gap(load_boxes(low, high, first), box);
 }
 
 }  // namespace PELT_TARGET

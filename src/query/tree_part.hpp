@@ -10,40 +10,36 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-struct Part {
+struct TreePart {
   std::uint32_t node = 0;  ///< opened, unless the part is the whole
   std::uint32_t slot = kWhole;
 
   static constexpr std::uint32_t kWhole = kMaxSlots;
 };
 
-inline bool is_cluster(const PosedTree& posed, const Part& part) {
+inline bool is_cluster(const PosedTree& posed, const TreePart& part) {
   return part.slot < posed.tree.nodes[part.node].cluster_count;
 }
 
 /// The node that is the part. Precondition: it is no cluster.
-inline std::uint32_t node_of(const PosedTree& posed, const Part& part) {
-  return part.slot == Part::kWhole ? 0 : child(posed.tree.nodes[part.node], part.slot);
+inline std::uint32_t node_of(const PosedTree& posed, const TreePart& part) {
+  return part.slot == TreePart::kWhole ? 0 : child(posed.tree.nodes[part.node], part.slot);
 }
 
 /// Precondition: the part is a cluster.
-inline PosedCluster cluster_of(const PosedTree& posed, const Part& part) {
+inline PosedCluster cluster_of(const PosedTree& posed, const TreePart& part) {
   return {posed, posed.tree.nodes[part.node], *posed.opened[part.node], part.slot};
 }
 
 /// The smallest box that is known to be around the part, opened or not.
-inline Box8 known_box(const PosedTree& posed, const Part& part) {
+inline Box8 known_box(const PosedTree& posed, const TreePart& part) {
   if (!is_cluster(posed, part)) {
     if (const OpenedNode* opened = posed.opened[node_of(posed, part)])
       return point_box(opened->all_low, opened->all_high);
-    if (part.slot == Part::kWhole) return point_box(posed.root_box.low, posed.root_box.high);
+    if (part.slot == TreePart::kWhole) return point_box(posed.root_box.low, posed.root_box.high);
   }
   const OpenedNode& parent = *posed.opened[part.node];
   return lane_box(parent.low, parent.high, part.slot);
-}
-
-inline unsigned slots_of(const Node& node) {
-  return (1u << (node.cluster_count + node.child_count)) - 1;
 }
 
 }  // namespace PELT_TARGET

@@ -3,8 +3,8 @@
 /// Slots of a node, nearest first.
 
 #include "base/float8.hpp"
-#include "distance/part.hpp"
 #include "query/lanes.hpp"
+#include "query/tree_part.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {

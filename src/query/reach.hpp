@@ -16,6 +16,18 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
+/// No less than any difference of two coordinates within two boxes.
+inline double common_extent(const float* low_a, const float* high_a, const float* low_b,
+                            const float* high_b) {
+  double most = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = low_a[axis] < low_b[axis] ? low_a[axis] : low_b[axis];
+    const double high = high_a[axis] > high_b[axis] ? high_a[axis] : high_b[axis];
+    most = high - low > most ? high - low : most;
+  }
+  return most;
+}
+
 class Reach {
  public:
   /// `extent` is no less than any difference of two coordinates in the query.
