@@ -1,4 +1,4 @@
-/// How the memory of a query grows, and how much of it a query can want.
+/// How much memory a query can need.
 ///
 /// A descent takes one step for each level of the second tree, and at most two for each of the
 /// first: to a child, and on from there with the same node of the second. A step replaces a pair by
@@ -9,34 +9,7 @@
 #include "model/clusters.hpp"
 #include "model/tree.hpp"
 
-#include <algorithm>
-
 namespace pelt {
-namespace detail {
-
-template <typename T>
-void Stack<T>::grow() {
-  reserve(std::max<std::size_t>(64, 2 * capacity_));
-}
-
-template <typename T>
-void Stack<T>::reserve(std::size_t capacity) {
-  if (capacity <= capacity_) return;
-  std::unique_ptr<T[]> items(new T[capacity]);
-  std::copy_n(items_.get(), size_, items.get());
-  items_ = std::move(items);
-  capacity_ = capacity;
-}
-
-template class Stack<SlotPair>;
-template class Stack<NearPart>;
-template class Stack<NearParts>;
-template class Stack<Contact>;
-template class Stack<RayHit>;
-template class Stack<std::uint32_t>;
-
-}  // namespace detail
-
 namespace {
 
 constexpr std::size_t kMostSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;

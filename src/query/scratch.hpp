@@ -29,13 +29,6 @@ struct NearParts {
   std::uint32_t node_a, slot_a, node_b, slot_b;
 };
 
-extern template class Stack<SlotPair>;
-extern template class Stack<NearPart>;
-extern template class Stack<NearParts>;
-extern template class Stack<Contact>;
-extern template class Stack<RayHit>;
-extern template class Stack<std::uint32_t>;
-
 /// Memory lent to queries; every user clears what it takes.
 struct Scratch {
   Stack<SlotPair> slot_pairs;

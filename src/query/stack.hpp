@@ -6,39 +6,49 @@
 
 namespace pelt::detail {
 
-/// A growing stack of plain values, for code that is compiled for several targets: pushing is
-/// inline, and the growing stands in one file (scratch.cpp names the types).
-template <typename T>
-class Stack {
-  static_assert(std::is_trivially_copyable_v<T>);
-
+/// The memory of a Stack, whatever the type of its items. It grows in one baseline file, so that
+/// code compiled for several targets instantiates nothing that the linker could share between
+/// targets.
+class StackMemory {
  public:
-  using value_type = T;
-
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
   std::size_t capacity() const { return capacity_; }
   void clear() { size_ = 0; }
   void shrink(std::size_t size) { size_ = size < size_ ? size : size_; }
-  T* begin() { return items_.get(); }
-  T* end() { return items_.get() + size_; }
+
+ protected:
+  /// Makes room for at least one more item.
+  void grow(std::size_t item_bytes);
+  /// Makes room for `capacity` items in all.
+  void reserve(std::size_t capacity, std::size_t item_bytes);
+
+  std::unique_ptr<std::byte[]> bytes_;
+  std::size_t size_ = 0, capacity_ = 0;
+};
+
+/// A growing stack of plain values.
+template <typename T>
+class Stack : public StackMemory {
+  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+
+ public:
+  using value_type = T;
+
+  T* begin() { return reinterpret_cast<T*>(bytes_.get()); }
+  T* end() { return begin() + size_; }
 
   void push(const T& item) {
-    if (size_ == capacity_) grow();
-    items_[size_++] = item;
+    if (size_ == capacity_) grow(sizeof(T));
+    begin()[size_++] = item;
   }
 
   /// Precondition: not empty.
-  T pop() { return items_[--size_]; }
+  T pop() { return begin()[--size_]; }
 
-  /// Makes room for that many items in all.
-  void reserve(std::size_t capacity);
-
- private:
-  void grow();
-
-  std::unique_ptr<T[]> items_;
-  std::size_t size_ = 0, capacity_ = 0;
+  /// Makes room for `capacity` items in all.
+  void reserve(std::size_t capacity) { StackMemory::reserve(capacity, sizeof(T)); }
 };
 
 }  // namespace pelt::detail
