@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact/surface.hpp"
 #include "geometry/triangle_crossing.hpp"
+#include "model/surface.hpp"
 
 #include <span>
 

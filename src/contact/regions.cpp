@@ -1,7 +1,7 @@
 #include "contact/regions.hpp"
 
+#include "base/disjoint_sets.hpp"
 #include "base/vec3.hpp"
-#include "contact/sets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ void link_corners(const Surface& a, const Surface& b, ContactGeometry& geometry)
 /// For each trace the least one of its region.
 void label_regions(ContactGeometry& geometry) {
   const auto count = static_cast<std::uint32_t>(geometry.traces.size());
-  Sets sets(count, geometry.labels);
+  DisjointSets sets(count, geometry.labels);
   for (std::size_t i = 1; i < geometry.links.size(); ++i)
     if (geometry.links[i].key == geometry.links[i - 1].key)
       sets.join(geometry.links[i].owner, geometry.links[i - 1].owner);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/surface.hpp"
+#include "model/surface.hpp"
 
 namespace pelt::detail {
 

@@ -2,8 +2,9 @@
 
 #include "base/assert.hpp"
 #include "base/vec3.hpp"
+#include "geometry/ray_triangle.hpp"
 #include "model/model.hpp"
-#include "pose/open_node.hpp"
+#include "query/find_triangle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +18,12 @@ Vec3d unit(const Vec3d& v) {
   return length > 0 ? (1 / length) * v : Vec3d();
 }
 
-Vec3d unit_normal(const TriangleCorners& t) {
-  return unit(cross(Vec3d(t[1]) - Vec3d(t[0]), Vec3d(t[2]) - Vec3d(t[0])));
-}
-
 Vec3d centre(const TriangleCorners& t) {
   return (1.0 / 3) * (Vec3d(t[0]) + Vec3d(t[1]) + Vec3d(t[2]));
 }
 
 Vec3d leaving_direction(const TriangleCorners& a, const TriangleCorners& b) {
-  const Vec3d normal_b = unit_normal(b), between = unit(normal_b - unit_normal(a));
+  const Vec3d normal_b = unit(area_vector(b)), between = unit(normal_b - unit(area_vector(a)));
   return squared_length(between) > 0 ? between : normal_b;
 }
 
@@ -56,16 +53,9 @@ ContactKind kind_of(const Crossing& crossing) {
 }  // namespace
 
 TriangleCorners PosedSurface::corners(std::uint32_t triangle, QueryStats& work) const {
-  PELT_ASSERT(triangle < surface.places.size());
   const PosedTree posed = pose.posed_tree();
   make_table(posed);
-  const float* positions = open_node(posed, surface.nodes[triangle], work).positions;
-  TriangleCorners corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const float* at = positions + posed.tree.corners[surface.places[triangle]][i];
-    corners[i] = {at[0], at[1], at[2]};
-  }
-  return corners;
+  return find_triangle(posed, triangle, work).corners;
 }
 
 ContactTrace trace_of(const Contact& contact, const PosedSurface& a, const PosedSurface& b,

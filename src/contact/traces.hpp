@@ -2,8 +2,8 @@
 
 /// What each pair of triangles has in common.
 
-#include "contact/surface.hpp"
 #include "geometry/triangle_crossing.hpp"
+#include "model/surface.hpp"
 #include "pose/pose.hpp"
 
 #include <span>

@@ -1,6 +1,7 @@
 #include "crowd/pair_groups.hpp"
 
 #include "base/bytes_held.hpp"
+#include "base/disjoint_sets.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -14,14 +15,13 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 /// Groups in the order of their first pairs, by counting sort.
 void PairGroups::form(std::span<const CrowdPair> pairs, std::uint32_t instance_end) {
-  leaders_.resize(instance_end);
-  std::iota(leaders_.begin(), leaders_.end(), 0u);
-  for (const CrowdPair& pair : pairs) unite(pair);
+  DisjointSets sets(instance_end, leaders_);
+  for (const CrowdPair& pair : pairs) sets.join(pair.instance_a, pair.instance_b);
 
   group_of_.assign(instance_end, kNone);
   begins_.assign(1, 0);
   for (const CrowdPair& pair : pairs) {
-    std::uint32_t& group = group_of_[leader_of(pair.instance_a)];
+    std::uint32_t& group = group_of_[sets.find(pair.instance_a)];
     if (group == kNone) {
       group = count();
       begins_.push_back(0);
@@ -32,20 +32,9 @@ void PairGroups::form(std::span<const CrowdPair> pairs, std::uint32_t instance_e
 
   pairs_.resize(pairs.size());
   for (const CrowdPair& pair : pairs)
-    pairs_[begins_[group_of_[leader_of(pair.instance_a)]]++] = pair;
+    pairs_[begins_[group_of_[sets.find(pair.instance_a)]]++] = pair;
   std::copy_backward(begins_.begin(), begins_.end() - 1, begins_.end());
   begins_[0] = 0;
-}
-
-std::uint32_t PairGroups::leader_of(std::uint32_t instance) {
-  while (leaders_[instance] != instance)
-    instance = leaders_[instance] = leaders_[leaders_[instance]];
-  return instance;
-}
-
-void PairGroups::unite(const CrowdPair& pair) {
-  const std::uint32_t a = leader_of(pair.instance_a), b = leader_of(pair.instance_b);
-  leaders_[std::max(a, b)] = std::min(a, b);
 }
 
 std::size_t PairGroups::memory_bytes() const {

@@ -25,11 +25,8 @@ class PairGroups {
   std::size_t memory_bytes() const;
 
  private:
-  std::uint32_t leader_of(std::uint32_t instance);
-  void unite(const CrowdPair& pair);
-
-  std::vector<std::uint32_t> leaders_;   // of each instance one of its group, in the end the first
-  std::vector<std::uint32_t> group_of_;  // of each leader
+  std::vector<std::uint32_t> leaders_;       // memory of the sets of instances
+  std::vector<std::uint32_t> group_of_;      // of each leader
   std::vector<std::uint32_t> begins_ = {0};  // into pairs_, one more than there are groups
   std::vector<CrowdPair> pairs_;
 };

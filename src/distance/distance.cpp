@@ -4,10 +4,10 @@
 #include "collide/pair_traversal.hpp"
 #include "collide/sort_contacts.hpp"
 #include "distance/answers.hpp"
-#include "distance/find_triangle.hpp"
 #include "distance/pair_search.hpp"
 #include "distance/point_search.hpp"
 #include "pose/pose.hpp"
+#include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 
 #include <algorithm>
@@ -20,9 +20,10 @@ using detail::PosedTree;
 using detail::surface_point;
 
 /// The lowest pair of those that touch.
-Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact) {
-  const detail::FoundTriangle found_a = detail::find_triangle(a, contact.triangle_a);
-  const detail::FoundTriangle found_b = detail::find_triangle(b, contact.triangle_b);
+Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact,
+                  QueryStats& work) {
+  const detail::FoundTriangle found_a = detail::find_triangle(a, contact.triangle_a, work);
+  const detail::FoundTriangle found_b = detail::find_triangle(b, contact.triangle_b, work);
   const detail::NearestPoints common = detail::common_point(found_a.corners, found_b.corners);
   Distance nearest;
   nearest.distance = 0;
@@ -82,7 +83,7 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& nearest,
   stats.cut_short = false;
   const detail::Places hint = options.hint ? options.hint->places : detail::Places{};
   if (detail::Stack<Contact>& found = scratch.detail().found; !found.empty()) {
-    nearest = touching(tree_a, tree_b, *std::min_element(found.begin(), found.end()));
+    nearest = touching(tree_a, tree_b, *std::min_element(found.begin(), found.end()), stats);
     return stats;
   }
   detail::TriangleGap gap;

@@ -3,11 +3,11 @@
 #include "base/assert.hpp"
 #include "collide/sort_contacts.hpp"
 #include "distance/answers.hpp"
-#include "distance/find_triangle.hpp"
 #include "field/field_cast.hpp"
 #include "field/field_collide.hpp"
 #include "field/field_distance.hpp"
 #include "pose/pose.hpp"
+#include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 
 #include <algorithm>
@@ -24,8 +24,9 @@ QueryStats find_contacts(const PosedTree& posed, const HeightField& field, Scrat
 }
 
 /// The lowest pair of those that touch.
-Distance touching(const PosedTree& posed, const HeightField& field, const Contact& contact) {
-  const detail::FoundTriangle found = detail::find_triangle(posed, contact.triangle_a);
+Distance touching(const PosedTree& posed, const HeightField& field, const Contact& contact,
+                  QueryStats& work) {
+  const detail::FoundTriangle found = detail::find_triangle(posed, contact.triangle_a, work);
   const detail::TriangleCorners other = field.triangle(contact.triangle_b);
   const detail::NearestPoints common = detail::common_point(found.corners, other);
   Distance nearest;
@@ -60,7 +61,7 @@ QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Dist
   QueryStats stats = find_contacts(posed, field, scratch, wanted);
   stats.cut_short = false;
   if (detail::Stack<Contact>& found = scratch.detail().found; !found.empty()) {
-    nearest = touching(posed, field, *std::min_element(found.begin(), found.end()));
+    nearest = touching(posed, field, *std::min_element(found.begin(), found.end()), stats);
     return stats;
   }
   const detail::Places hint = options.hint ? options.hint->places : detail::Places{};

@@ -212,7 +212,7 @@ std::array<float, 3> crossing_weights(const RayLine& line, const TriangleCorners
 }
 
 /// A component is a difference of two products with errors of 4 e |u||v| each.
-Vec3 unit_normal(const TriangleCorners& triangle) {
+Vec3d area_vector(const TriangleCorners& triangle) {
   const Vec3d a(triangle[0]), b(triangle[1]), c(triangle[2]);
   const Vec3d u = b - a, v = c - a;
   Vec3d n = cross(u, v);
@@ -226,6 +226,11 @@ Vec3 unit_normal(const TriangleCorners& triangle) {
     n = {twice_area(a.y, a.z, b.y, b.z, c.y, c.z), twice_area(a.z, a.x, b.z, b.x, c.z, c.x),
          twice_area(a.x, a.y, b.x, b.y, c.x, c.y)};
   }
+  return n;
+}
+
+Vec3 unit_normal(const TriangleCorners& triangle) {
+  const Vec3d n = area_vector(triangle);
   return to_float(1 / std::sqrt(squared_length(n)) * n);
 }
 

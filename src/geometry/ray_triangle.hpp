@@ -38,6 +38,11 @@ int edge_side(const RayLine& line, const Vec3& q, const Vec3& r);
 std::array<float, 3> crossing_weights(const RayLine& line, const TriangleCorners& triangle,
                                       const RayCrossing& crossing);
 
+/// The normal, to where the corners are seen counter-clockwise, of twice the triangle's area in
+/// length. Each component is within 2^-25 of the longest exact one; all are 0 if the triangle has
+/// collapsed.
+Vec3d area_vector(const TriangleCorners& triangle);
+
 /// Of length 1 and within 2^-22 of the exact one, to where the corners are seen counter-clockwise.
 /// Precondition: the triangle has not collapsed.
 Vec3 unit_normal(const TriangleCorners& triangle);

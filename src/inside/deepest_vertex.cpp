@@ -8,9 +8,9 @@
 #include <pelt/inside.hpp>
 
 #include "base/assert.hpp"
-#include "contact/surface.hpp"
 #include "inside/side_of.hpp"
 #include "model/model.hpp"
+#include "model/surface.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"

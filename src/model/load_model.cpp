@@ -4,6 +4,7 @@
 #include "model/check_node_bounds.hpp"
 #include "model/check_tree.hpp"
 #include "model/prepared_format.hpp"
+#include "model/triangle_places.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -99,6 +100,7 @@ Result<SkinnedModel> load_model(std::span<const std::byte> file) {
   Problem found = detail::check_structure(model->tree);
   if (found.empty()) found = detail::check_node_bounds(model->bounds, model->tree);
   if (!found.empty()) return malformed("is malformed, " + found);
+  index_triangles(model->tree);
   return SkinnedModel(std::move(model));
 }
 

@@ -67,6 +67,7 @@ struct Tree {
   // Triangles [T] in the order of the clusters.
   std::vector<std::array<std::uint16_t, 3>> corners;  // [T] offsets into the posed pool
   std::vector<std::uint32_t> triangle_ids;            // [T] the caller's numbers
+  std::vector<std::uint32_t> triangle_places;         // [T] the inverse; not in prepared files
 
   // The distinct corners of each cluster, padded with the last one: loops over the list then have
   // few different lengths, which branches predict well.

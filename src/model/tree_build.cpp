@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "model/clusters.hpp"
+#include "model/triangle_places.hpp"
 #include "model/weld.hpp"
 #include "model/wide_nodes.hpp"
 
@@ -182,7 +183,9 @@ class TreeWriter {
 
 Tree build_tree(const SkinnedMesh& mesh, std::span<const std::vector<Vec3>> samples) {
   const ClusterTree clusters = build_cluster_tree(SampleBoxes(mesh.triangles, samples));
-  return TreeWriter(mesh, clusters).write(collapse(clusters));
+  Tree tree = TreeWriter(mesh, clusters).write(collapse(clusters));
+  index_triangles(tree);
+  return tree;
 }
 
 }  // namespace pelt::detail

@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "model/model.hpp"
+#include "model/triangle_places.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,16 +12,6 @@ namespace {
 
 using detail::Node;
 using detail::Tree;
-
-/// The node whose pool has the corners of the triangle at `place`: clusters, and so their
-/// triangles, are numbered node after node.
-const Node& node_of(const Tree& tree, std::uint32_t place) {
-  const auto begins_after = [&](std::uint32_t triangle, const Node& node) {
-    return node.first_cluster == tree.clusters.size() ||
-           triangle < tree.clusters[node.first_cluster].first_triangle;
-  };
-  return *(std::upper_bound(tree.nodes.begin(), tree.nodes.end(), place, begins_after) - 1);
-}
 
 void add_share(std::uint32_t joint, float share, std::vector<JointShare>& shares) {
   const auto known = std::find_if(shares.begin(), shares.end(),
@@ -37,7 +28,7 @@ void add_share(std::uint32_t joint, float share, std::vector<JointShare>& shares
 void influences_at(const SkinnedModel& model, const RayHit& hit, std::vector<JointShare>& shares) {
   const Tree& tree = model.detail().tree;
   PELT_ASSERT(hit.place < tree.triangle_count() && tree.triangle_ids[hit.place] == hit.triangle);
-  const Node& node = node_of(tree, hit.place);
+  const Node& node = tree.nodes[node_of_triangle(tree, hit.place)];
   shares.clear();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t vertex =

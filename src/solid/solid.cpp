@@ -2,8 +2,8 @@
 
 #include "base/assert.hpp"
 #include "distance/answers.hpp"
-#include "distance/find_triangle.hpp"
 #include "pose/pose.hpp"
+#include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 #include "region/region_descent.hpp"
 #include "solid/solid_search.hpp"
@@ -26,9 +26,10 @@ QueryStats find_touching(const PosedTree& posed, const PreparedRegion& region, S
       .work;
 }
 
-SolidDistance touching(const PosedTree& posed, const Solid& solid, std::uint32_t triangle) {
+SolidDistance touching(const PosedTree& posed, const Solid& solid, std::uint32_t triangle,
+                       QueryStats& work) {
   make_table(posed);  // what is wholly inside has not been opened
-  const TriangleCorners corners = find_triangle(posed, triangle).corners;
+  const TriangleCorners corners = find_triangle(posed, triangle, work).corners;
   SolidDistance nearest;
   nearest.distance = 0;
   nearest.surface = surface_point(triangle, corners, common_point(corners, solid));
@@ -50,7 +51,7 @@ QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDista
   const detail::PreparedSolid prepared(solid);
   QueryStats stats = detail::find_touching(posed, prepared.region, scratch.detail());
   if (detail::Stack<std::uint32_t>& found = scratch.detail().touching; !found.empty()) {
-    nearest = detail::touching(posed, solid, *std::min_element(found.begin(), found.end()));
+    nearest = detail::touching(posed, solid, *std::min_element(found.begin(), found.end()), stats);
     return stats;
   }
   detail::SolidGap gap;

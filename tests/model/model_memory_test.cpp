@@ -9,10 +9,10 @@
 namespace pelt {
 namespace {
 
-// The arrays that each_array visits: who adds one adds it there too.
+// The arrays that each_array visits, and Tree::triangle_places: add a new array there too.
 static_assert(sizeof(detail::PoolMorphs) == 4 * sizeof(std::vector<int>));
 static_assert(sizeof(detail::Tree) ==
-              10 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 8);
+              11 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 8);
 static_assert(sizeof(detail::NodeBounds) == 7 * sizeof(std::vector<int>));
 
 template <typename... Array>
@@ -26,12 +26,12 @@ TEST(ModelMemory, CountsEveryArrayAndHoldsLittleMore) {
   test::add_morph_targets(random, limb, 7, 0.3, 0.1);
   const auto model = build_model(limb.view());
   ASSERT_TRUE(model);
-  const auto& [positions, begins, joints, weights, corners, ids, cluster_vertices, clusters, nodes,
-               places, morphs, joint_count, extent] = model->detail().tree;
+  const auto& [positions, begins, joints, weights, corners, ids, triangle_places, cluster_vertices,
+               clusters, nodes, places, morphs, joint_count, extent] = model->detail().tree;
   const auto& bounds = model->detail().bounds;
   const std::size_t used =
-      bytes_of(positions, begins, joints, weights, corners, ids, cluster_vertices, clusters, nodes,
-               places) +
+      bytes_of(positions, begins, joints, weights, corners, ids, triangle_places, cluster_vertices,
+               clusters, nodes, places) +
       bytes_of(morphs.extents, morphs.node_begin, morphs.targets, morphs.displacements) +
       bytes_of(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits,
                bounds.displacement_begin, bounds.displacements);

@@ -1,6 +1,6 @@
 #include "scenes/triangle_labels.hpp"
 
-#include "contact/surface.hpp"
+#include "model/surface.hpp"
 #include "scenes/creature.hpp"
 
 #include <gtest/gtest.h>

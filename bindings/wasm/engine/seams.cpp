@@ -2,7 +2,7 @@
 
 #include <pelt/contact.hpp>
 
-#include "contact/surface.hpp"
+#include "model/surface.hpp"
 
 #include <numeric>
 

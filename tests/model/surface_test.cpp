@@ -1,11 +1,9 @@
-#include "contact/surface.hpp"
+#include "model/surface.hpp"
 
 #include "model/model.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
-
-#include <set>
 
 namespace pelt::test {
 namespace {
@@ -43,19 +41,6 @@ TEST(Surface, IsClosedAcrossSeams) {
       vertex = static_cast<std::uint32_t>(split.rest_positions.size() - 1);
     }
   EXPECT_TRUE(Surface(model_of(split)).is_closed());
-}
-
-TEST(Surface, FindsEachTriangleInTheTree) {
-  const Surface surface(model_of(make_limb(20, 9, 3)));
-  const detail::Surface& data = surface.detail();
-  const detail::Tree& tree = surface.model().detail().tree;
-  std::set<std::uint32_t> places;
-  for (std::uint32_t triangle = 0; triangle < data.places.size(); ++triangle) {
-    EXPECT_EQ(tree.triangle_ids[data.places[triangle]], triangle);
-    EXPECT_LT(data.nodes[triangle], tree.nodes.size());
-    places.insert(data.places[triangle]);
-  }
-  EXPECT_EQ(places.size(), tree.triangle_count());
 }
 
 TEST(Surface, NamesTheJointThatATriangleFollowsMost) {

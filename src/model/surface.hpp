@@ -4,14 +4,12 @@
 
 namespace pelt::detail {
 
-/// Arrays [T] are by the caller's number of a triangle.
+/// Which triangles of a model are adjacent. Arrays [T] are by the caller's number of a triangle.
 struct Surface {
   explicit Surface(const SkinnedModel& model);
 
   SkinnedModel model;
   std::vector<Triangle> corners;      // [T] vertices that are alike in every bit have one number
-  std::vector<std::uint32_t> places;  // [T] in the tree
-  std::vector<std::uint32_t> nodes;   // [T] whose pool has the corners
   std::vector<std::uint16_t> joints;  // [T] see main_joints
   std::vector<std::uint32_t> components;  // a triangle of each part that hangs together
   bool is_closed = false;

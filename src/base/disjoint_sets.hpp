@@ -5,12 +5,11 @@
 
 namespace pelt::detail {
 
-/// Disjoint sets of the numbers below a count, each known by its least member, in memory that is
-/// borrowed.
-class Sets {
+/// Disjoint sets of the numbers below a count, in borrowed memory. Its least member names a set.
+class DisjointSets {
  public:
-  /// Each number is a set of its own.
-  Sets(std::uint32_t count, std::vector<std::uint32_t>& memory) : parents_(memory) {
+  /// Makes a set of each number.
+  DisjointSets(std::uint32_t count, std::vector<std::uint32_t>& memory) : parents_(memory) {
     parents_.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) parents_[i] = i;
   }

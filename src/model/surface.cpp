@@ -1,6 +1,6 @@
-#include "contact/surface.hpp"
+#include "model/surface.hpp"
 
-#include "contact/sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
 #include "skin/main_joint.hpp"
@@ -12,25 +12,11 @@ namespace pelt {
 namespace detail {
 namespace {
 
-void find_places(const Tree& tree, Surface& surface) {
-  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
-    const Node& node = tree.nodes[n];
-    for (std::uint32_t c = 0; c < node.cluster_count; ++c) {
-      const Cluster& cluster = tree.clusters[node.first_cluster + c];
-      for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
-        const std::uint32_t place = cluster.first_triangle + i, triangle = tree.triangle_ids[place];
-        surface.places[triangle] = place;
-        surface.nodes[triangle] = n;
-      }
-    }
-  }
-}
-
 /// The first triangle of each part that hangs together by its corners.
 std::vector<std::uint32_t> find_components(const std::vector<Triangle>& triangles,
                                            std::uint32_t vertex_count) {
   std::vector<std::uint32_t> memory;
-  Sets sets(vertex_count, memory);
+  DisjointSets sets(vertex_count, memory);
   for (const Triangle& t : triangles) {
     sets.join(t[0], t[1]);
     sets.join(t[0], t[2]);
@@ -61,11 +47,8 @@ bool edges_pair_up(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-Surface::Surface(const SkinnedModel& m)
-    : model(m), places(m.triangle_count()), nodes(m.triangle_count()) {
-  const Tree& tree = model.detail().tree;
-  find_places(tree, *this);
-  SkinnedMesh mesh = unpack_mesh(tree);
+Surface::Surface(const SkinnedModel& m) : model(m) {
+  SkinnedMesh mesh = unpack_mesh(model.detail().tree);
   joints = main_joints(mesh);
   components = find_components(mesh.triangles, mesh.vertex_count());
   corners = std::move(mesh.triangles);

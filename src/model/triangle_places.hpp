@@ -1,0 +1,21 @@
+#pragma once
+
+/// Where a triangle is in the tree. Its place is its index into Tree::corners; the place of the
+/// caller's triangle `id` is Tree::triangle_places[id].
+
+#include "model/tree.hpp"
+
+#include <cstdint>
+
+namespace pelt::detail {
+
+/// Computes Tree::triangle_places from Tree::triangle_ids. Precondition: these are a permutation.
+void index_triangles(Tree& tree);
+
+/// The node whose pool has the corners of the triangle at `place`. Cost: O(log N).
+std::uint32_t node_of_triangle(const Tree& tree, std::uint32_t place);
+
+/// The slot of `node` whose cluster has the triangle at `place`. Precondition: one has.
+std::uint32_t slot_of_triangle(const Tree& tree, const Node& node, std::uint32_t place);
+
+}  // namespace pelt::detail
