@@ -13,6 +13,7 @@
 #include <pelt/contact.hpp>
 #include <pelt/crowd.hpp>
 #include <pelt/distance.hpp>
+#include <pelt/farthest.hpp>
 #include <pelt/groups.hpp>
 #include <pelt/height_field.hpp>
 #include <pelt/inside.hpp>

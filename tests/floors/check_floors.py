@@ -14,7 +14,7 @@ import sys
 
 FLOORS = ["include/pelt", "src/base", "src/geometry", "src/skin", "evaluation/paper", "src/model", "src/pose",
           "src/query", "src/collide", "src/bounds", "src/ray", "src/region", "src/distance",
-          "src/field", "src/solid", "src/contact", "src/inside", "src/crowd",
+          "src/farthest", "src/field", "src/solid", "src/contact", "src/inside", "src/crowd",
           "evaluation/rivals", "asset", "scenes", "evaluation/methods",
           "bindings",
           *("tools/pelt/" + f for f in ("output", "arguments", "scene", "query", "bench", "picture",

@@ -1,0 +1,27 @@
+#include "base/vec3.hpp"
+#include "farthest/farthest_search.hpp"
+#include "geometry/exact_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelt::detail {
+
+Vec3 scaled_direction(const Vec3& direction) {
+  const float largest =
+      std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  const int exponent = -std::ilogb(largest);
+  return {std::scalbn(direction.x, exponent), std::scalbn(direction.y, exponent),
+          std::scalbn(direction.z, exponent)};
+}
+
+/// Products of two floats are exact in double.
+int compare_along(const Vec3& direction, const Vec3& p, const Vec3& q) {
+  const Vec3d d(direction), a(p), b(q);
+  ExactSum<6> sum;
+  for (const double term : {d.x * a.x, d.y * a.y, d.z * a.z}) sum.add(term);
+  for (const double term : {d.x * b.x, d.y * b.y, d.z * b.z}) sum.add(-term);
+  return sum.sign();
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <pelt/farthest.hpp>
+
+#include "base/target.hpp"
+#include "pose/posed_tree.hpp"
+
+namespace pelt::detail {
+
+/// `direction` times a power of two: its largest component is in [1, 2).
+Vec3 scaled_direction(const Vec3& direction);
+
+/// The exact sign of dot(direction, p) - dot(direction, q).
+int compare_along(const Vec3& direction, const Vec3& p, const Vec3& q);
+
+inline namespace PELT_TARGET {
+
+/// Leaves the vertex of a triangle that is farthest along `direction` in `farthest`.
+QueryStats find_farthest(const PosedTree& posed, const Vec3& direction, FarthestVertex& farthest);
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
