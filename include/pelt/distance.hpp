@@ -100,7 +100,7 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& nearest,
 
 struct ClearanceOptions {
   /// Stop after this many pairs. Which ones are found first is unspecified, and
-  /// `QueryStats::cut_short` says whether any may be missing.
+  /// `QueryStats::cut_short` says whether any are missing.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 };
 

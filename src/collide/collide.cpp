@@ -2,20 +2,18 @@
 
 #include "base/assert.hpp"
 #include "collide/pair_traversal.hpp"
-#include "collide/sort_contacts.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
+#include "query/sort_contacts.hpp"
 
 namespace pelt {
 
 QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
                    const CollideOptions& options) {
   PELT_ASSERT(&a != &b);
-  detail::Stack<Contact>& found = scratch.detail().found;
   const QueryStats stats = detail::collide_trees(a.detail().posed_tree(), b.detail().posed_tree(),
                                                  scratch.detail(), options.max_contacts);
-  detail::sort_contacts(found, scratch.detail().sorting);
-  contacts.insert(contacts.end(), found.begin(), found.end());
+  detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 

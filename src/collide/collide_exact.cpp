@@ -1,7 +1,7 @@
 #include "collide/collide_exact.hpp"
 
 #include "collide/pair_traversal.hpp"
-#include "collide/sort_contacts.hpp"
+#include "query/sort_contacts.hpp"
 
 namespace pelt::detail {
 
@@ -9,8 +9,7 @@ QueryStats collide(ExactPose& a, ExactPose& b, Scratch& scratch, std::vector<Con
                    const CollideOptions& options) {
   const QueryStats stats =
       collide_trees(a.posed_tree(), b.posed_tree(), scratch, options.max_contacts);
-  sort_contacts(scratch.found, scratch.sorting);
-  contacts.insert(contacts.end(), scratch.found.begin(), scratch.found.end());
+  append_sorted(scratch, contacts);
   return stats;
 }
 

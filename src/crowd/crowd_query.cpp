@@ -2,7 +2,7 @@
 
 #include "base/bytes_held.hpp"
 #include "collide/pair_traversal.hpp"
-#include "collide/sort_contacts.hpp"
+#include "query/sort_contacts.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -2,13 +2,13 @@
 
 #include "base/assert.hpp"
 #include "collide/pair_traversal.hpp"
-#include "collide/sort_contacts.hpp"
 #include "distance/answers.hpp"
 #include "distance/pair_search.hpp"
 #include "distance/point_search.hpp"
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
+#include "query/sort_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,10 +96,11 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& nearest,
 
 QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
                      std::vector<Contact>& contacts, const ClearanceOptions& options) {
-  const QueryStats stats = find_within(a, b, tolerance, scratch, options.max_contacts);
-  detail::Stack<Contact>& found = scratch.detail().found;
-  detail::sort_contacts(found, scratch.detail().sorting);
-  contacts.insert(contacts.end(), found.begin(), found.end());
+  const std::uint32_t most = options.max_contacts;
+  QueryStats stats = find_within(a, b, tolerance, scratch, most == UINT32_MAX ? most : most + 1);
+  stats.cut_short = scratch.detail().found.size() > most;
+  scratch.detail().found.shrink(most);
+  detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 

@@ -5,6 +5,7 @@
 
 #include "field/field_pairs.hpp"
 #include "pose/open_node.hpp"
+#include "query/contact_sink.hpp"
 #include "query/slots.hpp"
 
 namespace pelt::detail {
@@ -37,32 +38,24 @@ class FieldDescent {
       : posed_(posed),
         field_(field),
         nodes_(scratch.nodes),
-        found_(scratch.found),
-        max_contacts_(max_contacts),
+        sink_(scratch.found, max_contacts),
         pairs_(scratch.found, work_) {}
 
   QueryStats run() {
     nodes_.clear();
-    found_.clear();
+    sink_.contacts().clear();
     ++work_.node_pairs;
     const RootBox& root = root_box(posed_, work_);
     if (!is_near(box_of(root.low, root.high))) return work_;
     make_table(posed_);
     nodes_.push(0);
-    while (!nodes_.empty() && !is_full()) visit(nodes_.pop());
+    while (!nodes_.empty() && !sink_.is_full()) visit(nodes_.pop());
     pairs_.flush();
-    if (is_full()) cut();
+    work_.cut_short = sink_.cut(is_unfinished_ || !nodes_.empty());
     return work_;
   }
 
  private:
-  bool is_full() const { return found_.size() >= max_contacts_; }
-
-  void cut() {
-    work_.cut_short = is_unfinished_ || !nodes_.empty() || found_.size() > max_contacts_;
-    found_.shrink(max_contacts_);
-  }
-
   /// Whether the box is between the heights of what it meets as seen along y.
   bool is_near(const FieldBox& box) const {
     FieldRect cells;
@@ -82,7 +75,7 @@ class FieldDescent {
       if (*slot >= node.cluster_count) {
         nodes_.push(child(node, *slot));
       } else {
-        if (is_full()) return void(is_unfinished_ = true);
+        if (sink_.is_full()) return void(is_unfinished_ = true);
         test({posed_, node, opened, *slot});
       }
     }
@@ -100,12 +93,8 @@ class FieldDescent {
     for (SetBits lane(all & near); lane; ++lane)
       test(cluster, cluster.cluster().first_triangle + *lane,
            lane_of(boxes.low, boxes.high, *lane));
-    if (is_impatient()) pairs_.flush();
+    if (sink_.is_impatient()) pairs_.flush();
   }
-
-  /// Whether so few contacts are wanted that it pays to test candidates at once instead of
-  /// collecting eight.
-  bool is_impatient() const { return max_contacts_ - found_.size() < 8; }
 
   void test(const PosedCluster& cluster, std::uint32_t place, const FieldBox& box) {
     FieldRect cells;
@@ -115,7 +104,7 @@ class FieldDescent {
     const PosedTriangle triangle = {posed_.tree.triangle_ids.data()[place],
                                     {positions + at[0], positions + at[1], positions + at[2]}};
     const auto visit = [&](const FieldTriangle& other) {
-      if (is_full()) return void(is_unfinished_ = true);
+      if (sink_.is_full()) return void(is_unfinished_ = true);
       pairs_.add(triangle, other);
     };
     FieldTriangles(field_, box, cells, visit).run();
@@ -124,8 +113,7 @@ class FieldDescent {
   const PosedTree& posed_;
   const HeightField& field_;
   Stack<std::uint32_t>& nodes_;  // the one on top is next
-  Stack<Contact>& found_;
-  std::uint32_t max_contacts_;
+  ContactSink sink_;
   QueryStats work_;
   FieldPairs pairs_;
   bool is_unfinished_ = false;  // a visit ended early

@@ -1,7 +1,6 @@
 #include <pelt/height_field.hpp>
 
 #include "base/assert.hpp"
-#include "collide/sort_contacts.hpp"
 #include "distance/answers.hpp"
 #include "field/field_cast.hpp"
 #include "field/field_collide.hpp"
@@ -9,6 +8,7 @@
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
+#include "query/sort_contacts.hpp"
 
 #include <algorithm>
 
@@ -42,9 +42,7 @@ QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
                    std::vector<Contact>& contacts, const CollideOptions& options) {
   const QueryStats stats =
       find_contacts(pose.detail().posed_tree(), field, scratch, options.max_contacts);
-  detail::Stack<Contact>& found = scratch.detail().found;
-  detail::sort_contacts(found, scratch.detail().sorting);
-  contacts.insert(contacts.end(), found.begin(), found.end());
+  detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 

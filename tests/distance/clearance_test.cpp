@@ -104,7 +104,7 @@ TEST(Clearance, StopsAtTheLimit) {
   const auto all = clearance_of(limbs.a, limbs.b, tolerance, limbs.scratch);
   const auto count = static_cast<std::uint32_t>(all.size());
   ASSERT_GT(count, 20u);
-  for (const std::uint32_t limit : {0u, 1u, 9u, count / 2, count - 1, count + 1}) {
+  for (const std::uint32_t limit : {0u, 1u, 9u, count / 2, count - 1, count, count + 1}) {
     std::vector<Contact> some;
     const QueryStats stats =
         clearance(limbs.a, limbs.b, tolerance, limbs.scratch, some, {.max_contacts = limit});

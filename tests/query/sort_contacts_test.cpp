@@ -1,4 +1,4 @@
-#include "collide/sort_contacts.hpp"
+#include "query/sort_contacts.hpp"
 
 #include "support/random.hpp"
 

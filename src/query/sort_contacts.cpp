@@ -1,4 +1,4 @@
-#include "collide/sort_contacts.hpp"
+#include "query/sort_contacts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,6 +56,11 @@ void sort_contacts(Stack<Contact>& contacts, Stack<Contact>& buffer) {
       std::swap(from, to);
     }
   if (from.data() != contacts.begin()) std::copy(from.begin(), from.end(), contacts.begin());
+}
+
+void append_sorted(Scratch& scratch, std::vector<Contact>& contacts) {
+  sort_contacts(scratch.found, scratch.sorting);
+  contacts.insert(contacts.end(), scratch.found.begin(), scratch.found.end());
 }
 
 }  // namespace pelt::detail

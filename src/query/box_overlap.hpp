@@ -1,0 +1,48 @@
+#pragma once
+
+/// Pruning by boxes of the current poses, for PairDescent (pair_descent.hpp).
+
+#include "pose/opened_node.hpp"
+#include "query/lanes.hpp"
+#include "query/slots.hpp"
+
+#include <cmath>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+inline bool boxes_overlap(const float* low_a, const float* high_a, const float* low_b,
+                          const float* high_b) {
+  const Mask4 below = load4(low_a) <= load4(high_b), above = load4(low_b) <= load4(high_a);
+  return ((below & above).bits() & 7) == 7;
+}
+
+/// The first part of a Rule: what is near overlaps.
+struct BoxOverlap {
+  static bool overlaps(const OpenedNode& a, const OpenedNode& b) {
+    return boxes_overlap(a.all_low, a.all_high, b.all_low, b.all_high);
+  }
+
+  static unsigned slots_near(const OpenedNode& of, const OpenedNode& all) {
+    return slots_in(of, point_box(all.all_low, all.all_high));
+  }
+
+  static unsigned slots_near(const OpenedNode& of, const OpenedNode& other, unsigned slot) {
+    return slots_in(of, lane_box(other.low, other.high, slot));
+  }
+
+  /// How far one would have to be moved along an axis to part a slot's box from the other node.
+  static float depth(const OpenedNode& a, unsigned slot, const OpenedNode& b) {
+    float least = HUGE_VALF;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float left = a.high[axis][slot] - b.all_low[axis];
+      const float right = b.all_high[axis] - a.low[axis][slot];
+      const float smaller = left < right ? left : right;
+      least = smaller < least ? smaller : least;
+    }
+    return least;
+  }
+};
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

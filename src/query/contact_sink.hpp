@@ -1,0 +1,43 @@
+#pragma once
+
+/// Where a search puts the contacts that it finds, up to a limit.
+
+#include <pelt/collide.hpp>
+
+#include "base/target.hpp"
+#include "query/stack.hpp"
+
+#include <cstdint>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+class ContactSink {
+ public:
+  ContactSink(Stack<Contact>& contacts, std::uint32_t max_contacts)
+      : contacts_(contacts), max_contacts_(max_contacts) {}
+
+  Stack<Contact>& contacts() const { return contacts_; }
+
+  bool is_full() const { return contacts_.size() >= max_contacts_; }
+
+  /// Whether so few contacts are wanted that it pays to look where they are likely first, and to
+  /// test candidates at once instead of collecting eight.
+  bool is_impatient() const { return max_contacts_ - contacts_.size() < 8; }
+
+  /// Removes contacts beyond the limit. Returns whether some are missing or may be: `is_unfinished`
+  /// says whether work was left when the limit was reached.
+  bool cut(bool is_unfinished) const {
+    if (!is_full()) return false;
+    const bool is_short = is_unfinished || contacts_.size() > max_contacts_;
+    contacts_.shrink(max_contacts_);
+    return is_short;
+  }
+
+ private:
+  Stack<Contact>& contacts_;
+  std::uint32_t max_contacts_;
+};
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

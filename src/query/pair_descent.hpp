@@ -1,0 +1,133 @@
+#pragma once
+
+/// The simultaneous descent of two trees, or of a tree against itself: pairs of nodes are replaced
+/// by pairs of their slots until clusters meet clusters.
+///
+///      node of a            node of b         a slot of a against a slot of b:
+///     [C C C N N]    x     [C C N N N]          cluster, cluster   Rule::test
+///      |     |              |   |               child,   any       that child x the node of b
+///      +- cluster           |   +- child        cluster, child     the node of a x that child
+///            +- child       +- cluster
+///
+/// The caller pushes the pairs to start with. A tree against itself starts with pairs of different
+/// slots of each node (push_pairs_within).
+///
+/// `Rule` decides what is pruned and what happens at the leaves:
+///   bool overlaps(const OpenedNode& a, const OpenedNode& b) const     the whole nodes
+///   unsigned slots_near(const OpenedNode& of, const OpenedNode& all)  slots of `of` near all of
+///   `all` unsigned slots_near(const OpenedNode& of, const OpenedNode& other, unsigned slot)
+///                                         slots of `of` that are near one slot of `other`
+///   float depth(const OpenedNode& a, unsigned slot, const OpenedNode& b) const
+///                                         how promising that slot is against the node b
+///   void test(const PosedCluster& a, const PosedCluster& b)           two clusters that are near
+///   bool is_full() const                  ends the descent
+///   bool is_impatient() const             visits the most promising of new pairs first
+
+#include "pose/open_node.hpp"
+#include "query/scratch.hpp"
+#include "query/slots.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+template <typename Rule>
+class PairDescent {
+ public:
+  PairDescent(const PosedTree& a, const PosedTree& b, Stack<SlotPair>& pairs, Rule& rule,
+              QueryStats& work)
+      : a_(a), b_(b), pairs_(pairs), rule_(rule), work_(work) {}
+
+  /// Visits the pairs on the stack and all pairs below them. Precondition: there are tables of
+  /// opened nodes.
+  void run() {
+    while (!pairs_.empty() && !rule_.is_full()) {
+      const SlotPair pair = pairs_.pop();
+      const std::size_t before = pairs_.size();
+      if (pair.b_is_parent) {
+        descend_b(pair);
+      } else {
+        compare(pair);
+      }
+      if (rule_.is_impatient()) put_deepest_last(before);
+    }
+  }
+
+  /// Whether pairs are left that were not visited.
+  bool is_unfinished() const { return is_unfinished_ || !pairs_.empty(); }
+
+ private:
+  const OpenedNode& open_a(std::uint32_t node) { return open_node(a_, node, work_); }
+  const OpenedNode& open_b(std::uint32_t node) { return open_node(b_, node, work_); }
+
+  /// Sorts the pairs from `first` on by depth: the next one to be popped is the deepest.
+  void put_deepest_last(std::size_t first) {
+    SlotPair* const begin = pairs_.begin() + first;
+    for (SlotPair* pair = begin; pair < pairs_.end(); ++pair) {
+      const SlotPair moved = *pair;
+      SlotPair* place = pair;
+      for (; place > begin && moved.depth < place[-1].depth; --place) *place = place[-1];
+      *place = moved;
+    }
+  }
+
+  /// The slots of two nodes against each other.
+  void compare(const SlotPair& pair) {
+    ++work_.node_pairs;
+    const OpenedNode &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
+    if (!rule_.overlaps(opened_a, opened_b)) return;
+    const Node &node_a = a_.tree.nodes[pair.node_a], &node_b = b_.tree.nodes[pair.node_b];
+    const unsigned near_a = pair.slots_a & rule_.slots_near(opened_a, opened_b);
+    unsigned slots_of_child_b[kMaxSlots] = {};  // clusters of a that each child of b overlaps
+    for (SetBits slot(near_a); slot; ++slot) {
+      const unsigned near_b = pair.slots_b & rule_.slots_near(opened_b, opened_a, *slot);
+      if (near_b == 0) continue;
+      if (*slot >= node_a.cluster_count) {
+        pairs_.push({child(node_a, *slot), kAllSlots, pair.node_b, near_b, true,
+                     rule_.depth(opened_a, *slot, opened_b)});
+        continue;
+      }
+      for (SetBits other(near_b & clusters_of(node_b)); other; ++other) {
+        rule_.test({a_, node_a, opened_a, *slot}, {b_, node_b, opened_b, *other});
+        if (rule_.is_full()) return void(is_unfinished_ = true);
+      }
+      for (SetBits other(near_b & ~clusters_of(node_b)); other; ++other)
+        slots_of_child_b[*other] |= 1u << *slot;
+    }
+    for (std::uint32_t slot = node_b.cluster_count; slot < kMaxSlots; ++slot)
+      if (const unsigned slots_a = slots_of_child_b[slot])
+        pairs_.push({pair.node_a, slots_a, child(node_b, slot), kAllSlots, false,
+                     rule_.depth(opened_b, slot, opened_a)});
+  }
+
+  /// A child of a's node against those slots of b's node that its bound overlaps: now that it is
+  /// opened, fewer may be left.
+  void descend_b(const SlotPair& pair) {
+    const OpenedNode &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
+    const Node& node_b = b_.tree.nodes[pair.node_b];
+    const unsigned slots_b = pair.slots_b & rule_.slots_near(opened_b, opened_a);
+    if (const unsigned clusters = slots_b & clusters_of(node_b))
+      pairs_.push({pair.node_a, kAllSlots, pair.node_b, clusters, false, pair.depth});
+    for (SetBits slot(slots_b & ~clusters_of(node_b)); slot; ++slot)
+      if (const unsigned slots_a = rule_.slots_near(opened_a, opened_b, *slot))
+        pairs_.push({pair.node_a, slots_a, child(node_b, *slot), kAllSlots, false,
+                     rule_.depth(opened_b, *slot, opened_a)});
+  }
+
+  const PosedTree &a_, &b_;
+  Stack<SlotPair>& pairs_;  // the one on top is next
+  Rule& rule_;
+  QueryStats& work_;
+  bool is_unfinished_ = false;  // a visit ended early
+};
+
+/// Pushes the pairs of a node's slots with its later slots: for a tree against itself, where those
+/// of all nodes together have each pair of different clusters below them exactly once.
+inline void push_pairs_within(const PosedTree& posed, std::uint32_t node, Stack<SlotPair>& pairs) {
+  for (SetBits slot(slots_of(posed.tree.nodes.data()[node])); slot; ++slot) {
+    const unsigned later = kAllSlots & ~((2u << *slot) - 1);
+    if (later != 0) pairs.push({node, 1u << *slot, node, later});
+  }
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail

@@ -1,0 +1,149 @@
+/// The descent visits each pair of clusters that overlap once, of two trees and of one tree against
+/// itself.
+
+#include "query/pair_descent.hpp"
+
+#include "pose/pose.hpp"
+#include "query/box_overlap.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace pelt::detail {
+namespace {
+
+using test::Random;
+using ClusterPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+std::uint32_t index_of(const PosedCluster& c) { return c.node.first_cluster + c.slot; }
+
+/// Collects the pairs of clusters.
+struct VisitClusters : BoxOverlap {
+  void test(const PosedCluster& a, const PosedCluster& b) {
+    pairs.emplace_back(index_of(a), index_of(b));
+  }
+  bool is_full() const { return pairs.size() >= limit; }
+  bool is_impatient() const { return limit < 10; }
+
+  std::size_t limit = SIZE_MAX;
+  ClusterPairs pairs;
+};
+
+/// All clusters of a pose, in order, their nodes opened.
+std::vector<PosedCluster> all_clusters(const PosedTree& posed) {
+  make_table(posed);
+  QueryStats work;
+  std::vector<PosedCluster> clusters;
+  for (std::uint32_t n = 0; n < posed.tree.nodes.size(); ++n) {
+    const OpenedNode& opened = open_node(posed, n, work);
+    for (std::uint32_t slot = 0; slot < posed.tree.nodes[n].cluster_count; ++slot)
+      clusters.push_back({posed, posed.tree.nodes[n], opened, slot});
+  }
+  return clusters;
+}
+
+bool overlap(const PosedCluster& a, const PosedCluster& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (a.opened.high[axis][a.slot] < b.opened.low[axis][b.slot] ||
+        b.opened.high[axis][b.slot] < a.opened.low[axis][a.slot])
+      return false;
+  return true;
+}
+
+/// Sorted; the lower cluster of each pair first where both are of one tree.
+ClusterPairs sorted(ClusterPairs pairs, bool is_one_tree) {
+  for (auto& [a, b] : pairs)
+    if (is_one_tree && b < a) std::swap(a, b);
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+class PairDescentTest : public testing::Test {
+ protected:
+  PairDescentTest()
+      : model_(*build_model(test::make_limb(40, 16, 5).view())), a_(model_), b_(model_) {}
+
+  void move(Random& random) {
+    ASSERT_TRUE(a_.set_palette(test::bend_limb(random, 5, 0.8, random.point(0.2))));
+    ASSERT_TRUE(b_.set_palette(test::bend_limb(random, 5, 0.8, random.point(0.2))));
+  }
+
+  PosedTree tree_a() { return a_.detail().posed_tree(); }
+  PosedTree tree_b() { return b_.detail().posed_tree(); }
+
+  SkinnedModel model_;
+  pelt::Pose a_, b_;
+  Stack<SlotPair> pairs_;
+  QueryStats work_;
+};
+
+TEST_F(PairDescentTest, VisitsOverlappingClustersOfTwoTreesOnce) {
+  Random random(960);
+  std::size_t visited = 0, all = 0;
+  for (int round = 0; round < 10; ++round) {
+    move(random);
+    const PosedTree a = tree_a(), b = tree_b();
+    ClusterPairs expected;
+    const std::vector<PosedCluster> clusters_a = all_clusters(a), clusters_b = all_clusters(b);
+    for (const PosedCluster& x : clusters_a)
+      for (const PosedCluster& y : clusters_b)
+        if (overlap(x, y)) expected.emplace_back(index_of(x), index_of(y));
+    VisitClusters rule;
+    pairs_.push({0, kAllSlots, 0, kAllSlots});
+    PairDescent descent(a, b, pairs_, rule, work_);
+    descent.run();
+    EXPECT_FALSE(descent.is_unfinished());
+    EXPECT_EQ(sorted(rule.pairs, false), sorted(expected, false));
+    visited += expected.size();
+    all += clusters_a.size() * clusters_b.size();
+  }
+  EXPECT_GT(visited, 100u);
+  EXPECT_LT(visited, all / 4);
+}
+
+TEST_F(PairDescentTest, VisitsOverlappingClustersOfOneTreeOnce) {
+  Random random(961);
+  std::size_t visited = 0, all = 0;
+  for (int round = 0; round < 10; ++round) {
+    move(random);
+    const PosedTree a = tree_a();
+    ClusterPairs expected;
+    const std::vector<PosedCluster> clusters = all_clusters(a);
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+      for (std::size_t j = i + 1; j < clusters.size(); ++j)
+        if (overlap(clusters[i], clusters[j]))
+          expected.emplace_back(index_of(clusters[i]), index_of(clusters[j]));
+    VisitClusters rule;
+    PairDescent descent(a, a, pairs_, rule, work_);
+    for (std::uint32_t node = 0; node < a.tree.nodes.size(); ++node) {
+      push_pairs_within(a, node, pairs_);
+      descent.run();
+    }
+    EXPECT_EQ(sorted(rule.pairs, true), sorted(expected, true));
+    visited += expected.size();
+    all += clusters.size() * (clusters.size() - 1) / 2;
+  }
+  EXPECT_GT(visited, 1000u);
+  EXPECT_LT(visited, all / 4);
+}
+
+TEST_F(PairDescentTest, EndsWhenTheRuleIsFull) {
+  Random random(962);
+  move(random);
+  const PosedTree a = tree_a();
+  make_table(a);
+  VisitClusters rule;
+  rule.limit = 3;
+  PairDescent descent(a, a, pairs_, rule, work_);
+  push_pairs_within(a, 0, pairs_);
+  descent.run();
+  EXPECT_EQ(rule.pairs.size(), 3u);
+  EXPECT_TRUE(descent.is_unfinished());
+}
+
+}  // namespace
+}  // namespace pelt::detail
