@@ -1,0 +1,98 @@
+"""scripts/test runs the gate, and fails if a part of it fails: gate_test.py SCRIPTS_FOLDER."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPTS = pathlib.Path(sys.argv.pop(1))
+
+# Stands in for each program that the script runs: notes its words, and fails if $FAILING names it.
+STAND_IN = ('#!/bin/sh\necho "${0##*/} $*" >> "$NOTES"\n'
+            'case " $FAILING " in *" ${0##*/} "*) exit 1 ;; esac\n')
+PASSED = '<testsuite><testcase name="good" status="run"/></testsuite>'
+CTEST = STAND_IN + f"""while [ $# -gt 1 ]; do
+  [ "$1" = --output-junit ] && mkdir -p "${{2%/*}}" && echo '{PASSED}' > "$2"
+  shift
+done
+"""
+
+
+class Gate(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.root = pathlib.Path(holder.name).resolve()
+        programs = {"scripts/install-deps": STAND_IN, "scripts/build-viewer": STAND_IN,
+                    "scripts/tidy": STAND_IN, "bin/cmake": STAND_IN, "bin/npm": STAND_IN,
+                    "bin/ctest": CTEST}
+        for name, text in programs.items():
+            path = self.root / name
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text)
+            path.chmod(0o755)
+        for script in ("test", "summarise-tests"):
+            shutil.copy(SCRIPTS / script, self.root / "scripts" / script)
+
+    def run_script(self, *words, failing="", ci=False):
+        """(exit status, what was printed, the lines of the programs that were run)."""
+        notes = self.root / "notes"
+        environment = dict(os.environ, NOTES=str(notes), FAILING=failing,
+                           PATH=f"{self.root / 'bin'}:{os.environ['PATH']}")
+        environment.pop("CI", None)
+        if ci:
+            environment["CI"] = "true"
+        done = subprocess.run([self.root / "scripts/test", *words], text=True, env=environment,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return done.returncode, done.stdout, notes.read_text().splitlines() if notes.exists() else []
+
+    def test_gate_builds_and_tests_each_preset_and_runs_clang_tidy(self):
+        status, printed, ran = self.run_script()
+        self.assertEqual(status, 0, printed)
+        for program in ("cmake --preset", "cmake --build --preset", "ctest --preset"):
+            presets = [line[len(program):].split()[0] for line in ran if line.startswith(program)]
+            self.assertEqual(presets, ["release", "clang-asan", "tsan", "scalar"], program)
+        self.assertIn("tidy ", ran)
+        self.assertIn("scripts/test: 4 passed, 0 failed, 0 skipped", printed)
+
+    def test_tests_are_never_left_out_and_peers_compile_with_release(self):
+        _, _, ran = self.run_script()
+        configured = [line for line in ran if line.startswith("cmake --preset")]
+        self.assertTrue(all("-DPELT_BUILD_TESTS=ON" in line for line in configured), configured)
+        self.assertEqual(["-DPELT_BENCH_PEERS=ON" in line for line in configured],
+                         [True, False, False, False])
+        for packages in ("test", "clang", "tidy", "peers", "browser"):
+            self.assertIn(f"install-deps {packages}", ran)
+
+    def test_one_preset_installs_what_it_needs_alone(self):
+        status, _, ran = self.run_script("tsan")
+        self.assertEqual(status, 0)
+        self.assertEqual([line for line in ran if line.startswith("install-deps")],
+                         ["install-deps test"])
+        self.assertNotIn("build-viewer ", ran)
+
+    def test_a_finding_of_clang_tidy_or_a_lost_build_fails(self):
+        for program in ("tidy", "cmake"):
+            status, printed, _ = self.run_script(failing=program)
+            self.assertNotEqual(status, 0, (program, printed))
+
+    def test_what_npm_cannot_fetch_is_skipped_but_not_in_ci(self):
+        status, printed, _ = self.run_script("release", failing="npm build-viewer")
+        self.assertEqual(status, 0, printed)
+        self.assertIn("scripts/build-viewer failed: its tests will be skipped", printed)
+        self.assertNotEqual(self.run_script("release", failing="npm", ci=True)[0], 0)
+        self.assertNotEqual(self.run_script("release", failing="build-viewer", ci=True)[0], 0)
+
+    def test_helps_and_refuses(self):
+        status, printed, ran = self.run_script("--help")
+        self.assertEqual((status, ran), (0, []))
+        for preset in ("release", "clang-asan", "tsan", "scalar", "tidy"):
+            self.assertIn(f"  {preset} ", printed)
+        self.assertNotEqual(self.run_script("--fast")[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
