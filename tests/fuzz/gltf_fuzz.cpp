@@ -1,5 +1,4 @@
-/// libFuzzer's way into the reader and what comes after it. Begin with the files that
-/// gltf_seeds writes: gltf_fuzz -dict=gltf.dict seeds/
+/// The fuzz target of glTF files: bytes -> load_gltf, and what a program does with a character.
 
 #include "support/use_asset.hpp"
 

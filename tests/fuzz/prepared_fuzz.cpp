@@ -1,5 +1,5 @@
 /// libFuzzer's way into load_model and what comes after it, with the checksum mended so that it
-/// hides nothing. Begin with the files that prepared_seeds writes: prepared_fuzz seeds/
+/// hides nothing.
 
 #include "support/prepared_file.hpp"
 #include "support/use_model.hpp"

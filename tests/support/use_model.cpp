@@ -1,22 +1,15 @@
 #include "support/use_model.hpp"
 
+#include "support/require.hpp"
+
 #include <pelt/check.hpp>
 #include <pelt/pelt.hpp>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
 namespace pelt::test {
 namespace {
-
-/// Not by GoogleTest, so that fuzzers can use it.
-void require(bool condition, const char* words) {
-  if (condition) return;
-  std::fputs(words, stderr);
-  std::abort();
-}
 
 /// The joints at even places stay, the others go a little way.
 std::vector<Matrix4> spread_palette(const SkinnedModel& model, float step) {
@@ -29,7 +22,7 @@ void require_finite(const Pose& pose) {
   std::vector<Vec3> positions(pose.model().vertex_count());
   posed_vertices(pose, positions);
   for (const Vec3& p : positions)
-    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "not finite\n");
+    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "not finite");
 }
 
 }  // namespace
@@ -48,7 +41,7 @@ bool use_model(const SkinnedModel& model) {
   for (const Contact& contact : contacts)
     require(
         contact.triangle_a < model.triangle_count() && contact.triangle_b < model.triangle_count(),
-        "no such triangle\n");
+        "no such triangle");
   return true;
 }
 

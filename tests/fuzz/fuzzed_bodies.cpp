@@ -1,0 +1,112 @@
+#include "fuzz/fuzzed_bodies.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace pelt::test {
+
+std::uint8_t FuzzBytes::next() { return next_ < bytes_.size() ? bytes_[next_++] : std::uint8_t{0}; }
+
+float FuzzBytes::coordinate() {
+  constexpr std::array kOdd = {0.0f,      -0.0f,    0x1p-149f, -0x1p-149f,     0x1p-126f, 0x1p-75f,
+                               -0x1p-75f, 1.0f,     -1.0f,     0x1.000002p+0f, 0x1p-25f,  3e9f,
+                               0x1p58f,   -0x1p58f, 0x1p29f,   0x1.fffffep+57f};
+  const std::uint8_t kind = next();
+  if (kind < 96) return static_cast<float>(kind % 7) - 3;
+  if (kind < 144) return kOdd[kind % kOdd.size()];
+  if (kind < 208) return std::ldexp(static_cast<float>(next()) - 128, -(kind % 16));
+  std::uint32_t bits = 0;
+  for (int i = 0; i < 4; ++i) bits = bits << 8 | next();
+  const auto value = std::bit_cast<float>(bits);
+  return std::fabs(value) <= 0x1p58f ? value : 0;
+}
+
+Vec3 FuzzBytes::point() {
+  const float x = coordinate(), y = coordinate(), z = coordinate();
+  return {x, y, z};
+}
+
+float FuzzBytes::size() { return std::fabs(coordinate()); }
+
+namespace {
+
+struct Topology {
+  std::vector<Triangle> triangles;
+  std::uint32_t vertex_count;
+};
+
+Topology make_soup_of(FuzzBytes& bytes) {
+  Topology soup = {{}, 3 + bytes.index(6)};
+  const std::uint32_t count = 1 + bytes.index(8);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto corner = [&] { return bytes.index(soup.vertex_count); };
+    const std::uint32_t a = corner(), b = corner(), c = corner();
+    soup.triangles.push_back({a, b, c});
+  }
+  return soup;
+}
+
+Topology make_topology(FuzzBytes& bytes) {
+  switch (bytes.index(4)) {
+    case 0:
+      return {tetrahedron(), 4};
+    case 1:
+      return {octahedron(), 6};
+    case 2:
+      return {torus(3, 3), 9};
+    default:
+      return make_soup_of(bytes);
+  }
+}
+
+/// Up to two targets, each of which moves some vertices.
+void add_morphs(FuzzBytes& bytes, Shape& shape) {
+  const std::uint32_t count = bytes.index(3);
+  if (count == 0) return;
+  shape.morph_begin = {0};
+  for (std::uint32_t target = 0; target < count; ++target) {
+    for (std::uint32_t v = 0; v < shape.rest_positions.size(); ++v) {
+      if (bytes.index(2) == 0) continue;
+      shape.morph_vertices.push_back(v);
+      shape.morph_displacements.push_back(bytes.point());
+    }
+    shape.morph_begin.push_back(static_cast<std::uint32_t>(shape.morph_vertices.size()));
+  }
+}
+
+/// Most joints map their vertex to a point; some only move or scale it, so that displacements and
+/// rest positions count.
+std::vector<Matrix4> make_palette(FuzzBytes& bytes, std::uint32_t joint_count) {
+  std::vector<Vec3> positions;
+  for (std::uint32_t j = 0; j < joint_count; ++j)
+    positions.push_back(j > 0 && bytes.index(8) == 0 ? positions[bytes.index(j)] : bytes.point());
+  std::vector<Matrix4> palette = pin(positions);
+  for (Matrix4& joint : palette)
+    if (bytes.index(4) == 3) joint.m[0] = joint.m[5] = joint.m[10] = bytes.coordinate();
+  return palette;
+}
+
+}  // namespace
+
+std::optional<FuzzedBody> make_body(FuzzBytes& bytes) {
+  const Topology topology = make_topology(bytes);
+  Shape shape = make_pinned(topology.vertex_count, topology.triangles);
+  add_morphs(bytes, shape);
+  const Result<SkinnedModel> model = build_model(shape.view());
+  if (!model) return std::nullopt;
+  Pose pose(*model);
+  std::vector<Matrix4> palette = make_palette(bytes, shape.joint_count);
+  if (!pose.set_palette(palette)) return std::nullopt;
+  std::vector<float> weights;
+  for (std::uint32_t t = 0; t < shape.morph_target_count(); ++t)
+    weights.push_back(bytes.coordinate());
+  if (!pose.set_morph_weights(weights)) return std::nullopt;
+  std::vector<Vec3> posed(shape.rest_positions.size());
+  posed_vertices(pose, posed);
+  return FuzzedBody{std::move(shape), std::move(palette), std::move(weights),
+                    std::move(pose),  Surface(*model),    std::move(posed)};
+}
+
+}  // namespace pelt::test

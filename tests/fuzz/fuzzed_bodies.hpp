@@ -1,0 +1,59 @@
+#pragma once
+
+/// Bodies out of bytes: small meshes whose posed vertices, and what is asked of them, are of the
+/// kinds that break arithmetic.
+
+#include "support/pinned_shapes.hpp"
+
+#include <pelt/contact.hpp>
+#include <pelt/pose.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pelt::test {
+
+/// Numbers out of bytes; all zero after the last byte.
+class FuzzBytes {
+ public:
+  explicit FuzzBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  std::uint8_t next();
+
+  /// Below `count`.
+  std::uint32_t index(std::uint32_t count) { return next() % count; }
+
+  /// From a small grid, a list of odd ones, fractions, or any float up to 2^58.
+  float coordinate();
+  Vec3 point();
+
+  /// A float that is not negative.
+  float size();
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t next_ = 0;
+};
+
+/// A posed mesh, with its vertices by the definition of skinning.
+struct FuzzedBody {
+  Shape shape;
+  std::vector<Matrix4> palette;
+  std::vector<float> morph_weights;
+  Pose pose;
+  Surface surface;
+  std::vector<Vec3> posed;
+
+  std::array<Vec3, 3> corners(std::size_t triangle) const {
+    const auto [a, b, c] = shape.triangles[triangle];
+    return {posed[a], posed[b], posed[c]};
+  }
+};
+
+/// Nothing if the bytes make a mesh, palette or weights that Pelt refuses.
+std::optional<FuzzedBody> make_body(FuzzBytes& bytes);
+
+}  // namespace pelt::test
