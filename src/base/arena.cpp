@@ -31,8 +31,8 @@ void Arena::reserve(std::size_t bytes) {
   if (bytes > held) add_block(bytes - held);
 }
 
-/// Blocks grow with what is held, so that there are few, up to a size at which the unused end of
-/// one is no loss.
+/// Blocks grow with the capacity, so that there are few of them, up to a size at which the unused
+/// end of a block does not matter.
 void Arena::next_block(std::size_t bytes) {
   while (block_ < blocks_.size() && blocks_[block_].size < bytes) ++block_;
   if (block_ == blocks_.size())

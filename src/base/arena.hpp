@@ -6,19 +6,19 @@
 
 namespace pelt::detail {
 
-/// Memory that is handed out piece by piece and taken back all at once. Keeps what it has got, so
-/// that a user who needs no more than before allocates nothing.
+/// Allocates pieces of memory that are all released at once. Keeps its blocks, so it allocates
+/// nothing if no more memory is needed than before.
 class Arena {
  public:
-  /// Every piece begins on a multiple of this.
+  /// Alignment of every piece.
   static constexpr std::size_t kAlignment = 64;
 
-  /// What a piece of `bytes` takes.
+  /// Memory used by a piece of `bytes`.
   static constexpr std::size_t size_of_piece(std::size_t bytes) {
     return (bytes + kAlignment - 1) / kAlignment * kAlignment;
   }
 
-  /// Uninitialised memory, valid until `clear`.
+  /// Returns uninitialised memory, valid until `clear`.
   std::byte* allocate(std::size_t bytes) {
     bytes = size_of_piece(bytes);
     if (bytes > left_) next_block(bytes);
@@ -28,29 +28,29 @@ class Arena {
     return piece;
   }
 
-  /// Room for one `T` whose constructor has nothing to do.
+  /// Returns memory for one `T` with a trivial constructor.
   template <typename T>
   T* allocate() {
     static_assert(alignof(T) <= kAlignment);
     return new (allocate(sizeof(T))) T;
   }
 
-  /// Takes all pieces back.
+  /// Releases all pieces.
   void clear() {
     block_ = 0;
     next_ = nullptr;
     left_ = 0;
   }
 
-  /// All memory held, handed out or not.
+  /// Bytes of all blocks, used or not.
   std::size_t capacity() const;
 
-  /// Memory handed out since `clear`, with what is lost between the pieces.
+  /// Bytes allocated since `clear`, including gaps between pieces.
   std::size_t used() const;
 
-  /// Makes the capacity `bytes` at least. Pieces leave the ends of blocks unused, so that those of
-  /// `bytes` together may take a little more, but for an arena that had no memory before: its first
-  /// block has room for just these.
+  /// Increases the capacity to at least `bytes`. Pieces leave the ends of blocks unused, so pieces
+  /// of `bytes` in total may need a little more. If the arena had no memory before, its first block
+  /// fits exactly `bytes`.
   void reserve(std::size_t bytes);
 
  private:

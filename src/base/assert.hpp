@@ -2,9 +2,9 @@
 
 #include <cassert>
 
-/// A promise of the caller or of our own code. On wherever NDEBUG is not defined (the `dev` and
-/// sanitizer presets); cheap enough to stay on there at full optimisation. Elsewhere it is
-/// compiled, so that its variables count as used, and never evaluated.
+/// Asserts a precondition or an invariant. Active if NDEBUG is not defined (the `dev` and sanitizer
+/// presets), and cheap enough to stay active at full optimisation. Otherwise the condition is
+/// compiled, so that its variables count as used, but never evaluated.
 #ifdef NDEBUG
 #define PELT_ASSERT(condition) static_cast<void>(true || (condition))
 #else

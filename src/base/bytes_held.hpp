@@ -4,7 +4,7 @@
 
 namespace pelt::detail {
 
-/// The memory that arrays hold, used or not.
+/// Returns the bytes allocated by arrays, used or not.
 template <typename... Arrays>
 std::size_t bytes_held(const Arrays&... arrays) {
   return ((arrays.capacity() * sizeof(typename Arrays::value_type)) + ...);

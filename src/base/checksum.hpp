@@ -8,12 +8,12 @@
 
 namespace pelt::detail {
 
-/// A checksum against accidents, some ten times faster than hashing byte by byte: 64-bit words, in
-/// the machine's order, go into four lanes in turn, so that four multiplications run side by side.
-/// A step (after xxHash) loses nothing of the lane's state and nothing of the word, so damage
-/// within one word is found for certain. It multiplies before and after the rotation, lest a
-/// flipped bit stay alone in the state and be undone by another in a later word. No protection from
-/// forgers.
+/// A checksum against accidents, about ten times faster than hashing byte by byte. 64-bit words in
+/// the machine's byte order update four lanes in turn, so that four multiplications run in
+/// parallel. A step (after xxHash) is a bijection in the lane and in the word, so damage within one
+/// word is always detected. It multiplies before and after the rotation; otherwise a flipped bit
+/// would stay isolated in the state, and another flipped bit in a later word could cancel it. Does
+/// not protect against forgery.
 class Checksum {
  public:
   static std::uint64_t of(std::span<const std::byte> bytes) {
@@ -30,7 +30,7 @@ class Checksum {
     return std::rotl(state + word * 0x9E3779B97F4A7C15u, 29) * 0xD1342543DE82EF95u;
   }
 
-  /// Takes the first block; a shorter one counts as followed by zeros.
+  /// Adds the first block of `bytes`, padded with zeros if it is shorter.
   void add(std::span<const std::byte> bytes) {
     const std::size_t size = bytes.size() < sizeof(Block) ? bytes.size() : sizeof(Block);
     Block words = {};

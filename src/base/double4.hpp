@@ -1,7 +1,7 @@
 #pragma once
 
-/// Four doubles worked on side by side: one register of four (AVX2), two of two, or plain doubles.
-/// All do the same operations, so all give the same bits.
+/// Four doubles processed in parallel: one register of four (AVX2), two of two, or plain doubles.
+/// All perform the same operations and give the same bits.
 
 #include "base/float4.hpp"
 
@@ -14,7 +14,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// Lanes in two parts with names: compilers keep these in registers, but arrays of them in memory.
+/// Two named halves: compilers keep them in registers, whereas they keep arrays in memory.
 template <typename Half>
 struct TwoHalves {
   Half low, high;
@@ -108,7 +108,7 @@ struct Double4 {
   void store(double* p) const { std::memcpy(p, &lanes, sizeof lanes); }
 };
 
-/// A yes or no for each lane.
+/// A boolean for each lane.
 struct MaskDouble4 {
   decltype(DoubleLanes() < DoubleLanes()) lanes;
 
@@ -128,7 +128,7 @@ inline Double4 select(const MaskDouble4& mask, const Double4& yes, const Double4
   return Double4(choose(mask.lanes, yes.lanes, no.lanes));
 }
 
-/// Where a lane of either is not a number: the second's.
+/// If a lane of either argument is NaN, returns the lane of the second.
 inline Double4 min(const Double4& a, const Double4& b) { return select(a < b, a, b); }
 inline Double4 max(const Double4& a, const Double4& b) { return select(b < a, a, b); }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Four floats worked on side by side. The scalar twin (PELT_SCALAR) does the same operations in
+/// Four floats processed in parallel. The scalar twin (PELT_SCALAR) performs the same operations in
 /// the same order, so both give the same bits.
 
 #include "base/target.hpp"
@@ -54,7 +54,7 @@ inline Lanes magnitude(const Lanes& a) {
 }
 inline Lanes make_lanes(float x, float y, float z, float w) { return {{x, y, z, w}}; }
 
-/// A yes or no for each lane.
+/// A boolean for each lane.
 struct Mask4 {
   bool lane[4];
 
@@ -100,7 +100,7 @@ inline Lanes make_lanes(float x, float y, float z, float w) { return Lanes{x, y,
 inline Lanes magnitude(Lanes a) { return Lanes(Yes(a) & 0x7FFFFFFF); }
 
 #ifdef __SSE2__
-// Compilers do not find these two instructions by themselves: they see to NaN and to signed zeros.
+// Compilers do not generate these two instructions themselves, because of NaN and signed zeros.
 inline Lanes lower(Lanes a, Lanes b) { return _mm_min_ps(a, b); }
 inline Lanes higher(Lanes a, Lanes b) { return _mm_max_ps(a, b); }
 #else
@@ -163,12 +163,12 @@ inline Float4 select(const Mask4& mask, const Float4& yes, const Float4& no) {
   return Float4(choose(mask, yes.lanes, no.lanes));
 }
 
-/// In each lane `yes` where x > 0, otherwise (NaN too) `no`.
+/// Returns `yes` in lanes with x > 0, and `no` in the others, including NaN.
 inline Float4 if_positive(const Float4& x, const Float4& yes, const Float4& no) {
   return select(Float4(0.0f) < x, yes, no);
 }
 
-/// Any four floats, aligned or not.
+/// Loads four floats with any alignment.
 inline Float4 load4(const float* p) {
   Float4 v;
   std::memcpy(&v.lanes, p, sizeof v.lanes);
@@ -177,7 +177,7 @@ inline Float4 load4(const float* p) {
 
 inline void store4(float* p, const Float4& v) { std::memcpy(p, &v.lanes, sizeof v.lanes); }
 
-/// Rows to columns.
+/// Transposes a 4 x 4 matrix.
 inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   const Float4 x(a[0], b[0], c[0], d[0]), y(a[1], b[1], c[1], d[1]);
   const Float4 z(a[2], b[2], c[2], d[2]), w(a[3], b[3], c[3], d[3]);

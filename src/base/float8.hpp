@@ -1,8 +1,8 @@
 #pragma once
 
-/// Eight floats worked on side by side, in three spellings of the same operations: one register of
-/// eight (AVX2), two of four, or plain floats. None of them fuses a multiplication with an
-/// addition, so all give the same bits.
+/// Eight floats processed in parallel, in three implementations of the same operations: one
+/// register of eight (AVX2), two of four, or plain floats. None of them fuses a multiplication with
+/// an addition, so all give the same bits.
 
 #include "base/float4.hpp"
 #include "base/target.hpp"
@@ -29,7 +29,7 @@ struct Float8 {
   void store(float* p) const { _mm256_storeu_ps(p, lanes); }
 };
 
-/// A yes or no for each lane.
+/// A boolean for each lane.
 struct Mask8 {
   __m256 lanes;
 
@@ -59,7 +59,7 @@ inline Float8 select(Mask8 mask, Float8 yes, Float8 no) {
 
 #else
 
-/// Two fours; in a scalar build each four is four plain floats.
+/// Two Float4; in a scalar build each of them is four plain floats.
 struct Float8 {
   Float4 four[2];
 
@@ -122,7 +122,7 @@ inline Float8 select(const Mask8& mask, const Float8& yes, const Float8& no) {
 
 #endif
 
-/// [a a a a b b b b]: the factors of two columns of a matrix that stand side by side.
+/// [a a a a b b b b], factors for two adjacent columns of a matrix.
 inline Float8 pair8(float a, float b) { return {Float4(a), Float4(b)}; }
 
 /// Four floats as factors of a matrix's columns: [x x x x y y y y] and [z z z z w w w w].
@@ -140,10 +140,10 @@ inline ColumnFactors column_factors(const float* v) {
 #endif
 }
 
-/// The sum of both halves: where each half holds a column's share of a point, the point.
+/// Returns the sum of both halves.
 inline Float4 fold(const Float8& v) { return v.low() + v.high(); }
 
-/// Eight points, four floats each, turned into their coordinates: lane i of `x` is point i's.
+/// Eight points in structure-of-arrays order: lane i of `x` belongs to point i.
 struct Points8 {
   Float8 x, y, z;
 };

@@ -15,7 +15,7 @@ class Fnv1a64 {
     for (std::byte b : bytes) add_byte(static_cast<std::uint8_t>(b));
   }
 
-  /// Little-endian, whatever the machine's order.
+  /// Adds the bytes in little-endian order on every machine.
   void add_u32(std::uint32_t value) {
     for (int shift = 0; shift < 32; shift += 8) add_byte(static_cast<std::uint8_t>(value >> shift));
   }

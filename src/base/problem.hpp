@@ -7,13 +7,13 @@
 
 namespace pelt::detail {
 
-/// The first thing that a check finds wrong; empty: nothing.
+/// The first problem that a check finds; empty if there is none.
 using Problem = std::string;
 
-/// As printf writes it, cut off after 255 characters.
+/// Formats a problem like printf, truncated to 255 characters.
 Problem problem(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
-/// The answer to a caller whose argument has a problem.
+/// Returns the error for an argument with a problem.
 inline Error invalid_argument(Problem found) {
   return {ErrorCode::invalid_argument, std::move(found)};
 }

@@ -4,7 +4,7 @@
 
 namespace pelt::detail {
 
-/// Double precision, for everything that is prepared once or decided exactly.
+/// A vector in double precision, for preparation and for exact decisions.
 struct Vec3d {
   double x = 0, y = 0, z = 0;
 
@@ -20,7 +20,7 @@ inline Vec3d operator*(double s, const Vec3d& v) { return {s * v.x, s * v.y, s *
 inline double dot(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline double squared_length(const Vec3d& v) { return dot(v, v); }
 
-/// Each coordinate to the nearest float.
+/// Rounds each coordinate to the nearest float.
 inline Vec3 to_float(const Vec3d& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }

@@ -7,19 +7,19 @@
 
 namespace pelt::detail {
 
-/// The numbers below some count, dealt out to workers in runs of neighbours. A worker takes its own
-/// run from the front; when it is through, it takes from the ends of the others'. So neighbours,
-/// which have much in common, are mostly done by the same worker, and seldom by two at once.
+/// Distributes the indices below a count to workers, in contiguous runs. A worker claims indices
+/// from the front of its own run, and then from the ends of other runs. Neighbouring indices, which
+/// share data, are therefore mostly processed by one worker, and seldom by two at once.
 class WorkShares {
  public:
-  /// Precondition: no worker takes meanwhile, and `count` is less than 2^32.
+  /// Assigns the runs. Preconditions: no worker claims meanwhile, and `count` is less than 2^32.
   void deal(std::uint32_t count, std::uint32_t workers);
 
-  /// A number that nobody has taken, or none: then all have been.
+  /// Claims the next index; nullopt once all are claimed.
   std::optional<std::uint32_t> take(std::uint32_t worker);
 
  private:
-  /// A run [begin, end) as one word, so that both ends are changed as one.
+  /// A run [begin, end) in one word, so that both ends change atomically.
   struct alignas(64) Share {
     std::atomic<std::uint64_t> run{0};
   };

@@ -45,7 +45,7 @@ void Workers::run(std::uint32_t count, const Job& job) {
 
 std::uint32_t Workers::available() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-/// A system that has no more threads to give, or no memory for them, says so by an exception.
+/// The standard library throws if the system has no more threads, or no memory for them.
 void Workers::start(std::uint32_t count) {
   PELT_TRY {
     while (threads_.size() + 1 < count) {
@@ -56,7 +56,7 @@ void Workers::start(std::uint32_t count) {
   PELT_CATCH_ALL {}
 }
 
-/// Keeps an exception of the job: it must reach the caller of `run`, whichever thread it is on.
+/// Stores an exception of the job on any thread, for the caller of `run`.
 void Workers::call(const Job& job, std::uint32_t worker) noexcept {
   PELT_TRY { job(worker); }
   PELT_CATCH_ALL {

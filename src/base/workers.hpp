@@ -10,8 +10,8 @@
 
 namespace pelt::detail {
 
-/// Threads that wait for jobs, each of which several of them do together. They are started when a
-/// job first asks for them and end with this object.
+/// Threads that execute jobs together. They are started when a job first needs them, and end with
+/// this object.
 class Workers {
  public:
   using Job = std::function<void(std::uint32_t worker)>;
@@ -21,14 +21,14 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
   ~Workers();
 
-  /// Calls `job(0)` on this thread and `job(1)` to `job(count - 1)` on others at the same time, and
-  /// returns when all have. Where threads cannot be had, fewer workers are called, or 0 alone: a
-  /// job must share its work so that any of them can do all of it.
+  /// Calls `job(0)` on this thread and `job(1)` to `job(count - 1)` on other threads in parallel,
+  /// and returns when all have returned. If threads cannot be started, calls fewer workers, or only
+  /// worker 0, so any worker must be able to do all of the work.
   ///
-  /// If workers throw, rethrows the first exception on this thread once all have ended.
+  /// If workers throw, rethrows the first exception on this thread after all have returned.
   void run(std::uint32_t count, const Job& job);
 
-  /// The threads that this machine runs at once, at least one.
+  /// Number of threads that the machine runs in parallel, at least one.
   static std::uint32_t available();
 
  private:
@@ -37,13 +37,13 @@ class Workers {
   void wait_for_jobs(std::uint32_t worker);
 
   std::vector<std::thread> threads_;  // of the workers 1, 2, ...
-  std::mutex mutex_;                  // of what follows
+  std::mutex mutex_;                  // protects the members below
   std::condition_variable has_job_, is_done_;
   const Job* job_ = nullptr;
   std::uint64_t job_number_ = 0;
-  std::uint32_t called_ = 0;   // workers that the job is for, 0 included
-  std::uint32_t running_ = 0;  // of those, the ones that have not ended, without 0
-  std::exception_ptr error_;   // the first of this job
+  std::uint32_t called_ = 0;   // workers of the job, including worker 0
+  std::uint32_t running_ = 0;  // workers that have not returned yet, excluding worker 0
+  std::exception_ptr error_;   // the first exception of the job
   bool is_ending_ = false;
 };
 

@@ -1,8 +1,8 @@
-/// A triangle touches a capsule if it meets its segment or comes as near as the radius. The
-/// distance between a triangle and a segment that do not meet is that of two features of which each
-/// is nearest to the other inside: a corner or end against a corner, end, edge or face, or edge
-/// against segment (Ericson 2005, 5.1.9 and 5.1.10). Each is asked without division. With w from
-/// the one to the other and the radius r, nearest points are
+/// A triangle touches a capsule if it intersects the capsule's segment or is within the radius of
+/// it. The distance between a triangle and a disjoint segment is attained between two features, in
+/// the interior of each: a corner or end against a corner, end, edge or face, or edge against
+/// segment (Ericson 2005, 5.1.9 and 5.1.10). Each pair is tested without division. With w from one
+/// to the other and the radius r, the nearest points are within r if
 ///
 ///   corners         (w . w) <= r^2
 ///   along an edge e, at t = (w . e) / (e . e) in [0, 1]: (w . w - r^2) (e . e) <= (w . e)^2
@@ -10,8 +10,8 @@
 ///   of two edges d and e, n = d x e, at (w x e . n) / (n . n) and (w x d . n) / (n . n) in [0, 1]:
 ///                   (w . n)^2 <= r^2 (n . n)
 ///
-/// Their degrees are six at most. The triangle is inside if its corners are, since a capsule is
-/// convex.
+/// The degree of these polynomials is at most six. The triangle is inside if its corners are
+/// inside, because a capsule is convex.
 
 #include "geometry/capsule_triangle.hpp"
 

@@ -7,8 +7,8 @@
 
 namespace pelt::detail {
 
-/// Where a closed triangle lies with respect to a capsule, exactly; a sphere is one whose ends
-/// coincide. Precondition: finite, the radius not negative.
+/// Returns exactly where a closed triangle lies with respect to a capsule. A sphere is a capsule
+/// with equal ends. Precondition: all numbers are finite, and the radius is not negative.
 TrianglePlace place_triangle(const TriangleCorners& triangle, const Capsule& capsule);
 
 }  // namespace pelt::detail

@@ -24,7 +24,8 @@ struct ExactProduct {
   double value, error;
 };
 
-/// Four terms; two where the factors are floats, because two of these multiply to 48 bits, exactly.
+/// Adds four terms, or two if the factors are floats, because the product of two floats has 48
+/// bits.
 template <std::size_t kCapacity>
 void add_product(ExactSum<kCapacity>& sum, double x, double y, double z) {
   const ExactProduct xy(x, y), high(xy.value, z), low(xy.error, z);

@@ -1,7 +1,8 @@
 #pragma once
 
-/// Polynomials in float32 numbers whose signs are decided exactly. A polynomial is written once,
-/// over a type of numbers, and evaluated in `Rounded`; where that cannot tell the sign, in `Exact`.
+/// Exact signs of polynomials in float32 numbers. A polynomial is written once, as a template over
+/// a type of numbers. It is evaluated with `Rounded` and, if that does not decide the sign, with
+/// `Exact`.
 ///
 /// Range, for degrees up to six. A float is a multiple of 2^-149 below 2^128, so a polynomial of
 /// degree d has values that are multiples of 2^(-149 d), below 2^(128 d) times its number of
@@ -16,7 +17,7 @@
 
 namespace pelt::detail {
 
-/// A double and how far it may be from the number that it stands for.
+/// A double, with a bound of its error.
 class Rounded {
  public:
   explicit Rounded(double exact) : value_(exact) {}
@@ -32,7 +33,7 @@ class Rounded {
                                             std::abs(b.value_) * a.error_ + a.error_ * b.error_);
   }
 
-  /// -1, 0 or 1, if it is certain.
+  /// Returns -1, 0 or 1 if the sign is certain.
   std::optional<int> sign() const {
     if (value_ > error_) return 1;
     if (value_ < -error_) return -1;
@@ -41,9 +42,9 @@ class Rounded {
   }
 
  private:
-  /// A result rounded once, whose operands make it off by `inherited`. The bound's own few
-  /// roundings are covered by a factor, its underflow by an amount that is far below any value but
-  /// zero.
+  /// A result rounded once, with the error `inherited` from its operands. A factor covers the few
+  /// roundings of the bound itself, and a constant far below any value but zero covers its
+  /// underflow.
   Rounded(double value, double inherited)
       : value_(value), error_((inherited + 0x1p-53 * std::abs(value)) * (1 + 0x1p-48)) {
     if (error_ != 0) error_ += 0x1p-1000;
@@ -52,7 +53,7 @@ class Rounded {
   double value_, error_ = 0;
 };
 
-/// The number itself.
+/// An exact number.
 class Exact {
  public:
   explicit Exact(double value) { sum_.add(value); }
@@ -91,7 +92,7 @@ class Exact {
   ExactSum<kCapacity> sum_;
 };
 
-/// A point or vector of such numbers.
+/// A point or vector of numbers.
 template <typename Number>
 struct Vector {
   Number x, y, z;
@@ -120,7 +121,8 @@ Number squared_length(const Vector<Number>& v) {
   return dot(v, v);
 }
 
-/// The sign of `polynomial(number)`, which is to be computed in numbers of that type.
+/// Returns the sign of a polynomial. `polynomial(number)` computes it with numbers of the given
+/// type.
 template <typename Polynomial>
 int exact_sign(const Polynomial& polynomial) {
   if (const std::optional<int> sign = polynomial(Rounded(0)).sign()) return *sign;

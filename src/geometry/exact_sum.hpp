@@ -25,7 +25,7 @@ inline double rounding_error(double a, double b, double sum) {
 template <std::size_t kCapacity>
 class ExactSum {
  public:
-  /// Grow-Expansion (theorem 10) that keeps no zeros: at most one term more than before.
+  /// Grow-Expansion (theorem 10) without zero terms: adds at most one term.
   void add(double value) {
     if (value == 0) return;
     PELT_ASSERT(size_ < kCapacity);
@@ -40,10 +40,10 @@ class ExactSum {
     size_ = kept;
   }
 
-  /// Their sum is that of all values.
+  /// Terms whose sum is the exact sum of all values.
   std::span<const double> terms() const { return {terms_.data(), size_}; }
 
-  /// Wrong by less than a unit in its last place, like Shewchuk's ESTIMATE.
+  /// Returns the sum with an error below one unit in the last place, like Shewchuk's ESTIMATE.
   double rounded() const {
     double sum = 0;
     for (std::size_t i = 0; i < size_; ++i) sum += terms_[i];

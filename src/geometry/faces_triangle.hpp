@@ -1,6 +1,6 @@
 #pragma once
 
-/// A triangle against a convex polyhedron that is given by its faces, exactly.
+/// Exact test of a triangle against a convex polyhedron, given by its faces.
 
 #include <pelt/shapes.hpp>
 
@@ -18,8 +18,9 @@ struct Face {
 
 enum class TrianglePlace { apart, touching, inside };
 
-/// Where a closed triangle lies with respect to what all these half-spaces have in common:
-/// `touching` is short of `inside`. Precondition: finite, and no more than kMaxFaces of them.
+/// Returns where a closed triangle lies with respect to the intersection of half-spaces. `touching`
+/// means touching but not inside. Precondition: all numbers are finite, and there are at most
+/// kMaxFaces faces.
 TrianglePlace place_triangle(const TriangleCorners& triangle, std::span<const Face> faces);
 
 }  // namespace pelt::detail

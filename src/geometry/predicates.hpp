@@ -12,11 +12,12 @@ namespace pelt::detail {
 
 /// Signs of orientation determinants, exact on float32 coordinates: -1, 0 or 1.
 ///
-/// A double filter decides all but nearly degenerate cases; exact arithmetic decides those. No
+/// A filter in double decides all but nearly degenerate cases, which exact arithmetic decides. No
 /// operation overflows or underflows in either: differences and products of floats are multiples of
 /// 2^-447 below 2^400 up to degree three, both well inside the range of double.
 
-/// The plane through three points, prepared to tell the side of many others. Refers to the points.
+/// The plane through three points, prepared for testing many other points. Stores references to the
+/// points.
 class OrientedPlane {
  public:
   /// With e = 2^-53, each of the six products of the determinant gathers at most 8 relative errors
@@ -31,8 +32,8 @@ class OrientedPlane {
     error_ = kRelativeError * max_abs(u) * max_abs(v);
   }
 
-  /// The sign of det(b - a, c - a, d - a): 1 where a, b, c are seen counter-clockwise, -1 behind, 0
-  /// on the plane (everywhere, if a, b, c are collinear).
+  /// Returns the sign of det(b - a, c - a, d - a): 1 if a, b, c appear counter-clockwise from d, -1
+  /// behind the plane, 0 on it (always 0 if a, b, c are collinear).
   int side(const Vec3& d) const {
     const Vec3d w = Vec3d(d) - origin_;
     const double determinant = dot(normal_, w), error = error_ * max_abs(w);
@@ -71,7 +72,7 @@ inline Vec2d without(const Vec3& p, int axis) {
 /// The sign of det(b - a, c - a): 1 if a, b, c turn counter-clockwise.
 int orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c);
 
-/// How many signs needed exact arithmetic on this thread; for tests that must see it run.
+/// Number of signs that needed exact arithmetic on this thread, for tests.
 std::uint64_t& exact_sign_count();
 
 }  // namespace pelt::detail

@@ -7,15 +7,15 @@
 
 namespace pelt::detail {
 
-/// A corner of a triangle, an edge without its ends, or all within the edges. Edge i leads from
-/// corner i to the next.
+/// A corner of a triangle, an edge without its ends, or the interior. Edge i leads from corner i to
+/// the next corner.
 enum class Feature : std::uint8_t { corner0, corner1, corner2, edge0, edge1, edge2, face };
 
 inline constexpr Feature corner_feature(std::size_t corner) { return static_cast<Feature>(corner); }
 inline constexpr Feature edge_feature(std::size_t edge) { return static_cast<Feature>(3 + edge); }
 
-/// An end of the segment in which two triangles intersect: the place where a feature of one meets a
-/// feature of the other. Corner and anything, edge and edge, or edge and face: never face and face.
+/// An end of the segment in which two triangles intersect, where a feature of one meets a feature
+/// of the other: a corner and any feature, two edges, or an edge and a face; never two faces.
 struct CrossingEnd {
   Feature a = Feature::face, b = Feature::face;
 
@@ -36,13 +36,15 @@ struct Crossing {
                                     ///< normals; meaningless otherwise
 };
 
-/// How two closed triangles intersect, decided exactly on their float32 coordinates: which features
-/// meet, not where. Agrees with `triangles_intersect`. Precondition: all coordinates are finite.
+/// Decides exactly how two closed triangles with float32 coordinates intersect: which features
+/// meet, but not where. Agrees with `triangles_intersect`. Precondition: all coordinates are
+/// finite.
 Crossing cross_triangles(const TriangleCorners& a, const TriangleCorners& b);
 
-/// Where an end is. A corner is where it is; a place on an edge is rounded to floats, each
-/// coordinate off by less than 2^-23 times the largest coordinate of the two triangles. The same to
-/// the bit for all triangles that share the edge. Precondition: the end is one of their crossing.
+/// Returns the position of an end. The position of a corner is exact. A position on an edge is
+/// rounded to floats, with an error per coordinate below 2^-23 times the largest coordinate of the
+/// two triangles, and has the same bits for all triangles that share the edge. Precondition: the
+/// end belongs to the crossing of `a` and `b`.
 Vec3 crossing_position(const CrossingEnd& end, const TriangleCorners& a, const TriangleCorners& b);
 
 }  // namespace pelt::detail

@@ -7,16 +7,16 @@
 
 namespace pelt::detail {
 
-/// *The* distance of a point and of a triangle from a triangle, by which every query measures. In
-/// double, from float32 coordinates: always the same operations, so always the same bits.
+/// Definition of the distance of a point and of a triangle from a triangle, which every query uses.
+/// Computed in double from float32 coordinates, always with the same operations and bits.
 ///
-/// The least is taken over points that both are known to have, so a result is never less than the
-/// real distance but for rounding. With S the largest difference of two coordinates on an axis,
-/// it is off by less than kDistanceError S either way, whatever the shape of the triangles.
+/// The distance is a minimum over points of both operands, so apart from rounding it is never below
+/// the real distance. Let S be the largest difference of two coordinates on an axis. The error is
+/// below kDistanceError S in either direction, for triangles of any shape.
 inline constexpr double kDistanceError = 0x1p-46;
 
-/// How much of each corner makes a point of a triangle. None is negative, the sum is one up to
-/// rounding.
+/// Weights of the corners of a triangle that give a point. They are not negative and sum to one up
+/// to rounding.
 using Barycentrics = std::array<double, 3>;
 
 struct NearestOnTriangle {
@@ -31,11 +31,10 @@ struct NearestPoints {
   Barycentrics a, b;
 };
 
-/// Precondition: the triangles do not touch. (If they do, the result is some two of their points.)
+/// Precondition: the triangles do not touch. (Otherwise the result is any pair of their points.)
 NearestPoints nearest_points(const TriangleCorners& a, const TriangleCorners& b);
 
-/// A point that two triangles have in common, as precisely as double tells. Precondition: they
-/// touch.
+/// Returns a common point of two triangles, in the precision of double. Precondition: they touch.
 NearestPoints common_point(const TriangleCorners& a, const TriangleCorners& b);
 
 inline Vec3d point_at(const TriangleCorners& t, const Barycentrics& at) {

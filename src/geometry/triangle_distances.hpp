@@ -7,9 +7,9 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// The squared distances of the first `count` of eight pairs, each to the bit what
-/// `nearest_points` says (triangle_distance.hpp), at a fifth of its cost.
-/// Precondition: these do not touch.
+/// Writes the squared distances of the first `count` of eight pairs, with the same bits as
+/// `nearest_points` (triangle_distance.hpp), at a fifth of its cost. Precondition: the pairs do not
+/// touch.
 void squared_distances(const TrianglePairs8& pairs, std::uint32_t count, double (&squared)[8]);
 
 }  // namespace PELT_TARGET

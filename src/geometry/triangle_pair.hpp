@@ -11,9 +11,9 @@ using TriangleCorners = std::array<Vec3, 3>;
 
 /// Whether two closed triangles intersect, decided exactly on their float32 coordinates.
 ///
-/// Touching counts, coplanar overlap counts, and a triangle that has collapsed to a segment or a
-/// point is that segment or point. Symmetric in its arguments and independent of the order of the
-/// corners. Precondition: all coordinates are finite.
+/// Touching and coplanar overlap count as intersection. A triangle that has collapsed to a segment
+/// or a point is treated as that segment or point. The answer is symmetric and does not depend on
+/// the order of the corners. Precondition: all coordinates are finite.
 bool triangles_intersect(const TriangleCorners& a, const TriangleCorners& b);
 
 }  // namespace pelt::detail
