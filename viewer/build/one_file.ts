@@ -2,7 +2,7 @@
 
 import type { Plugin } from 'vite';
 
-/** What the page may do: run what is in it, and its worker; nothing may come from elsewhere. */
+/** Content security policy: the page runs only its own code and its worker, and loads nothing. */
 const POLICY = [
   "default-src 'none'",
   "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:",
@@ -47,7 +47,7 @@ function withStyle(html: string, source: string | Uint8Array): string {
   return html.replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${String(source)}</style>`);
 }
 
-/** Where a reader of the source finds it; no browser shows or runs it. */
+/** Readable in the source; no browser shows or runs it. */
 function withNotices(html: string, notices: string): string {
   const element = `<script type="text/plain" id="licences">\n${notices}</script>`;
   return html.replace('</body>', () => `${element}\n  </body>`);

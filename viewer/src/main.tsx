@@ -37,7 +37,7 @@ const chooseAndAdd = () => chooseFiles(addFiles);
 const panels = document.getElementById('panels')!;
 const view = makeView(document.getElementById('view')!);
 
-/** Without WebGL there is no picture, but all that is counted. */
+/** Returns null without WebGL. Contacts are still counted then. */
 function makeView(place: HTMLElement): View | null {
   try {
     return new View(place, {
@@ -57,7 +57,7 @@ function makeView(place: HTMLElement): View | null {
   }
 }
 
-/** Written only when it changes: the whole page is styled anew by it. */
+/** Written only when it changes, because it restyles the whole page. */
 function wear(theme: 'dark' | 'light'): void {
   const { dataset } = document.documentElement;
   if (dataset.theme !== theme) dataset.theme = theme;

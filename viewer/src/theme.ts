@@ -11,7 +11,7 @@ export function isDark(theme: State['theme']): boolean {
 type Theme = State['theme'];
 const KEY = 'pelt-theme';
 
-/** What was chosen in an earlier visit; browsers may keep nothing for pages from disk. */
+/** Theme chosen in an earlier visit. Browsers may store nothing for pages from disk. */
 export function keptTheme(): Theme {
   try {
     const kept = localStorage.getItem(KEY);

@@ -1,8 +1,8 @@
-/** Of what is drawn. Those of the panels stand in style/tokens.css. */
+/** Colours of the picture. Colours of the panels are in style/tokens.css. */
 
 export const ACCENT = 0xff6a2b;
 
-/** Of the handles. */
+/** Colours of the handles. */
 export const AXES = { x: 0xd64550, y: 0x4fa35f, z: 0x4a7fd6 };
 
 const BODIES = [
@@ -18,7 +18,7 @@ export function cssColour(colour: number): string {
   return `#${colour.toString(16).padStart(6, '0')}`;
 }
 
-/** For text on a colour. */
+/** Text colour for a background colour. */
 export function inkOn(colour: number): string {
   const [r, g, b] = [16, 8, 0].map((shift) => (colour >> shift) & 255);
   return 0.3 * r + 0.59 * g + 0.11 * b > 130 ? '#14181d' : '#ffffff';

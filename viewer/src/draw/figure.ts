@@ -1,4 +1,4 @@
-/** One instance's surface, as the worker has posed it. */
+/** Surface of one instance, with the vertices posed by the worker. */
 
 import { BufferAttribute, BufferGeometry, Mesh, MeshStandardMaterial } from 'three';
 import type { CharacterFacts, PosedInstance } from '../worker/protocol';
@@ -15,7 +15,7 @@ export class Figure extends Mesh<BufferGeometry, MeshStandardMaterial> {
     super(geometry, new MeshStandardMaterial({ color: bodyColour(instance), roughness: 0.62 }));
     this.castShadow = true;
     this.receiveShadow = true;
-    this.frustumCulled = false; // its bounds would have to be computed anew in each frame
+    this.frustumCulled = false; // otherwise its bounds must be recomputed in each frame
   }
 
   show({ positions, normals }: PosedInstance): void {

@@ -10,7 +10,7 @@ const MODES = { move: 'translate', turn: 'rotate' } as const;
 
 export interface GizmoEvents {
   onMove: (place: Vector3, rotation: Quaternion) => void;
-  /** It has to be drawn anew. */
+  /** Called when the picture must be redrawn. */
   onChange: () => void;
 }
 

@@ -15,11 +15,11 @@ import { ACCENT } from './colours';
 import { upload } from './upload';
 
 const SHIMMER = 0.22;
-/** Of what is lit beside the spot that is looked at. */
+/** Opacity of contacts outside the selected spot. */
 const BESIDE = 0.3;
 const HALO_OPACITY = 0.05;
 
-/** Of the characters' height. */
+/** Relative to the height of the characters. */
 const HALO_SIZE = 0.05;
 
 const VERTEX = `
@@ -94,7 +94,7 @@ export class Glow extends Group {
     this.halo.uniforms.heightInPixels.value = heightInPixels;
   }
 
-  /** Those of the spot, if there is one, and the others beside it. */
+  /** Shows the contacts of the spot, if there is one, and all others. */
   show(all: Contacts, spot: Contacts | null): void {
     const { triangles, corners, centres } = spot ?? all;
     this.beside.visible = spot !== null;

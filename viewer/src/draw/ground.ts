@@ -11,7 +11,7 @@ import {
 } from 'three';
 import type { Ambience } from './colours';
 
-/** Of the sphere around the scene. */
+/** Relative to the radius of the scene. */
 const EXTENT_RADII = 6;
 
 const VERTEX = `

@@ -15,7 +15,7 @@ import {
 import type { PosedInstance } from '../worker/protocol';
 import { OPENED, REFITTED, UNTOUCHED } from './colours';
 
-/** By the engine's NodeState. */
+/** Indexed by the engine's NodeState. */
 const STYLES = [
   { colour: UNTOUCHED, opacity: 0.4 },
   { colour: REFITTED, opacity: 0.8 },
@@ -43,7 +43,7 @@ const FRAGMENT = `
     #include <colorspace_fragment>
   }`;
 
-/** Those of all instances. */
+/** Boxes of all instances. */
 export class NodeBoxes extends Group {
   private lines: BoxLines[] = [];
 
@@ -67,7 +67,7 @@ const material = new ShaderMaterial({
   depthWrite: false,
 });
 
-/** Those of one instance, as the worker has them: a copy of the unit cube for each box. */
+/** Boxes of one instance, from the worker: one instance of the unit cube per box. */
 class BoxLines extends LineSegments<InstancedBufferGeometry> {
   constructor() {
     const cube = new InstancedBufferGeometry();
@@ -77,7 +77,7 @@ class BoxLines extends LineSegments<InstancedBufferGeometry> {
     this.frustumCulled = false;
   }
 
-  /** What is not drawn takes no memory. */
+  /** Frees the memory of boxes that are not drawn. */
   show(posed: PosedInstance | undefined): void {
     const count = posed?.boxStates.length ?? 0;
     this.visible = count > 0;

@@ -10,7 +10,7 @@ export interface Ray {
 const CLICK_PIXELS = 4;
 
 export interface PointerEvents {
-  /** With the place on the page; nothing where the pointer has left. */
+  /** Called with the position on the page; null when the pointer has left. */
   onPoint: (ray: Ray | null, x: number, y: number) => void;
   onClick: (ray: Ray) => void;
 }
@@ -38,7 +38,7 @@ export function watchPointer(canvas: HTMLCanvasElement, camera: Camera, events: 
   });
 }
 
-/** From -1 to 1, y up. */
+/** Coordinates from -1 to 1, y up. */
 function onScreen(canvas: HTMLCanvasElement, x: number, y: number): Vector2 {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   return new Vector2((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height);

@@ -1,4 +1,4 @@
-/** Where all characters are, from the first frame to the last. */
+/** Box of all characters over all frames. */
 
 import { Box3, Matrix4, Quaternion, Vector3 } from 'three';
 import { frameTime, placeAt, type Instance, type Scene } from '../scene/scene';

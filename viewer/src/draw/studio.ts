@@ -27,12 +27,12 @@ const FIELD_OF_VIEW = 32;
 /** Pixels. */
 const STILL = { width: 192, height: 192 };
 
-/** Of the distance from which all is seen. At its ends a walk may be cut by the edge. */
+/** Relative to the distance that shows everything. The ends of a walk may be cut off. */
 const CLOSENESS = { standing: 0.95, walking: 0.66 };
 
-/** What is looked at closely, with what is around it: of the size of all that is seen. */
+/** Size of a close view, relative to the contacts that it shows. */
 const SURROUNDINGS = { picture: 3, still: 1.25 };
-/** Of the whole scene: no nearer, however small it is. */
+/** Closest distance, relative to the whole scene. */
 const NEAREST = 0.16;
 
 const KEY_DIRECTION = new Vector3(0.75, 1.5, 0.55).normalize();
@@ -50,7 +50,7 @@ export class Studio {
   private readonly ground = new Ground();
   private readonly whole = new Sphere();
   private distance = 1;
-  /** From which the whole is seen. */
+  /** Side from which the whole scene is seen. */
   private side = new Vector3(...SIDES[0]);
   /** Nobody has moved the camera yet. */
   private isUntouched = true;
@@ -167,7 +167,7 @@ export class Studio {
     return still.toDataURL();
   }
 
-  /** Where the camera stands, and what it looks at. */
+  /** Position and target of the camera. */
   private placeToSee(
     box: Box3,
     from: Vector3,
@@ -225,7 +225,7 @@ export class Studio {
   }
 }
 
-/** What surfaces mirror, blurred. */
+/** Blurred environment that surfaces reflect. */
 function makeSurroundings(renderer: WebGLRenderer): Texture {
   const generator = new PMREMGenerator(renderer);
   const room = new RoomEnvironment();
@@ -235,7 +235,7 @@ function makeSurroundings(renderer: WebGLRenderer): Texture {
   return texture;
 }
 
-/** From where a ball of that radius fills the picture. */
+/** Returns the distance at which a ball of this radius fills the picture. */
 function distanceOf(radius: number): number {
   return radius / Math.sin((FIELD_OF_VIEW * Math.PI) / 360);
 }

@@ -1,4 +1,4 @@
-/** Arrays that come anew with each frame. */
+/** Upload of arrays that change in each frame. */
 
 import { BufferAttribute, DynamicDrawUsage, type BufferGeometry } from 'three';
 

@@ -1,4 +1,4 @@
-/** The picture of the state: what has changed in it is drawn anew, and nothing else. */
+/** Draws the state. Redraws only when something visible has changed. */
 
 import { Box3 } from 'three';
 import { betterSide } from '../scene/sides';

@@ -28,7 +28,7 @@ export class Director {
     });
   }
 
-  /** One frame at a time: what has been asked for meanwhile is left out but for the last. */
+  /** Requests one frame at a time. Of frames wanted meanwhile, keeps only the last. */
   private async pose(): Promise<void> {
     const shot = shotOf(this.store.state);
     if (!shot || this.isPosing || (this.asked && isSameShot(shot, this.asked))) return;

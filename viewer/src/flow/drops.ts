@@ -4,14 +4,14 @@ import { refuse } from '../state/changes';
 import type { Update } from '../state/state';
 
 export interface DroppedFile {
-  /** From the folder that was dropped on. */
+  /** Relative to the dropped folder. */
   path: string;
   file: File;
 }
 
 type Open = (files: DroppedFile[]) => void;
 
-/** With Shift held, what is dropped is added to what there is. */
+/** With Shift held, dropped files are added to the scene. */
 export function watchDrops(update: Update, open: Open, add: Open): void {
   document.addEventListener('dragover', (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return;
@@ -44,7 +44,7 @@ async function openDropped(dropped: DataTransfer, update: Update, open: Open): P
   }
 }
 
-/** Those of folders, too. What was dropped can only be asked for at once, before any wait. */
+/** Includes files of folders. Dropped entries must be read synchronously, before any await. */
 async function droppedFiles({ items, files }: DataTransfer): Promise<DroppedFile[]> {
   const dropped = [...items].filter(({ kind }) => kind === 'file');
   const entries = dropped.map((item) => item.webkitGetAsEntry());

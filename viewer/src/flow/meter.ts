@@ -1,4 +1,4 @@
-/** Has costs measured: now and then while the scene plays, and carefully while it stands still. */
+/** Requests measurements: occasionally while the scene plays, and thoroughly while it is paused. */
 
 import type { MeasuredShot, State } from '../state/state';
 import type { Store } from '../state/store';
@@ -9,13 +9,13 @@ import { isSameQuery } from '../state/shots';
 /** Between two measurements. */
 const PAUSE_MILLISECONDS = { playing: 600, still: 200 };
 
-/** The least time of so many is the one undisturbed. */
+/** Number of repetitions whose minimum counts as undisturbed. */
 const ROUNDS = 6;
 
 /** Share of the frames before in the mean that is shown while the scene plays. */
 const MEMORY = 0.8;
 
-/** Of all instances together. More are not refitted in passing, and too many not at all. */
+/** Vertex limits of all instances for measuring while playing, and for measuring at all. */
 const MOST_VERTICES = { playing: 100_000, still: 2_000_000 };
 
 export class Meter {
@@ -32,7 +32,7 @@ export class Meter {
     });
   }
 
-  /** As long as there is something to be found out. */
+  /** Continues while there is something to measure. */
   private async measure(): Promise<void> {
     if (this.isMeasuring) return;
     this.isMeasuring = true;

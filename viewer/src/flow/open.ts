@@ -1,4 +1,4 @@
-/** From files to characters on the stage, or to a readable complaint. */
+/** Opens files as characters of the scene, or reports a readable error. */
 
 import { originalPath, stopsAtFirst, type Report } from '../report/report';
 import { worstFrame } from '../report/verdict';
@@ -9,7 +9,7 @@ import { isCharacter, type NamedFile, type Opened, type ReadCharacters } from '.
 import type { Client } from './client';
 import type { DroppedFile } from './drops';
 
-/** In the midst of it. */
+/** A frame with many contacts. */
 const FIRST_FRAME_OF_DEMO = 76;
 
 export class Opener {
@@ -25,7 +25,7 @@ export class Opener {
     this.open('the generated characters', ask, { frame: FIRST_FRAME_OF_DEMO });
   }
 
-  /** Where it has found contacts, it begins with its worst frame, standing still. */
+  /** Opens a report, paused at its worst frame if it has contacts. */
   openReport(report: Report): void {
     const { scene, title, reading, answer } = report;
     const worst = answer && worstFrame(answer);
@@ -86,7 +86,7 @@ export class Opener {
     this.read(what, async () => changes.open(await ask(), beginning));
   }
 
-  /** One after the other. The stage keeps what it has until all is read. */
+  /** Reads one selection after the other. The scene is unchanged until everything is read. */
   private read(what: string, ask: () => Promise<changes.Change>): void {
     this.opening = this.opening.then(async () => {
       this.store.update(() => ({ reading: what }));

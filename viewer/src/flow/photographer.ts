@@ -42,7 +42,7 @@ function worst(stills: readonly Still[]): Still | undefined {
   return stills.find(({ contacts }) => contacts === most);
 }
 
-/** In their order in time, and far enough apart to differ. */
+/** Sorted by time, and far enough apart to differ. */
 function worstFrames(counts: readonly number[]): number[] {
   const inContact = [...counts.keys()].filter((frame) => counts[frame] > 0);
   const apart = inContact.length / (2 * STILLS);

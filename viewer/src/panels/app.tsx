@@ -13,7 +13,7 @@ import { Timeline } from './timeline';
 import { watch } from './watch';
 import { WorkPanel } from './work_panel';
 
-/** Each looks after itself: see `watch`. */
+/** Each panel rerenders by itself; see `watch`. */
 const panels = {
   Header: watch(Header),
   Report: watch(ReportPanel),
@@ -28,7 +28,7 @@ const panels = {
 };
 
 interface AppProps extends PanelProps {
-  /** Each lets files be chosen: to replace the characters, or to stand beside them. */
+  /** Open a file dialog, to replace the characters or to add some. */
   openFiles: () => void;
   addFiles: () => void;
 }

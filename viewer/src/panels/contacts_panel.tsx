@@ -43,7 +43,7 @@ export function ContactsPanel({ state, update }: PanelProps) {
   );
 }
 
-/** Of what is listed. */
+/** Number of listed contacts. */
 function Count({ state }: { state: State }) {
   const { answer, sweep, listing } = state;
   const ofClip = sweep.total && sweep.counts.reduce((sum, count) => sum + count, 0);

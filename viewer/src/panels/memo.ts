@@ -1,6 +1,6 @@
 import { Component, type ComponentChildren, type FunctionComponent } from 'preact';
 
-/** A component that is rendered anew only when one of its properties is another. */
+/** A component that rerenders only when one of its properties changes. */
 export function memo<Props extends object>(render: FunctionComponent<Props>) {
   return class extends Component<Props> {
     override shouldComponentUpdate(next: Readonly<Props>): boolean {

@@ -11,7 +11,7 @@ interface NumberFieldProps {
   onChange: (value: number) => void;
 }
 
-/** What the engine can surely pose with. */
+/** Range of numbers that the engine accepts. */
 const MOST = 1e6;
 
 /** More than what is shown leaves out of a number. */

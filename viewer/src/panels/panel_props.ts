@@ -1,6 +1,6 @@
 import type { State, Update } from '../state/state';
 
-/** What every panel is given. */
+/** Properties of every panel. */
 export interface PanelProps {
   state: State;
   update: Update;

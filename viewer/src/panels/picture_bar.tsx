@@ -9,7 +9,7 @@ const LEGEND = [
   { colour: UNTOUCHED, state: 0, meaning: 'untouched' },
 ];
 
-/** What is drawn of the scene, and from where; on the picture itself. */
+/** Controls on top of the picture: camera and bounds. */
 export function PictureBar({ state, update }: PanelProps) {
   const { boxLevel, characters, scene } = state;
   if (!scene) return null;

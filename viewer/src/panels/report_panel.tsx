@@ -38,7 +38,7 @@ function findingInWords(state: State): string {
   return finding ? `the page ${finding}; changed since` : 'changed by you';
 }
 
-/** With a baseline. */
+/** Shown if there is a baseline. */
 function Comparison({ answer }: { answer: ReportAnswer }) {
   const comparison = comparisonOf(answer);
   if (!comparison) return null;

@@ -3,7 +3,7 @@ import { checkCommand } from '../scene/command';
 import type { State } from '../state/state';
 import { saveScene } from './save';
 
-/** By which command; a report that is as it came says so itself. */
+/** Shows the command with the same result. An unmodified report shows its own command. */
 export function SameNumbers({ state }: { state: State }) {
   const { scene, report } = state;
   if (!scene || (report?.answer && isAsItCame(state))) return null;

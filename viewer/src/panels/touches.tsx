@@ -8,10 +8,10 @@ import type { PanelProps } from './panel_props';
 import { Place } from './place';
 import { Worse } from './worse';
 
-/** So many are listed at once, unless all are asked for. */
+/** Number of rows, unless all are shown. */
 const FEW = 40;
 
-/** Of the spot's contacts, as text. */
+/** Largest number of triangles listed as text. */
 const MOST_TRIANGLES = 2000;
 
 /** Places that touch; each leads to where it is worst. */

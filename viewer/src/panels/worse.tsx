@@ -3,7 +3,7 @@ import type { State } from '../state/state';
 import type { Touch } from '../worker/protocol';
 import { withCommas } from '../words';
 
-/** What a baseline says of a touch that is worse than it was: the two numbers that it compares. */
+/** Shows how a touch is worse than in the baseline: both numbers of contacts. */
 export function Worse({ state, touch }: { state: State; touch: Touch }) {
   const found = worseTouch(touch, state);
   if (!found) return null;

@@ -1,4 +1,4 @@
-/** What has become worse since a baseline, and by how much. */
+/** Differences from a baseline. */
 
 import type { Surface, Touch } from '../worker/protocol';
 import type { KnownPlace, ReportAnswer, WorseTouch } from './report';
@@ -13,7 +13,7 @@ interface Comparison {
   newlyHeld: number;
 }
 
-/** As the command's summary has it; nothing without a baseline. */
+/** Returns the numbers of the command's summary; null without a baseline. */
 export function comparisonOf({ verdict, touches }: ReportAnswer): Comparison | null {
   const { worse, gone, newly_held } = verdict;
   if (!worse) return null;
@@ -36,7 +36,7 @@ export function worseTouch({ a, b }: Pick<Touch, 'a' | 'b'>, state: Asked): Wors
   return found.get(`${nameOf(a)}\n${nameOf(b)}`) ?? found.get(`${nameOf(b)}\n${nameOf(a)}`) ?? null;
 }
 
-/** What is new, what has grown, and the others; in each the order as it was. */
+/** Sorts new touches first, then grown ones, then the others. The sort is stable. */
 export function worstFirst(touches: readonly Touch[], state: Asked): readonly Touch[] {
   if (!state.report?.answer?.verdict.worse) return touches;
   const rankOf = (touch: Touch) => {

@@ -1,9 +1,9 @@
-/** What `pelt check --html` and `pelt view` have left in the page; README.md tells the format. */
+/** Data in the page from `pelt check --html` and `pelt view`. README.md describes the format. */
 
 import type { NamePair } from 'pelt';
 import type { By, FrameRange, ReadingOptions } from '../worker/protocol';
 
-/** That of the engine in the page. */
+/** Version of the engine in the page. */
 const PELT_VERSION: string = import.meta.env.VITE_PELT_VERSION;
 
 export interface Report {
@@ -15,29 +15,29 @@ export interface Report {
   made: string;
   /** The words by which it was made. */
   command: string;
-  /** What the scene is called: its file's name, or those of its models. */
+  /** Title of the scene: the name of its file, or the names of its models. */
   title: string;
-  /** One of `files`. */
+  /** Path in `files`. */
   scene: string;
   /** Base64, by paths. */
   files: Record<string, string>;
   inputs: ReportInput[];
   reading: ReadingOptions;
-  /** None from `pelt view`, which leaves it to the page to find one. */
+  /** Null from `pelt view`, which runs no query. */
   answer: ReportAnswer | null;
 }
 
 /** A character's file, for people. */
 export interface ReportInput {
-  /** As it was given, or what the character was generated from. */
+  /** Path as given, or the options that the character was generated with. */
   path: string;
-  /** One of `files`; none if generated. */
+  /** Path in `files`; null if generated. */
   file: string | null;
   bytes: number | null;
   hash: string;
 }
 
-/** The names are those of `pelt check --jsonl`, which tells the same. */
+/** Names and meaning as in `pelt check --jsonl`. */
 export interface ReportAnswer {
   options: {
     method: string;
@@ -50,15 +50,15 @@ export interface ReportAnswer {
   /** Contacts of each of these frames. */
   counts: number[];
   totals: { frames: number; frames_in_contact: number; contacts: number; ignored: number };
-  /** None where contacts were limited. */
+  /** Null if contacts were limited. */
   hash: string | null;
   touches: KnownTouch[];
   verdict: {
     fail_on: string;
     failed: boolean;
-    /** None without a baseline, as all that follows. */
+    /** Null without a baseline, like the members below. */
     worse: WorseTouch[] | null;
-    /** What the baseline knows, and this check has not found. */
+    /** Touches of the baseline that this check did not find. */
     gone: unknown[] | null;
     /** Bodies that another one holds whole, with --inside. */
     newly_held: unknown[] | null;
@@ -118,7 +118,7 @@ export function stopsAtFirst({ answer }: Report): boolean {
   return answer?.options.max_contacts === 1;
 }
 
-/** Where a file of the report came from. */
+/** Returns the original path of a file of the report. */
 export function originalPath({ inputs }: Report, file: string): string {
   return inputs.find((input) => input.file === file)?.path ?? file;
 }

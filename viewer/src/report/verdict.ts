@@ -1,4 +1,4 @@
-/** What the command found, and whether the page finds the same. */
+/** The result of the command, and whether the page agrees. */
 
 import type { State, SweepState } from '../state/state';
 import type { FrameRange } from '../worker/protocol';
@@ -24,10 +24,10 @@ function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
   return sameCounts && total?.reportHash === answer.hash;
 }
 
-/** What the page asks, beside what it was opened with. */
+/** Query of the page, and the report that it was opened with. */
 export type Asked = Pick<State, 'report' | 'reported' | 'scene' | 'firstContact' | 'by'>;
 
-/** Whether the page still asks what the command asked, of the scene that came with the report. */
+/** Whether scene and query are still those of the report. */
 export function isAsItCame({ report, reported, scene, firstContact, by }: Asked): boolean {
   return (
     report !== null &&

@@ -1,4 +1,4 @@
-/** Where characters stand that came without a scene. */
+/** Placement of characters without a scene. */
 
 import type { CharacterFacts } from '../worker/protocol';
 import { framesOfLongestClip, inWholeClips, placeAt } from './scene';
@@ -10,10 +10,10 @@ import type { Instance, Scene, Vector3 } from './scene';
  */
 export type Arrangement = 'walking' | 'together';
 
-/** In the same place, whole characters would touch everywhere. */
+/** Whole characters in one place would touch everywhere. */
 export const USUAL_ARRANGEMENT: Arrangement = 'walking';
 
-/** That of the command. */
+/** Frame rate of the command. */
 export const FPS = 30;
 
 /** A walk takes at least so long, however short the clip. */
@@ -27,10 +27,10 @@ const SIDESTEP = 0.1;
 /** Share of the time in which the middle is reached. */
 const MEETING = 2 / 3;
 
-/** From one to the next on the circle, in widths. */
+/** Distance of neighbours on the circle, in widths. */
 const SPACING = 1.2;
 
-/** As long as the longest clip. A single character meets itself. */
+/** Creates a scene with the length of the longest clip. A single character meets itself. */
 export function arrange(characters: readonly CharacterFacts[], arrangement: Arrangement): Scene {
   const cast = characters.length === 1 ? [0, 0] : characters.map((_, index) => index);
   const standing: Scene = {
@@ -45,7 +45,7 @@ export function arrange(characters: readonly CharacterFacts[], arrangement: Arra
   return walkingIn({ ...standing, frameCount: Math.max(frameCount, FPS * SECONDS) }, characters);
 }
 
-/** One more of them, whose number is given: in the same place, or on its way to the others. */
+/** Places one more character: in the same place, or walking towards the others. */
 export function join(
   scene: Scene,
   characters: readonly CharacterFacts[],
@@ -71,7 +71,7 @@ function meetingPlace(scene: Scene): Vector3 {
   ) as Vector3;
 }
 
-/** From between the others: the turns are 1/2, 1/4, 3/4, 1/8, 5/8 ... of a whole one. */
+/** Direction between the others: 1/2, 1/4, 3/4, 1/8, 5/8 ... of a full turn. */
 function walkTo(
   middle: Vector3,
   scene: Scene,

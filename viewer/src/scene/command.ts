@@ -4,7 +4,7 @@ import type { By, CharacterFacts, ReadingOptions } from '../worker/protocol';
 import { FPS } from './arrange';
 import { framesOfLongestClip, type Instance, type Scene } from './scene';
 
-/** What the page asks of the scene. */
+/** The query of the page. */
 export interface Asking {
   scene: Scene;
   characters: readonly CharacterFacts[];
@@ -51,7 +51,7 @@ function isBare(instance: Instance, characters: readonly CharacterFacts[]): bool
   );
 }
 
-/** What `--clip` calls it. */
+/** Value of `--clip` for the default pose. */
 const DEFAULT_POSE = '-';
 
 function modelWords({ scene: { instances }, characters }: Asking): string[] {
@@ -70,7 +70,7 @@ function optionWords({ by, firstContact, readingOptions }: Asking): string[] {
   ];
 }
 
-/** For a shell. */
+/** Quotes a word for a shell. */
 function quoted(word: string): string {
   return /^[\w./:@%+=-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
 }

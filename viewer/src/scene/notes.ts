@@ -1,15 +1,15 @@
-/** What the page has decided for those who dropped characters without a scene, in words. */
+/** Notes about choices of the page for characters without a scene. */
 
 import type { CharacterFacts } from '../worker/protocol';
 import { chooseClip } from './arrange';
 import type { Scene } from './scene';
 
-/** A character that was dropped alone stands there twice. */
+/** Whether a single character appears twice. */
 export function meetsItself({ instances }: Scene, characters: readonly CharacterFacts[]): boolean {
   return characters.length === 1 && instances.length === 2;
 }
 
-/** Only as long as it holds. */
+/** Returns the notes that currently apply. */
 export function notesOn(scene: Scene, characters: readonly CharacterFacts[]): string[] {
   const notes = [];
   if (meetsItself(scene, characters)) {

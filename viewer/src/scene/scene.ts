@@ -8,7 +8,7 @@ export type { Instance };
 export type Vector3 = [number, number, number];
 export type Quaternion = [number, number, number, number];
 
-/** What a scene file says of a model: a file's path, or how to generate it. */
+/** A model of a scene file: the path of a file, or options to generate it. */
 export type ModelSource =
   string | { creature: { triangles: number; joints: number; seed: number } };
 
@@ -25,7 +25,7 @@ export interface Scene {
 /** More are neither counted in reasonable time nor told apart in a chart. */
 export const MOST_FRAMES = 100_000;
 
-/** As many as `pelt check A.glb B.glb --clip ...` asks. */
+/** Number of frames of `pelt check A.glb B.glb --clip ...`. */
 export function framesOfLongestClip(
   { instances, fps }: Scene,
   characters: readonly CharacterFacts[],
@@ -38,17 +38,17 @@ function clipSeconds({ character, clip }: Instance, characters: readonly Charact
   return characters[character].clips.find(({ name }) => name === clip)?.seconds ?? 0;
 }
 
-/** Seconds at which a frame stands. */
+/** Returns the time of a frame in seconds. */
 export function frameTime(scene: Scene, frame: number): number {
   return frame / scene.fps;
 }
 
-/** Where an instance stands at a time. */
+/** Returns the position of an instance at a time. */
 export function placeAt({ translation, velocity }: Instance, time: number): Vector3 {
   return [0, 1, 2].map((axis) => translation[axis] + velocity[axis] * time) as Vector3;
 }
 
-/** What `translation` has to be for the instance to stand there at that time. */
+/** Returns the `translation` that puts the instance at a position at a time. */
 export function translationFor(place: Vector3, { velocity }: Instance, time: number): Vector3 {
   return [0, 1, 2].map((axis) => place[axis] - velocity[axis] * time) as Vector3;
 }

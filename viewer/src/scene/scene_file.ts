@@ -16,7 +16,7 @@ export function sceneFile(scene: Scene, characters: readonly CharacterFacts[]): 
   return JSON.stringify({ models, frames, instances, ...ignore }, null, 2) + '\n';
 }
 
-/** By names, or in the order of the targets where these have none. */
+/** Weights by name, or in the order of the targets if these have no names. */
 function keptWeights(weights: Instance['morphWeights']) {
   const targets = Object.keys(weights);
   if (targets.length === 0) return {};

@@ -16,7 +16,7 @@ function turned(degrees: number): Vector3 {
   return place.map((value) => value / length) as Vector3;
 }
 
-/** So many times as much has to be seen from another side for it to be the better one. */
+/** Factor by which more must be visible from another side for it to be chosen. */
 const WORTH_TURNING = 2;
 
 /** Where to look from, who looks from `present`: from there, unless much more is seen from another

@@ -26,7 +26,7 @@ export function toFrame(frame: number): Change {
   };
 }
 
-/** And stands still there. */
+/** Goes to a frame and pauses. */
 export function pauseAt(frame: number): Change {
   return (state) => ({ ...toFrame(frame)(state), isPlaying: false });
 }
@@ -44,7 +44,7 @@ export function jumpToContact(direction: 1 | -1): Change {
   };
 }
 
-/** Where contacts begin; round the clip, nothing if there are none. */
+/** Goes to the next first frame of contact, cyclically; does nothing without contacts. */
 function nextContact(counts: readonly number[], from: number, direction: 1 | -1): number | null {
   const begins = counts.flatMap((count, frame) => (count > 0 && !counts[frame - 1] ? [frame] : []));
   if (begins.length === 0) return null;
@@ -55,7 +55,7 @@ function nextContact(counts: readonly number[], from: number, direction: 1 | -1)
 export const togglePlaying: Change = ({ isPlaying }) => ({ isPlaying: !isPlaying });
 export const toggleBy: Change = ({ by }) => ({ by: by === 'part' ? 'instance' : 'part' });
 
-/** Not where the contact found first may be one that does not count. */
+/** Does nothing if the scene ignores contacts, because the first contact may be ignored. */
 export const toggleFirstContact: Change = ({ firstContact, scene }) => ({
   firstContact: !firstContact && scene?.ignore.length === 0,
 });
@@ -89,7 +89,7 @@ export function select(instance: number | null): Change {
   return () => ({ selected: instance });
 }
 
-/** Looks closely at contacts, in a frame that has some; nothing: at none of them. */
+/** Selects contacts and a frame with such contacts; null deselects. */
 export function lookAt(spot: Spot | null, frame?: number): Change {
   return (state) => ({
     spot: spot && { ...spot },
@@ -129,7 +129,7 @@ export function changeFps(fps: number): Change {
   };
 }
 
-/** Places everyone anew. */
+/** Places all characters again. */
 export function rearrange(arrangement: State['arrangement']): Change {
   return ({ characters, opened }) => ({
     arrangement,
@@ -204,7 +204,7 @@ function problemOf({ path, message }: Refusal): Problem {
   return { title: `${path} was left out`, message };
 }
 
-/** What is on the stage stays there. What is told already is not told again. */
+/** Adds a problem. Leaves the scene unchanged, and does not repeat a visible problem. */
 export function refuse(title: string, message: string): Change {
   return ({ problems }) => {
     const others = problems.filter((problem) => problem.message !== message);

@@ -1,4 +1,4 @@
-/** What the state wants to see, and whether it sees it. */
+/** The shot that the state wants, and whether the answer shows it. */
 
 import type { State } from './state';
 import type { Shot } from '../worker/protocol';
@@ -42,7 +42,7 @@ export function isInStep({ answer, scene, by, firstContact, boxLevel, spot }: St
   );
 }
 
-/** Whether what is shown is of an earlier frame than the one that was asked for. */
+/** Whether the displayed frame is earlier than the wanted one. */
 export function isLate({ answer, isPlaying, frame }: State): boolean {
   return !isPlaying && answer?.shot.frame !== frame;
 }

@@ -1,4 +1,4 @@
-/** All that the page knows. Data flows one way: state, request to the worker, answer, picture. */
+/** State of the page. Data flows one way: state, request to the worker, answer, picture. */
 
 import type { Report } from '../report/report';
 import type { Finding } from '../report/verdict';
@@ -18,14 +18,14 @@ import type {
 
 export interface State {
   scene: Scene | null;
-  /** As it was opened, where it came with a place for everyone. */
+  /** The scene as opened, if it had its own placements. */
   opened: Scene | null;
   /** How everyone was placed last. */
   arrangement: Arrangement | 'opened';
   characters: CharacterFacts[];
   /** How their files were read. */
   readingOptions: ReadingOptions;
-  /** What is being read, or nothing. */
+  /** Names of the files being read, or null. */
   reading: string | null;
 
   frame: number;
@@ -46,7 +46,7 @@ export interface State {
   spot: Spot | null;
   /** The side from which the characters are seen at first, once that is known. */
   side: Vector3 | null;
-  /** Where the camera was told to go last. */
+  /** The last movement of the camera. */
   cameraMove: CameraMove | null;
   /** Files are being dragged over the page. */
   isDropping: boolean;
@@ -57,17 +57,17 @@ export interface State {
   answer: AnsweredShot | null;
   costs: MeasuredShot | null;
   sweep: SweepState;
-  /** Of the worst frames. */
+  /** Pictures of the worst frames. */
   stills: Still[];
-  /** What is under the pointer. */
+  /** Place under the pointer. */
   hovered: Surface | null;
 
   problems: Problem[];
-  /** What the command found, where the page is its report. */
+  /** The report, if the page contains one. */
   report: Report | null;
   /** The scene that came with it. */
   reported: Scene | null;
-  /** What the page has found of that. */
+  /** Whether the page agrees with the report. */
   finding: Finding | null;
 }
 
@@ -90,7 +90,7 @@ export interface MeasuredShot extends Costs {
 
 export interface SweepState {
   id: number;
-  /** Of the first frames, as far as they have been counted. */
+  /** Contacts of the frames counted so far, from the first one. */
   counts: number[];
   total: SweepTotal | null;
 }
@@ -98,7 +98,7 @@ export interface SweepState {
 export interface Still {
   frame: number;
   contacts: number;
-  /** From where its contacts are seen. */
+  /** Side from which its contacts are visible. */
   side: Vector3;
   /** Address of an image. */
   picture: string;

@@ -1,4 +1,4 @@
-/** What changes over time, in one place. Listeners hear of changes once a turn, not once each. */
+/** Holds the changing state. Listeners are called once per turn, not once per change. */
 export class Store<State> {
   private readonly listeners: ((state: State, before: State) => void)[] = [];
   private told: State;

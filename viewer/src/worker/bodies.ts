@@ -1,4 +1,4 @@
-/** What of a scene collides: its instances, or all parts of them. */
+/** Bodies of a scene: its instances, or all their parts. */
 
 import type { Scene as EngineScene } from 'pelt';
 import type { By } from './protocol';
@@ -9,7 +9,7 @@ export interface Body {
   part: number | null;
 }
 
-/** In the order in which the command numbers them: parts without triangles are none. */
+/** In the order of the command, without parts that have no triangles. */
 export function bodiesOf({ instances, characters }: EngineScene, by: By): Body[] {
   if (by === 'instance') return instances.map((_, instance) => ({ instance, part: null }));
   return instances.flatMap(({ character }, instance) =>

@@ -14,7 +14,7 @@ import {
 
 export interface Cast {
   characters: Character[];
-  /** What a scene file says of each of them. */
+  /** The model of each character in a scene file. */
   sources: ModelSource[];
   scene: Scene | null;
   /** Files that are no good, beside those that are. */
@@ -41,7 +41,7 @@ export function readSceneFile(
   return castOf(scene, models, path);
 }
 
-/** Those that are good; throws what is wrong with the others where none is. */
+/** Returns the readable characters. Throws the errors of the others if there are none. */
 export function readCharacters(
   pelt: Pelt,
   files: readonly NamedFile[],

@@ -37,7 +37,7 @@ export class Desk {
     this.meter = new CostMeter(pelt);
   }
 
-  /** Then it cannot be asked any more. */
+  /** Whether the engine has ended. */
   get hasEnded(): boolean {
     return this.pelt.hasEnded;
   }
@@ -71,7 +71,7 @@ export class Desk {
     }
   }
 
-  /** Only once the new ones have been read are the old ones given up. */
+  /** Releases the old characters only after the new ones have been read. */
   private replaceCast(cast: Cast): Opened {
     this.stopSweep();
     this.shown.clear();

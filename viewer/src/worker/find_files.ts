@@ -2,7 +2,7 @@
 
 import { isCharacter, type NamedFile } from './protocol';
 
-/** What a scene file says, as far as it names files. */
+/** The part of a scene file that refers to files. */
 interface SceneNames {
   models?: Record<string, unknown>;
 }
@@ -12,7 +12,7 @@ interface GltfNames {
 }
 
 export interface SceneFiles {
-  /** Of the scene file. */
+  /** Path of the scene file. */
   path: string;
   files: Map<string, NamedFile['bytes']>;
 }
@@ -68,7 +68,7 @@ function deepEnough(path: string, names: readonly string[]): string {
   );
 }
 
-/** Without "." and "..", as far as these do not lead out. */
+/** Resolves "." and ".." within the folder. */
 function joined(folder: string, path: string): string {
   const parts: string[] = [];
   for (const part of `${folder}${path}`.split('/')) {

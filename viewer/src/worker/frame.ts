@@ -1,4 +1,4 @@
-/** One frame: everything posed, every pair asked, all that the page draws and tells. */
+/** Computes one frame: poses everything, queries all pairs, and collects what the page shows. */
 
 import type { Pelt, Pose, QueryStats, Scene as EngineScene } from 'pelt';
 import { collidingPairs } from './colliding_pairs';

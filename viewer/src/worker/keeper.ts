@@ -7,7 +7,7 @@ import type { Reply, Request, SweepProgress } from './protocol';
 
 export class Keeper {
   private desk: Promise<Desk>;
-  /** What has filled the stage, to be read again. */
+  /** Requests that created the current scene, to be repeated after a restart. */
   private onStage: Request[] = [];
   /** Why the stage is empty. */
   private lost = '';
@@ -35,7 +35,7 @@ export class Keeper {
     }
   }
 
-  /** What did not fit is left out; what was on the stage did, unless it was this that failed. */
+  /** Drops the request that did not fit. The scene fits, unless it failed itself. */
   private replace(ended: Promise<Desk>, request: Request, reason: string): string {
     if (this.desk === ended) {
       const isStageGood = (isOpening(request) || isAdding(request)) && this.lost === '';

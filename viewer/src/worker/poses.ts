@@ -1,10 +1,10 @@
 import type { Pose, Scene as EngineScene } from 'pelt';
 import type { SceneCrowd } from './scene_crowd';
 
-/** A pose for each instance of a scene: what is drawn, and what a single instance is asked. */
+/** One pose per instance of a scene, for drawing and for queries of one instance. */
 export class Poses {
   readonly all: Pose[];
-  /** By bodies: what opens nodes. Where instances collide they are the same. */
+  /** Poses by body, in which nodes are opened. Same as above if bodies are instances. */
   readonly colliding: Pose[];
 
   constructor(
@@ -17,7 +17,7 @@ export class Poses {
     );
   }
 
-  /** Those of an instance. */
+  /** Poses of an instance. */
   collidingOf(instance: number): Pose[] {
     return this.colliding.filter((_, body) => this.crowd.bodies[body].instance === instance);
   }

@@ -7,7 +7,7 @@ import type { Box, Clip } from 'pelt';
 import type { ModelSource, Scene } from '../scene/scene';
 
 export interface NamedFile {
-  /** As the scene file names it, or as it was dropped. */
+  /** Path in the scene file, or of the dropped file. */
   path: string;
   bytes: Uint8Array<ArrayBuffer>;
 }
@@ -25,24 +25,24 @@ export interface ReadingOptions {
   samples?: number;
 }
 
-/** What collides: instances with each other, or parts, also those of one instance. */
+/** What is tested: instances against each other, or parts, including those of one instance. */
 export type By = 'instance' | 'part';
 
 export type FrameRange = [first: number, end: number, step: number];
 
-/** A scene at one of its frames, and what is asked of it. */
+/** A frame of a scene, and its query. */
 export interface Shot {
   scene: Scene;
   frame: number;
   by: By;
   firstContact: boolean;
-  /** Of the tree whose boxes are wanted. */
+  /** Level of the trees whose boxes are drawn. */
   boxLevel: number | null;
   /** The contacts that are wanted one by one. */
   spot: Spot | null;
 }
 
-/** What a request of each kind carries. */
+/** Arguments of each kind of request. */
 export interface Questions {
   /** The scene that the page opens with. */
   openDemo: Record<never, never>;
@@ -55,7 +55,7 @@ export interface Questions {
   /** The same, beside those that there are. */
   addCharacters: { files: NamedFile[]; options: ReadingOptions };
   pose: { shot: Shot; spares: Spare[] };
-  /** As `pose`, of a frame that is not the one shown. */
+  /** Like `pose`, for a frame that is not displayed. */
   still: Shot;
   /** Bit by bit: the same again until there is an answer. Each measurement has its own number. */
   measure: { id: number; shot: Shot };
@@ -68,7 +68,7 @@ export interface Questions {
     scene: Scene;
     by: By;
     firstContact: boolean;
-    /** Those that a report is about; null: all. */
+    /** Frames of the report, or null for all frames. */
     frames: FrameRange | null;
   };
 }
@@ -101,18 +101,18 @@ export interface ReadCharacters {
   refused: Refusal[];
 }
 
-/** All that there are, and where they stand; without a scene the page decides. */
+/** All characters with their scene; without a scene, the page places them. */
 export interface Opened extends ReadCharacters {
   scene: Scene | null;
 }
 
 export interface Refusal {
   path: string;
-  /** What is wrong with it. */
+  /** Error message. */
   message: string;
 }
 
-/** What the page knows of a character. */
+/** Facts about a character for the page. */
 export interface CharacterFacts {
   name: string;
   source: ModelSource;
@@ -154,7 +154,7 @@ export interface Work {
   trianglePairs: number;
 }
 
-/** Arrays that the page is done with, to be filled anew. */
+/** Arrays returned by the page for reuse. */
 export interface Spare {
   positions: Float32Array;
   normals: Float32Array;
@@ -169,7 +169,7 @@ export interface PosedInstance {
   boxStates: Uint8Array;
 }
 
-/** All triangles in contact, one after the other; there is room for more in the arrays. */
+/** All triangles in contact. The arrays may be longer than their content. */
 export interface Glow {
   triangles: number;
   /** [T][3][3] positions, and [T][3] of their middles. */
@@ -204,11 +204,11 @@ export interface FrameAnswer {
   work: Work;
 }
 
-/** One frame's query, on demand and by refitting everything. */
+/** Cost of one frame's query, on demand and with everything refitted. */
 export interface Costs {
   onDemand: Cost;
   eager: Cost;
-  /** On demand, out of so many. */
+  /** Nodes opened on demand, out of all nodes. */
   openedNodes: number;
   nodes: number;
 }
@@ -222,12 +222,12 @@ export interface SweepProgress {
   id: number;
   /** Contacts of the frames after those of the progress before. */
   counts: number[];
-  /** With the last frame. */
+  /** Sent with the last frame. */
   total: SweepTotal | null;
 }
 
 export interface SweepTotal {
-  /** As `pelt check` prints it; none where only first contacts are looked for. */
+  /** Hash as in `pelt check`; null if queries stop at the first contact. */
   hash: string | null;
   /** The same of the frames that a report is about. */
   reportHash: string | null;

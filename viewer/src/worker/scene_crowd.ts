@@ -11,10 +11,10 @@ export interface SceneContacts extends CrowdContacts {
 }
 
 export class SceneCrowd {
-  /** Of the frame that was set last; by instances. */
+  /** Palettes of the current frame, by instance. */
   readonly palettes: Float32Array[];
   readonly morphWeights: Float32Array[];
-  /** That of each instance. */
+  /** Character of each instance. */
   readonly characters: Character[];
   readonly bodies: Body[];
   private readonly crowd: Crowd;

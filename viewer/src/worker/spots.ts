@@ -4,7 +4,7 @@ import type { Character } from 'pelt';
 import type { Spot, Surface } from './protocol';
 import { surfaceOf } from './surfaces';
 
-/** Those of the spot, all as a crowd has them. */
+/** Selects the contacts of the spot from those of a crowd. */
 export function contactsInSpot(
   characters: readonly Character[],
   contacts: Uint32Array,

@@ -9,12 +9,12 @@ import { TriangleSets } from './triangle_sets';
 export class Stage {
   private crowd: SceneCrowd | null = null;
   private posed: Poses | null = null;
-  /** For whoever gathers triangles of the instances. */
+  /** For collecting triangles of the instances. */
   sets = new TriangleSets([]);
 
   constructor(private readonly pelt: Pelt) {}
 
-  /** What lies in memory for these instances is kept from frame to frame. */
+  /** Memory for these instances is reused from frame to frame. */
   set(scene: EngineScene, frame: number, by: By): void {
     if (!this.crowd?.fits(scene, by)) this.make(scene, by);
     this.crowd!.set(scene, frame);
@@ -25,11 +25,12 @@ export class Stage {
     return this.posed?.all ?? [];
   }
 
-  /** By bodies; those of one instance. */
+  /** Poses by body. */
   get colliding(): readonly Pose[] {
     return this.posed?.colliding ?? [];
   }
 
+  /** Poses of the bodies of one instance. */
   collidingOf(instance: number): readonly Pose[] {
     return this.posed?.collidingOf(instance) ?? [];
   }

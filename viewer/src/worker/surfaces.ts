@@ -1,4 +1,4 @@
-/** Where on which character something is: a part, and the joint that a triangle follows most. */
+/** A place on a character: a part, and the joint that a triangle follows most. */
 
 import type { Character, Pose } from 'pelt';
 import type { Surface } from './protocol';
@@ -33,7 +33,7 @@ function numberPlaces({ triangleParts, triangleJoints, jointCount, parts }: Char
   return { ofTriangle, count: parts.length * jointCount };
 }
 
-/** What a ray meets first. */
+/** First hit of a ray. */
 export function firstSurface(
   poses: readonly Pose[],
   origin: readonly number[],

@@ -5,7 +5,7 @@ import type { FrameRange, Questions, SweepProgress, SweepTotal } from './protoco
 import { SceneCrowd } from './scene_crowd';
 import { TouchTally } from './touches';
 
-/** So long may a frame that is wanted now have to wait. */
+/** Longest time that counting may delay a requested frame. */
 const SLICE_MILLISECONDS = 6;
 
 const REPORT_MILLISECONDS = 100;
@@ -15,12 +15,12 @@ export class Sweep {
   readonly ended: Promise<null>;
   private readonly crowd: SceneCrowd;
   private readonly hash: ContactHash;
-  /** Of the frames that a report is about, where these are not all. */
+  /** Hash of the frames of a report, if these are not all frames. */
   private readonly reportHash: ContactHash | null;
   private readonly tally: TouchTally;
   private next = 0;
   private ignored = 0;
-  /** Not yet reported, and when the last were. */
+  /** Counts not reported yet, and the time of the last report. */
   private counts: number[] = [];
   private reported = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;

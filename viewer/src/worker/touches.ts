@@ -12,7 +12,7 @@ interface Counted {
 export class TouchTally {
   private readonly places: Places[];
   private readonly mostPlaces: number;
-  /** By `keyOf`: texts would cost more than the query. */
+  /** Indexed by `keyOf`, because strings would cost more than the query. */
   private readonly touches = new Map<number, Counted>();
 
   /** `characters` has that of each instance. */

@@ -8,7 +8,7 @@ import type { Glow } from './protocol';
 /** More would take longer and hardly say more. */
 const RAYS = 48;
 
-/** How many of so many contacts are seen from each of `SIDES`. */
+/** Number of sampled contacts visible from each of `SIDES`. */
 export function seenFromSides(poses: readonly Pose[], glow: Glow): number[] {
   const places = placesOf(glow);
   return SIDES.map((side) => places.filter((place) => isFree(poses, place, side)).length);
