@@ -74,7 +74,7 @@ std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
          pelt::scenes::suggestion(unread[0], known);
 }
 
-/// Where the arguments are told that were not understood.
+/// Returns the command that shows help for the arguments.
 std::string help_for(const CLI::App& app) {
   const std::vector<CLI::App*> verbs = app.get_subcommands();
   return "pelt " + (verbs.empty() ? "" : verbs[0]->get_name() + " ") + "--help";

@@ -6,7 +6,7 @@
 
 namespace pelt::tools::arguments {
 
-/// What the command returns to the shell.
+/// Exit codes of the command.
 enum class ExitCode : int {
   success = 0,  ///< for `check`: no contact
   contact = 1,  ///< only from `check`

@@ -25,7 +25,7 @@ struct ModelArguments {
 
 void add_model_options(Verb& verb, ModelArguments& arguments);
 
-/// Loads a character. `kinds` says what may be given, to whoever gives a file of another kind.
+/// Loads a character. `kinds` lists the allowed kinds of files, for the message about another kind.
 Result<scenes::Character> load_named_character(const std::string& path,
                                                const asset::GltfOptions& options,
                                                const char* kinds);

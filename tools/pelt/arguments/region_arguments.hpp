@@ -14,7 +14,7 @@ namespace pelt::tools::arguments {
 
 struct RegionArguments {
   std::string box, sphere, capsule, camera;
-  std::optional<double> angle, aspect;  ///< of what the camera sees
+  std::optional<double> angle, aspect;  ///< of the camera's view
 };
 
 void add_region_options(Verb& verb, RegionArguments& arguments);
@@ -32,7 +32,7 @@ class ChosenRegion {
   Region region() const;
 
   const std::string& kind() const { return kind_; }               ///< "box"
-  const std::vector<float>& numbers() const { return numbers_; }  ///< as they were given
+  const std::vector<float>& numbers() const { return numbers_; }  ///< as given
 
  private:
   std::string kind_;

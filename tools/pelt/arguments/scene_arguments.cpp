@@ -100,7 +100,7 @@ Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
   return instance;
 }
 
-/// What one model lacks another may have.
+/// One of several models may lack a name that another one has.
 asset::GltfOptions one_of_several(const ModelArguments& models) {
   asset::GltfOptions options = models.gltf_options();
   options.excluded_must_exist = false;
@@ -152,7 +152,7 @@ std::size_t count_left_standing(const SceneArguments& arguments, const Scene& sc
   return count;
 }
 
-/// Whoever gives two models and nothing else should not take what is found for an answer.
+/// Two models without further options probably do not stand where the user expects them.
 std::vector<std::string> placing_notes(const SceneArguments& arguments, const Scene& scene) {
   std::vector<std::string> notes;
   if (const std::size_t standing = count_left_standing(arguments, scene); standing > 0)

@@ -15,7 +15,7 @@ namespace pelt::tools::arguments {
 
 /// How an option is given, and how --help shows it.
 struct OptionSyntax {
-  const char* type = nullptr;  ///< stands for the value
+  const char* type = nullptr;  ///< placeholder for the value in the help
   bool is_required = false;
   int most = 0;                    ///< a number from 0 to this; 0: any
   const char* excludes = nullptr;  ///< an option, added before, that may not be given beside it
@@ -28,7 +28,7 @@ class Verb {
 
   /// Adds an option whose value goes to `value`, which has the default until then; a name without
   /// dashes is that of arguments without one. A list takes one value each time the option is given.
-  /// For the types of verb.cpp.
+  /// Defined for the types of verb.cpp.
   template <typename T>
   void option(const char* name, T& value, const std::string& help, const OptionSyntax& syntax = {});
 

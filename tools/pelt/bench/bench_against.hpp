@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kNoisePercent = 15;
 
 struct BenchComparison {
   std::size_t ratios = 0;             ///< measured then and now
-  std::size_t worse = 0;              ///< of these, by more than the margin
+  std::size_t worse = 0;              ///< ratios that are worse by more than the margin
   std::size_t different_answers = 0;  ///< questions of scenes
 };
 

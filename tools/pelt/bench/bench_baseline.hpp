@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt bench --json` wrote once, read again to compare a later run with it.
+/// Figures of an earlier `pelt bench --json`, for comparison with a later run.
 
 #include "tools/pelt/bench/bench_report.hpp"
 #include "tools/pelt/bench/machine.hpp"
@@ -10,9 +10,9 @@
 namespace pelt::tools {
 
 struct Baseline {
-  std::string path;  ///< as the user named it
+  std::string path;  ///< as given by the user
   Machine machine;
-  std::vector<SceneFigures> scenes;  ///< of these what is compared: names, frames, hashes, means
+  std::vector<SceneFigures> scenes;  ///< only what is compared: names, frames, hashes, means
 };
 
 /// `path` is for messages.

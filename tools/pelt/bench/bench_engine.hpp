@@ -35,10 +35,10 @@ Engine engine_of(bench::MethodKind method);
 /// On demand.
 Engine crowd_engine(std::uint32_t threads);
 
-/// What the times of engines mean that are measured together.
+/// Kind of times of engines that are measured together.
 Time time_of(std::span<const Engine> engines);
 
-/// What is run. Borrows.
+/// What to run. Borrows its members.
 struct Subject {
   const scenes::Scene& scene;
   std::span<const scene::Collider> colliders;
@@ -58,7 +58,7 @@ class Runner {
 
   void ask(Question question);
 
-  /// What was found last.
+  /// Result of the last frame.
   const scene::FrameContacts& found() const { return found_; }
   QueryStats work() const { return query_.work(); }
 
@@ -68,7 +68,7 @@ class Runner {
   scene::FrameContacts found_;
 };
 
-/// What went wrong, with the frame in which it did.
+/// Prefixes an error with its frame.
 Error in_frame(std::uint32_t frame, const Error& error);
 
 }  // namespace pelt::tools

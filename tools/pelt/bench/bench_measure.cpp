@@ -42,14 +42,14 @@ struct FrameTime {
   double all_us = 0, update_us = 0;
 };
 
-/// What all repetitions have in common.
+/// Data shared by all repetitions.
 struct Conditions {
   std::uint32_t repetitions = 1;
   Time time = Time::thread;
   CacheFlush flush;
 };
 
-/// One repetition: the frame before untimed, then this one.
+/// Runs one repetition: the previous frame untimed, then this frame.
 Result<FrameTime> repeat_once(Runner& runner, const FramePair& frame, const Variant& variant,
                               Conditions& conditions) {
   const bool update_counts = runner.update_counts();
@@ -108,7 +108,7 @@ bool is_passed_over(std::size_t index, std::size_t frame_count, const Variant& v
   return variant.cache == Cache::cold && index % stride != 0;
 }
 
-/// All engines on all frames.
+/// Measures all engines on all frames.
 class Measurement {
  public:
   Measurement(const Subject& subject, std::span<const Engine> engines,

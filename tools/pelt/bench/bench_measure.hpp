@@ -18,11 +18,11 @@
 namespace pelt::tools {
 
 enum class Cache {
-  hot,   ///< as the untimed part left it
+  hot,   ///< as left by the untimed part
   cold,  ///< each thread reads 64 MB between the untimed and the timed part
 };
 
-/// What is measured of an engine.
+/// A kind of measurement: a query and a state of the caches.
 struct Variant {
   Question question = Question::all;
   Cache cache = Cache::hot;
@@ -41,7 +41,7 @@ struct Times {
 /// The median of fewer repetitions is a rough look, and `pelt bench` says so.
 inline constexpr std::uint32_t kEnoughRepetitions = 9;
 
-/// With cold caches no more frames than this are measured, evenly over all.
+/// Largest number of frames measured with cold caches, evenly spaced.
 inline constexpr std::size_t kMostColdFrames = 30;
 
 /// The times [engines][variants]. `advance` is called after each frame of an engine.

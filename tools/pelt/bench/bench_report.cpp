@@ -35,7 +35,7 @@ void print_repetitions(const SceneFigures& scene, std::ostream& out) {
       << " per frame; use " << kEnoughRepetitions << " or more to reduce noise\n";
 }
 
-/// The unit, and what stands close to it.
+/// Prints the cost of skinning, which is the unit of comparison, and the methods close to it.
 void print_skinning(const SceneFigures& scene, std::ostream& out) {
   const Skinning& skinning = scene.skinning;
   out << "all " << output::with_commas(skinning.vertices)

@@ -12,7 +12,7 @@
 
 namespace pelt::tools {
 
-/// One variant of one engine.
+/// Figures of one variant of one engine.
 struct Figures {
   std::string engine;
   Asked asked = Asked::pairs;
@@ -44,12 +44,12 @@ const char* name_of(Cache cache);
 const char* name_of(Asked asked);
 const char* name_of(Time time);
 
-/// Where the figures that follow are measured.
+/// Prints the machine of the figures.
 void print_machine(std::ostream& out);
 
 void print_figures(const SceneFigures& scene, std::ostream& out);
 
-/// As JSON.
+/// Returns the figures as JSON.
 std::string figures_json(const std::vector<SceneFigures>& scenes);
 
 }  // namespace pelt::tools

@@ -10,7 +10,7 @@
 namespace pelt::tools {
 namespace {
 
-/// What the answers of the others are compared with: it shares no tree with the fast engines.
+/// Reference for the answers of the others; it shares no tree with the fast engines.
 constexpr bench::MethodKind kReference = bench::MethodKind::paper;
 
 Result<std::vector<std::uint32_t>> choose_frames(

@@ -1,6 +1,7 @@
 #pragma once
 
-/// `pelt bench` after its arguments: models built, engines asked and compared, then measured.
+/// Runs `pelt bench` on scenes: builds models, compares the answers of all engines, and measures
+/// them.
 
 #include "tools/pelt/arguments/exit_code.hpp"
 #include "tools/pelt/arguments/frame_range.hpp"

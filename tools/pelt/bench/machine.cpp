@@ -11,7 +11,7 @@
 namespace pelt::tools {
 namespace {
 
-/// Linux tells; elsewhere the name stays unknown.
+/// Known on Linux only; elsewhere "unknown".
 std::string cpu_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {

@@ -4,12 +4,12 @@
 
 namespace pelt::tools {
 
-/// Where figures were measured, and with what build.
+/// Machine and build of a measurement.
 struct Machine {
   std::string cpu, compiler, build;
-  std::string target;  ///< of queries, see pelt/target.hpp
+  std::string target;  ///< instruction set of queries, see pelt/target.hpp
   unsigned cores = 0;
-  std::string flags;   ///< of the compiler
+  std::string flags;   ///< compiler flags
   std::string system;  ///< the operating system and its release; empty where it does not tell
   double memory_gib = 0;
 };

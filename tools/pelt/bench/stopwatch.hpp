@@ -6,10 +6,10 @@
 
 namespace pelt::tools {
 
-/// What a stopwatch counts.
+/// Kind of time that a stopwatch measures.
 enum class Time {
-  thread,  ///< what this thread does
-  wall,    ///< what passes until several threads are through
+  thread,  ///< CPU time of this thread
+  wall,    ///< elapsed time, for several threads
 };
 
 /// Measures what one thread does on a machine that others use too: time in which the system runs

@@ -71,7 +71,7 @@ Result<scenes::NamePair> parse_name_pair(const std::string& text) {
                               "give two parts or joints, as in --ignore cape,spine");
 }
 
-/// With --exclude or --no-unskinned a scene's rules may name what is left out.
+/// With --exclude or --no-unskinned, rules of a scene may match parts that are left out.
 bool is_read_whole(const arguments::ModelArguments& models) {
   return models.exclude.empty() && !models.no_unskinned;
 }
@@ -104,7 +104,7 @@ Result<std::vector<scenes::NamePair>> choose_ignored(const CheckArguments& argum
       "leave it out");
 }
 
-/// What a failing check wrote over its baseline would pass the next one.
+/// A failing check that overwrote its baseline would let the next check pass.
 Result<void> keep_baseline(const CheckArguments& arguments) {
   struct Output {
     const char* option;
@@ -121,7 +121,7 @@ Result<void> keep_baseline(const CheckArguments& arguments) {
   return {};
 }
 
-/// `settings` is complete but for this and for what fails.
+/// Precondition: `settings` is complete except for `baseline` and `fail_on`.
 Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& arguments,
                                                      const CheckSettings& settings,
                                                      const scenes::Scene& scene) {
@@ -242,7 +242,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   choices.take(choose_fail_on(arguments), settings.fail_on);
   choices.take(choose_baseline(arguments, settings, scene), settings.baseline);
   if (choices.refusal()) return *choices.refusal();
-  // What cannot be written should be said before long work, and before --jsonl is replaced.
+  // Report unwritable outputs before long work, and before --jsonl is replaced.
   if (!arguments.glb.empty()) {
     if (const auto writable = output::check_writable(arguments.glb); !writable)
       return writable.error();

@@ -71,7 +71,7 @@ Result<void> compare_questions(const json& theirs, const json& ours) {
   return {};
 }
 
-/// What may differ and leaves something to compare.
+/// Notes differences that do not prevent a comparison.
 void note_differences(const json& theirs, const json& ours, std::vector<std::string>& notes) {
   for (const char* key : {"frames", "fps", "ignore", "exclude", "no_unskinned", "renormalise"}) {
     const json then = value_of(theirs, key);
@@ -81,7 +81,7 @@ void note_differences(const json& theirs, const json& ours, std::vector<std::str
   }
 }
 
-/// Of each instance the name of its model, ascending.
+/// Returns the sorted names of the models of all instances.
 std::vector<std::string> models_of(const scenes::Scene& scene) {
   std::vector<std::string> models;
   for (const scenes::Instance& instance : scene.instances)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What an earlier check found, for `pelt check --baseline`.
+/// Results of an earlier check, for `pelt check --baseline`.
 
 #include "asset/json_object.hpp"
 #include "tools/pelt/check/check_question.hpp"
@@ -19,7 +19,7 @@ namespace pelt::tools::check {
 
 class CheckBaseline {
  public:
-  /// In ascending order: which of two places is called a says nothing.
+  /// Orders the two places, because their order has no meaning.
   using TouchNames = std::pair<TouchName, TouchName>;
   /// The inner, the outer.
   using HeldNames = std::pair<BodyName, BodyName>;

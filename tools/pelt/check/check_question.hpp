@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a check was asked: all that decides what it answers, but for the scene's instances.
+/// Everything that the answer of a check depends on, except for the scene's instances.
 
 #include "scenes/scene.hpp"
 #include "tools/pelt/arguments/frame_range.hpp"

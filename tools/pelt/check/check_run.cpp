@@ -37,7 +37,7 @@ bool is_to_be_kept(std::uint32_t frame, const CheckSettings& settings, const Che
          (report.worst_contacts > 0 && frame == report.worst_frame);
 }
 
-/// What is asked of a frame beside its contacts, where it is wanted.
+/// Optional queries of a frame in addition to its contacts.
 class ExtraQueries {
  public:
   /// All arguments must outlive this.
@@ -131,7 +131,7 @@ Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
   return report;
 }
 
-/// What is known only of all frames.
+/// Totals, which are known after the last frame.
 void conclude(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
               const CheckSettings& settings, const TouchTally& tally, CheckReport& report,
               JsonlWriter* jsonl) {

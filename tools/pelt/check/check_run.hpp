@@ -1,6 +1,6 @@
 #pragma once
 
-/// The heart of `pelt check`: every frame of a scene asked for its contacts.
+/// Core of `pelt check`: finds the contacts of every frame of a scene.
 
 #include "tools/pelt/check/check_settings.hpp"
 #include "tools/pelt/check/depth_tally.hpp"
@@ -26,10 +26,10 @@ struct CheckReport {
   std::uint32_t worst_frame = 0;  ///< the first one with the most contacts
   std::uint64_t worst_contacts = 0;
   std::vector<std::uint32_t> frames_in_contact;
-  std::vector<std::uint64_t> frame_contacts;  ///< of every frame
-  std::uint64_t regions = 0;                  ///< of contacts that are described
+  std::vector<std::uint64_t> frame_contacts;  ///< per frame
+  std::uint64_t regions = 0;                  ///< number of regions of described contacts
   std::vector<DepthTally::Row> deepest;
-  std::optional<InsideTally> inside;  ///< if it was asked
+  std::optional<InsideTally> inside;  ///< if requested
   std::vector<double> frame_seconds;  ///< palettes taken and all pairs queried; not the sampling
 };
 

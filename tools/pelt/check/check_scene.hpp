@@ -15,7 +15,7 @@ struct CheckOutputs {
   std::string jsonl;  ///< file, kStandardOutput or "" for none
   std::string glb;    ///< file for the frame that is kept, or "" for none
   std::string html;   ///< file for the report, or "" for none
-  std::string words;  ///< by which the report was made
+  std::string words;  ///< command line of the report
 };
 
 /// The summary goes to `words`.

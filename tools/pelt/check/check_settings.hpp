@@ -10,16 +10,16 @@
 
 namespace pelt::tools::check {
 
-/// What `pelt check` is to do, decided and checked; what it writes is in CheckOutputs.
+/// Validated settings of `pelt check`. Its outputs are in CheckOutputs.
 struct CheckSettings {
   bench::MethodKind method = bench::MethodKind::on_demand;
   scene::Granularity granularity = scene::Granularity::instance;
-  std::optional<std::uint32_t> max_contacts;  ///< of a pair of colliders in a frame
+  std::optional<std::uint32_t> max_contacts;  ///< per pair of colliders and frame
   /// Nothing: triangles that touch are found; else those that are at most so far apart.
   std::optional<double> clearance;
   bool lists_triangles = false;     ///< all pairs of them, not only their number
-  bool describes_contacts = false;  ///< by their geometry
-  bool asks_inside = false;         ///< what lies inside what
+  bool describes_contacts = false;  ///< describe the geometry of contacts
+  bool asks_inside = false;         ///< test which bodies are inside others
   std::vector<scenes::NamePair> ignore;
   std::optional<CheckBaseline> baseline;
   FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline

@@ -18,7 +18,7 @@ const char* name_of(ContactKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-/// One of the two bodies.
+/// Describes one of the two bodies.
 class Side {
  public:
   Side(const scenes::Scene& scene, const scene::Collider& collider)
@@ -27,7 +27,7 @@ class Side {
 
   std::string joint(std::uint16_t joint) const { return scenes::joint_name(asset_, joint); }
 
-  /// By the triangle's number in the collider's own model.
+  /// `triangle` is numbered as in the collider's own model.
   std::uint32_t triangle(std::uint32_t own) const { return own + collider_.first_triangle; }
 
   std::uint32_t part_of(std::uint32_t own) const {

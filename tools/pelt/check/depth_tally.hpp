@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where contacts go deepest: the regions of all frames by the joints that they are at.
+/// Deepest contacts: regions of all frames, grouped by their joints.
 
 #include <pelt/contact.hpp>
 
@@ -29,7 +29,7 @@ class DepthTally {
     std::uint32_t frame = 0;
   };
 
-  /// Of each pair of joints, deepest first.
+  /// Rows for all pairs of joints, deepest first.
   std::vector<Row> deepest() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What lies inside what: what `pelt check --inside` adds to the contacts of one frame.
+/// Inside tests of `pelt check --inside` for one frame.
 
 #include <pelt/inside.hpp>
 
@@ -26,7 +26,7 @@ struct Held {
   std::uint32_t frames = 0, first_frame = 0;  ///< how many, and the first of them
 };
 
-/// Of all frames.
+/// Totals of all frames.
 struct InsideTally {
   struct Deepest {
     double depth = 0;
@@ -35,10 +35,10 @@ struct InsideTally {
 
   void add(std::uint32_t frame, std::span<const InsidePair> pairs);
 
-  std::size_t closed_colliders = 0;        ///< those that have an inside
+  std::size_t closed_colliders = 0;        ///< number of colliders with an inside
   std::vector<std::uint32_t> frames_held;  ///< in which one collider holds another whole
   std::vector<Held> held;                  ///< in the order in which they were found
-  Deepest deepest;                         ///< of what touches; no depth: no vertex was inside
+  Deepest deepest;  ///< among touching bodies; depth 0 if no vertex was inside
 };
 
 class InsideQuery {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt check --jsonl` writes: a header, a line for every frame, the totals.
+/// Output of `pelt check --jsonl`: a header, a line per frame, the totals.
 
 #include "scenes/scene.hpp"
 #include "tools/pelt/check/check_question.hpp"
@@ -24,7 +24,7 @@ struct CheckTotals {
   std::optional<std::uint64_t> hash;  ///< nothing where a limit on contacts was in force
 };
 
-/// What is told of a frame beside its contacts; null: nothing.
+/// Optional data of a frame in addition to its contacts; null if absent.
 struct FrameExtras {
   const ContactDetails* details = nullptr;
   const InsideQuery* inside = nullptr;

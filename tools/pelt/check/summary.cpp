@@ -40,13 +40,13 @@ void print_rest(std::size_t count, std::ostream& out) {
         << " and " << output::with_commas(count - kMostRows) << " more, see --jsonl\n";
 }
 
-/// Those of a list that are shown.
+/// Returns the rows of a list to show.
 template <typename Row>
 std::span<const Row> shown(const std::vector<Row>& rows) {
   return std::span(rows).first(std::min(rows.size(), kMostRows));
 }
 
-/// Of the first column of names.
+/// Width of the first column of names.
 template <typename Row>
 int width_of(std::span<const Row> rows) {
   std::size_t width = 0;
@@ -104,7 +104,7 @@ void print_worse(const scenes::Scene& scene, std::span<const Worse> worse, std::
   print_rest(worse.size(), out);
 }
 
-/// What the baseline knows and this check has not found.
+/// Prints what this check did not find of the baseline.
 void print_gone(const Comparison& comparison, std::ostream& out) {
   const std::size_t touches = comparison.gone.size(), held = comparison.no_longer_held.size();
   if (touches + held == 0) return;
@@ -113,18 +113,18 @@ void print_gone(const Comparison& comparison, std::ostream& out) {
   if (held > 0)
     out << ", and " << output::with_commas(held)
         << (held == 1 ? " known contained body" : " known contained bodies");
-  // What was asked otherwise can come again.
+  // With other settings, touches may be missing for another reason.
   out << (comparison.notes.empty() ? ": write a new baseline\n" : "\n");
 }
 
-/// Those that the baseline does not know.
+/// Returns the number of touches that are not in the baseline.
 std::size_t new_touches(const Comparison& comparison) {
   return static_cast<std::size_t>(
       std::count_if(comparison.worse.begin(), comparison.worse.end(),
                     [](const Worse& worse) { return worse.known == 0; }));
 }
 
-/// What differs from the baseline.
+/// Prints the differences from the baseline.
 void print_comparison(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
                       const Comparison& comparison, std::ostream& out) {
   for (const std::string& note : comparison.notes)

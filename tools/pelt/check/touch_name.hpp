@@ -37,12 +37,12 @@ TouchName touch_name(const scenes::Scene& scene, const TouchPlace& place);
 /// "knight 0 Cape Spine", by the number of the instance in the scene; printable.
 std::string in_words(const scenes::Scene& scene, const TouchPlace& place);
 
-/// As `pelt check --jsonl` has them; `instance` is the number in the scene.
+/// As in `pelt check --jsonl`; `instance` is the number in the scene.
 nlohmann::ordered_json touch_json(const scenes::Scene& scene, const Touch& touch);
 nlohmann::ordered_json held_json(const scenes::Scene& scene,
                                  std::span<const scene::Collider> colliders, const Held& held);
 
-/// Without numbers of instances, for what this scene has no longer.
+/// Without the numbers of instances, for places that are no longer in the scene.
 nlohmann::ordered_json name_json(const BodyName& name);
 nlohmann::ordered_json name_json(const TouchName& name);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What touches what: contacts counted by the names that a person thinks in.
+/// Counts contacts by named places.
 
 #include "scenes/triangle_labels.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
@@ -11,7 +11,7 @@
 
 namespace pelt::tools::check {
 
-/// Where on an instance: a part of it, and a joint that triangles of this part follow.
+/// A place on an instance: a part, and a joint that triangles of the part follow.
 struct TouchPlace {
   std::uint32_t instance = 0, part = 0, joint = 0;
 
@@ -22,7 +22,7 @@ struct TouchPlace {
 struct Touch {
   TouchPlace a, b;  ///< a <= b
   std::uint64_t contacts = 0;
-  std::uint32_t frames = 0;       ///< that have any
+  std::uint32_t frames = 0;       ///< with contacts
   std::uint64_t worst = 0;        ///< the most contacts of one frame
   std::uint32_t worst_frame = 0;  ///< the first one with as many
 };
@@ -38,7 +38,7 @@ class TouchTally {
   /// Adds the contacts of a frame, once for each frame.
   void add(std::uint32_t frame, const scene::FrameContacts& found);
 
-  /// Those with the most contacts first.
+  /// Sorted by number of contacts, descending.
   std::vector<Touch> touches() const;
 
   struct Row {

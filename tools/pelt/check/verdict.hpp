@@ -14,8 +14,8 @@ namespace pelt::tools::check {
 
 enum class FailOn {
   contact,  ///< any contact, and any body that is held whole
-  grown,    ///< what is new, or a touch that has more contacts in its worst frame than it had
-  newly,    ///< what is new: a touch, or a body that is held whole
+  grown,    ///< new touches or bodies, and touches with more contacts in their worst frame
+  newly,    ///< new touches or contained bodies
   never,
 };
 
@@ -23,10 +23,10 @@ enum class FailOn {
 std::optional<FailOn> find_fail_on(std::string_view name);
 const char* name_of(FailOn fail_on);
 
-/// What a check has found.
+/// Results of a check.
 struct Findings {
   std::span<const Touch> touches;
-  std::span<const Held> held;  ///< none where that was not asked
+  std::span<const Held> held;  ///< empty if not requested
 };
 
 /// A touch that is worse than it was.
@@ -41,7 +41,7 @@ struct GoneTouch {
   std::uint64_t known = 0;  ///< contacts of its worst frame then
 };
 
-/// What differs from a baseline.
+/// Differences from a baseline.
 struct Comparison {
   std::size_t known_touches = 0;  ///< how many the baseline has
   std::vector<Worse> worse;       ///< most contacts first

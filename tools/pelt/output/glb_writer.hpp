@@ -26,7 +26,7 @@ struct GlbPrimitive {
 struct GlbMesh {
   std::string name;
   std::span<const Vec3> positions;  ///< written bit for bit; not empty
-  std::span<const Vec3> normals;    ///< of unit length, one for each position, or none at all
+  std::span<const Vec3> normals;    ///< unit normals, one per position; or empty
   std::vector<GlbPrimitive> primitives;
 };
 

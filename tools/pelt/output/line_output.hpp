@@ -18,7 +18,7 @@ class LineOutput {
   LineOutput(const LineOutput&) = delete;
   LineOutput& operator=(const LineOutput&) = delete;
 
-  /// Without `close`, what was written is thrown away.
+  /// Without `close`, discards what was written.
   ~LineOutput();
 
   /// `path` may be kStandardOutput, or "" for nothing.
@@ -40,7 +40,7 @@ class LineOutput {
   std::ostream* stream_ = nullptr;
 };
 
-/// Where the words for people go: standard error if the lines take standard output.
+/// Stream for the summary: standard error if the lines go to standard output.
 std::ostream& words_beside(const std::string& jsonl);
 
 }  // namespace pelt::tools::output

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the command writes, and what it says where that cannot be written.
+/// Output files of the command, and messages about unwritable files.
 
 #include <pelt/result.hpp>
 
@@ -12,7 +12,7 @@
 
 namespace pelt::tools::output {
 
-/// Names standard output where a file is asked for.
+/// File name that means standard output.
 inline constexpr const char* kStandardOutput = "-";
 
 /// `name` as the user gave it: a path or kStandardOutput.

@@ -14,7 +14,7 @@ extern char** environ;
 namespace pelt::tools::output {
 namespace {
 
-/// Where a program's output goes.
+/// Discards a program's output.
 class Silence {
  public:
   Silence() {

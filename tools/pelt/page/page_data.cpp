@@ -39,7 +39,7 @@ std::string scene_path(const scenes::Scene& scene) {
   return has_file(scene) ? scene.name : "scene.json";
 }
 
-/// What people call it: its file's name, or those of its models.
+/// Title of the scene: the name of its file, or the names of its models.
 std::string scene_title(const scenes::Scene& scene) {
   if (has_file(scene)) return scene.name;
   std::string title;
@@ -55,7 +55,7 @@ ordered_json files_json(const CharacterFiles& files, const std::string& scene,
   return json;
 }
 
-/// For people: the characters' files by the paths that were given.
+/// Lists the files of the characters under the given paths.
 ordered_json inputs_json(const scenes::Scene& scene, const CharacterFiles& files) {
   ordered_json inputs = ordered_json::array();
   for (std::size_t c = 0; c < scene.characters.size(); ++c) {

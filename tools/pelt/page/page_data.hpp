@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the viewer's page is told of a scene (viewer/README.md has the format).
+/// Data of a scene for the viewer's page (viewer/README.md describes the format).
 
 #include <pelt/result.hpp>
 
@@ -14,7 +14,7 @@
 
 namespace pelt::tools::page {
 
-/// What `pelt check` has found, for the page to compare with what it finds.
+/// Results of `pelt check`, which the page compares with its own.
 struct PageAnswer {
   std::vector<std::uint64_t> counts;  ///< contacts of each frame
   std::string lines;                  ///< the first line of --jsonl and the last
@@ -22,7 +22,7 @@ struct PageAnswer {
 
 struct PageData {
   std::string command;               ///< the words that it was made by
-  std::optional<PageAnswer> answer;  ///< nothing: whoever looks at the page will ask
+  std::optional<PageAnswer> answer;  ///< nullopt: the page runs the queries itself
 };
 
 /// The data as JSON: the scene with all its files, how it is to be read, and what was found. Reads

@@ -43,7 +43,7 @@ bool is_own_name(const std::string& host, int port) {
   return host == std::string(kLoopback) + ':' + number || host == "localhost:" + number;
 }
 
-/// Serves the page under its own names only; nobody keeps a copy of it.
+/// Serves the page only under its own names, and forbids caching.
 void offer(httplib::Server& server, const std::string& page, int port) {
   server.set_pre_routing_handler(
       [port](const httplib::Request& request, httplib::Response& response) {
@@ -73,7 +73,7 @@ void wait_until_listening(const httplib::Server& server) {
   while (!server.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// Without waiting for it: what opens the browser may run until that is closed.
+/// Does not wait, because the program may run until the browser is closed.
 void open_browser(const std::string& address) {
   std::thread([address] {
     const std::vector<std::string> command = {"xdg-open", address};

@@ -13,13 +13,13 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPlace = R"(<script type="application/json" id="pelt-data">)";
 
-/// What the page says of itself.
+/// Version mark of the page.
 constexpr std::string_view kMaker = R"(<meta name="generator" content="Pelt )" PELT_VERSION "\"";
 
 constexpr const char* kRemedy =
     "build it with scripts/build-viewer, or set PELT_VIEWER to its path";
 
-/// Where the page may be, the most particular place first.
+/// Possible locations of the page, the most specific first.
 std::vector<fs::path> places() {
   // The environment is read once, before there are threads.
   const char* named = std::getenv("PELT_VIEWER");  // NOLINT(concurrency-mt-unsafe)
@@ -43,7 +43,7 @@ const char* problem_of(std::string_view page) {
   return nullptr;
 }
 
-/// No string of JSON ends the element that it stands in.
+/// Escapes JSON so that no string closes the surrounding element.
 std::string for_script(std::string text) {
   for (std::size_t i = text.find('<'); i != std::string::npos; i = text.find('<', i))
     text.replace(i, 1, "\\u003c");

@@ -8,7 +8,7 @@ namespace {
 
 using detail::Vec3d;
 
-/// So many significant digits of each coordinate.
+/// Significant digits of each coordinate.
 std::string vector(const Vec3d& v, int digits) {
   char text[96];
   std::snprintf(text, sizeof text, "<%.*g,%.*g,%.*g>", digits, v.x, digits, v.y, digits, -v.z);

@@ -14,18 +14,18 @@ namespace pelt::tools::picture {
 /// POV-Ray's axes are left-handed: z is turned round wherever a point or direction is written.
 std::string pov_vector(const detail::Vec3d& v);
 
-/// Of a linear colour.
+/// Formats a linear colour.
 std::string pov_colour(const std::array<float, 3>& colour);
 
 struct PovCamera {
   detail::Vec3d from, at;
-  double angle = 40;        ///< of view, from left to right, in degrees
+  double angle = 40;        ///< horizontal field of view in degrees
   double aspect = 16. / 9;  ///< width over height
 };
 
 std::string pov_camera(const PovCamera& camera);
 
-/// How a mesh is shaded: as the round surface that it stands for, or as the triangles that it is.
+/// Shading of a mesh: smooth or flat.
 enum class Shading { smooth, flat };
 
 /// A mesh in the texture `skin`. Triangles in contact have the texture Glow, which is the

@@ -12,7 +12,7 @@ namespace {
 
 using detail::Vec3d;
 
-/// Where the ground is below the middle of the box around all instances.
+/// Point of the ground below the middle of the box around all instances.
 Vec3d middle(const StillFrame& still) {
   Vec3 least = still.instances[0].positions[0], most = least;
   for (const scene::PosedInstance& instance : still.instances) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a still picture of a scene shows: one frame, and where characters touch in it.
+/// Content of a still picture: one frame, and its contacts.
 
 #include "tools/pelt/scene/posed_instances.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the verbs that ask something of a scene do alike, frame by frame.
+/// Frame loop shared by the verbs that query scenes.
 
 #include "asset/message.hpp"
 #include "tools/pelt/output/line_output.hpp"

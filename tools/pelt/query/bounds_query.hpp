@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt bounds` asks of a frame, and keeps of all frames.
+/// Query of `pelt bounds` for one frame, and its totals.
 
 #include <pelt/bounds.hpp>
 #include <pelt/groups.hpp>

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What of a collider is nearest to a point.
+/// Nearest point of a collider to a point.
 struct Nearest {
   std::uint32_t collider = 0;
   ClosestPoint closest;
@@ -27,7 +27,7 @@ bool is_nearer(const Nearest& a, const Nearest& b) {
   return a.closest.distance < b.closest.distance;
 }
 
-/// For each point: what is nearest on each collider in the current frame, and over all frames.
+/// Nearest points on each collider, for each point: in the current frame, and over all frames.
 class NearestQuery {
  public:
   NearestQuery(std::span<const Vec3> points, std::uint32_t colliders, double within)
@@ -48,7 +48,7 @@ class NearestQuery {
     return work;
   }
 
-  /// Those of one point, by collider.
+  /// Results of one point, by collider.
   std::span<const Nearest> of_point(std::size_t point) const {
     const std::size_t colliders = found_.size() / points_.size();
     return std::span(found_).subspan(point * colliders, colliders);

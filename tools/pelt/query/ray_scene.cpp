@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What each ray hits first on each instance.
+/// First hit of each ray on each instance.
 class RayHits {
  public:
   RayHits(std::size_t rays, std::size_t instances) : rays_(rays), hits_(rays * instances) {}
@@ -57,7 +57,7 @@ Vec3 point_of(const Ray& ray, float t) {
           at(ray.origin.z, ray.direction.z)};
 }
 
-/// What is told of a ray in the summary: where it hits anything, and the least t of all frames.
+/// Summary of a ray: frames with hits, and the least t of all frames.
 struct RayTally {
   struct Nearest {
     std::uint32_t frame = 0, instance = 0;

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Where a collider lies: in the current frame, and in how many frames where.
+/// Placement of a collider in the current frame, and number of frames per placement.
 struct Placed {
   Placement placement = Placement::outside;
   TrianglesInRegion triangles;

@@ -11,7 +11,7 @@ namespace {
 
 using scenes::Character;
 
-/// What is shared by all instances of a character: a collider for each part, or one for all.
+/// Colliders shared by all instances of a character: one per part, or a single one.
 Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32_t index,
                                          Granularity granularity,
                                          const arguments::ModelArguments& arguments) {

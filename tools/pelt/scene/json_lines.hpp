@@ -1,6 +1,6 @@
 #pragma once
 
-/// What verbs share that write their answers as lines of JSON: a header, a line for every frame,
+/// Shared by verbs that write answers as lines of JSON: a header, a line per frame,
 /// the totals.
 
 #include <pelt/math.hpp>

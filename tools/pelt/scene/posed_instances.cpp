@@ -12,7 +12,7 @@
 namespace pelt::tools::scene {
 namespace {
 
-/// What the instances take in a .glb, positions, normals and indices: its sizes are 32 bits wide.
+/// Size of the instances in a .glb (positions, normals and indices), whose sizes have 32 bits.
 Result<void> check_glb_size(const scenes::Scene& scene) {
   constexpr std::uint64_t kMost = 0xF0000000;
   std::uint64_t bytes = 0;
@@ -26,7 +26,7 @@ Result<void> check_glb_size(const scenes::Scene& scene) {
                    " MiB, more than a .glb file can contain: use fewer instances"};
 }
 
-/// Without sample poses: nothing is asked of these models but posed vertices.
+/// Built without sample poses, because these models only pose vertices.
 Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
                                                const arguments::ModelArguments& arguments) {
   std::vector<SkinnedModel> models;
@@ -49,7 +49,7 @@ Result<std::vector<Vec3>> pose_vertices(const SkinnedModel& model, std::span<con
   return positions;
 }
 
-/// For each position, the first vertex at the same place.
+/// Returns for each position the first vertex at the same position.
 std::vector<std::uint32_t> first_at_place(std::span<const Vec3> positions) {
   std::map<std::array<float, 3>, std::uint32_t> first;
   std::vector<std::uint32_t> result;

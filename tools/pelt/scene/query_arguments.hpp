@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the verbs that ask one question of every frame have in common on the command line.
+/// Command line options shared by the verbs that query every frame.
 
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/scene/colliders.hpp"
@@ -25,7 +25,7 @@ struct QueryInput {
 /// Loads what the arguments name and chooses the instructions to be used.
 Result<QueryInput> open_query(const QueryArguments& arguments);
 
-/// What --by names.
+/// Parses --by.
 Result<Granularity> choose_granularity(const std::string& name);
 
 }  // namespace pelt::tools::scene

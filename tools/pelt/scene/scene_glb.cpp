@@ -12,7 +12,7 @@ constexpr std::array<std::array<float, 3>, 4> kSkinColours = {{
     {0.34F, 0.18F, 0.22F},  // plum
 }};
 
-/// One for each skin colour, then the one of triangles in contact.
+/// One material per skin colour, then the material of triangles in contact.
 std::vector<output::GlbMaterial> materials() {
   std::vector<output::GlbMaterial> all;
   for (const std::array<float, 3>& colour : kSkinColours) {

@@ -14,7 +14,7 @@ namespace pelt::tools::scene {
 /// vertices bit for bit, all triangles as numbered in the answers.
 std::vector<std::byte> posed_glb(std::span<const PosedInstance> instances);
 
-/// For each instance, whether each of its triangles is in contact.
+/// Whether each triangle of each instance is in contact.
 std::vector<std::vector<bool>> touching_triangles(std::span<const PosedInstance> instances,
                                                   std::span<const Collider> colliders,
                                                   const FrameContacts& found);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The colliders of a scene as poses, and a question asked of them frame by frame.
+/// Poses of a scene's colliders, and a loop that queries them frame by frame.
 
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
@@ -30,14 +30,14 @@ class ScenePoses {
   std::vector<Pose> poses_;
 };
 
-/// What is done in each frame.
+/// Steps of each frame.
 struct FrameSteps {
   std::function<QueryStats(std::span<Pose> poses)> ask;  ///< under the clock
-  std::function<void(std::uint32_t frame)> record;       ///< what has been answered
+  std::function<void(std::uint32_t frame)> record;       ///< records the answer
 };
 
 struct FrameCosts {
-  std::vector<double> seconds;  ///< of each frame: palettes taken and asked; not the sampling
+  std::vector<double> seconds;  ///< per frame: setting palettes and querying, without sampling
   QueryStats work;
 };
 

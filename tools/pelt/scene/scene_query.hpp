@@ -1,6 +1,7 @@
 #pragma once
 
-/// One frame of a scene asked for its contacts: palettes sampled, bodies posed, every pair queried.
+/// Finds the contacts of one frame of a scene: samples palettes, poses bodies, and queries every
+/// pair.
 
 #include <pelt/crowd.hpp>
 
@@ -36,7 +37,7 @@ struct FrameContacts {
     std::size_t begin = 0, end = 0;
   };
 
-  std::vector<Pair> pairs;        ///< those in contact, ascending
+  std::vector<Pair> pairs;        ///< pairs in contact, ascending
   std::vector<Contact> contacts;  ///< triangle numbers of the two instances' models
 
   std::span<const Contact> of(const Pair& pair) const {
@@ -53,7 +54,7 @@ class SceneQuery {
   /// Pair by pair.
   SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method);
 
-  /// As a crowd, on so many threads; 0: on all cores.
+  /// Queries as a crowd on this number of threads; 0 means all cores.
   static SceneQuery as_crowd(std::span<const Collider> colliders, std::uint32_t threads);
 
   /// Poses all colliders, those of a crowd on its threads where there are enough of them. The

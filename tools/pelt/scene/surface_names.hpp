@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the command calls points of surfaces.
+/// Names of points of surfaces.
 
 #include <pelt/distance.hpp>
 
@@ -10,7 +10,7 @@
 
 namespace pelt::tools::scene {
 
-/// What the command says of a point of a collider's surface.
+/// Description of a point of a collider's surface.
 struct NamedPoint {
   std::uint32_t triangle = 0;  ///< its number in the whole model
   std::string part, joint;

@@ -109,7 +109,7 @@ Result<std::vector<bench::MethodKind>> parse_methods(const std::string& text) {
   return parse_list<bench::MethodKind>("--methods", text, all, bench::method_names());
 }
 
-/// Numbers of threads; none of an empty text.
+/// Parses numbers of threads; none if the text is empty.
 Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
   std::vector<std::uint32_t> counts;
   if (text.empty()) return counts;

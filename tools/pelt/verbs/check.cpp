@@ -46,7 +46,7 @@ Result<void> check_for_page(const check::CheckArguments& arguments) {
   };
   if (arguments.clearance) return refused("--clearance");
   if (arguments.max_contacts) return refused("--max-contacts");
-  // What is missing should be said before long work.
+  // Report missing inputs before long work.
   if (const auto viewer = page::read_viewer(); !viewer) return viewer.error();
   return output::check_writable(arguments.html);
 }

@@ -58,7 +58,7 @@ Result<scenes::Scene> write_scene(const fs::path& folder) {
   return scenes::load_scene(path);
 }
 
-/// For whoever has no characters at hand.
+/// Writes the generated characters to files.
 Result<void> write_characters(const scenes::Scene& scene, const fs::path& folder) {
   for (const scenes::Character& character : scene.characters) {
     const fs::path path = folder / (character.name + ".glb");
@@ -69,7 +69,7 @@ Result<void> write_characters(const scenes::Scene& scene, const fs::path& folder
   return {};
 }
 
-/// With a report where `viewer` is a page.
+/// Also writes a report if `viewer` is a page.
 Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
                          const Result<std::string>& viewer) {
   check::CheckSettings settings;

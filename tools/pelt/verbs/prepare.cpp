@@ -55,7 +55,7 @@ double loading_milliseconds(std::span<const std::byte> file) {
 
 std::ostream& label(const char* name) { return std::cout << std::left << std::setw(11) << name; }
 
-/// What was built, from what, and how long that took.
+/// A built model with its number of sample poses and build time.
 struct Prepared {
   SkinnedModel model;
   std::size_t sample_poses;
