@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pelt::bench {
+namespace pelt::methods {
 namespace {
 
 class PosedMeshAdapter final : public Method {
@@ -70,4 +70,4 @@ std::unique_ptr<Method> adapt(std::unique_ptr<rivals::PosedMeshMethod> method) {
   return std::make_unique<PosedMeshAdapter>(std::move(method));
 }
 
-}  // namespace pelt::bench
+}  // namespace pelt::methods

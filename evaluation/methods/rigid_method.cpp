@@ -1,6 +1,5 @@
-#include "evaluation/methods/rigid_method.hpp"
-
 #include "collide/collide_exact.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "model/model.hpp"
 #include "model/tree_build.hpp"
 #include "model/unpack.hpp"
@@ -10,7 +9,7 @@
 #include <map>
 #include <numeric>
 
-namespace pelt::bench {
+namespace pelt::methods {
 namespace {
 
 using detail::Palette;
@@ -129,6 +128,6 @@ class RigidMethod final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_rigid_method() { return std::make_unique<RigidMethod>(); }
+std::unique_ptr<Method> make_rigid() { return std::make_unique<RigidMethod>(); }
 
-}  // namespace pelt::bench
+}  // namespace pelt::methods

@@ -1,6 +1,7 @@
 #include "evaluation/peers/peer_figures.hpp"
 
 #include "evaluation/methods/posed_mesh_adapter.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +9,10 @@
 namespace pelt::tools {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using peers::Peer;
 
-constexpr std::array kOwn = {MethodKind::on_demand, MethodKind::eager};
+constexpr std::array kOwn = {methods::kOnDemand, methods::kEager};
 constexpr std::array kVariants = {Variant{Question::all, Cache::hot},
                                   Variant{Question::first, Cache::hot}};
 
@@ -29,7 +30,7 @@ using MakeMethod = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
 
 Engine engine_from(std::string_view name, const MakeMethod& make) {
   return {std::string(name), [make](std::span<const Collider> colliders) {
-            return SceneQuery(colliders, bench::adapt(make()));
+            return SceneQuery(colliders, methods::adapt(make()));
           }};
 }
 
@@ -71,7 +72,7 @@ Result<void> ask_all(Runner& runner, const Palettes& palettes) {
 /// Counts the contacts of brute force, and how the others differ from them.
 Result<void> compare_all(const Subject& subject, const std::function<void()>& advance,
                          ScenePeers& scene) {
-  Runner exact(subject.colliders, engine_of(MethodKind::brute));
+  Runner exact(subject.colliders, engine_of(methods::kBrute));
   std::vector<Runner> runners;
   for (const Engine& engine : all_engines()) runners.emplace_back(subject.colliders, engine);
   asset::SampleScratch scratch;

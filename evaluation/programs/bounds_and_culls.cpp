@@ -3,9 +3,9 @@
 /// Each time is a median over poses from all clips, each pose's the best of some runs; what both
 /// answer is compared, and nothing is printed when it differs.
 
-#include "evaluation/methods/statistics.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/asset.hpp>
 #include <pelt/bounds.hpp>
@@ -21,8 +21,10 @@
 #include <string>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::programs {
 namespace {
+
+using tools::output::median;
 
 /// An answer in numbers, to be compared.
 using Answer = std::vector<double>;
@@ -199,6 +201,6 @@ int parse_and_run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace pelt::bench
+}  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }
+int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }

@@ -1,13 +1,15 @@
 #include "evaluation/programs/crowd_run.hpp"
 
 #include "base/assert.hpp"
-#include "evaluation/methods/statistics.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <algorithm>
 #include <chrono>
 
-namespace pelt::bench {
+namespace pelt::programs {
 namespace {
+
+using tools::output::median;
 
 using Clock = std::chrono::steady_clock;
 
@@ -79,4 +81,4 @@ void CrowdRun::set_palette(std::uint32_t instance) {
   PELT_ASSERT(taken);
 }
 
-}  // namespace pelt::bench
+}  // namespace pelt::programs

@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::programs {
 
 /// What is posed and asked.
 struct CrowdJob {
@@ -54,4 +54,4 @@ class CrowdRun {
   detail::Workers threads_;
 };
 
-}  // namespace pelt::bench
+}  // namespace pelt::programs

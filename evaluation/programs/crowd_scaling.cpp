@@ -14,7 +14,7 @@
 
 #include <sys/resource.h>
 
-namespace pelt::bench {
+namespace pelt::programs {
 namespace {
 
 struct Arguments {
@@ -167,6 +167,6 @@ int parse_and_run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace pelt::bench
+}  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }
+int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }

@@ -4,12 +4,12 @@
 /// may use the machine too. Where the answers differ nothing is printed.
 
 #include "distance/pair_search.hpp"
-#include "evaluation/methods/statistics.hpp"
 #include "evaluation/programs/microseconds.hpp"
 #include "evaluation/programs/walking_crowd.hpp"
 #include "model/model.hpp"
 #include "pose/exact_pose.hpp"
 #include "scenes/scene.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/distance.hpp>
 
@@ -21,8 +21,10 @@
 #include <limits>
 #include <string>
 
-namespace pelt::bench {
+namespace pelt::programs {
 namespace {
+
+using tools::output::median;
 
 struct Arguments {
   std::string input;
@@ -169,6 +171,6 @@ int parse_and_run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace pelt::bench
+}  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }
+int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::programs {
 
 /// Asks `measure` about each character, or about the generated one, which has the name "". Returns
 /// the exit code of `program`, which names the first failure on standard error.
@@ -22,4 +22,4 @@ int measure_each(const char* program, std::vector<std::string> characters, const
   return 0;
 }
 
-}  // namespace pelt::bench
+}  // namespace pelt::programs

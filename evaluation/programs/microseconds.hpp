@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace pelt::bench {
+namespace pelt::programs {
 
 /// How long `work()` takes.
 template <typename Work>
@@ -13,4 +13,4 @@ double microseconds(const Work& work) {
       .count();
 }
 
-}  // namespace pelt::bench
+}  // namespace pelt::programs

@@ -6,12 +6,12 @@
 /// runs. Where the answers of two ways differ nothing is printed of that question, but for Embree,
 /// which is not exact: there it is counted how often it is wrong by more than a 10,000th.
 
-#include "evaluation/methods/statistics.hpp"
 #include "evaluation/programs/measure_each.hpp"
 #include "evaluation/programs/microseconds.hpp"
 #include "evaluation/programs/query_stage.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/inside.hpp>
 
@@ -28,8 +28,10 @@
 #include "evaluation/peers/embree_mesh.hpp"
 #endif
 
-namespace pelt::bench {
+namespace pelt::programs {
 namespace {
+
+using tools::output::median;
 
 struct Arguments {
   std::vector<std::string> models;
@@ -141,7 +143,7 @@ class Costs {
     detail::open_all_exactly(posed);
   }
 
-  void measure(const Question& question) { bench::measure(question, stage_, arguments_.runs); }
+  void measure(const Question& question) { programs::measure(question, stage_, arguments_.runs); }
 
   void measure_points() {
     for (const std::size_t count : {std::size_t{1}, std::size_t{arguments_.points}}) {
@@ -291,6 +293,6 @@ int parse_and_run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace pelt::bench
+}  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }
+int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace pelt::bench {
+namespace pelt::programs {
 namespace {
 
 /// The same on every platform.
@@ -121,4 +121,4 @@ SkinnedModel as_static_mesh(const HeightField& field) {
   return *build_model({positions, triangles, 1, joints, weights, 1});
 }
 
-}  // namespace pelt::bench
+}  // namespace pelt::programs

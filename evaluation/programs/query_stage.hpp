@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::programs {
 
 using JointPalette = std::vector<Matrix4>;
 
@@ -41,4 +41,4 @@ class QueryStage {
 /// the field has no holes.
 SkinnedModel as_static_mesh(const HeightField& field);
 
-}  // namespace pelt::bench
+}  // namespace pelt::programs

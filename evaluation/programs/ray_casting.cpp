@@ -6,12 +6,12 @@
 /// the others graze the body or miss it. Says nothing unless the two trees answer alike; how often
 /// Embree differs, which is not exact, is counted.
 
-#include "evaluation/methods/statistics.hpp"
 #include "evaluation/programs/measure_each.hpp"
 #include "evaluation/programs/microseconds.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "scenes/scene.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/ray.hpp>
 
@@ -29,8 +29,10 @@
 #include "evaluation/peers/embree_mesh.hpp"
 #endif
 
-namespace pelt::bench {
+namespace pelt::programs {
 namespace {
+
+using tools::output::median;
 
 struct Arguments {
   std::vector<std::string> models;
@@ -264,6 +266,6 @@ int parse_and_run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace pelt::bench
+}  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::bench::parse_and_run(argc, argv); }
+int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }

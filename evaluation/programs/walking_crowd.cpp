@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace pelt::bench {
+namespace pelt::programs {
 namespace {
 
 // Distances of neighbours in a row, and of rows, in metres. People who are less than half a metre
@@ -72,4 +72,4 @@ void WalkingCrowd::pose(std::uint32_t frame, std::vector<Matrix4>& palettes) con
       palettes.push_back(placed(m, w.forward_x, w.forward_z, w.x, w.z));
 }
 
-}  // namespace pelt::bench
+}  // namespace pelt::programs

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::programs {
 
 /// The clip in so many phases, as palettes of an instance at the origin.
 class WalkPhases {
@@ -54,4 +54,4 @@ class WalkingCrowd {
   std::vector<Walker> walkers_;
 };
 
-}  // namespace pelt::bench
+}  // namespace pelt::programs

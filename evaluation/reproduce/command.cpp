@@ -1,8 +1,9 @@
-/// `pelt reproduce`: the experiments of the paper, run again and written up.
+/// `pelt-lab reproduce`: the experiments of the paper, run again and written up.
 
 #include <pelt/version.hpp>
 
 #include "asset/message.hpp"
+#include "evaluation/reproduce/command.hpp"
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/files.hpp"
 #include "evaluation/reproduce/summary.hpp"
@@ -11,7 +12,6 @@
 #include "tools/pelt/bench/machine.hpp"
 #include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/verbs/commands.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -33,9 +33,9 @@ struct Arguments {
 
 constexpr const char* kFooter = R"(
 Examples:
-  pelt reproduce
-  pelt reproduce --quick -o report
-  pelt reproduce --models characters --only characters,tightness
+  pelt-lab reproduce
+  pelt-lab reproduce --quick -o report
+  pelt-lab reproduce --models characters --only characters,tightness
 
 Runs the experiments of Kavan & Zara 2005 and those that it left open, on characters that Pelt
 generates and, with --models, on those of a folder of .glb files. Writes report.html, a page that
@@ -50,7 +50,7 @@ Result<std::vector<Experiment>> all_experiments(bool has_peers) {
   const Experiment* const peers = reproduce::peers_experiment();
   if (peers == nullptr)
     return output::bad_argument(
-        "--peers", "this pelt was built without other libraries",
+        "--peers", "this pelt-lab was built without other libraries",
         "build it with -DPELT_BENCH_PEERS=ON, see evaluation/peers/README.md");
   all.push_back(*peers);
   return all;

@@ -12,7 +12,7 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Question;
 
 struct Asked {
@@ -25,7 +25,7 @@ std::vector<Asked> all_methods() {
   std::vector<Asked> all;
   for (const MethodKind method : kCompared)
     all.push_back({title_of(method), tools::engine_of(method)});
-  all.push_back({title_of(MethodKind::hash) + " in one grid",
+  all.push_back({title_of(methods::kHash) + " in one grid",
                  rival_engine("hash_crowd", [] { return rivals::make_hash_crowd(); })});
   return all;
 }
@@ -54,7 +54,7 @@ Result<double> compare(const scenes::Scene& scene, std::vector<Asked>& methods) 
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   tools::scene::sample_palettes(scene, 0, scratch, palettes);
-  const auto exact = contacts_of(tools::engine_of(MethodKind::brute), *colliders, palettes);
+  const auto exact = contacts_of(tools::engine_of(methods::kBrute), *colliders, palettes);
   if (!exact) return exact.error();
   for (Asked& asked : methods) {
     const auto found = contacts_of(asked.engine, *colliders, palettes);

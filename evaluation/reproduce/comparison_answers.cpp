@@ -13,7 +13,7 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 
 const Table& table_of(const Section& section, const std::string& id) {
   const auto found = std::find_if(section.tables.begin(), section.tables.end(),
@@ -157,8 +157,8 @@ struct Evidence {
 };
 
 std::string trees_on_demand(const Evidence& of) {
-  constexpr std::array kFamily = {MethodKind::on_demand, MethodKind::paper, MethodKind::bd_tree,
-                                  MethodKind::eager};
+  constexpr std::array kFamily = {methods::kOnDemand, methods::kPaper, methods::kBdTree,
+                                  methods::kEager};
   const Sweep& all = of.all;
   const std::size_t apart = all.row_at(kApart), touching = all.row_at(kTouching),
                     deep = all.row_at(kDeep), last = all.row_count() - 1;
@@ -166,36 +166,36 @@ std::string trees_on_demand(const Evidence& of) {
          "): " + all.told(apart, kFamily) + ". Hands that meet (" + size(kTouching) +
          "): " + all.told(touching, kFamily) + ". Deep (" + size(kDeep) +
          "): " + all.told(deep, kFamily) + ". In one place: " + all.told(last, kFamily) +
-         ". All contacts: " + all.duel(MethodKind::on_demand, MethodKind::eager) + "; " +
-         all.duel(MethodKind::paper, MethodKind::bd_tree) +
-         ". First contact: " + of.first.duel(MethodKind::on_demand, MethodKind::eager) + ".";
+         ". All contacts: " + all.duel(methods::kOnDemand, methods::kEager) + "; " +
+         all.duel(methods::kPaper, methods::kBdTree) +
+         ". First contact: " + of.first.duel(methods::kOnDemand, methods::kEager) + ".";
 }
 
 std::string eager_trees(const Evidence& of) {
-  constexpr std::array kFamily = {MethodKind::eager, MethodKind::hybrid, MethodKind::aabb_refit,
-                                  MethodKind::paper_eager, MethodKind::aabb_rebuild};
+  constexpr std::array kFamily = {methods::kEager, methods::kHybrid, methods::kAabbRefit,
+                                  methods::kPaperEager, methods::kAabbRebuild};
   const Sweep& all = of.all;
   return "Eager trees pay for skinning and boxes even where nothing is near: " +
          all.told(all.row_at(kApart), kFamily) + " for two who are apart, " +
          all.told(all.row_at(kDeep), kFamily) +
-         " deep. All contacts: " + all.duel(MethodKind::paper, MethodKind::aabb_refit) + "; " +
-         all.duel(MethodKind::hybrid, MethodKind::aabb_refit) + "; " +
-         all.duel(MethodKind::eager, MethodKind::aabb_refit) +
-         ". Over the triangles: " + of.resolution.duel(MethodKind::on_demand, MethodKind::eager) +
-         "; " + of.resolution.duel(MethodKind::on_demand, MethodKind::aabb_refit) + ".";
+         " deep. All contacts: " + all.duel(methods::kPaper, methods::kAabbRefit) + "; " +
+         all.duel(methods::kHybrid, methods::kAabbRefit) + "; " +
+         all.duel(methods::kEager, methods::kAabbRefit) +
+         ". Over the triangles: " + of.resolution.duel(methods::kOnDemand, methods::kEager) + "; " +
+         of.resolution.duel(methods::kOnDemand, methods::kAabbRefit) + ".";
 }
 
 std::string hashing(const Evidence& of) {
-  constexpr std::array kFamily = {MethodKind::hash, MethodKind::hash_overlap};
+  constexpr std::array kFamily = {methods::kHash, methods::kHashOverlap};
   const Sweep& all = of.all;
   return "Hashing: apart " + all.told(all.row_at(kApart), kFamily) + ", deep " +
          all.told(all.row_at(kDeep), kFamily) +
-         ". All contacts: " + all.duel(MethodKind::on_demand, MethodKind::hash_overlap) + "; " +
-         all.duel(MethodKind::paper, MethodKind::hash_overlap) + "; " +
-         all.duel(MethodKind::paper, MethodKind::hash) + "; " +
-         all.duel(MethodKind::aabb_refit, MethodKind::hash_overlap) + "; " +
-         all.duel(MethodKind::hash_overlap, MethodKind::hash) +
-         ". First contact: " + of.first.duel(MethodKind::hash_overlap, MethodKind::hash) + ".";
+         ". All contacts: " + all.duel(methods::kOnDemand, methods::kHashOverlap) + "; " +
+         all.duel(methods::kPaper, methods::kHashOverlap) + "; " +
+         all.duel(methods::kPaper, methods::kHash) + "; " +
+         all.duel(methods::kAabbRefit, methods::kHashOverlap) + "; " +
+         all.duel(methods::kHashOverlap, methods::kHash) +
+         ". First contact: " + of.first.duel(methods::kHashOverlap, methods::kHash) + ".";
 }
 
 /// Many in one grid is what plain hashing is for.
@@ -207,10 +207,10 @@ std::string crowds(const Evidence& of) {
   return "Many: " + shown(figure_at(table, last, "instances")) + " walkers take Pelt as a crowd " +
          us(crowd) + " a frame, on one thread, hashing all in one grid " + us(grid) + " (" +
          times(grid / crowd) + " as long); pair by pair Pelt takes " +
-         us(time(time_key(MethodKind::on_demand))) + ", " + title_of(MethodKind::eager) + " " +
-         us(time(time_key(MethodKind::eager))) + ", " + title_of(MethodKind::hash) + " " +
-         us(time(time_key(MethodKind::hash))) + ", " + title_of(MethodKind::hash_overlap) + " " +
-         us(time(time_key(MethodKind::hash_overlap))) + ".";
+         us(time(time_key(methods::kOnDemand))) + ", " + title_of(methods::kEager) + " " +
+         us(time(time_key(methods::kEager))) + ", " + title_of(methods::kHash) + " " +
+         us(time(time_key(methods::kHash))) + ", " + title_of(methods::kHashOverlap) + " " +
+         us(time(time_key(methods::kHashOverlap))) + ".";
 }
 
 /// The least resolution that misses nothing; else the greatest.
@@ -241,7 +241,7 @@ std::string where_pelt_loses(const Evidence& of) {
   std::string text;
   std::size_t rows = 0, lost = 0;
   for (const Sweep* sweep : {&of.all, &of.first, &of.resolution}) {
-    const std::vector<std::string> losses = sweep->losses(MethodKind::on_demand, kCompared);
+    const std::vector<std::string> losses = sweep->losses(methods::kOnDemand, kCompared);
     rows += sweep->row_count();
     lost += losses.size();
     if (!losses.empty()) text += " " + sweep->title() + ": at " + listed(losses) + ".";

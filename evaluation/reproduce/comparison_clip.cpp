@@ -14,7 +14,7 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Cache;
 using tools::Question;
 
@@ -42,7 +42,7 @@ Result<tools::SceneFigures> measure_clip(const scenes::Scene& scene, const Condi
 const tools::Times& times_of(const tools::SceneFigures& figures, MethodKind method, Cache cache) {
   return std::find_if(figures.figures.begin(), figures.figures.end(),
                       [&](const tools::Figures& of) {
-                        return of.engine == bench::name_of(method) && of.variant.cache == cache;
+                        return of.engine == method.name && of.variant.cache == cache;
                       })
       ->times;
 }
@@ -53,7 +53,7 @@ std::optional<double> bytes_of(MethodKind method, const SkinnedModel& model,
                                std::span<const std::vector<Matrix4>> palettes,
                                std::uint32_t instances) {
   const std::optional<std::size_t> before = heap_bytes();
-  const auto made = bench::make_method(method);
+  const auto made = method.make();
   std::vector<Contact> contacts;
   for (std::uint32_t i = 0; i < instances; ++i) {
     made->add(model);

@@ -6,18 +6,19 @@
 #include "evaluation/reproduce/method_title.hpp"
 #include "evaluation/rivals/hash_crowd.hpp"
 #include "scenes/creature/random.hpp"
+#include "tools/pelt/output/text.hpp"
 
 #include <cmath>
 
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Question;
 
-constexpr std::array kByPairs = {
-    MethodKind::on_demand, MethodKind::eager,      MethodKind::paper, MethodKind::paper_eager,
-    MethodKind::hybrid,    MethodKind::aabb_refit, MethodKind::hash,  MethodKind::hash_overlap};
+constexpr std::array kByPairs = {methods::kOnDemand,   methods::kEager,      methods::kPaper,
+                                 methods::kPaperEager, methods::kHybrid,     methods::kAabbRefit,
+                                 methods::kHash,       methods::kHashOverlap};
 
 /// What is asked about all at once.
 constexpr const char *kCrowd = "crowd", *kOneGrid = "hash_crowd";
@@ -58,18 +59,20 @@ std::vector<tools::Engine> engines() {
   return all;
 }
 
-Table empty_table(const Conditions& conditions) {
-  Table table = {"instances",
-                 "All contacts of walkers, over their number",
-                 {{"instances", "instances"}, {"contacts", "contacts"}},
-                 {},
-                 how_measured("Creatures of 13,590 triangles on a plain, 0.5 to 1.4 units from "
-                              "their neighbours. All pairs are asked one by one, but for Pelt's "
-                              "crowd and the hash in one grid, which take all at once. Wall time.",
-                              conditions)};
-  table.columns.push_back({"crowd_us", title_of(MethodKind::on_demand) + " as a crowd [us]"});
+Table empty_table(const scenes::Character& creature, const Conditions& conditions) {
+  Table table = {
+      "instances",
+      "All contacts of walkers, over their number",
+      {{"instances", "instances"}, {"contacts", "contacts"}},
+      {},
+      how_measured("Creatures of " + tools::output::with_commas(creature.asset.triangles.size()) +
+                       " triangles on a plain, 0.5 to 1.4 units from "
+                       "their neighbours. All pairs are asked one by one, but for Pelt's "
+                       "crowd and the hash in one grid, which take all at once. Wall time.",
+                   conditions)};
+  table.columns.push_back({"crowd_us", title_of(methods::kOnDemand) + " as a crowd [us]"});
   for (const MethodKind method : kByPairs) table.columns.push_back(time_column(method));
-  table.columns.push_back({"hash_crowd_us", title_of(MethodKind::hash) + " in one grid [us]"});
+  table.columns.push_back({"hash_crowd_us", title_of(methods::kHash) + " in one grid [us]"});
   return table;
 }
 
@@ -77,7 +80,7 @@ Table empty_table(const Conditions& conditions) {
 
 Result<void> add_instances(const scenes::Character& creature, const Conditions& conditions,
                            Section& section) {
-  Table table = empty_table(conditions);
+  Table table = empty_table(creature, conditions);
   std::vector<std::uint32_t> counts = {2, 8, 32, 100};
   if (conditions.is_quick) counts.pop_back();
   for (const std::uint32_t count : counts) {
@@ -87,7 +90,7 @@ Result<void> add_instances(const scenes::Character& creature, const Conditions& 
       return figures_of(*figures, engine, Question::all).times.mean_us;
     };
     std::vector<Cell> row = {static_cast<double>(count), contact_count(*figures), time(kCrowd)};
-    for (const MethodKind method : kByPairs) row.push_back(time(bench::name_of(method)));
+    for (const MethodKind method : kByPairs) row.push_back(time(method.name));
     row.push_back(time(kOneGrid));
     table.rows.push_back(std::move(row));
   }

@@ -9,18 +9,17 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 
-constexpr std::array kTreesOnDemand = {MethodKind::on_demand, MethodKind::eager, MethodKind::paper,
-                                       MethodKind::bd_tree};
-constexpr std::array kSkinningAll = {MethodKind::on_demand,    MethodKind::paper_eager,
-                                     MethodKind::hybrid,       MethodKind::aabb_refit,
-                                     MethodKind::aabb_rebuild, MethodKind::hash,
-                                     MethodKind::hash_overlap};
+constexpr std::array kTreesOnDemand = {methods::kOnDemand, methods::kEager, methods::kPaper,
+                                       methods::kBdTree};
+constexpr std::array kSkinningAll = {methods::kOnDemand,   methods::kPaperEager,  methods::kHybrid,
+                                     methods::kAabbRefit,  methods::kAabbRebuild, methods::kHash,
+                                     methods::kHashOverlap};
 
 bool is_measured(const tools::SceneFigures& figures, MethodKind method) {
   return std::any_of(figures.figures.begin(), figures.figures.end(),
-                     [&](const tools::Figures& of) { return of.engine == bench::name_of(method); });
+                     [&](const tools::Figures& of) { return of.engine == method.name; });
 }
 
 Chart chart_of(const Table& table, const char* family, const char* title,
@@ -36,7 +35,7 @@ Chart chart_of(const Table& table, const char* family, const char* title,
 
 }  // namespace
 
-std::string time_key(MethodKind method) { return std::string(bench::name_of(method)) + "_us"; }
+std::string time_key(MethodKind method) { return std::string(method.name) + "_us"; }
 
 Column time_column(MethodKind method) { return {time_key(method), title_of(method) + " [us]"}; }
 
@@ -80,7 +79,7 @@ void add_with_charts(Table table, const std::string& x, Axes axes, std::optional
 
 tools::Engine rival_engine(const std::string& name, const MakeRival& make) {
   return {name, [make](std::span<const tools::scene::Collider> colliders) {
-            return tools::scene::SceneQuery(colliders, bench::adapt(make()));
+            return tools::scene::SceneQuery(colliders, methods::adapt(make()));
           }};
 }
 

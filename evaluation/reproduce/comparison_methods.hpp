@@ -2,7 +2,7 @@
 
 /// What the tables of the open comparison have in common.
 
-#include "evaluation/methods/method.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/scene_figures.hpp"
 #include "evaluation/rivals/posed_mesh_method.hpp"
@@ -15,10 +15,9 @@
 namespace pelt::reproduce {
 
 inline constexpr std::array kCompared = {
-    bench::MethodKind::on_demand,   bench::MethodKind::eager,        bench::MethodKind::paper,
-    bench::MethodKind::paper_eager, bench::MethodKind::bd_tree,      bench::MethodKind::hybrid,
-    bench::MethodKind::aabb_refit,  bench::MethodKind::aabb_rebuild, bench::MethodKind::hash,
-    bench::MethodKind::hash_overlap};
+    methods::kOnDemand, methods::kEager,      methods::kPaper,     methods::kPaperEager,
+    methods::kBdTree,   methods::kHybrid,     methods::kAabbRefit, methods::kAabbRebuild,
+    methods::kHash,     methods::kHashOverlap};
 
 /// The distances, from middle to middle, that texts and notes call by a name.
 inline constexpr double kApart = 1.2, kTouching = 0.7, kDeep = 0.3;
@@ -27,16 +26,16 @@ inline constexpr double kApart = 1.2, kTouching = 0.7, kDeep = 0.3;
 inline constexpr std::uint32_t kPhases = 4;
 
 /// "hash_us", "hash [us]".
-std::string time_key(bench::MethodKind method);
-Column time_column(bench::MethodKind method);
+std::string time_key(methods::MethodKind method);
+Column time_column(methods::MethodKind method);
 
 /// A table with the columns `first`, a time for each method, and the fastest of them.
 Table times_table(const std::string& id, const std::string& title, std::vector<Column> first,
-                  std::span<const bench::MethodKind> methods, const std::string& note);
+                  std::span<const methods::MethodKind> methods, const std::string& note);
 
 /// Adds the times and the fastest method to a row. Those that were not measured stay empty.
 void append_times(const tools::SceneFigures& figures, tools::Question question,
-                  std::span<const bench::MethodKind> methods, std::vector<Cell>& row);
+                  std::span<const methods::MethodKind> methods, std::vector<Cell>& row);
 
 /// "Medians of 9 repetitions, one thread, hot caches.", with what a row is the mean of before it.
 std::string how_measured(const std::string& mean_of, const Conditions& conditions);

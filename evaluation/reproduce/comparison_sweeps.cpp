@@ -11,7 +11,7 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Question;
 using tools::SceneFigures;
 
@@ -38,18 +38,18 @@ std::string mean_over_phases(const Conditions& conditions) {
 std::vector<MethodKind> methods_for(std::uint32_t triangles) {
   std::vector<MethodKind> methods(kCompared.begin(), kCompared.end());
   if (triangles > kMostRebuilt)
-    methods.erase(std::find(methods.begin(), methods.end(), MethodKind::aabb_rebuild));
+    methods.erase(std::find(methods.begin(), methods.end(), methods::kAabbRebuild));
   return methods;
 }
 
 /// How the time before the query parts into skinning and the rest, as far as it can be told.
 std::array<Cell, 2> update_split(MethodKind method, double update, double skinning) {
-  switch (bench::skinning_of(method)) {
-    case bench::Skins::first:
+  switch (method.skins) {
+    case methods::Skins::first:
       return {std::min(skinning, update), std::max(update - skinning, 0.0)};
-    case bench::Skins::with_boxes:
+    case methods::Skins::with_boxes:
       return {"in structure", update};
-    case bench::Skins::where_queried:
+    case methods::Skins::where_queried:
       break;
   }
   return {"in query", update};
@@ -90,12 +90,14 @@ Result<void> add_resolution(const Conditions& conditions, Section& section) {
       "resolution", "Two creatures whose hands meet, over their triangles",
       {{"triangles", "triangles of one"}, {"contacts", "contacts"}}, kCompared,
       how_measured("One phase of the walk, " + shown(kTouching) + " units apart; all contacts. " +
-                       title_of(MethodKind::aabb_rebuild) + " is not asked beyond 100,000.",
+                       title_of(methods::kAabbRebuild) + " is not asked beyond 100,000.",
                    conditions));
   std::vector<std::uint32_t> sizes = {1000, 3000, 10000, 30000, 100000, 300000, 1000000};
   if (conditions.is_quick) sizes.resize(3);
   for (const std::uint32_t triangles : sizes) {
-    const auto creature = scenes::generate_character({triangles, 56, 1});
+    scenes::CreatureOptions options = scenes::kCreature;
+    options.triangles = triangles;
+    const auto creature = scenes::generate_character(options);
     if (!creature) return creature.error();
     const auto figures =
         measure_scene(facing_pair(*creature, kTouching), methods_for(triangles), 1, conditions);
@@ -127,7 +129,7 @@ Result<Table> time_split(const scenes::Character& creature, const Conditions& co
           "told apart. Hashing builds its grid in the query: it takes the triangles of those "
           "bodies only whose boxes meet."};
   for (const MethodKind method : kCompared) {
-    const tools::Figures& of = figures_of(*figures, bench::name_of(method), Question::all);
+    const tools::Figures& of = figures_of(*figures, method.name, Question::all);
     const double update = of.times.mean_update_us;
     auto [skinning, structure] = update_split(method, update, figures->skinning.mean_us);
     const double pairs =

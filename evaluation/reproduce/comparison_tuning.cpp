@@ -12,7 +12,7 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Question;
 
 /// A method for each value of a parameter.
@@ -33,7 +33,7 @@ constexpr std::array kCases = {Case{"light", "light, all", kTouching, Question::
                                Case{"deep_first", "deep, first", kDeep, Question::first}};
 
 std::string engine_name(MethodKind method, double value) {
-  return std::string(bench::name_of(method)) + " " + shown(value);
+  return std::string(method.name) + " " + shown(value);
 }
 
 /// All values at once, so that they meet the same moods of the machine.
@@ -59,7 +59,7 @@ Result<void> fill(const scenes::Character& creature, std::span<const Tuned> tune
   if (!deep) return deep.error();
   for (const Tuned& one : tuned)
     for (const Case& of : kCases)
-      table.columns.push_back({std::string(bench::name_of(one.method)) + "_" + of.key + "_us",
+      table.columns.push_back({std::string(one.method.name) + "_" + of.key + "_us",
                                title_of(one.method) + ", " + of.title + " [us]"});
   for (const double value : values) {
     table.rows.push_back({value});
@@ -89,8 +89,8 @@ Result<Table> cell_sizes(const scenes::Character& creature, const Conditions& co
       note_of(shown(double{rivals::HashOptions{}.cell_edges}) + " is taken", conditions)};
   const auto options = [](double v) { return rivals::HashOptions{static_cast<float>(v)}; };
   const std::array tuned = {
-      Tuned{MethodKind::hash, [=](double v) { return rivals::make_hash(options(v)); }},
-      Tuned{MethodKind::hash_overlap,
+      Tuned{methods::kHash, [=](double v) { return rivals::make_hash(options(v)); }},
+      Tuned{methods::kHashOverlap,
             [=](double v) { return rivals::make_hash_overlap(options(v)); }}};
   constexpr std::array kEdges = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0};
   const auto done = fill(creature, tuned, kEdges, conditions, table);
@@ -106,8 +106,8 @@ Result<Table> leaf_sizes(const scenes::Character& creature, const Conditions& co
                  note_of(shown(rivals::TreeOptions{}.leaf_triangles) + " are taken", conditions)};
   const auto options = [](double v) { return rivals::TreeOptions{static_cast<std::uint32_t>(v)}; };
   const std::array tuned = {
-      Tuned{MethodKind::aabb_refit, [=](double v) { return rivals::make_aabb_refit(options(v)); }},
-      Tuned{MethodKind::hybrid, [=](double v) { return rivals::make_hybrid(options(v)); }}};
+      Tuned{methods::kAabbRefit, [=](double v) { return rivals::make_aabb_refit(options(v)); }},
+      Tuned{methods::kHybrid, [=](double v) { return rivals::make_hybrid(options(v)); }}};
   constexpr std::array kLeaves = {1.0, 2.0, 4.0, 8.0, 16.0, 32.0};
   const auto done = fill(creature, tuned, kLeaves, conditions, table);
   if (!done) return done.error();

@@ -1,6 +1,7 @@
 #include "evaluation/reproduce/growth.hpp"
 
 #include "evaluation/reproduce/power_law.hpp"
+#include "scenes/creature.hpp"
 
 #include <algorithm>
 
@@ -149,7 +150,7 @@ Result<Section> growth(const Conditions& conditions) {
   auto instances = growth_by_instances(chosen(kInstances, 6, conditions),
                                        conditions.is_quick ? 32 : 100, conditions);
   if (!instances) return instances.error();
-  auto depth = growth_by_depth(13590, kDistances, conditions);
+  auto depth = growth_by_depth(scenes::kCreature.triangles, kDistances, conditions);
   if (!depth) return depth.error();
   const std::array growths = {Growth{"triangles", std::move(*triangles)},
                               Growth{"joints", std::move(*joints)},

@@ -3,7 +3,7 @@
 /// How the time of a query grows, and with what. Each table has a row for each size, and a column
 /// for each method.
 
-#include "evaluation/methods/method.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/experiment.hpp"
 
 #include <array>
@@ -11,9 +11,8 @@
 namespace pelt::reproduce {
 
 /// Those that are asked pair by pair.
-inline constexpr std::array kPairMethods = {bench::MethodKind::paper,
-                                            bench::MethodKind::paper_eager,
-                                            bench::MethodKind::eager, bench::MethodKind::on_demand};
+inline constexpr std::array kPairMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
+                                            methods::kOnDemand};
 
 /// A method as the tables of growth have it.
 struct GrowingMethod {

@@ -3,6 +3,7 @@
 #include "evaluation/programs/walking_crowd.hpp"
 #include "evaluation/reproduce/growth.hpp"
 #include "evaluation/reproduce/pairwise_run.hpp"
+#include "tools/pelt/output/text.hpp"
 
 namespace pelt::reproduce {
 namespace {
@@ -15,29 +16,29 @@ struct Walkers {
   explicit Walkers(const asset::Asset& asset, const SkinnedModel& m) : model(m), phases(asset) {}
 
   SkinnedModel model;
-  bench::WalkPhases phases;
+  programs::WalkPhases phases;
 };
 
 Result<Walkers> make_walkers() {
   const Result<asset::Asset> asset = scenes::make_creature();
   if (!asset) return asset.error();
-  const std::vector<Matrix4> samples = bench::WalkPhases(*asset).samples();
+  const std::vector<Matrix4> samples = programs::WalkPhases(*asset).samples();
   const Result<SkinnedModel> model = build_model(asset->mesh(), {.sample_palettes = samples});
   if (!model) return model.error();
   return Walkers(*asset, *model);
 }
 
 /// The times of all methods that are asked pair by pair; those of the crowd are known.
-Result<void> append_pairwise(const bench::CrowdJob& job, const bench::CrowdTiming& crowd,
+Result<void> append_pairwise(const programs::CrowdJob& job, const programs::CrowdTiming& crowd,
                              std::vector<Cell>& row) {
-  for (const bench::MethodKind method : kPairMethods) {
+  for (const methods::MethodKind method : kPairMethods) {
     const PairwiseTiming timing = PairwiseRun(job, method).run();
     if (timing.contacts != crowd.contacts)
       return Error{ErrorCode::invalid_argument,
-                   std::string(bench::name_of(method)) + " finds " +
-                       std::to_string(timing.contacts) + " contacts of " +
-                       std::to_string(job.models.size()) + " walkers, their crowd " +
-                       std::to_string(crowd.contacts) + ": please report this"};
+                   std::string(method.name) + " finds " + std::to_string(timing.contacts) +
+                       " contacts of " + std::to_string(job.models.size()) +
+                       " walkers, their crowd " + std::to_string(crowd.contacts) +
+                       ": please report this"};
     row.push_back(timing.frame_us);
   }
   return {};
@@ -45,14 +46,15 @@ Result<void> append_pairwise(const bench::CrowdJob& job, const bench::CrowdTimin
 
 Result<std::vector<Cell>> crowd_row(const Walkers& walkers, std::uint32_t count, bool by_pairs,
                                     const Conditions& conditions) {
-  const bench::WalkingCrowd crowd(walkers.phases, count, kMetre);
-  bench::CrowdJob job;
+  const programs::WalkingCrowd crowd(walkers.phases, count, kMetre);
+  programs::CrowdJob job;
   job.models.assign(count, walkers.model);
   job.frame_count = conditions.is_quick ? 3 : 9;
   job.pose = [&](std::uint32_t frame, std::vector<Matrix4>& palettes) {
     crowd.pose(frame, palettes);
   };
-  const bench::CrowdTiming timing = bench::CrowdRun(job).best_of(conditions.is_quick ? 1 : 3, 1);
+  const programs::CrowdTiming timing =
+      programs::CrowdRun(job).best_of(conditions.is_quick ? 1 : 3, 1);
   std::vector<Cell> row = {static_cast<double>(count), static_cast<double>(timing.contacts),
                            static_cast<double>(timing.stats.touching_pairs)};
   if (by_pairs) {
@@ -77,9 +79,10 @@ Result<Table> growth_by_instances(std::span<const std::uint32_t> instances,
        {"contacts", "contacts"},
        {"touching_pairs", "pairs in contact"}},
       {},
-      "Creatures of 13,590 triangles who walk about on a plain, 0.5 to 1.4 units from "
-      "their neighbours; palettes set and all contacts found, on one thread. Contacts are "
-      "those of the last frame timed."};
+      "Creatures of " + tools::output::with_commas(walkers->model.triangle_count()) +
+          " triangles who walk about on a plain, 0.5 to 1.4 units from "
+          "their neighbours; palettes set and all contacts found, on one thread. Contacts are "
+          "those of the last frame timed."};
   for (const GrowingMethod& method : kGrowingMethods) table.columns.push_back(method.column());
   for (const std::uint32_t count : instances) {
     auto row = crowd_row(*walkers, count, count <= most_by_pairs, conditions);

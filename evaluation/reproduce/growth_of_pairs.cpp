@@ -3,6 +3,7 @@
 #include "evaluation/reproduce/facing_pair.hpp"
 #include "evaluation/reproduce/growth.hpp"
 #include "evaluation/reproduce/scene_figures.hpp"
+#include "tools/pelt/output/text.hpp"
 
 namespace pelt::reproduce {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 /// So near that arms reach into the other one.
 constexpr double kInterfering = 0.6;
 
-Table empty_table(const char* id, const char* title, const Column& size, const char* note) {
+Table empty_table(const char* id, const char* title, const Column& size, const std::string& note) {
   Table table = {id, title, {size, {"contacts", "contacts"}}, {}, note};
   for (std::size_t i = 0; i < kPairMethods.size(); ++i)
     table.columns.push_back(kGrowingMethods[i].column());
@@ -23,18 +24,26 @@ Result<void> append_row(double size, const scenes::Character& character, double 
   const auto figures = measure_scene(facing_pair(character, distance), kPairMethods, 1, conditions);
   if (!figures) return figures.error();
   std::vector<Cell> row = {size, contact_count(*figures)};
-  for (const bench::MethodKind method : kPairMethods)
+  for (const methods::MethodKind method : kPairMethods)
     row.push_back(mean_us(*figures, method, tools::Question::all));
   table.rows.push_back(std::move(row));
   return {};
 }
 
-/// The same of two that interfere.
-Result<void> append_generated(double size, const scenes::CreatureOptions& options,
-                              const Conditions& conditions, Table& table) {
+/// The same of two that interfere. Returns the triangles of each.
+Result<std::size_t> append_generated(double size, const scenes::CreatureOptions& options,
+                                     const Conditions& conditions, Table& table) {
   const Result<scenes::Character> character = scenes::generate_character(options);
   if (!character) return character.error();
-  return append_row(size, *character, kInterfering, conditions, table);
+  const auto done = append_row(size, *character, kInterfering, conditions, table);
+  if (!done) return done.error();
+  return character->asset.triangles.size();
+}
+
+/// "Two creatures of 56 joints, 0.6 units apart; all contacts."
+std::string interfering_pair(std::size_t count, const char* things) {
+  return "Two creatures of " + tools::output::with_commas(count) + " " + things + ", " +
+         tools::output::fixed(kInterfering, 1) + " units apart; all contacts.";
 }
 
 }  // namespace
@@ -43,9 +52,11 @@ Result<Table> growth_by_triangles(std::span<const std::uint32_t> triangles,
                                   const Conditions& conditions) {
   Table table =
       empty_table("growth_triangles", "A query by triangles", {"triangles", "triangles of each"},
-                  "Two creatures of 56 joints, 0.6 units apart; all contacts.");
+                  interfering_pair(scenes::kCreature.joints, "joints"));
   for (const std::uint32_t count : triangles) {
-    const auto done = append_generated(count, {count, 56, 1}, conditions, table);
+    scenes::CreatureOptions options = scenes::kCreature;
+    options.triangles = count;
+    const auto done = append_generated(count, options, conditions, table);
     if (!done) return done.error();
   }
   return table;
@@ -53,18 +64,22 @@ Result<Table> growth_by_triangles(std::span<const std::uint32_t> triangles,
 
 Result<Table> growth_by_joints(std::span<const std::uint32_t> joints,
                                const Conditions& conditions) {
-  Table table = empty_table("growth_joints", "A query by joints", {"joints", "joints of each"},
-                            "Two creatures of 13,590 triangles, 0.6 units apart; all contacts.");
+  Table table = empty_table("growth_joints", "A query by joints", {"joints", "joints of each"}, "");
   for (const std::uint32_t count : joints) {
-    const auto done = append_generated(count, {13590, count, 1}, conditions, table);
-    if (!done) return done.error();
+    scenes::CreatureOptions options = scenes::kCreature;
+    options.joints = count;
+    const auto triangles = append_generated(count, options, conditions, table);
+    if (!triangles) return triangles.error();
+    table.note = interfering_pair(*triangles, "triangles");
   }
   return table;
 }
 
 Result<Table> growth_by_depth(std::uint32_t triangles, std::span<const double> distances,
                               const Conditions& conditions) {
-  const auto character = scenes::generate_character({triangles, 56, 1});
+  scenes::CreatureOptions options = scenes::kCreature;
+  options.triangles = triangles;
+  const auto character = scenes::generate_character(options);
   if (!character) return character.error();
   Table table = empty_table("growth_depth", "A query by depth", {"distance", "distance [units]"},
                             "Two creatures 1.8 units tall who face each other, from apart to one "

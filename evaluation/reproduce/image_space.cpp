@@ -12,13 +12,13 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Question;
 
 constexpr std::array kResolutions = {8u, 16u, 32u, 64u, 128u, 256u};
-constexpr std::array kExact = {MethodKind::on_demand,   MethodKind::eager,      MethodKind::paper,
-                               MethodKind::hybrid,      MethodKind::aabb_refit, MethodKind::hash,
-                               MethodKind::hash_overlap};
+constexpr std::array kExact = {methods::kOnDemand,   methods::kEager,     methods::kPaper,
+                               methods::kHybrid,     methods::kAabbRefit, methods::kHash,
+                               methods::kHashOverlap};
 
 /// From hands that just do not meet until arms are deep in the other: light contacts are the hard
 /// ones.

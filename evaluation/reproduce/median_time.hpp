@@ -1,7 +1,7 @@
 #pragma once
 
-#include "evaluation/methods/statistics.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -18,7 +18,7 @@ double median_us(std::uint32_t repetitions, const Work& work) {
     watch.stop();
     times.push_back(watch.microseconds());
   }
-  return bench::median(times);
+  return tools::output::median(times);
 }
 
 }  // namespace pelt::reproduce

@@ -5,7 +5,7 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 
 struct Words {
   MethodKind method;
@@ -13,38 +13,38 @@ struct Words {
 };
 
 constexpr Words kWords[] = {
-    {MethodKind::on_demand, "Pelt",
+    {methods::kOnDemand, "Pelt",
      "Pelt's engine: a tree of boxes eight wide, vertices skinned and boxes computed only where "
      "the "
      "query comes"},
-    {MethodKind::eager, "Pelt eager",
+    {methods::kEager, "Pelt eager",
      "the same tree and query after all vertices have been skinned and all boxes taken bottom-up: "
      "the strongest rival that refits everything"},
-    {MethodKind::rigid, "Pelt rigid",
+    {methods::kRigid, "Pelt rigid",
      "the same tree and query built afresh over the posed mesh, which is not counted: what a rigid "
      "body would cost"},
-    {MethodKind::paper, "paper on demand",
+    {methods::kPaper, "paper on demand",
      "Kavan & Zara 2005: a tree of spheres refitted on demand by the optimised bound"},
-    {MethodKind::paper_eq2, "paper eq. 2", "the same with the bound of their equation 2"},
-    {MethodKind::paper_eager, "paper bottom-up",
+    {methods::kPaperEq2, "paper eq. 2", "the same with the bound of their equation 2"},
+    {methods::kPaperEager, "paper bottom-up",
      "the paper's rival: all vertices skinned, the same tree of spheres refitted bottom-up"},
-    {MethodKind::paper_rigid, "paper rigid",
+    {methods::kPaperRigid, "paper rigid",
      "a tree of spheres built afresh over the posed mesh, which is not counted"},
-    {MethodKind::aabb_refit, "AABB refit",
+    {methods::kAabbRefit, "AABB refit",
      "van den Bergen 1997: all vertices skinned, a binary tree of boxes refitted bottom-up"},
-    {MethodKind::aabb_rebuild, "AABB rebuild", "the same tree built anew for every pose"},
-    {MethodKind::hybrid, "AABB hybrid",
+    {methods::kAabbRebuild, "AABB rebuild", "the same tree built anew for every pose"},
+    {methods::kHybrid, "AABB hybrid",
      "Larsson & Akenine-Moller 2001: all vertices skinned, that tree refitted in its upper half, "
      "below only where the query comes"},
-    {MethodKind::hash, "hash",
+    {methods::kHash, "hash",
      "Teschner et al. 2003: all vertices skinned, all triangles hashed into the cells of a grid"},
-    {MethodKind::hash_overlap, "hash in overlap",
+    {methods::kHashOverlap, "hash in overlap",
      "the same with only the triangles in the overlap of the two bodies' boxes, cells sorted"},
-    {MethodKind::bd_tree, "BD-tree",
+    {methods::kBdTree, "BD-tree",
      "James & Pai 2004: spheres refitted on demand from the entries of the joint matrices, taken "
      "as "
      "a reduced model"},
-    {MethodKind::brute, "brute force", "every triangle of one against every triangle of the other"},
+    {methods::kBrute, "brute force", "every triangle of one against every triangle of the other"},
 };
 
 const Words& words_of(MethodKind method) {

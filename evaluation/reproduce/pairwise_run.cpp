@@ -1,13 +1,13 @@
 #include "evaluation/reproduce/pairwise_run.hpp"
 
 #include "base/assert.hpp"
-#include "evaluation/methods/statistics.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 namespace pelt::reproduce {
 
-PairwiseRun::PairwiseRun(const bench::CrowdJob& job, bench::MethodKind method)
-    : job_(job), method_(bench::make_method(method)) {
+PairwiseRun::PairwiseRun(const programs::CrowdJob& job, methods::MethodKind method)
+    : job_(job), method_(method.make()) {
   for (const SkinnedModel& model : job.models) method_->add(model);
 }
 
@@ -22,7 +22,7 @@ PairwiseTiming PairwiseRun::run() {
     watch.stop();
     times.push_back(watch.microseconds());
   }
-  return {bench::median(times), contacts_.size()};
+  return {tools::output::median(times), contacts_.size()};
 }
 
 void PairwiseRun::set_palettes() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/methods/method.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/programs/crowd_run.hpp"
 
 #include <memory>
@@ -18,7 +18,7 @@ struct PairwiseTiming {
 class PairwiseRun {
  public:
   /// `job` must outlive the run.
-  PairwiseRun(const bench::CrowdJob& job, bench::MethodKind method);
+  PairwiseRun(const programs::CrowdJob& job, methods::MethodKind method);
 
   PairwiseTiming run();
 
@@ -26,8 +26,8 @@ class PairwiseRun {
   void set_palettes();
   void collide_pairs();
 
-  const bench::CrowdJob& job_;
-  std::unique_ptr<bench::Method> method_;
+  const programs::CrowdJob& job_;
+  std::unique_ptr<methods::Method> method_;
   std::vector<Matrix4> palettes_;
   std::vector<Contact> contacts_;
 };

@@ -14,7 +14,8 @@ namespace {
 std::string shown_name(const std::string& method) {
   constexpr std::string_view kOurs = "pelt ";
   if (!method.starts_with(kOurs)) return method;
-  const auto ours = bench::find_method(std::string_view(method).substr(kOurs.size()));
+  const auto ours =
+      methods::find_method(methods::kLabMethods, std::string_view(method).substr(kOurs.size()));
   return ours ? title_of(*ours) : method;
 }
 
@@ -41,8 +42,8 @@ Table table_of(const std::string& id, const std::string& title, const tools::Sce
                      " repetitions, means over the frames; one thread, hot caches. Skinning is "
                      "measured as a method that "
                      "does nothing else; " +
-                     title_of(bench::MethodKind::on_demand) + " skins in its query, " +
-                     title_of(bench::MethodKind::eager) + " in its structure."};
+                     title_of(methods::kOnDemand) + " skins in its query, " +
+                     title_of(methods::kEager) + " in its structure."};
   for (const tools::PeerFigures& of : scene.methods)
     table.rows.push_back({shown_name(of.method), of.version, of.update, of.narrow_phase,
                           of.skinning_us > 0 ? Cell(of.skinning_us) : Cell(), of.update_us,

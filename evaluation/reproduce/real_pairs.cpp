@@ -12,11 +12,11 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Question;
 
-constexpr std::array kMethods = {MethodKind::paper, MethodKind::paper_eager, MethodKind::eager,
-                                 MethodKind::on_demand};
+constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
+                                 methods::kOnDemand};
 
 /// The second stands so many widths of the first beside it.
 constexpr double kWidths = 0.6;
@@ -63,8 +63,8 @@ Result<std::vector<Cell>> row_of(const scenes::Character& character, const Condi
                            contact_count(*figures)};
   const auto time = [&](MethodKind method) { return mean_us(*figures, method, Question::all); };
   for (const MethodKind method : kMethods) row.push_back(time(method));
-  row.push_back(time(MethodKind::paper_eager) / time(MethodKind::paper));
-  row.push_back(time(MethodKind::eager) / time(MethodKind::on_demand));
+  row.push_back(time(methods::kPaperEager) / time(methods::kPaper));
+  row.push_back(time(methods::kEager) / time(methods::kOnDemand));
   return row;
 }
 
@@ -80,8 +80,7 @@ Table empty_table() {
                  "second apart. All contacts, at most 12 frames over two seconds, means over the "
                  "frames."};
   for (const MethodKind method : kMethods)
-    table.columns.push_back(
-        {std::string(bench::name_of(method)) + "_us", title_of(method) + " [us]"});
+    table.columns.push_back({std::string(method.name) + "_us", title_of(method) + " [us]"});
   table.columns.push_back({"paper_speed_up", "speed-up, paper on demand against bottom-up"});
   table.columns.push_back({"speed_up", "speed-up, Pelt against Pelt eager"});
   return table;

@@ -3,7 +3,7 @@
 #include <pelt/pose.hpp>
 
 #include "base/assert.hpp"
-#include "evaluation/methods/method.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/paper/eager.hpp"
 #include "evaluation/paper/on_demand.hpp"
 #include "evaluation/reproduce/median_time.hpp"
@@ -15,8 +15,8 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
 using detail::Palette;
+using methods::MethodKind;
 
 std::uint32_t repetitions_of(const Conditions& conditions) { return conditions.is_quick ? 5 : 25; }
 
@@ -58,7 +58,7 @@ AllSpheres refit_two_men(const Specimen& man, std::uint32_t repetitions) {
 /// Of one body, by a method that does all its work when it gets a palette.
 double update_us(MethodKind kind, const Specimen& specimen, const Palette& palette,
                  std::uint32_t repetitions) {
-  const std::unique_ptr<bench::Method> method = bench::make_method(kind);
+  const std::unique_ptr<methods::Method> method = kind.make();
   method->add(specimen.model);
   return median_us(repetitions, [&] {
     const Result<void> taken = method->set_palette(0, palette.joints());
@@ -91,7 +91,7 @@ std::vector<Cell> rebuild_row(const char* name, const Specimen& specimen,
   const std::uint32_t repetitions = repetitions_of(conditions);
   const std::uint32_t builds = conditions.is_quick ? 1 : 5;
   const AllSpheres all = refit_all(specimen, palette, repetitions);
-  const double rebuild = update_us(MethodKind::paper_rigid, specimen, palette, builds);
+  const double rebuild = update_us(methods::kPaperRigid, specimen, palette, builds);
   const double opened = open_fully_us(specimen, palette, repetitions);
   const double build = build_us(specimen, builds);
   return {name,
@@ -103,7 +103,7 @@ std::vector<Cell> rebuild_row(const char* name, const Specimen& specimen,
           rebuild / (all.skinning_us + all.bottom_up_us),
           kPaperRebuildOverRefit,
           opened,
-          update_us(MethodKind::eager, specimen, palette, repetitions),
+          update_us(methods::kEager, specimen, palette, repetitions),
           build,
           build / opened};
 }

@@ -74,10 +74,12 @@ Result<Table> vertices_table(const Conditions& conditions) {
                   {"creature_ns", "creature [ns]"}},
                  {},
                  ""};
-  const std::uint32_t triangles = conditions.is_quick ? 13590 : 100000;
-  const Result<Specimen> creature = make_specimen(scenes::CreatureOptions{triangles, 56, 1});
+  const std::uint32_t triangles = conditions.is_quick ? scenes::kCreature.triangles : 100000;
+  scenes::CreatureOptions options = scenes::kCreature;
+  options.triangles = triangles;
+  const Result<Specimen> creature = make_specimen(options);
   if (!creature) return creature.error();
-  table.note = "A creature of " + tools::output::with_commas(triangles) +
+  table.note = "A creature of " + tools::output::with_commas(creature->model.triangle_count()) +
                " triangles, and the same with other weights: all its vertices follow the same two "
                "joints. Both have the same tree.";
   const Palette palette = walking_palette(*creature, kSeconds);

@@ -1,9 +1,9 @@
 #include "evaluation/reproduce/refit_time.hpp"
 
-#include "evaluation/methods/statistics.hpp"
 #include "evaluation/paper/counted_refit.hpp"
 #include "scenes/creature/random.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +116,7 @@ std::vector<NodeClass> time_classes(const SphereModel& model, const Palette& pal
   }
   time_in_turn(model, palette, repetitions, samples);
   for (std::size_t i = 0; i < classes.size(); ++i)
-    classes[i].nanoseconds = 1000 * bench::median(samples[i].microseconds) /
+    classes[i].nanoseconds = 1000 * tools::output::median(samples[i].microseconds) /
                              static_cast<double>(samples[i].nodes.size());
   return classes;
 }

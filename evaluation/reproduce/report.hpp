@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt reproduce` finds out, before it becomes a page, tables and pictures on disk.
+/// What `pelt-lab reproduce` finds out, before it becomes a page, tables and pictures on disk.
 
 #include <cstdint>
 #include <optional>

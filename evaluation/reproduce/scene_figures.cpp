@@ -11,7 +11,7 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Figures;
 using tools::Question;
 using tools::SceneFigures;
@@ -21,7 +21,7 @@ std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
   const auto frames = static_cast<double>(scene.frames);
   const auto each = [&](std::uint64_t count) { return static_cast<double>(count) / frames; };
   const QueryStats& work = all.answer.work;
-  const auto method = bench::find_method(all.engine);
+  const auto method = methods::find_method(methods::kLabMethods, all.engine);
   return {method ? title_of(*method) : all.engine,
           all.times.mean_us,
           all.times.mean_update_us,
@@ -88,7 +88,7 @@ Result<SceneFigures> measure_scene(const scenes::Scene& scene, std::vector<tools
 }
 
 double mean_us(const SceneFigures& figures, MethodKind method, Question question) {
-  return figures_of(figures, bench::name_of(method), question).times.mean_us;
+  return figures_of(figures, method.name, question).times.mean_us;
 }
 
 double contact_count(const SceneFigures& figures) {
@@ -134,7 +134,7 @@ Table eager_split_table(const std::string& id, const std::string& title,
       "of the update."};
   const double skinning = figures.skinning.mean_us;
   for (const MethodKind method : methods) {
-    const tools::Times& times = figures_of(figures, bench::name_of(method), Question::all).times;
+    const tools::Times& times = figures_of(figures, method.name, Question::all).times;
     const double refit = times.mean_update_us - skinning;
     const double query = times.mean_us - times.mean_update_us, percent = 100 / times.mean_us;
     table.rows.push_back({title_of(method), skinning, refit, query, times.mean_us,
@@ -146,8 +146,8 @@ Table eager_split_table(const std::string& id, const std::string& title,
 namespace {
 
 std::vector<Cell> comparison_row(const SceneFigures& figures, const Comparison& c) {
-  const tools::Times& slower = figures_of(figures, bench::name_of(c.slower), c.question).times;
-  const tools::Times& faster = figures_of(figures, bench::name_of(c.faster), c.question).times;
+  const tools::Times& slower = figures_of(figures, c.slower.name, c.question).times;
+  const tools::Times& faster = figures_of(figures, c.faster.name, c.question).times;
   std::vector<Cell> row = {title_of(c.faster), title_of(c.slower),
                            c.question == Question::all ? "all contacts" : "first contact",
                            slower.mean_us / faster.mean_us,

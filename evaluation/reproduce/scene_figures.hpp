@@ -3,7 +3,7 @@
 /// Methods on a scene, measured as `pelt bench` measures them, and what becomes of it in the
 /// report.
 
-#include "evaluation/methods/method.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/experiment.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/bench/bench_report.hpp"
@@ -15,7 +15,7 @@ namespace pelt::reproduce {
 /// All contacts and the first one, with hot caches, on at most `most_frames` frames, evenly over
 /// all (in a quick run a fourth of that). Fails where methods answer differently.
 Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
-                                          std::span<const bench::MethodKind> methods,
+                                          std::span<const methods::MethodKind> methods,
                                           std::uint32_t most_frames, const Conditions& conditions);
 
 /// The same of engines that are no methods of the command.
@@ -28,7 +28,7 @@ const tools::Figures& figures_of(const tools::SceneFigures& scene, std::string_v
                                  tools::Question question);
 
 /// Microseconds a frame of one method. Precondition: it was measured.
-double mean_us(const tools::SceneFigures& figures, bench::MethodKind method,
+double mean_us(const tools::SceneFigures& figures, methods::MethodKind method,
                tools::Question question);
 
 /// Of a frame, in the mean.
@@ -42,7 +42,7 @@ Table method_table(const std::string& id, const std::string& title,
 /// they were measured.
 Table eager_split_table(const std::string& id, const std::string& title,
                         const tools::SceneFigures& figures,
-                        std::span<const bench::MethodKind> methods);
+                        std::span<const methods::MethodKind> methods);
 
 /// Milliseconds of a frame that the paper prints.
 struct PrintedTimes {
@@ -51,7 +51,7 @@ struct PrintedTimes {
 
 /// One comparison, and what the paper prints for it.
 struct Comparison {
-  bench::MethodKind slower, faster;
+  methods::MethodKind slower, faster;
   tools::Question question;
   std::optional<PrintedTimes> printed;
 };

@@ -8,6 +8,7 @@
 #include "geometry/box4.hpp"
 #include "model/model.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -32,9 +33,9 @@ std::vector<Cell> tree_row(const std::string& name, const SphereTree& tree) {
           most_children(levels)};
 }
 
-Table tree_table(const SphereTree& binary, const SphereTree& collapsed) {
+Table tree_table(std::size_t triangles, const SphereTree& binary, const SphereTree& collapsed) {
   return {"sphere_trees",
-          "Sphere tree of the creature, 13,590 triangles",
+          "Sphere tree of the creature, " + tools::output::with_commas(triangles) + " triangles",
           {{"tree", "tree"},
            {"spheres", "spheres"},
            {"levels", "levels"},
@@ -347,8 +348,8 @@ Result<Section> sphere_trees(const Conditions&) {
   Result<Table> production = production_table();
   if (!production) return production.error();
   Section section;
-  section.tables = {tree_table(binary, collapsed), level_table(binary, collapsed),
-                    sweep_table(*creature), std::move(*production),
+  section.tables = {tree_table(mesh.triangles.size(), binary, collapsed),
+                    level_table(binary, collapsed), sweep_table(*creature), std::move(*production),
                     production_level_table(*creature)};
   section.text = {text_of_trees(section.tables[0]), text_of_sweep(section.tables[2])};
   section.charts = {

@@ -2,8 +2,7 @@
 /// again, apart and in each other.
 
 #include "base/assert.hpp"
-#include "evaluation/methods/method.hpp"
-#include "evaluation/methods/statistics.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/paper/on_demand.hpp"
 #include "evaluation/paper/sphere_tree.hpp"
 #include "evaluation/reproduce/facing_pair.hpp"
@@ -14,19 +13,20 @@
 #include "evaluation/reproduce/specimen.hpp"
 #include "evaluation/reproduce/subdivide.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Question;
 
 /// How far the two stand from each other: bounds overlap, and hands meet.
 constexpr double kApart = 0.85, kInterfering = 0.73;
 
-constexpr std::array kMethods = {MethodKind::paper, MethodKind::paper_eager, MethodKind::eager,
-                                 MethodKind::on_demand};
+constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
+                                 methods::kOnDemand};
 
 /// The dwarf and what its triangles are cut into.
 Result<std::vector<scenes::Character>> subdivisions(std::uint32_t most) {
@@ -58,7 +58,7 @@ double sphere_count(const scenes::Character& dwarf) {
 }
 
 const QueryStats& work_of(const tools::SceneFigures& figures, MethodKind method) {
-  return figures_of(figures, bench::name_of(method), Question::all).answer.work;
+  return figures_of(figures, method.name, Question::all).answer.work;
 }
 
 /// A position of the two, and what the paper prints of it by level; of the first it prints no more
@@ -81,8 +81,7 @@ Table empty_table(const Position& position) {
                  "One frame of one pose; medians of repetitions, one thread, caches hot. Speed-up: "
                  "the time of the second method named over that of the first."};
   for (const MethodKind method : kMethods)
-    table.columns.push_back(
-        {std::string(bench::name_of(method)) + "_us", title_of(method) + " [us]"});
+    table.columns.push_back({std::string(method.name) + "_us", title_of(method) + " [us]"});
   for (const Column& column : {Column{"paper_refits", "paper on demand: refits"},
                                {"paper_joints", "joints of the root's sphere"},
                                {"paper_sphere_pairs", "paper on demand: sphere tests"},
@@ -116,12 +115,12 @@ Result<std::vector<Cell>> subdivision_row(const std::vector<scenes::Character>& 
   std::vector<Cell> row = {count(level), count(dwarf.asset.triangles.size()), sphere_count(dwarf),
                            contact_count(*figures)};
   for (const MethodKind method : kMethods) row.push_back(time(method));
-  const QueryStats& work = work_of(*figures, MethodKind::paper);
+  const QueryStats& work = work_of(*figures, methods::kPaper);
   for (const double figure :
        {count(work.refits), joints_of_root(dwarf), count(work.node_pairs),
-        count(work_of(*figures, MethodKind::paper_eager).node_pairs),
-        time(MethodKind::paper_eager) / time(MethodKind::paper), position.speed_ups[level],
-        time(MethodKind::eager) / time(MethodKind::on_demand)})
+        count(work_of(*figures, methods::kPaperEager).node_pairs),
+        time(methods::kPaperEager) / time(methods::kPaper), position.speed_ups[level],
+        time(methods::kEager) / time(methods::kOnDemand)})
     row.push_back(figure);
   return row;
 }
@@ -180,7 +179,7 @@ Result<double> rigid_build_us(const scenes::Scene& scene) {
   const auto colliders =
       tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return colliders.error();
-  tools::scene::SceneQuery query(*colliders, bench::make_method(MethodKind::paper_rigid));
+  tools::scene::SceneQuery query(*colliders, methods::kPaperRigid.make());
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   tools::scene::sample_palettes(scene, 0, scratch, palettes);
@@ -191,35 +190,34 @@ Result<double> rigid_build_us(const scenes::Scene& scene) {
     watch.stop();
     times.push_back(watch.microseconds());
   }
-  return bench::median(times);
+  return tools::output::median(times);
 }
 
 /// "On the posture from Figure 7 right we performed also a comparison with rigid body CD."
 Result<Table> rigid_table(const scenes::Character& dwarf, const Conditions& conditions) {
   const scenes::Scene scene = facing_pair(dwarf, kInterfering);
-  constexpr std::array kRigid = {MethodKind::paper, MethodKind::paper_rigid, MethodKind::on_demand,
-                                 MethodKind::rigid};
+  constexpr std::array kRigid = {methods::kPaper, methods::kPaperRigid, methods::kOnDemand,
+                                 methods::kRigid};
   const auto figures = measure_scene(scene, kRigid, 1, conditions);
   if (!figures) return figures.error();
   const auto build = rigid_build_us(scene);
   if (!build) return build.error();
   const auto time = [&](MethodKind method) { return mean_us(*figures, method, Question::all); };
-  const double paper_ratio = time(MethodKind::paper) / time(MethodKind::paper_rigid);
-  return Table{"rigid",
-               "The interfering dwarves as rigid bodies, without subdivision",
-               {{"what", "what"}, {"here_us", "here [us]"}, {"printed_us", "in the paper [us]"}},
-               {{"paper on demand, refits included", time(MethodKind::paper),
-                 1000 * kPaperDwarvesOnDemand[0]},
-                {"paper rigid: sphere trees built over the pose", time(MethodKind::paper_rigid),
-                 1000 * kPaperRigidQuery},
-                {"building them", *build, 1000 * kPaperRigidBuild},
-                {"the first over the second, times", paper_ratio,
-                 kPaperDwarvesOnDemand[0] / kPaperRigidQuery},
-                {"Pelt", time(MethodKind::on_demand), Cell()},
-                {"Pelt rigid", time(MethodKind::rigid), Cell()},
-                {"Pelt over Pelt rigid, times",
-                 time(MethodKind::on_demand) / time(MethodKind::rigid), Cell()}},
-               ""};
+  const double paper_ratio = time(methods::kPaper) / time(methods::kPaperRigid);
+  return Table{
+      "rigid",
+      "The interfering dwarves as rigid bodies, without subdivision",
+      {{"what", "what"}, {"here_us", "here [us]"}, {"printed_us", "in the paper [us]"}},
+      {{"paper on demand, refits included", time(methods::kPaper), 1000 * kPaperDwarvesOnDemand[0]},
+       {"paper rigid: sphere trees built over the pose", time(methods::kPaperRigid),
+        1000 * kPaperRigidQuery},
+       {"building them", *build, 1000 * kPaperRigidBuild},
+       {"the first over the second, times", paper_ratio,
+        kPaperDwarvesOnDemand[0] / kPaperRigidQuery},
+       {"Pelt", time(methods::kOnDemand), Cell()},
+       {"Pelt rigid", time(methods::kRigid), Cell()},
+       {"Pelt over Pelt rigid, times", time(methods::kOnDemand) / time(methods::kRigid), Cell()}},
+      ""};
 }
 
 Chart chart_of(const Table& table) {

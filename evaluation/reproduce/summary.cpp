@@ -8,13 +8,12 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 
-constexpr std::array kMethods = {
-    MethodKind::on_demand, MethodKind::eager,        MethodKind::rigid,
-    MethodKind::paper,     MethodKind::paper_eager,  MethodKind::paper_rigid,
-    MethodKind::hybrid,    MethodKind::aabb_refit,   MethodKind::aabb_rebuild,
-    MethodKind::hash,      MethodKind::hash_overlap, MethodKind::bd_tree};
+constexpr std::array kMethods = {methods::kOnDemand, methods::kEager,       methods::kRigid,
+                                 methods::kPaper,    methods::kPaperEager,  methods::kPaperRigid,
+                                 methods::kHybrid,   methods::kAabbRefit,   methods::kAabbRebuild,
+                                 methods::kHash,     methods::kHashOverlap, methods::kBdTree};
 
 Table method_table() {
   Table table = {

@@ -9,14 +9,14 @@
 namespace pelt::reproduce {
 namespace {
 
-using bench::MethodKind;
+using methods::MethodKind;
 using tools::Question;
 
-constexpr std::array kMethods = {MethodKind::paper, MethodKind::paper_eager, MethodKind::eager,
-                                 MethodKind::on_demand, MethodKind::rigid};
+constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
+                                 methods::kOnDemand, methods::kRigid};
 
 /// Those that refit everything first.
-constexpr std::array kEager = {MethodKind::paper_eager, MethodKind::eager};
+constexpr std::array kEager = {methods::kPaperEager, methods::kEager};
 
 /// What the paper prints of a scene.
 struct Printed {
@@ -27,12 +27,12 @@ std::vector<Comparison> comparisons(const Printed& printed) {
   std::vector<Comparison> all;
   for (const Question question : {Question::all, Question::first}) {
     const bool is_all = question == Question::all;
-    all.push_back({MethodKind::paper_eager, MethodKind::paper, question,
-                   is_all ? printed.all : printed.first});
-    all.push_back({MethodKind::paper_eager, MethodKind::on_demand, question, {}});
-    all.push_back({MethodKind::paper, MethodKind::on_demand, question, {}});
-    all.push_back({MethodKind::eager, MethodKind::on_demand, question, {}});
-    all.push_back({MethodKind::on_demand, MethodKind::rigid, question, {}});
+    all.push_back(
+        {methods::kPaperEager, methods::kPaper, question, is_all ? printed.all : printed.first});
+    all.push_back({methods::kPaperEager, methods::kOnDemand, question, {}});
+    all.push_back({methods::kPaper, methods::kOnDemand, question, {}});
+    all.push_back({methods::kEager, methods::kOnDemand, question, {}});
+    all.push_back({methods::kOnDemand, methods::kRigid, question, {}});
   }
   return all;
 }
@@ -41,13 +41,13 @@ std::string microseconds(double us) { return shown(us) + " us"; }
 
 /// The paper's claim, here. All figures are in the tables.
 std::string text_of_claim(const tools::SceneFigures& figures, const PrintedTimes& printed) {
-  const double speed_up = mean_us(figures, MethodKind::paper_eager, Question::all) /
-                          mean_us(figures, MethodKind::paper, Question::all);
+  const double speed_up = mean_us(figures, methods::kPaperEager, Question::all) /
+                          mean_us(figures, methods::kPaper, Question::all);
   return "The paper finds refit on demand " + shown(printed.slower_ms / printed.faster_ms) +
          " times as fast as bottom-up. Here its method takes " +
-         microseconds(mean_us(figures, MethodKind::paper, Question::all)) + " a frame and is " +
+         microseconds(mean_us(figures, methods::kPaper, Question::all)) + " a frame and is " +
          shown(speed_up) + " times as fast as bottom-up refit of the same spheres, which takes " +
-         microseconds(mean_us(figures, MethodKind::paper_eager, Question::all)) + ".";
+         microseconds(mean_us(figures, methods::kPaperEager, Question::all)) + ".";
 }
 
 /// Where the paper's speed-up went: what both spend before and in their queries.
@@ -73,12 +73,12 @@ std::string text_of_cause(const tools::SceneFigures& figures) {
 }
 
 std::string text_of_ours(const tools::SceneFigures& figures) {
-  const double ours = mean_us(figures, MethodKind::on_demand, Question::all);
-  const double eager = mean_us(figures, MethodKind::eager, Question::all);
+  const double ours = mean_us(figures, methods::kOnDemand, Question::all);
+  const double eager = mean_us(figures, methods::kEager, Question::all);
   return "Pelt takes " + microseconds(ours) + ", and " + microseconds(eager) +
          " where it refits everything first: on demand it is " + shown(eager / ours) +
          " times as fast. To the first contact it takes " +
-         microseconds(mean_us(figures, MethodKind::on_demand, Question::first)) + ".";
+         microseconds(mean_us(figures, methods::kOnDemand, Question::first)) + ".";
 }
 
 struct Walk {

@@ -2,8 +2,8 @@
 
 /// The contacts of two poses, by a query and by comparing all of their triangles.
 
-#include "evaluation/methods/brute_force.hpp"
 #include "support/skinned_shapes.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 
 #include <pelt/collide.hpp>
 
@@ -24,8 +24,8 @@ inline std::vector<Contact> brute_force(const Shape& a, const Pose& pose_a, cons
   posed_vertices(pose_a, positions_a);
   posed_vertices(pose_b, positions_b);
   std::vector<Contact> contacts;
-  bench::brute_force_collide(a.triangles, positions_a, b.triangles, positions_b, contacts,
-                             UINT32_MAX);
+  methods::brute_force_collide(a.triangles, positions_a, b.triangles, positions_b, contacts,
+                               UINT32_MAX);
   return contacts;
 }
 

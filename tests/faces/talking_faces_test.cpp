@@ -6,11 +6,11 @@
 #include "base/hash.hpp"
 #include "bounds/box_of_triangles.hpp"
 #include "distance/brute_distance.hpp"
-#include "evaluation/methods/brute_force.hpp"
 #include "ray/ray_oracle.hpp"
 #include "region/region_oracle.hpp"
 #include "scenes/face.hpp"
 #include "support/targets.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 
 #include <bit>
 
@@ -86,8 +86,8 @@ TEST_F(TalkingFaces, TouchWhereBruteForceSaysSo) {
   for (int frame = 0; frame < kFrames; ++frame) {
     play(frame);
     std::vector<Contact> expected;
-    bench::brute_force_collide(a.triangles(), a.positions, b.triangles(), b.positions, expected,
-                               UINT32_MAX);
+    methods::brute_force_collide(a.triangles(), a.positions, b.triangles(), b.positions, expected,
+                                 UINT32_MAX);
     EXPECT_EQ(contacts(), expected) << frame;
     ++(expected.empty() ? apart : touching);
   }

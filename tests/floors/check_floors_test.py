@@ -42,13 +42,31 @@ class CheckFloors(unittest.TestCase):
         self.assert_refused("scenes/a.cpp", '  # include "tools/pelt/b.hpp"',
                             ["tools/pelt/b.hpp"])
 
-    def test_the_library_does_not_know_the_paper(self):
-        self.assert_accepted("evaluation/methods/a.cpp", '#include "evaluation/paper/b.hpp"',
+    def test_the_product_includes_no_evaluation(self):
+        for path in ("src/collide/a.cpp", "scenes/a.cpp", "bindings/a.cpp", "tools/pelt/verbs/a.cpp"):
+            self.assert_refused(path, '#include "evaluation/paper/b.hpp"',
+                                ["evaluation/paper/b.hpp"])
+            self.assert_refused(path, '#include "evaluation/rivals/b.hpp"',
+                                ["evaluation/rivals/b.hpp"])
+
+    def test_the_command_has_the_papers_method(self):
+        method = "tools/pelt/methods/paper_method.hpp"
+        self.assert_accepted(method, '#include "evaluation/paper/b.hpp"',
                              ["evaluation/paper/b.hpp"])
-        self.assert_refused("src/collide/collide.cpp", '#include "evaluation/paper/b.hpp"',
-                            ["evaluation/paper/b.hpp"])
-        self.assert_refused("scenes/a.cpp", '#include "evaluation/paper/b.hpp"',
-                            ["evaluation/paper/b.hpp"])
+        self.assert_refused(method, '#include "evaluation/rivals/b.hpp"',
+                            ["evaluation/rivals/b.hpp"])
+
+    def test_evaluation_includes_what_is_listed_for_it(self):
+        self.assert_accepted("evaluation/rivals/a.cpp", '#include "evaluation/paper/b.hpp"',
+                             ["evaluation/paper/b.hpp"])
+        self.assert_refused("evaluation/paper/a.cpp", '#include "evaluation/rivals/b.hpp"',
+                            ["evaluation/rivals/b.hpp"])
+        self.assert_refused("evaluation/rivals/a.cpp", '#include "tools/pelt/output/b.hpp"',
+                            ["tools/pelt/output/b.hpp"])
+
+    def test_tests_include_anything(self):
+        self.assert_accepted("tests/a.cpp", '#include "evaluation/rivals/b.hpp"',
+                             ["evaluation/rivals/b.hpp"])
 
     def test_the_reader_knows_the_core_by_its_public_headers(self):
         self.assert_refused("asset/a.cpp", '#include "model/b.hpp"', ["src/model/b.hpp"])

@@ -20,8 +20,8 @@ class Reproduce(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = pathlib.Path(holder.name).resolve()
         self.root = self.folder / "clone"
-        for program in ("scripts/install-deps", "bin/cmake", "build/release/tools/pelt/pelt",
-                        "build/peers/tools/pelt/pelt"):
+        for program in ("scripts/install-deps", "bin/cmake", "build/release/evaluation/lab/pelt-lab",
+                        "build/peers/evaluation/lab/pelt-lab"):
             path = self.root / program
             path.parent.mkdir(parents=True)
             path.write_text(STAND_IN)
@@ -41,29 +41,29 @@ class Reproduce(unittest.TestCase):
         """What the command was called with."""
         status, _, ran = self.run_script(*words)
         self.assertEqual(status, 0)
-        return ran[ran.index("pelt"):]
+        return ran[ran.index("pelt-lab"):]
 
     def test_installs_and_builds_first(self):
         _, printed, ran = self.run_script()
-        self.assertEqual(ran[:ran.index("pelt")],
+        self.assertEqual(ran[:ran.index("pelt-lab")],
                          ["install-deps", "reproduce", "cmake", "--preset", "release", "cmake",
-                          "--build", "--preset", "release", "--target", "pelt_command"])
+                          "--build", "--preset", "release", "--target", "pelt_lab"])
         self.assertEqual(printed, f"look at {self.folder}/pelt-reproduce/report.html\n")
 
     def test_takes_all_experiments_unless_told(self):
         self.assertEqual(self.command(),
-                         ["pelt", "reproduce", "-o", f"{self.folder}/pelt-reproduce"])
+                         ["pelt-lab", "reproduce", "-o", f"{self.folder}/pelt-reproduce"])
 
     def test_passes_options_on_and_finds_folders_from_where_it_was_called(self):
         self.assertEqual(self.command("--quick", "--models", "some", "--only", "a,b", "report"),
-                         ["pelt", "reproduce", "--quick", "--models", f"{self.folder}/some",
+                         ["pelt-lab", "reproduce", "--quick", "--models", f"{self.folder}/some",
                           "--only", "a,b", "-o", f"{self.folder}/report"])
 
     def test_builds_with_other_libraries_when_asked_for_them(self):
         _, _, ran = self.run_script("--peers")
         self.assertEqual(ran[:4], ["install-deps", "reproduce", "install-deps", "peers"])
         self.assertEqual(ran[4:7], ["cmake", "--preset", "peers"])
-        self.assertIn("--peers", ran[ran.index("pelt"):])
+        self.assertIn("--peers", ran[ran.index("pelt-lab"):])
 
     def test_refuses_what_it_does_not_know(self):
         for words in (["--fast"], ["one", "two"], ["--models"]):

@@ -1,9 +1,9 @@
 /// Rigid and static meshes: models with one joint, prepared like any other, that characters collide
 /// with, that rays meet, and that are moved by one matrix.
 
-#include "evaluation/methods/brute_force.hpp"
 #include "geometry/ray_triangle.hpp"
 #include "support/skinned_shapes.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 
 #include <pelt/collide.hpp>
 #include <pelt/prepared.hpp>
@@ -51,8 +51,8 @@ TEST(StaticMesh, CollidesWithCharactersAsBruteForceTells) {
       rocks.move(test::rotation_about(random.point(1), random.uniform(0, 6), {}, random.point(1)));
     ASSERT_TRUE(character.set_palette(test::bend_limb(random, 4, 0.5, random.point(1))));
     std::vector<Contact> expected;
-    bench::brute_force_collide(limb.triangles, posed(character), rocks.shape.triangles,
-                               posed(rocks.built), expected, UINT32_MAX);
+    methods::brute_force_collide(limb.triangles, posed(character), rocks.shape.triangles,
+                                 posed(rocks.built), expected, UINT32_MAX);
     for (Pose* rock : {&rocks.built, &rocks.read}) {
       std::vector<Contact> contacts;
       collide(character, *rock, scratch, contacts);

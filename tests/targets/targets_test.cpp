@@ -3,10 +3,10 @@
 
 #include <pelt/collide.hpp>
 
-#include "evaluation/methods/brute_force.hpp"
 #include "geometry/predicates.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 
 #include <gtest/gtest.h>
 
@@ -180,8 +180,8 @@ class Pair {
     posed_vertices(a_, positions_a);
     posed_vertices(b_, positions_b);
     std::vector<Contact> contacts;
-    bench::brute_force_collide(body_a_.shape.triangles, positions_a, body_b_.shape.triangles,
-                               positions_b, contacts, UINT32_MAX);
+    methods::brute_force_collide(body_a_.shape.triangles, positions_a, body_b_.shape.triangles,
+                                 positions_b, contacts, UINT32_MAX);
     return contacts;
   }
 

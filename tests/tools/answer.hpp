@@ -3,7 +3,7 @@
 /// What `pelt check` should answer, found without it: all pairs of triangles by the exact
 /// predicate.
 
-#include "evaluation/methods/brute_force.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 #include "tools/pelt/scene/posed_instances.hpp"
 #include "tools/run_program.hpp"
 
@@ -38,8 +38,8 @@ inline CheckFile parse_check_file(const std::string& text) {
 inline nlohmann::json brute_force_json(const tools::scene::PosedInstance& a,
                                        const tools::scene::PosedInstance& b) {
   std::vector<Contact> contacts;
-  bench::brute_force_collide(a.triangles, a.positions, b.triangles, b.positions, contacts,
-                             std::numeric_limits<std::uint32_t>::max());
+  methods::brute_force_collide(a.triangles, a.positions, b.triangles, b.positions, contacts,
+                               std::numeric_limits<std::uint32_t>::max());
   nlohmann::json triangles = nlohmann::json::array();
   for (const Contact& contact : contacts) {
     triangles.push_back({contact.triangle_a, contact.triangle_b});

@@ -1,6 +1,6 @@
 /// The ways to answer a query give the same contacts and do the work that they are called after.
 
-#include "evaluation/methods/method.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 
 #include "evaluation/paper/on_demand.hpp"
 #include "model/model.hpp"
@@ -11,8 +11,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
-namespace pelt::bench {
+namespace pelt::methods {
 namespace {
 
 using test::Motion;
@@ -24,12 +25,7 @@ using Contacts = std::vector<Contact>;
 using Joints = std::vector<Matrix4>;
 
 constexpr std::uint32_t kJoints = 5;
-constexpr MethodKind kKinds[] = {
-    MethodKind::on_demand,   MethodKind::eager,      MethodKind::rigid,
-    MethodKind::paper,       MethodKind::paper_eq2,  MethodKind::paper_eager,
-    MethodKind::paper_rigid, MethodKind::aabb_refit, MethodKind::aabb_rebuild,
-    MethodKind::hybrid,      MethodKind::hash,       MethodKind::hash_overlap,
-    MethodKind::bd_tree,     MethodKind::brute};
+constexpr auto& kKinds = kLabMethods;
 
 SkinnedModel model_of(const Shape& shape) {
   auto model = build_model(shape.view());
@@ -48,8 +44,8 @@ struct Scene {
 };
 
 /// A method with the two bodies of a scene.
-std::unique_ptr<Method> method_with(MethodKind kind, const Scene& scene) {
-  std::unique_ptr<Method> method = make_method(kind);
+std::unique_ptr<Method> method_with(const MethodKind& kind, const Scene& scene) {
+  std::unique_ptr<Method> method = kind.make();
   for (std::uint32_t body = 0; body < 2; ++body) {
     method->add(scene.models[body]);
     EXPECT_TRUE(method->set_palette(body, scene.palettes[body]));
@@ -57,7 +53,7 @@ std::unique_ptr<Method> method_with(MethodKind kind, const Scene& scene) {
   return method;
 }
 
-Contacts contacts_of(MethodKind kind, const Scene& scene) {
+Contacts contacts_of(const MethodKind& kind, const Scene& scene) {
   Contacts contacts;
   method_with(kind, scene)->collide(0, 1, contacts, {});
   return contacts;
@@ -102,10 +98,10 @@ TEST(Methods, AllFindTheContactsOfBruteForce) {
   int touching = 0;
   for (int i = 0; i < kScenes; ++i) {
     const Scene scene = random_scene(random, i);
-    const Contacts expected = contacts_of(MethodKind::brute, scene);
+    const Contacts expected = contacts_of(kBrute, scene);
     ASSERT_TRUE(std::is_sorted(expected.begin(), expected.end()));
-    for (const MethodKind kind : kKinds)
-      ASSERT_EQ(contacts_of(kind, scene), expected) << name_of(kind) << ", scene " << i;
+    for (const MethodKind& kind : kKinds)
+      ASSERT_EQ(contacts_of(kind, scene), expected) << kind.name << ", scene " << i;
     touching += !expected.empty();
   }
   std::printf("%d of %d scenes touch\n", touching, kScenes);
@@ -118,14 +114,14 @@ TEST(Methods, SwappedBodiesGiveSwappedPairs) {
   int touching = 0;
   for (int i = 0; i < 40; ++i) {
     const Scene scene = random_scene(random, i);
-    for (const MethodKind kind : kKinds) {
+    for (const MethodKind& kind : kKinds) {
       const auto method = method_with(kind, scene);
       Contacts forward, backward;
       method->collide(0, 1, forward, {});
       method->collide(1, 0, backward, {});
       for (Contact& contact : backward) std::swap(contact.triangle_a, contact.triangle_b);
       std::sort(backward.begin(), backward.end());
-      ASSERT_EQ(backward, forward) << name_of(kind);
+      ASSERT_EQ(backward, forward) << kind.name;
       touching += !forward.empty();
     }
   }
@@ -136,17 +132,17 @@ TEST(Methods, SkinWhenTheySayTheyDo) {
   Random random(8);
   const Scene scene = separated_scene(random);
   const std::uint64_t vertices = scene.models[0].vertex_count() + scene.models[1].vertex_count();
-  for (const MethodKind kind : kKinds) {
+  for (const MethodKind& kind : kKinds) {
     const auto method = method_with(kind, scene);
     if (!method->update_counts()) continue;
     const std::uint64_t before = method->update_work().posed_vertices;
     for (std::uint32_t body = 0; body < 2; ++body)
       ASSERT_TRUE(method->set_palette(body, scene.palettes[body]));
     const std::uint64_t skinned = method->update_work().posed_vertices - before;
-    if (skinning_of(kind) == Skins::where_queried) {
-      EXPECT_EQ(skinned, 0u) << name_of(kind);
+    if (kind.skins == Skins::where_queried) {
+      EXPECT_EQ(skinned, 0u) << kind.name;
     } else {
-      EXPECT_GE(skinned, vertices) << name_of(kind);
+      EXPECT_GE(skinned, vertices) << kind.name;
     }
   }
 }
@@ -154,7 +150,7 @@ TEST(Methods, SkinWhenTheySayTheyDo) {
 TEST(Methods, AreAskedAgainAfterANewPalette) {
   Random random(3);
   const Scene scene = crossing_scene(random);
-  for (const MethodKind kind : kKinds) {
+  for (const MethodKind& kind : kKinds) {
     const auto method = method_with(kind, scene);
     Contacts contacts, apart, again;
     method->collide(0, 1, contacts, {});
@@ -173,21 +169,21 @@ TEST(Methods, LimitsAreKeptAndTold) {
   int limited = 0;
   for (int i = 0; i < 40; ++i) {
     const Scene scene = random_scene(random, i);
-    const Contacts all = contacts_of(MethodKind::brute, scene);
+    const Contacts all = contacts_of(kBrute, scene);
     const auto total = static_cast<std::uint32_t>(all.size());
     for (const std::uint32_t limit : {0u, 1u, 2u, total / 2, total, total + 1})
-      for (const MethodKind kind : kKinds) {
+      for (const MethodKind& kind : kKinds) {
         Contacts contacts = {{7, 7}};
         const auto method = method_with(kind, scene);
         const QueryStats stats = method->collide(0, 1, contacts, {.max_contacts = limit});
         ASSERT_EQ(contacts[0], (Contact{7, 7}));  // appended
         contacts.erase(contacts.begin());
-        ASSERT_EQ(contacts.size(), std::min(limit, total)) << name_of(kind);
+        ASSERT_EQ(contacts.size(), std::min(limit, total)) << kind.name;
         ASSERT_TRUE(std::includes(all.begin(), all.end(), contacts.begin(), contacts.end()));
         if (limit < total) {
-          ASSERT_TRUE(stats.cut_short) << name_of(kind);
+          ASSERT_TRUE(stats.cut_short) << kind.name;
         } else if (limit > total) {
-          ASSERT_FALSE(stats.cut_short) << name_of(kind);
+          ASSERT_FALSE(stats.cut_short) << kind.name;
         }
         limited += limit < total;
       }
@@ -198,13 +194,13 @@ TEST(Methods, LimitsAreKeptAndTold) {
 TEST(Methods, StopAtTheFirstContactWithLessWork) {
   Random random(5);
   const Scene scene = crossing_scene(random);
-  for (const MethodKind kind : kKinds) {
+  for (const MethodKind& kind : kKinds) {
     const auto all = method_with(kind, scene), first = method_with(kind, scene);
     Contacts contacts;
     const QueryStats all_work = all->collide(0, 1, contacts, {});
     const QueryStats first_work = first->collide(0, 1, contacts, {.max_contacts = 1});
-    EXPECT_LT(first_work.triangle_pairs, all_work.triangle_pairs) << name_of(kind);
-    EXPECT_LE(first_work.refits, all_work.refits) << name_of(kind);
+    EXPECT_LT(first_work.triangle_pairs, all_work.triangle_pairs) << kind.name;
+    EXPECT_LE(first_work.refits, all_work.refits) << kind.name;
   }
 }
 
@@ -246,10 +242,8 @@ TEST_P(OnDemand, RefitsAndSkinsAtMostOnceForEachPalette) {
   EXPECT_LT(one_stale.refits, once.refits);  // the other body's spheres still stand
 }
 
-INSTANTIATE_TEST_SUITE_P(Bound, OnDemand,
-                         testing::Values(MethodKind::paper, MethodKind::paper_eq2,
-                                         MethodKind::bd_tree),
-                         [](const auto& kind) { return std::string(name_of(kind.param)); });
+INSTANTIATE_TEST_SUITE_P(Bound, OnDemand, testing::Values(kPaper, kPaperEq2, kBdTree),
+                         [](const auto& kind) { return std::string(kind.param.name); });
 
 /// What two bodies' palettes cost, without what adding the bodies cost.
 QueryStats work_of_palettes(Method& method, const Scene& scene) {
@@ -271,17 +265,16 @@ TEST(Methods, RivalsPoseEveryVertexAndOnlyTheEagerOneRefits) {
   Random random(8);
   for (const Scene& scene : {separated_scene(random), crossing_scene(random)})
     for (const auto& [kind, refits_all] :
-         {EagerWork{MethodKind::paper_eager, true}, EagerWork{MethodKind::paper_rigid, false},
-          EagerWork{MethodKind::brute, false}}) {
+         {EagerWork{kPaperEager, true}, EagerWork{kPaperRigid, false}, EagerWork{kBrute, false}}) {
       const auto method = method_with(kind, scene);
       const QueryStats update = work_of_palettes(*method, scene);
       const SkinnedModel &a = scene.models[0], &b = scene.models[1];
-      EXPECT_EQ(update.posed_vertices, a.vertex_count() + b.vertex_count()) << name_of(kind);
-      EXPECT_EQ(update.refits, refits_all ? node_count(a) + node_count(b) : 0) << name_of(kind);
+      EXPECT_EQ(update.posed_vertices, a.vertex_count() + b.vertex_count()) << kind.name;
+      EXPECT_EQ(update.refits, refits_all ? node_count(a) + node_count(b) : 0) << kind.name;
       Contacts contacts;
       const QueryStats query = method->collide(0, 1, contacts, {});
-      EXPECT_EQ(query.posed_vertices + query.refits, 0u) << name_of(kind);
-      EXPECT_EQ(query.node_pairs == 0, kind == MethodKind::brute) << name_of(kind);
+      EXPECT_EQ(query.posed_vertices + query.refits, 0u) << kind.name;
+      EXPECT_EQ(query.node_pairs == 0, kind == kBrute) << kind.name;
     }
 }
 
@@ -293,7 +286,7 @@ std::uint64_t slot_count(const SkinnedModel& model) {
 TEST(Methods, EagerOpensAllInItsUpdate) {
   Random random(11);
   for (const Scene& scene : {separated_scene(random), crossing_scene(random)}) {
-    const auto method = method_with(MethodKind::eager, scene);
+    const auto method = method_with(kEager, scene);
     const QueryStats update = work_of_palettes(*method, scene);
     const SkinnedModel &a = scene.models[0], &b = scene.models[1];
     EXPECT_EQ(update.refits, slot_count(a) + slot_count(b));
@@ -308,7 +301,7 @@ TEST(Methods, EagerOpensAllInItsUpdate) {
 TEST(Methods, RigidBodiesDoNoWorkButQueries) {
   Random random(12);
   const Scene scene = crossing_scene(random);
-  const auto method = method_with(MethodKind::rigid, scene);
+  const auto method = method_with(kRigid, scene);
   Contacts contacts;
   const QueryStats query = method->collide(0, 1, contacts, {});
   EXPECT_FALSE(contacts.empty());
@@ -317,9 +310,9 @@ TEST(Methods, RigidBodiesDoNoWorkButQueries) {
 }
 
 TEST(Methods, UpdatesCountUnlessBodiesAreRigid) {
-  for (const MethodKind kind : kKinds) {
-    const bool is_rigid = kind == MethodKind::rigid || kind == MethodKind::paper_rigid;
-    EXPECT_EQ(make_method(kind)->update_counts(), !is_rigid) << name_of(kind);
+  for (const MethodKind& kind : kKinds) {
+    const bool is_rigid = kind == kRigid || kind == kPaperRigid;
+    EXPECT_EQ(kind.make()->update_counts(), !is_rigid) << kind.name;
   }
 }
 
@@ -329,8 +322,8 @@ TEST(Methods, TighterSpheresTestFewerPairs) {
   for (int i = 0; i < 20; ++i) {
     const Scene scene = crossing_scene(random);
     Contacts contacts;
-    optimised += method_with(MethodKind::paper, scene)->collide(0, 1, contacts, {}).node_pairs;
-    plain += method_with(MethodKind::paper_eq2, scene)->collide(0, 1, contacts, {}).node_pairs;
+    optimised += method_with(kPaper, scene)->collide(0, 1, contacts, {}).node_pairs;
+    plain += method_with(kPaperEq2, scene)->collide(0, 1, contacts, {}).node_pairs;
   }
   std::printf("%llu sphere pairs, by eq. 2 %llu\n", static_cast<unsigned long long>(optimised),
               static_cast<unsigned long long>(plain));
@@ -342,18 +335,18 @@ TEST(Methods, RefuseABadPaletteAndKeepTheOldOne) {
   const Scene scene = crossing_scene(random);
   Joints bad = scene.palettes[0];
   bad[1].m[5] = std::numeric_limits<float>::quiet_NaN();
-  for (const MethodKind kind : kKinds) {
+  for (const MethodKind& kind : kKinds) {
     const auto method = method_with(kind, scene);
     EXPECT_FALSE(method->set_palette(0, bad));
     Contacts contacts;
     method->collide(0, 1, contacts, {});
-    EXPECT_EQ(contacts, contacts_of(MethodKind::brute, scene)) << name_of(kind);
+    EXPECT_EQ(contacts, contacts_of(kBrute, scene)) << kind.name;
   }
 }
 
 /// Those that bound vertices by what joints do to rest positions have no bounds for displaced ones.
-bool knows_morph_targets(MethodKind kind) {
-  return kind != MethodKind::paper && kind != MethodKind::paper_eq2 && kind != MethodKind::bd_tree;
+bool knows_morph_targets(const MethodKind& kind) {
+  return kind != kPaper && kind != kPaperEq2 && kind != kBdTree;
 }
 
 TEST(Methods, AgreeOnMorphedBodiesOrRefuseThem) {
@@ -367,7 +360,7 @@ TEST(Methods, AgreeOnMorphedBodiesOrRefuseThem) {
         {model, model},
         {bend_limb(random, kJoints, 0.3, {}), bend_limb(random, kJoints, 0.3, random.point(0.3))}};
     const auto weights = test::make_morph_weights(random, 7, test::Morphing::all);
-    const auto answer = [&](MethodKind kind) {
+    const auto answer = [&](const MethodKind& kind) {
       const auto method = method_with(kind, scene);
       EXPECT_TRUE(method->set_morph_weights(0, std::vector<float>(7)));
       EXPECT_EQ(bool(method->set_morph_weights(0, weights)), knows_morph_targets(kind));
@@ -376,11 +369,11 @@ TEST(Methods, AgreeOnMorphedBodiesOrRefuseThem) {
       method->collide(0, 1, contacts, {});
       return contacts;
     };
-    const Contacts expected = answer(MethodKind::brute);
-    for (const MethodKind kind : kKinds) {
+    const Contacts expected = answer(kBrute);
+    for (const MethodKind& kind : kKinds) {
       const Contacts contacts = answer(kind);
       if (knows_morph_targets(kind)) {
-        EXPECT_EQ(contacts, expected) << name_of(kind);
+        EXPECT_EQ(contacts, expected) << kind.name;
       }
     }
     touching += !expected.empty();
@@ -389,10 +382,13 @@ TEST(Methods, AgreeOnMorphedBodiesOrRefuseThem) {
 }
 
 TEST(Methods, AreFoundByName) {
-  EXPECT_EQ(method_names().size(), std::size(kKinds));
-  for (const MethodKind kind : kKinds) EXPECT_EQ(find_method(name_of(kind)), kind);
-  EXPECT_EQ(find_method("paper_lazy"), std::nullopt);
+  const std::vector<std::string_view> names = names_of(kKinds);
+  EXPECT_EQ(std::set(names.begin(), names.end()).size(), std::size(kKinds));
+  for (const MethodKind& kind : kKinds) EXPECT_EQ(find_method(kKinds, kind.name), kind);
+  for (const MethodKind& kind : kCommandMethods) EXPECT_EQ(find_method(kKinds, kind.name), kind);
+  EXPECT_EQ(find_method(kKinds, "paper_lazy"), std::nullopt);
+  EXPECT_EQ(find_method(kCommandMethods, "rigid"), std::nullopt);
 }
 
 }  // namespace
-}  // namespace pelt::bench
+}  // namespace pelt::methods

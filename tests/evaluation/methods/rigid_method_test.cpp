@@ -1,12 +1,12 @@
 /// Rigid bodies are built afresh for each palette, whatever order palettes come in.
 
-#include "evaluation/methods/rigid_method.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pelt::bench {
+namespace pelt::methods {
 namespace {
 
 using test::Random;
@@ -20,7 +20,7 @@ TEST(RigidMethod, AnswersForTheLastPaletteInAnyOrder) {
   std::vector<std::vector<Matrix4>> palettes;
   for (int i = 0; i < 4; ++i)
     palettes.push_back(bend_limb(random, kJoints, 0.6, random.point(0.2)));
-  const auto rigid = make_rigid_method(), brute = make_method(MethodKind::brute);
+  const auto rigid = make_rigid(), brute = make_brute();
   for (const auto& method : {rigid.get(), brute.get()}) {
     method->add(*limb);
     method->add(*limb);
@@ -42,4 +42,4 @@ TEST(RigidMethod, AnswersForTheLastPaletteInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace pelt::bench
+}  // namespace pelt::methods

@@ -3,10 +3,10 @@
 
 #include "evaluation/peers/peers.hpp"
 
-#include "evaluation/methods/brute_force.hpp"
 #include "evaluation/peers/compare.hpp"
 #include "scenes/creature.hpp"
 #include "scenes/scene.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,8 +65,8 @@ class Peers : public testing::Test {
       frames_.emplace_back();
       for (std::uint32_t body = 0; body < 2; ++body)
         pose(scene, frame, body, scratch, poses[body], frames_.back().positions[body]);
-      bench::brute_force_collide(triangles_[0], frames_.back().positions[0], triangles_[1],
-                                 frames_.back().positions[1], frames_.back().exact, kAll);
+      methods::brute_force_collide(triangles_[0], frames_.back().positions[0], triangles_[1],
+                                   frames_.back().positions[1], frames_.back().exact, kAll);
     }
   }
 

@@ -2,6 +2,8 @@
 
 #include "tools/pelt/bench/bench_scene.hpp"
 
+#include "evaluation/methods/lab_methods.hpp"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -10,7 +12,7 @@ namespace pelt::tools {
 namespace {
 
 /// A method that loses the last contact of every tenth question that has several, or of every one.
-class Forgetful final : public bench::Method {
+class Forgetful final : public methods::Method {
  public:
   explicit Forgetful(int every) : every_(every) {}
 
@@ -31,7 +33,7 @@ class Forgetful final : public bench::Method {
   QueryStats update_work() const override { return method_->update_work(); }
 
  private:
-  std::unique_ptr<bench::Method> method_ = bench::make_method(bench::MethodKind::on_demand);
+  std::unique_ptr<methods::Method> method_ = methods::kOnDemand.make();
   int every_, asked_ = 0;
 };
 
@@ -73,9 +75,9 @@ TEST(BenchScene, RefusesAnEngineThatForgetsOneContact) {
   for (const int every : {1, 10}) {
     std::vector<SceneFigures> figures;
     std::ostringstream errors;
-    const Result<arguments::ExitCode> exit = bench_scene(
-        walkers(), settings_with({engine_of(bench::MethodKind::on_demand), forgetful(every)}),
-        figures, errors);
+    const Result<arguments::ExitCode> exit =
+        bench_scene(walkers(), settings_with({engine_of(methods::kOnDemand), forgetful(every)}),
+                    figures, errors);
     ASSERT_TRUE(exit);
     EXPECT_EQ(*exit, arguments::ExitCode::internal);
     EXPECT_TRUE(figures.empty());
@@ -96,7 +98,7 @@ TEST(BenchScene, RefusesAnEngineThatDeniesThatAPairTouches) {
 }
 
 /// Notes where body 0 stands along z whenever it gets a palette.
-class Noting final : public bench::Method {
+class Noting final : public methods::Method {
  public:
   explicit Noting(std::vector<float>& places) : places_(places) {}
 
@@ -115,7 +117,7 @@ class Noting final : public bench::Method {
   QueryStats update_work() const override { return method_->update_work(); }
 
  private:
-  std::unique_ptr<bench::Method> method_ = bench::make_method(bench::MethodKind::on_demand);
+  std::unique_ptr<methods::Method> method_ = methods::kOnDemand.make();
   std::vector<float>& places_;
 };
 
@@ -138,7 +140,7 @@ TEST(BenchScene, RunsTheFrameBeforeEachAndTheLastBeforeTheFirst) {
 }
 
 TEST(BenchScene, WaitsForAllThreadsOnlyWhereThereAreSeveral) {
-  BenchSettings settings = settings_with({engine_of(bench::MethodKind::eager)});
+  BenchSettings settings = settings_with({engine_of(methods::kEager)});
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
   ASSERT_TRUE(bench_scene(walkers(), settings, figures, errors));
@@ -153,8 +155,8 @@ TEST(BenchScene, WaitsForAllThreadsOnlyWhereThereAreSeveral) {
 
 TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {
   BenchSettings settings = settings_with({});
-  for (const auto method : {bench::MethodKind::paper, bench::MethodKind::eager,
-                            bench::MethodKind::on_demand, bench::MethodKind::rigid}) {
+  for (const auto method :
+       {methods::kPaper, methods::kEager, methods::kOnDemand, methods::kRigid}) {
     settings.engines.push_back(engine_of(method));
   }
   settings.questions = {Question::all, Question::first};
@@ -186,8 +188,7 @@ TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {
 
 /// What bodies do in their update is not charged to rigid ones, nor shown as their work.
 TEST(BenchScene, UpdatesOfRigidBodiesCostNothing) {
-  const auto settings =
-      settings_with({engine_of(bench::MethodKind::eager), engine_of(bench::MethodKind::rigid)});
+  const auto settings = settings_with({engine_of(methods::kEager), engine_of(methods::kRigid)});
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
   const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);

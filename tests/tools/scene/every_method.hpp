@@ -2,6 +2,7 @@
 
 /// A scene asked by every method, with its files read once.
 
+#include "evaluation/methods/lab_methods.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
 
 #include <gtest/gtest.h>
@@ -41,10 +42,9 @@ inline std::uint32_t in_contact_by_every_method(const scenes::Scene& scene, std:
       tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return ADD_FAILURE() << colliders.error().message, 0;
   std::vector<FramesAnswer> answers;
-  for (const std::string_view name : bench::method_names()) {
-    const bench::MethodKind method = *bench::find_method(name);
+  for (const methods::MethodKind& method : methods::kLabMethods) {
     answers.push_back(ask_frames(scene, tools::scene::SceneQuery(*colliders, method), begin, end));
-    EXPECT_EQ(answers.back(), answers.front()) << name;
+    EXPECT_EQ(answers.back(), answers.front()) << method.name;
   }
   return answers.front().in_contact;
 }

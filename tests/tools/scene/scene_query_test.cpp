@@ -58,8 +58,8 @@ TEST(SceneQuery, PartsOfOneInstanceCollideAlikeAsACrowdAndPairByPair) {
   asset::SampleScratch scratch;
   Palettes palettes;
   sample_palettes(scene, 6, scratch, palettes);
-  SceneQuery crowd(*colliders, bench::MethodKind::on_demand);
-  SceneQuery pairs(*colliders, bench::make_method(bench::MethodKind::on_demand));
+  SceneQuery crowd(*colliders, methods::kOnDemand);
+  SceneQuery pairs(*colliders, methods::kOnDemand.make());
   for (const std::uint32_t max_contacts : {UINT32_MAX, 3u}) {
     FrameContacts by_crowd, by_pairs;
     ASSERT_TRUE(crowd.set_palettes(palettes));
@@ -95,7 +95,7 @@ TEST(SceneQuery, AnswersAlikeOnAnyNumberOfThreads) {
   ASSERT_TRUE(colliders) << colliders.error().message;
   asset::SampleScratch scratch;
   Palettes palettes;
-  SceneQuery pairs(*colliders, bench::make_method(bench::MethodKind::on_demand));
+  SceneQuery pairs(*colliders, methods::kOnDemand.make());
   FrameContacts expected, found;
   for (const std::uint32_t threads : {1u, 2u, 4u, 9u}) {
     SceneQuery crowd = SceneQuery::as_crowd(*colliders, threads);
@@ -140,7 +140,7 @@ TEST(SceneQuery, AsksACrowdNotEveryPairOfIt) {
   asset::SampleScratch scratch;
   Palettes palettes;
   sample_palettes(scene, 0, scratch, palettes);
-  SceneQuery query(*colliders, bench::MethodKind::on_demand);
+  SceneQuery query(*colliders, methods::kOnDemand);
   ASSERT_TRUE(query.set_palettes(palettes));
   FrameContacts found;
   query.collide({}, found);
@@ -157,7 +157,7 @@ TEST(SceneQuery, RefusedPaletteNamesItsInstance) {
   Palettes palettes;
   sample_palettes(scene, 0, scratch, palettes);
   palettes.joints[1][3].m[5] = std::numeric_limits<float>::quiet_NaN();
-  SceneQuery query(*colliders, bench::MethodKind::paper);
+  SceneQuery query(*colliders, methods::kPaper);
   const auto posed = query.set_palettes(palettes);
   ASSERT_FALSE(posed);
   EXPECT_NE(posed.error().message.find("instances[1]"), std::string::npos);

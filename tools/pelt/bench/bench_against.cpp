@@ -27,6 +27,13 @@ constexpr Column kColumns[] = {{"vs paper", "paper", &Ratios::vs_paper, Better::
                                {"vs eager", "eager", &Ratios::vs_eager, Better::higher},
                                {"of rigid", "rigid", &Ratios::of_rigid, Better::lower}};
 
+/// Only a program that has a rigid method measures what a query costs rigid bodies.
+std::vector<Column> columns_of(const SceneFigures& scene) {
+  std::vector<Column> columns(std::begin(kColumns), std::end(kColumns));
+  if (!has_engine(scene, "rigid")) columns.pop_back();
+  return columns;
+}
+
 /// A row of these would say once more what the others say of them, the wrong way round: worse where
 /// another method has become faster.
 bool is_yardstick_only(const Figures& figures) {
@@ -90,7 +97,7 @@ class Comparer {
     out_ << '\n';
     print_lacking(then, now);
     const std::set<Question> different = print_different_answers(then, now);
-    print_head();
+    print_head(now);
     for (const Figures& figures : now.figures)
       if (!is_yardstick_only(figures) && different.count(figures.variant.question) == 0)
         print_row(then, now, figures);
@@ -117,13 +124,14 @@ class Comparer {
     return different;
   }
 
-  void print_head() {
+  void print_head(const SceneFigures& now) {
+    const std::vector<Column> columns = columns_of(now);
     out_ << std::string(kQuery + kCache + kMethod + kThreads, ' ');
-    for (const Column& column : kColumns)
+    for (const Column& column : columns)
       out_ << std::setw(3 * kNumber) << column.title << std::string(kMark, ' ');
     out_ << '\n';
     print_names("query", "cache", "method", "threads");
-    for (std::size_t i = 0; i < std::size(kColumns); ++i)
+    for (std::size_t i = 0; i < columns.size(); ++i)
       out_ << std::setw(kNumber) << "then" << std::setw(kNumber) << "now" << std::setw(kNumber)
            << "now/then" << std::string(kMark, ' ');
     out_ << '\n';
@@ -142,7 +150,7 @@ class Comparer {
     const Ratios current = ratios_of(now, figures);
     print_names(name_of(variant.question), name_of(variant.cache), figures.engine,
                 std::to_string(figures.threads));
-    for (const Column& column : kColumns) {
+    for (const Column& column : columns_of(now)) {
       const bool is_itself = figures.engine == column.yardstick;
       print_ratio(is_itself ? std::nullopt : old.*column.ratio,
                   is_itself ? std::nullopt : current.*column.ratio, column.better);

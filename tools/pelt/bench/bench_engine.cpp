@@ -1,15 +1,15 @@
 #include "tools/pelt/bench/bench_engine.hpp"
 
 #include "asset/message.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 
 #include <algorithm>
 
 namespace pelt::tools {
 
-Engine engine_of(bench::MethodKind method) {
-  return {std::string(bench::name_of(method)),
-          [method](std::span<const scene::Collider> colliders) {
-            return scene::SceneQuery(colliders, bench::make_method(method));
+Engine engine_of(methods::MethodKind method) {
+  return {std::string(method.name), [method](std::span<const scene::Collider> colliders) {
+            return scene::SceneQuery(colliders, method.make());
           }};
 }
 
@@ -17,7 +17,7 @@ Engine crowd_engine(std::uint32_t threads) {
   const auto make = [threads](std::span<const scene::Collider> colliders) {
     return scene::SceneQuery::as_crowd(colliders, threads);
   };
-  return {std::string(bench::name_of(bench::MethodKind::on_demand)), make, Asked::crowd, threads};
+  return {std::string(methods::kOnDemand.name), make, Asked::crowd, threads};
 }
 
 Time time_of(std::span<const Engine> engines) {

@@ -30,7 +30,7 @@ struct Engine {
   std::uint32_t threads = 1;
 };
 
-Engine engine_of(bench::MethodKind method);
+Engine engine_of(methods::MethodKind method);
 
 /// On demand.
 Engine crowd_engine(std::uint32_t threads);

@@ -1,6 +1,6 @@
 #include "tools/pelt/bench/bench_measure.hpp"
 
-#include "evaluation/methods/statistics.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <atomic>
 
@@ -78,7 +78,7 @@ Result<FrameTime> median_time(Runner& runner, const FramePair& frame, const Vari
     all.push_back(time->all_us);
     update.push_back(time->update_us);
   }
-  return FrameTime{bench::median(all), bench::median(update)};
+  return FrameTime{output::median(all), output::median(update)};
 }
 
 /// The frames of one variant of one engine, one after the other.
@@ -91,10 +91,10 @@ class Series {
   }
 
   Times times() const {
-    return {bench::mean(all_),
-            bench::mean(in_contact_),
-            bench::percentile(all_, 0.95),
-            bench::mean(update_),
+    return {output::mean(all_),
+            output::mean(in_contact_),
+            output::percentile(all_, 0.95),
+            output::mean(update_),
             all_.size(),
             in_contact_.size()};
   }

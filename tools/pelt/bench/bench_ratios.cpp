@@ -2,6 +2,8 @@
 
 #include "tools/pelt/output/text.hpp"
 
+#include <algorithm>
+
 namespace pelt::tools {
 
 bool is_same(const Variant& a, const Variant& b) {
@@ -14,6 +16,11 @@ const Figures* find_figures(const SceneFigures& scene, const std::string& engine
     if (figures.engine == engine && figures.threads == threads && is_same(figures.variant, variant))
       return &figures;
   return nullptr;
+}
+
+bool has_engine(const SceneFigures& scene, const std::string& engine) {
+  return std::any_of(scene.figures.begin(), scene.figures.end(),
+                     [&](const Figures& figures) { return figures.engine == engine; });
 }
 
 const double* mean_of(const SceneFigures& scene, const std::string& engine,

@@ -21,6 +21,9 @@ bool is_same(const Variant& a, const Variant& b);
 const Figures* find_figures(const SceneFigures& scene, const std::string& engine,
                             std::uint32_t threads, const Variant& variant);
 
+/// Whether `engine` was measured in any variant.
+bool has_engine(const SceneFigures& scene, const std::string& engine);
+
 /// The mean time of an engine on one thread in a variant, or null.
 const double* mean_of(const SceneFigures& scene, const std::string& engine, const Variant& variant);
 

@@ -18,6 +18,20 @@ void print_name(const std::string& name, std::ostream& out) {
   out << std::left << std::setw(kName) << name << std::right;
 }
 
+/// A line of a table; empty cells are left out.
+void print_cells(const std::string& name, const std::vector<std::string>& cells,
+                 std::ostream& out) {
+  print_name(name, out);
+  for (const std::string& cell : cells)
+    if (!cell.empty()) out << std::setw(kColumn) << cell;
+  out << '\n';
+}
+
+/// The cell of a column that only programs with a rigid method have.
+std::string of_rigid(const SceneFigures& scene, const std::string& cell) {
+  return has_engine(scene, "rigid") ? cell : "";
+}
+
 void print_scene(const SceneFigures& scene, std::ostream& out) {
   const double bytes = static_cast<double>(scene.models.bytes);
   const double triangles = static_cast<double>(scene.models.triangles);
@@ -57,11 +71,10 @@ void print_head(const SceneFigures& scene, const Figures& figures, std::ostream&
     out << ", " << output::counted(figures.times.frames, "frame") << " of "
         << output::with_commas(scene.frames);
   out << "; hash " << output::hex16(figures.answer.hash) << " by every method\n";
-  print_name("method", out);
-  for (const char* head : {"threads", "mean us", "in contact", "95 %", "update", "query",
-                           "vs paper", "vs eager", "of rigid", "vs 1 thread"})
-    out << std::setw(kColumn) << head;
-  out << '\n';
+  print_cells("method",
+              {"threads", "mean us", "in contact", "95 %", "update", "query", "vs paper",
+               "vs eager", of_rigid(scene, "of rigid"), "vs 1 thread"},
+              out);
 }
 
 void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
@@ -69,16 +82,14 @@ void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& 
   const Ratios ratios = ratios_of(scene, figures);
   const double* one_thread =
       figures.asked == Asked::crowd ? mean_of(scene, figures.engine, figures.variant) : nullptr;
-  print_name(figures.engine, out);
-  for (const std::string& cell :
-       {std::to_string(figures.threads), output::fixed(times.mean_us, 1),
-        times.frames_in_contact > 0 ? output::fixed(times.mean_contact_us, 1) : "-",
-        output::fixed(times.p95_us, 1), output::fixed(times.mean_update_us, 1),
-        output::fixed(times.mean_us - times.mean_update_us, 1), in_words(ratios.vs_paper),
-        in_words(ratios.vs_eager), in_words(ratios.of_rigid),
-        in_words(ratio(one_thread, &times.mean_us))})
-    out << std::setw(kColumn) << cell;
-  out << '\n';
+  print_cells(figures.engine,
+              {std::to_string(figures.threads), output::fixed(times.mean_us, 1),
+               times.frames_in_contact > 0 ? output::fixed(times.mean_contact_us, 1) : "-",
+               output::fixed(times.p95_us, 1), output::fixed(times.mean_update_us, 1),
+               output::fixed(times.mean_us - times.mean_update_us, 1), in_words(ratios.vs_paper),
+               in_words(ratios.vs_eager), of_rigid(scene, in_words(ratios.of_rigid)),
+               in_words(ratio(one_thread, &times.mean_us))},
+              out);
 }
 
 void print_tables(const SceneFigures& scene, std::ostream& out) {

@@ -2,6 +2,7 @@
 
 #include "asset/printable.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/progress.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -11,7 +12,7 @@ namespace pelt::tools {
 namespace {
 
 /// Reference for the answers of the others; it shares no tree with the fast engines.
-constexpr bench::MethodKind kReference = bench::MethodKind::paper;
+constexpr methods::MethodKind kReference = methods::kPaper;
 
 Result<std::vector<std::uint32_t>> choose_frames(
     const scenes::Scene& scene, const std::optional<arguments::FrameRange>& chosen) {
@@ -52,8 +53,8 @@ bool agrees(const scenes::Scene& scene, const std::string& engine, const Answers
   for (std::size_t q = 0; q < answers.size(); ++q) {
     if (answers[q].hash == reference[q].hash) continue;
     errors << "pelt: internal error: " << asset::printable(scene.name) << ": " << engine
-           << " gives the hash " << output::hex16(answers[q].hash) << ", "
-           << bench::name_of(kReference) << " gives " << output::hex16(reference[q].hash)
+           << " gives the hash " << output::hex16(answers[q].hash) << ", " << kReference.name
+           << " gives " << output::hex16(reference[q].hash)
            << ": please report this with the scene\n";
     return false;
   }

@@ -2,8 +2,8 @@
 
 #include <pelt/pose.hpp>
 
-#include "evaluation/methods/statistics.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 namespace pelt::tools {
 namespace {
@@ -44,10 +44,10 @@ Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetiti
     }
     std::vector<double> times;
     for (std::uint32_t r = 0; r < repetitions; ++r) times.push_back(time_us(all));
-    frames.push_back(bench::median(times));
+    frames.push_back(output::median(times));
   }
   Skinning skinning;
-  skinning.mean_us = bench::mean(frames);
+  skinning.mean_us = output::mean(frames);
   for (const Skinned& skinned : all) skinning.vertices += skinned.positions.size();
   return skinning;
 }

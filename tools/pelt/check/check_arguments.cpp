@@ -15,10 +15,10 @@
 namespace pelt::tools::check {
 namespace {
 
-Result<bench::MethodKind> choose_method(const std::string& name) {
-  if (const auto method = bench::find_method(name)) return *method;
+Result<methods::MethodKind> choose_method(const std::string& name, methods::MethodKinds known) {
+  if (const auto method = methods::find_method(known, name)) return *method;
   return Error{ErrorCode::invalid_argument, "--method: there is no " + asset::quoted(name) +
-                                                scenes::suggestion(name, bench::method_names())};
+                                                scenes::suggestion(name, methods::names_of(known))};
 }
 
 Result<std::optional<std::uint32_t>> choose_limit(const CheckArguments& arguments) {
@@ -46,11 +46,11 @@ Result<std::optional<std::uint32_t>> choose_glb_frame(const CheckArguments& argu
 }
 
 Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
-                                               bench::MethodKind method) {
+                                               methods::MethodKind method) {
   if (!arguments.clearance) return arguments.clearance;
   if (!(*arguments.clearance >= 0 && *arguments.clearance <= 1e12))
     return output::bad_argument("--clearance", "is out of range", "give a number from 0 to 1e12");
-  if (method != bench::MethodKind::on_demand)
+  if (method != methods::kOnDemand)
     return output::bad_argument("--clearance", "requires the method on_demand",
                                 "leave out --method");
   if (arguments.contacts)
@@ -150,12 +150,6 @@ Result<FailOn> choose_fail_on(const CheckArguments& arguments) {
   return *fail_on;
 }
 
-std::string listed(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
-  return text;
-}
-
 /// Takes what is chosen up to the first refusal.
 class Choices {
  public:
@@ -187,7 +181,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
       "What is tested: every two instances, or every two parts, including parts of the same "
       "instance",
       {.type = "instance|part"});
-  verb.option("--method", arguments.method, "One of " + listed(bench::method_names()),
+  verb.option("--method", arguments.method, "One of " + methods::listed(arguments.known_methods),
               {.type = "NAME"});
   arguments::add_simd_option(verb, arguments.simd);
   verb.flag("--first", arguments.first, "Stop at the first contact of each pair in each frame");
@@ -232,7 +226,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   settings.describes_contacts = arguments.contacts;
   settings.asks_inside = arguments.inside;
   Choices choices;
-  choices.take(choose_method(arguments.method), settings.method);
+  choices.take(choose_method(arguments.method, arguments.known_methods), settings.method);
   choices.take(choose_clearance(arguments, settings.method), settings.clearance);
   choices.take(scene::choose_granularity(arguments.by), settings.granularity);
   choices.take(choose_limit(arguments), settings.max_contacts);

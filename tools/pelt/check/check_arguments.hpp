@@ -14,6 +14,7 @@ namespace pelt::tools::check {
 
 struct CheckArguments {
   arguments::SceneArguments scene;
+  methods::MethodKinds known_methods;  ///< what --method can name
   std::string frames, by = "instance", method = "on_demand";
   bool first = false, pairs = false, contacts = false, inside = false;
   std::optional<double> clearance;

@@ -5,7 +5,7 @@ namespace pelt::tools::check {
 CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& scene,
                           const arguments::ModelArguments& models) {
   CheckQuestion question;
-  question.method = bench::name_of(settings.method);
+  question.method = settings.method.name;
   question.by = settings.granularity == scene::Granularity::part ? "part" : "instance";
   question.frames = settings.frames;
   question.fps = scene.fps;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "evaluation/methods/method.hpp"
 #include "tools/pelt/check/check_question.hpp"
 #include "tools/pelt/check/verdict.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/scene/colliders.hpp"
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace pelt::tools::check {
 
 /// Validated settings of `pelt check`. Its outputs are in CheckOutputs.
 struct CheckSettings {
-  bench::MethodKind method = bench::MethodKind::on_demand;
+  methods::MethodKind method = methods::kOnDemand;
   scene::Granularity granularity = scene::Granularity::instance;
   std::optional<std::uint32_t> max_contacts;  ///< per pair of colliders and frame
   /// Nothing: triangles that touch are found; else those that are at most so far apart.

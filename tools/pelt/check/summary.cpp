@@ -181,7 +181,7 @@ void print_summary(const scenes::Scene& scene, std::span<const scene::Collider> 
                    const CheckSettings& settings, const CheckReport& report,
                    const TouchTally& tally, std::ostream& out) {
   scene::print_scene(scene, colliders, out);
-  scene::label(out, "method") << bench::name_of(settings.method) << '\n';
+  scene::label(out, "method") << settings.method.name << '\n';
   if (colliders.size() < 2) scene::print_too_few(scene, settings.granularity, out);
   if (settings.clearance)
     scene::label(out, "clearance")

@@ -1,5 +1,6 @@
 #include "tools/pelt/picture/still_frame.hpp"
 
+#include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
@@ -13,7 +14,7 @@ Result<StillFrame> take_still(const scenes::Scene& scene, std::uint32_t frame) {
   asset::SampleScratch scratch;
   scene::Palettes palettes;
   scene::sample_palettes(scene, frame, scratch, palettes);
-  scene::SceneQuery query(*colliders, bench::MethodKind::on_demand);
+  scene::SceneQuery query(*colliders, methods::kOnDemand);
   if (const auto set = query.set_palettes(palettes); !set) return set.error();
   scene::FrameContacts found;
   query.collide({}, found);

@@ -1,6 +1,7 @@
 #include "tools/pelt/scene/scene_query.hpp"
 
 #include "asset/message.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -26,17 +27,17 @@ void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::Sam
   }
 }
 
-SceneQuery::SceneQuery(std::span<const Collider> colliders, bench::MethodKind method)
+SceneQuery::SceneQuery(std::span<const Collider> colliders, const methods::MethodKind& method)
     : colliders_(colliders) {
-  if (method == bench::MethodKind::on_demand) {
+  if (method == methods::kOnDemand) {
     make_crowd(0);
   } else {
-    method_ = bench::make_method(method);
+    method_ = method.make();
     for (const Collider& collider : colliders_) method_->add(collider.model);
   }
 }
 
-SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method)
+SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<methods::Method> method)
     : colliders_(colliders), method_(std::move(method)) {
   for (const Collider& collider : colliders_) method_->add(collider.model);
 }

@@ -7,7 +7,7 @@
 
 #include "base/work_shares.hpp"
 #include "base/workers.hpp"
-#include "evaluation/methods/method.hpp"
+#include "tools/pelt/methods/method.hpp"
 #include "tools/pelt/scene/colliders.hpp"
 
 #include <memory>
@@ -49,10 +49,10 @@ class SceneQuery {
  public:
   /// `colliders` must outlive the query. On demand they are asked as a crowd, on all cores, and by
   /// other methods pair by pair.
-  SceneQuery(std::span<const Collider> colliders, bench::MethodKind method);
+  SceneQuery(std::span<const Collider> colliders, const methods::MethodKind& method);
 
   /// Pair by pair.
-  SceneQuery(std::span<const Collider> colliders, std::unique_ptr<bench::Method> method);
+  SceneQuery(std::span<const Collider> colliders, std::unique_ptr<methods::Method> method);
 
   /// Queries as a crowd on this number of threads; 0 means all cores.
   static SceneQuery as_crowd(std::span<const Collider> colliders, std::uint32_t threads);
@@ -61,7 +61,7 @@ class SceneQuery {
   /// message of an error names the instance.
   Result<void> set_palettes(const Palettes& palettes);
 
-  /// See bench::Method::update_counts.
+  /// See methods::Method::update_counts.
   bool update_counts() const { return crowd_ || method_->update_counts(); }
 
   /// Replaces `found` by the contacts of every pair of colliders.
@@ -86,7 +86,7 @@ class SceneQuery {
   std::unique_ptr<detail::Workers> threads_;
   detail::WorkShares shares_;  // of the palettes
   std::vector<CrowdContact> crowd_contacts_;
-  std::unique_ptr<bench::Method> method_;
+  std::unique_ptr<methods::Method> method_;
   QueryStats query_work_;
 };
 

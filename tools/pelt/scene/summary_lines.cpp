@@ -1,7 +1,7 @@
 #include "tools/pelt/scene/summary_lines.hpp"
 
 #include "asset/printable.hpp"
-#include "evaluation/methods/statistics.hpp"
+#include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <iomanip>
@@ -62,8 +62,8 @@ std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stri
 
 void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out) {
   const std::vector<double> seconds(frame_seconds.begin(), frame_seconds.end());
-  label(out, "time") << "median " << output::fixed(1e3 * bench::median(seconds), 3) << " ms, mean "
-                     << output::fixed(1e3 * bench::mean(seconds), 3) << " ms per frame\n";
+  label(out, "time") << "median " << output::fixed(1e3 * output::median(seconds), 3) << " ms, mean "
+                     << output::fixed(1e3 * output::mean(seconds), 3) << " ms per frame\n";
   label(out, "work") << output::with_commas(work.node_pairs) << " node pairs, "
                      << output::with_commas(work.refits) << " refits, "
                      << output::with_commas(work.posed_vertices) << " posed vertices, "

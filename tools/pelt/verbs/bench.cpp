@@ -1,4 +1,4 @@
-/// `pelt bench`: what every method costs on a scene. No time is shown before all methods have given
+/// `pelt bench`: what each method costs on a scene. No time is shown before all methods have given
 /// the same answer.
 
 #include "asset/message.hpp"
@@ -7,6 +7,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/bench_against.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -19,7 +20,8 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> scenes;
-  std::string methods = "paper,paper_eager,eager,on_demand,rigid";
+  methods::MethodKinds known_methods;
+  std::string methods;
   std::string queries = "all,first", caches = "hot,cold";
   std::string threads, json, against, frames, simd;
   std::optional<std::uint32_t> margin;
@@ -39,11 +41,9 @@ Each repetition of a frame first runs the previous frame untimed (for the first 
 then times setting the palettes and querying all pairs. The time of a frame is the median of its
 repetitions; fewer than 9 give a rough measurement. The columns show the mean over all frames, the
 mean over the frames in contact, and the 95th percentile. "update" is the part before the queries: for
-eager and paper_eager, skinning and boxes or spheres. Sampling clips and building the trees of rigid
-are not timed; rigid represents the cost of the same query between rigid bodies. "vs paper" and
-"vs eager" are speed-ups over these methods, and "of rigid" is the cost relative to rigid. With cold
-caches, 64 MB are read before each measurement, and at most 30 evenly spaced frames are measured. The
-methods take turns at every frame.
+methods that skin everything, skinning and boxes or spheres. Sampling clips is not timed. "vs paper"
+and "vs eager" are speed-ups over these methods. With cold caches, 64 MB are read before each
+measurement, and at most 30 evenly spaced frames are measured. The methods take turns at every frame.
 
 Pairs are queried one by one on one thread, in thread time, which excludes pauses in which the system
 runs other programs. With --threads, on_demand runs as a crowd instead, once for each of these numbers
@@ -51,7 +51,7 @@ of threads. The threads share the pairs of instances and, from 64 palettes per t
 All times of that run are wall times. "vs 1 thread" is the speed-up over a crowd on one thread.
 
 --against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
-method over paper and eager and its cost relative to rigid, then, now, and as now/then; "worse" marks
+method over paper and eager, then, now, and as now/then; "worse" marks
 ratios that are worse by more than --margin. These ratios differ little between machines, but they
 have noise: on a loaded machine, 1 in 14 ratios of the same build was marked at 15 %, so repeat a
 measurement that looks worse. If only one ratio of a method is worse, the method that it is compared
@@ -101,12 +101,9 @@ Result<std::vector<T>> parse_list(const char* option, const std::string& text,
   return parse_list<T>(option, text, values, names);
 }
 
-Result<std::vector<bench::MethodKind>> parse_methods(const std::string& text) {
-  std::vector<bench::MethodKind> all;
-  for (const std::string_view name : bench::method_names()) {
-    all.push_back(*bench::find_method(name));
-  }
-  return parse_list<bench::MethodKind>("--methods", text, all, bench::method_names());
+Result<std::vector<methods::MethodKind>> parse_methods(const Arguments& arguments) {
+  return parse_list<methods::MethodKind>("--methods", arguments.methods, arguments.known_methods,
+                                         methods::names_of(arguments.known_methods));
 }
 
 /// Parses numbers of threads; none if the text is empty.
@@ -126,13 +123,13 @@ Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
 }
 
 Result<std::vector<Engine>> choose_engines(const Arguments& arguments) {
-  const auto methods = parse_methods(arguments.methods);
+  const auto methods = parse_methods(arguments);
   if (!methods) return methods.error();
   const auto threads = parse_threads(arguments.threads);
   if (!threads) return threads.error();
   std::vector<Engine> engines;
-  for (const bench::MethodKind method : *methods) {
-    if (method != bench::MethodKind::on_demand || threads->empty())
+  for (const methods::MethodKind& method : *methods) {
+    if (method != methods::kOnDemand || threads->empty())
       engines.push_back(engine_of(method));
     else
       for (const std::uint32_t count : *threads) engines.push_back(crowd_engine(count));
@@ -228,8 +225,10 @@ Result<arguments::ExitCode> bench_scenes(const Arguments& arguments) {
 
 void add_options(arguments::Verb& verb, Arguments& arguments) {
   verb.option("SCENE", arguments.scenes, "Scene files", {.is_required = true});
-  verb.option("--methods", arguments.methods, "Methods to measure, separated by commas",
-              {.type = "A,B"});
+  verb.option(
+      "--methods", arguments.methods,
+      "Methods to measure, separated by commas, of " + methods::listed(arguments.known_methods),
+      {.type = "A,B"});
   verb.option("--queries", arguments.queries,
               "all: every contact; first: only whether each pair touches", {.type = "all,first"});
   verb.option("--caches", arguments.caches, "hot: as the previous frame left them; cold: emptied",
@@ -252,9 +251,12 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, arguments::Command& chosen) {
-  arguments::Verb verb(app, "bench", "Measure the speed of methods on scenes", kFooter);
+void add_bench(CLI::App& app, arguments::Command& chosen, const BenchMethods& methods) {
+  arguments::Verb verb(app, "bench", "Measure the speed of methods on scenes",
+                       (kFooter + methods.notes).c_str());
   const auto arguments = std::make_shared<Arguments>();
+  arguments->known_methods = methods.known;
+  arguments->methods = methods.measured;
   add_options(verb, *arguments);
   verb.runs([arguments] { return bench_scenes(*arguments); }, chosen);
 }

@@ -72,10 +72,11 @@ Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check(CLI::App& app, arguments::Command& chosen) {
+void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods) {
   arguments::Verb verb(app, "check", "Find every pair of intersecting triangles in every frame",
                        kFooter);
   const auto arguments = std::make_shared<check::CheckArguments>();
+  arguments->known_methods = known_methods;
   check::add_check_options(verb, *arguments);
   verb.tells(arguments->words);
   verb.runs([arguments] { return check(*arguments); }, chosen);

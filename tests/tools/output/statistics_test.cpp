@@ -1,11 +1,11 @@
-#include "evaluation/methods/statistics.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::tools::output {
 namespace {
 
 TEST(Statistics, OfOddAndEvenNumbers) {
@@ -29,4 +29,4 @@ TEST(Statistics, OfNothingAreZero) {
 }
 
 }  // namespace
-}  // namespace pelt::bench
+}  // namespace pelt::tools::output

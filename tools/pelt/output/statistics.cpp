@@ -1,11 +1,11 @@
-#include "evaluation/methods/statistics.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::tools::output {
 
 double median(std::span<const double> values) { return percentile(values, 0.5); }
 
@@ -22,4 +22,4 @@ double percentile(std::span<const double> values, double p) {
   return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
-}  // namespace pelt::bench
+}  // namespace pelt::tools::output

@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace pelt::bench {
+namespace pelt::tools::output {
 
 /// The middle value, the lower of the two where their number is even; 0 of none.
 double median(std::span<const double> values);
@@ -14,4 +14,4 @@ double mean(std::span<const double> values);
 /// Precondition: 0 < p <= 1.
 double percentile(std::span<const double> values, double p);
 
-}  // namespace pelt::bench
+}  // namespace pelt::tools::output

@@ -1,11 +1,11 @@
-#include "evaluation/methods/brute_force.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 
 #include "geometry/triangle_pair.hpp"
 #include "skin/skin.hpp"
 
 #include <algorithm>
 
-namespace pelt::bench {
+namespace pelt::methods {
 namespace {
 
 struct Box {
@@ -87,10 +87,4 @@ QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
   return stats;
 }
 
-QueryStats collide(const BruteForceBody& a, const BruteForceBody& b, paper::Scratch&,
-                   std::vector<Contact>& contacts, std::uint32_t max_contacts) {
-  return brute_force_collide(a.triangles(), a.positions(), b.triangles(), b.positions(), contacts,
-                             max_contacts);
-}
-
-}  // namespace pelt::bench
+}  // namespace pelt::methods

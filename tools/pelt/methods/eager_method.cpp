@@ -1,9 +1,8 @@
-#include "evaluation/methods/eager_method.hpp"
-
 #include "collide/collide_exact.hpp"
 #include "model/model.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 
-namespace pelt::bench {
+namespace pelt::methods {
 namespace {
 
 class EagerMethod final : public Method {
@@ -45,6 +44,6 @@ class EagerMethod final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_eager_method() { return std::make_unique<EagerMethod>(); }
+std::unique_ptr<Method> make_eager() { return std::make_unique<EagerMethod>(); }
 
-}  // namespace pelt::bench
+}  // namespace pelt::methods

@@ -4,7 +4,6 @@
 /// predicate. Knows no tree; only what lies outside the other body's box, or whose own boxes do not
 /// meet, is passed over.
 
-#include "evaluation/paper/scratch.hpp"
 #include "skin/palette.hpp"
 #include "skin/skinned_mesh.hpp"
 
@@ -13,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace pelt::bench {
+namespace pelt::methods {
 
 class BruteForceBody {
  public:
@@ -37,7 +36,4 @@ QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
                                std::span<const Vec3> positions_b, std::vector<Contact>& contacts,
                                std::uint32_t max_contacts);
 
-QueryStats collide(const BruteForceBody& a, const BruteForceBody& b, paper::Scratch& scratch,
-                   std::vector<Contact>& contacts, std::uint32_t max_contacts);
-
-}  // namespace pelt::bench
+}  // namespace pelt::methods

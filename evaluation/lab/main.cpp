@@ -1,0 +1,35 @@
+/// The program `pelt-lab`: Pelt beside the methods of the literature. It is not installed.
+
+#include "evaluation/methods/lab_methods.hpp"
+#include "evaluation/reproduce/command.hpp"
+#include "tools/pelt/arguments/command_line.hpp"
+#include "tools/pelt/verbs/commands.hpp"
+
+namespace {
+
+constexpr const char* kFooter = R"(
+`pelt-lab VERB --help` explains each verb with examples. `check` and `bench` are those of the command
+`pelt`, with all methods. Exit codes: 0 success (check: no contact), 1 contact (check only), 2 bad
+input or arguments, 3 internal error.)";
+
+constexpr const char* kBenchNotes = R"(
+
+rigid and paper_rigid stand for what the same query costs rigid bodies: the building of their trees
+is not timed. "of rigid": how many times the cost of rigid.)";
+
+void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
+  using namespace pelt::tools::verbs;
+  add_bench(app, chosen,
+            {pelt::methods::kLabMethods, "paper,paper_eager,eager,on_demand,rigid", kBenchNotes});
+  add_check(app, chosen, pelt::methods::kLabMethods);
+  add_reproduce(app, chosen);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return pelt::tools::arguments::run_command_line(
+      {"pelt-lab", "Pelt beside the methods of the literature, for comparison.", kFooter,
+       add_verbs},
+      argc, argv);
+}

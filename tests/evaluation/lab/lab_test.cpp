@@ -1,0 +1,85 @@
+/// The program pelt-lab: the command's verbs with the methods that the command does not have.
+
+#include "evaluation/methods/lab_methods.hpp"
+#include "tools/test_scenes.hpp"
+
+#include <map>
+
+namespace pelt::test {
+namespace {
+
+json bench(const TestFolder& folder, std::vector<std::string> options) {
+  options.insert(options.begin(), {"bench", "scene.json", "--repeat", "1", "--json", "a.json"});
+  const Ended run = run_pelt(folder, options);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return json::parse(read_text(folder / "a.json"));
+}
+
+TEST(Lab, NamesItsVerbsAndItself) {
+  const TestFolder folder;
+  const Ended help = run_pelt(folder, {"--help"});
+  for (const char* verb : {"pelt-lab", "bench", "check", "reproduce"})
+    EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
+  EXPECT_EQ(run_pelt(folder, {"--version"}).out, "pelt-lab 0.1.0\n");
+  const Ended wrong = run_pelt(folder, {"reprodce"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_EQ(
+      wrong.err,
+      "pelt-lab: error: \"reprodce\" is not a verb, did you mean \"reproduce\"?: see pelt-lab "
+      "--help\n");
+}
+
+TEST(Lab, ChecksByEveryMethodWithTheSameAnswer) {
+  const TestFolder folder;
+  write_limbs(folder);
+  std::map<std::string, json> last_lines;
+  for (const methods::MethodKind& kind : methods::kLabMethods) {
+    const std::string method(kind.name);
+    const Ended run = run_pelt(folder, {"check", "scene.json", "--method", method, "--jsonl", "-"});
+    ASSERT_EQ(run.exit_code, 1) << method << run.err;
+    last_lines[method] = json::parse(lines_of(run.out).back());
+    EXPECT_EQ(last_lines[method]["hash"], last_lines.begin()->second["hash"]) << method;
+  }
+  EXPECT_EQ(last_lines.size(), 14u);
+  EXPECT_TRUE(last_lines["on_demand"]["hash"].is_string());
+  // On demand far fewer vertices are posed than by methods that pose all; rigid ones refit nothing.
+  for (const std::string prefix : {"", "paper_"}) {
+    const json& lazy = last_lines[prefix.empty() ? "on_demand" : "paper"]["counters"];
+    const json& eager = last_lines[prefix + "eager"]["counters"];
+    EXPECT_LT(lazy["posed_vertices"], eager["posed_vertices"]) << prefix;
+    EXPECT_LT(lazy["refits"], eager["refits"]) << prefix;
+    EXPECT_EQ(last_lines[prefix + "rigid"]["counters"]["refits"], 0) << prefix;
+  }
+}
+
+TEST(Lab, BenchesFiveMethodsUnlessTold) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const json file = bench(folder, {"--queries", "all", "--caches", "hot", "--frames", "4:7"});
+  std::vector<std::string> names;
+  for (const json& engine : file["scenes"][0]["engines"]) names.push_back(engine["engine"]);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"paper", "paper_eager", "eager", "on_demand", "rigid"}));
+}
+
+TEST(Lab, BenchesEveryMethodBesideRigid) {
+  const TestFolder folder;
+  write_limbs(folder);
+  std::string all;
+  for (const methods::MethodKind& kind : methods::kLabMethods)
+    all += (all.empty() ? "" : ",") + std::string(kind.name);
+  const std::vector<std::string> options = {"--methods", all,   "--queries", "all",
+                                            "--caches",  "hot", "--frames",  "4:7"};
+  const json file = bench(folder, options);
+  EXPECT_EQ(file["scenes"][0]["engines"].size(), 14u);
+  std::vector<std::string> words = {"bench", "scene.json", "--repeat", "1", "--against", "a.json"};
+  words.insert(words.end(), options.begin(), options.end());
+  const Ended again = run_pelt(folder, words);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  const std::size_t columns = again.out.find("of rigid");
+  ASSERT_NE(columns, std::string::npos) << "in the table of times";
+  EXPECT_NE(again.out.find("of rigid", columns + 1), std::string::npos) << "in the comparison";
+}
+
+}  // namespace
+}  // namespace pelt::test

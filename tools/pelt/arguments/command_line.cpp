@@ -1,0 +1,116 @@
+#include "tools/pelt/arguments/command_line.hpp"
+
+#include <pelt/version.hpp>
+
+#include "asset/message.hpp"
+#include "asset/printable.hpp"
+#include "scenes/nearest_name.hpp"
+#include "tools/pelt/output/output.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <new>
+
+namespace pelt::tools::arguments {
+namespace {
+
+int code(ExitCode exit) { return static_cast<int>(exit); }
+
+int refuse(const Program& program, const std::string& message) {
+  std::cerr << program.name << ": error: " << asset::printable(message) << '\n';
+  return code(ExitCode::bad_input);
+}
+
+/// No exit code of success where what was to be printed is lost.
+int finish(const Program& program, ExitCode exit) {
+  const Result<void> printed = output::flush_standard_output();
+  return printed ? code(exit) : refuse(program, printed.error().message);
+}
+
+/// The option of the verb that was meant by one that it has not, or "".
+std::string meant_option(const CLI::App& verb, std::string_view option) {
+  option.remove_prefix(std::min(option.find_first_not_of('-'), option.size()));
+  std::vector<std::string_view> known;
+  for (const CLI::Option* one : verb.get_options())
+    known.insert(known.end(), one->get_lnames().begin(), one->get_lnames().end());
+  const auto nearest = scenes::nearest_name(option, known);
+  return nearest ? "--" + std::string(*nearest) : "";
+}
+
+/// CLI11 says of what a verb does not know only that it "was not expected".
+std::string words_for_unread(const CLI::App& verb, const std::string& argument) {
+  if (!argument.starts_with('-')) return asset::quoted(argument) + " is an unexpected argument";
+  const std::string option = argument.substr(0, argument.find('='));
+  const std::string problem = "there is no option " + asset::quoted(option);
+  const std::string meant = meant_option(verb, option);
+  return meant.empty() ? problem : problem + ", did you mean " + asset::quoted(meant) + "?";
+}
+
+/// CLI11 says of a missing or unknown verb only that some "subcommand" is required.
+std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
+  if (!app.get_subcommands().empty()) {
+    const CLI::App& verb = *app.get_subcommands()[0];
+    const std::vector<std::string> unread = verb.remaining();
+    return unread.empty() ? error.what() : words_for_unread(verb, unread[0]);
+  }
+  const std::vector<std::string> unread = app.remaining();
+  const std::vector<const CLI::App*> verbs =
+      app.get_subcommands([](const CLI::App*) { return true; });
+  std::vector<std::string> names;
+  for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (unread.empty()) return "no verb is given" + scenes::suggestion("", known);
+  return asset::quoted(unread[0]) + " is not a verb" + scenes::suggestion(unread[0], known);
+}
+
+/// Returns the command that shows help for the arguments.
+std::string help_for(const CLI::App& app) {
+  const std::vector<CLI::App*> verbs = app.get_subcommands();
+  return app.get_name() + " " + (verbs.empty() ? "" : verbs[0]->get_name() + " ") + "--help";
+}
+
+/// --help and --version end the parse as "errors" with code 0.
+int end_of_parse(const Program& program, const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() != 0)
+    return refuse(program, words_for(app, error) + ": see " + help_for(app));
+  app.exit(error);
+  return finish(program, ExitCode::success);
+}
+
+int run(const Program& program, int argc, char** argv) {
+  CLI::App app(program.description, program.name);
+  app.set_version_flag("--version", std::string(program.name) + " " PELT_VERSION);
+  app.set_help_all_flag("--help-all", "Print the help of all verbs");
+  app.require_subcommand(1);
+  app.footer(program.footer);
+  Command command;
+  program.add_verbs(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return end_of_parse(program, app, error);
+  }
+  const Result<ExitCode> exit = command();
+  return exit ? finish(program, *exit) : refuse(program, exit.error().message);
+}
+
+}  // namespace
+
+int run_command_line(const Program& program, int argc, char** argv) {
+  output::reserve_standard_streams();
+  try {
+    return run(program, argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << program.name << ": there is not enough memory: use fewer or smaller characters\n";
+    return code(ExitCode::bad_input);
+  } catch (const std::exception& error) {
+    std::cerr << program.name << ": internal error: " << asset::printable(error.what()) << '\n';
+  } catch (...) {
+    std::cerr << program.name << ": internal error\n";
+  }
+  return code(ExitCode::internal);
+}
+
+}  // namespace pelt::tools::arguments

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "tools/pelt/methods/method.hpp"
+
+#include <array>
+
+namespace pelt::methods {
+
+std::unique_ptr<Method> make_on_demand();
+std::unique_ptr<Method> make_eager();
+std::unique_ptr<Method> make_paper();
+std::unique_ptr<Method> make_brute();
+
+/// The public functions: wide tree, nodes opened on demand.
+inline constexpr MethodKind kOnDemand = {"on_demand", Skins::where_queried, make_on_demand};
+
+/// The same tree, wide code and query, but every new palette skins all vertices and takes all boxes
+/// bottom-up: the alternative to refit on demand, as good as we can make it. Its boxes are exact,
+/// so that its queries meet fewer pairs.
+inline constexpr MethodKind kEager = {"eager", Skins::with_boxes, make_eager};
+
+/// Kavan & Zara 2005, the system that this project set out to build: a sphere tree refitted on
+/// demand. The one method of the command that is not the product's own code.
+inline constexpr MethodKind kPaper = {"paper", Skins::where_queried, make_paper};
+
+/// Every triangle of one body against every triangle of the other.
+inline constexpr MethodKind kBrute = {"brute", Skins::first, make_brute};
+
+/// What the command `pelt` offers.
+inline constexpr std::array kCommandMethods = {kOnDemand, kEager, kPaper, kBrute};
+
+}  // namespace pelt::methods
