@@ -60,8 +60,8 @@ TEST(HeightField, RefusesWhatBreaksARule) {
             "column 2 of the height field is at 2.30584e+18, expected finite and within 2^60");
   terrain = make_plain(3, 2, {0x1p25f, 0, 0}, 1);
   EXPECT_EQ(message(terrain),
-            "columns 0 and 1 of the height field are both at 3.35544e+07: so far from the origin "
-            "their spacing needs to be larger");
+            "columns 0 and 1 of the height field are both at 3.35544e+07: this far from the origin "
+            "their spacing must be larger");
 
   terrain = make_plain(3, 2, {}, 1);
   terrain.heights[4] = std::numeric_limits<float>::infinity();
