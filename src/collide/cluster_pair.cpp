@@ -95,26 +95,20 @@ void TrianglePairs::test(std::uint32_t first, std::uint32_t count) {
   const unsigned kept = (1u << count) - 1;
   const Triage verdict = triage(pairs);
   for (SetBits lane(kept & verdict.intersecting); lane; ++lane) report(first + *lane);
-  for (SetBits lane(kept & ~(verdict.intersecting | verdict.apart)); lane; ++lane)
-    if (triangles_intersect(a_.corners(first + *lane), b_.corners(first + *lane)))
-      report(first + *lane);
+  const auto corners_a = [&](unsigned lane) { return a_.corners(first + lane); };
+  const auto corners_b = [&](unsigned lane) { return b_.corners(first + lane); };
+  for (SetBits lane(decide_exactly(verdict, kept, corners_a, corners_b)); lane; ++lane)
+    report(first + *lane);
   work_.triangle_pairs += count;
 }
 
 TriangleCorners TrianglePairs::Side::corners(std::uint32_t i) const {
-  TriangleCorners corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const float* p = corner(i, k);
-    corners[k] = {p[0], p[1], p[2]};
-  }
-  return corners;
+  return corners_at([&](std::size_t k) { return corner(i, k); });
 }
 
 void TrianglePairs::Side::corners8(std::uint32_t first, Points8 (&corners)[3]) const {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto at = [&](std::uint32_t lane) { return load4(corner(first + lane, k)); };
-    corners[k] = transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
-  }
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = gather_points([&](std::uint32_t lane) { return corner(first + lane, k); });
 }
 
 }  // namespace PELT_TARGET

@@ -9,10 +9,9 @@
 
 #include "base/target.hpp"
 #include "collide/row_lanes.hpp"
-#include "geometry/triangle_pair.hpp"
-#include "geometry/triangle_triage.hpp"
 #include "query/slots.hpp"
 #include "query/stack.hpp"
+#include "query/triangle_batch.hpp"
 
 #include <cstdint>
 
@@ -32,7 +31,6 @@ class TrianglePairs {
   void flush();
 
  private:
-  static constexpr std::uint32_t kBatch = 8;
   static constexpr std::uint32_t kRoom = kBatch + kMaxClusterTriangles * kMaxClusterTriangles;
 
   /// The triangles of one side of the pairs that wait.

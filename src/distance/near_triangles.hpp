@@ -20,6 +20,7 @@
 #include "query/reach.hpp"
 #include "query/slots.hpp"
 #include "query/squared_gaps.hpp"
+#include "query/triangle_batch.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_TARGET {
@@ -61,10 +62,10 @@ class NearTriangles {
 
   /// Offers what was kept, the nearest first.
   void flush() {
-    if (count_ == 0) return;
+    if (waiting_.count() == 0) return;
     double squared[kBatch];
     measure(squared);
-    unsigned left = (1u << count_) - 1;
+    unsigned left = (1u << waiting_.count()) - 1;
     while (left != 0 && !goal_.is_done()) {
       unsigned next = *SetBits(left);
       for (SetBits lane(left); lane; ++lane)
@@ -72,12 +73,10 @@ class NearTriangles {
       left &= ~(1u << next);
       offer(waiting_[next], squared[next]);
     }
-    count_ = 0;
+    waiting_.clear();
   }
 
  private:
-  static constexpr std::uint32_t kBatch = 8;
-
   /// A triangle of each tree.
   struct Pair {
     const PosedTree *tree_a, *tree_b;
@@ -110,32 +109,28 @@ class NearTriangles {
   }
 
   void keep(const Pair& pair) {
-    waiting_[count_++] = pair;
-    if (count_ == kBatch) flush();
+    waiting_.add(pair);
+    if (waiting_.is_full()) flush();
   }
 
   void measure(double (&squared)[kBatch]) {
-    work_.triangle_pairs += count_;
-    for (std::uint32_t i = count_; i < kBatch; ++i) waiting_[i] = waiting_[0];
+    work_.triangle_pairs += waiting_.count();
+    waiting_.pad();
     TrianglePairs8 pairs;
     for (std::size_t k = 0; k < 3; ++k) {
-      pairs.a[k] =
-          corner8([&](const Pair& p) { return corner(*p.tree_a, p.positions_a, p.triangle_a, k); });
-      pairs.b[k] =
-          corner8([&](const Pair& p) { return corner(*p.tree_b, p.positions_b, p.triangle_b, k); });
+      pairs.a[k] = gather_points([&](std::uint32_t i) {
+        return corner(*waiting_[i].tree_a, waiting_[i].positions_a, waiting_[i].triangle_a, k);
+      });
+      pairs.b[k] = gather_points([&](std::uint32_t i) {
+        return corner(*waiting_[i].tree_b, waiting_[i].positions_b, waiting_[i].triangle_b, k);
+      });
     }
-    squared_distances(pairs, count_, squared);
+    squared_distances(pairs, waiting_.count(), squared);
   }
 
   static const float* corner(const PosedTree& posed, const float* positions, std::uint32_t triangle,
                              std::size_t k) {
     return positions + posed.tree.corners.data()[triangle][k];
-  }
-
-  template <typename Corner>
-  Points8 corner8(const Corner& corner_of) const {
-    const auto at = [&](std::uint32_t lane) { return load4(corner_of(waiting_[lane])); };
-    return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
   }
 
   void offer(const Pair& pair, double squared) {
@@ -144,12 +139,10 @@ class NearTriangles {
     gap.triangle_b = pair.tree_b->tree.triangle_ids.data()[pair.triangle_b];
     gap.nearest.squared_distance = squared;
     if (!goal_.wants(gap)) return;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float* a = corner(*pair.tree_a, pair.positions_a, pair.triangle_a, k);
-      const float* b = corner(*pair.tree_b, pair.positions_b, pair.triangle_b, k);
-      gap.corners_a[k] = {a[0], a[1], a[2]};
-      gap.corners_b[k] = {b[0], b[1], b[2]};
-    }
+    gap.corners_a = corners_at(
+        [&](std::size_t k) { return corner(*pair.tree_a, pair.positions_a, pair.triangle_a, k); });
+    gap.corners_b = corners_at(
+        [&](std::size_t k) { return corner(*pair.tree_b, pair.positions_b, pair.triangle_b, k); });
     gap.places = pair.places;
     if (goal_.keeps_best()) gap.nearest = nearest_points(gap.corners_a, gap.corners_b);
     goal_.take(gap);
@@ -165,8 +158,7 @@ class NearTriangles {
   QueryStats& work_;
   bool has_way_ = false;
   Vec3 way_;  ///< the direction of the best pair
-  Pair waiting_[kBatch];
-  std::uint32_t count_ = 0;
+  Batch8<Pair> waiting_;
 };
 
 }  // namespace PELT_TARGET

@@ -7,10 +7,8 @@
 
 #include "base/target.hpp"
 #include "field/field_cells.hpp"
-#include "geometry/triangle_pair.hpp"
-#include "geometry/triangle_triage.hpp"
-#include "query/lanes.hpp"
 #include "query/stack.hpp"
+#include "query/triangle_batch.hpp"
 
 #include <cstdint>
 
@@ -28,54 +26,45 @@ class FieldPairs {
   FieldPairs(Stack<Contact>& contacts, QueryStats& work) : contacts_(contacts), work_(work) {}
 
   void add(const PosedTriangle& posed, const FieldTriangle& field) {
-    posed_[count_] = posed;
-    field_[count_] = field;
-    if (++count_ == kBatch) flush();
+    waiting_.add({posed, field});
+    if (waiting_.is_full()) flush();
   }
 
   /// Tests what waits.
   void flush() {
-    if (count_ == 0) return;
-    for (std::uint32_t i = count_; i < kBatch; ++i) posed_[i] = posed_[0], field_[i] = field_[0];
+    if (waiting_.count() == 0) return;
+    waiting_.pad();
     test();
-    count_ = 0;
+    waiting_.clear();
   }
 
  private:
-  static constexpr std::uint32_t kBatch = 8;
+  struct Pair {
+    PosedTriangle posed;
+    FieldTriangle field;
+  };
 
   void test() {
-    work_.triangle_pairs += count_;
+    work_.triangle_pairs += waiting_.count();
     TrianglePairs8 pairs;
     for (std::size_t k = 0; k < 3; ++k) {
-      pairs.a[k] = corner8([&](std::uint32_t i) { return posed_[i].corners[k]; });
-      pairs.b[k] = corner8([&](std::uint32_t i) { return field_[i].corners[k]; });
+      pairs.a[k] = gather_points([&](std::uint32_t i) { return waiting_[i].posed.corners[k]; });
+      pairs.b[k] = gather_points([&](std::uint32_t i) { return waiting_[i].field.corners[k]; });
     }
+    const unsigned kept = (1u << waiting_.count()) - 1;
     const Triage verdict = triage(pairs);
-    for (SetBits lane(((1u << count_) - 1) & ~verdict.apart); lane; ++lane)
-      if ((verdict.intersecting >> *lane & 1) != 0 || touch(*lane))
-        contacts_.push(Contact{posed_[*lane].number, field_[*lane].number});
+    const auto posed = [&](unsigned lane) {
+      return corners_at([&](std::size_t k) { return waiting_[lane].posed.corners[k]; });
+    };
+    const auto field = [&](unsigned lane) {
+      return corners_at([&](std::size_t k) { return waiting_[lane].field.corners[k]; });
+    };
+    const unsigned exact = decide_exactly(verdict, kept, posed, field);
+    for (SetBits lane((kept & verdict.intersecting) | exact); lane; ++lane)
+      contacts_.push(Contact{waiting_[*lane].posed.number, waiting_[*lane].field.number});
   }
 
-  template <typename Corner>
-  static Points8 corner8(const Corner& corner) {
-    const auto at = [&](std::uint32_t i) { return load4(corner(i)); };
-    return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
-  }
-
-  bool touch(std::uint32_t i) const {
-    TriangleCorners a, b;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float *p = posed_[i].corners[k], *q = field_[i].corners[k];
-      a[k] = {p[0], p[1], p[2]};
-      b[k] = {q[0], q[1], q[2]};
-    }
-    return triangles_intersect(a, b);
-  }
-
-  PosedTriangle posed_[kBatch];
-  FieldTriangle field_[kBatch];
-  std::uint32_t count_ = 0;
+  Batch8<Pair> waiting_;
   Stack<Contact>& contacts_;
   QueryStats& work_;
 };

@@ -1,0 +1,70 @@
+#pragma once
+
+/// Eight pairs of triangles at a time: pairs wait in a Batch8 until there are eight, their corners
+/// are gathered side by side, and the certified float test (triangle_triage.hpp) decides most of
+/// them. The exact predicate decides the others.
+
+#include "geometry/triangle_pair.hpp"
+#include "geometry/triangle_triage.hpp"
+#include "query/lanes.hpp"
+
+#include <cstdint>
+
+namespace pelt::detail {
+inline namespace PELT_TARGET {
+
+inline constexpr std::uint32_t kBatch = 8;
+
+/// Up to eight items that wait. The owner tests them when the batch is full, and at the end.
+template <typename Item>
+class Batch8 {
+ public:
+  void add(const Item& item) { items_[count_++] = item; }
+  void clear() { count_ = 0; }
+
+  std::uint32_t count() const { return count_; }
+  bool is_full() const { return count_ == kBatch; }
+  const Item& operator[](std::uint32_t i) const { return items_[i]; }
+
+  /// Fills the lanes in which nothing waits with the first item. Precondition: one waits.
+  void pad() {
+    for (std::uint32_t i = count_; i < kBatch; ++i) items_[i] = items_[0];
+  }
+
+ private:
+  Item items_[kBatch];
+  std::uint32_t count_ = 0;
+};
+
+/// Gathers eight points: `at(lane)` points to four floats.
+template <typename At>
+[[gnu::always_inline]] inline Points8 gather_points(const At& at_lane) {
+  const auto at = [&](std::uint32_t lane) { return load4(at_lane(lane)); };
+  return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
+}
+
+/// Gathers the corners of a triangle: `corner(k)` points to four floats.
+template <typename Corner>
+[[gnu::always_inline]] inline TriangleCorners corners_at(const Corner& corner) {
+  TriangleCorners corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float* p = corner(k);
+    corners[k] = {p[0], p[1], p[2]};
+  }
+  return corners;
+}
+
+/// Those of the lanes `kept` that the float test leaves undecided and that intersect by the exact
+/// predicate. `corners_a(lane)` and `corners_b(lane)` return the corners of a lane's triangles.
+template <typename CornersA, typename CornersB>
+[[gnu::always_inline]] inline unsigned decide_exactly(const Triage& verdict, unsigned kept,
+                                                      const CornersA& corners_a,
+                                                      const CornersB& corners_b) {
+  unsigned intersecting = 0;
+  for (SetBits lane(kept & ~(verdict.intersecting | verdict.apart)); lane; ++lane)
+    if (triangles_intersect(corners_a(*lane), corners_b(*lane))) intersecting |= 1u << *lane;
+  return intersecting;
+}
+
+}  // namespace PELT_TARGET
+}  // namespace pelt::detail
