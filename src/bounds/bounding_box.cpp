@@ -1,6 +1,6 @@
-/// The box of the whole skin takes six descents, one for each side. Each goes to the child that
-/// reaches furthest first, and to others only if they reach beyond what has been found; nodes that
-/// one descent opens are open for the next.
+/// The box of the whole skin takes six descents, one per side. Each visits the child that reaches
+/// furthest first, and other children only if they reach beyond the result so far. Nodes that one
+/// descent opens stay open for the next.
 
 #include "bounds/bounding_box.hpp"
 
@@ -16,17 +16,17 @@ namespace {
 
 enum class Side { low, high };
 
-/// How far the slots of a node reach beyond zero on one side.
+/// Coordinate of the slots of a node on one side of the box.
 using Reach = float[kMaxSlots];
 
-/// Slots of a node, those that reach further first.
+/// Slots of a node, in descending order of reach.
 class FurthestFirst {
  public:
   FurthestFirst(const Reach& reach, unsigned slots) : reach_(reach), left_(slots) {}
 
   explicit operator bool() const { return left_ != 0; }
 
-  /// Precondition: there is one more.
+  /// Returns the next slot. Precondition: there is one.
   unsigned next() {
     SetBits slot(left_);
     unsigned furthest = *slot;
@@ -63,8 +63,8 @@ class BoundingBox {
     return furthest_;
   }
 
-  /// Moves `furthest_` to where the vertices below a node reach, or may reach for all that so many
-  /// levels say.
+  /// Moves `furthest_` to the reach of the vertices below a node, or to its bound after the given
+  /// number of levels.
   template <Side kSide>
   void descend(std::uint32_t index, std::uint32_t levels) {
     ++work_.node_pairs;

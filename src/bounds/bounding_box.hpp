@@ -10,7 +10,7 @@
 
 namespace pelt::detail {
 
-/// A box whose zeros are positive, and the work that it took.
+/// A box with positive zeros, and the work of computing it.
 struct BoxFound {
   float low[4], high[4];  ///< the fourth of each is meaningless
   QueryStats work;
@@ -18,14 +18,14 @@ struct BoxFound {
 
 inline namespace PELT_TARGET {
 
-/// A box around all corners of triangles, from so many levels of opened nodes; the exact one if
-/// there are no more in the tree.
+/// Returns a box of all vertices of triangles, after opening the given number of levels. The box is
+/// exact if the tree has no more levels.
 BoxFound bounding_box(const PosedTree& posed, std::uint32_t levels);
 
-/// The bound of a set of vertices as a box; the one of an empty set is empty.
+/// Returns the bound of a set of vertices as a box, which is empty for an empty set.
 BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette& palette);
 
-/// The exact box of the vertices at these places of the pools.
+/// Returns the exact box of the vertices at these positions in the pools.
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places);
 

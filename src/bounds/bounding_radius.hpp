@@ -7,8 +7,9 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// No vertex below the root is posed further from `centre` (four floats); infinity if the joint
-/// palette alone does not say. Precondition: no coordinate of it is larger than 2^64.
+/// Returns an upper bound of the distance of posed vertices from `centre` (four floats), or
+/// infinity if the joint palette alone gives no bound. Precondition: no coordinate of `centre`
+/// exceeds 2^64.
 float bounding_radius(const NodeBounds& bounds, const Palette& palette, const float* centre);
 
 }  // namespace PELT_TARGET

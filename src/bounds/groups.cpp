@@ -30,7 +30,7 @@ Groups make_groups(const SkinnedModel& model, const detail::VertexSets& sets) {
   return Groups(std::make_shared<const detail::Groups>(std::move(groups)));
 }
 
-/// Why labels are refused; empty if they are good.
+/// Validates labels. Returns an empty Problem if they are valid.
 Problem check_labels(std::span<const std::uint32_t> labels, std::uint32_t triangle_count) {
   if (labels.size() != triangle_count)
     return detail::problem("labels has %zu elements, expected one for each of the %u triangles",
@@ -51,7 +51,7 @@ std::uint32_t group_count(std::span<const std::uint32_t> labels) {
   return count;
 }
 
-/// Whether a pose's vertices lie where the groups say.
+/// Whether the pose belongs to the groups' model.
 bool is_pose_of(const Pose& pose, const Groups& groups) {
   return &pose.model().detail() == &groups.model().detail();
 }

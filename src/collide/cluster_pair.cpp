@@ -20,13 +20,13 @@ Box8 intersection(const PosedCluster& a, const PosedCluster& b) {
   return both;
 }
 
-/// Those of `candidates` whose boxes overlap `box`, one bit each.
+/// Returns the candidates whose boxes overlap `box`, one bit per candidate.
 unsigned overlapping(unsigned candidates, const TriangleBoxes& boxes, const Box8& box) {
   return candidates & (overlapping(boxes.low, boxes.high, 0, box) |
                        overlapping(boxes.low, boxes.high, 8, box) << 8);
 }
 
-/// The triangles of a cluster whose boxes overlap `box`, one bit each.
+/// Returns the triangles of a cluster whose boxes overlap `box`, one bit per triangle.
 unsigned triangles_in(const Cluster& cluster, const TriangleBoxes& boxes, const Box8& box) {
   return overlapping((1u << cluster.triangle_count) - 1, boxes, box);
 }

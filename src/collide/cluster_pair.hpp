@@ -1,9 +1,10 @@
 #pragma once
 
-/// Two clusters whose boxes overlap: which of their triangles touch. Triangles that leave the
-/// intersection of the two boxes cannot; the boxes of the others are tested one against sixteen;
-/// what is left waits until there are eight pairs for the certified float test
-/// (triangle_triage.hpp). The few lanes that it leaves undecided go to the exact predicate.
+/// Finds the touching triangles of two clusters whose boxes overlap. Triangles outside of the
+/// intersection of the two boxes are skipped. The boxes of the others are tested one against
+/// sixteen. The remaining pairs wait until there are eight for the certified float test
+/// (triangle_triage.hpp). The exact predicate decides the few lanes that this test leaves
+/// undecided.
 
 #include <pelt/collide.hpp>
 
@@ -24,16 +25,16 @@ class TrianglePairs {
   TrianglePairs(const Tree& tree_a, const Tree& tree_b, Stack<Contact>& contacts, QueryStats& work)
       : a_(tree_a), b_(tree_b), contacts_(contacts), work_(work) {}
 
-  /// Tests, or keeps for the next test, all triangles of two clusters whose boxes overlap.
+  /// Tests all triangles of two clusters whose boxes overlap, or stores them for the next test.
   void add(const PosedCluster& a, const PosedCluster& b);
 
-  /// Tests what was kept.
+  /// Tests the stored pairs.
   void flush();
 
  private:
   static constexpr std::uint32_t kRoom = kBatch + kMaxClusterTriangles * kMaxClusterTriangles;
 
-  /// The triangles of one side of the pairs that wait.
+  /// Triangles of one side of the waiting pairs.
   struct Side {
     explicit Side(const Tree& t) : tree(t) {}
 
@@ -51,7 +52,7 @@ class TrianglePairs {
 
     const Tree& tree;
     std::uint32_t triangle[kRoom];  ///< into Tree::corners
-    const float* positions[kRoom];  ///< of the pool that its corners lie in
+    const float* positions[kRoom];  ///< posed pool of the triangle
   };
 
   void keep(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,

@@ -1,7 +1,6 @@
-/// The descent of two trees that looks for triangles which intersect. A node is opened when a box
-/// that is known overlaps its bound (refit on demand, Kavan & Zara 2005, section 4.2). Opening may
-/// show that the exact boxes do not overlap after all, so one side of a pair is opened before the
-/// other is touched.
+/// Descent of two trees for intersecting triangles. A node is opened when a known box overlaps its
+/// bound (refit on demand, Kavan & Zara 2005, section 4.2). Opening may show that the exact boxes
+/// do not overlap, so one side of a pair is opened before the other.
 
 #include "collide/pair_traversal.hpp"
 

@@ -7,7 +7,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// Leaves in `scratch.found` at most `max_contacts` pairs of triangles that intersect, in no
+/// Writes at most `max_contacts` pairs of intersecting triangles to `scratch.found`, in no
 /// particular order.
 QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                          std::uint32_t max_contacts);

@@ -10,8 +10,9 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// A list of pairs of a row and a lane, both below 16. It is written without branches: how many
-/// lanes a test leaves of a row is random, and to guess wrong costs more than the test.
+/// A list of pairs of a row and a lane, both below 16, written without branches. The number of
+/// lanes that a test leaves of a row is random, so a branch would often be mispredicted, which
+/// costs more than the test.
 class RowLanes {
  public:
   /// Adds the row with each lane whose bit is set.
@@ -25,7 +26,7 @@ class RowLanes {
   unsigned lane(std::uint32_t i) const { return pairs_[i] & 15; }
 
  private:
-  /// For each byte the numbers of its set bits, lowest first, a byte each.
+  /// For each byte, the indices of its set bits, lowest first, one byte each.
   static constexpr std::array<std::uint64_t, 256> kSetBits = [] {
     std::array<std::uint64_t, 256> numbers{};
     for (unsigned byte = 0; byte < 256; ++byte)

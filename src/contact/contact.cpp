@@ -13,7 +13,7 @@ namespace {
 using detail::Crossing;
 using detail::PosedSurface;
 
-/// The traces, and the ends of segments as links of their curves.
+/// Computes the traces, and the ends of segments as links of their curves.
 QueryStats trace_contacts(const PosedSurface& a, const PosedSurface& b,
                           std::span<const Contact> contacts, ContactGeometry& geometry) {
   QueryStats work;

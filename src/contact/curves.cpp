@@ -9,7 +9,7 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 using Link = ContactGeometry::Link;
 
-/// A corner, an edge or a face in three numbers; the last tells them apart.
+/// Identifies a corner, an edge or a face by three numbers, of which the last is the kind.
 std::array<std::uint32_t, 3> name_of(Feature feature, std::uint32_t triangle,
                                      const Surface& surface) {
   if (feature == Feature::face) return {triangle, 0, 2};
@@ -20,7 +20,7 @@ std::array<std::uint32_t, 3> name_of(Feature feature, std::uint32_t triangle,
   return {less, more, 1};
 }
 
-/// For each end the end that it shares its place with; kNone where there is none, or more than one.
+/// Finds for each end the end with the same key; kNone if there is none or more than one.
 void find_partners(ContactGeometry& geometry) {
   std::vector<Link>& links = geometry.links;
   std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
@@ -35,7 +35,7 @@ void find_partners(ContactGeometry& geometry) {
   }
 }
 
-/// Walks from the end at which a trace is entered until the curve ends or closes.
+/// Follows a curve from the entered end of a trace until it ends or closes.
 void walk(std::uint32_t entered, ContactGeometry& geometry) {
   std::vector<std::uint32_t>& is_walked = geometry.labels;
   ContactCurve curve = {static_cast<std::uint32_t>(geometry.steps.size()), 0, false};
@@ -44,7 +44,7 @@ void walk(std::uint32_t entered, ContactGeometry& geometry) {
     is_walked[entered / 2] = 1;
     geometry.steps.push_back({entered / 2, entered % 2 == 1});
     ++curve.count;
-    entered = geometry.partners[entered ^ 1];  // what the other end leads to
+    entered = geometry.partners[entered ^ 1];  // continue at the partner of the other end
   } while (entered != kNone && entered != start);
   curve.is_closed = entered == start;
   geometry.curves.push_back(curve);
@@ -67,7 +67,7 @@ void chain_curves(ContactGeometry& geometry) {
   const auto is_open = [&](std::uint32_t trace) {
     return geometry.traces[trace].kind == ContactKind::segment && geometry.labels[trace] == 0;
   };
-  // Curves that begin somewhere first, or their middles would be taken for beginnings.
+  // Open curves first; otherwise their middles would be mistaken for starts of closed curves.
   for (std::uint32_t end = 0; end < geometry.partners.size(); ++end)
     if (is_open(end / 2) && geometry.partners[end] == kNone) walk(end, geometry);
   for (std::uint32_t trace = 0; trace < geometry.traces.size(); ++trace)

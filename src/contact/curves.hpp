@@ -7,8 +7,8 @@
 
 namespace pelt::detail {
 
-/// Names an end of a trace by the features that meet there, in numbers that all triangles have in
-/// common that share these.
+/// Returns a key of an end of a trace, made from the features that meet there. Equal for all
+/// triangles that share these features.
 std::array<std::uint32_t, 6> key_of(const CrossingEnd& end, const Contact& contact,
                                     const Surface& a, const Surface& b);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Link = ContactGeometry::Link;
 
-/// A triangle of one side with each corner of the other's.
+/// Links each triangle of one side with the corners of its partner triangles.
 void link_corners(const Surface& a, const Surface& b, ContactGeometry& geometry) {
   geometry.links.clear();
   for (std::uint32_t i = 0; i < geometry.traces.size(); ++i) {
@@ -26,7 +26,7 @@ void link_corners(const Surface& a, const Surface& b, ContactGeometry& geometry)
             [](const Link& x, const Link& y) { return x.key < y.key; });
 }
 
-/// For each trace the least one of its region.
+/// Labels each trace with the lowest trace of its connected set.
 void label_regions(ContactGeometry& geometry) {
   const auto count = static_cast<std::uint32_t>(geometry.traces.size());
   DisjointSets sets(count, geometry.labels);
@@ -40,7 +40,8 @@ double length_of(const ContactTrace& trace) {
   return std::sqrt(squared_length(Vec3d(trace.to) - Vec3d(trace.from)));
 }
 
-/// The value that most members have, the least of equal ones. `sorted` is working memory.
+/// Returns the most frequent value of the members; of equally frequent values, the lowest. `sorted`
+/// is working memory.
 std::uint16_t most_frequent(std::span<const std::uint32_t> members,
                             const std::vector<ContactTrace>& traces,
                             std::uint16_t ContactTrace::*joint,
@@ -58,7 +59,7 @@ std::uint16_t most_frequent(std::span<const std::uint32_t> members,
   return static_cast<std::uint16_t>(best);
 }
 
-/// Where no trace has a length, all count alike.
+/// If no trace has a length, all traces have the same weight.
 ContactRegion describe(std::uint32_t first, std::span<const std::uint32_t> members,
                        ContactGeometry& geometry) {
   ContactRegion region;

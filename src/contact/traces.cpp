@@ -12,7 +12,7 @@
 namespace pelt::detail {
 namespace {
 
-/// Of length 1; zero stays zero.
+/// Normalises a vector; zero stays zero.
 Vec3d unit(const Vec3d& v) {
   const double length = std::sqrt(squared_length(v));
   return length > 0 ? (1 / length) * v : Vec3d();
@@ -27,7 +27,7 @@ Vec3d leaving_direction(const TriangleCorners& a, const TriangleCorners& b) {
   return squared_length(between) > 0 ? between : normal_b;
 }
 
-/// How far b reaches along a direction, less where a begins.
+/// How far b reaches along a direction beyond the start of a.
 double depth_along(const Vec3d& direction, const TriangleCorners& a, const TriangleCorners& b) {
   const auto at = [&](const Vec3& p) { return dot(direction, Vec3d(p)); };
   return std::max({at(b[0]), at(b[1]), at(b[2])}) - std::min({at(a[0]), at(a[1]), at(a[2])});
@@ -46,7 +46,7 @@ ContactKind kind_of(const Crossing& crossing) {
     case CrossingKind::none:
       break;
   }
-  PELT_ASSERT(false);  // no contact of these poses
+  PELT_ASSERT(false);  // not a contact of these poses
   return ContactKind::collapsed;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What each pair of triangles has in common.
+/// Intersections of pairs of triangles.
 
 #include "geometry/triangle_crossing.hpp"
 #include "model/surface.hpp"

@@ -16,7 +16,7 @@ bool agree(const CrowdGroups& a, const CrowdGroups& b) {
   return (a.member_of & b.collides_with) != 0 && (b.member_of & a.collides_with) != 0;
 }
 
-/// Does the same to both instances of each pair.
+/// Applies an action to both instances of each pair.
 template <typename Action>
 void for_both(CrowdInstances& instances, std::span<const CrowdPair> pairs, const Action& action) {
   for (const CrowdPair& pair : pairs) {
@@ -25,13 +25,14 @@ void for_both(CrowdInstances& instances, std::span<const CrowdPair> pairs, const
   }
 }
 
-/// Palettes were set a long time ago, as caches count, and joints are read in no order.
+/// Prefetches a palette, which is probably no longer in the caches, and whose joints are read in no
+/// particular order.
 void prefetch_palette(const CrowdInstance& instance) {
   for (const Matrix4& joint : instance.palette.joints()) __builtin_prefetch(&joint);
 }
 
-/// Room for as much again as was used by all workers together, so that any of them can do the work
-/// of all in a frame like this one. Memory that is not used is not touched, and so costs none.
+/// Reserves as much memory as all workers used together, so that any worker could do all the work
+/// of a similar frame. Memory that is never touched costs nothing.
 void even_out(Arena& arena, std::size_t used) {
   if (arena.capacity() < used + used / 16) arena.reserve(used + used / 4);
 }
@@ -88,7 +89,7 @@ void CrowdQuery::start_workers(std::uint32_t threads) {
   }
 }
 
-/// A group counts as large if it is a good part of what each worker has to do.
+/// A group is large if it is a considerable part of the work of each worker.
 void CrowdQuery::share_out() {
   const std::size_t large = worker_count_ == 1 ? pairs_.size() : pairs_.size() / worker_count_ / 8;
   shared_pairs_.clear();
@@ -161,7 +162,7 @@ CrowdStats CrowdQuery::gather() {
   return stats;
 }
 
-/// Which worker does which pairs is a matter of chance, and so would be who runs out of room.
+/// Distributes memory evenly, because it is random which worker processes which pairs.
 void CrowdQuery::even_out() {
   if (worker_count_ == 1) return;
   std::size_t shared_nodes = 0, nodes = 0, contacts = 0;

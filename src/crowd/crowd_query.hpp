@@ -1,13 +1,13 @@
 #pragma once
 
-/// How a crowd is asked. A query runs in passes, each over all instances or pairs: boxes that
-/// overlap (sweep.hpp), the filters, groups without common instances (pair_groups.hpp), and at last
-/// the descents. A worker does a whole group by itself; where a group is so large that others would
-/// wait for it, they share its pairs.
+/// Queries of a crowd. A query runs in passes over all instances or pairs: overlapping boxes
+/// (sweep.hpp), filters, groups without common instances (pair_groups.hpp), and finally the
+/// descents. A worker processes a whole group alone. If a group is so large that others would wait
+/// for it, the workers share its pairs.
 ///
-/// Answers and stats are those of one thread. A descent depends on the two palettes alone: a node
-/// is opened to the same bits by whoever needs it, and counted by the one who published it. What
-/// the descents found is put in order after them.
+/// Answers and stats do not depend on the number of threads. A descent depends only on the two
+/// palettes: every thread opens a node to the same bits, and the thread that publishes it counts
+/// it. The results of the descents are sorted at the end.
 ///
 /// Memory may end in any pass and on any thread. The exception then leaves `run`; every pass of the
 /// next query begins anew from the palettes, so nothing that was left unfinished is seen.
@@ -39,18 +39,18 @@ class CrowdQuery {
   CrowdStats run(CrowdInstances& instances, const CrowdOptions& options,
                  std::uint32_t max_contacts);
 
-  /// What the last run found, ascending. Valid until the next one.
+  /// Results of the last run, ascending. Valid until the next run.
   std::span<const TouchingPair> touching() const { return touching_; }
 
   std::size_t memory_bytes() const;
 
  private:
-  /// What one thread needs for itself.
+  /// Memory and results of one thread.
   struct alignas(64) Worker {
-    Arena nodes;                 // of the group that it does by itself
-    Arena shared_nodes;          // of groups whose pairs are shared, for all to use
+    Arena nodes;                 // of the group that the worker processes alone
+    Arena shared_nodes;          // of groups whose pairs are shared
     Arena contacts;              // of this query
-    std::size_t most_nodes = 0;  // bytes that a group of this query took
+    std::size_t most_nodes = 0;  // largest number of bytes of a group in this query
     std::vector<TouchingPair> touching;
     Scratch scratch;
     QueryStats work;
@@ -72,10 +72,10 @@ class CrowdQuery {
 
   Sweep sweep_;
   std::uint64_t moved_ = 0;                  // instances since the last query that ended well
-  std::vector<CrowdPair> pairs_;             // to be asked
+  std::vector<CrowdPair> pairs_;             // pairs to test
   PairGroups groups_;                        // of them
   std::vector<CrowdPair> shared_pairs_;      // of the large groups
-  std::vector<std::uint32_t> small_groups_;  // the others
+  std::vector<std::uint32_t> small_groups_;  // all other groups
   WorkShares pair_shares_, group_shares_;    // of those two
   std::vector<Worker> workers_;
   std::uint32_t worker_count_ = 1;  // of this query

@@ -44,8 +44,8 @@ CrowdInstance& CrowdInstances::operator[](std::uint32_t number) {
   return *slots_[number];
 }
 
-/// The box is taken at once because the palette is in the caches now, and because that is done by
-/// as many threads as the caller sets palettes on.
+/// Computes the box at once, because the palette is in the caches now, and because this runs on all
+/// threads on which the caller sets palettes.
 Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const float> palette) {
   CrowdInstance& instance = (*this)[number];
   Result<void> taken = instance.palette.set(palette);

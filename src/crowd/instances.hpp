@@ -16,32 +16,32 @@ struct CrowdInstance {
   CrowdInstance(SkinnedModel m, const CrowdGroups& g)
       : model(std::move(m)), groups(g), palette(rest_palette(model.detail().tree)) {}
 
-  /// As the thread sees it whose arena this is.
+  /// View of the instance for the thread that owns `arena`.
   PosedTree posed_tree(Arena& arena) {
     return {model.detail().tree, model.detail().bounds, palette, root_box, opened, arena};
   }
 
-  /// Forgets the opened nodes, whose memory is about to be used anew.
+  /// Closes all nodes, whose memory will be reused.
   void close() { opened = OpenedNodes(); }
 
   SkinnedModel model;
   CrowdGroups groups;
   Palette palette;
   RootBox root_box;
-  OpenedNodes opened;     // of use during a query only
+  OpenedNodes opened;     // valid during a query only
   bool has_moved = true;  // since the last query
 };
 
-/// The instances of a crowd by their numbers, of which some may be free.
+/// The instances of a crowd by number. Some numbers may be free.
 class CrowdInstances {
  public:
   std::uint32_t add(const SkinnedModel& model, const CrowdGroups& groups);
   void remove(std::uint32_t number);
 
-  /// Those that there are.
+  /// Number of instances.
   std::uint32_t count() const { return count_; }
 
-  /// One more than the highest number that was ever given.
+  /// One more than the highest number ever assigned.
   std::uint32_t end() const { return static_cast<std::uint32_t>(slots_.size()); }
 
   bool has(std::uint32_t number) const { return slots_[number].has_value(); }
@@ -49,7 +49,7 @@ class CrowdInstances {
   /// Precondition: the crowd has that instance.
   CrowdInstance& operator[](std::uint32_t number);
 
-  /// Several threads may do so for different instances.
+  /// May be called by several threads for different instances.
   Result<void> set_palette(std::uint32_t number, std::span<const float> palette);
   Result<void> set_morph_weights(std::uint32_t number, std::span<const float> weights);
 

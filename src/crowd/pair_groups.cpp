@@ -13,7 +13,7 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 }  // namespace
 
-/// Groups in the order of their first pairs, by counting sort.
+/// Forms the groups in the order of their first pairs, by counting sort.
 void PairGroups::form(std::span<const CrowdPair> pairs, std::uint32_t instance_end) {
   DisjointSets sets(instance_end, leaders_);
   for (const CrowdPair& pair : pairs) sets.join(pair.instance_a, pair.instance_b);

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Pairs put into groups that have no instance in common: what is opened of a group's instances is
-/// of no use to any other group, so it can be forgotten as soon as the group is through. That keeps
-/// the nodes of a sparse crowd, where groups are small, in the caches and off the memory.
+/// Divides pairs into connected groups without common instances. Opened nodes of a group's
+/// instances are useless for other groups, so they are discarded after the group. In a sparse
+/// crowd, where groups are small, nodes therefore stay in the caches and need little memory.
 
 #include <pelt/crowd.hpp>
 
@@ -14,7 +14,7 @@ namespace pelt::detail {
 
 class PairGroups {
  public:
-  /// Takes pairs of instances below `instance_end`. Within a group they keep their order.
+  /// Divides `pairs` of instances below `instance_end`. Pairs of a group keep their order.
   void form(std::span<const CrowdPair> pairs, std::uint32_t instance_end);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(begins_.size()) - 1; }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLanes = 8;
 
-/// The axis on which the boxes' low ends vary most.
+/// Returns the axis with the largest variance of the boxes' low ends.
 template <typename Boxes>
 int widest_axis(const Boxes& boxes) {
   double sum[3] = {}, squares[3] = {};
@@ -59,7 +59,7 @@ void Sweep::sort_along(int axis) {
   }
 }
 
-/// Those behind `index` in the order that overlap it.
+/// Finds the boxes after `index` in the order that overlap it.
 void Sweep::find_partners(std::size_t index, int axis, std::vector<CrowdPair>& pairs) const {
   const Box& box = boxes_[index];
   const int next = (axis + 1) % 3, last = (axis + 2) % 3;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The broad phase: which of many boxes overlap. Boxes are sorted by their low ends along the axis
-/// on which they are spread most; each is then compared, eight at once, with those that begin
+/// The broad phase, which finds overlapping boxes. Boxes are sorted by their low ends along the
+/// axis with the largest spread. Each box is then compared, eight at a time, with those that start
 /// before it ends (sweep and prune; Ericson 2005, section 7.5).
 
 #include <pelt/crowd.hpp>
@@ -19,8 +19,8 @@ class Sweep {
 
   void add(std::uint32_t instance, const RootBox& box);
 
-  /// Replaces `pairs` by those whose boxes overlap, a < b; touching counts. Pairs near each other
-  /// in space stand near each other.
+  /// Replaces `pairs` with the pairs a < b whose boxes overlap; touching counts. Neighbouring pairs
+  /// are close to each other in the list.
   void find_pairs(std::vector<CrowdPair>& pairs);
 
   std::size_t memory_bytes() const;
@@ -35,7 +35,7 @@ class Sweep {
   void find_partners(std::size_t index, int axis, std::vector<CrowdPair>& pairs) const;
 
   std::vector<Box> boxes_;
-  // The same, side by side, with lanes that overlap nothing at the end.
+  // The boxes in structure-of-arrays order, padded with lanes that overlap nothing.
   std::vector<float> low_[3], high_[3];
 };
 

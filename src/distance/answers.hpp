@@ -9,7 +9,7 @@ namespace pelt::detail {
 SurfacePoint surface_point(std::uint32_t triangle, const TriangleCorners& corners,
                            const Barycentrics& at);
 
-/// The answer where nothing touches; that of a search within the options' limits.
+/// Returns the answer for operands that do not touch, from a search within the options' limits.
 Distance distance_apart(const TriangleGap& gap, const DistanceOptions& options);
 
 }  // namespace pelt::detail

@@ -19,7 +19,7 @@ namespace {
 using detail::PosedTree;
 using detail::surface_point;
 
-/// The lowest pair of those that touch.
+/// Returns the lowest touching pair.
 Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact,
                   QueryStats& work) {
   const detail::FoundTriangle found_a = detail::find_triangle(a, contact.triangle_a, work);
@@ -33,13 +33,13 @@ Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact
   return nearest;
 }
 
-/// What both questions ask first: the pairs that touch, left in `scratch.found`.
+/// Writes the touching pairs to `scratch.found`, the first step of both queries.
 QueryStats find_touching(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                          std::uint32_t max_contacts) {
   return detail::collide_trees(a, b, scratch.detail(), max_contacts);
 }
 
-/// Leaves the pairs in `scratch.found`, in no particular order.
+/// Writes the pairs to `scratch.found`, in no particular order.
 QueryStats find_within(Pose& a, Pose& b, double tolerance, Scratch& scratch,
                        std::uint32_t max_contacts) {
   PELT_ASSERT(&a != &b);

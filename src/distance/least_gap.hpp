@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which of two pairs of triangles is nearer: the goal of all searches for the least distance.
+/// Comparison of pairs of triangles by distance, the goal of all searches for the least distance.
 
 #include "distance/pair_search.hpp"
 
@@ -9,7 +9,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// The pair with the least distance; of equally near ones that with the lowest numbers.
+/// Stores the pair with the least distance; of equally near pairs, the one with the lowest numbers.
 class LeastGap {
  public:
   LeastGap(const SearchLimits& limits, TriangleGap& best) : limits_(limits), best_(best) {}

@@ -21,8 +21,8 @@ struct FieldRect {
   std::uint32_t first_column, last_column, first_row, last_row;
 };
 
-/// The first of `count` intervals between ascending `places` that is not wholly before `low`;
-/// `count` if all are. `guess` is about where it is.
+/// Returns the first of `count` intervals between ascending `places` that is not wholly before
+/// `low`, or `count` if there is none. `guess` is its approximate index.
 inline std::uint32_t first_interval(const float* places, std::uint32_t count, float low,
                                     float guess) {
   const auto most = static_cast<float>(count - 1);
@@ -33,7 +33,7 @@ inline std::uint32_t first_interval(const float* places, std::uint32_t count, fl
   return i;
 }
 
-/// The last of the intervals that is not wholly beyond `high`. Precondition: the first is not.
+/// Returns the last interval that is not wholly beyond `high`. Precondition: the first one is not.
 inline std::uint32_t last_interval(const float* places, std::uint32_t count, float high,
                                    float guess) {
   const auto most = static_cast<float>(count - 1);
@@ -44,7 +44,8 @@ inline std::uint32_t last_interval(const float* places, std::uint32_t count, flo
   return i;
 }
 
-/// Finds the cells that the box meets as seen along y; false if there are none.
+/// Finds the cells that the box overlaps in its projection along y. Returns false if there are
+/// none.
 inline bool find_cells(const HeightField& field, const FieldBox& box, FieldRect& cells) {
   const float *x = field.x.data(), *z = field.z.data();
   const std::uint32_t columns = field.columns() - 1, rows = field.rows() - 1;
@@ -58,14 +59,14 @@ inline bool find_cells(const HeightField& field, const FieldBox& box, FieldRect&
   return true;
 }
 
-/// The blocks of a level that have the cells.
+/// Returns the blocks of a level that contain the cells.
 inline FieldRect blocks_around(const FieldRect& cells, std::uint32_t level) {
   const std::uint32_t shift = kBlockShift + level;
   return {cells.first_column >> shift, cells.last_column >> shift, cells.first_row >> shift,
           cells.last_row >> shift};
 }
 
-/// The lowest level on which at most four blocks have the cells.
+/// Returns the lowest level on which at most four blocks contain the cells.
 inline std::uint32_t level_of(const FieldRect& cells) {
   for (std::uint32_t level = 0;; ++level) {
     const FieldRect blocks = blocks_around(cells, level);
@@ -105,7 +106,7 @@ struct FieldTriangle {
   float corners[3][4];  ///< x, y, z and anything
 };
 
-/// Gives `visit` those triangles of the cells `within` whose boxes may overlap `box`, block by
+/// Calls `visit` with the triangles of the cells `within` whose boxes may overlap `box`, block by
 /// block.
 template <typename Visit>
 class FieldTriangles {
@@ -159,8 +160,8 @@ class FieldTriangles {
                            {{x[0], y[0], z[0]}, {x[1], next[1], z[1]}, {x[1], y[1], z[0]}}});
   }
 
-  /// Whether there is a triangle with these heights and it overlaps the box. Nothing is at most, or
-  /// at least, NaN.
+  /// Whether a triangle with these heights exists and overlaps the box. Comparisons with NaN, the
+  /// height of a hole, are false.
   bool overlaps(float a, float b, float c) const {
     const float low = box_.low[1], high = box_.high[1];
     const bool exists = a == a && b == b && c == c;

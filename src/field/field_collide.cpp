@@ -1,5 +1,5 @@
-/// One tree against a height field. Boxes that are above or below all heights under them are done;
-/// under those of triangles that are left the field's triangles are made.
+/// Descent of a tree against a height field. Skips boxes that are above or below all heights under
+/// them. Generates triangles of the field under the boxes of the remaining triangles.
 
 #include "field/field_collide.hpp"
 
@@ -22,7 +22,7 @@ FieldBox box_of(const float (&low)[4], const float (&high)[4]) {
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
-/// Which of the eight boxes from lane `first` on are neither above nor below the heights.
+/// Returns which of the eight boxes starting at lane `first` overlap the range of heights.
 template <std::size_t kCount>
 unsigned between(const float (&low)[3][kCount], const float (&high)[3][kCount], unsigned first,
                  const HeightRange& heights) {
@@ -56,7 +56,7 @@ class FieldDescent {
   }
 
  private:
-  /// Whether the box is between the heights of what it meets as seen along y.
+  /// Whether the box overlaps the range of heights below it.
   bool is_near(const FieldBox& box) const {
     FieldRect cells;
     return find_cells(field_, box, cells) && overlap(heights_of(field_, cells), box);

@@ -8,8 +8,8 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// Leaves in `scratch.found` at most `max_contacts` pairs of triangles of the pose and of the field
-/// that intersect, in no particular order.
+/// Writes at most `max_contacts` pairs of intersecting triangles of the pose and the field to
+/// `scratch.found`, in no particular order.
 QueryStats collide_field(const PosedTree& posed, const HeightField& field, Scratch& scratch,
                          std::uint32_t max_contacts);
 

@@ -1,6 +1,6 @@
-/// The descent of a tree and of a height field's blocks that looks for what is nearest: as that of
-/// two trees (pair_search.cpp). The larger of a part and a block is replaced by its slots, or by
-/// the four blocks below, nearest first.
+/// Nearest-first descent of a tree and of the blocks of a height field, like that of two trees
+/// (pair_search.cpp). The larger of a part and a block is replaced by its slots or by its four
+/// sub-blocks, nearest first.
 
 #include "field/field_distance.hpp"
 
@@ -19,7 +19,8 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// Boxes of blocks or triangles of a field, side by side. What is infinite is infinitely far.
+/// Boxes of blocks or triangles of a field in structure-of-arrays order. Infinite boxes are
+/// infinitely far away.
 template <std::size_t kCount>
 struct alignas(32) FieldBoxes {
   float low[3][kCount], high[3][kCount];
@@ -53,7 +54,7 @@ class BlockTriangles {
     triangles_[count_++] = triangle;
   }
 
-  /// The squares of the gaps to a box.
+  /// Computes the squared distances to a box.
   void gaps_to(const Box8& box, float (&gaps)[kMost]) const {
     for (unsigned first = 0; first < kMost; first += 8)
       squared_gaps(boxes_.low, boxes_.high, first, box).store(gaps + first);
@@ -68,7 +69,7 @@ class BlockTriangles {
   std::uint32_t count_ = 0;
 };
 
-/// The number with the least value; `count` if none is `most` or less.
+/// Returns the index of the least value, or `count` if all values exceed `most`.
 std::uint32_t least_of(const float* values, std::uint32_t count, float most) {
   std::uint32_t least = count;
   for (std::uint32_t i = 0; i < count; ++i)
@@ -159,7 +160,7 @@ class FieldSearch {
     }
   }
 
-  /// The sum of the sides that are not vertical.
+  /// Returns the sum of the horizontal sides.
   static float size(const Box8& box) {
     return (box.high[0] - box.low[0] + (box.high[2] - box.low[2])).low()[0];
   }
@@ -202,7 +203,7 @@ class FieldSearch {
     });
   }
 
-  /// The triangles of a cluster with those of a block, nearest boxes first.
+  /// Compares the triangles of a cluster with those of a block, nearest boxes first.
   void compare(const TreePart& part, std::uint32_t block) {
     const PosedCluster cluster = cluster_of(posed_, part);
     const TriangleBoxes& boxes = triangle_boxes(posed_, cluster.node, cluster.opened, cluster.slot);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Pairs of a posed triangle and one of a height field that wait until there are eight for the
-/// certified float test (triangle_triage.hpp); the exact predicate decides what it leaves.
+/// Collects pairs of a posed triangle and a triangle of a height field until there are eight for
+/// the certified float test (triangle_triage.hpp). The exact predicate decides the rest.
 
 #include <pelt/collide.hpp>
 
@@ -17,7 +17,7 @@ inline namespace PELT_TARGET {
 
 /// A posed triangle where it lies.
 struct PosedTriangle {
-  std::uint32_t number;     ///< the caller's
+  std::uint32_t number;     ///< the caller's number
   const float* corners[3];  ///< four floats each
 };
 
@@ -30,7 +30,7 @@ class FieldPairs {
     if (waiting_.is_full()) flush();
   }
 
-  /// Tests what waits.
+  /// Tests the waiting pairs.
   void flush() {
     if (waiting_.count() == 0) return;
     waiting_.pad();

@@ -17,7 +17,7 @@ namespace {
 
 using detail::PosedTree;
 
-/// Leaves the contacts in `scratch`, in no particular order.
+/// Writes the contacts to `scratch`, in no particular order.
 QueryStats find_contacts(const PosedTree& posed, const HeightField& field, Scratch& scratch,
                          std::uint32_t max_contacts) {
   return detail::collide_field(posed, field.detail(), scratch.detail(), max_contacts);

@@ -77,7 +77,7 @@ std::vector<float> heights_of(const HeightGrid& grid) {
   return y;
 }
 
-/// Nothing is less or greater than NaN.
+/// Ignores NaN, because comparisons with NaN are false.
 void include(float height, HeightRange& range) {
   if (height < range.low) range.low = height;
   if (height > range.high) range.high = height;

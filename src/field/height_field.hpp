@@ -1,8 +1,9 @@
 #pragma once
 
-/// A height field as queries need it: its vertices by their coordinates, and a pyramid of the least
-/// and greatest heights of square blocks of cells. A block of the lowest level has kBlockCells
-/// cells a side, one of the next twice as many, up to a level that is one block.
+/// A height field, prepared for queries: the coordinates of its vertices, and a pyramid with the
+/// least and greatest heights of square blocks of cells. A block of the lowest level has
+/// kBlockCells cells per side, a block of the next level twice as many, up to a level with a single
+/// block.
 
 #include <pelt/height_field.hpp>
 
@@ -16,7 +17,7 @@ namespace pelt::detail {
 inline constexpr std::uint32_t kBlockShift = 2;
 
 struct HeightRange {
-  float low, high;  ///< infinite the wrong way round where there are only holes
+  float low, high;  ///< +infinity and -infinity if there are only holes
 };
 
 struct FieldLevel {

@@ -16,8 +16,8 @@ struct Body {
   const pelt::Surface& surface;
 };
 
-/// Whether all components of `inner` are inside `outer`. Where surfaces do not touch, a component
-/// is inside with all its points or with none.
+/// Whether all components of `inner` are inside `outer`. If the surfaces do not touch, all points
+/// of a component are on the same side.
 bool holds(const Body& outer, const Body& inner, pelt::Scratch& scratch, QueryStats& work) {
   if (!outer.surface.is_closed()) return false;
   const PosedSurface posed = {inner.pose.detail(), inner.surface.detail()};
@@ -32,7 +32,7 @@ bool holds(const Body& outer, const Body& inner, pelt::Scratch& scratch, QuerySt
 
 bool touch(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, QueryStats& work) {
   work += collide_trees(a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), 1);
-  work.cut_short = false;  // one contact is enough
+  work.cut_short = false;  // one contact suffices
   return !scratch.detail().found.empty();
 }
 

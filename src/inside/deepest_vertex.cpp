@@ -1,9 +1,9 @@
-/// Where no triangle of the other body touches the box of a cluster or node, all of its vertices
-/// are on one side, and those outside are done with at once.
+/// If no triangle of the other body touches the box of a cluster or node, all of its vertices are
+/// on one side, and those outside are skipped at once.
 ///
-/// A vertex is worth a look only if it is further from the surface than the deepest one so far, so
-/// the nearest point is asked for first, within that depth, and whether the vertex is inside only
-/// where nothing was found.
+/// A vertex matters only if it is further from the surface than the deepest vertex so far. The
+/// nearest point within that depth is therefore searched first, and the side of the vertex is
+/// computed only if nothing was found.
 
 #include <pelt/inside.hpp>
 
@@ -51,7 +51,7 @@ class DeepestVertex {
   }
 
  private:
-  /// Where all vertices of a slot are, as far as is known.
+  /// Side of all vertices of a slot, as far as is known.
   enum class Side { outside, inside, unknown };
 
   Side side_of_all(const Box& box) {
@@ -82,7 +82,7 @@ class DeepestVertex {
     }
   }
 
-  /// Its vertices, each once.
+  /// Visits each vertex of a cluster once.
   void visit(const Cluster& cluster, const OpenedNode& opened, Side side) {
     std::array<std::uint16_t, 3 * detail::kMaxClusterTriangles> seen;
     std::size_t count = 0;

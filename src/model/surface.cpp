@@ -12,7 +12,7 @@ namespace pelt {
 namespace detail {
 namespace {
 
-/// The first triangle of each part that hangs together by its corners.
+/// Returns the first triangle of each component that is connected by shared vertices.
 std::vector<std::uint32_t> find_components(const std::vector<Triangle>& triangles,
                                            std::uint32_t vertex_count) {
   std::vector<std::uint32_t> memory;
@@ -31,7 +31,7 @@ std::vector<std::uint32_t> find_components(const std::vector<Triangle>& triangle
   return firsts;
 }
 
-/// Whether each directed edge stands once, and so does its opposite.
+/// Whether each directed edge and its opposite occur exactly once.
 bool edges_pair_up(const std::vector<Triangle>& triangles) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> forward, backward;
   for (const Triangle& t : triangles)

@@ -9,9 +9,9 @@ struct Surface {
   explicit Surface(const SkinnedModel& model);
 
   SkinnedModel model;
-  std::vector<Triangle> corners;      // [T] vertices that are alike in every bit have one number
-  std::vector<std::uint16_t> joints;  // [T] see main_joints
-  std::vector<std::uint32_t> components;  // a triangle of each part that hangs together
+  std::vector<Triangle> corners;          // [T] bit-identical vertices have the same number
+  std::vector<std::uint16_t> joints;      // [T] see main_joints
+  std::vector<std::uint32_t> components;  // one triangle of each connected component
   bool is_closed = false;
 };
 

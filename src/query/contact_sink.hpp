@@ -21,8 +21,8 @@ class ContactSink {
 
   bool is_full() const { return contacts_.size() >= max_contacts_; }
 
-  /// Whether so few contacts are wanted that it pays to look where they are likely first, and to
-  /// test candidates at once instead of collecting eight.
+  /// Whether so few contacts are wanted that it pays to visit likely pairs first, and to test
+  /// candidates at once instead of collecting eight.
   bool is_impatient() const { return max_contacts_ - contacts_.size() < 8; }
 
   /// Removes contacts beyond the limit. Returns whether some are missing or may be: `is_unfinished`

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Boxes side by side, and the lanes that a test leaves.
+/// Boxes in structure-of-arrays order, and bit sets of lanes.
 
 #include "base/float8.hpp"
 
@@ -40,12 +40,12 @@ template <std::size_t kCount>
           {Float8(high[0]), Float8(high[1]), Float8(high[2])}};
 }
 
-/// Eight boxes side by side, one in each lane.
+/// Eight boxes, one per lane.
 struct Boxes8 {
   Float8 low[3], high[3];
 };
 
-/// Loads the boxes from lane `first` on.
+/// Loads eight boxes, starting at lane `first`.
 template <std::size_t kCount>
 [[gnu::always_inline]] inline Boxes8 load_boxes(const float (&low)[3][kCount],
                                                 const float (&high)[3][kCount], unsigned first) {
@@ -58,7 +58,8 @@ template <std::size_t kCount>
   return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
 }
 
-/// Which of the eight boxes from lane `first` on overlap `box`, one bit each. Touching counts.
+/// Returns which of the eight boxes starting at lane `first` overlap `box`, one bit per box.
+/// Touching counts.
 template <std::size_t kCount>
 [[gnu::always_inline]] inline unsigned overlapping(const float (&low)[3][kCount],
                                                    const float (&high)[3][kCount], unsigned first,

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How near two things must be to matter, as bounds in float that err on the safe side: what is
-/// beyond them is certain to be further than the distance that they were made of.
+/// Conservative float bounds of a distance. Anything beyond these bounds is certainly further away
+/// than the distance.
 ///
 /// Rounding. With e = 2^-24, gaps of boxes take one rounding, their squares three, sums two more
 /// and underflow at most 2^-148: within (1 + 8 e) and 2^-148 of what boxes of the real vertices
@@ -16,7 +16,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// No less than any difference of two coordinates within two boxes.
+/// Returns an upper bound of the difference of any two coordinates within two boxes.
 inline double common_extent(const float* low_a, const float* high_a, const float* low_b,
                             const float* high_b) {
   double most = 0;
@@ -30,7 +30,7 @@ inline double common_extent(const float* low_a, const float* high_a, const float
 
 class Reach {
  public:
-  /// `extent` is no less than any difference of two coordinates in the query.
+  /// `extent`: upper bound of the difference of any two coordinates in the query.
   explicit Reach(double extent) : slack_(extent * kDistanceError) {}
 
   void set(double distance) {

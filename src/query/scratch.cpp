@@ -1,4 +1,4 @@
-/// How much memory a query can need.
+/// Upper bounds of the memory of queries.
 ///
 /// A descent takes one step for each level of the second tree, and at most two for each of the
 /// first: to a child, and on from there with the same node of the second. A step replaces a pair by
@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t kMostSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;
 
-/// Of one tree; the step to a node replaces it by its children.
+/// For one tree: a step replaces a node by its children.
 constexpr std::size_t kMostNodes = detail::kMaxClusterTreeDepth * detail::kMaxSlots;
 
 /// A search for what is nearest replaces one part by its slots.
 constexpr std::size_t kMostNearParts = (detail::kMaxClusterTreeDepth + 1) * detail::kMaxSlots;
 
-/// A query that is told to stop looks at its count between pairs of clusters; up to seven pairs of
+/// A query with a limit checks its count between pairs of clusters, and up to seven pairs of
 /// triangles may have been waiting before.
 constexpr std::size_t kMostBeyond = detail::kMaxClusterTriangles * detail::kMaxClusterTriangles + 7;
 

@@ -9,15 +9,15 @@
 
 namespace pelt::detail {
 
-/// Two nodes whose boxes overlap as far as is known, and the slots of each that are still to be
-/// compared with the other's.
+/// Two nodes whose boxes overlap as far as is known, with the slots of each that are not yet
+/// compared with those of the other.
 struct SlotPair {
   std::uint32_t node_a, slots_a, node_b, slots_b;
-  bool b_is_parent = false;  // a is a child of the node that overlapped b, b has yet to follow
+  bool b_is_parent = false;  // a was replaced by a child; b is still to be replaced
   float depth = 0;           // how far the boxes overlap
 };
 
-/// A part of a tree that may hold the nearest point, and how far its box is.
+/// A part of a tree that may contain the nearest point, with the distance of its box.
 struct NearPart {
   float squared_gap;
   std::uint32_t node, slot;
@@ -29,7 +29,7 @@ struct NearParts {
   std::uint32_t node_a, slot_a, node_b, slot_b;
 };
 
-/// Memory lent to queries; every user clears what it takes.
+/// Working memory of queries. Every user clears the parts that it uses.
 struct Scratch {
   Stack<SlotPair> slot_pairs;
   Stack<NearPart> near_part;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The slots of an opened node, as a descent goes through them: a bit each.
+/// Slots of an opened node as bit sets.
 
 #include "pose/posed_tree.hpp"
 #include "query/lanes.hpp"

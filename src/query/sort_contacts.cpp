@@ -10,14 +10,14 @@
 namespace pelt::detail {
 namespace {
 
-/// Fewer are sorted by comparing; a radix sort has its counters to clear.
+/// Smaller sets are sorted by comparison, because a radix sort has to clear its counters.
 constexpr std::size_t kFewContacts = 48;
 
 constexpr int kDigitBits = 8;
 
 using Counts = std::array<std::uint32_t, std::size_t{1} << kDigitBits>;
 
-/// One stable pass by the digit of `number` that begins at bit `shift`.
+/// One stable pass by the digit of `number` that starts at bit `shift`.
 void sort_by_digit(std::span<const Contact> from, std::span<Contact> to,
                    std::uint32_t Contact::*number, int shift) {
   const auto digit = [&](const Contact& contact) {
@@ -36,7 +36,7 @@ void sort_by_digit(std::span<const Contact> from, std::span<Contact> to,
 
 }  // namespace
 
-/// Digits from the least to the most significant one, those of `triangle_b` first.
+/// Sorts by the digits of `triangle_b`, then of `triangle_a`, from the least significant one.
 void sort_contacts(Stack<Contact>& contacts, Stack<Contact>& buffer) {
   if (contacts.size() < kFewContacts) {
     std::sort(contacts.begin(), contacts.end());

@@ -6,7 +6,7 @@
 
 namespace pelt::detail {
 
-/// Puts contacts in ascending order. What is in `buffer` is lost.
+/// Sorts contacts in ascending order. Overwrites `buffer`.
 void sort_contacts(Stack<Contact>& contacts, Stack<Contact>& buffer);
 
 /// Appends the contacts in `scratch.found` to `contacts`, in ascending order.

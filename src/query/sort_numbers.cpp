@@ -12,12 +12,12 @@
 namespace pelt::detail {
 namespace {
 
-/// Fewer are sorted by comparing; a radix sort has its counters to clear.
+/// Smaller sets are sorted by comparison, because a radix sort has to clear its counters.
 constexpr std::size_t kFewNumbers = 96;
 
 constexpr int kDigitBits = 8;
 
-/// One stable pass by the digit that begins at bit `shift`.
+/// One stable pass by the digit that starts at bit `shift`.
 void sort_by_digit(std::span<const std::uint32_t> from, std::span<std::uint32_t> to, int shift) {
   std::array<std::uint32_t, std::size_t{1} << kDigitBits> position = {};
   const auto digit = [&](std::uint32_t number) { return number >> shift & (position.size() - 1); };

@@ -6,7 +6,7 @@
 
 namespace pelt::detail {
 
-/// Puts numbers in ascending order. What is in `buffer` is lost.
+/// Sorts numbers in ascending order. Overwrites `buffer`.
 void sort_numbers(Stack<std::uint32_t>& numbers, Stack<std::uint32_t>& buffer);
 
 }  // namespace pelt::detail

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How far boxes are apart, eight at a time.
+/// Distances of boxes, eight at a time.
 
 #include "base/float8.hpp"
 #include "query/lanes.hpp"
@@ -24,8 +24,8 @@ template <typename BoxA, typename BoxB>
   return x * x + y * y + z * z;
 }
 
-/// The squares of the distances of the boxes from lane `first` on from `box`, or a little less or
-/// more (reach.hpp).
+/// Returns the squared distances from `box` of the boxes starting at lane `first`, with a small
+/// error in either direction (reach.hpp).
 template <std::size_t kCount>
 [[gnu::always_inline]] inline Float8 squared_gaps(const float (&low)[3][kCount],
                                                   const float (&high)[3][kCount], unsigned first,

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a descent compares: the whole of a posed tree, or what is in a slot of an opened node.
+/// A part of a posed tree: the whole tree, or a slot of an opened node.
 
 #include "pose/open_node.hpp"
 #include "query/slots.hpp"
@@ -11,7 +11,7 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 
 struct TreePart {
-  std::uint32_t node = 0;  ///< opened, unless the part is the whole
+  std::uint32_t node = 0;  ///< opened, unless the part is the whole tree
   std::uint32_t slot = kWhole;
 
   static constexpr std::uint32_t kWhole = kMaxSlots;
@@ -21,7 +21,7 @@ inline bool is_cluster(const PosedTree& posed, const TreePart& part) {
   return part.slot < posed.tree.nodes[part.node].cluster_count;
 }
 
-/// The node that is the part. Precondition: it is no cluster.
+/// Returns the node of the part. Precondition: the part is not a cluster.
 inline std::uint32_t node_of(const PosedTree& posed, const TreePart& part) {
   return part.slot == TreePart::kWhole ? 0 : child(posed.tree.nodes[part.node], part.slot);
 }
@@ -31,7 +31,7 @@ inline PosedCluster cluster_of(const PosedTree& posed, const TreePart& part) {
   return {posed, posed.tree.nodes[part.node], *posed.opened[part.node], part.slot};
 }
 
-/// The smallest box that is known to be around the part, opened or not.
+/// Returns the smallest known box around the part, opened or not.
 inline Box8 known_box(const PosedTree& posed, const TreePart& part) {
   if (!is_cluster(posed, part)) {
     if (const OpenedNode* opened = posed.opened[node_of(posed, part)])
