@@ -1,7 +1,7 @@
 #pragma once
 
-/// A ray against eight boxes at a time, conservatively: a box is entered if any point of the ray
-/// that lies in all vertices' box might lie in this one too.
+/// Conservative test of a ray against eight boxes at a time: a box is entered if any point of the
+/// ray within the box of all vertices might lie in it.
 ///
 /// The direction is divided by a power of two so that its largest component is at least 1 and below
 /// 2; t here is the ray's times that power. On an axis with direction d > 0 the box spans t from
@@ -47,10 +47,10 @@ class RaySlabs {
     last_ = scaled(ray.t_max, 1);
   }
 
-  /// From now on nothing beyond `t` counts.
+  /// Ignores everything beyond `t` from now on.
   void end_at(float t) { last_ = scaled(t, 1); }
 
-  /// Whether something entered here may still count.
+  /// Whether something entered at `entry` may still count.
   bool reaches(float entry) const { return entry <= last_; }
 
   /// Whether the ray enters the box around all vertices.
@@ -60,15 +60,16 @@ class RaySlabs {
     return entered([&](unsigned end, unsigned a) { return Float8(ends[end][a]); }, entries) != 0;
   }
 
-  /// The slots of a node that the ray enters, a bit each, and where or a little before.
+  /// Returns the slots of a node that the ray enters, one bit per slot, and lower bounds of the
+  /// entries.
   unsigned entered(const OpenedNode& node, float (&entries)[kMaxSlots]) const {
     const float(*const ends[])[kMaxSlots] = {node.low, node.high};
     return entered([&](unsigned end, unsigned a) { return load8(ends[end][a]); }, entries);
   }
 
  private:
-  /// `bound(end, a)` has the low bounds on axis `a` for end 0, the high ones for end 1. Which end
-  /// is near is looked up: a branch would be mispredicted half the time.
+  /// `bound(end, a)` returns the low bounds on axis `a` for end 0, and the high bounds for end 1.
+  /// The near end is looked up, because a branch would be mispredicted half the time.
   template <typename Bound>
   [[gnu::always_inline]] unsigned entered(const Bound& bound, float (&entries)[8]) const {
     Float8 entry(first_), exit(last_);
@@ -92,7 +93,7 @@ class RaySlabs {
   }
   static double largest(const double (&v)[3]) { return larger(larger(v[0], v[1]), v[2]); }
 
-  /// The largest that is not above `value`, which is positive and normal.
+  /// Returns the largest power of two that is at most `value`, which is positive and normal.
   static double power_of_two(double value) {
     std::uint64_t bits;
     std::memcpy(&bits, &value, sizeof bits);
@@ -111,7 +112,7 @@ class RaySlabs {
             static_cast<float>(reciprocal), is_backward ? 1u : 0u};
   }
 
-  /// A bound of t, moved to the side of `sign` by more than the rounding of t.
+  /// Returns a bound of t, moved in the direction of `sign` by more than the rounding of t.
   float scaled(float t, double sign) const {
     const double wide = (double{t} + sign * 0x1p-149) * scale_;
     return static_cast<float>(wide + sign * (std::fabs(wide) * 0x1p-22 + 0x1p-140));

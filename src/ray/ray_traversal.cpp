@@ -1,5 +1,5 @@
-/// The descent of a ray: the node that it enters first is opened next, and its clusters are tested
-/// before any of its children is opened, for a hit may make that needless.
+/// Descent of a ray. The node that the ray enters first is opened next. Its clusters are tested
+/// before any of its children is opened, because a hit may make that unnecessary.
 
 #include "ray/ray_traversal.hpp"
 
@@ -15,7 +15,7 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// A triangle that the ray crosses.
+/// A triangle hit by the ray.
 struct Found {
   std::uint32_t place;
   TriangleCorners corners;
@@ -32,12 +32,12 @@ RayHit complete(const Tree& tree, const RayLine& line, const Found& found) {
   return hit;
 }
 
-/// Keeps the hit with the least t, of equal ones that of the lowest triangle.
+/// Stores the hit with the least t; of equal hits, that of the lowest triangle.
 class FirstHit {
  public:
   explicit FirstHit(const Tree& tree) : tree_(tree) {}
 
-  /// Nothing beyond what it returns counts any more.
+  /// Adds a hit. Returns the t beyond which nothing counts any more.
   float take(const Found& found) {
     const float t = found.crossing.t;
     if (!any_ || t < best_.crossing.t || (t == best_.crossing.t && id(found) < id(best_)))
@@ -90,7 +90,7 @@ class AllHits {
   Stack<RayHit>& hits_;
 };
 
-/// Adds up how the generic ray pierces triangles.
+/// Sums the signs with which the generic ray pierces triangles.
 class SignedCrossings {
  public:
   explicit SignedCrossings(const Ray& ray) : ray_(ray) {}
@@ -111,7 +111,7 @@ class SignedCrossings {
 
 bool is_zero(const Vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-/// One ray, and what takes its hits.
+/// Traversal of one ray, with a collector of hits.
 template <typename Hits>
 class RayTraversal {
  public:
@@ -126,7 +126,7 @@ class RayTraversal {
         slabs_(ray, root),
         sheared_(shear(ray.origin, ray.direction)) {}
 
-  /// Precondition: the ray enters the root's box.
+  /// Runs the descent. Precondition: the ray enters the root's box.
   void run() {
     push(0, -HUGE_VALF);
     while (size_ > 0 && !hits_.is_enough()) {
@@ -143,10 +143,10 @@ class RayTraversal {
     float entry;
   };
 
-  /// Each visit leaves at most seven more.
+  /// Each visit adds at most seven entries.
   static constexpr std::size_t kMostEntered = kMaxClusterTreeDepth * (kMaxSlots - 1) + 1;
 
-  /// Keeps those from `first` on sorted, the nearest last.
+  /// Pushes a node. Entries from `first` on stay sorted, the nearest last.
   void push(std::uint32_t node, float entry, std::size_t first = 0) {
     std::size_t place = size_++;
     for (; place > first && entered_[place - 1].entry < entry; --place)
@@ -165,7 +165,7 @@ class RayTraversal {
       if (slabs_.reaches(entries[*slot])) push(child(node, *slot), entries[*slot], first);
   }
 
-  /// The nearest first.
+  /// Tests clusters, nearest first.
   void test_clusters(const Node& node, const OpenedNode& opened, unsigned clusters,
                      const float (&entries)[kMaxSlots]) {
     while (clusters != 0 && !hits_.is_enough()) {
@@ -186,14 +186,14 @@ class RayTraversal {
     }
   }
 
-  /// The corners of eight triangles, those of the first again where there are no more.
+  /// Returns the corners of eight triangles, padded with those of the first.
   static const std::uint16_t* fill(const std::uint16_t* offsets, std::uint32_t count,
                                    std::uint16_t (&filled)[3 * 8]) {
     for (std::uint32_t i = 0; i < 3 * 8; ++i) filled[i] = offsets[i < 3 * count ? i : i % 3];
     return filled;
   }
 
-  /// Up to eight triangles.
+  /// Tests up to eight triangles.
   void test(std::uint32_t first, std::uint32_t count, const float* positions) {
     std::uint16_t filled[3 * 8];
     const std::uint16_t* offsets = posed_.tree.corners[first].data();
@@ -241,10 +241,10 @@ class RayTraversal {
   Entered entered_[kMostEntered];  // a stack
 };
 
-/// Many rays at one pose. To open a node on demand takes about seven times as long as to open all
-/// bottom-up takes for each, since children's boxes then need no bounds. So when rays have opened
-/// an eighth of the mesh on demand, and at least as many are left, the rest is opened too: in all
-/// that can take twice the time of the better way, and no longer.
+/// Many rays against one pose. Opening a node on demand takes about seven times as long as opening
+/// it as part of all nodes bottom-up, which needs no bounds for the boxes of children. Once rays
+/// have opened an eighth of the mesh on demand, and at least as many rays are left, all other nodes
+/// are opened. In total, this takes at most twice the time of the better strategy.
 struct Batch {
   Batch(const PosedTree& p, std::size_t rays) : posed(p), ray_count(rays) {}
 
@@ -261,7 +261,7 @@ struct Batch {
   bool is_open = false;
 };
 
-/// Gives `hits` what the ray hits.
+/// Passes the hits of the ray to `hits`.
 template <typename Hits>
 void traverse(const PosedTree& posed, const Ray& ray, Facing facing, Hits& hits, QueryStats& work) {
   ++work.node_pairs;

@@ -11,20 +11,20 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// What each ray hits first.
+/// Finds the first hit of each ray.
 QueryStats first_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
                       std::span<RayHit> hits);
 
-/// Whether each ray hits anything.
+/// Finds whether each ray hits anything.
 QueryStats any_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
                     std::span<bool> hit);
 
-/// Leaves in `hits` all that a ray hits, in no particular order.
+/// Writes all hits of a ray to `hits`, in no particular order.
 QueryStats all_hits(const PosedTree& posed, const Ray& ray, Facing facing, Stack<RayHit>& hits);
 
-/// How often the surface winds around `point`, counted along the ray of `geometry/generic_ray.hpp`:
-/// how many triangles it leaves less how many it enters. Exact. Preconditions: the surface is
-/// closed, and `point` lies on no triangle.
+/// Computes the exact winding number of the surface around `point`, along the ray of
+/// `geometry/generic_ray.hpp`: the number of triangles that the ray leaves minus the number that it
+/// enters. Preconditions: the surface is closed, and `point` lies on no triangle.
 QueryStats winding_number(const PosedTree& posed, const Vec3& point, int& winding);
 
 }  // namespace PELT_TARGET

@@ -1,9 +1,9 @@
 #pragma once
 
-/// Lower bounds of how far boxes are from a region, squared, eight at a time, by the bounds of
-/// place_boxes.hpp. Roots and quotients are wrong by less than 2^-20 of themselves, which is taken
-/// off; what underflows comes to less than 2^-50, and is taken off too. Where a bound is NaN it is
-/// 0: of NaN and another number `max` is the second.
+/// Lower bounds of the squared distances of boxes from a region, eight at a time, from the bounds
+/// of place_boxes.hpp. Roots and quotients have a relative error below 2^-20, which is subtracted.
+/// Underflow amounts to less than 2^-50, which is also subtracted. A NaN bound becomes 0, because
+/// `max` of NaN and a number returns its second argument.
 
 #include "region/place_boxes.hpp"
 
@@ -26,7 +26,7 @@ class FacesGaps {
     }
   }
 
-  /// The furthest that a box is outside of a face.
+  /// Largest distance of a box outside of a face.
   Float8 operator()(const Boxes8& boxes) const {
     const Reaches8 reaches(boxes);
     Float8 furthest(0.0f);

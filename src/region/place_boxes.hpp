@@ -1,13 +1,14 @@
 #pragma once
 
-/// Eight boxes against a region at once, in float: which are certainly outside of it, which
-/// certainly inside. The others stay undecided, as does whatever overflows: no comparison with NaN
-/// holds.
+/// Tests eight boxes against a region at once, in float: which boxes are certainly outside, and
+/// which certainly inside. All others are undecided, including those that overflow, because
+/// comparisons with NaN are false.
 ///
-/// Faces. Of a box the corner furthest along the normal n decides whether it is inside, the
-/// opposite one whether it is outside. Of n . (p - o) - d each term gathers six roundings at most,
-/// so with u = 2^-24 the error is below 7 u (sum |n_a| (|p_a| + |o_a|) + |d|); 8 u cover that sum's
-/// own. A normal that was scaled may have lost 2^-150 of an element, times 2^62 at most.
+/// Faces. The corner of a box that is furthest along the normal n decides whether the box is
+/// inside, and the opposite corner whether it is outside. Of n . (p - o) - d each term gathers six
+/// roundings at most, so with u = 2^-24 the error is below 7 u (sum |n_a| (|p_a| + |o_a|) + |d|); 8
+/// u cover that sum's own. A normal that was scaled may have lost 2^-150 of an element, times 2^62
+/// at most.
 ///
 /// Capsule from a to a + e. Along any direction d no point of the box has less than d . m - |d| .
 /// h, where m is its middle and h its half extents, and no point of the segment more than d . a +
@@ -26,12 +27,12 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// A bit for each of eight boxes.
+/// One bit for each of eight boxes.
 struct PlacedBoxes {
   unsigned outside = 0, inside = 0;
 };
 
-/// The largest coordinate of each box on each axis.
+/// Largest coordinate of each box on each axis.
 struct Reaches8 {
   Float8 of[3];
 
@@ -41,8 +42,8 @@ struct Reaches8 {
   }
 };
 
-/// How far the nearest and the furthest corner of each box are outside of a face, times the length
-/// of its normal, and how much both may be wrong.
+/// Distances of the nearest and the furthest corner of each box outside of a face, times the length
+/// of its normal, with a bound of their error.
 struct OutsideFace {
   Float8 nearest, furthest, error;
 };
@@ -72,8 +73,8 @@ inline PlacedBoxes place_boxes(const FacesRegion& region, const Boxes8& boxes) {
   return placed;
 }
 
-/// How far boxes are from a capsule's segment: along a direction certainly more than `clear`, which
-/// is times the direction's length, and in all no more than the root of `far`.
+/// Distances of boxes from a capsule's segment: certainly more than `clear` along a direction,
+/// times the length of the direction, and at most the root of `far`.
 struct FromSegment {
   Float8 clear, squared_direction, far, size;
 };

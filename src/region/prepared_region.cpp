@@ -30,7 +30,7 @@ void add_slab(const Vec3& normal, const Vec3& origin, float low, float high, Fac
   faces.add({opposite(normal), origin, -low});
 }
 
-/// Writes each kind of region in one of the two forms.
+/// Converts each kind of region into one of the two forms.
 struct Prepare {
   PreparedRegion& prepared;
 

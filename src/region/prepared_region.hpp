@@ -1,7 +1,7 @@
 #pragma once
 
-/// A region as the descent needs it: in two forms, of faces and of a capsule, each with a float
-/// form for boxes, which may leave a box undecided, and the exact one for triangles.
+/// A region, prepared for the descent in one of two forms, faces or a capsule. Each has a float
+/// form for boxes, which may leave a box undecided, and an exact form for triangles.
 
 #include <pelt/region.hpp>
 
@@ -12,7 +12,7 @@
 
 namespace pelt::detail {
 
-/// A face scaled by a power of two, so that its normal's largest element is about one.
+/// A face, scaled by a power of two so that the largest element of its normal is about one.
 struct FloatFace {
   float normal[3], origin[3], offset;
 };
@@ -30,7 +30,7 @@ struct CapsuleRegion {
   float low[3], high[3];  ///< a box around it
 };
 
-/// What is asked of a triangle, out of line: the exact tests are compiled once.
+/// Tests of a triangle, out of line so that the exact tests are compiled once.
 TrianglePlace place_in(const FacesRegion& region, const TriangleCorners& triangle);
 TrianglePlace place_in(const CapsuleRegion& region, const TriangleCorners& triangle);
 
@@ -39,8 +39,8 @@ struct PreparedRegion {
   explicit PreparedRegion(const Region& region);
 
   bool is_capsule = false;
-  FacesRegion faces;      ///< if it is none
-  CapsuleRegion capsule;  ///< if it is one
+  FacesRegion faces;      ///< unless the region is a capsule
+  CapsuleRegion capsule;  ///< if the region is a capsule
 };
 
 }  // namespace pelt::detail

@@ -1,5 +1,6 @@
-/// One tree against a region. Nodes, clusters and triangles whose boxes are certainly outside or
-/// inside are done; nodes that are undecided are opened, and of triangles the exact test decides.
+/// Descent of a tree against a region. Boxes decide nodes, clusters and triangles that are
+/// certainly outside or inside. Undecided nodes are opened, and exact tests decide undecided
+/// triangles.
 
 #include "region/region_descent.hpp"
 
@@ -31,7 +32,8 @@ class RegionDescent {
  private:
   bool wants_triangles() const { return wish_ == RegionWish::triangles; }
 
-  /// Two triangles, or one that crosses the boundary, tell that the surface does.
+  /// Whether the triangles so far decide the answer: a triangle across the boundary, or two
+  /// triangles on different sides.
   bool is_answered() const {
     return !wants_triangles() && answer_.touches && (answer_.leaves || wish_ == RegionWish::touch);
   }
@@ -97,7 +99,7 @@ class RegionDescent {
     if (wants_triangles()) scratch_.touching.push(posed_.tree.triangle_ids[triangle]);
   }
 
-  /// A triangle that is inside.
+  /// Adds a triangle that is inside.
   void take(std::uint32_t triangle) {
     answer_.touches = true;
     if (!wants_triangles()) return;

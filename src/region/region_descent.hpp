@@ -13,7 +13,7 @@ struct RegionAnswer {
   QueryStats work;
 };
 
-/// What is wanted of a region.
+/// Purpose of a descent.
 enum class RegionWish {
   placement,  ///< whether the surface touches it and leaves it
   touch,      ///< whether the surface touches it
@@ -22,7 +22,7 @@ enum class RegionWish {
 
 inline namespace PELT_TARGET {
 
-/// Leaves in `scratch.touching` and `scratch.inside` the triangles wished for, in no particular
+/// Writes the requested triangles to `scratch.touching` and `scratch.inside`, in no particular
 /// order.
 RegionAnswer descend_in_faces(const PosedTree& posed, const FacesRegion& region, Scratch& scratch,
                               RegionWish wish);

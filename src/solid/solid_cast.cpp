@@ -1,6 +1,6 @@
-/// A solid is convex, or a capsule, which is two balls and what is between them: a ray is in each
-/// piece from one t to another. Balls are asked from the ray's point nearest to their centre, for
-/// from far away the discriminant would be what is left of large numbers.
+/// A solid is convex, and a capsule consists of two balls and a cylinder between them. A ray is
+/// inside each piece for an interval of t. Balls are intersected relative to the ray's point
+/// nearest to their centre; from far away, the discriminant would suffer from cancellation.
 
 #include <pelt/solid.hpp>
 
@@ -16,11 +16,11 @@ namespace {
 
 using detail::Vec3d;
 
-/// From where to where a ray is in something; empty if not from <= to.
+/// Interval of t in which a ray is inside; empty unless from <= to.
 struct Stay {
   double from = -HUGE_VAL, to = HUGE_VAL;
 
-  /// Leaves what is where value + t * slope is at most 0; tells whether it begins later now.
+  /// Restricts the interval to value + t * slope <= 0. Returns whether its start has increased.
   bool keep_below(double value, double slope) {
     if (slope == 0 && value > 0) to = -HUGE_VAL;
     if (slope > 0) to = std::min(to, -value / slope);
@@ -38,7 +38,7 @@ struct Line {
   Vec3d origin, direction;
 };
 
-/// Where |way + t * direction| <= radius.
+/// Returns the interval with |way + t * direction| <= radius.
 Stay stay_near(const Vec3d& way, const Vec3d& direction, double radius) {
   const double speed = squared_length(direction);
   const double nearest = speed > 0 ? -dot(way, direction) / speed : 0;
@@ -49,7 +49,7 @@ Stay stay_near(const Vec3d& way, const Vec3d& direction, double radius) {
   return {nearest - half, nearest + half};
 }
 
-/// Between the ends of a capsule.
+/// Returns the interval within the cylinder between the ends of a capsule.
 Stay stay_beside(const Line& line, const Capsule& capsule) {
   const Vec3d edge = Vec3d(capsule.b) - Vec3d(capsule.a), way = line.origin - Vec3d(capsule.a);
   const double length = squared_length(edge);
@@ -66,7 +66,7 @@ Vec3 unit(const Vec3d& v) {
   return length > 0 ? to_float((1 / length) * v) : Vec3();
 }
 
-/// From the point of the capsule's segment that is nearest to `p`.
+/// Returns the direction from the nearest point of the capsule's segment to `p`.
 Vec3 normal_at(const Vec3d& p, const Capsule& capsule) {
   const Vec3d a(capsule.a), edge = Vec3d(capsule.b) - a;
   const double length = squared_length(edge);
@@ -74,7 +74,7 @@ Vec3 normal_at(const Vec3d& p, const Capsule& capsule) {
   return unit(p - a - share * edge);
 }
 
-/// Makes `hit` that of a piece, if the ray is in it earlier; its normal is still to be set if so.
+/// Updates `hit` if the ray enters a piece earlier. Returns whether the normal must be set.
 bool take(const Stay& stay, const Ray& ray, SolidHit& hit) {
   const double t = std::max(stay.from, double{ray.t_min});
   if (!(t <= std::min(stay.to, double{ray.t_max})) || !(t < double{hit.t})) return false;

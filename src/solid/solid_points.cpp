@@ -1,6 +1,6 @@
-/// A half-space is as far as the triangle's nearest corner, a capsule as its segment less the
-/// radius, and a box that does not touch a triangle as the nearest of the twelve triangles around
-/// it. A segment is a triangle that has collapsed.
+/// The distance from a half-space is that of the triangle's nearest corner; from a capsule, that of
+/// its segment minus the radius; from a box that does not touch the triangle, that of the nearest
+/// of its twelve triangles. A segment is treated as a collapsed triangle.
 
 #include "solid/solid_points.hpp"
 
@@ -76,7 +76,7 @@ Barycentrics common(const TriangleCorners& triangle, const Sphere& sphere) {
 /// Corner k is on the high side of axis i if bit i of k is set.
 using BoxCorners = std::array<Vec3, 8>;
 
-/// The triangles around a box.
+/// Returns the triangles of a box's surface.
 std::array<TriangleCorners, 12> triangles_of(const BoxCorners& corners) {
   std::array<TriangleCorners, 12> triangles;
   for (std::size_t i = 0; i < 6; ++i) {
@@ -97,7 +97,8 @@ BoxCorners corners_of(const Box& box) {
   return corners;
 }
 
-/// Where the axes have the values of each corner: a combination of their cross products.
+/// Returns the corners, where the axes have given values, as combinations of the axes' cross
+/// products.
 BoxCorners corners_of(const OrientedBox& box) {
   const Vec3d a(box.axes[0]), b(box.axes[1]), c(box.axes[2]), centre(box.centre);
   const Vec3d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
@@ -122,7 +123,7 @@ SolidPoints nearest(const TriangleCorners& triangle, const AnyBox& box) {
   return best;
 }
 
-/// A triangle that is not inside goes through the box's surface.
+/// A touching triangle that is not inside intersects the box's surface.
 template <typename AnyBox>
 Barycentrics common(const TriangleCorners& triangle, const AnyBox& box) {
   if (place_in(PreparedRegion(box).faces, triangle) == TrianglePlace::inside) return at_corner(0);

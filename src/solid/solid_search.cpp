@@ -9,8 +9,8 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// The triangle nearest to a solid; of equally near ones the lowest. `Gaps` tells lower bounds of
-/// the squared distances of eight boxes.
+/// Search for the triangle nearest to a solid; of equally near triangles, the lowest. `Gaps`
+/// computes lower bounds of the squared distances of eight boxes.
 template <typename Gaps>
 class NearestToSolid {
  public:
@@ -48,7 +48,7 @@ class NearestToSolid {
 
   const PreparedSolid& solid_;
   const Gaps& gaps_;
-  double reach_;  // the maximum, and then the distance of the best
+  double reach_;  // initially the maximum, then the least distance so far
   SolidGap& best_;
 };
 

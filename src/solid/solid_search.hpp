@@ -10,7 +10,7 @@
 
 namespace pelt::detail {
 
-/// A solid with the form of it that boxes are compared with.
+/// A solid, with its prepared form for boxes.
 struct PreparedSolid {
   explicit PreparedSolid(const Solid& s);
 
@@ -19,7 +19,7 @@ struct PreparedSolid {
   double extent;
 };
 
-/// The triangle that is nearest to a solid.
+/// The triangle nearest to a solid.
 struct SolidGap {
   std::uint32_t triangle = 0;  ///< the caller's number
   TriangleCorners corners = {};
@@ -28,8 +28,8 @@ struct SolidGap {
 
 inline namespace PELT_TARGET {
 
-/// Finds it as `pelt::distance` says, of a pose that touches the solid nowhere; the distance is
-/// infinite if nothing is within `max_distance`.
+/// Finds the nearest triangle as defined by `pelt::distance`, for a pose that does not touch the
+/// solid. The distance is infinite if nothing is within `max_distance`.
 QueryStats nearest_to_solid(const PosedTree& posed, const PreparedSolid& solid, Scratch& scratch,
                             double max_distance, SolidGap& nearest);
 
