@@ -17,7 +17,7 @@ function read(file, whose) {
   process.exit(1);
 }
 
-/** The paragraphs of a Debian package's copyright file, as Maps of fields. */
+/** Returns the paragraphs of a Debian copyright file as Maps of fields. */
 function copyrightFile(name) {
   const text = read(`/usr/share/doc/${name}/copyright`, name);
   return text.split(/\n\n+/).map((paragraph) => {
@@ -28,12 +28,12 @@ function copyrightFile(name) {
   });
 }
 
-/** Lines of such a file are indented; a dot stands for an empty one. */
+/** Removes the indentation; a line with a dot is an empty line. */
 function unquoted(value) {
   return value.replace(/^ \.$/gm, '').replace(/^ /gm, '').trim();
 }
 
-/** Who holds the copyright of the files that these patterns name. */
+/** Returns the copyright holders of the files that match these patterns. */
 function holders(paragraphs, ...patterns) {
   const isAsked = (paragraph) => patterns.includes(paragraph.get('Files'));
   const found = paragraphs.filter(isAsked);
@@ -44,7 +44,7 @@ function holders(paragraphs, ...patterns) {
     .join('\n');
 }
 
-/** The text of a licence that stands once for all files that name it. */
+/** Returns the text of a licence, which the file contains once. */
 function licence(paragraphs, name) {
   const isAsked = (paragraph) =>
     !paragraph.has('Files') && paragraph.get('License')?.startsWith(`${name}\n`);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How a function of the engine tells JavaScript more than one number. There is one answer, which
-/// the next call replaces: JavaScript is one thread, and takes what it wants at once.
+/// The answer of an engine function to JavaScript, if it is more than a number. There is a single
+/// answer, which the next call replaces; JavaScript is single-threaded and reads it at once.
 
 #include <pelt/query.hpp>
 #include <pelt/result.hpp>
@@ -20,7 +20,7 @@
 
 namespace pelt::wasm {
 
-/// JavaScript reads it by its layout (memory.mjs).
+/// JavaScript depends on this layout (memory.mjs).
 struct Answer {
   std::array<double, 16> numbers = {};
   const void* data = nullptr;
@@ -34,7 +34,7 @@ Answer& answer();
 
 void answer_numbers(std::initializer_list<double> numbers);
 
-/// Into the numbers 0 to 5.
+/// Writes the stats to the numbers 0 to 5.
 void answer_stats(const QueryStats& stats);
 
 template <typename T>
@@ -43,14 +43,14 @@ void answer_data(std::span<const T> elements) {
   answer().count = static_cast<std::uint32_t>(elements.size());
 }
 
-/// Text that stays until the next one.
+/// Returns a text that stays valid until the next one.
 const char* answer_text(std::string text);
 const char* answer_json(const nlohmann::json& json);
 
-/// 0, for a handle or a yes, after which JavaScript asks for the error.
+/// Stores the error, which JavaScript reads next, and returns 0.
 std::uint32_t refuse(Error error);
 
-/// 1, or as above.
+/// Returns 1, or `refuse` of the error.
 std::uint32_t done(const Result<void>& result);
 
 }  // namespace pelt::wasm

@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The remedy as it is called in JavaScript.
+/// Replaces C++ names in a remedy with those of JavaScript.
 Error in_words_of_javascript(const std::string& source, const Error& error) {
   Error said = asset::prefixed(source, error);
   const std::string in_code = "off_weights = OffWeights::renormalise";
@@ -33,7 +33,7 @@ Error in_words_of_javascript(const std::string& source, const Error& error) {
   return said;
 }
 
-/// Sample poses that the model cannot take are passed over.
+/// Builds a model. Skips sample poses that are not valid for the model.
 Result<SkinnedModel> build(const asset::Asset& asset, const SkinnedMeshView& mesh,
                            const Preparation& preparation) {
   const std::vector<Matrix4> samples =
@@ -62,7 +62,7 @@ std::uint32_t answer_handle(Result<CharacterHandle> handle) {
   return address_of(new CharacterHandle(std::move(*handle)));
 }
 
-/// The clips that the options name, or the first ones.
+/// Returns the clips named in the options, or the first clips.
 Result<Preparation> choose_preparation(const asset::Asset& asset, const Options& options) {
   Preparation preparation = options.preparation();
   const std::optional<std::vector<std::string>> names = options.texts("clips");
@@ -215,7 +215,7 @@ PELT_EXPORT void pelt_triangle_joints(const CharacterHandle* handle) {
   answer_data<std::uint16_t>(handle->character->whole.get_surface().detail().joints);
 }
 
-/// Where the character's default pose lies.
+/// Answers with the box of the character's default pose.
 PELT_EXPORT std::uint32_t pelt_extent(const CharacterHandle* handle) {
   const Character& character = *handle->character;
   std::vector<Matrix4> palette(character.asset().joints.size());

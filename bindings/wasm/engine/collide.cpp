@@ -1,4 +1,4 @@
-/// Two poses: their contacts, on demand and eagerly, and what comes near.
+/// Queries of two poses: contacts, on demand and eagerly, and pairs within a tolerance.
 
 #include <pelt/distance.hpp>
 
@@ -16,7 +16,7 @@ std::vector<Contact>& found() {
   return found;
 }
 
-/// Gives the eager pose what the other one has, and skins all of it.
+/// Copies palette and weights to the eager pose, and skins all of it.
 QueryStats refit_all(PoseHandle& handle) {
   const detail::Palette& palette = handle.pose.detail().palette;
   if (!handle.eager) handle.eager.emplace(handle.pose.model().detail().tree);
@@ -27,7 +27,7 @@ QueryStats refit_all(PoseHandle& handle) {
   return eager.open_all();
 }
 
-/// As the characters number their triangles.
+/// Converts to the characters' triangle numbers.
 void answer_contacts(const PoseHandle& a, const PoseHandle& b) {
   for (Contact& contact : found()) {
     contact.triangle_a += a.body.first_triangle;

@@ -1,4 +1,4 @@
-/// The geometry of contacts, in arrays that JavaScript takes one by one.
+/// The geometry of contacts, in arrays that JavaScript reads one by one.
 
 #include <pelt/contact.hpp>
 
@@ -11,7 +11,7 @@
 namespace pelt::wasm {
 namespace {
 
-/// As the models number their triangles. What is none of theirs gets too large a number.
+/// Converts to the models' triangle numbers. Triangles outside of a model get an invalid number.
 std::vector<Contact> in_models(std::span<const Contact> contacts, const Body& a, const Body& b) {
   std::vector<Contact> result;
   for (const Contact& contact : contacts)
@@ -20,7 +20,7 @@ std::vector<Contact> in_models(std::span<const Contact> contacts, const Body& a,
   return result;
 }
 
-/// What is wrong with contacts that JavaScript hands over, or nothing.
+/// Validates contacts from JavaScript. Returns null if they are valid.
 const char* problem_of(std::span<const Contact> contacts, const SkinnedModel& a,
                        const SkinnedModel& b) {
   const auto in_range = [&](const Contact& contact) {
@@ -34,7 +34,7 @@ const char* problem_of(std::span<const Contact> contacts, const SkinnedModel& a,
   return nullptr;
 }
 
-/// The arrays that are given back, each until the next call.
+/// Returned arrays, valid until the next call.
 struct Columns {
   std::vector<float> segments, normals, depths;
   std::vector<std::uint8_t> kinds;
@@ -67,7 +67,7 @@ void write_trace(const ContactTrace& trace, Columns& columns) {
   columns.joints.insert(columns.joints.end(), {trace.joint_a, trace.joint_b});
 }
 
-/// The ends of a curve's steps, in the direction in which it is walked.
+/// Writes the points of a curve in the direction of traversal.
 void write_curve(const ContactGeometry& geometry, const ContactCurve& curve, Columns& columns) {
   const std::size_t begin = columns.points.size() / 3;
   for (std::uint32_t s = curve.first; s < curve.first + curve.count; ++s) {
@@ -109,7 +109,7 @@ void write_columns(const ContactGeometry& geometry, Columns& columns) {
 
 }  // namespace
 
-/// Describes contacts; the arrays wait for pelt_contact_column.
+/// Describes contacts. Read the arrays with pelt_contact_column.
 PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
                                                  const Contact* contacts, std::uint32_t count) {
   const std::vector<Contact> given = in_models({contacts, count}, a->body, b->body);
@@ -121,7 +121,7 @@ PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
   return 1;
 }
 
-/// In the order in which JavaScript takes them (queries.mjs).
+/// In the order of queries.mjs.
 enum class Column : std::uint32_t {
   segments,
   normals,

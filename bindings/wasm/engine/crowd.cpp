@@ -1,4 +1,4 @@
-/// Crowds, and the hash of what they find.
+/// Crowds, and the hash of their contacts.
 
 #include <pelt/crowd.hpp>
 
@@ -16,7 +16,7 @@
 namespace pelt::wasm {
 namespace {
 
-/// What the crowd's instance of that number is.
+/// An instance of the crowd.
 struct Member {
   std::uint32_t character = 0;  ///< among the crowd's
   std::uint32_t first_triangle = 0;
@@ -50,7 +50,7 @@ Result<void> know_ignored(CrowdHandle& handle) {
   return {};
 }
 
-/// As the characters number their triangles.
+/// Converts to the characters' triangle numbers.
 void number_triangles(CrowdHandle& handle) {
   for (CrowdContact& contact : handle.found) {
     contact.triangle_a += handle.members[contact.instance_a].first_triangle;
@@ -58,7 +58,7 @@ void number_triangles(CrowdHandle& handle) {
   }
 }
 
-/// Returns how many contacts that were.
+/// Removes ignored contacts, and returns their number.
 std::size_t take_ignored_out(CrowdHandle& handle) {
   if (handle.ignored->is_empty()) return 0;
   return std::erase_if(handle.found, [&](const CrowdContact& contact) {
@@ -81,7 +81,7 @@ void add(detail::Fnv1a64& hash, std::uint32_t frame, const CrowdContact& contact
 PELT_EXPORT std::uint32_t pelt_make_crowd() { return address_of(new CrowdHandle); }
 PELT_EXPORT void pelt_delete_crowd(CrowdHandle* handle) { delete handle; }
 
-/// Adds a part, or the whole, and answers with its number.
+/// Adds a part or a whole character, and answers with its number.
 PELT_EXPORT std::uint32_t pelt_add_to_crowd(CrowdHandle* handle, const CharacterHandle* character,
                                             std::uint32_t part) {
   const Result<Body*> body = character->character->body(part);
@@ -115,7 +115,7 @@ PELT_EXPORT std::uint32_t pelt_set_crowd_weights(CrowdHandle* handle, std::uint3
   return done(handle->crowd.set_morph_weights(instance, handle->input));
 }
 
-/// The stats, then how many contacts are ignored, and the others.
+/// Answers with the stats, the number of ignored contacts, and all other contacts.
 PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t most) {
   if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
   handle->found.clear();

@@ -1,4 +1,4 @@
-/// How far surfaces are from points and from each other.
+/// Distances of surfaces from points and from each other.
 
 #include <pelt/distance.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What JavaScript holds by an address.
+/// Objects that JavaScript refers to by address.
 
 #include <pelt/contact.hpp>
 #include <pelt/pose.hpp>
@@ -16,14 +16,14 @@
 
 namespace pelt::wasm {
 
-/// How a character is prepared.
+/// Options for preparing a character.
 struct Preparation {
   std::vector<const asset::Clip*> clips;  ///< to take poses from
   std::uint32_t samples = 6;
   bool renormalise = false;
 };
 
-/// What collides: a character, or one part of it.
+/// A character, or one part of it, prepared for queries.
 struct Body {
   SkinnedModel model;
   std::uint32_t first_triangle = 0;  ///< the character's number of the model's first one
@@ -32,7 +32,7 @@ struct Body {
   const Surface& get_surface();
 };
 
-/// Names a character as a whole where a part is asked for.
+/// Part number that means the whole character.
 inline constexpr std::uint32_t kWhole = 0xFFFFFFFF;
 
 /// A character that has been prepared for queries.
@@ -54,7 +54,7 @@ struct CharacterHandle {
   std::shared_ptr<Character> character;
 };
 
-/// As `pelt check` does it. The message of an error begins with the character's source.
+/// Prepares a character like `pelt check`. Error messages start with the character's source.
 Result<CharacterHandle> prepare(scenes::Character read, const Preparation& preparation);
 
 struct PoseHandle {
@@ -80,13 +80,13 @@ struct PoseHandle {
   void moved() { has_vertices = is_refitted = false; }
 };
 
-/// How JavaScript knows an object.
+/// Handle of an object for JavaScript.
 template <typename T>
 std::uint32_t address_of(const T* object) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(object));
 }
 
-/// Memory that all queries share.
+/// Working memory shared by all queries.
 Scratch& scratch();
 asset::SampleScratch& sample_scratch();
 

@@ -15,7 +15,7 @@ PELT_EXPORT std::uint32_t pelt_is_closed(PoseHandle* handle) {
   return handle->body.get_surface().is_closed() ? 1 : 0;
 }
 
-/// As a PointSide. The surface is closed.
+/// Returns a PointSide. Precondition: the surface is closed.
 PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, float z) {
   const Surface& surface = handle->body.get_surface();
   return static_cast<std::uint32_t>(side_of(handle->pose, surface, {x, y, z}, scratch()));
@@ -34,7 +34,7 @@ PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
   return deepest.found() ? 1 : 0;
 }
 
-/// As a Containment.
+/// Returns a Containment.
 PELT_EXPORT std::uint32_t pelt_containment(PoseHandle* a, PoseHandle* b) {
   return static_cast<std::uint32_t>(
       containment(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(), scratch()));

@@ -1,4 +1,4 @@
-/// The decoder of EXT_meshopt_compression that JavaScript has handed over.
+/// Calls the decoder of EXT_meshopt_compression that was passed in from JavaScript.
 
 #include "asset/meshopt_decoder.hpp"
 

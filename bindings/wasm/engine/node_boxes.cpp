@@ -1,4 +1,4 @@
-/// Boxes of a level of the tree, to be drawn.
+/// Boxes of a level of the tree, for drawing.
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
@@ -15,7 +15,7 @@ PELT_EXPORT std::uint32_t pelt_opened_node_count(const PoseHandle* handle) {
   return opened_node_count(handle->pose.detail());
 }
 
-/// Returns where the states lie; the boxes are the answer.
+/// Answers with the boxes, and returns the address of their states.
 PELT_EXPORT const detail::BoxState* pelt_node_boxes(PoseHandle* handle, std::uint32_t level) {
   static detail::LevelBoxes found;
   if (!handle->whole) handle->whole.emplace(handle->pose.model());

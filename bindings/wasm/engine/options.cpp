@@ -64,7 +64,7 @@ std::uint32_t Options::count(const char* key, std::uint32_t otherwise) const {
   return is_there ? found->get<std::uint32_t>() : otherwise;
 }
 
-/// How a message goes on that begins with an unknown name; `words` has it, and then the known ones.
+/// Returns the end of a message about an unknown name. `words` has this name, then the known names.
 PELT_EXPORT const char* pelt_suggestion(const char* words) {
   const Result<nlohmann::json> parsed = asset::parse_json(words);
   if (!parsed) return "";

@@ -17,10 +17,10 @@ namespace pelt::wasm {
 
 class Options {
  public:
-  /// Refuses text that is no Unicode, which JavaScript lets strings be.
+  /// Reads options. Returns an error for text that is not valid Unicode, which JavaScript allows.
   static Result<Options> read(std::string_view json);
 
-  /// Empty where there is none.
+  /// Returns the text, or an empty text if it is absent.
   std::string text(const char* key) const;
   std::optional<std::vector<std::string>> texts(const char* key) const;
 

@@ -1,4 +1,4 @@
-/// Joint palettes and morph weights, sampled from clips straight into a pose's memory.
+/// Samples joint palettes and morph weights from clips directly into a pose's memory.
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
@@ -11,7 +11,7 @@
 namespace pelt::wasm {
 namespace {
 
-/// An instance as JavaScript writes it, which has checked it.
+/// An instance, validated and written by JavaScript.
 struct PlacedNumbers {
   double clip;  ///< its number; -1: none
   double start, speed;
@@ -29,7 +29,7 @@ static_assert(sizeof(PlacedNumbers) == 14 * sizeof(double) &&
                   offsetof(PlacedNumbers, velocity) == 11 * sizeof(double),
               "JavaScript writes 14 numbers in this order (scene.mjs)");
 
-/// Where JavaScript writes the weights that morph targets keep; NaN: the clip's.
+/// Memory where JavaScript writes fixed morph weights; NaN means the clip's weight.
 std::vector<float>& kept_weights() {
   static std::vector<float> weights;
   return weights;
@@ -49,7 +49,7 @@ scenes::Instance to_instance(const asset::Asset& asset, const PlacedNumbers& num
   return instance;
 }
 
-/// Where JavaScript reads palettes and weights that belong to no pose.
+/// Memory where JavaScript reads palettes and weights that belong to no pose.
 struct Sampled {
   std::vector<Matrix4> palette;
   std::vector<float> weights;
@@ -70,7 +70,7 @@ const asset::Clip* clip_of(const asset::Asset& asset, std::int32_t clip) {
   return clip < 0 ? nullptr : &asset.clips[static_cast<std::size_t>(clip)];
 }
 
-/// Both or neither: what may be refused is tried on a copy.
+/// Sets both or neither, by trying them on a copy first.
 Result<void> take(PoseHandle& handle) {
   handle.moved();
   if (!handle.morphs.empty()) {
@@ -84,7 +84,7 @@ Result<void> take(PoseHandle& handle) {
 
 }  // namespace
 
-/// Sixteen floats where JavaScript writes a placement.
+/// Returns memory of 16 floats where JavaScript writes a placement.
 PELT_EXPORT float* pelt_placement() {
   static Matrix4 placement;
   return placement.m.data();
@@ -108,7 +108,7 @@ PELT_EXPORT void pelt_sample_morph_weights(const CharacterHandle* handle, std::i
   answer_data<float>(weights);
 }
 
-/// Where JavaScript writes an instance.
+/// Returns memory where JavaScript writes an instance.
 PELT_EXPORT PlacedNumbers* pelt_instance() {
   static PlacedNumbers numbers;
   return &numbers;
@@ -134,7 +134,7 @@ PELT_EXPORT void pelt_instance_morph_weights(const CharacterHandle* handle, doub
   answer_data<float>(weights);
 }
 
-/// Poses an instance, and nothing passes through JavaScript.
+/// Poses an instance without passing its palette through JavaScript.
 PELT_EXPORT std::uint32_t pelt_pose_instance(PoseHandle* handle, double seconds) {
   const asset::Asset& asset = handle->character->asset();
   const scenes::Instance instance = to_instance(asset, *pelt_instance());

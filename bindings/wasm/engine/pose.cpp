@@ -1,4 +1,4 @@
-/// Poses: what they take and what can be asked of one.
+/// Poses, and queries of a single pose.
 
 #include <pelt/bounds.hpp>
 
@@ -16,7 +16,7 @@ void answer_bounds(const Bounds& bounds) {
                   bounds.sphere.radius});
 }
 
-/// Skins them unless the pose has them already: who draws wants normals, too.
+/// Skins the vertices unless that is already done. Drawing needs vertices and then normals.
 std::span<const Vec3> pose_vertices(PoseHandle& handle) {
   if (handle.has_vertices) return handle.vertices;
   handle.vertices.resize(handle.pose.model().vertex_count());
@@ -27,7 +27,7 @@ std::span<const Vec3> pose_vertices(PoseHandle& handle) {
 
 }  // namespace
 
-/// Of a part, or of the whole.
+/// Creates a pose of a part or of the whole character.
 PELT_EXPORT std::uint32_t pelt_make_pose(const CharacterHandle* handle, std::uint32_t part) {
   const Result<Body*> body = handle->character->body(part);
   if (!body) return refuse(body.error());
@@ -36,7 +36,7 @@ PELT_EXPORT std::uint32_t pelt_make_pose(const CharacterHandle* handle, std::uin
 
 PELT_EXPORT void pelt_delete_pose(PoseHandle* handle) { delete handle; }
 
-/// Where JavaScript writes a palette, and weights.
+/// Returns memory where JavaScript writes a palette or weights.
 PELT_EXPORT float* pelt_pose_palette(PoseHandle* handle) { return handle->palette[0].m.data(); }
 PELT_EXPORT float* pelt_pose_weights(PoseHandle* handle) { return handle->morphs.data(); }
 

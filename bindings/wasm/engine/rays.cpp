@@ -1,4 +1,4 @@
-/// What rays hit.
+/// Rays and their hits.
 
 #include <pelt/ray.hpp>
 
@@ -29,7 +29,7 @@ void answer_hits(std::span<const RayHit> hits, const PoseHandle& handle) {
 
 }  // namespace
 
-/// Where JavaScript writes a ray: its origin, its direction, the least t and the greatest.
+/// Returns memory where JavaScript writes a ray: origin, direction, least t and greatest t.
 PELT_EXPORT Ray* pelt_ray() {
   static_assert(sizeof(Ray) == 8 * sizeof(float), "JavaScript writes 8 numbers");
   static Ray ray;

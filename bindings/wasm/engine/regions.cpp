@@ -1,4 +1,4 @@
-/// Regions of space: which poses are in them, and which of their triangles.
+/// Regions of space: placements of poses and of their triangles.
 
 #include <pelt/region.hpp>
 
@@ -8,7 +8,7 @@
 namespace pelt::wasm {
 namespace {
 
-/// As regions.mjs numbers them.
+/// Numbered as in regions.mjs.
 enum class Kind : std::uint32_t {
   half_space,
   box,
@@ -20,13 +20,14 @@ enum class Kind : std::uint32_t {
   frustum_webgpu,  ///< or 0 to 1
 };
 
-/// Where JavaScript writes the numbers of a region, in the order of the structs of shapes.hpp.
+/// Memory where JavaScript writes the numbers of a region, in the order of the structs of
+/// shapes.hpp.
 std::vector<float>& region_numbers() {
   static std::vector<float> numbers;
   return numbers;
 }
 
-/// Takes those numbers one after the other.
+/// Reads these numbers one after the other.
 class Reader {
  public:
   bool has_more() const { return next_ < region_numbers().size(); }

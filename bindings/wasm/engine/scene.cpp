@@ -1,4 +1,4 @@
-/// Scene files, read as the command reads them.
+/// Reads scene files like the command.
 
 #include "asset/message.hpp"
 #include "bindings/wasm/engine/answer.hpp"
@@ -36,7 +36,7 @@ json describe(const scenes::Instance& instance) {
           {"morphWeights", describe(instance.morph_weights)}};
 }
 
-/// A name that nothing has is refused, unless what had it may have been left out.
+/// Returns an error for a name that matches nothing, unless it may match something left out.
 Result<void> check_ignored(const scenes::Scene& scene, const asset::GltfOptions& options) {
   if (!options.unskinned_parts || !options.exclude_nodes.empty()) return {};
   const auto known = scenes::check_names(scenes::characters_of(scene), scene.ignore);
@@ -71,7 +71,7 @@ json describe(const scenes::Scene& scene, std::vector<CharacterHandle> character
 
 }  // namespace
 
-/// The scene as JSON, its characters as handles; null if it is refused.
+/// Returns the scene as JSON with handles of its characters, or null after an error.
 PELT_EXPORT const char* pelt_read_scene(const char* path, const char* options) {
   const Result<Options> read = Options::read(options);
   if (!read) return refuse(read.error()), nullptr;

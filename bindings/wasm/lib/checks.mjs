@@ -1,13 +1,13 @@
-/** What callers hand over is what it has to be, or is refused by its name. */
+/** Validation of arguments. Errors name the argument. */
 
 import { invalid } from './errors.mjs';
 
 export const kMostCount = 0xffffffff;
 
-/** The engine takes single precision; what is larger would be infinite there. */
+/** Largest number in the engine's single precision; larger numbers would be infinite. */
 export const kMostFloat = (2 - 2 ** -23) * 2 ** 127;
 
-/** What a value is, for messages: "NaN", "a string", "an Array". */
+/** Describes a value in messages: "NaN", "a string", "an Array". */
 export function kindOf(value) {
   if (value === undefined) return 'nothing';
   if (value === null || typeof value === 'number' || typeof value === 'boolean') return `${value}`;
@@ -53,7 +53,7 @@ export function oneOf(value, known, name) {
   throw invalid(`${name}: expected one of ${names}, found ${found}`);
 }
 
-/** C++ ends a path at its first zero. */
+/** Rejects zeros, which would end a path in C++. */
 export function path(value, name) {
   if (text(value, name).includes('\0')) throw invalid(`${name}: a path has no character 0`);
   return value;
@@ -71,7 +71,7 @@ export function namePairs(value, name) {
   throw invalid(`${name}: expected an array of pairs of names`);
 }
 
-/** null: none. */
+/** Returns null if there is none. */
 export function optionalText(value, name) {
   return value === null ? null : text(value, name);
 }
@@ -85,14 +85,14 @@ function isArrayOfNumbers(value) {
   return ArrayBuffer.isView(value) && (value.length === 0 || typeof value[0] === 'number');
 }
 
-/** An Array or typed array of so many numbers, which may be NaN. */
+/** Checks for an Array or typed array with `length` numbers, which may be NaN. */
 export function numbers(value, length, name) {
   if (!isArrayOfNumbers(value)) refuse(name, `an array of ${length} numbers`, value);
   if (value.length === length) return value;
   throw invalid(`${name}: expected ${length} numbers, found ${value.length}`);
 }
 
-/** The same, all finite. */
+/** The same with finite numbers only. */
 export function vector(value, length, name, most = Number.MAX_VALUE) {
   numbers(value, length, name);
   for (let i = 0; i < length; ++i) {
@@ -101,14 +101,14 @@ export function vector(value, length, name, most = Number.MAX_VALUE) {
   return value;
 }
 
-/** Numbers of triangles or instances, `width` by `width`. */
+/** Checks indices of triangles or instances, in rows of `width`. */
 export function rows(value, width, name) {
   if (!(value instanceof Uint32Array)) refuse(name, 'a Uint32Array', value);
   if (value.length % width === 0) return value;
   throw invalid(`${name}: expected a multiple of ${width} numbers, found ${value.length}`);
 }
 
-/** Of an ArrayBuffer or of what is a view of one. */
+/** Returns the bytes of an ArrayBuffer or of a view of one. */
 export function bytes(value, name) {
   if (value instanceof Uint8Array) return value;
   if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
@@ -116,7 +116,7 @@ export function bytes(value, name) {
   return refuse(name, 'a Uint8Array or an ArrayBuffer', value);
 }
 
-/** A plain object; arrays, maps and the like are none. */
+/** Checks for a plain object, which excludes arrays and maps. */
 export function object(value, name) {
   return Object.prototype.toString.call(value) === '[object Object]'
     ? value

@@ -1,4 +1,4 @@
-/** What decodes EXT_meshopt_compression, and what it says when it fails. */
+/** The decoder of EXT_meshopt_compression, and its errors. */
 
 /**
  * Calls `use()` with `decode` as the engine's decoder. It may throw nothing into the engine: what it

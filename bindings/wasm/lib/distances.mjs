@@ -1,22 +1,22 @@
-/** How far surfaces are from points and from each other, and how deep inside. */
+/** Distances of surfaces from points and from each other, and depths inside. */
 
 import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
 import { readOptions } from './options.mjs';
 import { readStats } from './stats.mjs';
 
-/** As inside.hpp numbers them. */
+/** Numbered as in inside.hpp. */
 const kSides = ['outside', 'on', 'inside'];
 const kContainments = ['none', 'a_in_b', 'b_in_a'];
 
-/** No coordinate that any query takes is larger. */
+/** Largest coordinate that queries accept. */
 const kMostCoordinate = 2 ** 60;
 
 const length = (value, name) => check.number(value, name, 0, Infinity);
 const kClosestRules = { maxDistance: length };
 const kDistanceRules = { maxDistance: length, tolerance: length };
 
-/** As surface_points.cpp writes them. */
+/** In the layout of surface_points.cpp. */
 function readPoints(memory) {
   const rows = memory.data(Float64Array, 1);
   const points = [];

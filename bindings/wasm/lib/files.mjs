@@ -1,4 +1,4 @@
-/** Files that are only in memory, for readers that open files by their names. */
+/** Files in memory, for code that opens files by name. */
 
 import * as check from './checks.mjs';
 import { invalid, PeltError } from './errors.mjs';
@@ -9,7 +9,7 @@ function parentOf(path) {
   return path.slice(0, Math.max(1, path.lastIndexOf('/')));
 }
 
-/** What a path means in the folder; refuses those that lead out of it. */
+/** Resolves a path within the folder. Throws if the path leaves the folder. */
 function absolute(path) {
   const parts = [];
   for (const part of path.split('/')) {
@@ -40,7 +40,7 @@ function remove(fs, path) {
   fs.rmdir(path);
 }
 
-/** [path, bytes] of a Map or of an object. */
+/** Returns [path, bytes] pairs of a Map or an object. */
 function entriesOf(files) {
   const entries = files instanceof Map ? [...files] : Object.entries(check.object(files, 'files'));
   return entries.map(([path, bytes]) => [
@@ -63,7 +63,7 @@ function write(fs, path, bytes) {
   }
 }
 
-/** Calls `use(folder)` while the files are there, with their folder as working directory. */
+/** Calls `use(folder)` while the files exist, with their folder as working directory. */
 export function withFiles(memory, files, use) {
   const entries = entriesOf(files);
   return memory.withFileSystem((fs) => {

@@ -25,13 +25,13 @@ export class Gate {
     return this.#state === kEnded;
   }
 
-  /** The engine's functions, by their names. */
+  /** Functions of the engine by name. */
   calls() {
     const names = Object.keys(this.#module).filter((name) => name.startsWith('_'));
     return Object.fromEntries(names.map((name) => [name, this.#guard(name)]));
   }
 
-  /** Refuses where a call would be refused. */
+  /** Throws if a call would throw. */
   requireOpen() {
     if (this.#state === kInside) throw invalid('the engine is busy: meshoptDecode may not call it');
     if (this.#state === kEnded) {
@@ -39,7 +39,7 @@ export class Gate {
     }
   }
 
-  /** The engine replaces its functions when they are first called, so each is looked up anew. */
+  /** Looks up a function at each call, because the engine replaces functions at their first call. */
   #guard(name) {
     const module = this.#module;
     return (...values) => {
@@ -55,7 +55,7 @@ export class Gate {
     };
   }
 
-  /** C++ exceptions are numbers here. Pelt throws none; the standard library does for want of memory. */
+  /** C++ exceptions are numbers here. Only the standard library throws, if memory runs out. */
   #end(error) {
     const isMemory = typeof error === 'number';
     this.#state = kEnded;

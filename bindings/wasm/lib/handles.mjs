@@ -1,4 +1,4 @@
-/** What JavaScript holds of the engine's objects: their addresses, which nobody else is told. */
+/** Handles of the engine's objects: their addresses, which are private to this file. */
 
 import { kindOf } from './checks.mjs';
 import { invalid } from './errors.mjs';
@@ -14,20 +14,20 @@ export class Handles {
     this.#calls = calls;
   }
 
-  /** From now on `owner` has that object, which is given back when it is deleted or forgotten. */
+  /** Makes `owner` the owner of an object, which is freed when `owner` is deleted or collected. */
   own(owner, address, remove, name) {
     this.#held.set(owner, { address, remove, name });
     this.#graves.register(owner, { address, remove }, owner);
   }
 
-  /** A deleted object says so instead of breaking the engine's memory. */
+  /** Returns the address. Throws for a deleted object, which would corrupt the engine's memory. */
   of(owner) {
     const { address, name } = this.#held.get(owner);
     if (address === 0) throw invalid(`the ${name} has been deleted`);
     return address;
   }
 
-  /** The same of what a caller hands over: it has to be a `type`, and of this engine. */
+  /** The same for an argument, which must be a `type` of this engine. */
   given(object, type, argument) {
     if (!(object instanceof type)) {
       throw invalid(`${argument}: expected a ${type.name}, found ${kindOf(object)}`);
@@ -44,7 +44,7 @@ export class Handles {
     held.address = 0;
   }
 
-  /** All that an ended engine had has gone with it. */
+  /** Forgets all objects, which have ended with the engine. */
   #remove({ address, remove }) {
     if (!this.#gate.hasEnded) this.#calls[remove](address);
   }

@@ -1,4 +1,4 @@
-/** What Pelt's own tests ask of an engine; the package does not export it. */
+/** Internals for Pelt's own tests; the package does not export them. */
 
 const memories = new WeakMap();
 
@@ -6,7 +6,7 @@ export function expose(pelt, memory) {
   memories.set(pelt, memory);
 }
 
-/** Heap in use by what has not been deleted. */
+/** Returns the heap memory of all objects that are not deleted. */
 export function bytesInUse(pelt) {
   return memories.get(pelt).module._pelt_bytes_in_use();
 }

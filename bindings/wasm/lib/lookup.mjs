@@ -1,12 +1,12 @@
-/** How the engine numbers what callers name. */
+/** Converts names to numbers of the engine. */
 
 import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
 
-/** Stands for all parts together. */
+/** Part number that means the whole character. */
 const kWhole = 0xffffffff;
 
-/** -1 is no clip. */
+/** Returns the number of a clip; -1 for the default pose. */
 export function clipNumber(memory, { name, clips }, clip) {
   if (clip === null) return -1;
   const number = clips.findIndex((known) => known.name === clip);
@@ -17,7 +17,7 @@ export function clipNumber(memory, { name, clips }, clip) {
   throw invalid(`${JSON.stringify(name)} has no clip ${JSON.stringify(clip)}${rest}`);
 }
 
-/** null is the whole. */
+/** Returns the number of a part; null means the whole character. */
 export function partNumber({ name, parts }, part) {
   if (part === null) return kWhole;
   if (check.count(part, 'part') < parts.length) return part;

@@ -8,10 +8,10 @@ import { invalid, PeltError } from './errors.mjs';
 import { Gate } from './gate.mjs';
 import { Handles } from './handles.mjs';
 
-/** The answer's numbers, then the address and the number of elements of its data (answer.hpp). */
+/** Layout of the answer: its numbers, then address and length of its data (answer.hpp). */
 const kNumbers = 16;
 
-/** Addresses have 32 bits, and Emscripten gives half of what they reach. */
+/** Limit of Emscripten: half of the 32-bit address space. */
 const kMostBytes = 2 ** 31;
 
 const kHeap = new Map([
@@ -28,13 +28,13 @@ export class Memory {
   constructor(engine) {
     this.#engine = engine;
     this.gate = new Gate(engine);
-    /** The engine's functions, behind the gate. */
+    /** Functions of the engine, called through the gate. */
     this.module = this.gate.calls();
     this.handles = new Handles(this.gate, this.module);
     this.answer = this.module._pelt_answer();
   }
 
-  /** A view of `length` elements; not to be kept. */
+  /** Returns a view of `length` elements, valid until the next call of the engine. */
   view(type, address, length) {
     const heap = this.#engine[kHeap.get(type)];
     const first = address / type.BYTES_PER_ELEMENT;
@@ -49,7 +49,7 @@ export class Memory {
     return Array.from(this.view(Float64Array, this.answer + 8 * begin, end - begin));
   }
 
-  /** What the last call has answered, `width` numbers an element; into `out`, if there is one. */
+  /** Returns the answer of the last call with `width` numbers per element; in `out`, if given. */
   data(type, width, out) {
     const [address, count] = this.view(Uint32Array, this.answer + 8 * kNumbers, 2);
     return this.copy(type, address, count * width, out);
@@ -63,7 +63,7 @@ export class Memory {
     return out;
   }
 
-  /** Writes numbers where the engine expects so many. */
+  /** Writes numbers to the memory where the engine expects them. */
   write(type, address, numbers, length, name) {
     check.numbers(numbers, length, name);
     if (length > 0) this.view(type, address, length).set(numbers);
@@ -77,7 +77,7 @@ export class Memory {
     return JSON.parse(this.text(address));
   }
 
-  /** Calls `use(address)` with the bytes of a typed array, which are there meanwhile. */
+  /** Calls `use(address)` while the bytes of a typed array are in the engine's memory. */
   withBytes({ buffer, byteOffset, byteLength }, use) {
     const address = this.#allocate(byteLength);
     const bytes = new Uint8Array(buffer, byteOffset, byteLength);
@@ -110,14 +110,14 @@ export class Memory {
     }
   }
 
-  /** What the engine returned, or the reason why it has refused. */
+  /** Returns the result of the engine, or throws its error. */
   accepted(result) {
     if (result) return result;
     const { code, message } = this.json(this.module._pelt_error());
     throw new PeltError(code, message);
   }
 
-  /** How a message goes on that begins with an unknown name. */
+  /** Returns the end of a message about an unknown name. */
   suggestion(name, known) {
     const words = JSON.stringify([name, ...known]);
     return this.withText(words, (address) => this.text(this.module._pelt_suggestion(address)));

@@ -1,4 +1,4 @@
-/** Objects that callers hand over: each key is known and has the right kind of value. */
+/** Validation of options: keys must be known and values must have the right type. */
 
 import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
@@ -22,7 +22,7 @@ function unknown(memory, key, known, place) {
   return invalid(`${what} ${JSON.stringify(key)}${memory.suggestion(key, known)}`);
 }
 
-/** Options that few calls have. */
+/** Options shared by few calls. */
 export function readOptions(memory, options, rules) {
   return options === undefined ? {} : readObject(memory, options, rules);
 }

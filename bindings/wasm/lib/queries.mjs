@@ -1,4 +1,4 @@
-/** What is asked of two poses. */
+/** Queries of two poses. */
 
 import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
@@ -18,7 +18,7 @@ export function mostContacts(memory, options) {
   return read.firstContact ? 1 : read.maxContacts ?? check.kMostCount;
 }
 
-/** The two handles. */
+/** Returns the two handles. */
 export function different(memory, a, b) {
   const handles = [memory.handles.given(a, Pose, 'a'), memory.handles.given(b, Pose, 'b')];
   if (a === b) throw invalid('a and b: expected two different poses');
@@ -30,7 +30,7 @@ export function readContacts(memory) {
   return { count: pairs.length / 2, pairs, stats: readStats(memory) };
 }
 
-/** The pairs within a tolerance. */
+/** Finds the pairs within a tolerance. */
 export function clearance(memory, a, b, tolerance, options) {
   const most = mostContacts(memory, options);
   const handles = different(memory, a, b);

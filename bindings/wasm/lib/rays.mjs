@@ -1,9 +1,9 @@
-/** Rays, and what they hit. */
+/** Rays and their hits. */
 
 import * as check from './checks.mjs';
 import { readOptions } from './options.mjs';
 
-/** As ray.hpp numbers them. */
+/** Numbered as in ray.hpp. */
 const kFacings = ['both', 'front', 'back'];
 
 const kRules = {
@@ -12,7 +12,7 @@ const kRules = {
   facing: (value, name) => check.oneOf(value, kFacings, name),
 };
 
-/** Hands a ray over; returns the number of the side from which it hits. */
+/** Passes a ray to the engine. Returns the number of its facing. */
 function writeRay(memory, origin, direction, options) {
   const { minT = 0, maxT = Infinity, facing = 'both' } = readOptions(memory, options, kRules);
   check.vector(origin, 3, 'origin', check.kMostFloat);

@@ -1,14 +1,14 @@
-/** Regions of space: as callers write them, and what is asked about them. */
+/** Regions of space, and their queries. */
 
 import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
 import { readObject } from './options.mjs';
 import { readStats } from './stats.mjs';
 
-/** As region.hpp numbers them. */
+/** Numbered as in region.hpp. */
 const kPlacements = ['outside', 'partly', 'inside'];
 
-/** Queries take no more. */
+/** Largest number of faces of a polyhedron. */
 const kMostFaces = 64;
 
 const { float } = check;
@@ -36,7 +36,7 @@ function axes(value, name) {
   return list(value, name, 3, 3).map((axis, i) => vector(axis, `${name}[${i}]`));
 }
 
-/** What regions.cpp knows by a number, and of which it takes the numbers one after the other. */
+/** Kinds of regions in the order of regions.cpp, with functions that list their numbers. */
 const kKinds = {
   halfSpace: {
     rules: kFaceRules,
@@ -73,7 +73,7 @@ const kKinds = {
   },
 };
 
-/** The values of `given`, all of which are there. */
+/** Returns the values of `given`. Throws if one is missing. */
 function complete(memory, given, { rules, defaults = {} }, place) {
   const values = { ...defaults, ...readObject(memory, given, rules, place) };
   for (const key of Object.keys(rules)) {
@@ -83,7 +83,7 @@ function complete(memory, given, { rules, defaults = {} }, place) {
   return values;
 }
 
-/** Hands a region over; returns the number of its kind. */
+/** Passes a region to the engine. Returns the number of its kind. */
 function writeRegion(memory, region) {
   const { kind, ...given } = check.object(region, 'region');
   check.oneOf(kind, Object.keys(kKinds), 'region.kind');

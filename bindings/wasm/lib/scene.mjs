@@ -5,7 +5,7 @@ import { clipNumber } from './lookup.mjs';
 import { readObject } from './options.mjs';
 import { Pose } from './pose.mjs';
 
-/** As in a scene file (docs/scenes.md): far beyond any use, near enough to keep arithmetic finite. */
+/** Limit of numbers, as in scene files: far beyond any use, but small enough to keep arithmetic finite. */
 const kMostNumber = 1e12;
 const kMostFactor = 1e6; // of scales and frames a second; the least is its inverse
 
@@ -52,7 +52,7 @@ const kPartsRules = {
   ignore: check.namePairs,
 };
 
-/** A checked copy of an instance, with every key. */
+/** Returns a validated copy of an instance with all keys. */
 function complete(memory, instance, place) {
   return {
     clip: null,
@@ -67,7 +67,7 @@ function complete(memory, instance, place) {
   };
 }
 
-/** [M] what each target keeps; NaN: what the clip says. Targets go by name or else by number. */
+/** Returns [M] fixed weights; NaN means the clip's. Targets are looked up by name, then by number. */
 function keptWeights(morphWeights, names, place) {
   const kept = new Float32Array(names.length).fill(NaN);
   for (const [target, weight] of Object.entries(morphWeights)) {
@@ -122,7 +122,7 @@ export class Scene {
     for (const character of this.characters) character.delete();
   }
 
-  /** Hands the instance over; returns its character, and the seconds at which the frame stands. */
+  /** Passes the instance to the engine. Returns its character and the time of the frame in seconds. */
   #hand(number, frame) {
     const { module, handles } = this.#memory;
     const seconds = check.number(frame, 'frame') / factor(this.fps, 'fps');

@@ -8,7 +8,7 @@ const kUsesSimd = Uint8Array.of(
   ...[0x0a, 0x08, 0x01, 0x06, 0x00, 0x41, 0x00, 0xfd, 0x0f, 0x0b],
 );
 
-/** Says in words what would otherwise be a fault in a byte of the engine. */
+/** Throws a readable error where compiling the engine would fail without SIMD. */
 export function requireSimd() {
   if (globalThis.WebAssembly?.validate(kUsesSimd)) return;
   throw new PeltError(

@@ -1,4 +1,4 @@
-/** The work of the last query. */
+/** Reads the work of the last query. */
 export function readStats(memory) {
   const [nodePairs, refits, posedVertices, trianglePairs, displacements, cutShort] =
     memory.numbers(0, 6);
