@@ -61,7 +61,7 @@ Result<Section> characters(const Conditions& conditions) {
       "The paper's characters are not available. Pelt generates walking bipeds with the same "
       "numbers of triangles and joints.");
   if (conditions.models.empty())
-    section.text.push_back("No real characters: no folder of them was given by --models.");
+    section.text.push_back("No real characters: --models was not given.");
   else
     add_real(conditions.models, section);
   return section;

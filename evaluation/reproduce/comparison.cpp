@@ -35,9 +35,9 @@ Result<Section> comparison(const Conditions& conditions) {
   if (const auto done = measure_all(*creature, conditions, section); !done) return done.error();
   section.text = {
       "Every method gets the same joint palettes, gives the same contacts (compared before any "
-      "time is taken), and is charged for the skinning that it needs. All end in the same exact "
-      "test of triangles, eight at a time, so that what is compared is how pairs are found. All "
-      "times are of one thread."};
+      "time is measured), and pays for the skinning that it needs. All use the same exact test of "
+      "triangles, eight at a time, so the comparison is about finding pairs. All times are for one "
+      "thread."};
   for (std::string& answer : answers_of(section)) section.text.push_back(std::move(answer));
   return section;
 }

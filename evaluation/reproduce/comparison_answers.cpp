@@ -72,7 +72,7 @@ class Sweep {
   /// "hash 574 us".
   std::string told(std::size_t row, MethodKind method) const {
     const auto taken = time(row, method);
-    return title_of(method) + " " + (taken ? us(*taken) : "was not asked");
+    return title_of(method) + " " + (taken ? us(*taken) : "was not measured");
   }
 
   /// "hash 574 us, Pelt 0.5 us and ...".
@@ -162,7 +162,7 @@ std::string trees_on_demand(const Evidence& of) {
   const Sweep& all = of.all;
   const std::size_t apart = all.row_at(kApart), touching = all.row_at(kTouching),
                     deep = all.row_at(kDeep), last = all.row_count() - 1;
-  return "Trees on demand pay for what is near. Apart (" + all.place(apart) +
+  return "Trees on demand pay only for what is near. Apart (" + all.place(apart) +
          "): " + all.told(apart, kFamily) + ". Hands that meet (" + size(kTouching) +
          "): " + all.told(touching, kFamily) + ". Deep (" + size(kDeep) +
          "): " + all.told(deep, kFamily) + ". In one place: " + all.told(last, kFamily) +
@@ -175,7 +175,7 @@ std::string eager_trees(const Evidence& of) {
   constexpr std::array kFamily = {methods::kEager, methods::kHybrid, methods::kAabbRefit,
                                   methods::kPaperEager, methods::kAabbRebuild};
   const Sweep& all = of.all;
-  return "Eager trees pay for skinning and boxes even where nothing is near: " +
+  return "Eager trees pay for skinning and boxes even if nothing is near: " +
          all.told(all.row_at(kApart), kFamily) + " for two who are apart, " +
          all.told(all.row_at(kDeep), kFamily) +
          " deep. All contacts: " + all.duel(methods::kPaper, methods::kAabbRefit) + "; " +
@@ -228,9 +228,10 @@ std::string image_space(const Evidence& of) {
   std::vector<std::string> others;
   for (std::size_t row = 0; row < rivals.rows.size(); ++row)
     others.push_back(rivals.rows[row][0].name + " " + us(figure_at(rivals, row, "all_us")));
-  return "Image space only says yes or no. At " + shown(figure_at(images, 0, "resolution")) +
-         " pixels a side it misses " + brief(figure_at(images, 0, "missed_percent"), 1) +
-         " % of the cases that touch, at " + shown(figure_at(images, enough, "resolution")) + " " +
+  return "Image space methods only answer yes or no. At " +
+         shown(figure_at(images, 0, "resolution")) + " pixels a side it misses " +
+         brief(figure_at(images, 0, "missed_percent"), 1) + " % of the cases that touch, at " +
+         shown(figure_at(images, enough, "resolution")) + " " +
          brief(figure_at(images, enough, "missed_percent"), 1) + " %, and takes " + us(taken) +
          " for that with its skinning, " + times(taken / pelt) +
          " as long as Pelt for an answer that is exact. The methods that know take: " +
@@ -248,7 +249,7 @@ std::string where_pelt_loses(const Evidence& of) {
   }
   return "Pelt is the fastest in " + std::to_string(rows - lost) + " of " + std::to_string(rows) +
          " rows of the tables of distance and of triangles." +
-         (lost > 0 ? " It loses where refitting everything is not wasted, since nearly everything "
+         (lost > 0 ? " It loses if refitting everything is not wasted, because nearly everything "
                      "is needed." +
                          text
                    : "");

@@ -67,8 +67,8 @@ Table empty_table(const scenes::Character& creature, const Conditions& condition
       {},
       how_measured("Creatures of " + tools::output::with_commas(creature.asset.triangles.size()) +
                        " triangles on a plain, 0.5 to 1.4 units from "
-                       "their neighbours. All pairs are asked one by one, but for Pelt's "
-                       "crowd and the hash in one grid, which take all at once. Wall time.",
+                       "their neighbours. Pairs are queried one by one, except by Pelt's "
+                       "crowd and the hash in one grid, which query all at once. Wall time.",
                    conditions)};
   table.columns.push_back({"crowd_us", title_of(methods::kOnDemand) + " as a crowd [us]"});
   for (const MethodKind method : kByPairs) table.columns.push_back(time_column(method));

@@ -121,7 +121,7 @@ Result<Picture> refit_picture(const scenes::Scene& scene, const Conditions& cond
                        "Figure 5. Two instances of the generated man, which has horns and a tail "
                        "like the creature, meet: triangles in contact glow. Beside them the "
                        "spheres of levels 5 and 6. The query refitted the blue ones and never "
-                       "asked for the red ones; bottom-up refit computes all."},
+                       "needed the red ones; a bottom-up refit computes all."},
                       camera, objects, conditions);
 }
 

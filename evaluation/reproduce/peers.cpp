@@ -80,11 +80,13 @@ Result<Table> measure_walk(const Walk& walk, const Conditions& conditions) {
 Result<Section> peers(const Conditions& conditions) {
   Section section;
   section.text = {
-      "Every library gets the vertices skinned by our fastest code, which counts, and is used at "
-      "the best settings for deforming meshes that we know. Its answer is compared with the exact "
-      "one as a set of pairs of triangles: missing pairs touch and are not told, extra pairs are "
-      "told and do not touch. Where the narrow phase is ours, the library only finds the pairs "
-      "that may touch, and they are tested as Pelt tests them."};
+      "Every library gets the vertices from our fastest skinning code, whose time counts, and runs "
+      "with the best settings for deforming meshes that we know. Its answer is compared with the "
+      "exact "
+      "one as a set of pairs of triangles: missing pairs touch but are not reported, extra pairs "
+      "are "
+      "reported but do not touch. If the narrow phase is ours, the library only finds candidate "
+      "pairs, which are tested like in Pelt."};
   for (const Walk& walk :
        {Walk{"peers_two_men", "Two men", approaching_scene(), 6},
         Walk{"peers_worst_case", "Two creatures through each other", passing_through_scene(), 12},

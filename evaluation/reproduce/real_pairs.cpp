@@ -102,7 +102,7 @@ std::string range(const Table& table, const char* key) {
 Result<Section> real_pairs(const Conditions& conditions) {
   Section section;
   if (conditions.models.empty()) {
-    section.text = {"No real characters: no folder of them was given by --models."};
+    section.text = {"No real characters: --models was not given."};
     return section;
   }
   Table table = empty_table();

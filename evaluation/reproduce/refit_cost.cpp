@@ -126,7 +126,7 @@ std::string text_of_all(const Table& all) {
          shown(figure(all, 1, "bottom_up_ms")) + " ms: one sphere on demand gained " +
          shown(figure(all, 2, "on_demand_ns")) + " times since, all of them bottom-up " +
          shown(figure(all, 2, "bottom_up_ms")) +
-         " times, presumably because it goes through memory in order and asks nothing of weights.";
+         " times, presumably because it accesses memory in order and needs no weights.";
 }
 
 std::string text_of_rebuild(const Table& rebuild) {

@@ -42,9 +42,10 @@ std::string summary(const SceneFigures& scene) {
          " triangles. All vertices skinned once take " + shown(scene.skinning.mean_us) +
          " us a frame. Medians of " + std::to_string(scene.repetitions) +
          " repetitions, means over the frames, one thread, caches hot; all methods give the same "
-         "contacts. \"Update\" is the part before the queries; what is rigid has none. Trees eight "
-         "wide keep a vertex once for each node that needs it, so Pelt eager skins more vertices "
-         "than there are.";
+         "contacts. \"Update\" is the part before the queries; rigid methods have none. Pelt's "
+         "trees store "
+         "a vertex once for each node that needs it, so Pelt eager skins more vertices than the "
+         "models have.";
 }
 
 /// At most so many, evenly over all.
@@ -130,8 +131,8 @@ Table eager_split_table(const std::string& id, const std::string& title,
        {"refit_percent", "refit [%]"},
        {"query_percent", "query [%]"}},
       {},
-      "All contacts. Skinning is what all vertices take by themselves; refit is the rest "
-      "of the update."};
+      "All contacts. Skinning is the time for all vertices alone; refit is the rest of the "
+      "update."};
   const double skinning = figures.skinning.mean_us;
   for (const MethodKind method : methods) {
     const tools::Times& times = figures_of(figures, method.name, Question::all).times;
@@ -166,20 +167,21 @@ std::vector<Cell> comparison_row(const SceneFigures& figures, const Comparison& 
 
 Table comparison_table(const std::string& id, const std::string& title, const SceneFigures& figures,
                        std::span<const Comparison> comparisons) {
-  Table table = {id,
-                 title,
-                 {{"faster", "method"},
-                  {"slower", "against"},
-                  {"question", "question"},
-                  {"speed_up", "speed-up here"},
-                  {"contact_speed_up", "in frames with contact"},
-                  {"paper_speed_up", "in the paper"},
-                  {"paper_ms", "method, in the paper [ms]"},
-                  {"paper_against_ms", "the other, in the paper [ms]"}},
-                 {},
-                 "Speed-up: the time of the method under \"against\" over that of the first; below "
-                 "1 the first is slower. The paper does not tell in how many of its frames there "
-                 "was contact."};
+  Table table = {
+      id,
+      title,
+      {{"faster", "method"},
+       {"slower", "against"},
+       {"question", "question"},
+       {"speed_up", "speed-up here"},
+       {"contact_speed_up", "in frames with contact"},
+       {"paper_speed_up", "in the paper"},
+       {"paper_ms", "method, in the paper [ms]"},
+       {"paper_against_ms", "the other, in the paper [ms]"}},
+      {},
+      "Speed-up: the time of the method under \"against\" divided by that of the first; below "
+      "1 the first is slower. The paper does not say in how many of its frames there "
+      "was contact."};
   for (const Comparison& c : comparisons) table.rows.push_back(comparison_row(figures, c));
   return table;
 }

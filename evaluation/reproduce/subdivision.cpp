@@ -79,7 +79,7 @@ Table empty_table(const Position& position) {
                   {"contacts", "contacts"}},
                  {},
                  "One frame of one pose; medians of repetitions, one thread, caches hot. Speed-up: "
-                 "the time of the second method named over that of the first."};
+                 "the time of the second method divided by that of the first."};
   for (const MethodKind method : kMethods)
     table.columns.push_back({std::string(method.name) + "_us", title_of(method) + " [us]"});
   for (const Column& column : {Column{"paper_refits", "paper on demand: refits"},
@@ -160,10 +160,10 @@ Table printed_table(std::size_t levels) {
 
 Table drift_table(const std::vector<scenes::Character>& dwarves) {
   Table table = {"drift",
-                 "How far posed vertices drift when triangles are cut",
+                 "Drift of posed vertices under subdivision",
                  {{"subdivisions", "subdivisions"}, {"drift_percent", "drift [% of the height]"}},
                  {},
-                 "Of the interfering pose: the furthest that a new vertex is posed from the middle "
+                 "For the interfering pose: the largest distance of a new vertex from the middle "
                  "of its edge, summed over the subdivisions, so no vertex is further from the "
                  "first mesh."};
   double drifted = 0;

@@ -21,8 +21,8 @@ Table method_table() {
       "The methods, as this report names them",
       {{"method", "method"}, {"what", "what it does"}},
       {},
-      "All end in the same exact test of triangles and give the same contacts. \"Rigid\" "
-      "is a yardstick, not a method: its trees are built without being counted."};
+      "All methods use the same exact test of triangles and give the same contacts. \"Rigid\" "
+      "is a baseline rather than a method: building its trees is not timed."};
   for (const MethodKind method : kMethods)
     table.rows.push_back({title_of(method), description_of(method)});
   return table;
@@ -79,13 +79,13 @@ Cell cell_at(const Table& table, const Place& place) {
 
 Table claim_table(std::span<const Section> sections) {
   Table table = {"claims",
-                 "Refit on demand against refitting everything: how many times as fast",
+                 "Speed-up of refitting on demand over refitting everything",
                  {{"what", "scene"},
                   {"printed", "in the paper"},
                   {"here", "paper on demand against paper bottom-up, here"},
                   {"pelt", "Pelt against Pelt eager"}},
                  {},
-                 "All of these stand in the sections below, with what they are made of."};
+                 "The sections below have the details of all these figures."};
   for (const Claim& claim : kClaims)
     if (const Table* const source = find_table(sections, claim.here.table))
       table.rows.push_back({claim.what, cell_at(*source, claim.printed),
@@ -98,11 +98,12 @@ Table claim_table(std::span<const Section> sections) {
 Section summary(std::span<const Section> sections) {
   Section section;
   section.id = "summary";
-  section.title = "What became of the paper's claims";
+  section.title = "The paper's claims today";
   section.text = {
-      "The paper compares refit on demand with bottom-up refit of the same tree of spheres. Both "
-      "are here as it describes them, and both again with Pelt's tree of boxes, as fast as we can "
-      "make them: that pair tells what refit on demand is worth today."};
+      "The paper compares refitting on demand with bottom-up refitting of the same tree of "
+      "spheres. "
+      "This report measures both as described there, and both again with Pelt's tree of boxes, as "
+      "fast as we can make them. The second pair shows the gain of refitting on demand today."};
   if (Table claims = claim_table(sections); !claims.rows.empty())
     section.tables.push_back(std::move(claims));
   section.tables.push_back(method_table());

@@ -157,7 +157,7 @@ Table printed_radius_table(const std::vector<RadiusColumn>& columns) {
 /// Radii over the best, which is what can be compared with the paper's.
 Table ratio_table(const std::vector<RadiusColumn>& columns) {
   Table table = {"radii_over_best",
-                 "Radii over the best that any refit could reach, ours and the paper's",
+                 "Radii relative to the best possible refit, ours and the paper's",
                  {{"level", "level"}},
                  {},
                  ""};
@@ -258,11 +258,11 @@ Table box_table(const Specimen& specimen, const Palette& palette) {
        {"affine_percent", "with the affine bound [%]"},
        {"area", "mean surface of the bound [units^2]"},
        {"exact_area", "of the exact box [units^2]"},
-       {"ratio", "the first over the second"}},
+       {"ratio", "bound / exact"}},
       {},
       "A bound is a box from the joint matrices alone: the union of a box for each joint, "
       "or, where it is tighter, an affine map of the rest box with a margin. Clusters "
-      "stand below; their boxes are exact."};
+      "are below; their boxes are exact."};
   const std::vector<BoxLevel> levels = box_levels(specimen, palette);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const BoxLevel& level = levels[i];
