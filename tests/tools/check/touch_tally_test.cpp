@@ -42,7 +42,7 @@ TEST(TouchTally, CountsByDominantJointAndPart) {
   scene::FrameContacts found;
   found.contacts = {{0, 0}, {0, 2}, {1, 2}, {2, 1}};
   found.pairs = {{0, 1, 0, 4}};
-  Result<TouchTally> tally = TouchTally::make(scene, *colliders);
+  Result<TouchTally> tally = TouchTally::make({scene, *colliders});
   ASSERT_TRUE(tally) << tally.error().message;
   tally->add(0, found);
 

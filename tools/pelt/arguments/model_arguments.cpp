@@ -2,6 +2,7 @@
 
 #include "asset/file_bytes.hpp"
 #include "scenes/excluded_nodes.hpp"
+#include "skin/skinned_mesh.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <filesystem>
@@ -11,6 +12,21 @@ namespace {
 
 bool is_named_as_gltf(const std::filesystem::path& path) {
   return path.extension() == ".glb" || path.extension() == ".gltf";
+}
+
+ModelOptions options_of(const ModelArguments& arguments) {
+  ModelOptions options;
+  if (arguments.renormalise) options.off_weights = OffWeights::renormalise;
+  return options;
+}
+
+/// The remedy is the command's option.
+Error named_error(const std::string& source, const Error& error) {
+  std::string message = source + ": " + error.message;
+  const std::string in_code = "off_weights = OffWeights::renormalise";
+  if (const std::size_t at = message.find(in_code); at != message.npos)
+    message.replace(at, in_code.size(), "--renormalise");
+  return {error.code, message};
 }
 
 }  // namespace
@@ -52,20 +68,24 @@ Result<scenes::Character> load_named_character(const std::string& path,
 Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
                                        const ModelArguments& arguments,
                                        std::span<const Matrix4> sample_palettes) {
-  ModelOptions options;
-  if (arguments.renormalise) options.off_weights = OffWeights::renormalise;
+  ModelOptions options = options_of(arguments);
   options.sample_palettes = sample_palettes;
   Result<SkinnedModel> model =
       asset::within_memory(source, [&] { return build_model(mesh, options); });
   if (!model && model.error().code == ErrorCode::unreadable_file) return model;
   if (!model && !sample_palettes.empty()) return build_named_model(source, mesh, arguments);
   if (model) return model;
-  std::string message = source + ": " + model.error().message;
-  const std::string in_code = "off_weights = OffWeights::renormalise";
-  if (const std::size_t at = message.find(in_code); at != message.npos) {
-    message.replace(at, in_code.size(), "--renormalise");
-  }
-  return Error{model.error().code, message};
+  return named_error(source, model.error());
+}
+
+Result<void> check_named_mesh(const std::string& source, const SkinnedMeshView& mesh,
+                              const ModelArguments& arguments) {
+  BuildReport report;
+  const auto checked = asset::within_memory(
+      source, [&] { return detail::make_skinned_mesh(mesh, options_of(arguments), report); });
+  if (checked) return {};
+  if (checked.error().code == ErrorCode::unreadable_file) return checked.error();
+  return named_error(source, checked.error());
 }
 
 }  // namespace pelt::tools::arguments

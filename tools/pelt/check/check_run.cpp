@@ -1,21 +1,14 @@
 #include "tools/pelt/check/check_run.hpp"
 
-#include "asset/message.hpp"
 #include "tools/pelt/check/clearance_query.hpp"
 #include "tools/pelt/check/ignored_contacts.hpp"
-#include "tools/pelt/output/progress.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
+#include "tools/pelt/scene/scene_poses.hpp"
 
-#include <chrono>
+#include <utility>
 
 namespace pelt::tools::check {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 void count_frame(std::uint32_t frame, const scene::FrameContacts& found, CheckReport& report) {
   const std::uint64_t contacts = found.contacts.size();
@@ -41,12 +34,12 @@ bool is_to_be_kept(std::uint32_t frame, const CheckSettings& settings, const Che
 class ExtraQueries {
  public:
   /// All arguments must outlive this.
-  ExtraQueries(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-               const CheckSettings& settings, const scenes::IgnoredPairs& ignored) {
-    if (settings.asks_inside) inside_.emplace(scene, colliders, ignored);
+  ExtraQueries(const scene::StagedScene& staged, const CheckSettings& settings,
+               const scenes::IgnoredPairs& ignored) {
+    if (settings.asks_inside) inside_.emplace(staged, ignored);
     if (!settings.describes_contacts) return;
-    details_.emplace(scene, colliders);
-    depths_.emplace(scene, colliders);
+    details_.emplace(staged);
+    depths_.emplace(staged);
   }
 
   /// `found` has all contacts, those to be ignored among them.
@@ -90,79 +83,72 @@ class ExtraQueries {
 
 /// `Query` is SceneQuery or ClearanceQuery.
 template <typename Query>
-Result<CheckReport> run_query(Query& query, const scenes::Scene& scene,
-                              std::span<const scene::Collider> colliders,
+Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
                               const CheckSettings& settings, TouchTally& tally,
                               JsonlWriter* jsonl) {
-  const auto ignored = scenes::IgnoredPairs::make(scenes::characters_of(scene), settings.ignore);
+  const auto ignored =
+      scenes::IgnoredPairs::make(scenes::characters_of(staged.scene), settings.ignore);
   if (!ignored) return ignored.error();
   CheckReport report;
   report.worst_frame = settings.frames.begin;
   CollideOptions options;
   if (settings.max_contacts) options.max_contacts = *settings.max_contacts;
-  asset::SampleScratch scratch;
-  scene::Palettes palettes;
   scene::FrameContacts found;
   scene::ContactHash hash;
-  ExtraQueries extras(scene, colliders, settings, *ignored);
-  const std::vector<std::uint32_t> frames = settings.frames.frames();
-  output::Progress progress(frames.size());
-  for (const std::uint32_t frame : frames) {
-    scene::sample_palettes(scene, frame, scratch, palettes);
-    const Clock::time_point begin = Clock::now();
-    const Result<void> posed = query.set_palettes(palettes);
-    if (!posed) return asset::prefixed("frame " + std::to_string(frame), posed.error());
+  ExtraQueries extras(staged, settings, *ignored);
+  const auto ask = [&](const scene::Palettes& palettes) -> Result<QueryStats> {
+    if (const auto posed = query.set_palettes(palettes); !posed) return posed.error();
     query.collide(options, found);
-    report.frame_seconds.push_back(seconds_since(begin));
-    if (const auto asked = extras.ask_inside(frame, palettes, found); !asked) return asked.error();
-    report.totals.ignored += take_ignored_out(*ignored, scene, colliders, found);
+    return QueryStats{};  // `query` counts its work itself
+  };
+  const auto record = [&](std::uint32_t frame, const scene::Palettes& palettes) -> Result<void> {
+    if (const auto asked = extras.ask_inside(frame, palettes, found); !asked) return asked;
+    report.totals.ignored += take_ignored_out(*ignored, staged, found);
     count_frame(frame, found, report);
     tally.add(frame, found);
     hash.add(frame, found);
-    if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked.error();
+    if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked;
     if (jsonl != nullptr)
-      jsonl->frame(frame, scenes::frame_time(scene, frame), found, extras.of_frame());
+      jsonl->frame(frame, scenes::frame_time(staged.scene, frame), found, extras.of_frame());
     if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
-    progress.advance();
-  }
+    return {};
+  };
+  Result<scene::FrameCosts> costs = scene::run_frames(staged.scene, settings.frames, {ask, record});
+  if (!costs) return costs.error();
+  report.frame_seconds = std::move(costs->seconds);
   report.totals.work = query.work();
   extras.report(report);
   if (!settings.max_contacts) report.totals.hash = hash.value();
   return report;
 }
 
-/// Totals, which are known after the last frame.
-void conclude(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-              const CheckSettings& settings, const TouchTally& tally, CheckReport& report,
-              JsonlWriter* jsonl) {
+/// What is known only of all frames.
+void conclude(const scene::StagedScene& staged, const CheckSettings& settings,
+              const TouchTally& tally, CheckReport& report, JsonlWriter* jsonl) {
   const std::vector<Touch> touches = tally.touches();
   Findings found = {touches, {}};
   if (report.inside) found.held = report.inside->held;
   const CheckBaseline* const baseline = settings.baseline ? &*settings.baseline : nullptr;
-  report.verdict = judge(scene, colliders, found, baseline, settings.fail_on);
+  report.verdict = judge(staged, found, baseline, settings.fail_on);
   if (jsonl != nullptr) jsonl->totals(report.totals, found, report.verdict);
 }
 
-Result<CheckReport> run_frames(const scenes::Scene& scene,
-                               std::span<const scene::Collider> colliders,
-                               const CheckSettings& settings, TouchTally& tally,
-                               JsonlWriter* jsonl) {
+Result<CheckReport> run_chosen(const scene::StagedScene& staged, const CheckSettings& settings,
+                               TouchTally& tally, JsonlWriter* jsonl) {
   if (settings.clearance) {
-    ClearanceQuery query(colliders, *settings.clearance);
-    return run_query(query, scene, colliders, settings, tally, jsonl);
+    ClearanceQuery query(staged.colliders, *settings.clearance);
+    return run_query(query, staged, settings, tally, jsonl);
   }
-  scene::SceneQuery query(colliders, settings.method);
-  return run_query(query, scene, colliders, settings, tally, jsonl);
+  scene::SceneQuery query(staged.colliders, settings.method);
+  return run_query(query, staged, settings, tally, jsonl);
 }
 
 }  // namespace
 
-Result<CheckReport> run_check(const scenes::Scene& scene,
-                              std::span<const scene::Collider> colliders,
-                              const CheckSettings& settings, TouchTally& tally,
-                              JsonlWriter* jsonl) {
-  Result<CheckReport> report = run_frames(scene, colliders, settings, tally, jsonl);
-  if (report) conclude(scene, colliders, settings, tally, *report, jsonl);
+Result<CheckReport> run_check(const scene::StagedScene& staged, const CheckSettings& settings,
+                              TouchTally& tally, JsonlWriter* jsonl) {
+  Result<CheckReport> report = run_chosen(staged, settings, tally, jsonl);
+  if (report) conclude(staged, settings, tally, *report, jsonl);
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include "tools/pelt/check/jsonl.hpp"
 #include "tools/pelt/check/touch_tally.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <optional>
 
@@ -35,8 +36,7 @@ struct CheckReport {
 
 /// Runs through the frames. `jsonl` may be null. Writes no file itself and prints nothing but the
 /// progress bar.
-Result<CheckReport> run_check(const scenes::Scene& scene,
-                              std::span<const scene::Collider> colliders,
-                              const CheckSettings& settings, TouchTally& tally, JsonlWriter* jsonl);
+Result<CheckReport> run_check(const scene::StagedScene& staged, const CheckSettings& settings,
+                              TouchTally& tally, JsonlWriter* jsonl);
 
 }  // namespace pelt::tools::check

@@ -6,18 +6,14 @@ void ClearanceQuery::collide(const CollideOptions& options, scene::FrameContacts
   found.pairs.clear();
   found.contacts.clear();
   const std::span<Pose> poses = posed_.poses();
-  for (std::uint32_t a = 0; a < poses.size(); ++a) {
-    for (std::uint32_t b = a + 1; b < poses.size(); ++b) {
-      const std::size_t begin = found.contacts.size();
-      work_ += clearance(poses[a], poses[b], tolerance_, scratch_, found.contacts,
-                         {options.max_contacts});
-      const std::size_t end = found.contacts.size();
-      for (Contact& contact : std::span(found.contacts).subspan(begin)) {
-        contact.triangle_a += colliders_[a].first_triangle;
-        contact.triangle_b += colliders_[b].first_triangle;
-      }
-      if (end > begin) found.pairs.push_back({a, b, begin, end});
-    }
+  for (const auto& [a, b] : near_pairs_.find(poses, tolerance_)) {
+    const std::size_t begin = found.contacts.size();
+    work_ +=
+        clearance(poses[a], poses[b], tolerance_, scratch_, found.contacts, {options.max_contacts});
+    const std::size_t end = found.contacts.size();
+    for (Contact& contact : std::span(found.contacts).subspan(begin))
+      contact = scene::numbered_in_assets(contact, colliders_[a], colliders_[b]);
+    if (end > begin) found.pairs.push_back({a, b, begin, end});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <pelt/distance.hpp>
 
+#include "tools/pelt/scene/near_pairs.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
 
 #include <span>
@@ -32,6 +33,7 @@ class ClearanceQuery {
   std::span<const scene::Collider> colliders_;
   scene::ScenePoses posed_;
   double tolerance_;
+  scene::NearPairs near_pairs_;
   Scratch scratch_;
   QueryStats work_;
 };

@@ -3,9 +3,8 @@
 #include "tools/pelt/check/surfaces.hpp"
 
 namespace pelt::tools::check {
-ContactDetails::ContactDetails(const scenes::Scene& scene,
-                               std::span<const scene::Collider> colliders)
-    : colliders_(colliders), surfaces_(make_surfaces(scene, colliders)), posed_(colliders) {}
+ContactDetails::ContactDetails(const scene::StagedScene& staged)
+    : colliders_(staged.colliders), surfaces_(make_surfaces(staged)), posed_(staged.colliders) {}
 
 Result<void> ContactDetails::describe(const scene::Palettes& palettes,
                                       const scene::FrameContacts& found) {
@@ -16,8 +15,7 @@ Result<void> ContactDetails::describe(const scene::Palettes& palettes,
     const std::uint32_t a = found.pairs[i].a, b = found.pairs[i].b;
     contacts_.clear();
     for (const Contact& contact : found.of(found.pairs[i])) {
-      contacts_.push_back({contact.triangle_a - colliders_[a].first_triangle,
-                           contact.triangle_b - colliders_[b].first_triangle});
+      contacts_.push_back(scene::numbered_in_models(contact, colliders_[a], colliders_[b]));
     }
     describe_contacts(posed_.poses()[a], surfaces_[a], posed_.poses()[b], surfaces_[b], contacts_,
                       geometry_[i]);

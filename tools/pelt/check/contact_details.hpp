@@ -5,6 +5,7 @@
 #include <pelt/contact.hpp>
 
 #include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <span>
 #include <vector>
@@ -14,7 +15,7 @@ namespace pelt::tools::check {
 class ContactDetails {
  public:
   /// Both arguments must outlive this.
-  ContactDetails(const scenes::Scene& scene, std::span<const scene::Collider> colliders);
+  explicit ContactDetails(const scene::StagedScene& staged);
 
   /// Replaces what is known by the geometry of contacts that were found in these palettes.
   Result<void> describe(const scene::Palettes& palettes, const scene::FrameContacts& found);

@@ -29,10 +29,11 @@ std::vector<DepthTally::Row> DepthTally::deepest() const {
 }
 
 std::string DepthTally::name(const Place& place) const {
-  const scene::Collider& collider = colliders_[place.collider];
-  const std::uint32_t character = scene_.instances[collider.instance].character;
-  return scene::collider_name(scene_, collider) + " " +
-         asset::printable_name(scenes::joint_name(scene_.characters[character].asset, place.joint));
+  const scene::Collider& collider = staged_.colliders[place.collider];
+  const std::uint32_t character = staged_.scene.instances[collider.instance].character;
+  return scene::collider_name(staged_.scene, collider) + " " +
+         asset::printable_name(
+             scenes::joint_name(staged_.scene.characters[character].asset, place.joint));
 }
 
 }  // namespace pelt::tools::check

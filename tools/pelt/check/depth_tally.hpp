@@ -5,6 +5,7 @@
 #include <pelt/contact.hpp>
 
 #include "tools/pelt/check/contact_details.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <map>
 #include <string>
@@ -15,8 +16,7 @@ namespace pelt::tools::check {
 class DepthTally {
  public:
   /// Both arguments must outlive the tally.
-  DepthTally(const scenes::Scene& scene, std::span<const scene::Collider> colliders)
-      : scene_(scene), colliders_(colliders) {}
+  explicit DepthTally(const scene::StagedScene& staged) : staged_(staged) {}
 
   void add(std::uint32_t frame, const scene::FrameContacts& found, const ContactDetails& details);
 
@@ -45,8 +45,7 @@ class DepthTally {
 
   std::string name(const Place& place) const;
 
-  const scenes::Scene& scene_;
-  std::span<const scene::Collider> colliders_;
+  scene::StagedScene staged_;
   std::uint64_t regions_ = 0;
   std::map<std::pair<Place, Place>, Deepest> deepest_;
 };

@@ -4,12 +4,11 @@
 
 namespace pelt::tools::check {
 
-std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored, const scenes::Scene& scene,
-                               std::span<const scene::Collider> colliders,
-                               scene::FrameContacts& found) {
+std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored,
+                               const scene::StagedScene& staged, scene::FrameContacts& found) {
   if (ignored.is_empty()) return 0;
   const auto character_of = [&](std::uint32_t collider) {
-    return scene.instances[colliders[collider].instance].character;
+    return staged.scene.instances[staged.colliders[collider].instance].character;
   };
   const std::size_t before = found.contacts.size();
   std::size_t end = 0;

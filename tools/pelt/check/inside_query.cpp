@@ -3,34 +3,15 @@
 #include "tools/pelt/check/surfaces.hpp"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace pelt::tools::check {
 namespace {
 
 using Body = scenes::IgnoredPairs::Body;
 
-Body body_of(const scenes::Scene& scene, const scene::Collider& collider) {
-  return {scene.instances[collider.instance].character, collider.first_triangle,
-          collider.model.triangle_count()};
-}
-
-/// [a][b] of all pairs. Instances of a character have the same answers.
-std::vector<bool> find_ignored(const scenes::Scene& scene,
-                               std::span<const scene::Collider> colliders,
-                               const scenes::IgnoredPairs& ignored) {
-  std::vector<bool> are_ignored;
-  if (ignored.is_empty()) return are_ignored;
-  std::map<std::pair<Body, Body>, bool> known;
-  for (const scene::Collider& a : colliders)
-    for (const scene::Collider& b : colliders) {
-      const auto bodies = std::make_pair(body_of(scene, a), body_of(scene, b));
-      const auto [answer, is_new] = known.try_emplace(bodies);
-      if (is_new) answer->second = ignored.are_ignored(bodies.first, bodies.second);
-      are_ignored.push_back(answer->second);
-    }
-  return are_ignored;
+Body body_of(const scene::StagedScene& staged, std::uint32_t collider) {
+  const scene::Collider& body = staged.colliders[collider];
+  return {staged.character_of(collider), body.first_triangle, body.model.triangle_count()};
 }
 
 void add_held(std::uint32_t inner, std::uint32_t outer, std::uint32_t frame,
@@ -57,23 +38,21 @@ void InsideTally::add(std::uint32_t frame, std::span<const InsidePair> pairs) {
   if (is_held) frames_held.push_back(frame);
 }
 
-InsideQuery::InsideQuery(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                         const scenes::IgnoredPairs& ignored)
-    : colliders_(colliders),
-      surfaces_(make_surfaces(scene, colliders)),
-      is_ignored_(find_ignored(scene, colliders, ignored)),
-      posed_(colliders) {}
+InsideQuery::InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored)
+    : staged_(staged),
+      ignored_(ignored),
+      surfaces_(make_surfaces(staged)),
+      posed_(staged.colliders) {}
 
 Result<void> InsideQuery::ask(const scene::Palettes& palettes, const scene::FrameContacts& found) {
   pairs_.clear();
   if (const Result<void> taken = posed_.set_palettes(palettes); !taken) return taken;
   auto touching = found.pairs.begin();
-  for (std::uint32_t a = 0; a < colliders_.size(); ++a)
-    for (std::uint32_t b = a + 1; b < colliders_.size(); ++b) {
-      const bool touches = touching != found.pairs.end() && touching->a == a && touching->b == b;
-      if (touches) ++touching;
-      if (!is_ignored(a, b)) ask_pair(a, b, touches);
-    }
+  for (const auto& [a, b] : near_pairs_.find(posed_.poses(), 0)) {
+    const bool touches = touching != found.pairs.end() && touching->a == a && touching->b == b;
+    if (touches) ++touching;
+    if (!is_ignored(a, b)) ask_pair(a, b, touches);
+  }
   return {};
 }
 
@@ -90,8 +69,13 @@ void InsideQuery::ask_pair(std::uint32_t a, std::uint32_t b, bool touches) {
   if (is_inside || pair.a_in_b.found() || pair.b_in_a.found()) pairs_.push_back(pair);
 }
 
-bool InsideQuery::is_ignored(std::uint32_t a, std::uint32_t b) const {
-  return !is_ignored_.empty() && is_ignored_[a * colliders_.size() + b];
+/// Instances of a character have the same answers.
+bool InsideQuery::is_ignored(std::uint32_t a, std::uint32_t b) {
+  if (ignored_.is_empty()) return false;
+  const Bodies bodies = {body_of(staged_, a), body_of(staged_, b)};
+  const auto [known, is_new] = are_ignored_.try_emplace(bodies);
+  if (is_new) known->second = ignored_.are_ignored(bodies.first, bodies.second);
+  return known->second;
 }
 
 Penetration InsideQuery::deepest(std::uint32_t a, std::uint32_t b) {

@@ -5,9 +5,13 @@
 #include <pelt/inside.hpp>
 
 #include "scenes/ignored_pairs.hpp"
+#include "tools/pelt/scene/near_pairs.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace pelt::tools::check {
@@ -45,8 +49,7 @@ class InsideQuery {
  public:
   /// Pairs of colliders that `ignored` means whole are not asked. `scene` and `colliders` must
   /// outlive this.
-  InsideQuery(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-              const scenes::IgnoredPairs& ignored);
+  InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored);
 
   /// Replaces what is known by what holds in these palettes. `found` has the contacts of the frame:
   /// what touches is asked how deep it is, the others whether one holds the other. Of the former
@@ -60,12 +63,16 @@ class InsideQuery {
 
  private:
   void ask_pair(std::uint32_t a, std::uint32_t b, bool touches);
-  bool is_ignored(std::uint32_t a, std::uint32_t b) const;
+  bool is_ignored(std::uint32_t a, std::uint32_t b);
   Penetration deepest(std::uint32_t a, std::uint32_t b);
 
-  std::span<const scene::Collider> colliders_;
-  std::vector<Surface> surfaces_;  // of each collider
-  std::vector<bool> is_ignored_;   // [a][b] of all pairs; empty: none is
+  using Bodies = std::pair<scenes::IgnoredPairs::Body, scenes::IgnoredPairs::Body>;
+
+  scene::StagedScene staged_;
+  const scenes::IgnoredPairs& ignored_;
+  std::map<Bodies, bool> are_ignored_;  // as far as asked
+  std::vector<Surface> surfaces_;       // of each collider
+  scene::NearPairs near_pairs_;
   scene::ScenePoses posed_;
   Scratch scratch_;
   QueryStats work_;

@@ -28,7 +28,7 @@ ordered_json gone_json(const GoneTouch& gone) {
 }  // namespace
 
 void JsonlWriter::header() {
-  ordered_json header = scene::header_json("pelt-check", scene_, colliders_);
+  ordered_json header = scene::header_json("pelt-check", staged_);
   header["options"] = question_json(question_);
   scene::write_line(header, out_);
 }
@@ -54,8 +54,8 @@ ordered_json JsonlWriter::pairs_json(const scene::FrameContacts& found,
     entry["contacts"] = pair.end - pair.begin;
     if (question_.pairs) entry["triangles"] = triangles_json(found.of(pair));
     if (details != nullptr) {
-      entry.update(contact_geometry_json(scene_, colliders_[pair.a], colliders_[pair.b],
-                                         details->of_pair(i)));
+      entry.update(contact_geometry_json(staged_.scene, staged_.colliders[pair.a],
+                                         staged_.colliders[pair.b], details->of_pair(i)));
     }
   }
   return pairs;
@@ -67,7 +67,7 @@ ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
     return {{"depth", found.depth},
             {"position", scene::vector_json(found.position)},
             {"nearest", scene::vector_json(found.nearest.position)},
-            {"triangle", found.nearest.triangle + colliders_[outer].first_triangle}};
+            {"triangle", staged_.colliders[outer].number_in_asset(found.nearest.triangle)}};
   };
   ordered_json pairs = ordered_json::array();
   for (const InsidePair& pair : inside.pairs()) {
@@ -83,7 +83,7 @@ ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
 
 ordered_json JsonlWriter::held_list(std::span<const Held> held) const {
   ordered_json list = ordered_json::array();
-  for (const Held& h : held) list.push_back(held_json(scene_, colliders_, h));
+  for (const Held& h : held) list.push_back(held_json(staged_, h));
   return list;
 }
 
@@ -94,7 +94,7 @@ ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
   if (!verdict.comparison) return json;
   const Comparison& comparison = *verdict.comparison;
   for (const Worse& worse : comparison.worse) {
-    json["worse"].push_back(touch_json(scene_, worse.touch));
+    json["worse"].push_back(touch_json(staged_.scene, worse.touch));
     json["worse"].back()["known"] = worse.known;
   }
   for (const GoneTouch& gone : comparison.gone) json["gone"].push_back(gone_json(gone));
@@ -119,7 +119,8 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
     last["cut_short"] = true;
   }
   last["touches"] = ordered_json::array();
-  for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(scene_, touch));
+  for (const Touch& touch : found.touches)
+    last["touches"].push_back(touch_json(staged_.scene, touch));
   if (question_.inside) last["held"] = held_list(found.held);
   last["verdict"] = verdict_json(verdict);
   scene::write_line(last, out_);

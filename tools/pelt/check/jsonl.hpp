@@ -8,6 +8,7 @@
 #include "tools/pelt/check/inside_query.hpp"
 #include "tools/pelt/check/verdict.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -33,9 +34,8 @@ struct FrameExtras {
 class JsonlWriter {
  public:
   /// All arguments must outlive the writer.
-  JsonlWriter(std::ostream& out, const CheckQuestion& question, const scenes::Scene& scene,
-              std::span<const scene::Collider> colliders)
-      : out_(out), question_(question), scene_(scene), colliders_(colliders) {}
+  JsonlWriter(std::ostream& out, const CheckQuestion& question, const scene::StagedScene& staged)
+      : out_(out), question_(question), staged_(staged) {}
 
   void header();
 
@@ -53,8 +53,7 @@ class JsonlWriter {
 
   std::ostream& out_;
   const CheckQuestion& question_;
-  const scenes::Scene& scene_;
-  std::span<const scene::Collider> colliders_;
+  scene::StagedScene staged_;
 };
 
 }  // namespace pelt::tools::check

@@ -79,17 +79,16 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
   out << '\n';
 }
 
-std::string held_words(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                       const Held& held) {
-  return scene::collider_name(scene, colliders[held.inner]) + " is contained in " +
-         scene::collider_name(scene, colliders[held.outer]) + " in " +
+std::string held_words(const scene::StagedScene& staged, const Held& held) {
+  return scene::collider_name(staged.scene, staged.colliders[held.inner]) + " is contained in " +
+         scene::collider_name(staged.scene, staged.colliders[held.outer]) + " in " +
          output::counted(held.frames, "frame") + ", first " + std::to_string(held.first_frame);
 }
 
-void print_held(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                const char* name, std::span<const Held> held, std::ostream& out) {
+void print_held(const scene::StagedScene& staged, const char* name, std::span<const Held> held,
+                std::ostream& out) {
   for (std::size_t i = 0; i < std::min(held.size(), kMostRows); ++i)
-    scene::label(out, name) << held_words(scene, colliders, held[i]) << '\n';
+    scene::label(out, name) << held_words(staged, held[i]) << '\n';
   print_rest(held.size(), out);
 }
 
@@ -124,9 +123,9 @@ std::size_t new_touches(const Comparison& comparison) {
                     [](const Worse& worse) { return worse.known == 0; }));
 }
 
-/// Prints the differences from the baseline.
-void print_comparison(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                      const Comparison& comparison, std::ostream& out) {
+/// What differs from the baseline.
+void print_comparison(const scene::StagedScene& staged, const Comparison& comparison,
+                      std::ostream& out) {
   for (const std::string& note : comparison.notes)
     scene::label(out, "note") << asset::printable(note) << '\n';
   const std::size_t fresh = new_touches(comparison), grown = comparison.worse.size() - fresh;
@@ -134,8 +133,8 @@ void print_comparison(const scenes::Scene& scene, std::span<const scene::Collide
   scene::label(out, "baseline") << output::with_commas(fresh) << " new, "
                                 << output::with_commas(grown) << " grown, "
                                 << output::with_commas(as_known) << " as known\n";
-  print_worse(scene, comparison.worse, out);
-  print_held(scene, colliders, "new", comparison.newly_held, out);
+  print_worse(staged.scene, comparison.worse, out);
+  print_held(staged, "new", comparison.newly_held, out);
   print_gone(comparison, out);
 }
 
@@ -152,8 +151,8 @@ void print_deepest(const CheckReport& report, std::ostream& out) {
   out << '\n';
 }
 
-void print_inside(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                  const InsideTally& inside, std::uint32_t stride, std::ostream& out) {
+void print_inside(const scene::StagedScene& staged, const InsideTally& inside, std::uint32_t stride,
+                  std::ostream& out) {
   scene::label(out, "inside");
   if (inside.closed_colliders == 0) {
     out << "not tested: no surface is closed\n";
@@ -164,36 +163,36 @@ void print_inside(const scenes::Scene& scene, std::span<const scene::Collider> c
   } else {
     out << "a body is contained in another in frames "
         << scene::frame_runs(inside.frames_held, stride) << '\n';
-    print_held(scene, colliders, "", inside.held, out);
+    print_held(staged, "", inside.held, out);
   }
   const InsideTally::Deepest& deepest = inside.deepest;
   if (deepest.depth == 0) return;
   scene::label(out, "deepest") << "a vertex of "
-                               << scene::collider_name(scene, colliders[deepest.inner]) << " is "
-                               << output::fixed(deepest.depth, 6) << " deep in "
-                               << scene::collider_name(scene, colliders[deepest.outer])
+                               << scene::collider_name(staged.scene,
+                                                       staged.colliders[deepest.inner])
+                               << " is " << output::fixed(deepest.depth, 6) << " deep in "
+                               << scene::collider_name(staged.scene,
+                                                       staged.colliders[deepest.outer])
                                << ", frame " << deepest.frame << '\n';
 }
 
 }  // namespace
 
-void print_summary(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                   const CheckSettings& settings, const CheckReport& report,
-                   const TouchTally& tally, std::ostream& out) {
-  scene::print_scene(scene, colliders, out);
+void print_summary(const scene::StagedScene& staged, const CheckSettings& settings,
+                   const CheckReport& report, const TouchTally& tally, std::ostream& out) {
+  scene::print_scene(staged, out);
   scene::label(out, "method") << settings.method.name << '\n';
-  if (colliders.size() < 2) scene::print_too_few(scene, settings.granularity, out);
+  if (staged.colliders.size() < 2) scene::print_too_few(staged.scene, settings.granularity, out);
   if (settings.clearance)
     scene::label(out, "clearance")
         << "counts triangles at most " << *settings.clearance << " apart\n";
-  print_contacts(scene, settings, report, out);
+  print_contacts(staged.scene, settings, report, out);
   if (report.totals.ignored > 0)
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
-  print_touching(scene, report, tally, out);
-  if (report.verdict.comparison)
-    print_comparison(scene, colliders, *report.verdict.comparison, out);
+  print_touching(staged.scene, report, tally, out);
+  if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   if (report.regions > 0) print_deepest(report, out);
-  if (report.inside) print_inside(scene, colliders, *report.inside, settings.frames.stride, out);
+  if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';
 }

@@ -5,12 +5,11 @@
 
 namespace pelt::tools::check {
 
-std::vector<Surface> make_surfaces(const scenes::Scene& scene,
-                                   std::span<const scene::Collider> colliders) {
+std::vector<Surface> make_surfaces(const scene::StagedScene& staged) {
   std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, Surface> by_model;
   std::vector<Surface> surfaces;
-  for (const scene::Collider& collider : colliders) {
-    const std::uint32_t character = scene.instances[collider.instance].character;
+  for (const scene::Collider& collider : staged.colliders) {
+    const std::uint32_t character = staged.scene.instances[collider.instance].character;
     const auto key = std::make_pair(character, collider.part);
     surfaces.push_back(by_model.try_emplace(key, collider.model).first->second);
   }

@@ -2,7 +2,7 @@
 
 #include <pelt/contact.hpp>
 
-#include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <span>
 #include <vector>
@@ -10,7 +10,6 @@
 namespace pelt::tools::check {
 
 /// The surface of each collider; those of one model share theirs.
-std::vector<Surface> make_surfaces(const scenes::Scene& scene,
-                                   std::span<const scene::Collider> colliders);
+std::vector<Surface> make_surfaces(const scene::StagedScene& staged);
 
 }  // namespace pelt::tools::check

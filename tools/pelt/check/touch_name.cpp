@@ -61,11 +61,10 @@ ordered_json touch_json(const scenes::Scene& scene, const Touch& touch) {
           {"worst", {{"frame", touch.worst_frame}, {"contacts", touch.worst}}}};
 }
 
-ordered_json held_json(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                       const Held& held) {
+ordered_json held_json(const scene::StagedScene& staged, const Held& held) {
   const auto body = [&](std::uint32_t collider) {
-    return with_instance(colliders[collider].instance,
-                         name_json(body_name(scene, colliders[collider])));
+    return with_instance(staged.colliders[collider].instance,
+                         name_json(body_name(staged.scene, staged.colliders[collider])));
   };
   return {{"inner", body(held.inner)},
           {"outer", body(held.outer)},

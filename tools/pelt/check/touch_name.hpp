@@ -5,6 +5,7 @@
 
 #include "tools/pelt/check/inside_query.hpp"
 #include "tools/pelt/check/touch_tally.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -39,8 +40,7 @@ std::string in_words(const scenes::Scene& scene, const TouchPlace& place);
 
 /// As in `pelt check --jsonl`; `instance` is the number in the scene.
 nlohmann::ordered_json touch_json(const scenes::Scene& scene, const Touch& touch);
-nlohmann::ordered_json held_json(const scenes::Scene& scene,
-                                 std::span<const scene::Collider> colliders, const Held& held);
+nlohmann::ordered_json held_json(const scene::StagedScene& staged, const Held& held);
 
 /// Without the numbers of instances, for places that are no longer in the scene.
 nlohmann::ordered_json name_json(const BodyName& name);

@@ -33,10 +33,9 @@ std::pair<T, T> ascending(const T& a, const T& b) {
 
 }  // namespace
 
-Result<TouchTally> TouchTally::make(const scenes::Scene& scene,
-                                    std::span<const scene::Collider> colliders) {
-  TouchTally tally(scene, colliders);
-  for (const scenes::Character& character : scene.characters) {
+Result<TouchTally> TouchTally::make(const scene::StagedScene& staged) {
+  TouchTally tally(staged);
+  for (const scenes::Character& character : staged.scene.characters) {
     Result<scenes::TriangleLabels> labels = scenes::label_triangles(character.asset);
     if (!labels) return asset::prefixed(character.source, labels.error());
     const asset::Asset& asset = character.asset;
@@ -48,8 +47,8 @@ Result<TouchTally> TouchTally::make(const scenes::Scene& scene,
 }
 
 TouchPlace TouchTally::place_of(std::uint32_t collider, std::uint32_t triangle) const {
-  const std::uint32_t instance = colliders_[collider].instance;
-  const scenes::TriangleLabels& labels = labels_[scene_->instances[instance].character];
+  const std::uint32_t instance = staged_.colliders[collider].instance;
+  const scenes::TriangleLabels& labels = labels_[staged_.scene.instances[instance].character];
   return {instance, labels.part[triangle], labels.joint[triangle]};
 }
 
@@ -100,7 +99,8 @@ std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, 
     counts[ascending(Key{a.instance, a.*index}, Key{b.instance, b.*index})] += touch.contacts;
   }
   const auto full_name = [&](const Key& key) {
-    const scenes::Character& character = scene_->characters[scene_->instances[key.first].character];
+    const scenes::Character& character =
+        staged_.scene.characters[staged_.scene.instances[key.first].character];
     return asset::printable_name(character.name) + " " + std::to_string(key.first) + " " +
            asset::printable_name(name(character.asset, key.second));
   };

@@ -4,6 +4,7 @@
 
 #include "scenes/triangle_labels.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <map>
 #include <string>
@@ -32,8 +33,7 @@ struct Touch {
 class TouchTally {
  public:
   /// Both arguments must outlive the tally. Refuses what no model could be built of.
-  static Result<TouchTally> make(const scenes::Scene& scene,
-                                 std::span<const scene::Collider> colliders);
+  static Result<TouchTally> make(const scene::StagedScene& staged);
 
   /// Adds the contacts of a frame, once for each frame.
   void add(std::uint32_t frame, const scene::FrameContacts& found);
@@ -54,15 +54,13 @@ class TouchTally {
   using Places = std::pair<TouchPlace, TouchPlace>;  // ascending
   using Name = std::string (*)(const asset::Asset&, std::uint32_t index);
 
-  TouchTally(const scenes::Scene& scene, std::span<const scene::Collider> colliders)
-      : scene_(&scene), colliders_(colliders) {}
+  explicit TouchTally(const scene::StagedScene& staged) : staged_(staged) {}
 
   TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
   void add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts);
   std::vector<Row> rows(std::uint32_t TouchPlace::*index, Name name) const;
 
-  const scenes::Scene* scene_;
-  std::span<const scene::Collider> colliders_;
+  scene::StagedScene staged_;
   std::vector<scenes::TriangleLabels> labels_;  // by character
   std::map<Places, Touch> touches_;
 };

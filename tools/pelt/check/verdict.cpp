@@ -48,13 +48,12 @@ void compare_touches(const scenes::Scene& scene, std::span<const Touch> touches,
   for (const auto& [names, known] : rest) comparison.gone.push_back({names, known});
 }
 
-void compare_held(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                  std::span<const Held> held, const CheckBaseline& baseline,
-                  Comparison& comparison) {
+void compare_held(const scene::StagedScene& staged, std::span<const Held> held,
+                  const CheckBaseline& baseline, Comparison& comparison) {
   std::set<CheckBaseline::HeldNames> rest = baseline.held();
   for (const Held& h : held) {
-    const CheckBaseline::HeldNames names = {body_name(scene, colliders[h.inner]),
-                                            body_name(scene, colliders[h.outer])};
+    const CheckBaseline::HeldNames names = {body_name(staged.scene, staged.colliders[h.inner]),
+                                            body_name(staged.scene, staged.colliders[h.outer])};
     if (baseline.held().count(names) == 0) comparison.newly_held.push_back(h);
     rest.erase(names);
   }
@@ -74,20 +73,20 @@ const char* name_of(FailOn fail_on) {
   return kNames[static_cast<std::size_t>(fail_on)].first.data();
 }
 
-Comparison compare(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                   const Findings& found, const CheckBaseline& baseline) {
+Comparison compare(const scene::StagedScene& staged, const Findings& found,
+                   const CheckBaseline& baseline) {
   Comparison comparison;
   comparison.notes.assign(baseline.notes().begin(), baseline.notes().end());
-  compare_touches(scene, found.touches, baseline, comparison);
-  compare_held(scene, colliders, found.held, baseline, comparison);
+  compare_touches(staged.scene, found.touches, baseline, comparison);
+  compare_held(staged, found.held, baseline, comparison);
   return comparison;
 }
 
-Verdict judge(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-              const Findings& found, const CheckBaseline* baseline, FailOn fail_on) {
+Verdict judge(const scene::StagedScene& staged, const Findings& found,
+              const CheckBaseline* baseline, FailOn fail_on) {
   Verdict verdict;
   verdict.fail_on = fail_on;
-  if (baseline != nullptr) verdict.comparison = compare(scene, colliders, found, *baseline);
+  if (baseline != nullptr) verdict.comparison = compare(staged, found, *baseline);
   verdict.is_failed = fails(fail_on, found, verdict.comparison);
   return verdict;
 }

@@ -3,6 +3,7 @@
 /// Whether a check has failed: on what was found, or on what is worse than in an earlier check.
 
 #include "tools/pelt/check/check_baseline.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <optional>
 #include <span>
@@ -51,8 +52,8 @@ struct Comparison {
   std::vector<std::string> notes;  ///< how the earlier check differed from this one
 };
 
-Comparison compare(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-                   const Findings& found, const CheckBaseline& baseline);
+Comparison compare(const scene::StagedScene& staged, const Findings& found,
+                   const CheckBaseline& baseline);
 
 struct Verdict {
   FailOn fail_on = FailOn::contact;
@@ -61,7 +62,7 @@ struct Verdict {
 };
 
 /// `baseline` may be null only where `fail_on` asks for nothing that was known.
-Verdict judge(const scenes::Scene& scene, std::span<const scene::Collider> colliders,
-              const Findings& found, const CheckBaseline* baseline, FailOn fail_on);
+Verdict judge(const scene::StagedScene& staged, const Findings& found,
+              const CheckBaseline* baseline, FailOn fail_on);
 
 }  // namespace pelt::tools::check

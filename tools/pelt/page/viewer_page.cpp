@@ -43,11 +43,16 @@ const char* problem_of(std::string_view page) {
   return nullptr;
 }
 
-/// Escapes JSON so that no string closes the surrounding element.
-std::string for_script(std::string text) {
-  for (std::size_t i = text.find('<'); i != std::string::npos; i = text.find('<', i))
-    text.replace(i, 1, "\\u003c");
-  return text;
+/// No string of JSON ends the element that it stands in.
+std::string for_script(std::string_view text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (const char c : text)
+    if (c == '<')
+      escaped += "\\u003c";
+    else
+      escaped += c;
+  return escaped;
 }
 
 }  // namespace
@@ -73,7 +78,7 @@ Result<std::string> page_of_scene(const scenes::Scene& scene,
   if (!page) return page;
   Result<std::string> json = page_data(scene, models, data);
   if (!json) return json;
-  page->insert(page->find(kPlace) + kPlace.size(), for_script(std::move(*json)));
+  page->insert(page->find(kPlace) + kPlace.size(), for_script(*json));
   return page;
 }
 

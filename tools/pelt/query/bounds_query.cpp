@@ -1,9 +1,20 @@
 #include "tools/pelt/query/bounds_query.hpp"
 
+#include "asset/printable.hpp"
+#include "scenes/names.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+#include "tools/pelt/scene/summary_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <iomanip>
 
 namespace pelt::tools::query {
 namespace {
+
+using nlohmann::ordered_json;
 
 Box united(const Box& a, const Box& b) {
   return {
@@ -11,10 +22,15 @@ Box united(const Box& a, const Box& b) {
       {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
+ordered_json box_json(const Box& box) {
+  return {{"low", scene::vector_json(box.low)}, {"high", scene::vector_json(box.high)}};
+}
+
 }  // namespace
 
-BoundsQuery::BoundsQuery(std::span<const scene::Collider> colliders, const BoundsSettings& settings)
-    : kind_(settings.kind) {
+BoundsQuery::BoundsQuery(const scene::StagedScene& staged, const BoundsSettings& settings)
+    : staged_(staged), settings_(settings) {
+  const std::span<const scene::Collider> colliders = staged.colliders;
   for (std::uint32_t c = 0; c < colliders.size(); ++c) {
     if (settings.by == BoundsBy::joint) {
       add_joints(c, colliders[c].model);
@@ -31,7 +47,8 @@ QueryStats BoundsQuery::ask(std::span<Pose> poses) {
     if (bounded.joint) {
       bounded.box = joint_box(pose, groups_[bounded.collider], *bounded.joint);
     } else {
-      const Bounds found = kind_ == BoundsKind::exact ? tight_bounds(pose) : pelt::bounds(pose);
+      const Bounds found =
+          settings_.kind == BoundsKind::exact ? tight_bounds(pose) : pelt::bounds(pose);
       bounded.box = found.box;
       bounded.sphere = found.sphere;
       work += found.stats;
@@ -56,8 +73,73 @@ void BoundsQuery::add_joints(std::uint32_t collider, const SkinnedModel& model) 
 }
 
 Box BoundsQuery::joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint) const {
-  return kind_ == BoundsKind::exact ? tight_group_bounds(pose, groups, joint)
-                                    : group_bounds(pose, groups, joint);
+  return settings_.kind == BoundsKind::exact ? tight_group_bounds(pose, groups, joint)
+                                             : group_bounds(pose, groups, joint);
+}
+
+std::string BoundsQuery::joint_of(const Bounded& bounded) const {
+  return scenes::joint_name(staged_.asset_of(bounded.collider), *bounded.joint);
+}
+
+std::string BoundsQuery::name_of(const Bounded& bounded) const {
+  const std::string name = scene::collider_name(staged_.scene, staged_.colliders[bounded.collider]);
+  return bounded.joint ? name + " " + asset::printable_name(joint_of(bounded)) : name;
+}
+
+ordered_json BoundsQuery::named_json(const Bounded& bounded) const {
+  ordered_json entry = {{"index", bounded.collider}};
+  if (bounded.joint) entry["joint"] = joint_of(bounded);
+  return entry;
+}
+
+ordered_json BoundsQuery::options_json() const {
+  constexpr const char* kNames[] = {"instance", "part", "joint"};
+  return {{"by", kNames[static_cast<int>(settings_.by)]},
+          {"exact", settings_.kind == BoundsKind::exact}};
+}
+
+ordered_json BoundsQuery::frame_json() const {
+  ordered_json bounds = ordered_json::array();
+  for (const Bounded& b : bounded_) {
+    ordered_json& entry = bounds.emplace_back(named_json(b));
+    entry["box"] = box_json(b.box);
+    if (!b.sphere) continue;
+    entry["sphere"] = {{"centre", scene::vector_json(b.sphere->centre)},
+                       {"radius", b.sphere->radius}};
+  }
+  return {{"bounds", std::move(bounds)}};
+}
+
+ordered_json BoundsQuery::totals_json() const {
+  ordered_json bounds = ordered_json::array();
+  for (const Bounded& b : bounded_)
+    bounds.emplace_back(named_json(b))["box"] = box_json(b.all_frames);
+  return {{"bounds", std::move(bounds)}};
+}
+
+void BoundsQuery::print(std::size_t frames, std::ostream& words) const {
+  scene::label(words, "bounds") << (settings_.kind == BoundsKind::exact ? "exact" : "guaranteed")
+                                << ", in " << output::counted(frames, "frame") << '\n';
+  print_boxes(words);
+}
+
+void BoundsQuery::print_boxes(std::ostream& out) const {
+  std::vector<std::string> names;
+  std::size_t width = 0;
+  for (const Bounded& b : bounded_) {
+    names.push_back(name_of(b));
+    width = std::max(width, names.back().size());
+  }
+  out << "\nminimum and maximum x, y, z over all frames"
+      << (bounded_.empty() || !bounded_[0].sphere ? "" : "; largest radius") << '\n';
+  for (std::size_t i = 0; i < bounded_.size(); ++i) {
+    const Bounded& b = bounded_[i];
+    out << "  " << std::left << std::setw(static_cast<int>(width)) << names[i] << "  "
+        << scene::coordinates(b.all_frames.low) << "  " << scene::coordinates(b.all_frames.high);
+    if (b.sphere) out << "  " << output::fixed(static_cast<double>(b.largest_radius), 3);
+    out << '\n';
+  }
+  out << '\n';
 }
 
 }  // namespace pelt::tools::query

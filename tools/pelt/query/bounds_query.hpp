@@ -1,12 +1,11 @@
 #pragma once
 
-/// Query of `pelt bounds` for one frame, and its totals.
+/// What `pelt bounds` asks of a frame, keeps of all frames and writes.
 
 #include <pelt/bounds.hpp>
 #include <pelt/groups.hpp>
 
-#include "tools/pelt/query/bounds_scene.hpp"
-#include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/query/frame_query.hpp"
 
 #include <limits>
 #include <optional>
@@ -14,6 +13,18 @@
 #include <vector>
 
 namespace pelt::tools::query {
+
+enum class BoundsBy { instance, part, joint };
+
+enum class BoundsKind {
+  guaranteed,  ///< from the joint palette alone
+  exact,       ///< the smallest box
+};
+
+struct BoundsSettings {
+  BoundsBy by = BoundsBy::instance;
+  BoundsKind kind = BoundsKind::guaranteed;
+};
 
 /// The box of nothing.
 constexpr Box empty_box() {
@@ -31,22 +42,29 @@ struct Bounded {
   float largest_radius = 0;
 };
 
-class BoundsQuery {
+class BoundsQuery final : public FrameQuery {
  public:
-  BoundsQuery(std::span<const scene::Collider> colliders, const BoundsSettings& settings);
+  BoundsQuery(const scene::StagedScene& staged, const BoundsSettings& settings);
 
-  QueryStats ask(std::span<Pose> poses);
+  QueryStats ask(std::span<Pose> poses) override;
+  void keep(std::uint32_t frame) override;
 
-  /// Keeps what all frames together need.
-  void keep(std::uint32_t frame);
-
-  std::span<const Bounded> answers() const { return bounded_; }
+  const char* format() const override { return "pelt-bounds"; }
+  nlohmann::ordered_json options_json() const override;
+  nlohmann::ordered_json frame_json() const override;
+  nlohmann::ordered_json totals_json() const override;
+  void print(std::size_t frames, std::ostream& words) const override;
 
  private:
   void add_joints(std::uint32_t collider, const SkinnedModel& model);
   Box joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint) const;
+  std::string joint_of(const Bounded& bounded) const;
+  std::string name_of(const Bounded& bounded) const;
+  nlohmann::ordered_json named_json(const Bounded& bounded) const;
+  void print_boxes(std::ostream& words) const;
 
-  BoundsKind kind_;
+  scene::StagedScene staged_;
+  BoundsSettings settings_;
   std::vector<Groups> groups_;  // of each collider, by joint only
   std::vector<Bounded> bounded_;
 };

@@ -3,6 +3,7 @@
 #include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"
 #include "scenes/names.hpp"
+#include "tools/pelt/scene/part_mesh.hpp"
 
 #include <algorithm>
 
@@ -32,12 +33,15 @@ Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32
     if (const auto added = add(whole, std::nullopt, 0); !added) return added.error();
     return colliders;
   }
+  // Once for all parts: messages number vertices and triangles as the file does.
+  if (const auto checked = arguments::check_named_mesh(character.source, whole, arguments);
+      !checked)
+    return checked.error();
   for (std::uint32_t p = 0; p < character.asset.parts.size(); ++p) {
     const asset::Part& part = character.asset.parts[p];
     if (part.triangle_count == 0) continue;
-    SkinnedMeshView mesh = whole;
-    mesh.triangles = whole.triangles.subspan(part.first_triangle, part.triangle_count);
-    if (const auto added = add(mesh, p, part.first_triangle); !added) return added.error();
+    const PartMesh mesh(whole, part);
+    if (const auto added = add(mesh.view(), p, part.first_triangle); !added) return added.error();
   }
   return colliders;
 }

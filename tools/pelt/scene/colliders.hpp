@@ -2,6 +2,7 @@
 
 /// The bodies that are checked against each other: the instances of a scene, or their parts.
 
+#include <pelt/collide.hpp>
 #include <pelt/model.hpp>
 
 #include "scenes/scene.hpp"
@@ -23,7 +24,19 @@ struct Collider {
   std::optional<std::uint32_t> part;  ///< index into the asset's parts
   std::uint32_t first_triangle = 0;   ///< added to the model's triangle numbers in answers
   SkinnedModel model;
+
+  /// The number in the whole asset of a triangle of `model`, and back.
+  std::uint32_t number_in_asset(std::uint32_t triangle) const { return triangle + first_triangle; }
+  std::uint32_t number_in_model(std::uint32_t triangle) const { return triangle - first_triangle; }
 };
+
+/// Contacts of two colliders by the triangles' numbers in their assets, and back.
+inline Contact numbered_in_assets(const Contact& c, const Collider& a, const Collider& b) {
+  return {a.number_in_asset(c.triangle_a), b.number_in_asset(c.triangle_b)};
+}
+inline Contact numbered_in_models(const Contact& c, const Collider& a, const Collider& b) {
+  return {a.number_in_model(c.triangle_a), b.number_in_model(c.triangle_b)};
+}
 
 /// In order of instances, then parts; parts without triangles are left out. Models are prepared for
 /// the clips that the scene plays.

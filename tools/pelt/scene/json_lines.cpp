@@ -21,12 +21,12 @@ ordered_json inputs_json(const scenes::Scene& scene) {
   return inputs;
 }
 
-ordered_json colliders_json(const scenes::Scene& scene, std::span<const Collider> colliders) {
+ordered_json colliders_json(const StagedScene& staged) {
   ordered_json instances = ordered_json::array();
-  for (std::size_t c = 0; c < colliders.size(); ++c) {
-    const Collider& collider = colliders[c];
+  for (std::size_t c = 0; c < staged.colliders.size(); ++c) {
+    const Collider& collider = staged.colliders[c];
     const scenes::Character& character =
-        scene.characters[scene.instances[collider.instance].character];
+        staged.scene.characters[staged.scene.instances[collider.instance].character];
     ordered_json& entry = instances.emplace_back();
     entry["index"] = c;
     entry["model"] = character.name;
@@ -41,13 +41,12 @@ ordered_json colliders_json(const scenes::Scene& scene, std::span<const Collider
 
 }  // namespace
 
-ordered_json header_json(const char* format, const scenes::Scene& scene,
-                         std::span<const Collider> colliders) {
+ordered_json header_json(const char* format, const StagedScene& staged) {
   return {{"format", format},
           {"version", 1},
           {"pelt", PELT_VERSION},
-          {"inputs", inputs_json(scene)},
-          {"instances", colliders_json(scene, colliders)}};
+          {"inputs", inputs_json(staged.scene)},
+          {"instances", colliders_json(staged)}};
 }
 
 ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }

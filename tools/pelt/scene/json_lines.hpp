@@ -8,7 +8,7 @@
 #include <pelt/result.hpp>
 
 #include "scenes/scene.hpp"
-#include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,8 +19,7 @@
 namespace pelt::tools::scene {
 
 /// The header without the options: `format`, `version`, `pelt`, `inputs`, `instances`.
-nlohmann::ordered_json header_json(const char* format, const scenes::Scene& scene,
-                                   std::span<const Collider> colliders);
+nlohmann::ordered_json header_json(const char* format, const StagedScene& staged);
 
 nlohmann::ordered_json vector_json(const Vec3& v);
 

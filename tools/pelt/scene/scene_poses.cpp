@@ -32,23 +32,26 @@ Result<void> ScenePoses::set_palettes(const Palettes& palettes) {
   return {};
 }
 
-Result<FrameCosts> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
-                              const arguments::FrameRange& frames, const FrameSteps& steps) {
+Result<FrameCosts> run_frames(const scenes::Scene& scene, const arguments::FrameRange& frames,
+                              const FrameSteps& steps) {
   using Clock = std::chrono::steady_clock;
   FrameCosts costs;
-  ScenePoses posed(colliders);
   asset::SampleScratch scratch;
   Palettes palettes;
   const std::vector<std::uint32_t> numbers = frames.frames();
   output::Progress progress(numbers.size());
   for (const std::uint32_t frame : numbers) {
+    const auto in_frame = [&](const Error& error) {
+      return asset::prefixed("frame " + std::to_string(frame), error);
+    };
     sample_palettes(scene, frame, scratch, palettes);
     const Clock::time_point begin = Clock::now();
-    const Result<void> taken = posed.set_palettes(palettes);
-    if (!taken) return asset::prefixed("frame " + std::to_string(frame), taken.error());
-    costs.work += steps.ask(posed.poses());
+    const Result<QueryStats> work = steps.ask(palettes);
+    if (!work) return in_frame(work.error());
     costs.seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
-    steps.record(frame);
+    costs.work += *work;
+    if (const auto recorded = steps.record(frame, palettes); !recorded)
+      return in_frame(recorded.error());
     progress.advance();
   }
   return costs;

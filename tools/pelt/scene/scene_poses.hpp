@@ -7,6 +7,7 @@
 
 #include "tools/pelt/arguments/frame_range.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <functional>
 #include <span>
@@ -32,17 +33,18 @@ class ScenePoses {
 
 /// Steps of each frame.
 struct FrameSteps {
-  std::function<QueryStats(std::span<Pose> poses)> ask;  ///< under the clock
-  std::function<void(std::uint32_t frame)> record;       ///< records the answer
+  std::function<Result<QueryStats>(const Palettes& palettes)> ask;  ///< under the clock
+  std::function<Result<void>(std::uint32_t frame, const Palettes& palettes)> record;
 };
 
 struct FrameCosts {
-  std::vector<double> seconds;  ///< per frame: setting palettes and querying, without sampling
+  std::vector<double> seconds;  ///< of each frame: `ask`, not the sampling of palettes
   QueryStats work;
 };
 
-/// Runs through the frames.
-Result<FrameCosts> run_frames(const scenes::Scene& scene, std::span<const Collider> colliders,
-                              const arguments::FrameRange& frames, const FrameSteps& steps);
+/// Samples the palettes of each frame and runs the steps, with a progress bar. Stops at the first
+/// error; its message names the frame.
+Result<FrameCosts> run_frames(const scenes::Scene& scene, const arguments::FrameRange& frames,
+                              const FrameSteps& steps);
 
 }  // namespace pelt::tools::scene

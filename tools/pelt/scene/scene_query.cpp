@@ -114,7 +114,7 @@ void SceneQuery::collide_crowd(const CollideOptions& options, FrameContacts& fou
       found.pairs.push_back({a, b, end, end});
     found.pairs.back().end = end + 1;
     found.contacts.push_back(
-        {triangle_a + colliders_[a].first_triangle, triangle_b + colliders_[b].first_triangle});
+        numbered_in_assets({triangle_a, triangle_b}, colliders_[a], colliders_[b]));
   }
 }
 
@@ -123,10 +123,8 @@ void SceneQuery::collide_pair(std::uint32_t a, std::uint32_t b, const CollideOpt
   const std::size_t begin = found.contacts.size();
   query_work_ += method_->collide(a, b, found.contacts, options);
   const std::size_t end = found.contacts.size();
-  for (std::size_t i = begin; i < end; ++i) {
-    found.contacts[i].triangle_a += colliders_[a].first_triangle;
-    found.contacts[i].triangle_b += colliders_[b].first_triangle;
-  }
+  for (std::size_t i = begin; i < end; ++i)
+    found.contacts[i] = numbered_in_assets(found.contacts[i], colliders_[a], colliders_[b]);
   if (end > begin) found.pairs.push_back({a, b, begin, end});
 }
 

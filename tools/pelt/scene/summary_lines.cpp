@@ -21,14 +21,14 @@ std::ostream& label(std::ostream& out, const char* name) {
   return out << std::left << std::setw(10) << name << ' ';
 }
 
-void print_scene(const scenes::Scene& scene, std::span<const Collider> colliders,
-                 std::ostream& out) {
-  label(out, "scene") << asset::printable(scene.name) << ": "
-                      << output::counted(scene.instances.size(), "instance");
-  const bool parts = !colliders.empty() && colliders[0].part;
-  if (parts) out << ", " << output::counted(colliders.size(), "part");
-  out << ", " << output::with_commas(triangle_count(colliders)) << " triangles\n";
-  for (const std::string& note : scene.notes) label(out, "note") << asset::printable(note) << '\n';
+void print_scene(const StagedScene& staged, std::ostream& out) {
+  label(out, "scene") << asset::printable(staged.scene.name) << ": "
+                      << output::counted(staged.scene.instances.size(), "instance");
+  const bool parts = !staged.colliders.empty() && staged.colliders[0].part;
+  if (parts) out << ", " << output::counted(staged.colliders.size(), "part");
+  out << ", " << output::with_commas(triangle_count(staged.colliders)) << " triangles\n";
+  for (const std::string& note : staged.scene.notes)
+    label(out, "note") << asset::printable(note) << '\n';
 }
 
 bool has_many_parts(const scenes::Scene& scene) {

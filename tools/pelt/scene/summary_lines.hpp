@@ -6,7 +6,7 @@
 #include <pelt/query.hpp>
 
 #include "scenes/scene.hpp"
-#include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <cstdint>
 #include <ostream>
@@ -20,8 +20,7 @@ namespace pelt::tools::scene {
 std::ostream& label(std::ostream& out, const char* name);
 
 /// The scene, its instances and, where colliders are that, parts; triangles; the scene's notes.
-void print_scene(const scenes::Scene& scene, std::span<const Collider> colliders,
-                 std::ostream& out);
+void print_scene(const StagedScene& staged, std::ostream& out);
 
 bool has_many_parts(const scenes::Scene& scene);
 

@@ -30,7 +30,7 @@ NamedPoint name_point(const scenes::Scene& scene, const Collider& collider,
                       const SurfacePoint& point) {
   const std::uint32_t character = scene.instances[collider.instance].character;
   const asset::Asset& asset = scene.characters[character].asset;
-  const std::uint32_t triangle = point.triangle + collider.first_triangle;
+  const std::uint32_t triangle = collider.number_in_asset(point.triangle);
   const auto part = &asset.part_of(triangle) - asset.parts.data();
   const std::uint32_t joint = dominant_joint(asset, asset.triangles[triangle], point.barycentrics);
   return {triangle, scenes::part_name(asset, static_cast<std::uint32_t>(part)),

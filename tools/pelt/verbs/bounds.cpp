@@ -3,7 +3,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/query/bounds_scene.hpp"
+#include "tools/pelt/query/bounds_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -42,12 +42,17 @@ Result<arguments::ExitCode> bounds(const Arguments& arguments) {
   if (!by) return by.error();
   const Result<scene::QueryInput> input = scene::open_query(arguments.query);
   if (!input) return input.error();
-  const query::BoundsSettings settings = {
-      *by, arguments.exact ? query::BoundsKind::exact : query::BoundsKind::guaranteed,
-      input->frames};
-  const Result<void> answered =
-      query::bounds_scene(input->scene, settings, arguments.query.scene.models,
-                          arguments.query.jsonl, output::words_beside(arguments.query.jsonl));
+  const auto granularity =
+      *by == query::BoundsBy::part ? scene::Granularity::part : scene::Granularity::instance;
+  const auto colliders =
+      scene::make_colliders(input->scene, granularity, arguments.query.scene.models);
+  if (!colliders) return colliders.error();
+  const scene::StagedScene staged = {input->scene, *colliders};
+  query::BoundsQuery query(
+      staged, {*by, arguments.exact ? query::BoundsKind::exact : query::BoundsKind::guaranteed});
+  const query::QueryOutputs outputs = {arguments.query.jsonl,
+                                       output::words_beside(arguments.query.jsonl)};
+  const auto answered = query::run_frame_query(staged, input->frames, query, outputs);
   if (!answered) return answered.error();
   return arguments::ExitCode::success;
 }

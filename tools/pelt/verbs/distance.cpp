@@ -5,8 +5,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/query/distance_scene.hpp"
-#include "tools/pelt/query/nearest_scene.hpp"
+#include "tools/pelt/query/nearest_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -48,6 +47,29 @@ Result<std::vector<Vec3>> parse_points(std::span<const std::string> texts) {
   return points;
 }
 
+Result<arguments::ExitCode> run(const scene::StagedScene& staged,
+                                const arguments::FrameRange& frames, query::FrameQuery& query,
+                                const query::QueryOutputs& outputs) {
+  const auto answered = query::run_frame_query(staged, frames, query, outputs);
+  if (!answered) return answered.error();
+  return arguments::ExitCode::success;
+}
+
+/// Of the points, or where there are none of the colliders from each other.
+Result<arguments::ExitCode> answer(const scene::StagedScene& staged,
+                                   const std::vector<Vec3>& points,
+                                   const query::DistanceSettings& settings,
+                                   const arguments::FrameRange& frames,
+                                   const query::QueryOutputs& outputs) {
+  if (!points.empty()) {
+    query::NearestQuery query(staged, points, settings);
+    return run(staged, frames, query, outputs);
+  }
+  using Lists = query::DistanceQuery::Lists;
+  query::DistanceQuery query(staged, settings, outputs.jsonl.empty() ? Lists::nearest : Lists::all);
+  return run(staged, frames, query, outputs);
+}
+
 Result<arguments::ExitCode> distance(const Arguments& arguments) {
   query::DistanceSettings settings;
   const Result<scene::Granularity> granularity = scene::choose_granularity(arguments.by);
@@ -60,16 +82,13 @@ Result<arguments::ExitCode> distance(const Arguments& arguments) {
   if (!points) return points.error();
   const Result<scene::QueryInput> input = scene::open_query(arguments.query);
   if (!input) return input.error();
-  settings.frames = input->frames;
-  const arguments::ModelArguments& models = arguments.query.scene.models;
-  const std::string& jsonl = arguments.query.jsonl;
-  const Result<void> answered = points->empty()
-                                    ? query::distance_scene(input->scene, settings, models, jsonl,
-                                                            output::words_beside(jsonl))
-                                    : query::nearest_scene(input->scene, *points, settings, models,
-                                                           jsonl, output::words_beside(jsonl));
-  if (!answered) return answered.error();
-  return arguments::ExitCode::success;
+  const auto colliders =
+      scene::make_colliders(input->scene, *granularity, arguments.query.scene.models);
+  if (!colliders) return colliders.error();
+  const scene::StagedScene staged = {input->scene, *colliders};
+  const query::QueryOutputs outputs = {arguments.query.jsonl,
+                                       output::words_beside(arguments.query.jsonl)};
+  return answer(staged, *points, settings, input->frames, outputs);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/query/ray_scene.hpp"
+#include "tools/pelt/query/ray_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -78,10 +78,15 @@ Result<arguments::ExitCode> ray(const Arguments& arguments) {
   settings.rays = *rays;
   const Result<scene::QueryInput> input = scene::open_query(arguments.query);
   if (!input) return input.error();
-  settings.frames = input->frames;
-  const Result<void> answered =
-      query::ray_scene(input->scene, settings, arguments.query.scene.models, arguments.query.jsonl,
-                       output::words_beside(arguments.query.jsonl));
+  settings.stride = input->frames.stride;
+  const auto colliders = scene::make_colliders(input->scene, scene::Granularity::instance,
+                                               arguments.query.scene.models);
+  if (!colliders) return colliders.error();
+  const scene::StagedScene staged = {input->scene, *colliders};
+  query::RayQuery query(staged, settings);
+  const query::QueryOutputs outputs = {arguments.query.jsonl,
+                                       output::words_beside(arguments.query.jsonl)};
+  const auto answered = query::run_frame_query(staged, input->frames, query, outputs);
   if (!answered) return answered.error();
   return arguments::ExitCode::success;
 }

@@ -2,7 +2,7 @@
 
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/line_output.hpp"
-#include "tools/pelt/query/region_scene.hpp"
+#include "tools/pelt/query/region_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -33,11 +33,15 @@ Result<arguments::ExitCode> region(const Arguments& arguments) {
   if (!granularity) return granularity.error();
   const Result<scene::QueryInput> input = scene::open_query(arguments.query);
   if (!input) return input.error();
-  const query::RegionSettings settings = {std::move(*chosen), *granularity, arguments.triangles,
-                                          input->frames};
-  const Result<void> answered =
-      query::region_scene(input->scene, settings, arguments.query.scene.models,
-                          arguments.query.jsonl, output::words_beside(arguments.query.jsonl));
+  const auto colliders =
+      scene::make_colliders(input->scene, *granularity, arguments.query.scene.models);
+  if (!colliders) return colliders.error();
+  const scene::StagedScene staged = {input->scene, *colliders};
+  query::RegionQuery query(
+      staged, {std::move(*chosen), *granularity, arguments.triangles, input->frames.stride});
+  const query::QueryOutputs outputs = {arguments.query.jsonl,
+                                       output::words_beside(arguments.query.jsonl)};
+  const auto answered = query::run_frame_query(staged, input->frames, query, outputs);
   if (!answered) return answered.error();
   return arguments::ExitCode::success;
 }

@@ -1,0 +1,75 @@
+#include "tools/pelt/scene/near_pairs.hpp"
+
+#include <pelt/distance.hpp>
+
+#include "tools/pelt/check/clearance_query.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace pelt::tools::scene {
+namespace {
+
+scenes::Scene creatures(std::uint32_t count) {
+  scenes::Scene scene;
+  scene.characters.push_back(*scenes::generate_character(scenes::CreatureOptions{1000, 24, 1}));
+  scene.instances.resize(count);
+  return scene;
+}
+
+Palettes palettes_of(const scenes::Scene& scene) {
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  sample_palettes(scene, 0, scratch, palettes);
+  return palettes;
+}
+
+TEST(NearPairs, AreAllThatComeSoNearAndNotAll) {
+  const std::uint32_t seed = std::random_device()();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-3, 3);
+  scenes::Scene scene = creatures(24);
+  for (scenes::Instance& instance : scene.instances)
+    instance.translation = {place(random), place(random), place(random)};
+  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  ScenePoses posed(*colliders);
+  ASSERT_TRUE(posed.set_palettes(palettes_of(scene)));
+  const std::span<Pose> poses = posed.poses();
+  constexpr double kDistance = 0.25;
+  NearPairs near_pairs;
+  const std::span<const CrowdPair> pairs = near_pairs.find(poses, kDistance);
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+  Scratch scratch;
+  std::size_t within = 0;
+  for (std::uint32_t a = 0; a < poses.size(); ++a)
+    for (std::uint32_t b = a + 1; b < poses.size(); ++b) {
+      if (!is_within(poses[a], poses[b], kDistance, scratch)) continue;
+      ++within;
+      EXPECT_TRUE(std::binary_search(pairs.begin(), pairs.end(), CrowdPair{a, b}));
+    }
+  EXPECT_GT(within, 0u);
+  EXPECT_LT(pairs.size(), poses.size() * (poses.size() - 1) / 2);
+}
+
+TEST(NearPairs, LeaveAClearanceQueryNoWorkBetweenThoseThatAreFarApart) {
+  scenes::Scene scene = creatures(2000);
+  for (std::uint32_t i = 0; i < 2000; ++i)
+    scene.instances[i].translation = {5.0 * (i % 50), 0, 5.0 * (i / 50)};
+  scene.instances[1].translation = scene.instances[0].translation;
+  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  check::ClearanceQuery query(*colliders, 0.1);
+  ASSERT_TRUE(query.set_palettes(palettes_of(scene)));
+  FrameContacts found;
+  query.collide({.max_contacts = 1}, found);
+  ASSERT_EQ(found.pairs.size(), 1u);
+  EXPECT_EQ(found.pairs[0].b, 1u);
+  EXPECT_LT(query.work().node_pairs, 2000u);  // of 1,999,000 pairs
+}
+
+}  // namespace
+}  // namespace pelt::tools::scene

@@ -1,0 +1,53 @@
+#pragma once
+
+/// What `pelt distance` asks of a frame, keeps of all frames and writes.
+
+#include <pelt/distance.hpp>
+
+#include "tools/pelt/query/frame_query.hpp"
+#include "tools/pelt/query/least_distances.hpp"
+
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace pelt::tools::query {
+
+struct DistanceSettings {
+  scene::Granularity granularity = scene::Granularity::instance;
+  double within = std::numeric_limits<double>::infinity();  ///< nothing further is looked for
+};
+
+/// Memory: of n colliders O(n), and a bounded number of pairs. If every pair is listed, also the
+/// pairs that are found.
+class DistanceQuery final : public FrameQuery {
+ public:
+  enum class Lists { nearest, all };  ///< `all`: for `frame_json` and `totals_json`
+
+  DistanceQuery(const scene::StagedScene& staged, const DistanceSettings& settings, Lists lists);
+
+  QueryStats ask(std::span<Pose> poses) override;
+  void keep(std::uint32_t frame) override;
+
+  const char* format() const override { return "pelt-distance"; }
+  nlohmann::ordered_json options_json() const override;
+  nlohmann::ordered_json frame_json() const override;
+  nlohmann::ordered_json totals_json() const override;
+  void print(std::size_t frames, std::ostream& words) const override;
+
+ private:
+  void found(const PairDistance& pair);
+  nlohmann::ordered_json pair_json(const PairDistance& pair) const;
+
+  scene::StagedScene staged_;
+  DistanceSettings settings_;
+  Lists lists_;
+  Scratch scratch_;
+  std::vector<Distance> hints_;  // of the first pairs, from the frame before
+  LeastDistances nearest_now_, nearest_;
+  std::vector<PairDistance> found_now_;  // if all are listed
+  std::map<std::pair<std::uint32_t, std::uint32_t>, PairDistance> least_;
+};
+
+}  // namespace pelt::tools::query

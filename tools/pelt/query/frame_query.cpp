@@ -1,0 +1,88 @@
+#include "tools/pelt/query/frame_query.hpp"
+
+#include "asset/message.hpp"
+#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+#include "tools/pelt/scene/summary_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace pelt::tools::query {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The JSON lines of a query; without a stream it writes nothing.
+class QueryLines {
+ public:
+  QueryLines(const scene::StagedScene& staged, const FrameQuery& query, std::ostream* out)
+      : staged_(staged), query_(query), out_(out) {}
+
+  void header(const arguments::FrameRange& frames) {
+    if (out_ == nullptr) return;
+    ordered_json header = scene::header_json(query_.format(), staged_);
+    ordered_json& options = header["options"] = query_.options_json();
+    options["frames"] = {frames.begin, frames.end, frames.stride};
+    options["fps"] = staged_.scene.fps;
+    scene::write_line(header, *out_);
+  }
+
+  void frame(std::uint32_t frame) {
+    if (out_ == nullptr) return;
+    ordered_json line = {{"frame", frame}, {"time", scenes::frame_time(staged_.scene, frame)}};
+    line.update(query_.frame_json());
+    scene::write_line(line, *out_);
+  }
+
+  void totals(const scene::FrameCosts& costs) {
+    if (out_ == nullptr) return;
+    ordered_json totals = {{"frames", costs.seconds.size()}};
+    totals.update(query_.totals_json());
+    scene::write_line(
+        {{"totals", std::move(totals)}, {"counters", scene::counters_json(costs.work)}}, *out_);
+  }
+
+ private:
+  scene::StagedScene staged_;
+  const FrameQuery& query_;
+  std::ostream* out_;
+};
+
+Result<scene::FrameCosts> ask_frames(const scene::StagedScene& staged,
+                                     const arguments::FrameRange& frames, FrameQuery& query,
+                                     QueryLines& lines) {
+  scene::ScenePoses posed(staged.colliders);
+  const auto ask = [&](const scene::Palettes& palettes) -> Result<QueryStats> {
+    if (const auto taken = posed.set_palettes(palettes); !taken) return taken.error();
+    return query.ask(posed.poses());
+  };
+  const auto record = [&](std::uint32_t frame, const scene::Palettes&) -> Result<void> {
+    query.keep(frame);
+    lines.frame(frame);
+    return {};
+  };
+  return scene::run_frames(staged.scene, frames, {ask, record});
+}
+
+}  // namespace
+
+Result<void> run_frame_query(const scene::StagedScene& staged,
+                             const arguments::FrameRange& frames, FrameQuery& query,
+                             const QueryOutputs& outputs) {
+  output::LineOutput file;
+  if (const auto opened = file.open(outputs.jsonl); !opened) return opened.error();
+  QueryLines lines(staged, query, file.stream());
+  lines.header(frames);
+  const Result<scene::FrameCosts> costs = ask_frames(staged, frames, query, lines);
+  if (!costs) return asset::prefixed(staged.scene.name, costs.error());
+  lines.totals(*costs);
+  if (const auto closed = file.close(); !closed) return closed.error();
+  scene::print_scene(staged, outputs.words);
+  query.print(costs->seconds.size(), outputs.words);
+  scene::print_costs(costs->seconds, costs->work, outputs.words);
+  output::print_written(outputs.jsonl, outputs.words);
+  return {};
+}
+
+}  // namespace pelt::tools::query

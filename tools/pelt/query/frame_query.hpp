@@ -1,0 +1,57 @@
+#pragma once
+
+/// The frame loop of the verbs that ask one question of every frame of a scene.
+
+#include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <ostream>
+#include <string>
+
+namespace pelt::tools::query {
+
+/// A question, its answers of the current frame and of all frames so far, and how to write them.
+class FrameQuery {
+ public:
+  FrameQuery() = default;
+  FrameQuery(const FrameQuery&) = delete;
+  FrameQuery& operator=(const FrameQuery&) = delete;
+  virtual ~FrameQuery() = default;
+
+  /// Answers for one frame. Runs under the clock.
+  virtual QueryStats ask(std::span<Pose> poses) = 0;
+
+  /// Adds the answers of this frame to those of all frames.
+  virtual void keep(std::uint32_t frame) = 0;
+
+  /// `format` of the JSON lines, as in "pelt-bounds".
+  virtual const char* format() const = 0;
+
+  /// `options` of the header, without `frames` and `fps`.
+  virtual nlohmann::ordered_json options_json() const = 0;
+
+  /// Members of the current frame's line, without `frame` and `time`.
+  virtual nlohmann::ordered_json frame_json() const = 0;
+
+  /// Members of `totals`, without `frames`.
+  virtual nlohmann::ordered_json totals_json() const = 0;
+
+  /// The summary between the scene's lines and the costs; `frames` is their number.
+  virtual void print(std::size_t frames, std::ostream& words) const = 0;
+};
+
+/// Where a query writes.
+struct QueryOutputs {
+  std::string jsonl;    ///< as for LineOutput
+  std::ostream& words;  ///< the summary
+};
+
+/// Runs `query` through the frames: writes the header, a line for each frame and the totals, then
+/// prints the summary. The message of an error names the scene, the frame and the instance.
+Result<void> run_frame_query(const scene::StagedScene& staged,
+                             const arguments::FrameRange& frames, FrameQuery& query,
+                             const QueryOutputs& outputs);
+
+}  // namespace pelt::tools::query

@@ -1,0 +1,51 @@
+#pragma once
+
+/// What `pelt region` asks of a frame, keeps of all frames and writes.
+
+#include <pelt/region.hpp>
+
+#include "tools/pelt/arguments/region_arguments.hpp"
+#include "tools/pelt/query/frame_query.hpp"
+
+#include <array>
+#include <vector>
+
+namespace pelt::tools::query {
+
+struct RegionSettings {
+  arguments::ChosenRegion region;
+  scene::Granularity granularity = scene::Granularity::instance;
+  bool finds_triangles = false;
+  std::uint32_t stride = 1;  ///< of the frames
+};
+
+/// Where a collider lies: in the current frame, and in how many frames where.
+struct Placed {
+  Placement placement = Placement::outside;
+  TrianglesInRegion triangles;
+  std::array<std::uint32_t, 3> frames = {};       ///< by placement
+  std::vector<std::uint32_t> frames_not_outside;  ///< their numbers
+};
+
+class RegionQuery final : public FrameQuery {
+ public:
+  RegionQuery(const scene::StagedScene& staged, RegionSettings settings)
+      : staged_(staged), settings_(std::move(settings)), placed_(staged.colliders.size()) {}
+
+  QueryStats ask(std::span<Pose> poses) override;
+  void keep(std::uint32_t frame) override;
+
+  const char* format() const override { return "pelt-region"; }
+  nlohmann::ordered_json options_json() const override;
+  nlohmann::ordered_json frame_json() const override;
+  nlohmann::ordered_json totals_json() const override;
+  void print(std::size_t frames, std::ostream& words) const override;
+
+ private:
+  scene::StagedScene staged_;
+  RegionSettings settings_;
+  Scratch scratch_;
+  std::vector<Placed> placed_;
+};
+
+}  // namespace pelt::tools::query
