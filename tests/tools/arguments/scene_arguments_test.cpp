@@ -66,7 +66,7 @@ TEST_F(SceneArguments, SayInTheSummaryWhatTheyNote) {
   scenes::Scene scene;
   scene.notes = {"one thing", "another"};
   std::ostringstream words;
-  tools::scene::print_scene(scene, {}, words);
+  tools::scene::print_scene({scene, {}}, words);
   EXPECT_NE(words.str().find("\nnote       one thing\nnote       another\n"), std::string::npos);
 }
 
