@@ -229,13 +229,12 @@ std::string image_space(const Evidence& of) {
   for (std::size_t row = 0; row < rivals.rows.size(); ++row)
     others.push_back(rivals.rows[row][0].name + " " + us(figure_at(rivals, row, "all_us")));
   return "Image space methods only answer yes or no. At " +
-         shown(figure_at(images, 0, "resolution")) + " pixels a side it misses " +
+         shown(figure_at(images, 0, "resolution")) + " pixels per side they miss " +
          brief(figure_at(images, 0, "missed_percent"), 1) + " % of the cases that touch, at " +
          shown(figure_at(images, enough, "resolution")) + " " +
-         brief(figure_at(images, enough, "missed_percent"), 1) + " %, and takes " + us(taken) +
-         " for that with its skinning, " + times(taken / pelt) +
-         " as long as Pelt for an answer that is exact. The methods that know take: " +
-         listed(others) + ".";
+         brief(figure_at(images, enough, "missed_percent"), 1) + " %, and there they take " +
+         us(taken) + " with skinning, " + times(taken / pelt) +
+         " as long as Pelt, whose answer is exact. The exact methods take: " + listed(others) + ".";
 }
 
 std::string where_pelt_loses(const Evidence& of) {
