@@ -20,7 +20,7 @@ ModelOptions options_of(const ModelArguments& arguments) {
   return options;
 }
 
-/// The remedy is the command's option.
+/// Names the source, and the command's option as the remedy.
 Error named_error(const std::string& source, const Error& error) {
   std::string message = source + ": " + error.message;
   const std::string in_code = "off_weights = OffWeights::renormalise";

@@ -37,7 +37,7 @@ Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedM
                                        const ModelArguments& arguments,
                                        std::span<const Matrix4> sample_palettes = {});
 
-/// Refuses what build_named_model refuses of a mesh, in the same words, and builds nothing.
+/// Returns the errors that build_named_model returns for a mesh, without building a model.
 Result<void> check_named_mesh(const std::string& source, const SkinnedMeshView& mesh,
                               const ModelArguments& arguments);
 

@@ -122,7 +122,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   return report;
 }
 
-/// What is known only of all frames.
+/// Totals, which are known after the last frame.
 void conclude(const scene::StagedScene& staged, const CheckSettings& settings,
               const TouchTally& tally, CheckReport& report, JsonlWriter* jsonl) {
   const std::vector<Touch> touches = tally.touches();

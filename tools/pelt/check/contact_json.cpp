@@ -27,7 +27,7 @@ class Side {
 
   std::string joint(std::uint16_t joint) const { return scenes::joint_name(asset_, joint); }
 
-  /// By the triangle's number in the collider's own model.
+  /// `own` is numbered as in the collider's own model.
   std::uint32_t triangle(std::uint32_t own) const { return collider_.number_in_asset(own); }
 
   std::uint32_t part_of(std::uint32_t own) const {

@@ -16,7 +16,7 @@
 
 namespace pelt::tools::check {
 
-/// Two colliders of which one holds the other whole, or that reach into each other.
+/// Two colliders of which one contains the other, or that penetrate each other.
 struct InsidePair {
   std::uint32_t a = 0, b = 0;
   Containment containment = Containment::none;
@@ -24,7 +24,7 @@ struct InsidePair {
               b_in_a = {};  ///< of those that are closed; triangles as the model numbers them
 };
 
-/// A collider that another one holds whole.
+/// A collider that another one contains.
 struct Held {
   std::uint32_t inner = 0, outer = 0;
   std::uint32_t frames = 0, first_frame = 0;  ///< how many, and the first of them
@@ -40,20 +40,20 @@ struct InsideTally {
   void add(std::uint32_t frame, std::span<const InsidePair> pairs);
 
   std::size_t closed_colliders = 0;        ///< number of colliders with an inside
-  std::vector<std::uint32_t> frames_held;  ///< in which one collider holds another whole
+  std::vector<std::uint32_t> frames_held;  ///< frames in which one collider contains another
   std::vector<Held> held;                  ///< in the order in which they were found
   Deepest deepest;  ///< among touching bodies; depth 0 if no vertex was inside
 };
 
 class InsideQuery {
  public:
-  /// Pairs of colliders that `ignored` means whole are not asked. `scene` and `colliders` must
-  /// outlive this.
+  /// Skips pairs of colliders of which `ignored` matches all triangles. What `staged` refers to and
+  /// `ignored` must outlive this.
   InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored);
 
-  /// Replaces what is known by what holds in these palettes. `found` has the contacts of the frame:
-  /// what touches is asked how deep it is, the others whether one holds the other. Of the former
-  /// those are left out of which no vertex is inside.
+  /// Replaces the results by those for these palettes. `found` has the contacts of the frame.
+  /// Computes the depth of touching pairs, and whether one body of the other pairs contains the
+  /// other. Touching pairs without a vertex inside are left out.
   Result<void> ask(const scene::Palettes& palettes, const scene::FrameContacts& found);
 
   std::span<const InsidePair> pairs() const { return pairs_; }  ///< ascending
@@ -70,7 +70,7 @@ class InsideQuery {
 
   scene::StagedScene staged_;
   const scenes::IgnoredPairs& ignored_;
-  std::map<Bodies, bool> are_ignored_;  // as far as asked
+  std::map<Bodies, bool> are_ignored_;  // pairs that were looked up
   std::vector<Surface> surfaces_;       // of each collider
   scene::NearPairs near_pairs_;
   scene::ScenePoses posed_;

@@ -123,7 +123,7 @@ std::size_t new_touches(const Comparison& comparison) {
                     [](const Worse& worse) { return worse.known == 0; }));
 }
 
-/// What differs from the baseline.
+/// Prints the differences from the baseline.
 void print_comparison(const scene::StagedScene& staged, const Comparison& comparison,
                       std::ostream& out) {
   for (const std::string& note : comparison.notes)

@@ -43,7 +43,7 @@ const char* problem_of(std::string_view page) {
   return nullptr;
 }
 
-/// No string of JSON ends the element that it stands in.
+/// Escapes JSON so that no string closes the surrounding element.
 std::string for_script(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt bounds` asks of a frame, keeps of all frames and writes.
+/// Query of `pelt bounds` for one frame, its totals and its output.
 
 #include <pelt/bounds.hpp>
 #include <pelt/groups.hpp>

@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t kMostRows = 10;
 
-/// A hint saves time and changes no answer: later pairs do without.
+/// Later pairs have no hint. A hint saves time and does not change the answer.
 constexpr std::uint64_t kMostHints = 1 << 18;
 
 }  // namespace
@@ -57,7 +57,8 @@ void DistanceQuery::found(const PairDistance& pair) {
   if (lists_ == Lists::all) found_now_.push_back(pair);
 }
 
-/// A pair that is among the nearest of all frames is so in the frame of its least distance.
+/// It is enough to add the nearest pairs of each frame: a pair that is among the nearest of all
+/// frames is among the nearest of the frame of its least distance.
 void DistanceQuery::keep(std::uint32_t frame) {
   const auto in_this_frame = [&](PairDistance pair) {
     pair.frame = frame;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt distance` asks of a frame, keeps of all frames and writes.
+/// Query of `pelt distance` for one frame, its totals and its output.
 
 #include <pelt/distance.hpp>
 
@@ -16,11 +16,11 @@ namespace pelt::tools::query {
 
 struct DistanceSettings {
   scene::Granularity granularity = scene::Granularity::instance;
-  double within = std::numeric_limits<double>::infinity();  ///< nothing further is looked for
+  double within = std::numeric_limits<double>::infinity();  ///< longer distances are skipped
 };
 
-/// Memory: of n colliders O(n), and a bounded number of pairs. If every pair is listed, also the
-/// pairs that are found.
+/// Distances of all pairs of colliders. Memory: O(n) for n colliders, plus a bounded number of
+/// pairs; with Lists::all also the pairs that were found.
 class DistanceQuery final : public FrameQuery {
  public:
   enum class Lists { nearest, all };  ///< `all`: for `frame_json` and `totals_json`

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The JSON lines of a query; without a stream it writes nothing.
+/// Writes the JSON lines of a query, or nothing if there is no stream.
 class QueryLines {
  public:
   QueryLines(const scene::StagedScene& staged, const FrameQuery& query, std::ostream* out)
@@ -67,9 +67,8 @@ Result<scene::FrameCosts> ask_frames(const scene::StagedScene& staged,
 
 }  // namespace
 
-Result<void> run_frame_query(const scene::StagedScene& staged,
-                             const arguments::FrameRange& frames, FrameQuery& query,
-                             const QueryOutputs& outputs) {
+Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::FrameRange& frames,
+                             FrameQuery& query, const QueryOutputs& outputs) {
   output::LineOutput file;
   if (const auto opened = file.open(outputs.jsonl); !opened) return opened.error();
   QueryLines lines(staged, query, file.stream());

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The frame loop of the verbs that ask one question of every frame of a scene.
+/// Frame loop shared by the verbs that query scenes.
 
 #include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
@@ -12,7 +12,7 @@
 
 namespace pelt::tools::query {
 
-/// A question, its answers of the current frame and of all frames so far, and how to write them.
+/// A query, its results for the current frame and for all frames so far, and their output.
 class FrameQuery {
  public:
   FrameQuery() = default;
@@ -20,13 +20,13 @@ class FrameQuery {
   FrameQuery& operator=(const FrameQuery&) = delete;
   virtual ~FrameQuery() = default;
 
-  /// Answers for one frame. Runs under the clock.
+  /// Queries one frame. The frame loop times this call.
   virtual QueryStats ask(std::span<Pose> poses) = 0;
 
-  /// Adds the answers of this frame to those of all frames.
+  /// Adds the results of this frame to the results of all frames.
   virtual void keep(std::uint32_t frame) = 0;
 
-  /// `format` of the JSON lines, as in "pelt-bounds".
+  /// `format` of the JSON lines, such as "pelt-bounds".
   virtual const char* format() const = 0;
 
   /// `options` of the header, without `frames` and `fps`.
@@ -38,20 +38,20 @@ class FrameQuery {
   /// Members of `totals`, without `frames`.
   virtual nlohmann::ordered_json totals_json() const = 0;
 
-  /// The summary between the scene's lines and the costs; `frames` is their number.
+  /// Prints the summary, which stands between the scene's lines and the costs. `frames` is the
+  /// number of frames.
   virtual void print(std::size_t frames, std::ostream& words) const = 0;
 };
 
-/// Where a query writes.
+/// Destinations of the results of a query.
 struct QueryOutputs {
-  std::string jsonl;    ///< as for LineOutput
+  std::string jsonl;    ///< path, as LineOutput::open expects it
   std::ostream& words;  ///< the summary
 };
 
 /// Runs `query` through the frames: writes the header, a line for each frame and the totals, then
 /// prints the summary. The message of an error names the scene, the frame and the instance.
-Result<void> run_frame_query(const scene::StagedScene& staged,
-                             const arguments::FrameRange& frames, FrameQuery& query,
-                             const QueryOutputs& outputs);
+Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::FrameRange& frames,
+                             FrameQuery& query, const QueryOutputs& outputs);
 
 }  // namespace pelt::tools::query

@@ -16,18 +16,18 @@ struct PairDistance {
   std::uint32_t frame = 0;
 };
 
-/// The pairs that came nearest, each once, by its least distance. Keeps only so many, however many
-/// are added.
+/// The nearest pairs, each once, with its least distance. Stores at most a fixed number of pairs.
 class LeastDistances {
  public:
+  /// Stores at most `most` pairs.
   explicit LeastDistances(std::size_t most) : most_(most) {}
 
   void clear() { pairs_.clear(); }
 
-  /// Of equal distances of one pair the first one added stays.
+  /// Adds a pair. If it was added before with an equal distance, the earlier one stays.
   void add(const PairDistance& pair);
 
-  /// The nearest first; of equally near ones the lowest a, then b.
+  /// Sorted by distance, then a, then b.
   std::span<const PairDistance> pairs() const { return pairs_; }
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Nearest first means: of what is equally near the first collider.
+/// Equal distances are not nearer, so the first collider wins.
 bool is_nearer(const Nearest& a, const Nearest& b) {
   return a.closest.distance < b.closest.distance;
 }
@@ -41,7 +41,7 @@ QueryStats NearestQuery::ask(std::span<Pose> poses) {
   return work;
 }
 
-/// Those of one point, by collider.
+/// Results of one point, by collider.
 std::span<const Nearest> NearestQuery::of_point(std::size_t point) const {
   const std::size_t colliders = staged_.colliders.size();
   return std::span(found_).subspan(point * colliders, colliders);
@@ -103,7 +103,8 @@ void NearestQuery::print(std::size_t frames, std::ostream& out) const {
     }
     out << "nearest in frame " << least_frame_[p] << ": "
         << output::fixed(least.closest.distance, 6) << " from "
-        << scene::place_words(staged_.scene, staged_.colliders[least.collider], least.closest.point) << '\n';
+        << scene::place_words(staged_.scene, staged_.colliders[least.collider], least.closest.point)
+        << '\n';
     scene::label(out, "") << "at" << scene::coordinates(least.closest.point.position) << '\n';
   }
 }

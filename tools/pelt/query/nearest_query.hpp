@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt distance --from` asks of a frame, keeps of all frames and writes.
+/// Query of `pelt distance --from` for one frame, its totals and its output.
 
 #include "tools/pelt/query/distance_query.hpp"
 
@@ -8,13 +8,13 @@
 
 namespace pelt::tools::query {
 
-/// The place on a collider that is nearest to a point.
+/// Nearest point of a collider to a point.
 struct Nearest {
   std::uint32_t collider = 0;
   ClosestPoint closest;
 };
 
-/// For each point: the nearest place on each collider in the current frame, and over all frames.
+/// Nearest points on each collider, for each point: in the current frame, and over all frames.
 class NearestQuery final : public FrameQuery {
  public:
   NearestQuery(const scene::StagedScene& staged, std::vector<Vec3> points,

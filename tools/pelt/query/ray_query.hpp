@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt ray` asks of a frame, keeps of all frames and writes.
+/// Query of `pelt ray` for one frame, its totals and its output.
 
 #include <pelt/ray.hpp>
 
@@ -17,7 +17,7 @@ struct RaySettings {
   std::uint32_t stride = 1;  ///< of the frames
 };
 
-/// What each ray hits first on each instance.
+/// First hit of each ray on each instance.
 class RayHits {
  public:
   RayHits(std::size_t rays, std::size_t instances) : rays_(rays), hits_(rays * instances) {}
@@ -47,7 +47,7 @@ class RayHits {
   std::vector<RayHit> hits_;
 };
 
-/// What is told of a ray in the summary: where it hits anything, and the least t of all frames.
+/// Summary of a ray: frames with hits, and the least t of all frames.
 struct RayTally {
   struct Nearest {
     std::uint32_t frame = 0, instance = 0;

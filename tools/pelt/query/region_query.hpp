@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt region` asks of a frame, keeps of all frames and writes.
+/// Query of `pelt region` for one frame, its totals and its output.
 
 #include <pelt/region.hpp>
 
@@ -19,12 +19,12 @@ struct RegionSettings {
   std::uint32_t stride = 1;  ///< of the frames
 };
 
-/// Where a collider lies: in the current frame, and in how many frames where.
+/// Placement of a collider in the current frame, and number of frames per placement.
 struct Placed {
   Placement placement = Placement::outside;
   TrianglesInRegion triangles;
   std::array<std::uint32_t, 3> frames = {};       ///< by placement
-  std::vector<std::uint32_t> frames_not_outside;  ///< their numbers
+  std::vector<std::uint32_t> frames_not_outside;  ///< frame numbers
 };
 
 class RegionQuery final : public FrameQuery {

@@ -33,7 +33,7 @@ Result<std::vector<Collider>> prototypes(const scenes::Scene& scene, std::uint32
     if (const auto added = add(whole, std::nullopt, 0); !added) return added.error();
     return colliders;
   }
-  // Once for all parts: messages number vertices and triangles as the file does.
+  // Check the whole mesh once, so that messages number vertices and triangles as the file does.
   if (const auto checked = arguments::check_named_mesh(character.source, whole, arguments);
       !checked)
     return checked.error();

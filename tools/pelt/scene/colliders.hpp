@@ -25,12 +25,12 @@ struct Collider {
   std::uint32_t first_triangle = 0;   ///< added to the model's triangle numbers in answers
   SkinnedModel model;
 
-  /// The number in the whole asset of a triangle of `model`, and back.
+  /// Converts a triangle number of `model` to its number in the whole asset, and back.
   std::uint32_t number_in_asset(std::uint32_t triangle) const { return triangle + first_triangle; }
   std::uint32_t number_in_model(std::uint32_t triangle) const { return triangle - first_triangle; }
 };
 
-/// Contacts of two colliders by the triangles' numbers in their assets, and back.
+/// Converts a contact of two colliders to triangle numbers of their assets, and back.
 inline Contact numbered_in_assets(const Contact& c, const Collider& a, const Collider& b) {
   return {a.number_in_asset(c.triangle_a), b.number_in_asset(c.triangle_b)};
 }

@@ -8,14 +8,14 @@
 namespace pelt::tools::scene {
 namespace {
 
-/// The box of the pose, larger by at least `margin` on each side.
+/// Returns the box of the pose, grown by at least `margin` on each side.
 detail::RootBox wide_box(Pose& pose, double margin) {
   const Box box = bounds(pose).box;
   const float low[] = {box.low.x, box.low.y, box.low.z};
   const float high[] = {box.high.x, box.high.y, box.high.z};
   detail::RootBox wide = {};
   for (int axis = 0; axis < 3; ++axis) {
-    // One step outwards makes up for the rounding of the sum.
+    // One step outwards compensates for the rounding of the sum.
     const auto widened = [&](float side, double by) {
       return static_cast<float>(double{side} + by);
     };

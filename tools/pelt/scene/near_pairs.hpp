@@ -10,14 +10,14 @@
 
 namespace pelt::tools::scene {
 
-/// The broad phase of queries that ask two poses at a time: finds the pairs of poses whose boxes
-/// are near each other.
+/// Broad phase of queries between two poses: finds the pairs of poses whose boxes are near each
+/// other.
 class NearPairs {
  public:
-  /// Pairs a < b in ascending order. Contains every pair whose surfaces are at most `distance`
-  /// apart, and every pair of which one surface lies within the other. Boxes come from the joint
-  /// palettes alone: O(n log n) for n poses, plus the pairs of boxes that overlap along one axis.
-  /// The result is valid until the next call.
+  /// Returns pairs a < b in ascending order, valid until the next call. The result contains every
+  /// pair whose surfaces are at most `distance` apart, and every pair of which one surface contains
+  /// the other. Boxes are computed from the joint palettes alone. Cost: O(n log n) for n poses,
+  /// plus the pairs of boxes that overlap along one axis.
   std::span<const CrowdPair> find(std::span<Pose> poses, double distance);
 
  private:

@@ -8,15 +8,15 @@
 
 namespace pelt::tools::scene {
 
-/// One part of a mesh with only the vertices that its triangles use. The order of vertices and
-/// triangles is that of the whole mesh. Memory and time grow with the part, not with the mesh,
-/// apart from one search in each morph target for each vertex.
+/// One part of a mesh, with only the vertices that its triangles use. Vertices and triangles have
+/// the order of the whole mesh. Memory and time grow with the part, not with the mesh, apart from
+/// one search in each morph target for each vertex.
 class PartMesh {
  public:
-  /// Copies what it needs. Precondition: indices of the part's triangles are in range.
+  /// Copies the data of the part. Precondition: the vertex indices of its triangles are in range.
   PartMesh(const SkinnedMeshView& whole, const asset::Part& part);
 
-  /// Borrows from this.
+  /// The view borrows from this object.
   SkinnedMeshView view() const;
 
  private:

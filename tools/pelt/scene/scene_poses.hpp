@@ -33,17 +33,17 @@ class ScenePoses {
 
 /// Steps of each frame.
 struct FrameSteps {
-  std::function<Result<QueryStats>(const Palettes& palettes)> ask;  ///< under the clock
+  std::function<Result<QueryStats>(const Palettes& palettes)> ask;  ///< timed
   std::function<Result<void>(std::uint32_t frame, const Palettes& palettes)> record;
 };
 
 struct FrameCosts {
-  std::vector<double> seconds;  ///< of each frame: `ask`, not the sampling of palettes
+  std::vector<double> seconds;  ///< per frame: `ask`, without sampling
   QueryStats work;
 };
 
-/// Samples the palettes of each frame and runs the steps, with a progress bar. Stops at the first
-/// error; its message names the frame.
+/// Samples the palettes of each frame, runs the steps, and shows a progress bar. Stops at the first
+/// error, whose message names the frame.
 Result<FrameCosts> run_frames(const scenes::Scene& scene, const arguments::FrameRange& frames,
                               const FrameSteps& steps);
 

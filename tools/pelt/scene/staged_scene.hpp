@@ -1,6 +1,6 @@
 #pragma once
 
-/// A scene and the bodies that its instances have become.
+/// A scene and the colliders made from its instances.
 
 #include "scenes/scene.hpp"
 #include "tools/pelt/scene/colliders.hpp"

@@ -55,7 +55,7 @@ Result<arguments::ExitCode> run(const scene::StagedScene& staged,
   return arguments::ExitCode::success;
 }
 
-/// Of the points, or where there are none of the colliders from each other.
+/// Runs the query from points if there are any, otherwise between colliders.
 Result<arguments::ExitCode> answer(const scene::StagedScene& staged,
                                    const std::vector<Vec3>& points,
                                    const query::DistanceSettings& settings,
