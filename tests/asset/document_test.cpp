@@ -170,7 +170,7 @@ TEST(Document, NamesTheFieldThatIsMissing) {
 }
 
 TEST(Document, RefusesWhatSaysNothingOfGltf) {
-  EXPECT_TRUE(refused(load_text("{}"), {"asset: is missing", "no glTF file"}));
+  EXPECT_TRUE(refused(load_text("{}"), {"asset: is missing", "not a glTF file"}));
 }
 
 TEST(Document, RefusesOtherVersionsOfTheFormat) {
