@@ -61,9 +61,10 @@ TEST(ExcludedNodes, AreNotOfGeneratedCharacters) {
   EXPECT_EQ(refusal(scene, {"Cape"}),
             "no node to exclude is named \"Cape\", expected one of \"Body\"");
   scene.characters[1].origin = CreatureOptions();
-  EXPECT_EQ(refusal(scene, {"Hood"}),
-            "no node to exclude is named \"Hood\": the scene's characters are not from files, "
-            "exclude nothing");
+  EXPECT_EQ(
+      refusal(scene, {"Hood"}),
+      "no node to exclude is named \"Hood\": the characters of the scene do not come from files, "
+      "exclude nothing");
 }
 
 }  // namespace
