@@ -21,8 +21,11 @@ std::string boxes_of_joints(const Actor& actor) {
   const Groups groups = group_by_joint(actor.pose.model());
   std::string text;
   for (std::uint32_t g = 0; g < groups.count(); ++g)
-    if (groups.vertex_count(g) > 0)
-      text += edges(tight_group_bounds(actor.pose, groups, g), 0.003, Tone::question);
+    if (groups.vertex_count(g) > 0) {
+      Box box;
+      exact_group_bounds(actor.pose, groups, g, box);
+      text += edges(box, 0.003, Tone::question);
+    }
   return text;
 }
 
@@ -32,8 +35,11 @@ Picture bounds_picture() {
   Cast cast(kScene, 0);
   Actor &whole = cast.actors[0], &by_joint = cast.actors[1];
   std::string objects = painted(whole, 0) + painted(by_joint, 0);
-  objects += edges(bounds(whole.pose).box, 0.0045, Tone::quiet);
-  objects += edges(tight_bounds(whole.pose).box, 0.007, Tone::question);
+  Bounds guaranteed, exact;
+  bounds(whole.pose, guaranteed);
+  exact_bounds(whole.pose, exact);
+  objects += edges(guaranteed.box, 0.0045, Tone::quiet);
+  objects += edges(exact.box, 0.007, Tone::question);
   objects += boxes_of_joints(by_joint);
   return framed("bounds", {{-5.4, 1.7, 0.9}, {0, 0.86, -0.08}, 43, 16. / 9}, objects);
 }

@@ -39,7 +39,7 @@ Picture contact_picture() {
   collide(a.pose, b.pose, scratch, contacts);
   ContactGeometry geometry;
   describe_contacts(a.pose, Surface(a.pose.model()), b.pose, Surface(b.pose.model()), contacts,
-                    geometry);
+                    scratch, geometry);
   std::string objects = unshadowed(painted(a, glass({0.26F, 0.40F, 0.55F}, 0.45), {})) +
                         painted(b, 1) + curves(geometry);
   for (const ContactRegion& region : geometry.regions)

@@ -87,11 +87,13 @@ std::string scene_text() {
 Picture culling_picture() {
   Cast cast(scene_text(), 0);
   const Eye eye = {{-1.2, 1.0, 5.4}, -0.2, 0.42, 0.36, 0.8, 7.6};
-  const Frustum frustum = make_frustum(eye.view_projection());
+  const Region seen = make_frustum(eye.view_projection());
   Scratch scratch;
   std::string objects = outline(eye);
   for (Actor& actor : cast.actors) {
-    switch (classify(actor.pose, ConvexPolyhedron(frustum), scratch).placement) {
+    Placement placement = Placement::outside;
+    classify(actor.pose, seen, scratch, placement);
+    switch (placement) {
       case Placement::outside:
         objects += painted(actor, paint({0.72F, 0.73F, 0.74F}), {});
         break;

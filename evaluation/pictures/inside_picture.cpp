@@ -26,7 +26,7 @@ Picture inside_picture() {
   Penetration deepest;
   deepest_vertex(a.pose, Surface(a.pose.model()), b.pose, Surface(b.pose.model()), scratch,
                  deepest);
-  const Vec3d vertex(deepest.position), surface(deepest.nearest.position);
+  const Vec3d vertex(deepest.position), surface(deepest.closest.position);
   const std::string objects = unshadowed(painted(a, glass({0.26F, 0.40F, 0.55F}, 0.35), {})) +
                               unshadowed(painted(b, glass({0.66F, 0.57F, 0.42F}, 0.45), {})) +
                               line(vertex, surface, 0.010, Tone::answer) +

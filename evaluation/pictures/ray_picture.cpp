@@ -24,7 +24,8 @@ Picture ray_picture() {
     const Vec3 aim = {-0.25f + 0.05f * static_cast<float>(i), 0.1f + 0.21f * static_cast<float>(i),
                       0.1f};
     const Ray ray = segment(eye, aim);
-    const RayHit hit = pelt::cast(actor.pose, ray);
+    RayHit hit;
+    pelt::cast(actor.pose, ray, hit);
     const Vec3d direction(ray.direction);
     if (!hit) {
       objects += line(Vec3d(eye), Vec3d(eye) + 1.3 * direction, 0.004, Tone::quiet);

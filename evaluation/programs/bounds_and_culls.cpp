@@ -58,6 +58,18 @@ void open_all(Pose& pose) {
   detail::open_all_exactly(posed);
 }
 
+Bounds bounds_of(Pose& pose, const BoundsOptions& options = {}) {
+  Bounds found;
+  bounds(pose, found, options);
+  return found;
+}
+
+Box exact_box(Pose& pose) {
+  Bounds found;
+  exact_bounds(pose, found);
+  return found.box;
+}
+
 class Questions {
  public:
   /// Regions are placed about this sphere from now on.
@@ -66,10 +78,10 @@ class Questions {
   std::vector<Question> all() {
     const auto skinned = [this](Pose& pose) { return numbers(skin_all(pose, positions_)); };
     std::vector<Question> questions = {
-        {"box", [](Pose& pose) { return numbers(bounds(pose).box); }, skinned, false},
-        {"box_3_levels", [](Pose& pose) { return numbers(bounds(pose, {.levels = 3}).box); },
+        {"box", [](Pose& pose) { return numbers(bounds_of(pose).box); }, skinned, false},
+        {"box_3_levels", [](Pose& pose) { return numbers(bounds_of(pose, {.levels = 3}).box); },
          skinned, false},
-        {"box_exact", [](Pose& pose) { return numbers(tight_bounds(pose).box); }, skinned}};
+        {"box_exact", [](Pose& pose) { return numbers(exact_box(pose)); }, skinned}};
     for (const auto& [name, place] : {std::pair("apart", 3.0f), std::pair("across", 0.4f)}) {
       questions.push_back(placed("half_space_" + std::string(name), place, half_space));
       questions.push_back(placed("sphere_" + std::string(name), place, sphere));
@@ -101,15 +113,19 @@ class Questions {
   Question placed(std::string name, float place, MakeRegion make) {
     return asked(std::move(name), [this, place, make](Pose& pose) -> Answer {
       const Region where = make(around_, place);
-      return {static_cast<double>(classify(pose, where, scratch_).placement)};
+      Placement placement = Placement::outside;
+      classify(pose, where, scratch_, placement);
+      return {static_cast<double>(placement)};
     });
   }
 
   Question found(std::string name, float place, MakeRegion make) {
     return asked(std::move(name), [this, place, make](Pose& pose) -> Answer {
       const Region where = make(around_, place);
+      triangles_.intersecting.clear();
+      triangles_.inside.clear();
       find_triangles(pose, where, scratch_, triangles_);
-      return Answer(triangles_.touching.begin(), triangles_.touching.end());
+      return Answer(triangles_.intersecting.begin(), triangles_.intersecting.end());
     });
   }
 
@@ -174,7 +190,7 @@ bool measure(const std::string& path, int runs) {
     std::vector<double> lazy, eager;
     for (const std::vector<Matrix4>& palette : palettes_of(*asset)) {
       if (!pose.set_palette(palette)) continue;
-      questions.place(bounds(pose).sphere);
+      questions.place(bounds_of(pose).sphere);
       const Answer answer = question.on_demand(pose);
       if (!pose.set_palette(palette) || !agree(question, answer, question.eager(pose)))
         return std::cerr << path << ": " << question.name << ": answers differ\n", false;

@@ -45,7 +45,7 @@ std::ostream& operator<<(std::ostream& out, const Row& row) {
   const CrowdTiming& timing = row.timing;
   return out << row.instances << ',' << row.triangles << ',' << row.threads << ','
              << timing.frame_ms << ',' << timing.palettes_ms << ',' << timing.stats.candidate_pairs
-             << ',' << timing.stats.touching_pairs << ',' << timing.contacts << ','
+             << ',' << timing.stats.intersecting_pairs << ',' << timing.contacts << ','
              << megabytes(row.crowd_bytes) << ',' << megabytes(row.process_bytes);
 }
 

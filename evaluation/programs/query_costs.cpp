@@ -180,12 +180,12 @@ class Costs {
   void measure_pairs() {
     const double reach = 0.05 * stage_.metre();
     const auto all_within = [=, this](const QueryFrame&, Answer& answer) {
-      contacts_.clear();
-      clearance(a_, b_, reach, scratch_, contacts_);
-      add_contacts(answer);
+      near_.clear();
+      clearance(a_, b_, reach, scratch_, near_);
+      add_pairs(near_, answer);
     };
     const auto any_within = [=, this](const QueryFrame&, Answer& answer) {
-      answer.push_back(is_within(a_, b_, reach, scratch_));
+      answer.push_back(is_within(a_, b_, reach, scratch_).answer);
     };
     measure(about("clearance 5 cm, 3 cm apart", &QueryFrame::near, all_within));
     measure(about("clearance 5 cm, touching", &QueryFrame::touching, all_within));
@@ -197,7 +197,7 @@ class Costs {
     measure(about("contacts, their geometry", &QueryFrame::touching,
                   [this](const QueryFrame&, Answer& answer) {
                     find_contacts(answer);
-                    describe_contacts(a_, surface_, b_, surface_, contacts_, geometry_);
+                    describe_contacts(a_, surface_, b_, surface_, contacts_, scratch_, geometry_);
                     for (const ContactRegion& region : geometry_.regions)
                       answer.insert(answer.end(), {region.length, region.depth, region.point.x});
                     answer.push_back(static_cast<double>(geometry_.curves.size()));
@@ -207,14 +207,15 @@ class Costs {
   void find_contacts(Answer& answer) {
     contacts_.clear();
     collide(a_, b_, scratch_, contacts_);
-    add_contacts(answer);
+    add_pairs(contacts_, answer);
   }
 
   /// Their number and a sum that their order changes: they may be millions.
-  void add_contacts(Answer& answer) const {
+  template <typename Pair>
+  static void add_pairs(const std::vector<Pair>& pairs, Answer& answer) {
     std::uint64_t sum = 0;
-    for (const Contact& c : contacts_) sum = sum * 31 + c.triangle_a * 7919u + c.triangle_b;
-    answer.push_back(static_cast<double>(contacts_.size()));
+    for (const Pair& p : pairs) sum = sum * 31 + p.triangle_a * 7919u + p.triangle_b;
+    answer.push_back(static_cast<double>(pairs.size()));
     answer.push_back(static_cast<double>(sum >> 12));
   }
 
@@ -228,9 +229,11 @@ class Costs {
     for (const std::size_t count : {std::size_t{1}, std::size_t{100}})
       measure(about_one("side of " + std::to_string(count) + " point(s)",
                         [=, this](const QueryFrame& frame, Answer& answer) {
-                          for (const Vec3& p : std::span(frame.points).first(count))
-                            answer.push_back(
-                                static_cast<double>(side_of(a_, surface_, p, scratch_)));
+                          for (const Vec3& p : std::span(frame.points).first(count)) {
+                            PointSide side = PointSide::outside;
+                            side_of(a_, surface_, p, scratch_, side);
+                            answer.push_back(static_cast<double>(side));
+                          }
                         }));
   }
 
@@ -241,7 +244,7 @@ class Costs {
       return [&field, this](const QueryFrame&, Answer& answer) {
         contacts_.clear();
         collide(a_, field, scratch_, contacts_);
-        add_contacts(answer);
+        add_pairs(contacts_, answer);
       };
     };
     Question question = about_one("height field, 256 x 256", on(small));
@@ -249,7 +252,7 @@ class Costs {
                                pose(a_, frame.a, false);
                                contacts_.clear();
                                collide(a_, mesh, scratch_, contacts_);
-                               add_contacts(answer);
+                               add_pairs(contacts_, answer);
                              }});
     measure(question);
     measure(about_one("height field, 4096 x 4096", on(large)));
@@ -263,6 +266,7 @@ class Costs {
   Scratch scratch_;
   std::vector<ClosestPoint> nearest_;
   std::vector<Contact> contacts_;
+  std::vector<NearPair> near_;
   ContactGeometry geometry_;
 };
 

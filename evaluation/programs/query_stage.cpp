@@ -21,7 +21,9 @@ class Numbers {
 
 Box box_of(Pose& pose, const JointPalette& palette) {
   (void)pose.set_palette(palette);
-  return tight_bounds(pose).box;
+  Bounds found;
+  exact_bounds(pose, found);
+  return found.box;
 }
 
 JointPalette moved(JointPalette palette, double x) {

@@ -56,7 +56,7 @@ Result<std::vector<Cell>> crowd_row(const Walkers& walkers, std::uint32_t count,
   const programs::CrowdTiming timing =
       programs::CrowdRun(job).best_of(conditions.is_quick ? 1 : 3, 1);
   std::vector<Cell> row = {static_cast<double>(count), static_cast<double>(timing.contacts),
-                           static_cast<double>(timing.stats.touching_pairs)};
+                           static_cast<double>(timing.stats.intersecting_pairs)};
   if (by_pairs) {
     if (const auto done = append_pairwise(job, timing, row); !done) return done.error();
   } else {

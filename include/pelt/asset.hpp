@@ -4,6 +4,9 @@
 /// from the file to the palette uses only + - * / and square roots in a fixed order (sines by own
 /// polynomials), so that the same file gives the same bits on every platform.
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
 #include <pelt/result.hpp>
@@ -84,7 +87,7 @@ struct Clip {
 /// kept). The arrays take 12 bytes a triangle, 12 + 6 K a vertex, 68 a joint, 16 for each vertex
 /// that a morph target displaces, and 4 for each time and each number of a clip's keys; nothing
 /// else in it grows with the mesh.
-struct Asset {
+struct PELT_API Asset {
   std::vector<Vec3> rest_positions;          ///< [V] see Part::skinned for their frame
   std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
   std::uint32_t influences_per_vertex = 1;   ///< K
@@ -137,12 +140,14 @@ struct GltfOptions {
 /// holds the file, what it refers to, and decoded copies of it, beside the asset. No file takes
 /// more than 256 times its size, 16 MiB aside: instances beyond that are refused. Where addresses
 /// have 32 bits, none takes more than 256 MiB, nor has more than two million values in its JSON.
-Result<Asset> load_gltf(const std::filesystem::path& path, const GltfOptions& options = {});
+PELT_API Result<Asset> load_gltf(const std::filesystem::path& path,
+                                 const GltfOptions& options = {});
 
 /// The same from memory, at the same cost. `folder` is where external files are looked for; empty:
 /// there are none.
-Result<Asset> load_gltf(std::span<const std::byte> file, const std::filesystem::path& folder,
-                        const GltfOptions& options = {});
+PELT_API Result<Asset> load_gltf(std::span<const std::byte> file,
+                                 const std::filesystem::path& folder,
+                                 const GltfOptions& options = {});
 
 /// Reusable memory and working state for sampling; one per thread. 176 bytes for each node of the
 /// largest asset that it was used for.
@@ -162,13 +167,14 @@ struct SampleScratch {
 /// (loop by passing a time modulo `duration`); null: the default node pose. `placement` stands
 /// before everything, as the instance's world matrix. Precondition: `palette` has J elements.
 /// O(nodes + J + channels * log keys); allocates nothing after the first call of an asset.
-void sample_palette(const Asset& asset, const Clip* clip, float seconds, const Matrix4& placement,
-                    SampleScratch& scratch, std::span<Matrix4> palette);
+PELT_API void sample_palette(const Asset& asset, const Clip* clip, float seconds,
+                             const Matrix4& placement, SampleScratch& scratch,
+                             std::span<Matrix4> palette);
 
 /// Writes the weights of the morph targets at `seconds` of `clip`, as `sample_palette` does the
 /// joints: those that the clip does not animate have their default. For `Pose::set_morph_weights`.
 /// Precondition: `weights` has M elements. O(M + channels * log keys); allocates nothing.
-void sample_morph_weights(const Asset& asset, const Clip* clip, float seconds,
-                          std::span<float> weights);
+PELT_API void sample_morph_weights(const Asset& asset, const Clip* clip, float seconds,
+                                   std::span<float> weights);
 
 }  // namespace pelt::asset

@@ -2,6 +2,9 @@
 
 /// How large a posed skin is, without posing it: for culling, shadows, levels of detail, exports.
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 #include <pelt/shapes.hpp>
@@ -14,8 +17,7 @@ namespace pelt {
 /// Around the posed surface: all triangles. Vertices that no triangle uses do not count.
 struct Bounds {
   Box box;
-  Sphere sphere;     ///< its centre is the box's
-  QueryStats stats;  ///< the work that it took
+  Sphere sphere;  ///< its centre is the box's
 };
 
 struct BoundsOptions {
@@ -24,19 +26,19 @@ struct BoundsOptions {
   std::uint32_t levels = 0;
 };
 
-/// A box and a sphere that surely enclose the posed surface: every float32 posed vertex that a
-/// triangle uses, rounding included. Frame of the joint palette.
+/// Writes a box and a sphere that surely enclose the posed surface: every float32 posed vertex that
+/// a triangle uses, rounding included. Frame of the joint palette.
 ///
 /// O(J) with `levels` 0, and then nothing is posed and nothing opened: the box costs what
 /// `set_palette` does, the sphere as much again and a half, and the box is a few hundredths to a
 /// quarter larger than the exact one, for a human in motion. It is the hull of the joints' own rest
 /// boxes, moved (Kavan & Zara 2005, eq. 2, with boxes and a body for each joint). Each level more
 /// costs what opening a few nodes does; three leave less than a tenth.
-Bounds bounds(Pose& pose, const BoundsOptions& options = {});
+PELT_API QueryStats bounds(Pose& pose, Bounds& result, const BoundsOptions& options = {});
 
 /// The same with the exact box: bit for bit the smallest and largest coordinates of those posed
 /// vertices that triangles use (see `posed_vertices`), but that zeros are positive. Opens the tree
 /// only where the box can still grow. The sphere is one that surely encloses.
-Bounds tight_bounds(Pose& pose);
+PELT_API QueryStats exact_bounds(Pose& pose, Bounds& result);
 
 }  // namespace pelt

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 
 #include <string>
@@ -13,6 +16,6 @@ namespace pelt {
 /// Returns what it found first, naming the node, the bound and the distance; empty when all bounds
 /// are sound, and anything else is a bug of Pelt. For tests: O(T + V) and no less, allocates,
 /// leaves the pose as it is.
-std::string check_bounds(const Pose& pose);
+PELT_API std::string check_bounds(const Pose& pose);
 
 }  // namespace pelt

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 
@@ -30,15 +33,15 @@ struct CollideOptions {
 /// sets, so touching counts as intersecting, coplanar overlap counts, and a triangle that has
 /// collapsed to a segment or a point is treated as that segment or point.
 ///
-/// Precondition: `a` and `b` are different poses (of the same model or of two). Cost grows with the
-/// contact, not with the meshes: two trees of boxes are descended together, and only where boxes
-/// meet are vertices posed and boxes computed, each once until the next palette. Poses that are far
-/// apart cost O(J). That boxes wait until they are asked for is Kavan & Zara 2005, section 4.2;
-/// tree and boxes are Pelt's own.
-QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
-                   const CollideOptions& options = {});
+/// Precondition: `a` and `b` are different poses (of the same model or of two); one pose given
+/// twice aborts the program, in every build. Cost grows with the contact, not with the meshes: two
+/// trees of boxes are descended together, and only where boxes meet are vertices posed and boxes
+/// computed, each once until the next palette. Poses that are far apart cost O(J). That boxes wait
+/// until they are asked for is Kavan & Zara 2005, section 4.2; tree and boxes are Pelt's own.
+PELT_API QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
+                            const CollideOptions& options = {});
 
 /// Whether any triangles of `a` and `b` intersect; as `collide`, stopping at the first contact.
-bool intersects(Pose& a, Pose& b, Scratch& scratch);
+PELT_API YesNo intersects(Pose& a, Pose& b, Scratch& scratch);
 
 }  // namespace pelt

@@ -4,9 +4,11 @@
 /// regions, with the places, normals and joints that a solver, a report or a picture wants. Asked
 /// for after `collide`, of the contacts that it found.
 
-#include <pelt/collide.hpp>
+#include <pelt/cxx20.hpp>
 
-#include <array>
+#include <pelt/collide.hpp>
+#include <pelt/export.hpp>
+
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -21,7 +23,7 @@ struct Surface;
 /// Which triangles of a model are neighbours, and what joints they follow: what contact geometry
 /// needs beside the model. Made once for each model, immutable, cheap to copy (copies share), safe
 /// to use from any number of threads.
-class Surface {
+class PELT_API Surface {
  public:
   /// O(T log T); allocates 22 bytes a triangle.
   explicit Surface(const SkinnedModel& model);
@@ -102,27 +104,21 @@ struct ContactGeometry {
   std::vector<ContactCurve> curves;    ///< of all segments, each once
   std::vector<std::uint32_t> members;  ///< of the regions, into `traces`, ascending in each
   std::vector<ContactRegion> regions;  ///< the one with the most contacts first
-
-  /// For Pelt's own files: working memory.
-  struct Link {
-    std::array<std::uint32_t, 6> key;
-    std::uint32_t owner;
-  };
-  std::vector<Link> links;
-  std::vector<std::uint32_t> partners, labels;
 };
 
-/// Writes the geometry of contacts that `collide(a, b, ...)` found in the poses as they are now.
+/// Writes the geometry of contacts that `collide(a, b, ...)` found in the poses as they are now,
+/// in place of what `geometry` had.
 ///
 /// Curves are chained by the features that cut each other, not by coordinates, so they are
 /// complete: two closed surfaces in general position cut each other in closed curves. They end at
 /// the border of a surface that is not closed, and where more than two segments meet, as happens
 /// where edges lie in faces, corners on edges, or surfaces have parts in common.
 ///
-/// Precondition: `surface_a` and `surface_b` are of the models of `a` and `b`, and the contacts are
-/// ascending, without repetition, and in range. O(C log C) for C contacts; nodes that are not open
-/// are opened.
-QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                             std::span<const Contact> contacts, ContactGeometry& geometry);
+/// Preconditions: `surface_a` and `surface_b` are of the models of `a` and `b` (the surface of
+/// another model aborts the program, in every build); the contacts are ascending, without
+/// repetition, and in range. O(C log C) for C contacts; nodes that are not open are opened.
+PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b,
+                                      const Surface& surface_b, std::span<const Contact> contacts,
+                                      Scratch& scratch, ContactGeometry& geometry);
 
 }  // namespace pelt

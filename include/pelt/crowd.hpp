@@ -1,6 +1,9 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
 #include <pelt/collide.hpp>
+#include <pelt/export.hpp>
 
 #include <compare>
 #include <cstdint>
@@ -23,7 +26,7 @@ struct CrowdGroups {
   std::uint32_t collides_with = 0xFFFFFFFF;  ///< a bit for each group
 };
 
-/// Two instances that touch, a < b.
+/// Two instances that intersect, a < b.
 struct CrowdPair {
   std::uint32_t instance_a = 0, instance_b = 0;
 
@@ -53,20 +56,20 @@ struct CrowdOptions {
   std::function<bool(std::uint32_t instance_a, std::uint32_t instance_b)> filter = nullptr;
 };
 
-struct CrowdStats {
-  std::uint64_t candidate_pairs = 0;  ///< of instances, asked for their contacts
-  std::uint64_t touching_pairs = 0;   ///< of those, the ones that have any
-  QueryStats work;
+/// The work of a query of a crowd, on all threads.
+struct CrowdStats : QueryStats {
+  std::uint64_t candidate_pairs = 0;     ///< pairs of instances that were tested for contacts
+  std::uint64_t intersecting_pairs = 0;  ///< those of them that have contacts
 };
 
-/// Many instances of a few models, asked all at once which of them touch: up to tens of thousands.
-/// An instance costs its joint palette and a few words; what a query opens of it lies in memory
-/// that is shared by all, and used anew as soon as the pairs of instances that hang together are
-/// through. Functions below that state no cost take O(1).
+/// Many instances of a few models, asked all at once which of them intersect: up to tens of
+/// thousands. An instance costs its joint palette and a few words; what a query opens of it lies in
+/// memory that is shared by all, and used anew as soon as the pairs of instances that hang together
+/// are through. Functions below that state no cost take O(1).
 ///
 /// A frame is `set_palette` for the instances that have moved, then a query. Instances have numbers
 /// from 0 on. One thread at a time may use a crowd, but for `set_palette`. Movable, not copyable.
-class Crowd {
+class PELT_API Crowd {
  public:
   Crowd();
   Crowd(Crowd&&) noexcept;
@@ -94,6 +97,8 @@ class Crowd {
   /// the instance; O(J), allocates nothing.
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const float> palette);
+  Result<void> set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette);
+  Result<void> set_palette(std::uint32_t instance, std::span<const double> palette);
 
   /// The same for the weights of an instance's morph targets, as Pose::set_morph_weights.
   Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
@@ -116,9 +121,9 @@ class Crowd {
   /// unchanged, and the crowd can be queried again.
   CrowdStats collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options = {});
 
-  /// Appends the pairs of instances that touch, in ascending order: cheaper, for a pair is done
+  /// Appends the pairs of instances that intersect, in ascending order: cheaper, for a pair is done
   /// with its first contact. Otherwise as `collide`; `max_contacts` does not count.
-  CrowdStats touching(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
+  CrowdStats intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
 
   /// Bytes that the crowd holds, without its models. O(n).
   std::size_t memory_bytes() const;

@@ -17,11 +17,15 @@
 /// non-convex objects", 1994; boxes that wait until they are asked for are Kavan & Zara's (2005,
 /// section 4.2).
 
+#include <pelt/cxx20.hpp>
+
 #include <pelt/collide.hpp>
+#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -42,26 +46,28 @@ struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();
   SurfacePoint point;
 
-  bool found() const { return distance < std::numeric_limits<double>::infinity(); }
+  /// Whether anything was found.
+  explicit operator bool() const { return distance < std::numeric_limits<double>::infinity(); }
 };
 
 struct ClosestPointOptions {
-  /// Nothing further away is looked for. Not negative.
+  /// Nothing farther away is looked for. Not negative.
   double max_distance = std::numeric_limits<double>::infinity();
 };
 
-/// The point of the posed surface that is nearest to `point`. The distance is of the same kind as
-/// that of two triangles; 0 only up to rounding.
+/// Writes the point of the posed surface that is closest to `point`. The distance is of the same
+/// kind as that of two triangles; 0 only up to rounding.
 ///
 /// Precondition: the coordinates of `point` are finite and at most 2^60. Cost grows with the parts
-/// of the surface that are about as near as the nearest.
-QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch, ClosestPoint& closest,
-                         const ClosestPointOptions& options = {});
+/// of the surface that are about as close as the closest.
+PELT_API QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch,
+                                  ClosestPoint& result, const ClosestPointOptions& options = {});
 
-/// The same for each of `points`. Precondition: as many of `closest` as of `points`. What one opens
-/// the others find open, so neighbours should follow each other.
-QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,
-                          std::span<ClosestPoint> closest, const ClosestPointOptions& options = {});
+/// The same for each of `points`. Precondition: `results` has one element for each point. What one
+/// point opens the others find open, so neighbours should follow each other.
+PELT_API QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,
+                                   std::span<ClosestPoint> results,
+                                   const ClosestPointOptions& options = {});
 
 /// The answer of `distance`.
 struct Distance {
@@ -72,16 +78,17 @@ struct Distance {
   double lower_bound = 0;
   SurfacePoint a, b;
 
-  bool found() const { return distance < std::numeric_limits<double>::infinity(); }
+  /// Whether anything was found.
+  explicit operator bool() const { return distance < std::numeric_limits<double>::infinity(); }
 
-  /// For Pelt's own files: where in the two trees this was found.
-  std::array<std::uint32_t, 4> places = {};
+  /// For `DistanceOptions::hint`.
+  TreeLocation<4> location;
 };
 
 struct DistanceOptions {
-  /// Nothing further away is looked for. Not negative.
+  /// Nothing farther away is looked for. Not negative.
   double max_distance = std::numeric_limits<double>::infinity();
-  /// The pair found may be so much further than the nearest one; which it is then depends on what
+  /// The pair found may be so much farther than the closest one; which it is then depends on what
   /// has been asked before. The query ends earlier, with a `lower_bound` that is proven. Not
   /// negative.
   double tolerance = 0;
@@ -92,28 +99,36 @@ struct DistanceOptions {
 
 /// The least distance of any triangle of `a` from any of `b`, and two points that have it.
 ///
-/// Precondition: `a` and `b` are different poses (of the same model or of two). Poses that touch
-/// cost what `collide` does, because the lowest pair that touches is asked for; with a tolerance
-/// what `intersects` does.
-QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& nearest,
-                    const DistanceOptions& options = {});
+/// Precondition: `a` and `b` are different poses (of the same model or of two); one pose given
+/// twice aborts the program, in every build. Poses that touch cost what `collide` does, because the
+/// lowest pair that touches is asked for; with a tolerance what `intersects` does.
+PELT_API QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
+                             const DistanceOptions& options = {});
+
+/// Two triangles that are no farther apart than a query asked, by their numbers in the two models'
+/// triangle arrays. They need not intersect.
+struct NearPair {
+  std::uint32_t triangle_a = 0, triangle_b = 0;
+
+  friend auto operator<=>(const NearPair&, const NearPair&) = default;
+};
 
 struct ClearanceOptions {
   /// Stop after this many pairs. Which ones are found first is unspecified, and
   /// `QueryStats::cut_short` says whether any are missing.
-  std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t max_pairs = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// Appends every pair of triangles of `a` and `b` whose distance is at most `tolerance`, in
 /// ascending order; with a tolerance of 0 these are the pairs of `collide`.
 ///
-/// Preconditions: `a` and `b` are different poses; the tolerance is not negative. Cost grows with
-/// what comes so near.
-QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
-                     std::vector<Contact>& contacts, const ClearanceOptions& options = {});
+/// Preconditions: `a` and `b` are different poses, as for `distance`; the tolerance is not
+/// negative. Cost grows with what comes so near.
+PELT_API QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
+                              std::vector<NearPair>& pairs, const ClearanceOptions& options = {});
 
 /// Whether any triangles of `a` and `b` are at most `tolerance` apart; as `clearance`, stopping at
 /// the first pair.
-bool is_within(Pose& a, Pose& b, double tolerance, Scratch& scratch);
+PELT_API YesNo is_within(Pose& a, Pose& b, double tolerance, Scratch& scratch);
 
 }  // namespace pelt

@@ -2,6 +2,9 @@
 
 /// The point of a posed skin that is farthest in a direction, also called its support point.
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/math.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
@@ -29,6 +32,6 @@ struct FarthestVertex {
 ///
 /// Cost: opens the nodes whose boxes reach beyond the farthest vertex so far, best box first; often
 /// one node for each level of the tree. Allocation: memory of the pose only.
-QueryStats farthest_vertex(Pose& pose, const Vec3& direction, FarthestVertex& farthest);
+PELT_API QueryStats farthest_vertex(Pose& pose, const Vec3& direction, FarthestVertex& result);
 
 }  // namespace pelt

@@ -3,8 +3,11 @@
 /// Terrain that a character meets: a grid of heights as the second operand of `collide` and
 /// `distance`, and under rays.
 
+#include <pelt/cxx20.hpp>
+
 #include <pelt/collide.hpp>
 #include <pelt/distance.hpp>
+#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 #include <pelt/ray.hpp>
@@ -42,7 +45,7 @@ struct HeightGrid {
 /// and row to its highest. The cell in column c of row r has the numbers 2 (r (columns - 1) + c),
 /// on the side of the next row, and that plus one, on the side of the next column. Their fronts are
 /// above.
-class HeightField {
+class PELT_API HeightField {
  public:
   std::uint32_t columns() const;
   std::uint32_t rows() const;
@@ -68,7 +71,7 @@ class HeightField {
 /// and so far from the origin of the frame that floats cannot tell them apart.
 ///
 /// O(rows x columns); copies the heights, and keeps 5 bytes a vertex in all.
-Result<HeightField> build_height_field(const HeightGrid& grid);
+PELT_API Result<HeightField> build_height_field(const HeightGrid& grid);
 
 /// Appends every pair of a triangle of the posed skin and one of the field that intersect, in
 /// ascending order; `Contact::triangle_b` is the field's.
@@ -78,26 +81,27 @@ Result<HeightField> build_height_field(const HeightGrid& grid);
 /// the least and the greatest height of the field below them, which a hierarchy of these tells in
 /// constant time, however large the field is; the field's triangles are made of the heights where
 /// they are asked for.
-QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
-                   std::vector<Contact>& contacts, const CollideOptions& options = {});
+PELT_API QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
+                            std::vector<Contact>& contacts, const CollideOptions& options = {});
 
 /// Whether any triangles intersect; as `collide`, stopping at the first contact.
-bool intersects(Pose& pose, const HeightField& field, Scratch& scratch);
+PELT_API YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch);
 
 /// The least distance of any triangle of the posed skin from any of the field, as `distance` of two
 /// poses; `Distance::b` is on the field. What is below the ground is as far from it as what is
 /// above. Infinite, too, if the field has nothing but holes.
-QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Distance& nearest,
-                    const DistanceOptions& options = {});
+PELT_API QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch,
+                             Distance& result, const DistanceOptions& options = {});
 
-/// Writes what each ray hits first of the field, exactly as `cast` at a pose; `RayHit::place` has
-/// no meaning here. Precondition: `hits` has one element for each ray. Blocks of the field that a
-/// ray enters are looked at in their order, of cells only those below or above it. Allocates
+/// Writes what each ray hits first of the field, exactly as `cast` at a pose; `RayHit::location`
+/// has no meaning here. Precondition: `hits` has one element for each ray. Blocks of the field that
+/// a ray enters are looked at in their order, of cells only those below or above it. Allocates
 /// nothing.
-QueryStats cast(const HeightField& field, std::span<const Ray> rays, std::span<RayHit> hits,
-                const CastOptions& options = {});
+PELT_API QueryStats cast(const HeightField& field, std::span<const Ray> rays,
+                         std::span<RayHit> hits, const CastOptions& options = {});
 
-/// What one ray hits first.
-RayHit cast(const HeightField& field, const Ray& ray, const CastOptions& options = {});
+/// The same for one ray.
+PELT_API QueryStats cast(const HeightField& field, const Ray& ray, RayHit& result,
+                         const CastOptions& options = {});
 
 }  // namespace pelt

@@ -5,8 +5,11 @@
 /// an inside: the points around which the posed surface winds, in either direction and however
 /// often. What is decided is decided exactly on the float32 posed vertices.
 
+#include <pelt/cxx20.hpp>
+
 #include <pelt/contact.hpp>
 #include <pelt/distance.hpp>
+#include <pelt/export.hpp>
 
 #include <cstdint>
 
@@ -18,10 +21,12 @@ enum class PointSide : std::uint8_t {
   inside,
 };
 
-/// Where a point lies, exactly, for any posed vertices. Preconditions: the surface is closed and of
-/// the pose's model; the coordinates of `point` are finite and at most 2^60. Cost: a search for the
-/// triangles that contain the point, and one ray.
-PointSide side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch);
+/// Writes where a point lies, exactly, for any posed vertices. Preconditions: the surface is closed
+/// and of the pose's model (otherwise the program aborts, in every build); the coordinates of
+/// `point` are finite and at most 2^60. Cost: a search for the triangles that contain the point,
+/// and one ray.
+PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
+                            PointSide& result);
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
@@ -29,14 +34,15 @@ inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 struct Penetration {
   std::uint32_t vertex = kNoVertex;  ///< of the first body, the lowest of those alike in every bit
   Vec3 position;                     ///< of it
-  SurfacePoint nearest;              ///< of the second body's surface
+  SurfacePoint closest;              ///< of the second body's surface
   double depth = 0;                  ///< how far that is from the vertex
 
-  bool found() const { return vertex != kNoVertex; }
+  /// Whether any vertex is inside.
+  explicit operator bool() const { return vertex != kNoVertex; }
 };
 
-/// The vertex of `a` that lies inside `b` and is furthest from its surface; of equal ones the
-/// lowest. `found()` is false where no vertex of `a` is inside.
+/// Writes the vertex of `a` that lies inside `b` and is farthest from its surface; of equal ones
+/// the lowest. The result is false where no vertex of `a` is inside.
 ///
 /// The depth is the one-sided Hausdorff distance of the vertices inside `b` to its surface: a lower
 /// bound of how far the surface of `a` reaches in, which no triangulation makes smaller when it
@@ -44,11 +50,12 @@ struct Penetration {
 /// must be moved to part them.
 ///
 /// Preconditions: `surface_a` and `surface_b` are of the models of `a` and `b`, which are different
-/// poses; `surface_b` is closed. Boxes of `a` that the surface of `b` does not touch cost a few
-/// rays each, and what is outside is not posed; each other vertex costs a search for something
-/// nearer than the deepest so far, and those that have nothing such near, some rays.
-QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                          Scratch& scratch, Penetration& deepest);
+/// poses; `surface_b` is closed; otherwise the program aborts, in every build. Boxes of `a` that
+/// the surface of `b` does not touch cost a few rays each, and what is outside is not posed; each
+/// other vertex costs a search for something nearer than the deepest so far, and those that have
+/// nothing such near, some rays.
+PELT_API QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b,
+                                   const Surface& surface_b, Scratch& scratch, Penetration& result);
 
 enum class Containment : std::uint8_t {
   none,    ///< they touch, or no body holds the other whole
@@ -56,11 +63,11 @@ enum class Containment : std::uint8_t {
   b_in_a,
 };
 
-/// Whether one body is wholly inside the other, which no contact tells. A surface that is not
-/// closed holds nothing, but may be held. Preconditions: as for `deepest_vertex`, but that surfaces
-/// need not be closed. Costs what `intersects` does, and some rays for each part that hangs
-/// together.
-Containment containment(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                        Scratch& scratch);
+/// Writes whether one body is wholly inside the other, which no contact tells. A surface that is
+/// not closed holds nothing, but may be held. Preconditions: as for `deepest_vertex`, but that
+/// surfaces need not be closed. Costs what `intersects` does, and some rays for each part that
+/// hangs together.
+PELT_API QueryStats containment(Pose& a, const Surface& surface_a, Pose& b,
+                                const Surface& surface_b, Scratch& scratch, Containment& result);
 
 }  // namespace pelt

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
 #include <array>
 
 namespace pelt {
@@ -23,6 +25,18 @@ struct Matrix4 {
   friend bool operator==(const Matrix4&, const Matrix4&) = default;
 };
 
-static_assert(sizeof(Vec3) == 12 && sizeof(Matrix4) == 64, "arrays are shared with engines");
+/// The first three rows of a joint matrix: 12 floats, row-major; element (row, column) is
+/// `m[4 * row + column]` and the translation is m[3], m[7], m[11]. The last row is 0 0 0 1.
+///
+/// This is how engines pack bones for shaders (three rows of four floats, `float3x4` in HLSL).
+/// Matrices of four columns of three floats have another layout: transpose them.
+struct Matrix3x4 {
+  std::array<float, 12> m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+  friend bool operator==(const Matrix3x4&, const Matrix3x4&) = default;
+};
+
+static_assert(sizeof(Vec3) == 12 && sizeof(Matrix4) == 64 && sizeof(Matrix3x4) == 48,
+              "arrays are shared with engines");
 
 }  // namespace pelt

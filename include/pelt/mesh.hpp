@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
 #include <pelt/math.hpp>
 
 #include <array>

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/mesh.hpp>
 #include <pelt/result.hpp>
 
@@ -40,7 +43,7 @@ struct BuildReport {
 
 /// A skinned mesh, checked and prepared for queries. Immutable, cheap to copy (copies share), safe
 /// to use from any number of threads.
-class SkinnedModel {
+class PELT_API SkinnedModel {
  public:
   std::uint32_t vertex_count() const;
   std::uint32_t triangle_count() const;
@@ -64,6 +67,7 @@ class SkinnedModel {
 /// negative weight, weights that do not sum to 1, vertices of a morph target that do not ascend.
 ///
 /// Triangles keep their numbers, vertices keep theirs. O(T log T); allocates.
-Result<SkinnedModel> build_model(const SkinnedMeshView& mesh, const ModelOptions& options = {});
+PELT_API Result<SkinnedModel> build_model(const SkinnedMeshView& mesh,
+                                          const ModelOptions& options = {});
 
 }  // namespace pelt

@@ -7,6 +7,8 @@
 /// leaves the function that needed it. Models, poses, crowds and scratch stay usable then, and
 /// nothing leaks; lists to which results are appended are unchanged.
 
+#include <pelt/cxx20.hpp>
+
 #include <pelt/bounds.hpp>
 #include <pelt/check.hpp>
 #include <pelt/collide.hpp>

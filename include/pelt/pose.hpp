@@ -1,5 +1,8 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/model.hpp>
 
 #include <memory>
@@ -19,7 +22,7 @@ struct Pose;
 /// A new pose has identity matrices and morph weights of zero, that is, the rest positions. Queries
 /// write the bounds that they refit into the pose, so one thread at a time may query a pose.
 /// Movable, not copyable; one that has been moved from may only be assigned to or destroyed.
-class Pose {
+class PELT_API Pose {
  public:
   /// Allocates the joint palette, O(J). Queries allocate when they open more than in any frame
   /// before; `reserve` forestalls that.
@@ -40,8 +43,16 @@ class Pose {
   /// large). The message names the joint.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
-  /// The same from 16 floats a joint, as engines keep them.
+  /// The same from 16 floats a joint, in the layout of `Matrix4`.
   Result<void> set_palette(std::span<const float> palette);
+
+  /// The same from the first three rows of each matrix.
+  Result<void> set_palette(std::span<const Matrix3x4> palette);
+
+  /// The same from 16 doubles a joint, in the layout of `Matrix4`. Each element is rounded once, to
+  /// the nearest float (of two equally near ones the even one), and the floats are then validated:
+  /// an element beyond the range of float becomes infinite and is refused.
+  Result<void> set_palette(std::span<const double> palette);
 
   /// Takes the weights of the model's morph targets: a vertex is displaced by the sum of weight x
   /// displacement before the joints move it. Any finite number is allowed; what has the weight 0
@@ -74,6 +85,6 @@ class Pose {
 /// targets have been added by weight. Precondition: `out` has `vertex_count()` elements. O(V times
 /// influences) and, where active targets displace vertices, O(log V) for each of these and target;
 /// allocates nothing, and is not needed for any query.
-void posed_vertices(const Pose& pose, std::span<Vec3> out);
+PELT_API void posed_vertices(const Pose& pose, std::span<Vec3> out);
 
 }  // namespace pelt

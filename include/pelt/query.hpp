@@ -2,6 +2,11 @@
 
 /// What all queries share: how their work is counted, and the memory lent to them.
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,10 +14,12 @@
 namespace pelt {
 
 namespace detail {
+struct Access;
 struct Scratch;
-}
+}  // namespace detail
 
-/// The work that a query did, in counts that do not depend on the machine.
+/// The work that a query did, in counts that do not depend on the machine. Every query returns its
+/// work, all of it; add up several by `+=`.
 struct QueryStats {
   /// Nodes compared with what is asked: another tree's node, a ray, a point, a region. The roots
   /// are included.
@@ -23,12 +30,34 @@ struct QueryStats {
   std::uint64_t displacements = 0;   ///< by active morph targets, of vertices that were posed
   bool cut_short = false;            ///< a limit of the options ended the query before its end
 
-  QueryStats& operator+=(const QueryStats& other);
+  PELT_API QueryStats& operator+=(const QueryStats& other);
+};
+
+/// The answer to a question of yes or no, with the work that it took:
+///
+///     if (intersects(a, b, scratch)) ...
+///     total += intersects(a, b, scratch);
+struct YesNo : QueryStats {
+  bool answer = false;
+
+  explicit operator bool() const { return answer; }
+};
+
+/// Where in the tree of a model a query found its answer, for functions that go on from there.
+/// Opaque: it has no meaning outside of Pelt.
+template <std::size_t kNumbers>
+class TreeLocation {
+ public:
+  friend bool operator==(const TreeLocation&, const TreeLocation&) = default;
+
+ private:
+  friend struct detail::Access;
+  std::array<std::uint32_t, kNumbers> numbers_ = {};
 };
 
 /// Memory lent to queries so that they allocate nothing after the first ones: one for each thread.
 /// Its content carries nothing from one query to the next.
-class Scratch {
+class PELT_API Scratch {
  public:
   Scratch();
   Scratch(Scratch&&) noexcept;

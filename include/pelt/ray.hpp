@@ -11,6 +11,9 @@
 /// Answers are the same to the bit on every machine, and do not depend on what has been asked
 /// before.
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 
@@ -33,7 +36,7 @@ struct Ray {
 
 /// The ray from `from` (t = 0) to `to` (t = 1). Its direction is their difference, each coordinate
 /// rounded to float: so it passes `to` by at most half a unit in the last place of that.
-Ray segment(const Vec3& from, const Vec3& to);
+PELT_API Ray segment(const Vec3& from, const Vec3& to);
 
 /// The side of a triangle from which a ray comes. Its front is where its corners are seen
 /// counter-clockwise, as posed: a palette that mirrors turns triangles round.
@@ -51,7 +54,7 @@ inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFF;
 
 struct RayHit {
   std::uint32_t triangle = kNoTriangle;  ///< its number in the model's triangle array
-  std::uint32_t place = 0;  ///< where the model keeps the triangle; for `influences_at`
+  TreeLocation<1> location;              ///< for `influences_at`
 
   /// The float32 nearest to the exact parameter; it is this that lies in t_min to t_max.
   float t = std::numeric_limits<float>::infinity();
@@ -78,21 +81,22 @@ struct RayHit {
 /// many. What one ray has opened serves the next; once the rays of a call have opened an eighth of
 /// the mesh and as many are left, all is opened, which then is cheaper. Allocates nothing but what
 /// the pose needs to open nodes.
-QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
-                const CastOptions& options = {});
+PELT_API QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
+                         const CastOptions& options = {});
 
-/// What one ray hits first.
-RayHit cast(Pose& pose, const Ray& ray, const CastOptions& options = {});
+/// The same for one ray.
+PELT_API QueryStats cast(Pose& pose, const Ray& ray, RayHit& result,
+                         const CastOptions& options = {});
 
 /// Writes whether each ray hits anything; as `cast`, stopping at any hit. Precondition: `hit` has
 /// one element for each ray.
-QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
-                    const CastOptions& options = {});
+PELT_API QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
+                             const CastOptions& options = {});
 
 /// Appends everything that a ray hits, ascending by t and then by triangle. Each triangle that it
 /// goes through is named, so an edge that two share is met twice.
-QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch, std::vector<RayHit>& hits,
-                    const CastOptions& options = {});
+PELT_API QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch,
+                             std::vector<RayHit>& hits, const CastOptions& options = {});
 
 /// How far a point follows a joint.
 struct JointShare {
@@ -102,10 +106,11 @@ struct JointShare {
   friend bool operator==(const JointShare&, const JointShare&) = default;
 };
 
-/// Writes the joints that move the place of a hit, those of the triangle's corners blended by the
+/// Appends the joints that move the place of a hit, those of the triangle's corners blended by the
 /// hit's weights: the largest share first, of equal ones the lower joint. Shares are positive and
-/// sum to 1 up to rounding. Replaces what is in `shares`. Precondition: `hit` is a hit on a pose of
+/// sum to 1 up to rounding. Precondition: `hit` is a hit on a pose of
 /// this model.
-void influences_at(const SkinnedModel& model, const RayHit& hit, std::vector<JointShare>& shares);
+PELT_API void influences_at(const SkinnedModel& model, const RayHit& hit,
+                            std::vector<JointShare>& shares);
 
 }  // namespace pelt

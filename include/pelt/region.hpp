@@ -3,6 +3,9 @@
 /// Which posed skins, and which of their triangles, are in a region of space: culling, selection,
 /// triggers, a character against simple solids.
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 #include <pelt/shapes.hpp>
@@ -14,8 +17,8 @@
 
 namespace pelt {
 
-/// A closed set of points that is convex. Numbers must be finite, radii and half extents not
-/// negative.
+/// A closed set of points that is convex, and owns its numbers. They must be finite, radii and half
+/// extents not negative.
 using Region = std::variant<HalfSpace, Box, OrientedBox, ConvexPolyhedron, Sphere, Capsule>;
 
 /// Where the posed surface lies, that is, the union of all triangles.
@@ -26,14 +29,9 @@ enum class Placement : std::uint8_t {
 };
 
 /// "outside", "partly" or "inside".
-const char* name_of(Placement placement);
+PELT_API const char* name_of(Placement placement);
 
-struct Classified {
-  Placement placement = Placement::outside;
-  QueryStats stats;
-};
-
-/// Where the posed surface lies.
+/// Writes where the posed surface lies.
 ///
 /// Exact with respect to the float32 posed vertices and the region's own numbers, both taken as
 /// real numbers: triangles and regions are closed sets, so touching counts, and a triangle that has
@@ -43,31 +41,31 @@ struct Classified {
 /// Costs O(J) where the box from the joint palette tells, which is nearly always in a frustum; else
 /// nodes are opened along the region's boundary until one triangle inside or across it and one
 /// outside or across it are found.
-Classified classify(Pose& pose, const Region& region, Scratch& scratch);
+PELT_API QueryStats classify(Pose& pose, const Region& region, Scratch& scratch, Placement& result);
 
-/// The same for many poses: `placements[i]` is that of `*poses[i]`. Precondition: as many of these
-/// as of those. Returns the work of all.
-QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch& scratch,
-                    std::span<Placement> placements);
+/// The same for many poses: `results[i]` is that of `*poses[i]`. Precondition: `results` has one
+/// element for each pose. Returns the work of all.
+PELT_API QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch& scratch,
+                             std::span<Placement> results);
 
-/// The triangles of one pose that are in a region, by their numbers in the model's array,
-/// ascending.
+/// The triangles of one pose that are in a region, by their numbers in the model's array.
 struct TrianglesInRegion {
-  std::vector<std::uint32_t> touching;  ///< have at least a point in common with it
-  std::vector<std::uint32_t> inside;    ///< of these, those that lie wholly in it
+  std::vector<std::uint32_t> intersecting;  ///< have at least a point in common with it
+  std::vector<std::uint32_t> inside;        ///< of these, those that lie wholly in it
 };
 
-/// Replaces the content of `triangles` by those that touch the region and those inside it. Exact as
-/// `classify`. Nodes are opened along the region's boundary; what is inside is not even posed.
-QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
-                          TrianglesInRegion& triangles);
+/// Appends the triangles that intersect the region to one list and those inside it to the other,
+/// both ascending. Exact as `classify`. Nodes are opened along the region's boundary; what is
+/// inside is not even posed.
+PELT_API QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
+                                   TrianglesInRegion& triangles);
 
-/// Appends the triangles that touch the region, ascending: the character meets a simple solid. As
-/// `find_triangles`: a region is a solid, so what lies wholly inside touches it too.
-QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
-                   std::vector<std::uint32_t>& triangles);
+/// Appends the triangles that intersect the region, ascending: the character meets a simple solid.
+/// As `find_triangles`: a region is a solid, so what lies wholly inside intersects it too.
+PELT_API QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
+                            std::vector<std::uint32_t>& triangles);
 
-/// Whether any triangle touches the region; as `collide`, stopping at the first.
-bool intersects(Pose& pose, const Region& region, Scratch& scratch);
+/// Whether any triangle intersects the region; as `collide`, stopping at the first.
+PELT_API YesNo intersects(Pose& pose, const Region& region, Scratch& scratch);
 
 }  // namespace pelt

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
 #include <string>
 #include <utility>
 #include <variant>

@@ -3,9 +3,13 @@
 /// Plain shapes, in the frame of the joint palette like everything that queries see. All are closed
 /// sets, and their numbers are taken as they are: what a query says of them is exact.
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <pelt/math.hpp>
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 namespace pelt {
@@ -42,19 +46,30 @@ struct OrientedBox {
   Vec3 half;
 };
 
-/// What all half-spaces have in common; it may be unbounded or empty. Borrows them.
-struct ConvexPolyhedron {
-  /// Queries take no more.
+/// What all half-spaces have in common; it may be unbounded or empty. Without faces: all of space.
+class ConvexPolyhedron {
+ public:
   static constexpr std::size_t kMaxFaces = 64;
 
-  std::span<const HalfSpace> faces;
+  ConvexPolyhedron() = default;
+
+  /// Copies the faces; allocates nothing. Precondition: at most `kMaxFaces`; more abort the
+  /// program, in every build.
+  PELT_API ConvexPolyhedron(std::span<const HalfSpace> faces);
+
+  std::span<const HalfSpace> faces() const { return {faces_.data(), count_}; }
+
+ private:
+  std::array<HalfSpace, kMaxFaces> faces_ = {};
+  std::size_t count_ = 0;
 };
 
 /// What a camera sees: left, right, bottom, top, near, far.
 struct Frustum {
   std::array<HalfSpace, 6> faces;
 
-  operator ConvexPolyhedron() const { return {faces}; }
+  /// A copy: a `Region` made of a temporary frustum stays valid.
+  operator ConvexPolyhedron() const { return ConvexPolyhedron(faces); }
 };
 
 /// What lies between the near and the far plane after the division by w.
@@ -67,6 +82,7 @@ enum class ClipDepth {
 /// clip coordinates (x, y, z, w) = view_projection (p, 1). Column-major like a joint matrix, but
 /// with any last row. Each plane is rounded to float once; reversed depth is fine, and with an
 /// infinite far plane that face has the normal zero and leaves nothing out.
-Frustum make_frustum(const Matrix4& view_projection, ClipDepth depth = ClipDepth::minus_one_to_one);
+PELT_API Frustum make_frustum(const Matrix4& view_projection,
+                              ClipDepth depth = ClipDepth::minus_one_to_one);
 
 }  // namespace pelt

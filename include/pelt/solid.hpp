@@ -3,7 +3,10 @@
 /// Simple solids that a character is some way from, and that stand in the way of rays. What touches
 /// them `collide` tells, and which side of them things are on `classify` (pelt/region.hpp).
 
+#include <pelt/cxx20.hpp>
+
 #include <pelt/distance.hpp>
+#include <pelt/export.hpp>
 #include <pelt/ray.hpp>
 #include <pelt/shapes.hpp>
 
@@ -21,12 +24,13 @@ struct SolidDistance {
   /// Infinite if nothing is within the maximum; the points then have no meaning.
   double distance = std::numeric_limits<double>::infinity();
   SurfacePoint surface;  ///< of the posed skin
-  Vec3 solid;            ///< the point of the solid that is nearest to it, rounded to float
+  Vec3 solid;            ///< the point of the solid that is closest to it, rounded to float
 
-  bool found() const { return distance < std::numeric_limits<double>::infinity(); }
+  /// Whether anything was found.
+  explicit operator bool() const { return distance < std::numeric_limits<double>::infinity(); }
 };
 
-/// The least distance of any posed triangle from a solid, and two points that have it.
+/// Writes the least distance of any posed triangle from a solid, and two points that have it.
 ///
 /// It is 0 if and only if some triangle touches the solid as `collide` decides it, exactly; what is
 /// inside touches. The lowest of those triangles then counts, and both points are one that it has
@@ -37,8 +41,8 @@ struct SolidDistance {
 ///
 /// Nodes are opened nearest first, as for the closest point; a skin that touches costs what
 /// `collide` does.
-QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDistance& nearest,
-                    const ClosestPointOptions& options = {});
+PELT_API QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch,
+                             SolidDistance& result, const ClosestPointOptions& options = {});
 
 /// Where a ray enters a solid.
 struct SolidHit {
@@ -49,10 +53,11 @@ struct SolidHit {
   explicit operator bool() const { return t < std::numeric_limits<float>::infinity(); }
 };
 
-/// The first point of the ray that is in the solid. Computed in double, unlike what triangles are
-/// hit: the place is off the solid's surface by less than 2^-40 times the largest coordinate in the
-/// query, but for the rounding of t, and a ray that passes as near by may count either way.
-/// Preconditions: as for the solid, and for rays; t_min is finite.
-SolidHit cast(const Solid& solid, const Ray& ray);
+/// Writes the first point of the ray that is in the solid. Returns no work: a solid has no tree.
+/// Computed in double, unlike what triangles are hit: the place is off the solid's surface by less
+/// than 2^-40 times the largest coordinate in the query, but for the rounding of t, and a ray that
+/// passes as near by may count either way. Preconditions: as for the solid, and for rays; t_min is
+/// finite.
+PELT_API QueryStats cast(const Solid& solid, const Ray& ray, SolidHit& result);
 
 }  // namespace pelt

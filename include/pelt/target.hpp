@@ -1,5 +1,8 @@
 #pragma once
 
+#include <pelt/cxx20.hpp>
+
+#include <pelt/export.hpp>
 #include <span>
 
 namespace pelt {
@@ -13,16 +16,16 @@ enum class Target {
 };
 
 /// "scalar", "simd128" or "avx2".
-const char* name_of(Target target);
+PELT_API const char* name_of(Target target);
 
 /// The targets that this build has and this machine can run, slowest first.
-std::span<const Target> available_targets();
+PELT_API std::span<const Target> available_targets();
 
 /// What queries use: the fastest available target, unless `set_active_target` chose another.
-Target active_target();
+PELT_API Target active_target();
 
 /// Makes all queries from now on use `target`; false, and nothing changes, if it is not available.
 /// For measurements and tests. Not while another thread runs a query.
-bool set_active_target(Target target);
+PELT_API bool set_active_target(Target target);
 
 }  // namespace pelt

@@ -115,12 +115,17 @@ BoxFound bounding_box(const PosedTree& posed, std::uint32_t levels) {
 }
 
 BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette& palette) {
-  return store(node_box(bounds, set, palette));
+  BoxFound found = store(node_box(bounds, set, palette));
+  found.work.refits = 1;
+  return found;
 }
 
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places) {
-  return store(box_vertices(tree, palette, places));
+  BoxFound found = store(box_vertices(tree, palette, places));
+  found.work.refits = 1;
+  found.work.posed_vertices = places.size();
+  return found;
 }
 
 }  // namespace PELT_TARGET

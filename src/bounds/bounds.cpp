@@ -28,7 +28,7 @@ float radius_of(const Box& box, const Vec3& centre) {
 
 float middle(float low, float high) { return low / 2 + high / 2; }
 
-Bounds bounds_of_levels(Pose& pose, std::uint32_t levels) {
+QueryStats bounds_of_levels(Pose& pose, std::uint32_t levels, Bounds& result) {
   const detail::PosedTree posed = pose.detail().posed_tree();
   const detail::BoxFound found = detail::bounding_box(posed, levels);
   const Vec3 low = {found.low[0], found.low[1], found.low[2]};
@@ -37,17 +37,18 @@ Bounds bounds_of_levels(Pose& pose, std::uint32_t levels) {
   const float around_centre[] = {centre.x, centre.y, centre.z, 0};
   const float of_joints = detail::bounding_radius(posed.bounds, posed.palette, around_centre);
   const Box box = {low, high};
-  return {box, {centre, std::min(radius_of(box, centre), of_joints)}, found.work};
+  result = {box, {centre, std::min(radius_of(box, centre), of_joints)}};
+  return found.work;
 }
 
 }  // namespace
 
-Bounds bounds(Pose& pose, const BoundsOptions& options) {
-  return bounds_of_levels(pose, options.levels);
+QueryStats bounds(Pose& pose, Bounds& result, const BoundsOptions& options) {
+  return bounds_of_levels(pose, options.levels, result);
 }
 
-Bounds tight_bounds(Pose& pose) {
-  return bounds_of_levels(pose, std::numeric_limits<std::uint32_t>::max());
+QueryStats exact_bounds(Pose& pose, Bounds& result) {
+  return bounds_of_levels(pose, std::numeric_limits<std::uint32_t>::max(), result);
 }
 
 }  // namespace pelt

@@ -1,8 +1,8 @@
 #include "bounds/groups.hpp"
 
-#include "base/assert.hpp"
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"
+#include "base/require.hpp"
 #include "bounds/bounding_box.hpp"
 #include "bounds/group_vertices.hpp"
 #include "model/unpack.hpp"
@@ -17,6 +17,7 @@ namespace pelt {
 namespace {
 
 using detail::Problem;
+using detail::require;
 
 Groups make_groups(const SkinnedModel& model, const detail::VertexSets& sets) {
   const detail::Tree& tree = model.detail().tree;
@@ -69,7 +70,7 @@ const SkinnedModel& Groups::model() const { return groups_->model; }
 std::uint32_t Groups::count() const { return groups_->count(); }
 
 std::uint32_t Groups::vertex_count(std::uint32_t group) const {
-  PELT_ASSERT(group < count());
+  require(group < count(), "vertex_count: no group has that number; see count()");
   return static_cast<std::uint32_t>(groups_->places_of(group).size());
 }
 
@@ -92,15 +93,24 @@ Groups group_by_joint(const SkinnedModel& model) {
   return make_groups(model, corners_by_joint(model.detail().tree));
 }
 
-Box group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
-  PELT_ASSERT(is_pose_of(pose, groups) && group < groups.count());
-  return to_box(detail::bound_of_set(groups.detail().bounds, group, pose.detail().palette));
+QueryStats group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group, Box& result) {
+  require(is_pose_of(pose, groups), "group_bounds: the groups are of another model than the pose");
+  require(group < groups.count(), "group_bounds: no group has that number; see count()");
+  const detail::BoxFound found =
+      detail::bound_of_set(groups.detail().bounds, group, pose.detail().palette);
+  result = to_box(found);
+  return found.work;
 }
 
-Box tight_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group) {
-  PELT_ASSERT(is_pose_of(pose, groups) && group < groups.count());
-  return to_box(detail::box_places(pose.model().detail().tree, pose.detail().palette,
-                                   groups.detail().places_of(group)));
+QueryStats exact_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group,
+                              Box& result) {
+  require(is_pose_of(pose, groups),
+          "exact_group_bounds: the groups are of another model than the pose");
+  require(group < groups.count(), "exact_group_bounds: no group has that number; see count()");
+  const detail::BoxFound found = detail::box_places(
+      pose.model().detail().tree, pose.detail().palette, groups.detail().places_of(group));
+  result = to_box(found);
+  return found.work;
 }
 
 }  // namespace pelt

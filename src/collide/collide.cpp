@@ -1,26 +1,28 @@
 #include <pelt/collide.hpp>
 
-#include "base/assert.hpp"
+#include "base/require.hpp"
 #include "collide/pair_traversal.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
+#include "query/yes_or_no.hpp"
 
 namespace pelt {
 
 QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
                    const CollideOptions& options) {
-  PELT_ASSERT(&a != &b);
+  detail::require(&a != &b, "collide: `a` and `b` are the same pose; give two poses");
   const QueryStats stats = detail::collide_trees(a.detail().posed_tree(), b.detail().posed_tree(),
                                                  scratch.detail(), options.max_contacts);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 
-bool intersects(Pose& a, Pose& b, Scratch& scratch) {
-  PELT_ASSERT(&a != &b);
-  detail::collide_trees(a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), 1);
-  return !scratch.detail().found.empty();
+YesNo intersects(Pose& a, Pose& b, Scratch& scratch) {
+  detail::require(&a != &b, "intersects: `a` and `b` are the same pose; give two poses");
+  const QueryStats stats =
+      detail::collide_trees(a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), 1);
+  return detail::yes_or_no(!scratch.detail().found.empty(), stats);
 }
 
 }  // namespace pelt

@@ -1,31 +1,35 @@
 #include <pelt/contact.hpp>
 
 #include "base/assert.hpp"
+#include "base/require.hpp"
 #include "contact/curves.hpp"
 #include "contact/regions.hpp"
 #include "contact/traces.hpp"
+#include "query/scratch.hpp"
 
 #include <algorithm>
 
 namespace pelt {
 namespace {
 
+using detail::ContactLinks;
 using detail::Crossing;
 using detail::PosedSurface;
 
 /// Computes the traces, and the ends of segments as links of their curves.
 QueryStats trace_contacts(const PosedSurface& a, const PosedSurface& b,
-                          std::span<const Contact> contacts, ContactGeometry& geometry) {
+                          std::span<const Contact> contacts, ContactLinks& links,
+                          ContactGeometry& geometry) {
   QueryStats work;
   geometry.traces.clear();
-  geometry.links.clear();
+  links.links.clear();
   for (const Contact& contact : contacts) {
     Crossing crossing;
     const auto end = static_cast<std::uint32_t>(2 * geometry.traces.size());
     geometry.traces.push_back(trace_of(contact, a, b, crossing, work));
     if (crossing.kind != detail::CrossingKind::segment) continue;
     for (const std::uint32_t i : {0u, 1u})
-      geometry.links.push_back({key_of(crossing.ends[i], contact, a.surface, b.surface), end + i});
+      links.links.push_back({key_of(crossing.ends[i], contact, a.surface, b.surface), end + i});
   }
   return work;
 }
@@ -33,14 +37,17 @@ QueryStats trace_contacts(const PosedSurface& a, const PosedSurface& b,
 }  // namespace
 
 QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                             std::span<const Contact> contacts, ContactGeometry& geometry) {
-  PELT_ASSERT(&a.model().detail() == &surface_a.model().detail());
-  PELT_ASSERT(&b.model().detail() == &surface_b.model().detail());
+                             std::span<const Contact> contacts, Scratch& scratch,
+                             ContactGeometry& geometry) {
+  detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
+                  "describe_contacts: a surface is of another model than its pose");
   PELT_ASSERT(std::is_sorted(contacts.begin(), contacts.end()));
-  const QueryStats work = trace_contacts({a.detail(), surface_a.detail()},
-                                         {b.detail(), surface_b.detail()}, contacts, geometry);
-  detail::chain_curves(geometry);
-  detail::gather_regions(surface_a.detail(), surface_b.detail(), geometry);
+  ContactLinks& links = scratch.detail().contact_links;
+  const QueryStats work =
+      trace_contacts({a.detail(), surface_a.detail()}, {b.detail(), surface_b.detail()}, contacts,
+                     links, geometry);
+  detail::chain_curves(links, geometry);
+  detail::gather_regions(surface_a.detail(), surface_b.detail(), links, geometry);
   return work;
 }
 

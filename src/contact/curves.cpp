@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-using Link = ContactGeometry::Link;
+using Link = ContactLinks::Link;
 
 /// Identifies a corner, an edge or a face by three numbers, of which the last is the kind.
 std::array<std::uint32_t, 3> name_of(Feature feature, std::uint32_t triangle,
@@ -21,30 +21,30 @@ std::array<std::uint32_t, 3> name_of(Feature feature, std::uint32_t triangle,
 }
 
 /// Finds for each end the end with the same key; kNone if there is none or more than one.
-void find_partners(ContactGeometry& geometry) {
-  std::vector<Link>& links = geometry.links;
+void find_partners(std::size_t trace_count, ContactLinks& work) {
+  std::vector<Link>& links = work.links;
   std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
     return a.key < b.key || (a.key == b.key && a.owner < b.owner);
   });
-  geometry.partners.assign(2 * geometry.traces.size(), kNone);
+  work.partners.assign(2 * trace_count, kNone);
   for (std::size_t begin = 0, end = 0; begin < links.size(); begin = end) {
     while (end < links.size() && links[end].key == links[begin].key) ++end;
     if (end - begin != 2) continue;
-    geometry.partners[links[begin].owner] = links[begin + 1].owner;
-    geometry.partners[links[begin + 1].owner] = links[begin].owner;
+    work.partners[links[begin].owner] = links[begin + 1].owner;
+    work.partners[links[begin + 1].owner] = links[begin].owner;
   }
 }
 
 /// Follows a curve from the entered end of a trace until it ends or closes.
-void walk(std::uint32_t entered, ContactGeometry& geometry) {
-  std::vector<std::uint32_t>& is_walked = geometry.labels;
+void walk(std::uint32_t entered, ContactLinks& work, ContactGeometry& geometry) {
+  std::vector<std::uint32_t>& is_walked = work.labels;
   ContactCurve curve = {static_cast<std::uint32_t>(geometry.steps.size()), 0, false};
   const std::uint32_t start = entered;
   do {
     is_walked[entered / 2] = 1;
     geometry.steps.push_back({entered / 2, entered % 2 == 1});
     ++curve.count;
-    entered = geometry.partners[entered ^ 1];  // continue at the partner of the other end
+    entered = work.partners[entered ^ 1];  // continue at the partner of the other end
   } while (entered != kNone && entered != start);
   curve.is_closed = entered == start;
   geometry.curves.push_back(curve);
@@ -59,19 +59,19 @@ std::array<std::uint32_t, 6> key_of(const CrossingEnd& end, const Contact& conta
   return {in_a[0], in_a[1], in_a[2], in_b[0], in_b[1], in_b[2]};
 }
 
-void chain_curves(ContactGeometry& geometry) {
-  find_partners(geometry);
+void chain_curves(ContactLinks& work, ContactGeometry& geometry) {
+  find_partners(geometry.traces.size(), work);
   geometry.steps.clear();
   geometry.curves.clear();
-  geometry.labels.assign(geometry.traces.size(), 0);
+  work.labels.assign(geometry.traces.size(), 0);
   const auto is_open = [&](std::uint32_t trace) {
-    return geometry.traces[trace].kind == ContactKind::segment && geometry.labels[trace] == 0;
+    return geometry.traces[trace].kind == ContactKind::segment && work.labels[trace] == 0;
   };
   // Open curves first; otherwise their middles would be mistaken for starts of closed curves.
-  for (std::uint32_t end = 0; end < geometry.partners.size(); ++end)
-    if (is_open(end / 2) && geometry.partners[end] == kNone) walk(end, geometry);
+  for (std::uint32_t end = 0; end < work.partners.size(); ++end)
+    if (is_open(end / 2) && work.partners[end] == kNone) walk(end, work, geometry);
   for (std::uint32_t trace = 0; trace < geometry.traces.size(); ++trace)
-    if (is_open(trace)) walk(2 * trace, geometry);
+    if (is_open(trace)) walk(2 * trace, work, geometry);
 }
 
 }  // namespace pelt::detail

@@ -10,30 +10,28 @@
 namespace pelt::detail {
 namespace {
 
-using Link = ContactGeometry::Link;
+using Link = ContactLinks::Link;
 
 /// Links each triangle of one side with the corners of its partner triangles.
-void link_corners(const Surface& a, const Surface& b, ContactGeometry& geometry) {
-  geometry.links.clear();
+void link_corners(const Surface& a, const Surface& b, const ContactGeometry& geometry,
+                  ContactLinks& work) {
+  work.links.clear();
   for (std::uint32_t i = 0; i < geometry.traces.size(); ++i) {
     const auto [in_a, in_b] = geometry.traces[i].contact;
-    for (const std::uint32_t corner : b.corners[in_b])
-      geometry.links.push_back({{0, in_a, corner}, i});
-    for (const std::uint32_t corner : a.corners[in_a])
-      geometry.links.push_back({{1, in_b, corner}, i});
+    for (const std::uint32_t corner : b.corners[in_b]) work.links.push_back({{0, in_a, corner}, i});
+    for (const std::uint32_t corner : a.corners[in_a]) work.links.push_back({{1, in_b, corner}, i});
   }
-  std::sort(geometry.links.begin(), geometry.links.end(),
+  std::sort(work.links.begin(), work.links.end(),
             [](const Link& x, const Link& y) { return x.key < y.key; });
 }
 
 /// Labels each trace with the lowest trace of its connected set.
-void label_regions(ContactGeometry& geometry) {
-  const auto count = static_cast<std::uint32_t>(geometry.traces.size());
-  DisjointSets sets(count, geometry.labels);
-  for (std::size_t i = 1; i < geometry.links.size(); ++i)
-    if (geometry.links[i].key == geometry.links[i - 1].key)
-      sets.join(geometry.links[i].owner, geometry.links[i - 1].owner);
-  for (std::uint32_t i = 0; i < count; ++i) geometry.labels[i] = sets.find(i);
+void label_regions(std::uint32_t count, ContactLinks& work) {
+  DisjointSets sets(count, work.labels);
+  for (std::size_t i = 1; i < work.links.size(); ++i)
+    if (work.links[i].key == work.links[i - 1].key)
+      sets.join(work.links[i].owner, work.links[i - 1].owner);
+  for (std::uint32_t i = 0; i < count; ++i) work.labels[i] = sets.find(i);
 }
 
 double length_of(const ContactTrace& trace) {
@@ -61,7 +59,7 @@ std::uint16_t most_frequent(std::span<const std::uint32_t> members,
 
 /// If no trace has a length, all traces have the same weight.
 ContactRegion describe(std::uint32_t first, std::span<const std::uint32_t> members,
-                       ContactGeometry& geometry) {
+                       const ContactGeometry& geometry, std::vector<std::uint32_t>& sorting) {
   ContactRegion region;
   region.first = first;
   region.count = static_cast<std::uint32_t>(members.size());
@@ -79,22 +77,21 @@ ContactRegion describe(std::uint32_t first, std::span<const std::uint32_t> membe
   region.length = static_cast<float>(length);
   region.point = to_float(point);
   if (size > 0) region.normal = to_float((1 / size) * normal);
-  region.joint_a =
-      most_frequent(members, geometry.traces, &ContactTrace::joint_a, geometry.partners);
-  region.joint_b =
-      most_frequent(members, geometry.traces, &ContactTrace::joint_b, geometry.partners);
+  region.joint_a = most_frequent(members, geometry.traces, &ContactTrace::joint_a, sorting);
+  region.joint_b = most_frequent(members, geometry.traces, &ContactTrace::joint_b, sorting);
   return region;
 }
 
 }  // namespace
 
-void gather_regions(const Surface& a, const Surface& b, ContactGeometry& geometry) {
-  link_corners(a, b, geometry);
-  label_regions(geometry);
+void gather_regions(const Surface& a, const Surface& b, ContactLinks& work,
+                    ContactGeometry& geometry) {
+  link_corners(a, b, geometry, work);
+  label_regions(static_cast<std::uint32_t>(geometry.traces.size()), work);
   std::vector<std::uint32_t>& members = geometry.members;
   members.resize(geometry.traces.size());
   for (std::uint32_t i = 0; i < members.size(); ++i) members[i] = i;
-  const std::vector<std::uint32_t>& labels = geometry.labels;
+  const std::vector<std::uint32_t>& labels = work.labels;
   std::sort(members.begin(), members.end(), [&](std::uint32_t x, std::uint32_t y) {
     return labels[x] < labels[y] || (labels[x] == labels[y] && x < y);
   });
@@ -102,7 +99,8 @@ void gather_regions(const Surface& a, const Surface& b, ContactGeometry& geometr
   for (std::size_t begin = 0, end = 0; begin < members.size(); begin = end) {
     while (end < members.size() && labels[members[end]] == labels[members[begin]]) ++end;
     geometry.regions.push_back(describe(static_cast<std::uint32_t>(begin),
-                                        std::span(members).subspan(begin, end - begin), geometry));
+                                        std::span(members).subspan(begin, end - begin), geometry,
+                                        work.partners));
   }
   std::sort(geometry.regions.begin(), geometry.regions.end(),
             [](const ContactRegion& x, const ContactRegion& y) {

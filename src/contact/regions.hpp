@@ -1,10 +1,12 @@
 #pragma once
 
 #include "model/surface.hpp"
+#include "query/scratch.hpp"
 
 namespace pelt::detail {
 
 /// Gathers the traces of `geometry` to regions.
-void gather_regions(const Surface& a, const Surface& b, ContactGeometry& geometry);
+void gather_regions(const Surface& a, const Surface& b, ContactLinks& work,
+                    ContactGeometry& geometry);
 
 }  // namespace pelt::detail

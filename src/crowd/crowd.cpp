@@ -42,6 +42,14 @@ Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const float> p
   return crowd_->instances.set_palette(instance, palette);
 }
 
+Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette) {
+  return crowd_->instances.set_palette(instance, palette);
+}
+
+Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const double> palette) {
+  return crowd_->instances.set_palette(instance, palette);
+}
+
 Result<void> Crowd::set_morph_weights(std::uint32_t instance, std::span<const float> weights) {
   return crowd_->instances.set_morph_weights(instance, weights);
 }
@@ -58,13 +66,13 @@ CrowdStats Crowd::collide(std::vector<CrowdContact>& contacts, const CrowdOption
   return stats;
 }
 
-CrowdStats Crowd::touching(std::vector<CrowdPair>& pairs, const CrowdOptions& options) {
+CrowdStats Crowd::intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdOptions& options) {
   CrowdStats stats = crowd_->query.run(crowd_->instances, options, 1);
   const std::span<const detail::TouchingPair> touching = crowd_->query.touching();
   std::size_t end = pairs.size();
   pairs.resize(end + touching.size());
   for (const detail::TouchingPair& pair : touching) pairs[end++] = pair.instances;
-  stats.work.cut_short = false;
+  stats.cut_short = false;
   return stats;
 }
 

@@ -49,7 +49,7 @@ CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& option
   share_out();
   collide(instances, max_contacts);
   CrowdStats stats = gather();
-  stats.work.refits += std::exchange(moved_, 0);
+  stats.refits += std::exchange(moved_, 0);
   even_out();
   return stats;
 }
@@ -153,12 +153,12 @@ CrowdStats CrowdQuery::gather() {
   touching_.clear();
   for (const Worker& worker : workers_) {
     touching_.insert(touching_.end(), worker.touching.begin(), worker.touching.end());
-    stats.work += worker.work;
+    stats += worker.work;
   }
   std::sort(touching_.begin(), touching_.end(),
             [](const TouchingPair& a, const TouchingPair& b) { return a.instances < b.instances; });
   stats.candidate_pairs = pairs_.size();
-  stats.touching_pairs = touching_.size();
+  stats.intersecting_pairs = touching_.size();
   return stats;
 }
 

@@ -12,6 +12,15 @@ void take_box(CrowdInstance& instance) {
   instance.has_moved = true;
 }
 
+/// Computes the box at once, because the palette is in the caches now, and because this runs on all
+/// threads on which the caller sets palettes.
+template <typename Element>
+Result<void> set_palette_of(CrowdInstance& instance, std::span<const Element> palette) {
+  Result<void> set = instance.palette.set(palette);
+  if (set) take_box(instance);
+  return set;
+}
+
 }  // namespace
 
 /// A number is taken from the free ones only when its instance stands, so that want of memory
@@ -44,13 +53,16 @@ CrowdInstance& CrowdInstances::operator[](std::uint32_t number) {
   return *slots_[number];
 }
 
-/// Computes the box at once, because the palette is in the caches now, and because this runs on all
-/// threads on which the caller sets palettes.
 Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const float> palette) {
-  CrowdInstance& instance = (*this)[number];
-  Result<void> taken = instance.palette.set(palette);
-  if (taken) take_box(instance);
-  return taken;
+  return set_palette_of((*this)[number], palette);
+}
+
+Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const Matrix3x4> palette) {
+  return set_palette_of((*this)[number], palette);
+}
+
+Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const double> palette) {
+  return set_palette_of((*this)[number], palette);
 }
 
 Result<void> CrowdInstances::set_morph_weights(std::uint32_t number,

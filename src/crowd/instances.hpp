@@ -49,8 +49,11 @@ class CrowdInstances {
   /// Precondition: the crowd has that instance.
   CrowdInstance& operator[](std::uint32_t number);
 
-  /// May be called by several threads for different instances.
+  /// In any of the forms that Palette::set takes. May be called by several threads for different
+  /// instances.
   Result<void> set_palette(std::uint32_t number, std::span<const float> palette);
+  Result<void> set_palette(std::uint32_t number, std::span<const Matrix3x4> palette);
+  Result<void> set_palette(std::uint32_t number, std::span<const double> palette);
   Result<void> set_morph_weights(std::uint32_t number, std::span<const float> weights);
 
   std::size_t memory_bytes() const;

@@ -1,5 +1,7 @@
 #include "distance/answers.hpp"
 
+#include "query/access.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,14 +18,14 @@ SurfacePoint surface_point(std::uint32_t triangle, const TriangleCorners& corner
 }
 
 Distance distance_apart(const TriangleGap& gap, const DistanceOptions& options) {
-  Distance nearest;
-  nearest.distance = std::sqrt(gap.nearest.squared_distance);
-  nearest.lower_bound =
-      nearest.found() ? std::max(0.0, nearest.distance - options.tolerance) : options.max_distance;
-  nearest.a = surface_point(gap.triangle_a, gap.corners_a, gap.nearest.a);
-  nearest.b = surface_point(gap.triangle_b, gap.corners_b, gap.nearest.b);
-  nearest.places = gap.places;
-  return nearest;
+  Distance closest;
+  closest.distance = std::sqrt(gap.nearest.squared_distance);
+  closest.lower_bound =
+      closest ? std::max(0.0, closest.distance - options.tolerance) : options.max_distance;
+  closest.a = surface_point(gap.triangle_a, gap.corners_a, gap.nearest.a);
+  closest.b = surface_point(gap.triangle_b, gap.corners_b, gap.nearest.b);
+  closest.location = Access::location(gap.places);
+  return closest;
 }
 
 }  // namespace pelt::detail

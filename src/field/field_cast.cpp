@@ -146,7 +146,7 @@ class FieldCast {
 
   void take(std::uint32_t triangle, const RayCrossing& crossing) {
     if (hit_ && (crossing.t > hit_.t || (crossing.t == hit_.t && triangle > hit_.triangle))) return;
-    hit_.triangle = hit_.place = triangle;
+    hit_.triangle = triangle;
     hit_.t = crossing.t;
     crossing_ = crossing;
     span_.last = moved(crossing.t, 1);

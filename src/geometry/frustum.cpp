@@ -1,5 +1,8 @@
 #include <pelt/shapes.hpp>
 
+#include "base/require.hpp"
+
+#include <algorithm>
 #include <cstddef>
 
 namespace pelt {
@@ -29,6 +32,12 @@ HalfSpace where_positive(const Row& row) {
 }
 
 }  // namespace
+
+ConvexPolyhedron::ConvexPolyhedron(std::span<const HalfSpace> faces) : count_(faces.size()) {
+  detail::require(faces.size() <= kMaxFaces,
+                  "ConvexPolyhedron: more than 64 faces; leave out those that cut nothing off");
+  std::copy(faces.begin(), faces.end(), faces_.begin());
+}
 
 Frustum make_frustum(const Matrix4& view_projection, ClipDepth depth) {
   const Row x(view_projection, 0), y(view_projection, 1), z(view_projection, 2),

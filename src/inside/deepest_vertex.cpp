@@ -6,9 +6,9 @@
 /// computed only if nothing was found.
 
 #include <pelt/inside.hpp>
+#include <pelt/region.hpp>
 
-#include "base/assert.hpp"
-#include "inside/side_of.hpp"
+#include "base/require.hpp"
 #include "model/model.hpp"
 #include "model/surface.hpp"
 #include "pose/open_node.hpp"
@@ -55,15 +55,15 @@ class DeepestVertex {
   enum class Side { outside, inside, unknown };
 
   Side side_of_all(const Box& box) {
-    bool touches = false;
-    work_ += detail::touches_box(b_, box, scratch_, touches);
+    const YesNo touches = intersects(b_, box, scratch_);
+    work_ += touches;
     if (touches) return Side::unknown;
     return is_inside(box.low) ? Side::inside : Side::outside;
   }
 
   bool is_inside(const Vec3& point) {
-    PointSide side;
-    work_ += detail::find_side(b_, surface_b_, point, scratch_, side);
+    PointSide side = PointSide::outside;
+    work_ += side_of(b_, surface_b_, point, scratch_, side);
     return side == PointSide::inside;
   }
 
@@ -102,12 +102,12 @@ class DeepestVertex {
   void consider(std::uint32_t vertex, const Vec3& position, Side side) {
     const double depth = deepest_.depth;
     ClosestPoint closest;
-    if (deepest_.found()) {
+    if (deepest_) {
       work_ += closest_point(b_, position, scratch_, closest, {depth});
-      if (closest.found() && (closest.distance < depth || vertex >= deepest_.vertex)) return;
+      if (closest && (closest.distance < depth || vertex >= deepest_.vertex)) return;
     }
     if (side == Side::unknown && !is_inside(position)) return;
-    if (!closest.found()) work_ += closest_point(b_, position, scratch_, closest);
+    if (!closest) work_ += closest_point(b_, position, scratch_, closest);
     deepest_ = {vertex, position, closest.point, closest.distance};
   }
 
@@ -123,11 +123,12 @@ class DeepestVertex {
 }  // namespace
 
 QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                          Scratch& scratch, Penetration& deepest) {
-  PELT_ASSERT(&a != &b);
-  PELT_ASSERT(&a.model().detail() == &surface_a.model().detail());
-  PELT_ASSERT(surface_b.is_closed());
-  return DeepestVertex(a, surface_a, b, surface_b, scratch).run(deepest);
+                          Scratch& scratch, Penetration& result) {
+  detail::require(&a != &b, "deepest_vertex: `a` and `b` are the same pose; give two poses");
+  detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
+                  "deepest_vertex: a surface is of another model than its pose");
+  detail::require(surface_b.is_closed(), "deepest_vertex: the surface of `b` is not closed");
+  return DeepestVertex(a, surface_a, b, surface_b, scratch).run(result);
 }
 
 }  // namespace pelt

@@ -11,60 +11,45 @@
 /// such a plane, and none that has the point in its plane is pierced. So one ray decides, every
 /// triangle that it may pierce is decided by exact signs, and there is nothing to try again.
 
-#include "inside/side_of.hpp"
+#include <pelt/inside.hpp>
+#include <pelt/region.hpp>
 
-#include "base/assert.hpp"
+#include "base/require.hpp"
+#include "model/surface.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
-#include "query/scratch.hpp"
 #include "ray/ray_traversal.hpp"
-#include "region/region_descent.hpp"
 
 namespace pelt {
-namespace detail {
 namespace {
 
-bool is_far(const RootBox& root, const Vec3& p) {
+bool is_far(const detail::RootBox& root, const Vec3& p) {
   return p.x < root.low[0] || root.high[0] < p.x || p.y < root.low[1] || root.high[1] < p.y ||
          p.z < root.low[2] || root.high[2] < p.z;
 }
 
 }  // namespace
 
-QueryStats touches_box(pelt::Pose& pose, const Box& box, pelt::Scratch& scratch, bool& touches) {
-  const RegionAnswer answer = descend_in_faces(
-      pose.detail().posed_tree(), PreparedRegion(box).faces, scratch.detail(), RegionWish::touch);
-  touches = answer.touches;
-  return answer.work;
-}
-
-QueryStats find_side(pelt::Pose& pose, const pelt::Surface& surface, const Vec3& point,
-                     pelt::Scratch& scratch, PointSide& side) {
-  PELT_ASSERT(surface.is_closed());
-  PELT_ASSERT(&pose.model().detail() == &surface.model().detail());
-  const PosedTree posed = pose.detail().posed_tree();
+QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
+                   PointSide& result) {
+  detail::require(detail::is_surface_of(surface, pose),
+                  "side_of: the surface is of another model than the pose");
+  detail::require(surface.is_closed(), "side_of: the surface is not closed");
+  const detail::PosedTree posed = pose.detail().posed_tree();
   QueryStats work;
   work.node_pairs = 1;
-  side = PointSide::outside;
-  if (is_far(root_box(posed, work), point)) return work;
-  bool is_on = false;
-  work += touches_box(pose, {point, point}, scratch, is_on);
+  result = PointSide::outside;
+  if (is_far(detail::root_box(posed, work), point)) return work;
+  const YesNo is_on = intersects(pose, Box{point, point}, scratch);
+  work += is_on;
   if (is_on) {
-    side = PointSide::on;
+    result = PointSide::on;
     return work;
   }
   int winding = 0;
-  work += winding_number(posed, point, winding);
-  if (winding != 0) side = PointSide::inside;
+  work += detail::winding_number(posed, point, winding);
+  if (winding != 0) result = PointSide::inside;
   return work;
-}
-
-}  // namespace detail
-
-PointSide side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch) {
-  PointSide side;
-  detail::find_side(pose, surface, point, scratch, side);
-  return side;
 }
 
 }  // namespace pelt

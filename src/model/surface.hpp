@@ -15,4 +15,8 @@ struct Surface {
   bool is_closed = false;
 };
 
+inline bool is_surface_of(const pelt::Surface& surface, const pelt::Pose& pose) {
+  return &surface.model().detail() == &pose.model().detail();
+}
+
 }  // namespace pelt::detail

@@ -18,9 +18,15 @@ Result<void> Pose::set_palette(std::span<const Matrix4> palette) {
 }
 
 Result<void> Pose::set_palette(std::span<const float> palette) {
-  Result<void> taken = pose_->palette.set(palette);
-  if (taken) pose_->close_all();
-  return taken;
+  return pose_->set_palette(palette);
+}
+
+Result<void> Pose::set_palette(std::span<const Matrix3x4> palette) {
+  return pose_->set_palette(palette);
+}
+
+Result<void> Pose::set_palette(std::span<const double> palette) {
+  return pose_->set_palette(palette);
 }
 
 Result<void> Pose::set_morph_weights(std::span<const float> weights) {

@@ -23,6 +23,14 @@ struct Pose {
     return {data.tree, data.bounds, palette, root_box, opened, arena};
   }
 
+  /// In any of the forms that Palette::set takes.
+  template <typename Element>
+  Result<void> set_palette(std::span<const Element> elements) {
+    Result<void> set = palette.set(elements);
+    if (set) close_all();
+    return set;
+  }
+
   /// Closes all nodes, because the palette has changed.
   void close_all() {
     arena.clear();

@@ -5,7 +5,9 @@
 #include <pelt/collide.hpp>
 #include <pelt/ray.hpp>
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 namespace pelt::detail {
 
@@ -29,6 +31,17 @@ struct NearParts {
   std::uint32_t node_a, slot_a, node_b, slot_b;
 };
 
+/// Working memory of describing contacts (src/contact): keys that neighbours share, sorted, and
+/// numbers for each trace or end.
+struct ContactLinks {
+  struct Link {
+    std::array<std::uint32_t, 6> key;
+    std::uint32_t owner;
+  };
+  std::vector<Link> links;
+  std::vector<std::uint32_t> partners, labels;
+};
+
 /// Working memory of queries. Every user clears the parts that it uses.
 struct Scratch {
   Stack<SlotPair> slot_pairs;
@@ -39,6 +52,7 @@ struct Scratch {
   Stack<std::uint32_t> nodes;             // to be visited
   Stack<std::uint32_t> touching, inside;  // triangles of a region
   Stack<std::uint32_t> sorting_numbers;
+  ContactLinks contact_links;
 };
 
 }  // namespace pelt::detail

@@ -1,6 +1,7 @@
 #include <pelt/ray.hpp>
 
 #include "base/assert.hpp"
+#include "base/require.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 #include "ray/ray_traversal.hpp"
@@ -37,20 +38,18 @@ Ray segment(const Vec3& from, const Vec3& to) {
 
 QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
                 const CastOptions& options) {
-  PELT_ASSERT(hits.size() == rays.size());
+  detail::require(hits.size() == rays.size(), "cast: give one hit for each ray");
   PELT_ASSERT(are_valid(rays));
   return detail::first_hits(pose.detail().posed_tree(), rays, options.facing, hits);
 }
 
-RayHit cast(Pose& pose, const Ray& ray, const CastOptions& options) {
-  RayHit hit;
-  cast(pose, std::span(&ray, 1), std::span(&hit, 1), options);
-  return hit;
+QueryStats cast(Pose& pose, const Ray& ray, RayHit& result, const CastOptions& options) {
+  return cast(pose, std::span(&ray, 1), std::span(&result, 1), options);
 }
 
 QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
                     const CastOptions& options) {
-  PELT_ASSERT(hit.size() == rays.size());
+  detail::require(hit.size() == rays.size(), "cast_any: give one answer for each ray");
   PELT_ASSERT(are_valid(rays));
   return detail::any_hits(pose.detail().posed_tree(), rays, options.facing, hit);
 }

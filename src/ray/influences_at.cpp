@@ -1,8 +1,9 @@
 #include <pelt/ray.hpp>
 
-#include "base/assert.hpp"
+#include "base/require.hpp"
 #include "model/model.hpp"
 #include "model/triangle_places.hpp"
+#include "query/access.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,8 +14,10 @@ namespace {
 using detail::Node;
 using detail::Tree;
 
-void add_share(std::uint32_t joint, float share, std::vector<JointShare>& shares) {
-  const auto known = std::find_if(shares.begin(), shares.end(),
+/// Adds to the shares from `begin` on.
+void add_share(std::uint32_t joint, float share, std::size_t begin,
+               std::vector<JointShare>& shares) {
+  const auto known = std::find_if(shares.begin() + static_cast<std::ptrdiff_t>(begin), shares.end(),
                                   [=](const JointShare& s) { return s.joint == joint; });
   if (known == shares.end()) {
     shares.push_back({joint, share});
@@ -27,19 +30,22 @@ void add_share(std::uint32_t joint, float share, std::vector<JointShare>& shares
 
 void influences_at(const SkinnedModel& model, const RayHit& hit, std::vector<JointShare>& shares) {
   const Tree& tree = model.detail().tree;
-  PELT_ASSERT(hit.place < tree.triangle_count() && tree.triangle_ids[hit.place] == hit.triangle);
-  const Node& node = tree.nodes[node_of_triangle(tree, hit.place)];
-  shares.clear();
+  const std::uint32_t place = detail::Access::numbers(hit.location)[0];
+  detail::require(place < tree.triangle_count() && tree.triangle_ids[place] == hit.triangle,
+                  "influences_at: the hit is on another model, or on none");
+  const Node& node = tree.nodes[node_of_triangle(tree, place)];
+  const std::size_t begin = shares.size();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t vertex =
-        node.first_vertex + tree.corners[hit.place][k] / detail::kFloatsPerVertex;
+        node.first_vertex + tree.corners[place][k] / detail::kFloatsPerVertex;
     for (std::uint32_t i = tree.influence_begin[vertex]; i < tree.influence_begin[vertex + 1]; ++i)
       if (const float share = hit.weights[k] * tree.weights[i]; share > 0)
-        add_share(tree.joints[i], share, shares);
+        add_share(tree.joints[i], share, begin, shares);
   }
-  std::sort(shares.begin(), shares.end(), [](const JointShare& a, const JointShare& b) {
-    return a.share > b.share || (a.share == b.share && a.joint < b.joint);
-  });
+  std::sort(shares.begin() + static_cast<std::ptrdiff_t>(begin), shares.end(),
+            [](const JointShare& a, const JointShare& b) {
+              return a.share > b.share || (a.share == b.share && a.joint < b.joint);
+            });
 }
 
 }  // namespace pelt

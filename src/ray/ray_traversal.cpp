@@ -8,6 +8,7 @@
 #include "geometry/ray_triangle.hpp"
 #include "model/clusters.hpp"
 #include "pose/open_node.hpp"
+#include "query/access.hpp"
 #include "query/slots.hpp"
 #include "ray/ray_slabs.hpp"
 
@@ -25,7 +26,7 @@ struct Found {
 RayHit complete(const Tree& tree, const RayLine& line, const Found& found) {
   RayHit hit;
   hit.triangle = tree.triangle_ids[found.place];
-  hit.place = found.place;
+  hit.location = Access::location<1>({found.place});
   hit.t = found.crossing.t;
   hit.weights = crossing_weights(line, found.corners, found.crossing);
   hit.normal = unit_normal(found.corners);

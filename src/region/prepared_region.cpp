@@ -53,7 +53,7 @@ struct Prepare {
   }
 
   void operator()(const ConvexPolyhedron& polyhedron) const {
-    for (const HalfSpace& face : polyhedron.faces) (*this)(face);
+    for (const HalfSpace& face : polyhedron.faces()) (*this)(face);
   }
 
   void operator()(const Sphere& sphere) const {

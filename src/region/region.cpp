@@ -1,9 +1,11 @@
 #include <pelt/region.hpp>
 
 #include "base/assert.hpp"
+#include "base/require.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_numbers.hpp"
+#include "query/yes_or_no.hpp"
 #include "region/prepared_region.hpp"
 #include "region/region_descent.hpp"
 
@@ -28,10 +30,10 @@ Placement placement_of(const RegionAnswer& answer) {
   return answer.leaves ? Placement::partly : Placement::inside;
 }
 
-void move_sorted(detail::Stack<std::uint32_t>& found, Scratch& scratch,
-                 std::vector<std::uint32_t>& triangles) {
+void append_sorted(detail::Stack<std::uint32_t>& found, Scratch& scratch,
+                   std::vector<std::uint32_t>& triangles) {
   detail::sort_numbers(found, scratch.detail().sorting_numbers);
-  triangles.assign(found.begin(), found.end());
+  triangles.insert(triangles.end(), found.begin(), found.end());
 }
 
 }  // namespace
@@ -49,19 +51,20 @@ const char* name_of(Placement placement) {
   return "";
 }
 
-Classified classify(Pose& pose, const Region& region, Scratch& scratch) {
+QueryStats classify(Pose& pose, const Region& region, Scratch& scratch, Placement& result) {
   const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionWish::placement);
-  return {placement_of(answer), answer.work};
+  result = placement_of(answer);
+  return answer.work;
 }
 
 QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch& scratch,
-                    std::span<Placement> placements) {
-  PELT_ASSERT(poses.size() == placements.size());
+                    std::span<Placement> results) {
+  detail::require(poses.size() == results.size(), "classify: give one result for each pose");
   const PreparedRegion prepared(region);
   QueryStats work;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const RegionAnswer answer = descend(*poses[i], prepared, scratch, RegionWish::placement);
-    placements[i] = placement_of(answer);
+    results[i] = placement_of(answer);
     work += answer.work;
   }
   return work;
@@ -70,22 +73,21 @@ QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch&
 QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
                           TrianglesInRegion& triangles) {
   const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionWish::triangles);
-  move_sorted(scratch.detail().touching, scratch, triangles.touching);
-  move_sorted(scratch.detail().inside, scratch, triangles.inside);
+  append_sorted(scratch.detail().touching, scratch, triangles.intersecting);
+  append_sorted(scratch.detail().inside, scratch, triangles.inside);
   return answer.work;
 }
 
 QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
                    std::vector<std::uint32_t>& triangles) {
   const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionWish::triangles);
-  detail::Stack<std::uint32_t>& found = scratch.detail().touching;
-  detail::sort_numbers(found, scratch.detail().sorting_numbers);
-  triangles.insert(triangles.end(), found.begin(), found.end());
+  append_sorted(scratch.detail().touching, scratch, triangles);
   return answer.work;
 }
 
-bool intersects(Pose& pose, const Region& region, Scratch& scratch) {
-  return descend(pose, PreparedRegion(region), scratch, RegionWish::touch).touches;
+YesNo intersects(Pose& pose, const Region& region, Scratch& scratch) {
+  const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionWish::touch);
+  return detail::yes_or_no(answer.touches, answer.work);
 }
 
 }  // namespace pelt

@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/problem.hpp"
+#include "skin/matrix_forms.hpp"
 #include "skin/palette_scan.hpp"
 #include "skin/skinned_mesh.hpp"
 
@@ -65,9 +66,47 @@ Result<void> Palette::set(std::span<const float> floats) {
     if (Problem found = find_bad_joint(floats, reach_); !found.empty())
       return invalid_argument(std::move(found));
   std::memcpy(joints_.data()->m.data(), floats.data(), floats.size_bytes());
+  keep(scan);
+  return {};
+}
+
+Result<void> Palette::set(std::span<const Matrix3x4> matrices) {
+  if (matrices.size() != joints_.size())
+    return invalid_argument(
+        problem("the palette has %zu matrices, expected %zu: one for each joint", matrices.size(),
+                joints_.size()));
+  return set_by([&](std::size_t joint) { return to_matrix(matrices[joint]); });
+}
+
+Result<void> Palette::set(std::span<const double> numbers) {
+  if (numbers.size() != joints_.size() * 16)
+    return invalid_argument(
+        problem("the palette has %zu doubles, expected %zu: 16 for each of the model's %zu joints",
+                numbers.size(), 16 * joints_.size(), joints_.size()));
+  return set_by(
+      [&](std::size_t joint) { return to_matrix(numbers.subspan(16 * joint).first<16>()); });
+}
+
+/// Converts twice, first to validate all joints and then to store them, because a refusal leaves
+/// the palette as it was and nothing may be allocated.
+template <typename MatrixOf>
+Result<void> Palette::set_by(const MatrixOf& matrix_of) {
+  PaletteScan all;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const Matrix4 matrix = matrix_of(j);
+    const PaletteScan scan = scan_palette(matrix.m.data(), 1);
+    if (!are_good(scan, reach_)) return invalid_argument(describe(matrix.m.data(), j));
+    all.linear = std::max(all.linear, scan.linear);
+    all.translation = std::max(all.translation, scan.translation);
+  }
+  for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j] = matrix_of(j);
+  keep(all);
+  return {};
+}
+
+void Palette::keep(const PaletteScan& scan) {
   scan_ = scan;
   extent_ = extent_of(scan_, reach_);
-  return {};
 }
 
 /// Skips the check of the joints if the weights displace no further than before. This is necessary

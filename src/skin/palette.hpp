@@ -40,6 +40,10 @@ class Palette {
   Result<void> set(std::span<const float> floats);
   Result<void> set(std::span<const Matrix4> matrices) { return set(floats_of(matrices)); }
 
+  /// The same from other forms, which `to_matrix` of matrix_forms.hpp describes.
+  Result<void> set(std::span<const Matrix3x4> matrices);
+  Result<void> set(std::span<const double> numbers);
+
   /// Copies the weights of the morph targets, likewise.
   Result<void> set_morph_weights(std::span<const float> weights);
 
@@ -63,6 +67,10 @@ class Palette {
  private:
   bool are_good(const PaletteScan& joints, double reach) const;
   Problem find_bad_joint(std::span<const float> floats, double reach) const;
+  void keep(const PaletteScan& scan);
+
+  template <typename MatrixOf>
+  Result<void> set_by(const MatrixOf& matrix_of);
 
   std::vector<Matrix4> joints_;
   PaletteScan scan_ = {.linear = 1};  // of the joints

@@ -1,6 +1,6 @@
 #include <pelt/solid.hpp>
 
-#include "base/assert.hpp"
+#include "base/require.hpp"
 #include "distance/answers.hpp"
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"
@@ -30,11 +30,11 @@ SolidDistance touching(const PosedTree& posed, const Solid& solid, std::uint32_t
                        QueryStats& work) {
   make_table(posed);  // what is wholly inside has not been opened
   const TriangleCorners corners = find_triangle(posed, triangle, work).corners;
-  SolidDistance nearest;
-  nearest.distance = 0;
-  nearest.surface = surface_point(triangle, corners, common_point(corners, solid));
-  nearest.solid = nearest.surface.position;
-  return nearest;
+  SolidDistance closest;
+  closest.distance = 0;
+  closest.surface = surface_point(triangle, corners, common_point(corners, solid));
+  closest.solid = closest.surface.position;
+  return closest;
 }
 
 }  // namespace
@@ -44,21 +44,21 @@ PreparedSolid::PreparedSolid(const Solid& s)
 
 }  // namespace detail
 
-QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDistance& nearest,
+QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDistance& result,
                     const ClosestPointOptions& options) {
-  PELT_ASSERT(options.max_distance >= 0);
+  detail::require(options.max_distance >= 0, "distance: the maximum distance is negative or NaN");
   const detail::PosedTree posed = pose.detail().posed_tree();
   const detail::PreparedSolid prepared(solid);
   QueryStats stats = detail::find_touching(posed, prepared.region, scratch.detail());
   if (detail::Stack<std::uint32_t>& found = scratch.detail().touching; !found.empty()) {
-    nearest = detail::touching(posed, solid, *std::min_element(found.begin(), found.end()), stats);
+    result = detail::touching(posed, solid, *std::min_element(found.begin(), found.end()), stats);
     return stats;
   }
   detail::SolidGap gap;
   stats += detail::nearest_to_solid(posed, prepared, scratch.detail(), options.max_distance, gap);
-  nearest.distance = gap.nearest.distance;
-  nearest.surface = detail::surface_point(gap.triangle, gap.corners, gap.nearest.at);
-  nearest.solid = detail::to_float(gap.nearest.on_solid);
+  result.distance = gap.nearest.distance;
+  result.surface = detail::surface_point(gap.triangle, gap.corners, gap.nearest.at);
+  result.solid = detail::to_float(gap.nearest.on_solid);
   return stats;
 }
 

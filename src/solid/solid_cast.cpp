@@ -113,11 +113,12 @@ SolidHit cast_at(const Capsule& capsule, const Ray& ray) {
 
 }  // namespace
 
-SolidHit cast(const Solid& solid, const Ray& ray) {
+QueryStats cast(const Solid& solid, const Ray& ray, SolidHit& result) {
   const Region region = std::visit([](const auto& shape) { return Region(shape); }, solid);
   const detail::PreparedRegion prepared(region);
-  return prepared.is_capsule ? cast_at(prepared.capsule.capsule, ray)
-                             : cast_at(prepared.faces, ray);
+  result =
+      prepared.is_capsule ? cast_at(prepared.capsule.capsule, ray) : cast_at(prepared.faces, ray);
+  return {};
 }
 
 }  // namespace pelt

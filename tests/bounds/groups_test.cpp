@@ -5,6 +5,7 @@
 #include "support/allocation_count.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"
+#include "support/values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,10 +55,10 @@ TEST(Groups, OfTrianglesAreEnclosedAndExact) {
         const std::vector<Vec3> positions = test::all_posed(pose);
         for (std::uint32_t g = 0; g < groups->count(); ++g) {
           const Box exact = test::box_of(labelled(soup, labels, g), positions);
-          EXPECT_TRUE(test::same_bits(tight_group_bounds(pose, *groups, g), exact));
-          EXPECT_TRUE(test::encloses(group_bounds(pose, *groups, g), exact));
+          EXPECT_TRUE(test::same_bits(test::exact_group_box(pose, *groups, g), exact));
+          EXPECT_TRUE(test::encloses(test::group_box(pose, *groups, g), exact));
           if (groups->vertex_count(g) > 0) continue;
-          EXPECT_TRUE(test::same_bits(group_bounds(pose, *groups, g), test::nothing()));
+          EXPECT_TRUE(test::same_bits(test::group_box(pose, *groups, g), test::nothing()));
           ++empty;
         }
       }
@@ -89,13 +90,13 @@ TEST(Groups, OfJointsHaveTheVerticesThatFollowThemMost) {
       Box expected = test::nothing();
       for (std::uint32_t v = 0; v < positions.size(); ++v)
         if (leading_joint(limb, v) == joint) test::include(positions[v], expected);
-      const Box exact = tight_group_bounds(pose, groups, joint);
+      const Box exact = test::exact_group_box(pose, groups, joint);
       EXPECT_TRUE(test::same_bits(exact, expected));
-      EXPECT_TRUE(test::encloses(group_bounds(pose, groups, joint), exact));
+      EXPECT_TRUE(test::encloses(test::group_box(pose, groups, joint), exact));
       test::include(exact.low, all);
       test::include(exact.high, all);
     }
-    EXPECT_TRUE(test::same_bits(all, tight_bounds(pose).box));
+    EXPECT_TRUE(test::same_bits(all, test::exact_bounds_of(pose).box));
   }
 }
 
@@ -133,8 +134,8 @@ TEST(Groups, DoNotAllocateWhenAsked) {
   const Groups groups = group_by_joint(pose.model());
   const std::size_t before = test::allocation_count();
   for (std::uint32_t g = 0; g < groups.count(); ++g) {
-    group_bounds(pose, groups, g);
-    tight_group_bounds(pose, groups, g);
+    test::group_box(pose, groups, g);
+    test::exact_group_box(pose, groups, g);
   }
   EXPECT_EQ(test::allocation_count(), before);
 }

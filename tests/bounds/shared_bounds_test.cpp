@@ -5,6 +5,7 @@
 #include <pelt/groups.hpp>
 
 #include "bounds/box_of_triangles.hpp"
+#include "support/values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,14 +45,14 @@ TEST_P(SharedBounds, AreExactAndGuaranteedOnesAreClose) {
       ASSERT_TRUE(pose.set_palette(palette));
       const std::vector<Vec3> positions = test::all_posed(pose);
       const Box exact = test::box_of(asset->triangles, positions);
-      const Bounds guaranteed = bounds(pose), three = bounds(pose, {.levels = 3});
+      const Bounds guaranteed = test::bounds_of(pose), three = test::bounds_of(pose, {.levels = 3});
       EXPECT_TRUE(test::encloses(guaranteed.box, exact)) << clip.name;
       EXPECT_TRUE(test::encloses(guaranteed.sphere, asset->triangles, positions)) << clip.name;
       EXPECT_TRUE(test::encloses(three.box, exact)) << clip.name;
-      EXPECT_TRUE(test::same_bits(tight_bounds(pose).box, exact)) << clip.name;
+      EXPECT_TRUE(test::same_bits(test::exact_bounds_of(pose).box, exact)) << clip.name;
       for (std::uint32_t j = 0; j < joints.count(); ++j)
-        EXPECT_TRUE(
-            test::encloses(group_bounds(pose, joints, j), tight_group_bounds(pose, joints, j)));
+        EXPECT_TRUE(test::encloses(test::group_box(pose, joints, j),
+                                   test::exact_group_box(pose, joints, j)));
       loose += looseness(guaranteed.box, exact) / kFrames;
       loose_at_three += looseness(three.box, exact) / kFrames;
     }

@@ -39,7 +39,7 @@ TEST(Collide, EqualsBruteForceOnBendingLimbs) {
     limbs.move(random, 0.3);
     const auto expected = brute_force(limbs.shape_a, limbs.a, limbs.shape_b, limbs.b);
     ASSERT_EQ(contacts_of(limbs.a, limbs.b, limbs.scratch), expected) << "round " << round;
-    ASSERT_EQ(intersects(limbs.a, limbs.b, limbs.scratch), !expected.empty());
+    ASSERT_EQ(intersects(limbs.a, limbs.b, limbs.scratch).answer, !expected.empty());
     ++(expected.empty() ? apart : touching);
   }
   EXPECT_GT(touching, 60);

@@ -57,7 +57,7 @@ struct Twins {
       EXPECT_TRUE(b.set_palette(palette_b));
       contacts.clear();
       stats += collide(a, b, scratch, contacts, {max_contacts});
-      EXPECT_EQ(intersects(a, b, scratch), !contacts.empty());
+      EXPECT_EQ(intersects(a, b, scratch).answer, !contacts.empty());
     }
     posed_vertices(a, positions);
     return test::allocation_count() - before;

@@ -33,7 +33,7 @@ ContactGeometry geometry_of(Body& a, Body& b) {
   std::vector<Contact> contacts;
   collide(a.pose, b.pose, scratch, contacts);
   ContactGeometry geometry;
-  describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, geometry);
+  describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, scratch, geometry);
   EXPECT_EQ(geometry.traces.size(), contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i)
     EXPECT_EQ(geometry.traces[i].contact, contacts[i]);
@@ -223,9 +223,9 @@ TEST(Contact, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
     collide(a.pose, b.pose, scratch, contacts);
     ASSERT_FALSE(contacts.empty());
     ContactGeometry geometry;
-    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, geometry);
+    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, scratch, geometry);
     const std::uint64_t before = allocation_count();
-    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, geometry);
+    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, scratch, geometry);
     EXPECT_EQ(allocation_count(), before);
     if (first.empty()) first = geometry.traces;
     ASSERT_EQ(geometry.traces.size(), first.size());

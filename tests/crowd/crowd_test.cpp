@@ -28,7 +28,7 @@ TEST(Crowd, EqualsAllPairsOneByOneWithAnyTargetAndNumberOfThreads) {
         ASSERT_TRUE(set_active_target(target));
         ASSERT_EQ(crowd.contacts({.threads = threads}), expected) << "round " << round;
         std::vector<CrowdPair> pairs;
-        crowd.crowd.touching(pairs, {.threads = threads});
+        crowd.crowd.intersecting_pairs(pairs, {.threads = threads});
         ASSERT_EQ(pairs, expected_pairs);
       }
     contacts += expected.size();
@@ -47,7 +47,7 @@ TEST(Crowd, AppendsInAscendingOrder) {
   std::vector<CrowdContact> contacts = {{9, 9, 9, 9}};
   std::vector<CrowdPair> pairs = {{9, 9}};
   crowd.crowd.collide(contacts);
-  crowd.crowd.touching(pairs);
+  crowd.crowd.intersecting_pairs(pairs);
   ASSERT_GT(contacts.size(), 100u);
   ASSERT_GT(pairs.size(), 10u);
   EXPECT_EQ(contacts[0], (CrowdContact{9, 9, 9, 9}));
@@ -103,7 +103,7 @@ TEST(Crowd, StopsEachPairAtTheLimit) {
   for (const std::uint32_t limit : {0u, 1u, 7u}) {
     std::vector<CrowdContact> some;
     const CrowdStats stats = crowd.crowd.collide(some, {.max_contacts = limit});
-    EXPECT_TRUE(stats.work.cut_short);
+    EXPECT_TRUE(stats.cut_short);
     EXPECT_TRUE(std::includes(all.begin(), all.end(), some.begin(), some.end()));
     for (const CrowdPair& pair : pairs) {
       const auto count = [&](const std::vector<CrowdContact>& contacts) {
@@ -165,9 +165,9 @@ TEST(Crowd, AllInOnePlaceTouchEachOther) {
   TestCrowd crowd({make_limb(12, 8, 3)});
   for (std::uint32_t i = 0; i < 25; ++i) crowd.add(0);
   std::vector<CrowdPair> pairs;
-  const CrowdStats stats = crowd.crowd.touching(pairs);
+  const CrowdStats stats = crowd.crowd.intersecting_pairs(pairs);
   EXPECT_EQ(pairs.size(), 25u * 24 / 2);
-  EXPECT_EQ(stats.touching_pairs, pairs.size());
+  EXPECT_EQ(stats.intersecting_pairs, pairs.size());
   EXPECT_EQ(crowd.contacts(), crowd.expected());
 }
 

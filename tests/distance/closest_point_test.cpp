@@ -92,7 +92,7 @@ TEST(ClosestPoint, BeyondTheMaximumNothingIsFound) {
     EXPECT_EQ(closest.point.triangle, exact.point.triangle);
     closest_point(limbs.a, point, limbs.scratch, closest,
                   {.max_distance = std::nextafter(exact.distance, 0)});
-    EXPECT_FALSE(closest.found());
+    EXPECT_FALSE(closest);
   }
 }
 
@@ -124,7 +124,7 @@ TEST(ClosestPoint, OpensFewNodes) {
   Scratch scratch;
   ClosestPoint closest;
   const QueryStats stats = closest_point(pose, {0.3f, 0.4f, 0}, scratch, closest);
-  EXPECT_TRUE(closest.found());
+  EXPECT_TRUE(closest);
   EXPECT_LT(stats.posed_vertices, limb.rest_positions.size() / 4);
   EXPECT_LT(stats.triangle_pairs, 200u);
 }

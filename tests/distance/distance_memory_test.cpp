@@ -17,11 +17,11 @@ using test::Random;
 using test::Shape;
 
 /// Asks everything in the poses' current palettes.
-void ask(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts) {
+void ask(Pose& a, Pose& b, Scratch& scratch, std::vector<NearPair>& pairs) {
   Distance nearest;
   distance(a, b, scratch, nearest);
-  contacts.clear();
-  clearance(a, b, 0.05, scratch, contacts);
+  pairs.clear();
+  clearance(a, b, 0.05, scratch, pairs);
   is_within(a, b, 0.5, scratch);
   ClosestPoint closest;
   closest_point(a, {1, 2, 3}, scratch, closest);
@@ -30,14 +30,14 @@ void ask(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts) {
 TEST(DistanceMemory, DoesNotAllocateOnceWarm) {
   Random random(150);
   Limbs limbs;
-  std::vector<Contact> contacts;
+  std::vector<NearPair> pairs;
   for (int round = 0; round < 20; ++round) {
     const auto palette_a = test::bend_limb(random, 5, 0.3, {});
     const auto palette_b = test::bend_limb(random, 4, 0.3, random.point(1));
     for (int again = 0; again < 2; ++again) {
       ASSERT_TRUE(limbs.a.set_palette(palette_a) && limbs.b.set_palette(palette_b));
       const std::size_t before = test::allocation_count();
-      ask(limbs.a, limbs.b, limbs.scratch, contacts);
+      ask(limbs.a, limbs.b, limbs.scratch, pairs);
       if (again == 1) {
         EXPECT_EQ(test::allocation_count(), before);
       }
@@ -54,14 +54,14 @@ TEST(DistanceMemory, DoesNotAllocateOnceReserved) {
       const Shape soup = test::make_soup(random, 200, 20, 4, test::Weights::random);
       Pose a(*build_model(soup.view())), b(a.model());
       Scratch scratch;
-      std::vector<Contact> contacts;
-      contacts.reserve(kContacts);
+      std::vector<NearPair> pairs;
+      pairs.reserve(kContacts);
       const auto palette_a = test::make_palette(random, 20, motion, 1);
       const auto palette_b = test::make_palette(random, 20, motion, 1);
       a.reserve(), b.reserve(), scratch.reserve(kContacts);
       ASSERT_TRUE(a.set_palette(palette_a) && b.set_palette(palette_b));
       const std::size_t before = test::allocation_count();
-      ask(a, b, scratch, contacts);
+      ask(a, b, scratch, pairs);
       EXPECT_EQ(test::allocation_count(), before);
     }
   });

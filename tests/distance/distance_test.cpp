@@ -1,6 +1,7 @@
 #include <pelt/distance.hpp>
 
 #include "brute_distance.hpp"
+#include "query/access.hpp"
 #include "support/targets.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST(Distance, EqualsBruteForceOnBendingLimbs) {
     const BruteDistance expected = brute_distance(limbs.triangles_a(), limbs.triangles_b());
     expect_equal(distance_of(limbs.a, limbs.b, limbs.scratch), expected);
     ASSERT_FALSE(HasFatalFailure()) << "round " << round;
-    ASSERT_EQ(intersects(limbs.a, limbs.b, limbs.scratch), expected.distance == 0);
+    ASSERT_EQ(intersects(limbs.a, limbs.b, limbs.scratch).answer, expected.distance == 0);
     ++(expected.distance == 0 ? touching : apart);
   }
   EXPECT_GT(touching, 4);
@@ -183,7 +184,8 @@ TEST(Distance, HintsAndEarlierQueriesChangeNoAnswer) {
     without += distance(limbs.a, limbs.b, limbs.scratch, answers[0]).triangle_pairs;
     with += distance(limbs.a, limbs.b, limbs.scratch, answers[1], {.hint = answers}).triangle_pairs;
     Distance wild;
-    wild.places = {static_cast<std::uint32_t>(random.bits()), 3, random.index(9), random.index(9)};
+    wild.location = detail::Access::location<4>(
+        {static_cast<std::uint32_t>(random.bits()), 3, random.index(9), random.index(9)});
     fresh();
     distance(limbs.a, limbs.b, limbs.scratch, answers[2], {.hint = round % 2 ? &wild : &last});
     fresh();
@@ -241,13 +243,13 @@ TEST(Distance, BeyondTheMaximumNothingIsFound) {
         exact, distance_of(limbs.a, limbs.b, limbs.scratch, {.max_distance = exact.distance})));
     const double less = std::nextafter(exact.distance, 0);
     const Distance none = distance_of(limbs.a, limbs.b, limbs.scratch, {.max_distance = less});
-    EXPECT_FALSE(none.found());
+    EXPECT_FALSE(none);
     EXPECT_EQ(none.lower_bound, less);
   }
   ASSERT_TRUE(limbs.b.set_palette(test::bend_limb(random, 4, 0.1, {50, 0, 0})));
   Distance far;
   const QueryStats stats = distance(limbs.a, limbs.b, limbs.scratch, far, {.max_distance = 40});
-  EXPECT_FALSE(far.found());
+  EXPECT_FALSE(far);
   EXPECT_EQ(stats.posed_vertices, 0u) << "boxes of whole poses say it";
 }
 

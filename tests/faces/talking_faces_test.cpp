@@ -10,6 +10,7 @@
 #include "region/region_oracle.hpp"
 #include "scenes/face.hpp"
 #include "support/targets.hpp"
+#include "support/values.hpp"
 #include "tools/pelt/methods/brute_force.hpp"
 
 #include <bit>
@@ -103,7 +104,7 @@ TEST_F(TalkingFaces, AreAsFarApartAsBruteForceSays) {
     const BruteDistance expected = brute_distance(of_a, of_b);
     EXPECT_EQ(nearest().distance, expected.distance) << frame;
     EXPECT_EQ(nearest().a.triangle, expected.triangle_a) << frame;
-    std::vector<Contact> within;
+    std::vector<NearPair> within;
     clearance(a.pose, b.pose, expected.distance + 0.01, scratch, within);
     EXPECT_EQ(within, brute_clearance(of_a, of_b, expected.distance + 0.01)) << frame;
     EXPECT_FALSE(within.empty());
@@ -113,7 +114,7 @@ TEST_F(TalkingFaces, AreAsFarApartAsBruteForceSays) {
 TEST_F(TalkingFaces, HaveExactBoxes) {
   for (int frame = 0; frame < kFrames; ++frame) {
     play(frame);
-    const Bounds sure = bounds(a.pose), exact = tight_bounds(a.pose);
+    const Bounds sure = test::bounds_of(a.pose), exact = test::exact_bounds_of(a.pose);
     EXPECT_TRUE(same_bits(exact.box, box_of(a.triangles(), a.positions))) << frame;
     EXPECT_TRUE(encloses(sure.box, exact.box)) << frame;
     EXPECT_TRUE(encloses(sure.sphere, a.triangles(), a.positions)) << frame;
@@ -148,11 +149,11 @@ TEST_F(TalkingFaces, AreInRegionsWhereAllTrianglesAre) {
       const TrianglesInRegion expected = brute_force(region, a.triangles(), a.positions);
       TrianglesInRegion found;
       find_triangles(a.pose, region, scratch, found);
-      EXPECT_EQ(found.touching, expected.touching);
+      EXPECT_EQ(found.intersecting, expected.intersecting);
       EXPECT_EQ(found.inside, expected.inside);
-      EXPECT_EQ(classify(a.pose, region, scratch).placement,
+      EXPECT_EQ(test::placement_of(a.pose, region, scratch),
                 placement_of(expected, a.triangles().size()));
-      touching += expected.touching.size();
+      touching += expected.intersecting.size();
     }
   }
   EXPECT_GT(touching, 1000u);
@@ -183,7 +184,7 @@ TEST_F(TalkingFaces, AreEnteredByTheVertexThatIsDeepest) {
     play(frame);
     double expected = 0;
     for (const Vec3& position : a.positions) {
-      if (side_of(b.pose, of_b, position, scratch) != PointSide::inside) continue;
+      if (test::point_side(b.pose, of_b, position, scratch) != PointSide::inside) continue;
       ClosestPoint closest;
       closest_point(b.pose, position, scratch, closest);
       expected = std::max(expected, closest.distance);
@@ -191,7 +192,7 @@ TEST_F(TalkingFaces, AreEnteredByTheVertexThatIsDeepest) {
     Penetration deepest;
     deepest_vertex(a.pose, of_a, b.pose, of_b, scratch, deepest);
     EXPECT_EQ(deepest.depth, expected) << frame;
-    entered += deepest.found();
+    entered += bool(deepest);
   }
   EXPECT_GE(entered, 2);
 }
@@ -222,12 +223,12 @@ TEST_F(TalkingFaces, GiveTheSameBitsEverywhere) {
         answers.add(contact.triangle_a);
         answers.add(contact.triangle_b);
       }
-      const Bounds sure = bounds(a.pose), exact = tight_bounds(b.pose);
+      const Bounds sure = test::bounds_of(a.pose), exact = test::exact_bounds_of(b.pose);
       answers.add(sure.box.low), answers.add(sure.box.high), answers.add(sure.sphere.radius);
       answers.add(exact.box.low), answers.add(exact.box.high);
       const Distance near = nearest();
       answers.add(near.a.position), answers.add(near.b.position);
-      const RayHit hit = cast(b.pose, {{0, 0.25f, -1}, {0, 0, 1}});
+      const RayHit hit = test::first_hit(b.pose, {{0, 0.25f, -1}, {0, 0, 1}});
       answers.add(hit.triangle), answers.add(hit.t), answers.add(hit.normal);
     }
     EXPECT_EQ(answers.value(), 0xcbb9944bf6d70b68u);

@@ -33,7 +33,7 @@ std::size_t expect_as_brute_force(Pose& pose, const Shape& shape, const HeightFi
                                   Scratch& scratch) {
   const auto expected = test::brute_force(field, shape.triangles, posed(pose));
   EXPECT_EQ(contacts_of(pose, field, scratch), expected);
-  EXPECT_EQ(intersects(pose, field, scratch), !expected.empty());
+  EXPECT_EQ(intersects(pose, field, scratch).answer, !expected.empty());
   return expected.size();
 }
 
@@ -205,7 +205,7 @@ TEST(FieldCollide, DoesNotAllocateOnceReserved) {
     ASSERT_TRUE(pose.set_palette(palette));
     contacts.clear();
     collide(pose, field, scratch, contacts);
-    EXPECT_EQ(intersects(pose, field, scratch), !contacts.empty());
+    EXPECT_EQ(intersects(pose, field, scratch).answer, !contacts.empty());
     EXPECT_EQ(test::allocation_count(), before);
     most = std::max(most, contacts.size());
   }

@@ -60,7 +60,7 @@ struct Asked {
     EXPECT_EQ(found.distance, expected);
     if (expected > 0) {
       distance(pose, field, scratch, found, {.max_distance = 0.99 * expected});
-      EXPECT_FALSE(found.found());
+      EXPECT_FALSE(found);
       EXPECT_EQ(found.lower_bound, 0.99 * expected);
     }
     distance(pose, field, scratch, found, {.tolerance = 0.1});
@@ -134,7 +134,7 @@ TEST(FieldDistance, AFieldOfHolesIsInfinitelyFar) {
   Scratch scratch;
   Distance nearest;
   distance(pose, holes.build(), scratch, nearest);
-  EXPECT_FALSE(nearest.found());
+  EXPECT_FALSE(nearest);
 }
 
 TEST(FieldDistance, WorkDoesNotGrowWithTheField) {

@@ -1,6 +1,7 @@
 /// Real characters walk over generated terrain.
 
 #include "fields.hpp"
+#include "support/values.hpp"
 
 #include <pelt/asset.hpp>
 #include <pelt/bounds.hpp>
@@ -32,7 +33,7 @@ TEST_P(SharedFields, EqualBruteForce) {
                    palette);
     ASSERT_TRUE(pose.set_palette(palette));
     posed_vertices(pose, positions);
-    const Box box = bounds(pose).box;
+    const Box box = test::bounds_of(pose).box;
     const float size = box.high.y - box.low.y, spacing = size / 14;
     const Vec3 origin = {(box.low.x + box.high.x) / 2 - 12 * spacing, box.low.y + size / 20,
                          (box.low.z + box.high.z) / 2 - 12 * spacing};

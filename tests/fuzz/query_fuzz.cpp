@@ -45,7 +45,7 @@ void check_contacts(FuzzedBody& a, FuzzedBody& b, Scratch& scratch) {
   collide(a.pose, b.pose, scratch, contacts);
   require(contacts == expected, "collide");
   ContactGeometry geometry;
-  describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, geometry);
+  describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, scratch, geometry);
   require(geometry.traces.size() == contacts.size(), "describe_contacts leaves contacts out");
 }
 
@@ -120,10 +120,10 @@ void check_ray(const Ray& ray, FuzzedBody& body, Scratch& scratch) {
   cast_all(body.pose, ray, scratch, hits);
   require(hits.size() == expected.size(), "cast_all");
   for (std::size_t i = 0; i < hits.size(); ++i)
-    require(without_place(hits[i]) == expected[i], "a hit of cast_all");
+    require(without_location(hits[i]) == expected[i], "a hit of cast_all");
   RayHit first;
   cast(body.pose, std::span(&ray, 1), std::span(&first, 1));
-  require(without_place(first) == (expected.empty() ? RayHit() : expected[0]), "cast");
+  require(without_location(first) == (expected.empty() ? RayHit() : expected[0]), "cast");
   bool any = false;
   cast_any(body.pose, std::span(&ray, 1), std::span(&any, 1));
   require(any == !expected.empty(), "cast_any");
@@ -149,9 +149,11 @@ void check_region(const Region& region, FuzzedBody& body, Scratch& scratch) {
   const TrianglesInRegion expected = brute_force(region, body.shape.triangles, body.posed);
   TrianglesInRegion found;
   find_triangles(body.pose, region, scratch, found);
-  require(found.touching == expected.touching && found.inside == expected.inside, "find_triangles");
-  require(static_cast<bool>(intersects(body.pose, region, scratch)) == !expected.touching.empty(),
-          "intersects of a region");
+  require(found.intersecting == expected.intersecting && found.inside == expected.inside,
+          "find_triangles");
+  require(
+      static_cast<bool>(intersects(body.pose, region, scratch)) == !expected.intersecting.empty(),
+      "intersects of a region");
 }
 
 PointSide side(FuzzedBody& body, const Vec3& point, Scratch& scratch) {

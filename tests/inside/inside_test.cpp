@@ -1,11 +1,11 @@
 #include <pelt/inside.hpp>
 
 #include "base/vec3.hpp"
-#include "inside/containment.hpp"
 #include "pose/pose.hpp"
 #include "support/allocation_count.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"
+#include "support/values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -126,7 +126,7 @@ TEST(SideOf, IsWhereTheSurfaceWinds) {
       const Vec3 off = random.point(0.1), point = {near.x + off.x, near.y + off.y, near.z + off.z};
       const double winding = winding_number(body, posed, point);
       if (std::abs(winding - std::round(winding)) > 1e-3) continue;  // too near to tell this way
-      const PointSide side = side_of(body.pose, body.surface, point, scratch);
+      const PointSide side = test::point_side(body.pose, body.surface, point, scratch);
       EXPECT_EQ(side == PointSide::inside, std::round(winding) != 0) << winding;
       inside += side == PointSide::inside;
       outside += side == PointSide::outside;
@@ -140,7 +140,9 @@ TEST(SideOf, IsWhereTheSurfaceWinds) {
 TEST(SideOf, KnowsPointsOnTheSurface) {
   Body body(cube(1, {0, 0, 0}));
   Scratch scratch;
-  const auto side = [&](const Vec3& p) { return side_of(body.pose, body.surface, p, scratch); };
+  const auto side = [&](const Vec3& p) {
+    return test::point_side(body.pose, body.surface, p, scratch);
+  };
   for (const Vec3& on : {Vec3{1, 1, 1}, Vec3{1, 0, 0}, Vec3{1, 0.5f, 0.25f}, Vec3{0.3f, -1, 1}})
     EXPECT_EQ(side(on), PointSide::on);
   const float less = std::nextafter(1.0f, 0.0f), more = std::nextafter(1.0f, 2.0f);
@@ -155,8 +157,10 @@ TEST(SideOf, HoldsForMirroredBodies) {
   mirror.m[0] = -1;
   body.set({mirror});
   Scratch scratch;
-  EXPECT_EQ(side_of(body.pose, body.surface, {0.5f, 0.25f, 0}, scratch), PointSide::inside);
-  EXPECT_EQ(side_of(body.pose, body.surface, {1.5f, 0.25f, 0}, scratch), PointSide::outside);
+  EXPECT_EQ(test::point_side(body.pose, body.surface, {0.5f, 0.25f, 0}, scratch),
+            PointSide::inside);
+  EXPECT_EQ(test::point_side(body.pose, body.surface, {1.5f, 0.25f, 0}, scratch),
+            PointSide::outside);
 }
 
 /// All vertices, each asked by itself.
@@ -165,7 +169,7 @@ Penetration deepest_by_brute_force(Body& a, Body& b) {
   Scratch scratch;
   const std::vector<Vec3> posed = a.posed();
   for (std::uint32_t v = 0; v < posed.size(); ++v) {
-    if (side_of(b.pose, b.surface, posed[v], scratch) != PointSide::inside) continue;
+    if (test::point_side(b.pose, b.surface, posed[v], scratch) != PointSide::inside) continue;
     ClosestPoint closest;
     closest_point(b.pose, posed[v], scratch, closest);
     if (closest.distance > deepest.depth) deepest = {v, posed[v], closest.point, closest.distance};
@@ -187,8 +191,8 @@ TEST(DeepestVertex, IsThatOfBruteForce) {
     EXPECT_EQ(deepest.vertex, expected.vertex);
     EXPECT_EQ(deepest.depth, expected.depth);
     EXPECT_EQ(deepest.position, expected.position);
-    EXPECT_EQ(deepest.nearest.triangle, expected.nearest.triangle);
-    hits += deepest.found();
+    EXPECT_EQ(deepest.closest.triangle, expected.closest.triangle);
+    hits += bool(deepest);
   }
   std::cout << hits << " of 40 have a vertex inside\n";
   EXPECT_GT(hits, 15);
@@ -229,14 +233,14 @@ TEST(DeepestVertex, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
     Scratch scratch;
     Penetration deepest;
     deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
-    ASSERT_TRUE(deepest.found());
+    ASSERT_TRUE(deepest);
     const std::uint64_t before = allocation_count();
     deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
     EXPECT_EQ(allocation_count(), before);
-    if (!first.found()) first = deepest;
+    if (!first) first = deepest;
     EXPECT_EQ(deepest.vertex, first.vertex);
     EXPECT_EQ(deepest.depth, first.depth);
-    EXPECT_EQ(deepest.nearest.position, first.nearest.position);
+    EXPECT_EQ(deepest.closest.position, first.closest.position);
   });
 }
 
@@ -258,7 +262,7 @@ TEST(DeepestVertex, CountsAllWorkOnBothBodies) {
   Scratch scratch;
   Penetration deepest;
   const QueryStats work = deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
-  EXPECT_TRUE(deepest.found());
+  EXPECT_TRUE(deepest);
   EXPECT_GT(opened_vertices(a.pose), 0u);
   EXPECT_GT(opened_vertices(b.pose), 0u);
   EXPECT_EQ(work.posed_vertices, opened_vertices(a.pose) + opened_vertices(b.pose));
@@ -269,9 +273,9 @@ TEST(DeepestVertex, CountsAllWorkOnBothBodies) {
 TEST(Containment, CountsAllWorkOnBothBodies) {
   Body small(cube(0.5f, {0, 0, 0})), large(cube(1, {0.25f, 0, 0}));
   Scratch scratch;
-  Containment which;
-  const QueryStats work = detail::find_containment(small.pose, small.surface, large.pose,
-                                                   large.surface, scratch, which);
+  Containment which = Containment::none;
+  const QueryStats work =
+      containment(small.pose, small.surface, large.pose, large.surface, scratch, which);
   EXPECT_EQ(which, Containment::a_in_b);
   EXPECT_GT(opened_vertices(small.pose), 0u);
   EXPECT_EQ(work.posed_vertices, opened_vertices(small.pose) + opened_vertices(large.pose));
@@ -281,7 +285,9 @@ TEST(Containment, CountsAllWorkOnBothBodies) {
 Containment containment_of(const Shape& shape_a, const Shape& shape_b) {
   Body a(shape_a), b(shape_b);
   Scratch scratch;
-  return containment(a.pose, a.surface, b.pose, b.surface, scratch);
+  Containment which = Containment::none;
+  containment(a.pose, a.surface, b.pose, b.surface, scratch, which);
+  return which;
 }
 
 TEST(Containment, TellsWhichBodyHoldsTheOther) {

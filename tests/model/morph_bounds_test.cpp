@@ -131,7 +131,7 @@ TEST(MorphBounds, QueriesSeeTheWeightsSetLast) {
       ASSERT_TRUE(b.set_palette(test::bend_limb(random, 5, 0.3, {0.2f, 0, 0})));
       ASSERT_TRUE(a.set_morph_weights(
           test::make_morph_weights(random, 16, test::kAllMorphings[(round + 1) % 4])));
-      touching += intersects(a, b, scratch);
+      touching += intersects(a, b, scratch).answer;
       ASSERT_EQ(check_bounds(a), "");
       ASSERT_EQ(check_bounds(b), "");
     }

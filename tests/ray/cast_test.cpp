@@ -5,6 +5,7 @@
 #include "support/allocation_count.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"
+#include "support/values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,19 +51,19 @@ struct HitCounts {
 TEST(Cast, FindsWhatALimbHas) {
   Posed limb(make_limb(24, 10, 5), std::vector<Matrix4>(5));
   const Ray through = {{-5, 0.5f, 0.01f}, {2, 0, 0}};
-  const RayHit first = cast(limb.pose, through);
+  const RayHit first = test::first_hit(limb.pose, through);
   ASSERT_TRUE(first);
   EXPECT_LT(first.normal.x, 0);
   EXPECT_GT(first.t, 2);
-  EXPECT_FALSE(cast(limb.pose, {{-5, 0.5f, 0.01f}, {-2, 0, 0}}));
-  EXPECT_FALSE(cast(limb.pose, {{-5, 0.5f, 0.01f}, {0, 0, 0}})) << "no direction";
-  EXPECT_FALSE(cast(limb.pose, {{-5, 0.5f, 0.01f}, {2, 0, 0}, 0, 1}));
+  EXPECT_FALSE(test::first_hit(limb.pose, {{-5, 0.5f, 0.01f}, {-2, 0, 0}}));
+  EXPECT_FALSE(test::first_hit(limb.pose, {{-5, 0.5f, 0.01f}, {0, 0, 0}})) << "no direction";
+  EXPECT_FALSE(test::first_hit(limb.pose, {{-5, 0.5f, 0.01f}, {2, 0, 0}, 0, 1}));
   Scratch scratch;
   std::vector<RayHit> all;
   cast_all(limb.pose, through, scratch, all);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0], first);
-  EXPECT_EQ(cast(limb.pose, through, {Facing::back}), all[1]);
+  EXPECT_EQ(test::first_hit(limb.pose, through, {Facing::back}), all[1]);
 }
 
 TEST(Cast, EqualsBruteForceOnMorphedLimbs) {
@@ -169,11 +170,11 @@ TEST(Cast, AnswersAlikeWhateverWasAskedBeforeAndOnEveryTarget) {
   cast(together.pose, rays, expected);
   on_each_target([&](Target) {
     ASSERT_TRUE(together.pose.set_palette(palette));
-    for (std::size_t i = rays.size(); i-- > 0;) found[i] = cast(together.pose, rays[i]);
+    for (std::size_t i = rays.size(); i-- > 0;) found[i] = test::first_hit(together.pose, rays[i]);
     EXPECT_EQ(found, expected);
     for (std::size_t i = 0; i < rays.size(); i += 20) {
       ASSERT_TRUE(together.pose.set_palette(palette));
-      EXPECT_EQ(cast(together.pose, rays[i]), expected[i]);
+      EXPECT_EQ(test::first_hit(together.pose, rays[i]), expected[i]);
     }
   });
   EXPECT_GT(std::count_if(expected.begin(), expected.end(),
@@ -191,7 +192,7 @@ TEST(Cast, ChoosesTheLowestTriangleOfAnEdge) {
     const Ray ray = {{10, corner.y, corner.z}, {-1, 0, 0}};
     std::vector<RayHit> all;
     cast_all(limb.pose, ray, scratch, all);
-    const RayHit first = cast(limb.pose, ray);
+    const RayHit first = test::first_hit(limb.pose, ray);
     std::uint32_t lowest = kNoTriangle;
     std::uint32_t alike = 0;
     for (const RayHit& hit : all)
@@ -275,9 +276,10 @@ TEST(Cast, BlendsTheJointsOfAHit) {
   int hits = 0;
   std::vector<JointShare> shares;
   for (int i = 0; i < 400; ++i) {
-    const RayHit hit = cast(soup.pose, soup.cases().next(random));
+    const RayHit hit = test::first_hit(soup.pose, soup.cases().next(random));
     if (!hit) continue;
     ++hits;
+    shares.clear();
     influences_at(soup.pose.model(), hit, shares);
     std::vector<double> expected(12);
     const SkinnedMeshView mesh = soup.shape.view();

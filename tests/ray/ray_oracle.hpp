@@ -3,6 +3,7 @@
 /// The oracle of ray casts: every posed triangle by the exact predicate, without a tree.
 
 #include "geometry/ray_triangle.hpp"
+#include "support/values.hpp"
 
 #include <pelt/mesh.hpp>
 #include <pelt/ray.hpp>
@@ -29,7 +30,7 @@ class RayOracle {
     return {positions_[a], positions_[b], positions_[c]};
   }
 
-  /// Ascending by t, then by triangle. `place` is not set.
+  /// Ascending by t, then by triangle. `location` is not set.
   std::vector<RayHit> all(const Ray& ray, Facing facing = Facing::both) const {
     std::vector<RayHit> hits;
     const detail::RayLine line = {ray.origin, ray.direction};
@@ -38,7 +39,10 @@ class RayOracle {
       if (!detail::line_meets_triangle(line, corners(i), crossing)) continue;
       if (crossing.t < ray.t_min || crossing.t > ray.t_max) continue;
       if (facing != Facing::both && crossing.from_front != (facing == Facing::front)) continue;
-      hits.push_back({i, 0, crossing.t, detail::crossing_weights(line, corners(i), crossing),
+      hits.push_back({i,
+                      {},
+                      crossing.t,
+                      detail::crossing_weights(line, corners(i), crossing),
                       detail::unit_normal(corners(i))});
     }
     std::stable_sort(hits.begin(), hits.end(),
@@ -51,8 +55,8 @@ class RayOracle {
   std::vector<Vec3> positions_;
 };
 
-inline RayHit without_place(RayHit hit) {
-  hit.place = 0;
+inline RayHit without_location(RayHit hit) {
+  hit.location = {};
   return hit;
 }
 
@@ -61,14 +65,14 @@ inline RayHit without_place(RayHit hit) {
 inline std::size_t expect_as_oracle(Pose& pose, const RayOracle& oracle, const Ray& ray,
                                     Scratch& scratch, Facing facing = Facing::both) {
   const std::vector<RayHit> expected = oracle.all(ray, facing);
-  const RayHit first = cast(pose, ray, {facing});
-  EXPECT_EQ(without_place(first), expected.empty() ? RayHit() : expected[0]);
+  const RayHit first = test::first_hit(pose, ray, {facing});
+  EXPECT_EQ(without_location(first), expected.empty() ? RayHit() : expected[0]);
   bool any = false;
   cast_any(pose, std::span(&ray, 1), std::span(&any, 1), {facing});
   EXPECT_EQ(any, !expected.empty());
   std::vector<RayHit> all;
   cast_all(pose, ray, scratch, all, {facing});
-  std::transform(all.begin(), all.end(), all.begin(), without_place);
+  std::transform(all.begin(), all.end(), all.begin(), without_location);
   EXPECT_EQ(all, expected);
   return expected.size();
 }

@@ -3,6 +3,7 @@
 #include "ray_cases.hpp"
 #include "ray_oracle.hpp"
 #include "scenes/scene.hpp"
+#include "support/values.hpp"
 
 #include <pelt/asset.hpp>
 
@@ -90,12 +91,12 @@ TEST(Watertight, ARayFromInsideAlwaysHits) {
       for (int j = 0; j < 100; ++j) {
         const Vec3 direction =
             j % 2 == 0 ? random.point(1) : segment(inside, cases.target(random)).direction;
-        const RayHit hit = cast(walker.pose, {inside, direction});
+        const RayHit hit = test::first_hit(walker.pose, {inside, direction});
         ASSERT_TRUE(hit) << "ray " << j;
         on_edges += is_on_edge(hit);
       }
       for (const Vec3& axis : {Vec3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}})
-        ASSERT_TRUE(cast(walker.pose, {inside, axis}));
+        ASSERT_TRUE(test::first_hit(walker.pose, {inside, axis}));
     }
   }
   std::printf("%d places inside, %d rays through edges\n", places, on_edges);

@@ -61,7 +61,7 @@ TEST(Frustum, WithoutAFarPlaneLeavesNothingFarOut) {
 TEST(Frustum, IsAConvexPolyhedronOfSixFaces) {
   const Frustum frustum = make_frustum(Matrix4{});
   const ConvexPolyhedron polyhedron = frustum;
-  EXPECT_EQ(polyhedron.faces.size(), 6u);
+  EXPECT_EQ(polyhedron.faces().size(), 6u);
   EXPECT_TRUE(is_in(frustum, {1, -1, 1}));
   EXPECT_FALSE(is_in(frustum, {1.5f, 0, 0}));
 }

@@ -43,7 +43,7 @@ double depth(const OrientedBox& box, const Vec3& p) {
 
 double depth(const ConvexPolyhedron& polyhedron, const Vec3& p) {
   double least = HUGE_VAL;
-  for (const HalfSpace& face : polyhedron.faces) least = std::min(least, depth(face, p));
+  for (const HalfSpace& face : polyhedron.faces()) least = std::min(least, depth(face, p));
   return least;
 }
 

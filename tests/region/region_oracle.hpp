@@ -24,14 +24,14 @@ inline TrianglesInRegion brute_force(const Region& region, std::span<const Trian
     const auto [a, b, c] = triangles[t];
     const auto place = place_of(prepared, {positions[a], positions[b], positions[c]});
     if (place == detail::TrianglePlace::apart) continue;
-    found.touching.push_back(t);
+    found.intersecting.push_back(t);
     if (place == detail::TrianglePlace::inside) found.inside.push_back(t);
   }
   return found;
 }
 
 inline Placement placement_of(const TrianglesInRegion& found, std::size_t triangle_count) {
-  if (found.touching.empty()) return Placement::outside;
+  if (found.intersecting.empty()) return Placement::outside;
   return found.inside.size() == triangle_count ? Placement::inside : Placement::partly;
 }
 

@@ -4,6 +4,7 @@
 #include "support/allocation_count.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/targets.hpp"
+#include "support/values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -92,17 +93,17 @@ struct Asked {
   Placement expect_as_brute_force(const Region& region) {
     const TrianglesInRegion expected = test::brute_force(region, shape.triangles, positions);
     const Placement placement = test::placement_of(expected, shape.triangles.size());
-    EXPECT_EQ(classify(pose, region, scratch).placement, placement);
-    find_triangles(pose, region, scratch, found);
-    EXPECT_EQ(found.touching, expected.touching);
+    EXPECT_EQ(test::placement_of(pose, region, scratch), placement);
+    found = test::triangles_in(pose, region, scratch);
+    EXPECT_EQ(found.intersecting, expected.intersecting);
     EXPECT_EQ(found.inside, expected.inside);
-    EXPECT_EQ(classify(pose, region, scratch).placement, placement);
+    EXPECT_EQ(test::placement_of(pose, region, scratch), placement);
     touching = {UINT32_MAX};
     collide(pose, region, scratch, touching);
     EXPECT_EQ(touching.front(), UINT32_MAX);
     touching.erase(touching.begin());
-    EXPECT_EQ(touching, expected.touching);
-    EXPECT_EQ(intersects(pose, region, scratch), !touching.empty());
+    EXPECT_EQ(touching, expected.intersecting);
+    EXPECT_EQ(intersects(pose, region, scratch).answer, !touching.empty());
     return placement;
   }
 
@@ -191,9 +192,9 @@ TEST(Region, BatchesGiveTheSameAndAddUpTheWork) {
     const QueryStats all = classify(pointers, region, scratch, placements);
     QueryStats sum;
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      const Classified one = classify(poses[i], region, scratch);
-      EXPECT_EQ(one.placement, placements[i]);
-      sum += one.stats;
+      Placement one = Placement::outside;
+      sum += classify(poses[i], region, scratch, one);
+      EXPECT_EQ(one, placements[i]);
       ++counts[static_cast<std::size_t>(placements[i])];
     }
     EXPECT_EQ(all.node_pairs, sum.node_pairs);
@@ -211,7 +212,8 @@ TEST(Region, WhatTheRootTellsCostsOneBox) {
        {Region(Sphere{{50, 0, 0}, 10}), Region(Sphere{{0, 0, 0}, 100}),
         Region(Box{{20, 20, 20}, {30, 30, 30}}), Region(HalfSpace{{0, 1, 0}, 100})}) {
     ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 5, 0.5, {})));
-    const QueryStats stats = classify(pose, region, scratch).stats;
+    Placement placement = Placement::outside;
+    const QueryStats stats = classify(pose, region, scratch, placement);
     EXPECT_EQ(stats.node_pairs, 1u);
     EXPECT_EQ(stats.refits, 1u);
     EXPECT_EQ(stats.posed_vertices, 0u);
@@ -254,7 +256,7 @@ TEST(Region, DoesNotAllocateOnceReserved) {
   TrianglesInRegion found;
   pose.reserve();
   scratch.reserve(count);
-  found.touching.reserve(count);
+  found.intersecting.reserve(count);
   found.inside.reserve(count);
   std::vector<std::uint32_t> touching;
   touching.reserve(count);
@@ -264,13 +266,16 @@ TEST(Region, DoesNotAllocateOnceReserved) {
     const Region region = regions.next({}, 2);
     const std::size_t before = test::allocation_count();
     ASSERT_TRUE(pose.set_palette(palette));
-    classify(pose, region, scratch);
+    Placement placement = Placement::outside;
+    classify(pose, region, scratch, placement);
+    found.intersecting.clear();
+    found.inside.clear();
     find_triangles(pose, region, scratch, found);
     touching.clear();
     collide(pose, region, scratch, touching);
-    EXPECT_EQ(intersects(pose, region, scratch), !touching.empty());
+    EXPECT_EQ(intersects(pose, region, scratch).answer, !touching.empty());
     EXPECT_EQ(test::allocation_count(), before);
-    all += found.touching.size();
+    all += found.intersecting.size();
   }
   EXPECT_GT(all, count);
 }

@@ -6,6 +6,7 @@
 
 #include "region/region_oracle.hpp"
 #include "support/random.hpp"
+#include "support/values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,14 +40,13 @@ TEST_P(SharedRegions, EqualBruteForce) {
   asset::SampleScratch sampling;
   std::vector<Matrix4> palette(pose.model().joint_count());
   std::vector<Vec3> positions(pose.model().vertex_count());
-  TrianglesInRegion found;
   std::array<int, 3> counts = {};
   for (int round = 0; round < 8; ++round) {
     const auto& clip = asset->clips[random.index(static_cast<std::uint32_t>(asset->clips.size()))];
     sample_palette(*asset, &clip, clip.duration * random.uniformf(0, 1), {}, sampling, palette);
     ASSERT_TRUE(pose.set_palette(palette));
     posed_vertices(pose, positions);
-    const Box box = bounds(pose).box;
+    const Box box = test::bounds_of(pose).box;
     const float size = box.high.y - box.low.y;
     const Vec3 a = near_box(random, box), b = near_box(random, box), n = random.point(1);
     const HalfSpace half = {n, n.x * a.x + n.y * a.y + n.z * a.z};
@@ -63,9 +63,9 @@ TEST_P(SharedRegions, EqualBruteForce) {
     for (const Region& region : regions) {
       const TrianglesInRegion expected = test::brute_force(region, asset->triangles, positions);
       const Placement placement = test::placement_of(expected, asset->triangles.size());
-      EXPECT_EQ(classify(pose, region, scratch).placement, placement);
-      find_triangles(pose, region, scratch, found);
-      EXPECT_EQ(found.touching, expected.touching);
+      EXPECT_EQ(test::placement_of(pose, region, scratch), placement);
+      const TrianglesInRegion found = test::triangles_in(pose, region, scratch);
+      EXPECT_EQ(found.intersecting, expected.intersecting);
       EXPECT_EQ(found.inside, expected.inside);
       ++counts[static_cast<std::size_t>(placement)];
     }

@@ -1,4 +1,5 @@
 #include "solids.hpp"
+#include "support/values.hpp"
 
 #include <cstdio>
 
@@ -33,7 +34,7 @@ TEST(SolidCast, FindsTheFirstPointInside) {
     Ray ray = segment(random.point(2), random.point(2));
     ray.t_min = random.uniformf(-0.5, 0.5);
     ray.t_max = random.uniformf(0.5, 2);
-    const SolidHit hit = cast(solid, ray);
+    const SolidHit hit = test::first_hit(solid, ray);
     if (hit && hit.t == ray.t_min && hit.normal == Vec3()) {
       EXPECT_LE(distance_to(solid, place_at(ray, double{ray.t_min})), 1e-9);
       ++begins_inside;
@@ -50,24 +51,26 @@ TEST(SolidCast, FindsTheFirstPointInside) {
 
 TEST(SolidCast, GivesPlacesAndNormals) {
   const Ray down = {{0.25f, 9, 0}, {0, -2, 0}};
-  EXPECT_EQ(cast(HalfSpace{{0, 3, 0}, 3}, down).t, 4);
-  EXPECT_EQ(cast(HalfSpace{{0, 3, 0}, 3}, down).normal, (Vec3{0, 1, 0}));
-  EXPECT_EQ(cast(Box{{0, 0, 0}, {1, 1, 1}}, down).t, 4);
-  EXPECT_EQ(cast(OrientedBox{{0, 0, 0}, {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1, 1, 1}}, down).t,
+  EXPECT_EQ(test::first_hit(HalfSpace{{0, 3, 0}, 3}, down).t, 4);
+  EXPECT_EQ(test::first_hit(HalfSpace{{0, 3, 0}, 3}, down).normal, (Vec3{0, 1, 0}));
+  EXPECT_EQ(test::first_hit(Box{{0, 0, 0}, {1, 1, 1}}, down).t, 4);
+  EXPECT_EQ(test::first_hit(
+                OrientedBox{{0, 0, 0}, {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1, 1, 1}}, down)
+                .t,
             4);
-  EXPECT_EQ(cast(Sphere{{0.25f, 0, 0}, 1}, down).t, 4);
-  EXPECT_EQ(cast(Capsule{{-9, 0, 0}, {9, 0, 0}, 1}, down).t, 4);
-  EXPECT_EQ(cast(Capsule{{-9, 0, 0}, {9, 0, 0}, 1}, down).normal, (Vec3{0, 1, 0}));
-  EXPECT_FALSE(cast(Sphere{{2, 0, 0}, 1}, down));
-  EXPECT_FALSE(cast(Box{{0.5f, 0, 0}, {1, 1, 1}}, down));
-  EXPECT_FALSE(cast(Sphere{{0.25f, 10, 0}, 0.5f}, down));  // behind it
+  EXPECT_EQ(test::first_hit(Sphere{{0.25f, 0, 0}, 1}, down).t, 4);
+  EXPECT_EQ(test::first_hit(Capsule{{-9, 0, 0}, {9, 0, 0}, 1}, down).t, 4);
+  EXPECT_EQ(test::first_hit(Capsule{{-9, 0, 0}, {9, 0, 0}, 1}, down).normal, (Vec3{0, 1, 0}));
+  EXPECT_FALSE(test::first_hit(Sphere{{2, 0, 0}, 1}, down));
+  EXPECT_FALSE(test::first_hit(Box{{0.5f, 0, 0}, {1, 1, 1}}, down));
+  EXPECT_FALSE(test::first_hit(Sphere{{0.25f, 10, 0}, 0.5f}, down));  // behind it
 }
 
 /// From a million units away a ball of one unit is still met where it is.
 TEST(SolidCast, IsRightFromFarAway) {
-  const SolidHit hit = cast(Sphere{{0, 0, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}});
+  const SolidHit hit = test::first_hit(Sphere{{0, 0, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}});
   EXPECT_EQ(hit.t, (1 << 20) - 1);
-  EXPECT_FALSE(cast(Sphere{{0, 1.0001f, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}}));
+  EXPECT_FALSE(test::first_hit(Sphere{{0, 1.0001f, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}}));
 }
 
 }  // namespace

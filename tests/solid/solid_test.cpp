@@ -1,6 +1,7 @@
 #include "solids.hpp"
 #include "support/allocation_count.hpp"
 #include "support/targets.hpp"
+#include "support/values.hpp"
 
 #include <pelt/asset.hpp>
 #include <pelt/bounds.hpp>
@@ -69,7 +70,7 @@ struct Asked {
     EXPECT_EQ(within.distance, expected.distance);
     if (expected.distance > 0) {
       distance(pose, solid, scratch, within, {.max_distance = 0.99 * expected.distance});
-      EXPECT_FALSE(within.found());
+      EXPECT_FALSE(within);
     }
     return expected.distance;
   }
@@ -168,7 +169,7 @@ TEST_P(SharedSolids, EqualBruteForce) {
     sample_palette(*asset, &clip, clip.duration * random.uniformf(0, 1), {}, sampling, palette);
     ASSERT_TRUE(pose.set_palette(palette));
     Asked asked(asset->triangles, pose);
-    const Sphere around = bounds(pose).sphere;
+    const Sphere around = test::bounds_of(pose).sphere;
     for (int i = 0; i < 5; ++i)
       apart += asked.expect_as_brute_force(
                    random_solid(random, around.centre, 2 * double{around.radius})) > 0;

@@ -223,7 +223,9 @@ PELT_EXPORT std::uint32_t pelt_extent(const CharacterHandle* handle) {
   Pose pose(character.whole.model);
   if (const Result<void> set = pose.set_palette(palette); !set)
     return refuse(asset::prefixed(character.read.name, set.error()));
-  const auto& [low, high] = tight_bounds(pose).box;
+  Bounds found;
+  exact_bounds(pose, found);
+  const auto& [low, high] = found.box;
   answer_numbers({low.x, low.y, low.z, high.x, high.y, high.z});
   return 1;
 }

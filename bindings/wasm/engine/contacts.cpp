@@ -116,7 +116,7 @@ PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
   if (const char* problem = problem_of(given, a->pose.model(), b->pose.model()))
     return refuse({ErrorCode::invalid_argument, problem});
   describe_contacts(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(), given,
-                    geometry());
+                    scratch(), geometry());
   write_columns(geometry(), columns());
   return 1;
 }

@@ -121,7 +121,7 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t 
   handle->found.clear();
   CrowdOptions options;
   options.max_contacts = most;
-  answer_stats(handle->crowd.collide(handle->found, options).work);
+  answer_stats(handle->crowd.collide(handle->found, options));
   number_triangles(*handle);
   answer().numbers[6] = static_cast<double>(take_ignored_out(*handle));
   answer_data<CrowdContact>(handle->found);

@@ -15,22 +15,22 @@ PELT_EXPORT std::uint32_t pelt_closest_point(PoseHandle* handle, float x, float 
   answer_stats(closest_point(handle->pose, {x, y, z}, scratch(), closest, {most}));
   answer().numbers[6] = closest.distance;
   answer_points({{closest.point, *handle}});
-  return closest.found() ? 1 : 0;
+  return closest ? 1 : 0;
 }
 
 /// The answer is the two points; the stats, the distance and what it is at least are its numbers 0
 /// to 7.
 PELT_EXPORT std::uint32_t pelt_distance(PoseHandle* a, PoseHandle* b, double most,
                                         double tolerance) {
-  Distance nearest;
+  Distance closest;
   DistanceOptions options;
   options.max_distance = most;
   options.tolerance = tolerance;
-  answer_stats(distance(a->pose, b->pose, scratch(), nearest, options));
-  answer().numbers[6] = nearest.distance;
-  answer().numbers[7] = nearest.lower_bound;
-  answer_points({{nearest.a, *a}, {nearest.b, *b}});
-  return nearest.found() ? 1 : 0;
+  answer_stats(distance(a->pose, b->pose, scratch(), closest, options));
+  answer().numbers[6] = closest.distance;
+  answer().numbers[7] = closest.lower_bound;
+  answer_points({{closest.a, *a}, {closest.b, *b}});
+  return closest ? 1 : 0;
 }
 
 }  // namespace pelt::wasm

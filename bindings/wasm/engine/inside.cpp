@@ -18,7 +18,9 @@ PELT_EXPORT std::uint32_t pelt_is_closed(PoseHandle* handle) {
 /// Returns a PointSide. Precondition: the surface is closed.
 PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, float z) {
   const Surface& surface = handle->body.get_surface();
-  return static_cast<std::uint32_t>(side_of(handle->pose, surface, {x, y, z}, scratch()));
+  PointSide side = PointSide::outside;
+  side_of(handle->pose, surface, {x, y, z}, scratch(), side);
+  return static_cast<std::uint32_t>(side);
 }
 
 /// The answer is the nearest point of b's surface; the stats, the vertex, its position and its
@@ -30,14 +32,15 @@ PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
   const auto& [x, y, z] = deepest.position;
   const double found[] = {static_cast<double>(deepest.vertex), x, y, z, deepest.depth};
   std::copy(std::begin(found), std::end(found), answer().numbers.begin() + 6);
-  answer_points({{deepest.nearest, *b}});
-  return deepest.found() ? 1 : 0;
+  answer_points({{deepest.closest, *b}});
+  return deepest ? 1 : 0;
 }
 
 /// Returns a Containment.
 PELT_EXPORT std::uint32_t pelt_containment(PoseHandle* a, PoseHandle* b) {
-  return static_cast<std::uint32_t>(
-      containment(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(), scratch()));
+  Containment found = Containment::none;
+  containment(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(), scratch(), found);
+  return static_cast<std::uint32_t>(found);
 }
 
 }  // namespace pelt::wasm

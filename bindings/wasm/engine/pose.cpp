@@ -64,11 +64,15 @@ PELT_EXPORT void pelt_normals(PoseHandle* handle) {
 }
 
 PELT_EXPORT void pelt_bounds(PoseHandle* handle, std::uint32_t levels) {
-  answer_bounds(bounds(handle->pose, {levels}));
+  Bounds found;
+  bounds(handle->pose, found, {levels});
+  answer_bounds(found);
 }
 
-PELT_EXPORT void pelt_tight_bounds(PoseHandle* handle) {
-  answer_bounds(tight_bounds(handle->pose));
+PELT_EXPORT void pelt_exact_bounds(PoseHandle* handle) {
+  Bounds found;
+  exact_bounds(handle->pose, found);
+  answer_bounds(found);
 }
 
 }  // namespace pelt::wasm

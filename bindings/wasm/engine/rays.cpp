@@ -38,7 +38,8 @@ PELT_EXPORT Ray* pelt_ray() {
 
 /// The first hit.
 PELT_EXPORT std::uint32_t pelt_cast(PoseHandle* handle, Facing facing) {
-  const RayHit hit = cast(handle->pose, *pelt_ray(), {facing});
+  RayHit hit;
+  (void)cast(handle->pose, *pelt_ray(), hit, {facing});
   answer_hits({&hit, 1}, *handle);
   return hit ? 1 : 0;
 }

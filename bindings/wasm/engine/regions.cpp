@@ -46,19 +46,12 @@ class Reader {
 };
 
 ConvexPolyhedron read_polyhedron(Reader& reader) {
-  static std::vector<HalfSpace> faces;
-  faces.clear();
+  std::vector<HalfSpace> faces;
   while (reader.has_more()) faces.push_back(reader.half_space());
-  return {faces};
+  return ConvexPolyhedron(faces);
 }
 
-ConvexPolyhedron read_frustum(Reader& reader, ClipDepth depth) {
-  static Frustum frustum;
-  frustum = make_frustum(reader.matrix(), depth);
-  return frustum;
-}
-
-/// What the numbers stand for. It may borrow, until the next one is read.
+/// What the numbers stand for.
 Region read_region(Kind kind) {
   Reader reader;
   switch (kind) {
@@ -76,11 +69,11 @@ Region read_region(Kind kind) {
     case Kind::capsule:
       return Capsule{reader.vector(), reader.vector(), reader.number()};
     case Kind::frustum_gl:
-      return read_frustum(reader, ClipDepth::minus_one_to_one);
+      return make_frustum(reader.matrix(), ClipDepth::minus_one_to_one);
     case Kind::frustum_webgpu:
       break;
   }
-  return read_frustum(reader, ClipDepth::zero_to_one);
+  return make_frustum(reader.matrix(), ClipDepth::zero_to_one);
 }
 
 }  // namespace
@@ -91,9 +84,9 @@ PELT_EXPORT float* pelt_region(std::uint32_t count) {
 }
 
 PELT_EXPORT std::uint32_t pelt_classify(PoseHandle* handle, Kind kind) {
-  const Classified found = classify(handle->pose, read_region(kind), scratch());
-  answer_stats(found.stats);
-  return static_cast<std::uint32_t>(found.placement);
+  Placement placement = Placement::outside;
+  answer_stats(classify(handle->pose, read_region(kind), scratch(), placement));
+  return static_cast<std::uint32_t>(placement);
 }
 
 PELT_EXPORT std::uint32_t pelt_intersects_region(PoseHandle* handle, Kind kind) {
@@ -104,11 +97,13 @@ PELT_EXPORT std::uint32_t pelt_intersects_region(PoseHandle* handle, Kind kind) 
 /// answer's number 6.
 PELT_EXPORT const std::uint32_t* pelt_find_triangles(PoseHandle* handle, Kind kind) {
   static TrianglesInRegion found;
+  found.intersecting.clear();
+  found.inside.clear();
   answer_stats(find_triangles(handle->pose, read_region(kind), scratch(), found));
-  for (std::uint32_t& triangle : found.touching) triangle += handle->body.first_triangle;
+  for (std::uint32_t& triangle : found.intersecting) triangle += handle->body.first_triangle;
   for (std::uint32_t& triangle : found.inside) triangle += handle->body.first_triangle;
   answer().numbers[6] = static_cast<double>(found.inside.size());
-  answer_data<std::uint32_t>(found.touching);
+  answer_data<std::uint32_t>(found.intersecting);
   return found.inside.data();
 }
 

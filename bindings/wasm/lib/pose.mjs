@@ -61,7 +61,7 @@ export class Pose {
   }
 
   tightBounds() {
-    this.#memory.module._pelt_tight_bounds(this.#handle);
+    this.#memory.module._pelt_exact_bounds(this.#handle);
     return this.#bounds();
   }
 

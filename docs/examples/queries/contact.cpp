@@ -7,6 +7,6 @@ std::vector<pelt::ContactRegion> pushes(pelt::Pose& a, const pelt::Surface& surf
   std::vector<pelt::Contact> contacts;
   pelt::collide(a, b, scratch, contacts);
   pelt::ContactGeometry geometry;
-  pelt::describe_contacts(a, surface_a, b, surface_b, contacts, geometry);
+  pelt::describe_contacts(a, surface_a, b, surface_b, contacts, scratch, geometry);
   return geometry.regions;  // point, normal, depth, joints of both sides
 }

@@ -5,5 +5,5 @@ double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
                 const pelt::Surface& surface_b, pelt::Scratch& scratch) {
   pelt::Penetration deepest;
   pelt::deepest_vertex(a, surface_a, b, surface_b, scratch, deepest);
-  return deepest.depth;  // deepest.position and deepest.nearest say where
+  return deepest.depth;  // deepest.position and deepest.closest say where
 }

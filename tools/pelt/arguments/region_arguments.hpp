@@ -19,7 +19,7 @@ struct RegionArguments {
 
 void add_region_options(Verb& verb, RegionArguments& arguments);
 
-/// A region that owns its faces.
+/// A region, with what the command line said of it.
 class ChosenRegion {
  public:
   ChosenRegion(const std::string& kind, std::vector<float> numbers);
@@ -28,7 +28,6 @@ class ChosenRegion {
   /// side to the right one.
   static ChosenRegion seen_by_camera(std::vector<float> numbers, double angle, double aspect);
 
-  /// Borrows from this.
   Region region() const;
 
   const std::string& kind() const { return kind_; }               ///< "box"

@@ -8,11 +8,12 @@ void ClearanceQuery::collide(const CollideOptions& options, scene::FrameContacts
   const std::span<Pose> poses = posed_.poses();
   for (const auto& [a, b] : near_pairs_.find(poses, tolerance_)) {
     const std::size_t begin = found.contacts.size();
-    work_ +=
-        clearance(poses[a], poses[b], tolerance_, scratch_, found.contacts, {options.max_contacts});
+    near_.clear();
+    work_ += clearance(poses[a], poses[b], tolerance_, scratch_, near_, {options.max_contacts});
+    for (const NearPair& pair : near_)
+      found.contacts.push_back(scene::numbered_in_assets({pair.triangle_a, pair.triangle_b},
+                                                         colliders_[a], colliders_[b]));
     const std::size_t end = found.contacts.size();
-    for (Contact& contact : std::span(found.contacts).subspan(begin))
-      contact = scene::numbered_in_assets(contact, colliders_[a], colliders_[b]);
     if (end > begin) found.pairs.push_back({a, b, begin, end});
   }
 }

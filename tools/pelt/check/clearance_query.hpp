@@ -35,6 +35,7 @@ class ClearanceQuery {
   double tolerance_;
   scene::NearPairs near_pairs_;
   Scratch scratch_;
+  std::vector<NearPair> near_;
   QueryStats work_;
 };
 

@@ -18,7 +18,7 @@ Result<void> ContactDetails::describe(const scene::Palettes& palettes,
       contacts_.push_back(scene::numbered_in_models(contact, colliders_[a], colliders_[b]));
     }
     describe_contacts(posed_.poses()[a], surfaces_[a], posed_.poses()[b], surfaces_[b], contacts_,
-                      geometry_[i]);
+                      scratch_, geometry_[i]);
   }
   return {};
 }

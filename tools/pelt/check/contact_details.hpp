@@ -28,6 +28,7 @@ class ContactDetails {
   std::span<const scene::Collider> colliders_;
   std::vector<Surface> surfaces_;  // of each collider; those of one model share
   scene::ScenePoses posed_;
+  Scratch scratch_;
   std::vector<Contact> contacts_;
   std::vector<ContactGeometry> geometry_;  // of each pair; kept from frame to frame for its memory
 };

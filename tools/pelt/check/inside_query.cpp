@@ -63,10 +63,11 @@ void InsideQuery::ask_pair(std::uint32_t a, std::uint32_t b, bool touches) {
     pair.b_in_a = deepest(b, a);
   } else {
     const std::span<Pose> poses = posed_.poses();
-    pair.containment = containment(poses[a], surfaces_[a], poses[b], surfaces_[b], scratch_);
+    work_ +=
+        containment(poses[a], surfaces_[a], poses[b], surfaces_[b], scratch_, pair.containment);
   }
   const bool is_inside = pair.containment != Containment::none;
-  if (is_inside || pair.a_in_b.found() || pair.b_in_a.found()) pairs_.push_back(pair);
+  if (is_inside || pair.a_in_b || pair.b_in_a) pairs_.push_back(pair);
 }
 
 /// Instances of a character have the same answers.

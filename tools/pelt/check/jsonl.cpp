@@ -63,11 +63,11 @@ ordered_json JsonlWriter::pairs_json(const scene::FrameContacts& found,
 
 ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
   const auto deepest = [&](const Penetration& found, std::uint32_t outer) -> ordered_json {
-    if (!found.found()) return nullptr;
+    if (!found) return nullptr;
     return {{"depth", found.depth},
             {"position", scene::vector_json(found.position)},
-            {"nearest", scene::vector_json(found.nearest.position)},
-            {"triangle", staged_.colliders[outer].number_in_asset(found.nearest.triangle)}};
+            {"nearest", scene::vector_json(found.closest.position)},
+            {"triangle", staged_.colliders[outer].number_in_asset(found.closest.triangle)}};
   };
   ordered_json pairs = ordered_json::array();
   for (const InsidePair& pair : inside.pairs()) {

@@ -45,13 +45,13 @@ QueryStats BoundsQuery::ask(std::span<Pose> poses) {
   for (Bounded& bounded : bounded_) {
     Pose& pose = poses[bounded.collider];
     if (bounded.joint) {
-      bounded.box = joint_box(pose, groups_[bounded.collider], *bounded.joint);
+      work += find_joint_box(pose, groups_[bounded.collider], *bounded.joint, bounded.box);
     } else {
-      const Bounds found =
-          settings_.kind == BoundsKind::exact ? tight_bounds(pose) : pelt::bounds(pose);
+      Bounds found;
+      work += settings_.kind == BoundsKind::exact ? exact_bounds(pose, found)
+                                                  : pelt::bounds(pose, found);
       bounded.box = found.box;
       bounded.sphere = found.sphere;
-      work += found.stats;
     }
   }
   return work;
@@ -72,9 +72,10 @@ void BoundsQuery::add_joints(std::uint32_t collider, const SkinnedModel& model) 
   }
 }
 
-Box BoundsQuery::joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint) const {
-  return settings_.kind == BoundsKind::exact ? tight_group_bounds(pose, groups, joint)
-                                             : group_bounds(pose, groups, joint);
+QueryStats BoundsQuery::find_joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint,
+                                       Box& box) const {
+  return settings_.kind == BoundsKind::exact ? exact_group_bounds(pose, groups, joint, box)
+                                             : group_bounds(pose, groups, joint, box);
 }
 
 std::string BoundsQuery::joint_of(const Bounded& bounded) const {

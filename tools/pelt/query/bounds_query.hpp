@@ -57,7 +57,8 @@ class BoundsQuery final : public FrameQuery {
 
  private:
   void add_joints(std::uint32_t collider, const SkinnedModel& model);
-  Box joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint) const;
+  QueryStats find_joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint,
+                            Box& box) const;
   std::string joint_of(const Bounded& bounded) const;
   std::string name_of(const Bounded& bounded) const;
   nlohmann::ordered_json named_json(const Bounded& bounded) const;

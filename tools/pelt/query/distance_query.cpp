@@ -43,11 +43,11 @@ QueryStats DistanceQuery::ask(std::span<Pose> poses) {
       Distance* const hint = next_hint < hints_.size() ? &hints_[next_hint++] : nullptr;
       DistanceOptions options;
       options.max_distance = settings_.within;
-      if (hint != nullptr && hint->found()) options.hint = hint;
+      if (hint != nullptr && *hint) options.hint = hint;
       PairDistance pair = {.a = a, .b = b};
       work += pelt::distance(poses[a], poses[b], scratch_, pair.distance, options);
       if (hint != nullptr) *hint = pair.distance;
-      if (pair.distance.found()) found(pair);
+      if (pair.distance) found(pair);
     }
   return work;
 }

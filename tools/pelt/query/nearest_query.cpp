@@ -66,7 +66,7 @@ ordered_json NearestQuery::frame_json() const {
   for (std::size_t p = 0; p < points_.size(); ++p) {
     ordered_json places = ordered_json::array();
     for (const Nearest& nearest : of_point(p))
-      if (nearest.closest.found()) places.push_back(place_json(nearest));
+      if (nearest.closest) places.push_back(place_json(nearest));
     points.push_back({{"point", p}, {"places", std::move(places)}});
   }
   return {{"points", std::move(points)}};
@@ -75,7 +75,7 @@ ordered_json NearestQuery::frame_json() const {
 ordered_json NearestQuery::totals_json() const {
   ordered_json least = ordered_json::array();
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    if (!least_[p].closest.found()) continue;
+    if (!least_[p].closest) continue;
     ordered_json& entry = least.emplace_back(place_json(least_[p]));
     entry["point"] = p;
     entry["frame"] = least_frame_[p];
@@ -97,7 +97,7 @@ void NearestQuery::print(std::size_t frames, std::ostream& out) const {
   for (std::size_t p = 0; p < points_.size(); ++p) {
     scene::label(out, ("point " + std::to_string(p)).c_str());
     const Nearest& least = least_[p];
-    if (!least.closest.found()) {
+    if (!least.closest) {
       out << "nothing is within that distance\n";
       continue;
     }

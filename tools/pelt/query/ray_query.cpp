@@ -24,8 +24,7 @@ Vec3 point_of(const Ray& ray, float t) {
 /// Hits in words and as JSON, by the names of the scene.
 class HitNames {
  public:
-  HitNames(const scene::StagedScene& staged)
-      : staged_(staged) {}
+  HitNames(const scene::StagedScene& staged) : staged_(staged) {}
 
   const scenes::Scene& scene() const { return staged_.scene; }
   std::span<const scene::Collider> colliders() const { return staged_.colliders; }

@@ -27,11 +27,12 @@ QueryStats RegionQuery::ask(std::span<Pose> poses) {
   QueryStats work;
   const Region region = settings_.region.region();
   for (std::size_t c = 0; c < poses.size(); ++c) {
-    const Classified found = classify(poses[c], region, scratch_);
-    placed_[c].placement = found.placement;
-    work += found.stats;
-    if (settings_.finds_triangles)
-      work += find_triangles(poses[c], region, scratch_, placed_[c].triangles);
+    work += classify(poses[c], region, scratch_, placed_[c].placement);
+    if (!settings_.finds_triangles) continue;
+    TrianglesInRegion& triangles = placed_[c].triangles;
+    triangles.intersecting.clear();
+    triangles.inside.clear();
+    work += find_triangles(poses[c], region, scratch_, triangles);
   }
   return work;
 }
@@ -57,7 +58,7 @@ ordered_json RegionQuery::frame_json() const {
     entry["placement"] = name_of(placed_[c].placement);
     if (!settings_.finds_triangles) continue;
     const TrianglesInRegion& triangles = placed_[c].triangles;
-    entry["touching"] = whole_model_numbers(staged_.colliders[c], triangles.touching);
+    entry["touching"] = whole_model_numbers(staged_.colliders[c], triangles.intersecting);
     entry["inside"] = whole_model_numbers(staged_.colliders[c], triangles.inside);
   }
   return {{"placements", std::move(placements)}};
@@ -90,7 +91,8 @@ void RegionQuery::print(std::size_t, std::ostream& out) const {
     out << "  " << std::left << std::setw(static_cast<int>(width)) << names[c] << std::right;
     for (const std::uint32_t frames : placed_[c].frames) column(frames);
     if (!placed_[c].frames_not_outside.empty())
-      out << "  not outside in " << scene::frame_runs(placed_[c].frames_not_outside, settings_.stride);
+      out << "  not outside in "
+          << scene::frame_runs(placed_[c].frames_not_outside, settings_.stride);
     out << '\n';
   }
   out << '\n';

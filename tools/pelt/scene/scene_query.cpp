@@ -107,7 +107,7 @@ void SceneQuery::collide_crowd(const CollideOptions& options, FrameContacts& fou
   crowd_options.threads = thread_count_;
   crowd_options.max_contacts = options.max_contacts;
   crowd_contacts_.clear();
-  query_work_ += crowd_->collide(crowd_contacts_, crowd_options).work;
+  query_work_ += crowd_->collide(crowd_contacts_, crowd_options);
   for (const auto& [a, b, triangle_a, triangle_b] : crowd_contacts_) {
     const std::size_t end = found.contacts.size();
     if (found.pairs.empty() || found.pairs.back().a != a || found.pairs.back().b != b)

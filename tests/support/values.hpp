@@ -1,0 +1,70 @@
+#pragma once
+
+/// Queries by value, for tests that compare answers and do not ask for the work.
+
+#include <pelt/pelt.hpp>
+
+namespace pelt::test {
+
+inline Bounds bounds_of(Pose& pose, const BoundsOptions& options = {}) {
+  Bounds found;
+  bounds(pose, found, options);
+  return found;
+}
+
+inline Bounds exact_bounds_of(Pose& pose) {
+  Bounds found;
+  exact_bounds(pose, found);
+  return found;
+}
+
+inline Box group_box(const Pose& pose, const Groups& groups, std::uint32_t group) {
+  Box box;
+  group_bounds(pose, groups, group, box);
+  return box;
+}
+
+inline Box exact_group_box(const Pose& pose, const Groups& groups, std::uint32_t group) {
+  Box box;
+  exact_group_bounds(pose, groups, group, box);
+  return box;
+}
+
+inline RayHit first_hit(Pose& pose, const Ray& ray, const CastOptions& options = {}) {
+  RayHit hit;
+  cast(pose, ray, hit, options);
+  return hit;
+}
+
+inline RayHit first_hit(const HeightField& field, const Ray& ray, const CastOptions& options = {}) {
+  RayHit hit;
+  cast(field, ray, hit, options);
+  return hit;
+}
+
+inline SolidHit first_hit(const Solid& solid, const Ray& ray) {
+  SolidHit hit;
+  cast(solid, ray, hit);
+  return hit;
+}
+
+inline Placement placement_of(Pose& pose, const Region& region, Scratch& scratch) {
+  Placement placement = Placement::outside;
+  classify(pose, region, scratch, placement);
+  return placement;
+}
+
+inline PointSide point_side(Pose& pose, const Surface& surface, const Vec3& point,
+                            Scratch& scratch) {
+  PointSide side = PointSide::outside;
+  side_of(pose, surface, point, scratch, side);
+  return side;
+}
+
+inline TrianglesInRegion triangles_in(Pose& pose, const Region& region, Scratch& scratch) {
+  TrianglesInRegion found;
+  find_triangles(pose, region, scratch, found);
+  return found;
+}
+
+}  // namespace pelt::test
