@@ -1,8 +1,8 @@
 #pragma once
 
-/// Characters from files: meshes, skeletons and clips, turned into what the core takes. Everything
-/// from the file to the palette uses only + - * / and square roots in a fixed order (sines by own
-/// polynomials), so that the same file gives the same bits on every platform.
+/// Characters from files: meshes, skeletons and clips, converted to the input of the library. All
+/// computations from the file to the palette use only + - * / and square roots in a fixed order,
+/// and polynomials for sines, so the same file gives the same bits on every platform.
 
 #include <pelt/cxx20.hpp>
 
@@ -24,20 +24,23 @@ namespace pelt::asset {
 
 inline constexpr std::uint32_t kNoParent = 0xFFFFFFFF;
 
-/// Translation, rotation (unit quaternion x y z w) and scale: T * R * S.
+/// Translation, rotation (unit quaternion x y z w) and scale, applied as T * R * S.
 struct Transform {
   std::array<float, 3> translation = {0, 0, 0};
   std::array<float, 4> rotation = {0, 0, 0, 1};
   std::array<float, 3> scale = {1, 1, 1};
 };
 
-/// A node of the scene graph. Parents come before their children.
+/// A node of the scene graph. Parents precede their children.
 struct Node {
   std::string name;
   std::uint32_t parent = kNoParent;  ///< index into Asset::nodes
   Transform local;                   ///< relative to the parent, in the default pose
-  bool has_matrix = false;           ///< the file gave `matrix`, not `local`; never animated
-  Matrix4 matrix;                    ///< relative to the parent
+
+  /// The file has `matrix` instead of `local`; such nodes are never animated.
+  bool has_matrix = false;
+
+  Matrix4 matrix;  ///< relative to the parent
 };
 
 /// Entry j of the joint palette is `instance placement * global(node) * inverse_bind`.
@@ -46,19 +49,21 @@ struct Joint {
   Matrix4 inverse_bind;    ///< rest position -> joint space
 };
 
-/// A range of triangles that came from one primitive of the file.
+/// The triangles of one primitive of the file.
 struct Part {
-  std::string node, mesh, material;  ///< names; empty where the file has none
+  std::string node, mesh, material;  ///< names; empty if the file has none
   std::uint32_t first_triangle = 0, triangle_count = 0;
-  bool skinned = false;  ///< false: an unskinned mesh that rides on its node as on one joint; its
-                         ///< rest positions are where the default pose has them
+
+  /// False for an unskinned mesh, which follows its node as a single joint. Its rest positions are
+  /// those of the default pose.
+  bool skinned = false;
 };
 
-/// A morph target of one node with a mesh; nodes that share a mesh have targets of their own.
+/// A morph target of one node with a mesh. Nodes that share a mesh have separate targets.
 struct MorphTarget {
-  std::string name;          ///< of the mesh's `extras.targetNames`; may be empty
+  std::string name;          ///< from `extras.targetNames` of the mesh; may be empty
   std::uint32_t node = 0;    ///< index into Asset::nodes
-  float default_weight = 0;  ///< the node's, or else the mesh's
+  float default_weight = 0;  ///< weight of the node, or else of the mesh
 };
 
 enum class Path : std::uint8_t { translation, rotation, scale, weights };
@@ -69,87 +74,94 @@ struct Channel {
   std::uint32_t node = 0;
   Path path = Path::translation;
   Interpolation interpolation = Interpolation::linear;
-  std::vector<float> times;   ///< [K] seconds, strictly ascending, K >= 1
-  std::vector<float> values;  ///< [K][n], n = 4 for rotation (x y z w), for weights as many as the
-                              ///< node has morph targets, else 3;
-                              ///< [K][3][n] (in-tangent, value, out-tangent) for cubic_spline
+  std::vector<float> times;  ///< [K] seconds, strictly ascending, K >= 1
+
+  /// [K][n] values, or [K][3][n] (in-tangent, value, out-tangent) for cubic_spline. n is 4 for
+  /// rotation (x y z w), the number of the node's morph targets for weights, and otherwise 3.
+  std::vector<float> values;
 };
 
 struct Clip {
   std::string name;    ///< may be empty
-  float duration = 0;  ///< seconds; time of the last key of any channel, may be 0
+  float duration = 0;  ///< seconds; time of the last key of any channel; may be 0
   std::vector<Channel> channels;
 };
 
-/// One character: a mesh with all its skins and parts merged, its skeleton and its clips.
+/// One character: a mesh that merges all skins and parts, its skeleton and its clips.
 ///
-/// Triangles are numbered in scene order (nodes depth-first, primitives in order, degenerate ones
-/// kept). The arrays take 12 bytes a triangle, 12 + 6 K a vertex, 68 a joint, 16 for each vertex
-/// that a morph target displaces, and 4 for each time and each number of a clip's keys; nothing
-/// else in it grows with the mesh.
+/// Triangles are numbered in the order of the scene: nodes depth-first, primitives in order,
+/// including degenerate triangles. The arrays take 12 bytes per triangle, 12 + 6 K per vertex, 68
+/// per joint, 16 per vertex that a morph target displaces, and 4 per time and per number of a
+/// clip's keys. Nothing else grows with the mesh.
 struct PELT_API Asset {
-  std::vector<Vec3> rest_positions;          ///< [V] see Part::skinned for their frame
+  std::vector<Vec3> rest_positions;          ///< [V] frame: see Part::skinned
   std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
   std::uint32_t influences_per_vertex = 1;   ///< K
   std::vector<std::uint16_t> joint_indices;  ///< [V][K] into `joints`
-  std::vector<float> weights;                ///< [V][K] 0 where unused
+  std::vector<float> weights;                ///< [V][K] 0 if unused
   std::vector<Joint> joints;                 ///< [J] in the order of the joint palette
 
-  std::vector<MorphTarget> morph_targets;     ///< [M] those of a node one after the other
-  std::vector<std::uint32_t> morph_begin;     ///< [M + 1] into the next two; empty if M is 0
-  std::vector<std::uint32_t> morph_vertices;  ///< of each target ascending; others stay in place
-  std::vector<Vec3> morph_displacements;      ///< not zero; frame as that of `rest_positions`
+  std::vector<MorphTarget> morph_targets;     ///< [M] targets of a node are consecutive
+  std::vector<std::uint32_t> morph_begin;     ///< [M + 1] into the next two arrays; empty if M is 0
+  std::vector<std::uint32_t> morph_vertices;  ///< vertices that a target displaces, ascending
+  std::vector<Vec3> morph_displacements;      ///< not zero; frame like `rest_positions`
 
   std::vector<Node> nodes;  ///< parents first
-  std::vector<Part> parts;  ///< in order of first_triangle, covering all triangles
+  std::vector<Part> parts;  ///< ordered by first_triangle; cover all triangles
   std::vector<Clip> clips;
-  std::vector<std::string> warnings;  ///< what the file has and Pelt passed over
+  std::vector<std::string> warnings;  ///< contents of the file that Pelt ignored
 
-  /// For `build_model`; borrows from this asset. O(1), copies nothing.
+  /// View for `build_model`, which borrows from this asset. O(1), copies nothing.
   SkinnedMeshView mesh() const;
 
-  /// The first clip of that name ("" finds an unnamed clip), or null. Borrowed from this asset.
-  /// O(clips).
+  /// Returns the first clip with this name ("" finds an unnamed clip), or null. The clip belongs to
+  /// this asset. O(clips).
   const Clip* find_clip(std::string_view name) const;
 
-  /// Name of joint `joint`'s node; may be empty. O(1). Precondition: joint < J.
+  /// Name of the node of a joint; may be empty. O(1). Precondition: joint < J.
   const std::string& joint_name(std::uint32_t joint) const;
 
-  /// The part that has the triangle. O(log parts). Precondition: triangle < T.
+  /// Part that contains the triangle. O(log parts). Precondition: triangle < T.
   const Part& part_of(std::uint32_t triangle) const;
 };
 
 struct GltfOptions {
-  /// Take along unskinned meshes (weapons, armour).
+  /// Include unskinned meshes (weapons, armour).
   bool unskinned_parts = true;
+
   /// Names of mesh nodes to leave out, with their children.
   std::vector<std::string> exclude_nodes;
-  /// Refuse a name to leave out that no node has.
+
+  /// Return an error if `exclude_nodes` has a name that no node has.
   bool excluded_must_exist = true;
 };
 
-/// Reads a glTF 2.0 file, .glb or .gltf with external files (searched beside it, never outside its
-/// folder) and data URIs. The file is treated as hostile: every range is checked before it is
-/// used or allocated, and the message names the accessor, node or extension that is wrong.
+/// Reads a glTF 2.0 file: .glb, or .gltf with data URIs and external files, which must be in the
+/// folder of the file or below it. The file is treated as hostile: every range is validated before
+/// it is used or allocated.
 ///
-/// Rotations are scaled to length 1 (files round them) and refused when their squared length is
-/// further than 1/16 from 1. Weights stay as they are in the file: `build_model` judges them.
+/// Rotations are normalised, because files round them. Weights are copied unchanged; `build_model`
+/// validates them.
 ///
-/// O(bytes of the file + size of the asset) but for a factor log J for joints: accessors are
-/// decoded once for each use, and a mesh is copied for each node that has it. On the way memory
-/// holds the file, what it refers to, and decoded copies of it, beside the asset. No file takes
-/// more than 256 times its size, 16 MiB aside: instances beyond that are refused. Where addresses
-/// have 32 bits, none takes more than 256 MiB, nor has more than two million values in its JSON.
+/// Cost: O(bytes of the file + size of the asset), apart from a factor log J for joints. Accessors
+/// are decoded once for each use, and a mesh is copied for each node that has it. While loading,
+/// memory holds the file, the files that it refers to, and decoded copies, in addition to the
+/// asset. A file may need at most 256 times its size plus 16 MiB. On 32-bit platforms, the limits
+/// are 256 MiB and two million values in the JSON.
+///
+/// Returns an error that names the accessor, node or extension. Rotations whose squared length is
+/// further than 1/16 from 1 are an error.
 PELT_API Result<Asset> load_gltf(const std::filesystem::path& path,
                                  const GltfOptions& options = {});
 
-/// The same from memory, at the same cost. `folder` is where external files are looked for; empty:
-/// there are none.
+/// Reads a glTF file from memory, at the same cost.
+///
+/// `folder`: where external files are looked up; empty if there are none.
 PELT_API Result<Asset> load_gltf(std::span<const std::byte> file,
                                  const std::filesystem::path& folder,
                                  const GltfOptions& options = {});
 
-/// Reusable memory and working state for sampling; one per thread. 176 bytes for each node of the
+/// Reusable working memory for sampling; use one per thread. Takes 176 bytes for each node of the
 /// largest asset that it was used for.
 struct SampleScratch {
   /// A Transform in double.
@@ -163,17 +175,24 @@ struct SampleScratch {
   std::vector<std::array<double, 12>> globals;  // [nodes] three rows by columns
 };
 
-/// Writes the joint palette at `seconds` of `clip`: keys outside the clip's range are clamped
-/// (loop by passing a time modulo `duration`); null: the default node pose. `placement` stands
-/// before everything, as the instance's world matrix. Precondition: `palette` has J elements.
-/// O(nodes + J + channels * log keys); allocates nothing after the first call of an asset.
+/// Writes the joint palette of a clip.
+///
+/// `clip`: null selects the default pose of the nodes.
+/// `seconds`: clamped to the range of the clip's keys. To loop, pass a time modulo `duration`.
+/// `placement`: world matrix of the instance; multiplies from the left.
+/// `palette`: precondition: J elements.
+///
+/// Cost: O(nodes + J + channels * log keys). Allocates nothing after the first call for an asset.
 PELT_API void sample_palette(const Asset& asset, const Clip* clip, float seconds,
                              const Matrix4& placement, SampleScratch& scratch,
                              std::span<Matrix4> palette);
 
-/// Writes the weights of the morph targets at `seconds` of `clip`, as `sample_palette` does the
-/// joints: those that the clip does not animate have their default. For `Pose::set_morph_weights`.
-/// Precondition: `weights` has M elements. O(M + channels * log keys); allocates nothing.
+/// Writes the weights of the morph targets of a clip for `Pose::set_morph_weights`, like
+/// `sample_palette`. Weights that the clip does not animate have their default.
+///
+/// Precondition: `weights` has M elements.
+///
+/// Cost: O(M + channels * log keys). Allocates nothing.
 PELT_API void sample_morph_weights(const Asset& asset, const Clip* clip, float seconds,
                                    std::span<float> weights);
 

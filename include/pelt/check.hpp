@@ -9,13 +9,14 @@
 
 namespace pelt {
 
-/// Looks for a bound that leaves out a posed vertex: computes every bound of `pose`, whether
-/// queries have asked for it or not, and compares it and those that queries have left in the pose
-/// with the positions of `posed_vertices`.
+/// Checks the bounds of a pose, for tests. Computes every bound of `pose` that a query could use,
+/// compares these bounds and those stored in the pose with the positions of `posed_vertices`, and
+/// leaves the pose unchanged.
 ///
-/// Returns what it found first, naming the node, the bound and the distance; empty when all bounds
-/// are sound, and anything else is a bug of Pelt. For tests: O(T + V) and no less, allocates,
-/// leaves the pose as it is.
+/// Returns an empty string if every bound encloses its vertices. Otherwise returns the first
+/// violation with node, bound and distance; this is a bug in Pelt.
+///
+/// Cost: O(T + V). Allocates.
 PELT_API std::string check_bounds(const Pose& pose);
 
 }  // namespace pelt

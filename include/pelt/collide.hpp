@@ -13,7 +13,7 @@
 
 namespace pelt {
 
-/// Two triangles that intersect, by their numbers in the two models' triangle arrays.
+/// Two intersecting triangles, as indices into the triangle arrays of the two models.
 struct Contact {
   std::uint32_t triangle_a = 0, triangle_b = 0;
 
@@ -21,27 +21,36 @@ struct Contact {
 };
 
 struct CollideOptions {
-  /// Stop after this many contacts. Which ones are found first is unspecified, and
-  /// `QueryStats::cut_short` says whether any may be missing. 0 is allowed: nothing is looked for,
-  /// and `cut_short` says whether the boxes around the two poses overlap.
+  /// Stop after this number of contacts. Which contacts are found first is unspecified;
+  /// `QueryStats::cut_short` says whether any may be missing. With 0, the query only tests whether
+  /// the boxes of the two poses overlap, and returns that in `cut_short`.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// Appends every pair of triangles of `a` and `b` that intersect, in ascending order.
+/// Appends every pair of intersecting triangles of `a` and `b` to `contacts`, in ascending order.
 ///
-/// Exact with respect to the float32 posed vertices (see `posed_vertices`): triangles are closed
-/// sets, so touching counts as intersecting, coplanar overlap counts, and a triangle that has
+/// The answer is exact with respect to the float32 posed vertices (see `posed_vertices`). Triangles
+/// are closed sets: touching and coplanar overlap count as intersecting. A triangle that has
 /// collapsed to a segment or a point is treated as that segment or point.
 ///
-/// Precondition: `a` and `b` are different poses (of the same model or of two); one pose given
-/// twice aborts the program, in every build. Cost grows with the contact, not with the meshes: two
-/// trees of boxes are descended together, and only where boxes meet are vertices posed and boxes
-/// computed, each once until the next palette. Poses that are far apart cost O(J). That boxes wait
-/// until they are asked for is Kavan & Zara 2005, section 4.2; tree and boxes are Pelt's own.
+/// Preconditions:
+/// `a`, `b`: different poses, of one model or of two. Passing one pose twice aborts the program, in
+///   every build.
+/// `scratch`: not used by another thread at the same time.
+///
+/// Cost: grows with the contact area and not with the size of the meshes. Two trees of boxes are
+/// descended together; vertices are posed and boxes computed only where boxes overlap, once per
+/// palette. Poses that are far apart cost O(J).
+///
+/// Allocates only if the contacts, or the nodes to open, need more memory than before.
+///
+/// Source: computing boxes on demand is section 4.2 of Kavan & Zara 2005. Tree and boxes are Pelt's
+/// own.
 PELT_API QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
                             const CollideOptions& options = {});
 
-/// Whether any triangles of `a` and `b` intersect; as `collide`, stopping at the first contact.
+/// Returns whether any triangles of `a` and `b` intersect. Like `collide`, but stops at the first
+/// contact.
 PELT_API YesNo intersects(Pose& a, Pose& b, Scratch& scratch);
 
 }  // namespace pelt

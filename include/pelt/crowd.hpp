@@ -19,21 +19,21 @@ namespace detail {
 struct Crowd;
 }
 
-/// Which instances of a crowd are asked about at all. Instances a and b are, if a is in a group
-/// that b collides with and b is in a group that a collides with.
+/// Selects the pairs of instances that are tested. Instances a and b are tested if a is a member of
+/// a group that b collides with, and b is a member of a group that a collides with.
 struct CrowdGroups {
-  std::uint32_t member_of = 1;               ///< a bit for each group
-  std::uint32_t collides_with = 0xFFFFFFFF;  ///< a bit for each group
+  std::uint32_t member_of = 1;               ///< one bit per group
+  std::uint32_t collides_with = 0xFFFFFFFF;  ///< one bit per group
 };
 
-/// Two instances that intersect, a < b.
+/// Two intersecting instances, a < b.
 struct CrowdPair {
   std::uint32_t instance_a = 0, instance_b = 0;
 
   friend auto operator<=>(const CrowdPair&, const CrowdPair&) = default;
 };
 
-/// Two triangles of two instances that intersect, by their numbers in the instances' models.
+/// Two intersecting triangles of two instances, with their indices in the instances' models.
 struct CrowdContact {
   std::uint32_t instance_a = 0, instance_b = 0;  ///< a < b
   std::uint32_t triangle_a = 0, triangle_b = 0;
@@ -42,33 +42,34 @@ struct CrowdContact {
 };
 
 struct CrowdOptions {
-  /// Threads that work on the query, the caller's included; 0: as many as the machine has cores.
-  /// Answers and stats do not depend on it.
+  /// Number of threads, including the caller's. 0 means one per core. Answers and stats do not
+  /// depend on it.
   std::uint32_t threads = 0;
 
-  /// Stop each pair of instances after this many contacts; see CollideOptions.
+  /// Stop each pair of instances after this number of contacts; see CollideOptions.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 
-  /// Asked for pairs a < b whose bounds overlap and whose groups agree: whether to go on with them.
-  /// Empty: always. Runs on the caller's thread before any other work is done, so it may read
-  /// whatever the caller may. (A std::function because it is asked once for a pair, not for a
-  /// triangle, and a lambda that captures by reference then allocates nothing.)
+  /// Called for pairs a < b whose bounds overlap and whose groups match; return false to skip the
+  /// pair. Empty: no pair is skipped. Runs on the caller's thread before any other work, so it may
+  /// read any data of the caller. (A std::function is fast enough here, because it is called once
+  /// per pair of instances. It allocates nothing for a lambda that captures by reference.)
   std::function<bool(std::uint32_t instance_a, std::uint32_t instance_b)> filter = nullptr;
 };
 
-/// The work of a query of a crowd, on all threads.
+/// Work of a query of a crowd, summed over all threads.
 struct CrowdStats : QueryStats {
   std::uint64_t candidate_pairs = 0;     ///< pairs of instances that were tested for contacts
-  std::uint64_t intersecting_pairs = 0;  ///< those of them that have contacts
+  std::uint64_t intersecting_pairs = 0;  ///< candidate pairs with contacts
 };
 
-/// Many instances of a few models, asked all at once which of them intersect: up to tens of
-/// thousands. An instance costs its joint palette and a few words; what a query opens of it lies in
-/// memory that is shared by all, and used anew as soon as the pairs of instances that hang together
-/// are through. Functions below that state no cost take O(1).
+/// Up to tens of thousands of instances of a few models, which are queried together. An instance
+/// stores its joint palette and a few words. Nodes that queries open are stored in memory shared by
+/// the crowd, which is recycled after each connected group of pairs.
 ///
-/// A frame is `set_palette` for the instances that have moved, then a query. Instances have numbers
-/// from 0 on. One thread at a time may use a crowd, but for `set_palette`. Movable, not copyable.
+/// In each frame, call `set_palette` for the instances that have moved, then a query. Instances are
+/// numbered from 0. Functions without a stated cost take O(1).
+///
+/// Only one thread at a time may use a crowd, except for `set_palette`. Movable, not copyable.
 class PELT_API Crowd {
  public:
   Crowd();
@@ -76,56 +77,60 @@ class PELT_API Crowd {
   Crowd& operator=(Crowd&&) noexcept;
   ~Crowd();
 
-  /// Adds an instance, in the rest pose until it gets a palette, and returns its number: the least
-  /// that no instance ever had, or that of a removed one. O(J), allocates. If memory ends, throws
-  /// std::bad_alloc and the crowd is as before.
+  /// Adds an instance in the rest pose and returns its number: the number of a removed instance, or
+  /// the lowest number never used.
+  ///
+  /// Cost: O(J). Allocates. If memory runs out, throws std::bad_alloc and the crowd is unchanged.
   std::uint32_t add(const SkinnedModel& model, const CrowdGroups& groups = {});
 
-  /// Removes an instance. Precondition of this and of all that follow: `add` returned the number,
-  /// and the instance has not been removed since.
+  /// Removes an instance. Precondition of this function and of all functions below: `instance` was
+  /// returned by `add` and has not been removed since.
   void remove(std::uint32_t instance);
 
-  /// Instances that there are.
+  /// Number of instances.
   std::uint32_t size() const;
 
   const SkinnedModel& model(std::uint32_t instance) const;
 
   void set_groups(std::uint32_t instance, const CrowdGroups& groups);
 
-  /// Takes the joint palette of an instance, or refuses it, as Pose::set_palette does. Several
-  /// threads may set palettes of different instances at once. Copies it and takes the box around
-  /// the instance; O(J), allocates nothing.
+  /// Copies the joint palette of an instance, or returns an error, like Pose::set_palette. Also
+  /// computes the box of the instance. Several threads may set palettes of different instances at
+  /// the same time.
+  ///
+  /// Cost: O(J). Allocates nothing.
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const float> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const double> palette);
 
-  /// The same for the weights of an instance's morph targets, as Pose::set_morph_weights.
+  /// Copies the morph weights of an instance, or returns an error, like Pose::set_morph_weights.
   Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
 
-  /// Appends all contacts of all pairs of instances, in ascending order; exact as `collide` of two
-  /// poses.
+  /// Appends all contacts of all pairs of instances to `contacts`, in ascending order. Exact like
+  /// `collide` of two poses.
   ///
-  /// Of n instances, O(n log n) to sort their boxes along the axis on which they are spread most,
-  /// and as many comparisons as boxes overlap along that axis, eight at once; one thread does
-  /// these. Then, on all threads, what `collide` costs for each pair whose boxes overlap, but that
-  /// a node is opened once for all pairs of its instance.
+  /// Cost: the broad phase runs on one thread. For n instances it takes O(n log n) to sort the
+  /// boxes along the axis with the largest spread, and one comparison per pair of boxes that
+  /// overlap along this axis, eight at a time. The remaining work runs on all threads: each pair
+  /// with overlapping boxes costs as much as `collide`, except that a node is opened only once for
+  /// all pairs of its instance.
   ///
-  /// Allocates when there are more pairs, more contacts or more to open than in any query before,
-  /// and for the first query with more threads; a frame that is like earlier ones allocates
-  /// nothing, whichever thread does what. There is no `reserve`: it would have to make room for all
-  /// that all instances could open, once for each thread. Who must never allocate asks reserved
-  /// poses.
+  /// Allocates if there are more pairs, more contacts or more nodes to open than in any earlier
+  /// query, and for the first query with more threads. A frame that resembles earlier frames
+  /// allocates nothing, whichever thread does which work. There is no `reserve`, because it would
+  /// need memory for all nodes of all instances, once per thread. Callers that must never allocate
+  /// should query reserved poses instead.
   ///
-  /// If memory ends on any thread, throws std::bad_alloc on the caller's thread. `contacts` is then
-  /// unchanged, and the crowd can be queried again.
+  /// Failure: if memory runs out on any thread, throws std::bad_alloc on the caller's thread.
+  /// `contacts` is then unchanged, and the crowd can be queried again.
   CrowdStats collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options = {});
 
-  /// Appends the pairs of instances that intersect, in ascending order: cheaper, for a pair is done
-  /// with its first contact. Otherwise as `collide`; `max_contacts` does not count.
+  /// Appends the pairs of intersecting instances to `pairs`, in ascending order. Like `collide`,
+  /// but cheaper, because a pair ends with its first contact. Ignores `max_contacts`.
   CrowdStats intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
 
-  /// Bytes that the crowd holds, without its models. O(n).
+  /// Bytes of memory of the crowd, without its models. O(n).
   std::size_t memory_bytes() const;
 
  private:

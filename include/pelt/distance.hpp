@@ -1,21 +1,20 @@
 #pragma once
 
-/// How far posed surfaces are from points and from each other.
+/// Distances of posed surfaces from points and from each other.
 ///
-/// Exact means here: the answer is that of one function of the float32 posed vertices (see
-/// `posed_vertices`), whatever has been asked before and on whatever machine. The distance of two
-/// triangles is 0 if and only if they touch as `collide` decides it, exactly. Otherwise it is
-/// computed in double, is positive, and is off by less than 2^-46 times the largest difference of
-/// two of their coordinates on an axis. Of triangles that are equally far, those with the lowest
-/// numbers count.
+/// Exactness: answers are a function of the float32 posed vertices only (see `posed_vertices`).
+/// They do not depend on earlier queries or on the machine. The distance of two triangles is 0 if
+/// and only if they intersect as in `collide`, which is decided exactly. Otherwise it is computed
+/// in double, is positive, and is off by less than 2^-46 times the largest difference of two of
+/// their coordinates on an axis. Of equally distant triangles, those with the lowest indices are
+/// reported.
 ///
-/// A surface is not a solid: a body inside another that touches it nowhere is some way from it. A
-/// rigid or static mesh is a model with one joint.
+/// A surface is not a solid: a body inside another one that it does not touch has a positive
+/// distance. A rigid or static mesh is a model with one joint.
 ///
-/// All trees of boxes are descended nearest first, and only what is nearer than the best pair so
-/// far is opened. Branch and bound after Quinlan, "Efficient distance computation between
-/// non-convex objects", 1994; boxes that wait until they are asked for are Kavan & Zara's (2005,
-/// section 4.2).
+/// All trees are searched nearest first, and only nodes that are nearer than the best pair so far
+/// are opened. Source: branch and bound after Quinlan, "Efficient distance computation between
+/// non-convex objects", 1994; boxes on demand after Kavan & Zara 2005, section 4.2.
 
 #include <pelt/cxx20.hpp>
 
@@ -35,14 +34,17 @@ namespace pelt {
 
 /// A point of a posed surface.
 struct SurfacePoint {
-  std::uint32_t triangle = 0;              ///< its number in the model's triangle array
-  std::array<float, 3> barycentrics = {};  ///< how much of each corner; sum to 1 up to rounding
-  Vec3 position;                           ///< rounded to float
+  std::uint32_t triangle = 0;  ///< index into the model's triangle array
+
+  /// Weights of the vertices; they sum to 1 up to rounding.
+  std::array<float, 3> barycentrics = {};
+
+  Vec3 position;  ///< rounded to float
 };
 
-/// The answer of `closest_point`.
+/// Result of `closest_point`.
 struct ClosestPoint {
-  /// Infinite if nothing is within the maximum; the point then has no meaning.
+  /// Infinite if nothing is within the maximum; the point is then meaningless.
   double distance = std::numeric_limits<double>::infinity();
   SurfacePoint point;
 
@@ -51,31 +53,37 @@ struct ClosestPoint {
 };
 
 struct ClosestPointOptions {
-  /// Nothing farther away is looked for. Not negative.
+  /// Ignore everything farther away. Not negative.
   double max_distance = std::numeric_limits<double>::infinity();
 };
 
-/// Writes the point of the posed surface that is closest to `point`. The distance is of the same
-/// kind as that of two triangles; 0 only up to rounding.
+/// Writes the point of the posed surface that is closest to `point`. The distance has the same
+/// error as that of two triangles; it is 0 only up to rounding.
 ///
-/// Precondition: the coordinates of `point` are finite and at most 2^60. Cost grows with the parts
-/// of the surface that are about as close as the closest.
+/// Precondition: the coordinates of `point` are finite and at most 2^60.
+///
+/// Cost: grows with the parts of the surface that are about as close as the closest point.
 PELT_API QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch,
                                   ClosestPoint& result, const ClosestPointOptions& options = {});
 
-/// The same for each of `points`. Precondition: `results` has one element for each point. What one
-/// point opens the others find open, so neighbours should follow each other.
+/// Writes the closest point for each of `points`. Nodes that one point opens stay open for the
+/// others, so sort the points such that neighbours follow each other.
+///
+/// Precondition: `results` has one element per point.
 PELT_API QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,
                                    std::span<ClosestPoint> results,
                                    const ClosestPointOptions& options = {});
 
-/// The answer of `distance`.
+/// Result of `distance`.
 struct Distance {
-  /// Of the two points. Infinite if nothing is within the maximum; the points then have no meaning.
+  /// Distance of the two points. Infinite if nothing is within the maximum; the points are then
+  /// meaningless.
   double distance = std::numeric_limits<double>::infinity();
-  /// The least distance is proven to be no less: `distance` itself, if no tolerance was allowed;
-  /// the maximum, if nothing is within it.
+
+  /// Proven lower bound of the least distance: equal to `distance` without a tolerance, and to the
+  /// maximum if nothing is within it.
   double lower_bound = 0;
+
   SurfacePoint a, b;
 
   /// Whether anything was found.
@@ -86,27 +94,31 @@ struct Distance {
 };
 
 struct DistanceOptions {
-  /// Nothing farther away is looked for. Not negative.
+  /// Ignore everything farther away. Not negative.
   double max_distance = std::numeric_limits<double>::infinity();
-  /// The pair found may be so much farther than the closest one; which it is then depends on what
-  /// has been asked before. The query ends earlier, with a `lower_bound` that is proven. Not
-  /// negative.
+
+  /// Allowed excess of the result over the least distance. The query then ends earlier, with a
+  /// proven `lower_bound`, and the pair that it finds depends on earlier queries. Not negative.
   double tolerance = 0;
-  /// An earlier answer for the same two models in nearly the same poses, or null: the search begins
-  /// where that was found. No answer depends on it.
+
+  /// An earlier result for the same two models in nearly the same poses, where the search starts;
+  /// or null. Answers do not depend on it.
   const Distance* hint = nullptr;
 };
 
-/// The least distance of any triangle of `a` from any of `b`, and two points that have it.
+/// Writes the least distance of any triangle of `a` from any triangle of `b`, with two points at
+/// this distance.
 ///
-/// Precondition: `a` and `b` are different poses (of the same model or of two); one pose given
-/// twice aborts the program, in every build. Poses that touch cost what `collide` does, because the
-/// lowest pair that touches is asked for; with a tolerance what `intersects` does.
+/// Precondition: `a` and `b` are different poses, of one model or of two. Passing one pose twice
+/// aborts the program, in every build.
+///
+/// Cost: poses that touch cost as much as `collide`, because the lowest touching pair is reported;
+/// with a tolerance, as much as `intersects`.
 PELT_API QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
                              const DistanceOptions& options = {});
 
-/// Two triangles that are no farther apart than a query asked, by their numbers in the two models'
-/// triangle arrays. They need not intersect.
+/// Two triangles within the tolerance of a query, as indices into the triangle arrays of the two
+/// models. They need not intersect.
 struct NearPair {
   std::uint32_t triangle_a = 0, triangle_b = 0;
 
@@ -114,21 +126,24 @@ struct NearPair {
 };
 
 struct ClearanceOptions {
-  /// Stop after this many pairs. Which ones are found first is unspecified, and
-  /// `QueryStats::cut_short` says whether any are missing.
+  /// Stop after this number of pairs. Which pairs are found first is unspecified;
+  /// `QueryStats::cut_short` says whether any may be missing.
   std::uint32_t max_pairs = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// Appends every pair of triangles of `a` and `b` whose distance is at most `tolerance`, in
-/// ascending order; with a tolerance of 0 these are the pairs of `collide`.
+/// ascending order. With a tolerance of 0 these are the pairs of `collide`.
 ///
-/// Preconditions: `a` and `b` are different poses, as for `distance`; the tolerance is not
-/// negative. Cost grows with what comes so near.
+/// Preconditions:
+/// `a`, `b`: different poses, as for `distance`.
+/// `tolerance`: not negative.
+///
+/// Cost: grows with the parts of the surfaces that are within the tolerance.
 PELT_API QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
                               std::vector<NearPair>& pairs, const ClearanceOptions& options = {});
 
-/// Whether any triangles of `a` and `b` are at most `tolerance` apart; as `clearance`, stopping at
-/// the first pair.
+/// Returns whether any triangles of `a` and `b` are at most `tolerance` apart. Like `clearance`,
+/// but stops at the first pair.
 PELT_API YesNo is_within(Pose& a, Pose& b, double tolerance, Scratch& scratch);
 
 }  // namespace pelt

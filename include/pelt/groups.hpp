@@ -1,6 +1,7 @@
 #pragma once
 
-/// Bounds of parts of a posed skin: of a file's parts, of materials, of what each joint moves.
+/// Boxes of subsets of a posed skin: of the file's parts, of materials, or of the vertices that a
+/// joint moves.
 
 #include <pelt/cxx20.hpp>
 
@@ -21,26 +22,26 @@ namespace detail {
 struct Groups;
 }
 
-/// The label of a triangle that belongs to no group.
+/// Label of a triangle that belongs to no group.
 inline constexpr std::uint32_t kNoGroup = 0xFFFFFFFF;
 
-/// Sets of a model's vertices with what their bounds need. Immutable, cheap to copy (copies share),
-/// safe to use from any number of threads. The model does not know of it.
+/// Sets of a model's vertices, prepared for computing their bounds. Immutable, cheap to copy
+/// (copies share), safe to use from any number of threads. The model does not refer to its groups.
 class PELT_API Groups {
  public:
-  /// The model that it was made of.
+  /// The model of the groups.
   const SkinnedModel& model() const;
 
-  /// G, empty groups included.
+  /// Number of groups G, including empty groups.
   std::uint32_t count() const;
 
-  /// Different posed vertices of a group. Precondition: group < G.
+  /// Number of distinct posed vertices of a group. Precondition: group < G.
   std::uint32_t vertex_count(std::uint32_t group) const;
 
-  /// What it takes in memory, without the model.
+  /// Bytes of memory, without the model.
   std::size_t memory_bytes() const;
 
-  /// For Pelt's own files.
+  /// For internal use.
   explicit Groups(std::shared_ptr<const detail::Groups> groups);
   const detail::Groups& detail() const { return *groups_; }
 
@@ -48,31 +49,38 @@ class PELT_API Groups {
   std::shared_ptr<const detail::Groups> groups_;
 };
 
-/// Groups of triangles: `labels` [T] says for each triangle in which group it is, or kNoGroup.
-/// There are as many groups as the largest label says. A group's vertices are its triangles'
-/// corners.
+/// Groups triangles by label. The vertices of a group are those of its triangles. The number of
+/// groups is the largest label plus one.
 ///
-/// Refuses labels that are not one for each triangle, or one that is no less than T. O(V log V);
-/// allocates.
+/// `labels`: [T] group of each triangle, or kNoGroup.
+///
+/// Cost: O(V log V). Allocates. Returns an error if there is not one label per triangle, or if a
+/// label is not less than T.
 PELT_API Result<Groups> group_triangles(const SkinnedModel& model,
                                         std::span<const std::uint32_t> labels);
 
-/// A group for each joint, in the order of the palette: the vertices that triangles use and that
-/// follow the joint with their largest weight (of equals the first joint's). Groups of joints that
-/// lead no vertex are empty. O(V log V); allocates.
+/// Creates one group per joint, in the order of the palette: the vertices of triangles for which
+/// the joint has the largest weight (of equal weights, the first joint). Joints without such
+/// vertices have empty groups.
+///
+/// Cost: O(V log V). Allocates.
 PELT_API Groups group_by_joint(const SkinnedModel& model);
 
-/// Writes a box that surely encloses the posed vertices of one group, from the joint palette alone.
-/// An empty group has the box from infinity to minus infinity. O(joints of the group).
+/// Writes a box that is guaranteed to enclose the posed vertices of one group, computed from the
+/// joint palette alone. The box of an empty group reaches from infinity to minus infinity.
 ///
-/// Precondition: `pose` is of the groups' model, group < G; otherwise the program aborts, in every
-/// build.
+/// Precondition: `pose` is a pose of the groups' model, and group < G. Otherwise the program
+/// aborts, in every build.
+///
+/// Cost: O(joints of the group).
 PELT_API QueryStats group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group,
                                  Box& result);
 
-/// Writes the exact box of the posed vertices of one group, but that zeros are positive. O(vertices
-/// of the group times influences), and O(log V) for each vertex and active target that displaces
-/// it. Precondition and empty groups as above.
+/// Writes the exact box of the posed vertices of one group, except that zeros are positive.
+/// Precondition and empty groups as for `group_bounds`.
+///
+/// Cost: O(vertices of the group times influences), and O(log V) for each vertex and active morph
+/// target that displaces it.
 PELT_API QueryStats exact_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group,
                                        Box& result);
 

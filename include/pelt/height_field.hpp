@@ -1,7 +1,7 @@
 #pragma once
 
-/// Terrain that a character meets: a grid of heights as the second operand of `collide` and
-/// `distance`, and under rays.
+/// Terrain: a grid of heights as the second operand of `collide` and `distance`, and as a target of
+/// rays.
 
 #include <pelt/cxx20.hpp>
 
@@ -25,12 +25,12 @@ namespace detail {
 struct HeightField;
 }
 
-/// A borrowed view of a grid of heights, in the frame of the joint palette, with y up as in glTF:
-/// columns follow each other along x, rows along z.
+/// A borrowed view of a grid of heights in the frame of the joint palette, with y up as in glTF.
+/// Columns follow each other along x, rows along z.
 ///
 /// The vertex in column c of row r is (origin.x + c * column_spacing, origin.y + heights[r *
-/// columns + c], origin.z + r * row_spacing), each coordinate computed in double and rounded to
-/// float once. A height that is NaN is a hole: triangles with such a corner do not exist.
+/// columns + c], origin.z + r * row_spacing). Each coordinate is computed in double and rounded to
+/// float once. A height of NaN is a hole: triangles with such a vertex do not exist.
 struct HeightGrid {
   std::span<const float> heights;  ///< [rows][columns]
   std::uint32_t columns = 0, rows = 0;
@@ -38,26 +38,26 @@ struct HeightGrid {
   float column_spacing = 1, row_spacing = 1;
 };
 
-/// A height field, checked and prepared for queries. Immutable, cheap to copy (copies share), safe
-/// to use from any number of threads.
+/// A validated height field, prepared for queries. Immutable, cheap to copy (copies share), safe to
+/// use from any number of threads.
 ///
-/// Each cell between four vertices is two triangles that share the diagonal from its lowest column
-/// and row to its highest. The cell in column c of row r has the numbers 2 (r (columns - 1) + c),
-/// on the side of the next row, and that plus one, on the side of the next column. Their fronts are
-/// above.
+/// The cell between four vertices consists of two triangles, which share the diagonal from its
+/// lowest column and row to its highest. The cell in column c of row r has the triangles 2 (r
+/// (columns - 1) + c), on the side of the next row, and that plus one, on the side of the next
+/// column. Their fronts are above.
 class PELT_API HeightField {
  public:
   std::uint32_t columns() const;
   std::uint32_t rows() const;
 
-  /// Those of holes counted.
+  /// Number of triangles, including those of holes.
   std::uint32_t triangle_count() const;
 
-  /// The corners of a triangle, some with a y that is NaN where there is a hole. Precondition:
-  /// `triangle` is less than `triangle_count()`.
+  /// Vertices of a triangle; the y of a hole's vertex is NaN. Precondition: triangle <
+  /// triangle_count().
   std::array<Vec3, 3> triangle(std::uint32_t triangle) const;
 
-  /// For Pelt's own files.
+  /// For internal use.
   explicit HeightField(std::shared_ptr<const detail::HeightField> field);
   const detail::HeightField& detail() const { return *field_; }
 
@@ -65,42 +65,47 @@ class PELT_API HeightField {
   std::shared_ptr<const detail::HeightField> field_;
 };
 
-/// Checks a grid and prepares it for queries, or says what breaks which rule: fewer than two
-/// columns or rows, more than 2^32 - 2 triangles, another number of heights, a spacing that is not
-/// positive, a height that is infinite, a coordinate beyond 2^60, columns or rows so close together
-/// and so far from the origin of the frame that floats cannot tell them apart.
+/// Validates a grid, copies its heights and prepares it for queries.
 ///
-/// O(rows x columns); copies the heights, and keeps 5 bytes a vertex in all.
+/// Cost: O(rows x columns). The field takes 5 bytes per vertex.
+///
+/// Returns an error if there are fewer than two columns or rows, more than 2^32 - 2 triangles, or
+/// not exactly rows x columns heights; if a spacing is not positive, a height is infinite, or a
+/// coordinate exceeds 2^60; or if neighbouring columns or rows round to the same coordinate.
 PELT_API Result<HeightField> build_height_field(const HeightGrid& grid);
 
-/// Appends every pair of a triangle of the posed skin and one of the field that intersect, in
-/// ascending order; `Contact::triangle_b` is the field's.
+/// Appends every pair of intersecting triangles of the posed skin and the field, in ascending
+/// order. `Contact::triangle_b` is a triangle of the field.
 ///
-/// Exact as `collide` of two poses, by the same predicate: a field is a surface, and touching
-/// counts. What is wholly below it touches nothing. Nodes are opened where their boxes come between
-/// the least and the greatest height of the field below them, which a hierarchy of these tells in
-/// constant time, however large the field is; the field's triangles are made of the heights where
-/// they are asked for.
+/// Exact like `collide` of two poses, with the same predicate. A field is a surface: touching
+/// counts, and a body wholly below it touches nothing.
+///
+/// Cost: opens nodes whose boxes overlap the range of heights of the field below them. A hierarchy
+/// gives this range in constant time, however large the field is. Triangles of the field are
+/// generated only where they are needed.
 PELT_API QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
                             std::vector<Contact>& contacts, const CollideOptions& options = {});
 
-/// Whether any triangles intersect; as `collide`, stopping at the first contact.
+/// Returns whether any triangles intersect. Like `collide`, but stops at the first contact.
 PELT_API YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch);
 
-/// The least distance of any triangle of the posed skin from any of the field, as `distance` of two
-/// poses; `Distance::b` is on the field. What is below the ground is as far from it as what is
-/// above. Infinite, too, if the field has nothing but holes.
+/// Writes the least distance of any triangle of the posed skin from any triangle of the field, like
+/// `distance` of two poses. `Distance::b` is on the field. Points below the ground have a positive
+/// distance, like points above it. The distance is infinite if all heights are holes.
 PELT_API QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch,
                              Distance& result, const DistanceOptions& options = {});
 
-/// Writes what each ray hits first of the field, exactly as `cast` at a pose; `RayHit::location`
-/// has no meaning here. Precondition: `hits` has one element for each ray. Blocks of the field that
-/// a ray enters are looked at in their order, of cells only those below or above it. Allocates
-/// nothing.
+/// Writes the first hit of each ray on the field, exact like `cast` on a pose. The location of a
+/// hit is meaningless here.
+///
+/// Precondition: `hits` has one element per ray.
+///
+/// Cost: visits the blocks of the field in the order in which a ray enters them, and in each block
+/// the cells below or above the ray. Allocates nothing.
 PELT_API QueryStats cast(const HeightField& field, std::span<const Ray> rays,
                          std::span<RayHit> hits, const CastOptions& options = {});
 
-/// The same for one ray.
+/// Like `cast` of several rays, for one ray.
 PELT_API QueryStats cast(const HeightField& field, const Ray& ray, RayHit& result,
                          const CastOptions& options = {});
 

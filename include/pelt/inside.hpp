@@ -1,9 +1,9 @@
 #pragma once
 
-/// Inside and outside: whether a point lies in a body, how deep one body is in another, whether one
-/// holds another whole. All of it is about closed surfaces (`Surface::is_closed`), which alone have
-/// an inside: the points around which the posed surface winds, in either direction and however
-/// often. What is decided is decided exactly on the float32 posed vertices.
+/// Inside and outside of closed surfaces: whether a point lies inside a body, how deep one body is
+/// inside another, and whether one body contains another. Only closed surfaces
+/// (`Surface::is_closed`) have an inside: the points around which the posed surface winds, in
+/// either direction and any number of times. Decisions are exact on the float32 posed vertices.
 
 #include <pelt/cxx20.hpp>
 
@@ -21,52 +21,61 @@ enum class PointSide : std::uint8_t {
   inside,
 };
 
-/// Writes where a point lies, exactly, for any posed vertices. Preconditions: the surface is closed
-/// and of the pose's model (otherwise the program aborts, in every build); the coordinates of
-/// `point` are finite and at most 2^60. Cost: a search for the triangles that contain the point,
-/// and one ray.
+/// Writes on which side of the surface a point lies. Exact for any posed vertices.
+///
+/// Preconditions:
+/// `surface`: closed, and of the model of `pose`. Otherwise the program aborts, in every build.
+/// `point`: coordinates are finite and at most 2^60.
+///
+/// Cost: a search for triangles that contain the point, and one ray.
 PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                             PointSide& result);
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
-/// The answer of `deepest_vertex`.
+/// Result of `deepest_vertex`.
 struct Penetration {
-  std::uint32_t vertex = kNoVertex;  ///< of the first body, the lowest of those alike in every bit
-  Vec3 position;                     ///< of it
-  SurfacePoint closest;              ///< of the second body's surface
-  double depth = 0;                  ///< how far that is from the vertex
+  /// Index in the first body; of bit-identical vertices, the lowest.
+  std::uint32_t vertex = kNoVertex;
+
+  Vec3 position;         ///< of the vertex
+  SurfacePoint closest;  ///< closest point of the surface of the second body
+  double depth = 0;      ///< distance of the vertex from that point
 
   /// Whether any vertex is inside.
   explicit operator bool() const { return vertex != kNoVertex; }
 };
 
-/// Writes the vertex of `a` that lies inside `b` and is farthest from its surface; of equal ones
-/// the lowest. The result is false where no vertex of `a` is inside.
+/// Writes the vertex of `a` that lies inside `b` and is farthest from its surface; of equal
+/// vertices, the lowest. The result converts to false if no vertex of `a` lies inside `b`.
 ///
-/// The depth is the one-sided Hausdorff distance of the vertices inside `b` to its surface: a lower
-/// bound of how far the surface of `a` reaches in, which no triangulation makes smaller when it
-/// cuts triangles, and which becomes that when they become small. It is not the way by which bodies
-/// must be moved to part them.
+/// The depth is the one-sided Hausdorff distance from the vertices inside `b` to its surface. It is
+/// a lower bound of how far the surface of `a` reaches into `b`, and converges to that for small
+/// triangles. A finer mesh does not make it smaller. It is not the distance by which the bodies
+/// must be moved to separate them.
 ///
-/// Preconditions: `surface_a` and `surface_b` are of the models of `a` and `b`, which are different
-/// poses; `surface_b` is closed; otherwise the program aborts, in every build. Boxes of `a` that
-/// the surface of `b` does not touch cost a few rays each, and what is outside is not posed; each
-/// other vertex costs a search for something nearer than the deepest so far, and those that have
-/// nothing such near, some rays.
+/// Preconditions (otherwise the program aborts, in every build):
+/// `a`, `b`: different poses.
+/// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`; `surface_b` is closed.
+///
+/// Cost: a few rays per box of `a` that does not touch the surface of `b`; vertices outside are not
+/// posed. Each remaining vertex costs one nearest-point search, bounded by the greatest depth so
+/// far, and, if nothing is that near, a few rays.
 PELT_API QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b,
                                    const Surface& surface_b, Scratch& scratch, Penetration& result);
 
 enum class Containment : std::uint8_t {
-  none,    ///< they touch, or no body holds the other whole
-  a_in_b,  ///< no triangles touch, and every part of `a` that hangs together is inside `b`
+  none,    ///< the bodies touch, or neither contains the other
+  a_in_b,  ///< no triangles touch, and every connected part of `a` lies inside `b`
   b_in_a,
 };
 
-/// Writes whether one body is wholly inside the other, which no contact tells. A surface that is
-/// not closed holds nothing, but may be held. Preconditions: as for `deepest_vertex`, but that
-/// surfaces need not be closed. Costs what `intersects` does, and some rays for each part that
-/// hangs together.
+/// Writes which body lies wholly inside the other without touching it. A surface that is not closed
+/// contains nothing but may be contained.
+///
+/// Preconditions: as for `deepest_vertex`, but surfaces need not be closed.
+///
+/// Cost: that of `intersects`, and a few rays per connected part.
 PELT_API QueryStats containment(Pose& a, const Surface& surface_a, Pose& b,
                                 const Surface& surface_b, Scratch& scratch, Containment& result);
 

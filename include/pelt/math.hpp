@@ -6,18 +6,19 @@
 
 namespace pelt {
 
-/// A point or vector in model units. Rest positions are in the model's frame, posed ones in the
-/// frame of the joint palette (the world, when the palette has the instance's placement in it).
+/// A point or vector in model units. Rest positions are in the frame of the model. Posed positions
+/// are in the frame of the joint palette, which is the world if the palette includes the instance's
+/// placement.
 struct Vec3 {
   float x = 0, y = 0, z = 0;
 
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-/// A joint matrix: 16 floats, column-major, last row 0 0 0 1; element (row, column) is
-/// `m[4 * column + row]` and the translation is m[12], m[13], m[14].
+/// A joint matrix: 16 floats, column-major, with the last row 0 0 0 1. Element (row, column) is
+/// `m[4 * column + row]`, and the translation is m[12], m[13], m[14].
 ///
-/// This is the layout of glTF, three.js and OpenGL, so an engine's array is taken as it is. Any
+/// This is the layout of glTF, three.js and OpenGL, so arrays of engines can be used directly. Any
 /// affine map is allowed: rotation, translation, scale, shear, reflection.
 struct Matrix4 {
   std::array<float, 16> m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};

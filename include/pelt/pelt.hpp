@@ -1,11 +1,11 @@
 #pragma once
 
-/// Exact collision detection for skinned characters: a SkinnedModel is built once, a Pose moves it,
-/// a query asks two Poses, Contacts come out.
+/// Exact collision detection for skinned characters. Build a SkinnedModel once, create a Pose for
+/// each instance, set its joint palette every frame, and query two poses for contacts.
 ///
-/// Pelt reports bad input by `Result` and throws nothing itself. If memory ends, std::bad_alloc
-/// leaves the function that needed it. Models, poses, crowds and scratch stay usable then, and
-/// nothing leaks; lists to which results are appended are unchanged.
+/// Failure: functions report invalid input with `Result` and throw nothing themselves. If memory
+/// runs out, std::bad_alloc leaves the function that needed it. Models, poses, crowds and scratch
+/// stay usable then, nothing leaks, and lists to which results are appended are unchanged.
 
 #include <pelt/cxx20.hpp>
 

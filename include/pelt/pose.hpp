@@ -14,18 +14,17 @@ namespace detail {
 struct Pose;
 }
 
-/// One instance of a model in one posture: a joint palette, the weights of morph targets, and the
-/// bounds that queries have derived from both so far. There is nothing to update or refit by hand:
-/// the whole update is `set_palette` and `set_morph_weights`, in any order, and a query refits what
-/// it visits.
+/// One instance of a model: a joint palette, weights of morph targets, and the bounds that queries
+/// have computed from both so far. There is nothing to refit by hand: `set_palette` and
+/// `set_morph_weights`, in any order, are the whole update, and a query computes what it visits.
 ///
-/// A new pose has identity matrices and morph weights of zero, that is, the rest positions. Queries
-/// write the bounds that they refit into the pose, so one thread at a time may query a pose.
-/// Movable, not copyable; one that has been moved from may only be assigned to or destroyed.
+/// A new pose has identity matrices and zero morph weights, that is, the rest positions. Queries
+/// store bounds in the pose, so only one thread at a time may query a pose. Movable, not copyable.
+/// A moved-from pose may only be assigned to or destroyed.
 class PELT_API Pose {
  public:
-  /// Allocates the joint palette, O(J). Queries allocate when they open more than in any frame
-  /// before; `reserve` forestalls that.
+  /// Cost: O(J). Allocates the joint palette. Queries allocate when they open more nodes than in
+  /// any earlier frame; `reserve` prevents that.
   explicit Pose(SkinnedModel model);
   Pose(Pose&&) noexcept;
   Pose& operator=(Pose&&) noexcept;
@@ -33,46 +32,48 @@ class PELT_API Pose {
 
   const SkinnedModel& model() const;
 
-  /// Takes the joint palette: matrix j maps the rest positions that joint j moves into the frame
-  /// shared by all poses of a query (`instance x joint x inverse bind`). Copies it; O(J), no
-  /// allocation.
+  /// Copies the joint palette. Matrix j maps the rest positions that joint j moves into the frame
+  /// shared by all poses of a query (`instance x joint x inverse bind`).
   ///
-  /// Refuses, and leaves the pose as it was, when there are not `model().joint_count()` matrices,
-  /// an element is not finite, a last row is not 0 0 0 1 (a row-major matrix, most likely), or a
-  /// vertex could land beyond 2^60 units (a mesh within 2^-60 units of the origin counts as that
-  /// large). The message names the joint.
+  /// Cost: O(J). Allocates nothing.
+  ///
+  /// Returns an error that names the joint, and leaves the pose unchanged, if there are not
+  /// `model().joint_count()` matrices, an element is not finite, a last row is not 0 0 0 1 (the
+  /// matrix is probably row-major), or a vertex could move beyond 2^60 units. (A mesh within 2^-60
+  /// units of the origin counts as having that size.)
   Result<void> set_palette(std::span<const Matrix4> palette);
 
-  /// The same from 16 floats a joint, in the layout of `Matrix4`.
+  /// Like `set_palette`, with 16 floats per joint in the layout of `Matrix4`.
   Result<void> set_palette(std::span<const float> palette);
 
-  /// The same from the first three rows of each matrix.
+  /// Like `set_palette`, with the first three rows of each matrix.
   Result<void> set_palette(std::span<const Matrix3x4> palette);
 
-  /// The same from 16 doubles a joint, in the layout of `Matrix4`. Each element is rounded once, to
-  /// the nearest float (of two equally near ones the even one), and the floats are then validated:
-  /// an element beyond the range of float becomes infinite and is refused.
+  /// Like `set_palette`, with 16 doubles per joint in the layout of `Matrix4`. Each element is
+  /// rounded once, to the nearest float (ties to even), and the floats are then validated. An
+  /// element beyond the range of float becomes infinite and is an error.
   Result<void> set_palette(std::span<const double> palette);
 
-  /// Takes the weights of the model's morph targets: a vertex is displaced by the sum of weight x
-  /// displacement before the joints move it. Any finite number is allowed; what has the weight 0
-  /// costs nothing in queries, and of the others each costs something only in the nodes whose
-  /// vertices it displaces. Copies them; O(M + J), no allocation.
+  /// Copies the weights of the model's morph targets. A vertex is displaced by the sum of weight x
+  /// displacement before the joints transform it. Any finite weight is allowed.
   ///
-  /// Refuses, and leaves the pose as it was, when there are not `model().morph_target_count()`
-  /// weights, one is not finite, or a vertex could be displaced by, or land beyond, 2^60 units. The
-  /// message names the target or joint.
+  /// Cost: O(M + J). Allocates nothing. In queries, targets with weight 0 cost nothing, and other
+  /// targets cost only in nodes with vertices that they displace.
+  ///
+  /// Returns an error that names the target or the joint, and leaves the pose unchanged, if there
+  /// are not `model().morph_target_count()` weights, a weight is not finite, or a vertex could be
+  /// displaced by, or moved beyond, 2^60 units.
   Result<void> set_morph_weights(std::span<const float> weights);
 
-  /// Takes at once all the memory that queries could ever want of this pose: none then allocates
-  /// for it, whatever it visits. For those who must not allocate within a frame, once and before
-  /// the first; the scratch has a `reserve` of its own.
+  /// Allocates all memory that queries can need for this pose, so that they never allocate for it.
+  /// Call it once, before the first frame, if queries must not allocate. `Scratch` has its own
+  /// `reserve`.
   ///
-  /// The pose holds 40 to 46 bytes a triangle from then on (1.1 MB for a character of 26,756), of
-  /// which a query touches what it opens. What has been opened in the current palette is forgotten.
+  /// The pose then holds 40 to 46 bytes per triangle (1.1 MB for a character of 26,756), of which a
+  /// query touches only what it opens. Closes all nodes.
   void reserve();
 
-  /// For Pelt's own files.
+  /// For internal use.
   detail::Pose& detail() { return *pose_; }
   const detail::Pose& detail() const { return *pose_; }
 
@@ -80,11 +81,14 @@ class PELT_API Pose {
   std::unique_ptr<detail::Pose> pose_;
 };
 
-/// Writes every posed vertex: the very float32 positions that queries collide, linear blend
-/// skinning of the rest positions (Kavan & Zara 2005, eq. 1), to which the displacements of morph
-/// targets have been added by weight. Precondition: `out` has `vertex_count()` elements. O(V times
-/// influences) and, where active targets displace vertices, O(log V) for each of these and target;
-/// allocates nothing, and is not needed for any query.
+/// Writes all posed vertices, bit for bit the float32 positions that queries use: the rest
+/// positions with the weighted displacements of morph targets, transformed by linear blend skinning
+/// (Kavan & Zara 2005, eq. 1). No query needs this function.
+///
+/// Precondition: `out` has vertex_count() elements.
+///
+/// Cost: O(V times influences), and O(log V) for each vertex and active target that displaces it.
+/// Allocates nothing.
 PELT_API void posed_vertices(const Pose& pose, std::span<Vec3> out);
 
 }  // namespace pelt

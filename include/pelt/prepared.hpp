@@ -12,20 +12,24 @@
 
 namespace pelt {
 
-/// The model as bytes, to be written to a file and read back by `load_model`, which is more than
-/// ten times faster than `build_model`. The same model gives the same bytes. The format stands in
-/// docs/prepared-format.md; a new version of Pelt may read another version of it only, so what was
-/// built from can not be thrown away. O(bytes); allocates.
+/// Returns the model as bytes for `load_model`, which is more than ten times faster than
+/// `build_model`. Equal models give equal bytes. docs/prepared-format.md describes the format. A
+/// new version of Pelt may support only a new version of the format, so keep the data that the
+/// model was built from.
+///
+/// Cost: O(bytes). Allocates.
 PELT_API std::vector<std::byte> save_model(const SkinnedModel& model);
 
-/// The model that `save_model` wrote: its queries give the same answers and do the same work.
+/// Reads a model written by `save_model`. Queries give the same answers and do the same work.
 ///
-/// The bytes are treated as hostile. Whatever queries rely on is checked, and the message names
-/// what is wrong; memory stays within a small multiple of `file`. Bounds that have been forged with
-/// care can make a model miss contacts, but nothing worse. O(bytes); allocates.
+/// The bytes are treated as hostile: everything that queries rely on is validated, and memory stays
+/// within a small multiple of the size of `file`. Carefully forged bounds can make a model miss
+/// contacts, but do nothing worse.
+///
+/// Cost: O(bytes). Allocates. Returns an error that says what is invalid.
 PELT_API Result<SkinnedModel> load_model(std::span<const std::byte> file);
 
-/// Whether the bytes begin like a prepared model; `load_model` may still refuse them.
+/// Returns whether the bytes start like a prepared model. `load_model` may still return an error.
 PELT_API bool is_prepared_model(std::span<const std::byte> file);
 
 }  // namespace pelt

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What all queries share: how their work is counted, and the memory lent to them.
+/// What all queries share: work counters, and reusable memory.
 
 #include <pelt/cxx20.hpp>
 
@@ -18,22 +18,26 @@ struct Access;
 struct Scratch;
 }  // namespace detail
 
-/// The work that a query did, in counts that do not depend on the machine. Every query returns its
-/// work, all of it; add up several by `+=`.
+/// Work done by a query, in counts that do not depend on the machine. Every query returns all of
+/// its work. Add several with `+=`.
 struct QueryStats {
-  /// Nodes compared with what is asked: another tree's node, a ray, a point, a region. The roots
-  /// are included.
+  /// Tests of a node against the other operand: a node of another tree, a ray, a point or a region.
+  /// Includes the roots.
   std::uint64_t node_pairs = 0;
-  std::uint64_t refits = 0;          ///< boxes computed for the current joint palettes
-  std::uint64_t posed_vertices = 0;  ///< vertices skinned, once for each node that has them
-  std::uint64_t triangle_pairs = 0;  ///< triangles compared with the same, because boxes overlap
-  std::uint64_t displacements = 0;   ///< by active morph targets, of vertices that were posed
-  bool cut_short = false;            ///< a limit of the options ended the query before its end
+
+  std::uint64_t refits = 0;  ///< boxes computed for the current joint palettes
+
+  /// Vertices skinned; a vertex counts once for each node that has it.
+  std::uint64_t posed_vertices = 0;
+
+  std::uint64_t triangle_pairs = 0;  ///< triangle tests, made because boxes overlap
+  std::uint64_t displacements = 0;   ///< displacements of posed vertices by active morph targets
+  bool cut_short = false;            ///< a limit in the options ended the query early
 
   PELT_API QueryStats& operator+=(const QueryStats& other);
 };
 
-/// The answer to a question of yes or no, with the work that it took:
+/// A yes-or-no answer, with the work of the query:
 ///
 ///     if (intersects(a, b, scratch)) ...
 ///     total += intersects(a, b, scratch);
@@ -55,8 +59,8 @@ class TreeLocation {
   std::array<std::uint32_t, kNumbers> numbers_ = {};
 };
 
-/// Memory lent to queries so that they allocate nothing after the first ones: one for each thread.
-/// Its content carries nothing from one query to the next.
+/// Working memory for queries, so that warm queries allocate nothing. Use one for each thread. It
+/// carries no information from one query to the next.
 class PELT_API Scratch {
  public:
   Scratch();
@@ -64,16 +68,16 @@ class PELT_API Scratch {
   Scratch& operator=(Scratch&&) noexcept;
   ~Scratch();
 
-  /// Takes at once all the memory that queries with up to so many contacts could want, found or
-  /// allowed by `max_contacts`, whatever the models; 1 is enough for `intersects`. A triangle that
-  /// is found in a region counts as one contact. With poses that have been reserved too, and room
-  /// in the caller's vector, such queries allocate nothing, from the first on. 156 KB and 28 bytes
-  /// a contact.
+  /// Allocates all memory that queries can need for results of the given sizes, whatever the
+  /// models. With reserved poses and room in the caller's vectors, such queries never allocate.
   ///
-  /// The same for `cast_all` of rays with up to `ray_hits` hits: 36 bytes each.
+  /// `contacts`: largest number of contacts that are found, or allowed by `max_contacts`; 1
+  ///   suffices for `intersects`. A triangle found in a region counts as a contact. Takes 156 KB
+  ///   and 28 bytes per contact.
+  /// `ray_hits`: largest number of hits of `cast_all`. Takes 36 bytes per hit.
   void reserve(std::size_t contacts, std::size_t ray_hits = 0);
 
-  /// For Pelt's own files.
+  /// For internal use.
   detail::Scratch& detail() { return *scratch_; }
 
  private:

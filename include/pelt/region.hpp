@@ -1,7 +1,7 @@
 #pragma once
 
-/// Which posed skins, and which of their triangles, are in a region of space: culling, selection,
-/// triggers, a character against simple solids.
+/// Which posed skins, and which of their triangles, are in a region of space: for culling,
+/// selection, triggers, and characters against simple solids.
 
 #include <pelt/cxx20.hpp>
 
@@ -17,55 +17,57 @@
 
 namespace pelt {
 
-/// A closed set of points that is convex, and owns its numbers. They must be finite, radii and half
-/// extents not negative.
+/// A closed convex set of points, stored by value. Its numbers must be finite; radii and half
+/// extents must not be negative.
 using Region = std::variant<HalfSpace, Box, OrientedBox, ConvexPolyhedron, Sphere, Capsule>;
 
-/// Where the posed surface lies, that is, the union of all triangles.
+/// Where the posed surface, the union of all triangles, lies.
 enum class Placement : std::uint8_t {
   outside,  ///< no triangle touches the region
-  partly,   ///< some triangle touches it, and some is not wholly inside
-  inside,   ///< all triangles lie wholly in it
+  partly,   ///< some triangle touches the region, and some triangle is not wholly inside
+  inside,   ///< all triangles lie wholly in the region
 };
 
-/// "outside", "partly" or "inside".
+/// Returns "outside", "partly" or "inside".
 PELT_API const char* name_of(Placement placement);
 
 /// Writes where the posed surface lies.
 ///
 /// Exact with respect to the float32 posed vertices and the region's own numbers, both taken as
-/// real numbers: triangles and regions are closed sets, so touching counts, and a triangle that has
-/// collapsed is the segment or point that it is. A double filter with running error bounds decides
-/// nearly every triangle, exact arithmetic the rest.
+/// real numbers. Triangles and regions are closed sets, so touching counts; a triangle that has
+/// collapsed is a segment or a point. A filter in double with running error bounds decides nearly
+/// every triangle, and exact arithmetic the rest.
 ///
-/// Costs O(J) where the box from the joint palette tells, which is nearly always in a frustum; else
-/// nodes are opened along the region's boundary until one triangle inside or across it and one
-/// outside or across it are found.
+/// Cost: O(J) if the box from the joint palette decides, which it nearly always does for a frustum.
+/// Otherwise nodes along the boundary of the region are opened until the answer is known.
 PELT_API QueryStats classify(Pose& pose, const Region& region, Scratch& scratch, Placement& result);
 
-/// The same for many poses: `results[i]` is that of `*poses[i]`. Precondition: `results` has one
-/// element for each pose. Returns the work of all.
+/// Classifies many poses: `results[i]` belongs to `*poses[i]`. Returns the work of all.
+///
+/// Precondition: `results` has one element per pose.
 PELT_API QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch& scratch,
                              std::span<Placement> results);
 
-/// The triangles of one pose that are in a region, by their numbers in the model's array.
+/// Triangles of one pose in a region, as indices into the triangle array of the model.
 struct TrianglesInRegion {
-  std::vector<std::uint32_t> intersecting;  ///< have at least a point in common with it
-  std::vector<std::uint32_t> inside;        ///< of these, those that lie wholly in it
+  std::vector<std::uint32_t> intersecting;  ///< share at least one point with the region
+  std::vector<std::uint32_t> inside;        ///< lie wholly in the region; also in the first list
 };
 
-/// Appends the triangles that intersect the region to one list and those inside it to the other,
-/// both ascending. Exact as `classify`. Nodes are opened along the region's boundary; what is
-/// inside is not even posed.
+/// Appends the triangles that intersect the region to one list, and those inside it to the other
+/// list, both in ascending order. Exact like `classify`.
+///
+/// Cost: opens nodes along the boundary of the region. What lies wholly inside is not posed.
 PELT_API QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
                                    TrianglesInRegion& triangles);
 
-/// Appends the triangles that intersect the region, ascending: the character meets a simple solid.
-/// As `find_triangles`: a region is a solid, so what lies wholly inside intersects it too.
+/// Appends the triangles that intersect the region, in ascending order: contacts of a character
+/// with a simple solid. Like `find_triangles`; a region is a solid, so triangles wholly inside
+/// intersect it, too.
 PELT_API QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
                             std::vector<std::uint32_t>& triangles);
 
-/// Whether any triangle intersects the region; as `collide`, stopping at the first.
+/// Returns whether any triangle intersects the region. Like `collide`, but stops at the first.
 PELT_API YesNo intersects(Pose& pose, const Region& region, Scratch& scratch);
 
 }  // namespace pelt

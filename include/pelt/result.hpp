@@ -9,21 +9,21 @@
 namespace pelt {
 
 enum class ErrorCode {
-  invalid_argument,  ///< an array or option handed over by the caller breaks a stated rule
+  invalid_argument,  ///< an array or option of the caller is invalid
   unreadable_file,   ///< a file is missing or cannot be read or written
-  malformed_file,    ///< a file breaks its format
-  unsupported,       ///< a file is well-formed but needs something that Pelt does not do
+  malformed_file,    ///< a file violates its format
+  unsupported,       ///< a file is well-formed but needs a feature that Pelt does not support
 };
 
-/// What went wrong with input from outside. The message names the thing (file, array, index,
-/// value) and, where there is one, the remedy.
+/// A problem with input. The message names the cause (file, array, index, value) and, if there is
+/// one, the remedy.
 struct Error {
   ErrorCode code = ErrorCode::invalid_argument;
   std::string message;
 };
 
-/// A value or the reason why there is none. Pelt's own code throws nothing: whatever depends on
-/// input from outside returns a Result; broken promises of a caller are asserts.
+/// A value, or the error that explains why there is none. Functions that depend on outside input
+/// return a Result; violated preconditions are asserts. Pelt's own code throws nothing.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -46,7 +46,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// Success, or the reason of a failure.
+/// Success, or an error.
 template <>
 class [[nodiscard]] Result<void> {
  public:

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Plain shapes, in the frame of the joint palette like everything that queries see. All are closed
-/// sets, and their numbers are taken as they are: what a query says of them is exact.
+/// Simple shapes in the frame of the joint palette. All are closed sets. Their numbers are used
+/// without rounding, so answers about them are exact.
 
 #include <pelt/cxx20.hpp>
 
@@ -14,46 +14,47 @@
 
 namespace pelt {
 
-/// Axis-aligned and closed: all points with low <= p <= high on each axis.
+/// Axis-aligned box: all points with low <= p <= high on each axis.
 struct Box {
   Vec3 low, high;
 };
 
-/// Closed: all points no further than `radius` from `centre`.
+/// All points at most `radius` from `centre`.
 struct Sphere {
   Vec3 centre;
   float radius = 0;
 };
 
-/// All points no further than `radius` from the segment between `a` and `b`.
+/// All points at most `radius` from the segment between `a` and `b`.
 struct Capsule {
   Vec3 a, b;
   float radius = 0;
 };
 
-/// All points with normal . p <= offset: what lies behind a plane whose normal points out. The
-/// normal may have any length.
+/// All points p with normal . p <= offset, behind a plane whose normal points outwards. The normal
+/// may have any length.
 struct HalfSpace {
   Vec3 normal;
   float offset = 0;
 };
 
-/// All points with |axes[i] . (p - centre)| <= half[i] for each i. With unit vectors at right
-/// angles for axes that is a box of these half extents.
+/// All points p with |axes[i] . (p - centre)| <= half[i] for each i. With orthogonal unit vectors
+/// as axes, this is a box with these half extents.
 struct OrientedBox {
   Vec3 centre;
   std::array<Vec3, 3> axes = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   Vec3 half;
 };
 
-/// What all half-spaces have in common; it may be unbounded or empty. Without faces: all of space.
+/// The intersection of half-spaces, which may be unbounded or empty. Without faces, it is all of
+/// space.
 class ConvexPolyhedron {
  public:
   static constexpr std::size_t kMaxFaces = 64;
 
   ConvexPolyhedron() = default;
 
-  /// Copies the faces; allocates nothing. Precondition: at most `kMaxFaces`; more abort the
+  /// Copies the faces. Allocates nothing. Precondition: at most `kMaxFaces`; more abort the
   /// program, in every build.
   PELT_API ConvexPolyhedron(std::span<const HalfSpace> faces);
 
@@ -64,24 +65,26 @@ class ConvexPolyhedron {
   std::size_t count_ = 0;
 };
 
-/// What a camera sees: left, right, bottom, top, near, far.
+/// The view volume of a camera: left, right, bottom, top, near, far.
 struct Frustum {
   std::array<HalfSpace, 6> faces;
 
-  /// A copy: a `Region` made of a temporary frustum stays valid.
+  /// Copies the faces, so a `Region` made from a temporary frustum stays valid.
   operator ConvexPolyhedron() const { return ConvexPolyhedron(faces); }
 };
 
-/// What lies between the near and the far plane after the division by w.
+/// Range of depth between the near and the far plane after the division by w.
 enum class ClipDepth {
   minus_one_to_one,  ///< OpenGL
   zero_to_one,       ///< Vulkan, Direct3D, Metal, WebGPU
 };
 
-/// The frustum of projection x view: all p with |x| <= w, |y| <= w and the depth's range for the
-/// clip coordinates (x, y, z, w) = view_projection (p, 1). Column-major like a joint matrix, but
-/// with any last row. Each plane is rounded to float once; reversed depth is fine, and with an
-/// infinite far plane that face has the normal zero and leaves nothing out.
+/// Returns the frustum of projection x view: all points p whose clip coordinates (x, y, z, w) =
+/// view_projection (p, 1) satisfy |x| <= w, |y| <= w and the range of depth. Each plane is rounded
+/// to float once. Reversed depth is supported. With an infinite far plane, that face has a zero
+/// normal and excludes nothing.
+///
+/// `view_projection`: column-major like a joint matrix, with any last row.
 PELT_API Frustum make_frustum(const Matrix4& view_projection,
                               ClipDepth depth = ClipDepth::minus_one_to_one);
 

@@ -7,25 +7,26 @@
 
 namespace pelt {
 
-/// The instructions that queries use. All targets give the same answers, to the bit, and do the
-/// same work; they differ in speed.
+/// Instruction sets for queries. All of them give the same answers, bit for bit, and do the same
+/// work; they differ in speed.
 enum class Target {
   scalar,   ///< no vector instructions
-  simd128,  ///< four floats at once: SSE4.1, NEON or WASM SIMD, whichever the library was built for
+  simd128,  ///< four floats at once: SSE4.1, NEON or WASM SIMD, depending on the build
   avx2,     ///< eight floats at once
 };
 
-/// "scalar", "simd128" or "avx2".
+/// Returns "scalar", "simd128" or "avx2".
 PELT_API const char* name_of(Target target);
 
-/// The targets that this build has and this machine can run, slowest first.
+/// Returns the targets that the build contains and the machine supports, slowest first.
 PELT_API std::span<const Target> available_targets();
 
-/// What queries use: the fastest available target, unless `set_active_target` chose another.
+/// Returns the target of queries: the fastest available one, unless `set_active_target` chose
+/// another.
 PELT_API Target active_target();
 
-/// Makes all queries from now on use `target`; false, and nothing changes, if it is not available.
-/// For measurements and tests. Not while another thread runs a query.
+/// Makes all later queries use `target`, for measurements and tests. Returns false and changes
+/// nothing if the target is not available. Must not be called while another thread runs a query.
 PELT_API bool set_active_target(Target target);
 
 }  // namespace pelt
