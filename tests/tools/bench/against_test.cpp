@@ -50,7 +50,7 @@ TEST(Against, ADifferentAnswerIsAFailure) {
   write_text(folder / "old.json", file.dump());
   const Ended run = bench(folder, {"--against", "old.json", "--json", "new.json"});
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_NE(run.out.find("a different answer: hash 0123456789abcdef then"), std::string::npos);
+  EXPECT_NE(run.out.find("different answers: hash 0123456789abcdef then"), std::string::npos);
   EXPECT_NE(run.err.find("1 answer different from old.json"), std::string::npos) << run.err;
   EXPECT_TRUE(std::filesystem::exists(folder / "new.json")) << "what was measured is not lost";
 }

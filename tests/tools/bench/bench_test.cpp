@@ -159,7 +159,7 @@ TEST(Bench, PrintsTablesForEachScene) {
   EXPECT_EQ(count("on_demand "), 12);  // four tables of times and two lines of work for each scene
   EXPECT_EQ(count("all "), 2);         // vertices skinned
   for (const char* words : {"in contact", "update", "posed vertices", "by every", "vs paper",
-                            "vs eager", "bytes a triangle", "ns a vertex"}) {
+                            "vs eager", "bytes per triangle", "ns per vertex"}) {
     EXPECT_NE(run.out.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(run.out.find("of rigid"), std::string::npos) << "pelt-lab has that method";

@@ -146,7 +146,7 @@ TEST_F(CheckHtml, TakesNoFileThatHasChangedMeanwhile) {
   write_bytes(folder_ / "two.glb", swaying_limb(16));
   const auto files = tools::page::read_character_files(*scene);
   ASSERT_FALSE(files);
-  EXPECT_NE(files.error().message.find("two.glb: has changed"), std::string::npos);
+  EXPECT_NE(files.error().message.find("two.glb: was changed"), std::string::npos);
 }
 
 TEST_F(CheckHtml, RefusesWhatThePageCannotShow) {

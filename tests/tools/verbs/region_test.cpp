@@ -106,7 +106,7 @@ TEST(RegionVerb, RefusesWhatIsNoRegion) {
   EXPECT_EQ(refusal({"--camera", "1,0,0,1,0,1", "--angle", "180"}),
             "pelt: error: --angle: is out of range: give degrees between 0 and 180\n");
   EXPECT_EQ(refusal({"--sphere", "1,2,3,4", "--box", "0,0,0,1,1,1"}),
-            "pelt: error: --sphere: there is --box too: give one region\n");
+            "pelt: error: --sphere: cannot be combined with --box: give one region\n");
 }
 
 }  // namespace
