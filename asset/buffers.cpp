@@ -17,6 +17,12 @@ Result<Buffers::Bytes> Buffers::view(std::uint32_t view, const std::string& what
   return range(source.buffer, source.offset, source.length, name);
 }
 
+std::vector<std::filesystem::path> Buffers::files_read() const {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& [path, bytes] : files_) paths.push_back(path);
+  return paths;
+}
+
 Result<Buffers::Bytes> Buffers::compressed_view(std::uint32_t view, const std::string& what) {
   const auto known = decompressed_.find(view);
   if (known != decompressed_.end()) return Bytes(known->second);

@@ -21,6 +21,9 @@ class Buffers {
   /// Returns the decompressed bytes of a view. `what` names the user of the view in messages.
   Result<std::span<const std::byte>> view(std::uint32_t view, const std::string& what);
 
+  /// The external files that have been read.
+  std::vector<std::filesystem::path> files_read() const;
+
  private:
   using Bytes = std::span<const std::byte>;
 

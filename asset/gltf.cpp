@@ -4,6 +4,7 @@
 #include "asset/file_bytes.hpp"
 #include "asset/mesh_merge.hpp"
 #include "asset/message.hpp"
+#include "asset/read_gltf.hpp"
 
 namespace pelt::asset {
 
@@ -55,6 +56,13 @@ Result<Asset> load_gltf(const std::filesystem::path& path, const GltfOptions& op
 
 Result<Asset> load_gltf(std::span<const std::byte> file, const std::filesystem::path& folder,
                         const GltfOptions& options) {
+  Result<ReadGltf> read = read_gltf(file, folder, options);
+  if (!read) return read.error();
+  return std::move(read->asset);
+}
+
+Result<ReadGltf> read_gltf(std::span<const std::byte> file, const std::filesystem::path& folder,
+                           const GltfOptions& options) {
   const Result<Container> container = open_container(file);
   if (!container) return container.error();
   Result<GltfDocument> document = read_document(container->json);
@@ -64,7 +72,7 @@ Result<Asset> load_gltf(std::span<const std::byte> file, const std::filesystem::
   Buffers buffers(*document, container->binary, folder, budget);
   Result<Asset> asset = read_asset(*document, buffers, budget, options);
   if (!asset) return with_remedy(asset.error());
-  return asset;
+  return ReadGltf{*std::move(asset), buffers.files_read()};
 }
 
 }  // namespace pelt::asset

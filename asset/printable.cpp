@@ -60,6 +60,16 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string as_utf8(std::string_view text) {
+  std::string valid;
+  for (std::size_t i = 0; i < text.size();) {
+    const CodePoint point = first_code_point(text.substr(i));
+    valid += point.value == CodePoint::kNone ? "\xEF\xBF\xBD" : text.substr(i, point.bytes);
+    i += point.bytes;
+  }
+  return valid;
+}
+
 std::string printable_name(std::string_view name) {
   if (name.size() <= kLongestName) return printable(name);
   std::size_t end = 0;

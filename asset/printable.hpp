@@ -26,6 +26,9 @@ bool steers_terminal(char32_t code_point);
 /// Replaces every code point that steers a terminal, and every byte that is not UTF-8, by '?'.
 std::string printable(std::string_view text);
 
+/// Replaces every byte that is not UTF-8 by U+FFFD, the replacement character.
+std::string as_utf8(std::string_view text);
+
 /// The longest name that is shown whole, in bytes.
 inline constexpr std::size_t kLongestName = 64;
 

@@ -2,6 +2,7 @@
 
 #include "asset/file_bytes.hpp"
 #include "asset/message.hpp"
+#include "asset/read_gltf.hpp"
 #include "base/hash.hpp"
 #include "scenes/scene.hpp"
 
@@ -32,9 +33,10 @@ Result<Character> read_character(const std::filesystem::path& path,
     return asset::prefixed(path.string(), asset::unsupported(kPrepared));
   // A path without a folder is beside the working directory, and "" would mean: no external files.
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  Result<asset::Asset> asset = asset::load_gltf(*file, folder, options);
-  if (!asset) return asset::prefixed(path.string(), asset.error());
-  return Character{path.stem().string(), path.string(), hash_of(*file), std::move(*asset), path};
+  Result<asset::ReadGltf> read = asset::read_gltf(*file, folder, options);
+  if (!read) return asset::prefixed(path.string(), read.error());
+  return Character{path.stem().string(),   path.string(), hash_of(*file),
+                   std::move(read->asset), path,          std::move(read->files)};
 }
 
 }  // namespace

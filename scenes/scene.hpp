@@ -29,6 +29,8 @@ struct Character {
   /// Path of its file, relative to the working directory, or the options that it was generated
   /// with.
   std::variant<std::filesystem::path, CreatureOptions, FaceOptions> origin = {};
+  /// The other files that its meshes and clips lie in.
+  std::vector<std::filesystem::path> buffer_files = {};
 };
 
 /// A fixed weight of a morph target, which overrides the clip.

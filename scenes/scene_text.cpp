@@ -1,5 +1,6 @@
 #include "scenes/scene_text.hpp"
 
+#include "asset/printable.hpp"
 #include "base/assert.hpp"
 
 #include <nlohmann/json.hpp>
@@ -15,9 +16,10 @@ using nlohmann::ordered_json;
 std::vector<std::string> distinct_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Character& character : scene.characters) {
-    std::string name = character.name;
+    const std::string first = asset::as_utf8(character.name);
+    std::string name = first;
     for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i)
-      name = character.name + " " + std::to_string(i);
+      name = first + " " + std::to_string(i);
     names.push_back(name);
   }
   return names;
@@ -77,7 +79,7 @@ std::string scene_text(const Scene& scene, std::span<const std::string> paths) {
                        {"frames", {{"count", scene.frame_count}, {"fps", scene.fps}}},
                        {"instances", std::move(instances)}};
   for (const NamePair& pair : scene.ignore) file["ignore"].push_back({pair.a, pair.b});
-  return file.dump(2) + "\n";
+  return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace pelt::scenes

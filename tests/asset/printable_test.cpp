@@ -42,6 +42,14 @@ TEST(Printable, ReplacesEachByteThatIsNotUtf8) {
   EXPECT_EQ(printable("a\xe2\x80"), "a??");          // cut short
 }
 
+TEST(Printable, MakesUtf8OfBytes) {
+  EXPECT_EQ(asset::as_utf8("Grüße\x1b"), "Grüße\x1b");
+  EXPECT_EQ(asset::as_utf8("a\xff"
+                           "b\xe2\x80"),
+            "a\xEF\xBF\xBD"
+            "b\xEF\xBF\xBD\xEF\xBF\xBD");
+}
+
 TEST(Printable, CutsNamesAfterAWholeCodePoint) {
   const std::string longest(asset::kLongestName, 'a');
   EXPECT_EQ(printable_name(longest), longest);

@@ -77,6 +77,74 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
   EXPECT_EQ(parse_check_file(again.out).totals["hash"], file.totals["hash"]);
 }
 
+/// Writes the files of a page to `again`, and checks its scene.
+CheckFile check_again(const TestFolder& folder, const json& data) {
+  for (const auto& [path, bytes] : data["files"].items()) {
+    const std::filesystem::path target = folder / ("again/" + path);
+    std::filesystem::create_directories(target.parent_path());
+    write_text(target, decode(bytes));
+  }
+  const std::string scene = "again/" + data["scene"].get<std::string>();
+  return parse_check_file(run_pelt(folder, {"check", scene, "--jsonl", "-"}).out);
+}
+
+/// A .gltf of the limb with its buffer beside it, one more that nothing needs, one that is missing,
+/// and an image.
+void write_limb_of_files(const TestFolder& folder, const std::string& name,
+                         const std::string& buffer) {
+  GltfBuilder limb = build_limb(24);
+  limb.document["buffers"] = {{{"byteLength", limb.binary.size()}, {"uri", buffer}},
+                              {{"byteLength", 3}, {"uri", "unused.bin"}},
+                              {{"byteLength", 3}, {"uri", "missing.bin"}}};
+  limb.document["bufferViews"].push_back({{"buffer", 2}, {"byteLength", 3}});
+  limb.document["images"] = {{{"uri", "../skin.png"}}};
+  write_text(folder / name, limb.document.dump());
+  write_bytes(folder / "limb a.bin", limb.binary);
+  write_text(folder / "unused.bin", "123");
+}
+
+TEST_F(CheckHtml, EmbedsTheBuffersThatTheGeometryUses) {
+  write_limb_of_files(folder_, "limb.gltf", "limb%20a.bin");
+  const Ended run = run_pelt(folder_, {"check", "limb.gltf", "two.glb", "--html", "report.html"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const json data = data_of(read_text(folder_ / "report.html"));
+  std::set<std::string> paths;
+  for (const auto& [path, bytes] : data["files"].items()) paths.insert(path);
+  EXPECT_EQ(paths,
+            (std::set<std::string>{"0/limb a.bin", "0/limb.gltf", "1/two.glb", "scene.json"}));
+  EXPECT_EQ(check_again(folder_, data).totals["hash"], data["answer"]["hash"]);
+}
+
+TEST_F(CheckHtml, EmbedsALinkedBufferByItsOwnName) {
+  write_limb_of_files(folder_, "limb.gltf", "link.bin");
+  std::filesystem::create_symlink("limb a.bin", folder_ / "link.bin");
+  const Ended run = run_pelt(folder_, {"check", "limb.gltf", "two.glb", "--html", "report.html"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const json data = data_of(read_text(folder_ / "report.html"));
+  EXPECT_EQ(check_again(folder_, data).totals["hash"], data["answer"]["hash"]);
+}
+
+TEST_F(CheckHtml, TakesModelsWhoseNamesAreNotUtf8) {
+  for (const char* name : {"one\xff.glb", "one\xfe.glb"})
+    std::filesystem::copy_file(folder_ / "one.glb", folder_ / name);
+  const Ended run =
+      run_pelt(folder_, {"check", "one\xff.glb", "one\xfe.glb", "--html", "report.html"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const json data = data_of(read_text(folder_ / "report.html"));
+  EXPECT_EQ(data["inputs"][0]["file"], "0/model.glb");
+  EXPECT_EQ(check_again(folder_, data).totals["hash"], data["answer"]["hash"]);
+}
+
+TEST_F(CheckHtml, RefusesABufferWhoseNameIsNotUtf8) {
+  write_limb_of_files(folder_, "limb.gltf", "limb%FF.bin");
+  std::filesystem::copy_file(folder_ / "limb a.bin", folder_ / "limb\xff.bin");
+  const Ended run = run_pelt(folder_, {"check", "limb.gltf", "--html", "report.html"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("limb.gltf: its buffer \"limb?.bin\" has a name that is not UTF-8"),
+            std::string::npos)
+      << run.err;
+}
+
 TEST_F(CheckHtml, TellsWhatIsIgnoredAndWhatIsWorse) {
   const auto check = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"check", "scene.json", "--by", "part"});

@@ -1,30 +1,21 @@
 #include "tools/pelt/page/character_files.hpp"
 
-#include "asset/container.hpp"
 #include "asset/file_bytes.hpp"
-#include "asset/json_object.hpp"
-#include "asset/uri.hpp"
+#include "asset/message.hpp"
+#include "asset/printable.hpp"
 #include "base/hash.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace pelt::tools::page {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The URIs of files that buffers lie in. The file has been read before: it is sound.
-std::vector<std::string> buffer_uris(std::span<const std::byte> file) {
-  std::vector<std::string> uris;
-  const auto container = asset::open_container(file);
-  if (!container) return uris;
-  const auto parsed = asset::parse_json(container->json);
-  if (!parsed || !parsed->contains("buffers")) return uris;
-  for (const nlohmann::json& buffer : (*parsed)["buffers"]) {
-    const std::string uri = buffer.value("uri", "");
-    if (!uri.empty() && !asset::is_data_uri(uri)) uris.push_back(uri);
-  }
-  return uris;
+bool is_utf8(const std::string& text) { return asset::as_utf8(text) == text; }
+
+/// A page is text, and paths in it are too.
+std::string name_in_page(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return is_utf8(name) ? name : "model" + path.extension().string();
 }
 
 /// Another process may have written it meanwhile.
@@ -43,13 +34,16 @@ Result<void> add_file(const fs::path& path, const std::string& name, CharacterFi
   return {};
 }
 
-Result<void> add_buffers(const fs::path& path, const std::string& folder, CharacterFiles& files) {
-  const fs::path beside = path.has_parent_path() ? path.parent_path() : ".";
-  for (const std::string& uri : buffer_uris(files.bytes[folder + path.filename().string()])) {
-    const auto file = asset::resolve_file_uri(uri, beside);
-    if (!file) return file.error();
-    const std::string name = fs::relative(*file, beside).generic_string();
-    if (const auto added = add_file(*file, folder + name, files); !added) return added.error();
+/// The buffers by the names that the model has for them, which the reader in the page looks for.
+Result<void> add_buffers(const scenes::Character& character, const fs::path& beside,
+                         const std::string& folder, CharacterFiles& files) {
+  for (const fs::path& file : character.buffer_files) {
+    const std::string name = file.lexically_relative(beside).generic_string();
+    if (!is_utf8(name))
+      return Error{ErrorCode::unsupported,
+                   character.source + ": its buffer " + asset::quoted(name) +
+                       " has a name that is not UTF-8, which a page cannot have: rename it"};
+    if (const auto added = add_file(file, folder + name, files); !added) return added.error();
   }
   return {};
 }
@@ -64,11 +58,13 @@ Result<CharacterFiles> read_character_files(const scenes::Scene& scene) {
     files.paths.emplace_back();
     if (!path) continue;
     const std::string folder = std::to_string(c) + "/";
-    files.paths.back() = folder + path->filename().string();
+    files.paths.back() = folder + name_in_page(*path);
     if (const auto added = add_file(*path, files.paths.back(), files); !added) return added.error();
     const auto unchanged = check_unchanged(character, files.bytes[files.paths.back()]);
     if (!unchanged) return unchanged.error();
-    if (const auto added = add_buffers(*path, folder, files); !added) return added.error();
+    const fs::path beside = path->has_parent_path() ? path->parent_path() : ".";
+    const auto added = add_buffers(character, beside, folder, files);
+    if (!added) return added.error();
   }
   return files;
 }

@@ -17,7 +17,8 @@ struct CharacterFiles {
 };
 
 /// Each character's files lie in a folder of its own, named by its number: "0/knight.glb", with the
-/// buffers that it names, but no images. Refuses a file that has changed since the scene was read.
+/// buffers that its meshes and clips use, but no images. Refuses a file that has changed since the
+/// scene was read.
 Result<CharacterFiles> read_character_files(const scenes::Scene& scene);
 
 }  // namespace pelt::tools::page
