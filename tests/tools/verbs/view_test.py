@@ -8,6 +8,7 @@ import contextlib
 import os
 import pathlib
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -103,6 +104,118 @@ def refuses_taken_port(command, folder):
         assert end(running) == 0
 
 
+def port_of(address):
+    return int(address.split(":")[-1].strip("/"))
+
+
+def connect(address):
+    return socket.create_connection(("127.0.0.1", port_of(address)), timeout=PATIENCE)
+
+
+def reply(connection):
+    """All that the server sends until it closes."""
+    parts = []
+    while part := connection.recv(1 << 16):
+        parts.append(part)
+    return b"".join(parts).decode()
+
+
+def ask(address, request):
+    with connect(address) as connection:
+        connection.sendall(request.encode())
+        return reply(connection)
+
+
+def peak_memory(running):
+    """In MiB."""
+    for line in pathlib.Path(f"/proc/{running.pid}/status").read_text().splitlines():
+        if line.startswith("VmHWM:"):
+            return int(line.split()[1]) / 1024
+    raise AssertionError("no VmHWM")
+
+
+def answers_ranges_whole(command, folder):
+    """A thousand ranges of a large page are no thousand copies of it."""
+    large = PAGE + "x" * (4 << 20)
+    (folder / "large.html").write_text(large)
+    with start(command, folder, "--no-browser", PELT_VIEWER=str(folder / "large.html")) as running:
+        address = address_of(running)
+        before = peak_memory(running)
+        page, headers = answer(address, Range="bytes=" + ",".join(["0-"] * 2000))
+        assert page == large
+        assert headers["Content-Length"] == str(len(large)), headers
+        assert peak_memory(running) < before + 20, (before, peak_memory(running))
+        assert end(running) == 0
+
+
+def refuses_what_it_does_not_serve(command, folder):
+    with start(command, folder, "--no-browser") as running:
+        address = address_of(running)
+        host = f"Host: localhost:{port_of(address)}\r\n"
+        for request, status in (
+                (f"GET / HTTP/1.1\r\n{host}\r\n", 200),
+                (f"GET /?a=b HTTP/1.1\r\n{host}\r\n", 200),
+                (f"HEAD / HTTP/1.1\r\n{host}\r\n", 200),
+                (f"GET /secret HTTP/1.1\r\n{host}\r\n", 404),
+                (f"GET /../../etc/passwd HTTP/1.1\r\n{host}\r\n", 404),
+                (f"POST / HTTP/1.1\r\n{host}\r\n", 405),
+                (f"POST / HTTP/1.1\r\n{host}Content-Length: 9999999999\r\n\r\n", 413),
+                (f"GET / HTTP/1.1\r\n{host}Transfer-Encoding: chunked\r\n\r\n", 413),
+                (f"GET / HTTP/1.1\r\n{host}{host}\r\n", 403),
+                ("GET / HTTP/1.1\r\n\r\n", 403),
+                (f"GET / HTTP/1.1\r\n{host}no colon\r\n\r\n", 400),
+                (f"GET /\r\n{host}\r\n", 400),
+                (f"GET / HTTP/2.0\r\n{host}\r\n", 400),
+                ("\0\r\n\r\n", 400),
+                (f"GET / HTTP/1.1\r\n{host}A: {'x' * 20000}\r\n\r\n", 431),
+                (f"GET / HTTP/1.1\r\n{host}" + "B: y\r\n" * 5000 + "\r\n", 431),
+                (f"GET /{'x' * 20000} HTTP/1.1\r\n{host}\r\n", 431)):
+            said = ask(address, request)
+            assert said.startswith(f"HTTP/1.1 {status} "), (request[:60], said[:200])
+            assert "\r\nConnection: close\r\n" in said, said[:200]
+        assert ask(address, f"HEAD / HTTP/1.1\r\n{host}\r\n").endswith("\r\n\r\n")
+        assert answer(address)[0] == PAGE
+        assert end(running) == 0
+
+
+def open_descriptors(running):
+    return len(list(pathlib.Path(f"/proc/{running.pid}/fd").iterdir()))
+
+
+def outlasts_silent_connections(command, folder):
+    """More than the server takes at once say nothing, or too little; a browser is still answered."""
+    with start(command, folder, "--no-browser") as running:
+        address = address_of(running)
+        with contextlib.ExitStack() as stack:
+            silent = [stack.enter_context(connect(address)) for _ in range(40)]
+            for connection in silent[::2]:
+                connection.sendall(b"GET / HTTP/1.1\r\n")
+            assert answer(address)[0] == PAGE
+            assert silent[0].recv(1) == b"", "still open"
+        deadline = time.monotonic() + PATIENCE
+        while open_descriptors(running) > 12 and time.monotonic() < deadline:
+            time.sleep(0.05)
+        assert open_descriptors(running) <= 12
+        assert end(running) == 0
+
+
+def stops_beside_a_waiting_connection(command, folder):
+    with start(command, folder, "--no-browser") as running:
+        with connect(address_of(running)):
+            assert end(running) == 0
+
+
+def answers_bytes_that_come_slowly(command, folder):
+    with start(command, folder, "--no-browser") as running:
+        address = address_of(running)
+        with connect(address) as connection:
+            for byte in f"GET / HTTP/1.1\r\nHost: localhost:{port_of(address)}\r\n\r\n".encode():
+                connection.sendall(bytes([byte]))
+                time.sleep(0.001)
+            assert reply(connection).endswith(PAGE)
+        assert end(running) == 0
+
+
 def path_with(folder, opener):
     """A PATH on which `xdg-open` is that script."""
     programs = folder / "programs"
@@ -146,7 +259,10 @@ def main(command):
         (folder / "viewer.html").write_text(PAGE)
         (folder / "scene.json").write_text(SCENE)
         for promise in (serves_page, serves_scene, refuses_other_names, ends_at_once,
-                        refuses_taken_port, opens_browser, says_where_no_browser_opens):
+                        refuses_taken_port, answers_ranges_whole, refuses_what_it_does_not_serve,
+                        outlasts_silent_connections, stops_beside_a_waiting_connection,
+                        answers_bytes_that_come_slowly, opens_browser,
+                        says_where_no_browser_opens):
             promise(command, folder)
 
 

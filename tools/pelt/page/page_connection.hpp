@@ -1,0 +1,59 @@
+#pragma once
+
+/// One browser that asks for the page: reads a request, answers it, and closes the connection.
+/// Never waits, and takes a bounded share of memory and time.
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace pelt::tools::page {
+
+/// What the server serves, and under which names.
+struct Site {
+  std::string_view page;
+  int port = 0;
+};
+
+class PageConnection {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Takes over a connected socket that does not block. The page must outlive the connection.
+  PageConnection(int socket, const Site& site);
+  PageConnection(const PageConnection&) = delete;
+  PageConnection& operator=(const PageConnection&) = delete;
+  ~PageConnection();
+
+  int socket() const { return socket_; }
+
+  /// What `poll` should wait for.
+  short events() const;
+
+  /// When the connection is closed unless it gets on.
+  Clock::time_point deadline() const { return deadline_; }
+
+  /// Reads or writes what is possible at once. False: the connection is over.
+  bool advance();
+
+ private:
+  enum class State { reading, answering, draining };
+
+  bool read_request();
+  bool write_answer();
+  bool drain();
+  void answer(std::string_view head);
+  void begin_answer(const char* status, std::string_view body, const char* more);
+
+  int socket_;
+  Site site_;
+  State state_ = State::reading;
+  std::string request_;
+  std::string head_;       // of the answer
+  std::string_view body_;  // after it
+  std::size_t sent_ = 0;   // bytes of both
+  Clock::time_point begin_, deadline_;
+};
+
+}  // namespace pelt::tools::page
