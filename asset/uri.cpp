@@ -97,6 +97,13 @@ Result<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
   return std::vector<std::byte>(first, first + text->size());
 }
 
+std::optional<fs::path> relative_file(std::string_view uri) {
+  if (is_data_uri(uri)) return std::nullopt;
+  const std::optional<std::string> path = percent_decode(uri);
+  if (!path) return std::nullopt;
+  return fs::path(*path);
+}
+
 Result<fs::path> resolve_file_uri(std::string_view uri, const fs::path& folder) {
   const std::optional<std::string> path = percent_decode(uri);
   if (!path || !stays_below(*path)) {

@@ -1,6 +1,6 @@
 #include "evaluation/reproduce/drawing.hpp"
 
-#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/run_program.hpp"
 
 namespace pelt::reproduce {

@@ -3,7 +3,7 @@
 #include "evaluation/reproduce/chart.hpp"
 #include "evaluation/reproduce/html.hpp"
 #include "evaluation/reproduce/picture.hpp"
-#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/progress.hpp"
 
 #include <nlohmann/json.hpp>

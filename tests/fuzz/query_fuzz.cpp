@@ -10,7 +10,6 @@
 #include "region/region_oracle.hpp"
 #include "support/exact_winding.hpp"
 #include "support/require.hpp"
-#include "support/side_at.hpp"
 
 #include <pelt/pelt.hpp>
 #include <pelt/target.hpp>
@@ -157,7 +156,7 @@ void check_region(const Region& region, FuzzedBody& body, Scratch& scratch) {
 }
 
 PointSide side(FuzzedBody& body, const Vec3& point, Scratch& scratch) {
-  return side_at(body.pose, body.surface, point, scratch);
+  return side_of(body.pose, body.surface, point, scratch);
 }
 
 /// Those that are corners of a triangle.

@@ -4,7 +4,6 @@
 
 #include "support/exact_winding.hpp"
 #include "support/pinned_shapes.hpp"
-#include "support/side_at.hpp"
 #include "support/targets.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +34,7 @@ class Body {
     positions_ = positions;
   }
 
-  PointSide side_of(const Vec3& point) { return side_at(pose_, surface_, point, scratch_); }
+  PointSide side_of(const Vec3& point) { return pelt::side_of(pose_, surface_, point, scratch_); }
 
   PointSide expected(const Vec3& point) const {
     return ExactWinding(positions_, triangles_).side_of(point);

@@ -63,6 +63,15 @@ Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& argumen
   return run_program(folder.path(), words, search_path);
 }
 
+std::set<std::string> names_in(const TestFolder& folder) { return names_in_path(folder.path()); }
+
+std::set<std::string> names_in_path(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.insert(entry.path().filename().string());
+  return names;
+}
+
 std::string read_text(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   EXPECT_TRUE(file) << path;

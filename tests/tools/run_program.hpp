@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ Ended run_program(const std::filesystem::path& folder, const std::vector<std::st
 /// Runs the command with these arguments.
 Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& arguments,
                const std::string& search_path = "");
+
+/// The names in a folder.
+std::set<std::string> names_in(const TestFolder& folder);
+std::set<std::string> names_in_path(const std::filesystem::path& folder);
 
 std::string read_text(const std::filesystem::path& path);
 std::vector<std::string> lines_of(const std::string& text);

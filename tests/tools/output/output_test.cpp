@@ -2,6 +2,7 @@
 
 #include "tools/pelt/output/output.hpp"
 
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"
 
@@ -42,8 +43,8 @@ TEST_P(LostOutput, IsAnError) {
 
 INSTANTIATE_TEST_SUITE_P(Verbs, LostOutput,
                          ::testing::Values("check scene.json", "check strip.glb",
-                                           "check strip.glb --jsonl -", "info strip.glb",
-                                           "info strip.glb --json",
+                                           "check strip.glb --jsonl -",
+                                           "info strip.glb", "info strip.glb --json",
                                            "bench scene.json --frames 0:1 --repeat 1", "--help",
                                            "check --help", "--version"));
 
@@ -51,7 +52,7 @@ TEST(Output, FileDoesNotTakeThePlaceOfAClosedStream) {
   const TestFolder folder;
   write_strip(folder, "strip.glb");
   const Ended whole = run_in_shell(folder, "check strip.glb --jsonl whole");
-  EXPECT_EQ(whole.exit_code, 0);
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
   run_in_shell(folder, "check strip.glb --jsonl closed <&- >&- 2>&-");
   EXPECT_EQ(read_text(folder / "closed"), read_text(folder / "whole"));
 }

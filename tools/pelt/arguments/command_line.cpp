@@ -6,6 +6,7 @@
 #include "asset/printable.hpp"
 #include "scenes/nearest_name.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/unfinished_files.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -100,6 +101,7 @@ int run(const Program& program, int argc, char** argv) {
 
 int run_command_line(const Program& program, int argc, char** argv) {
   output::reserve_standard_streams();
+  output::remove_unfinished_files_on_signals();
   try {
     return run(program, argc, argv);
   } catch (const std::bad_alloc&) {

@@ -23,10 +23,6 @@ bool is_scene_file(const std::string& path) {
   return std::filesystem::path(path).extension() == ".json";
 }
 
-bool asks_for_scene(const SceneArguments& arguments) {
-  return arguments.inputs.size() == 1 && is_scene_file(arguments.inputs[0]);
-}
-
 struct PlacingOption {
   const char* name;
   std::size_t count;
@@ -211,6 +207,10 @@ void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded neede
       "Frames per second: frame f is at f / FPS seconds (default: that of the scene, or 30)",
       {.type = "FPS"});
   add_model_options(verb, arguments.models);
+}
+
+bool asks_for_scene(const SceneArguments& arguments) {
+  return arguments.inputs.size() == 1 && is_scene_file(arguments.inputs[0]);
 }
 
 Result<Scene> open_scene(const SceneArguments& arguments) {

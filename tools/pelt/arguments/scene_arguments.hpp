@@ -26,6 +26,9 @@ enum class InputsNeeded { one, none };
 void add_scene_options(Verb& verb, SceneArguments& arguments,
                        InputsNeeded needed = InputsNeeded::one);
 
+/// Whether the only input is a scene file.
+bool asks_for_scene(const SceneArguments& arguments);
+
 /// Loads what the arguments name. A scene made of models lasts as long as its longest clip, and has
 /// notes where they stand still or in one place.
 Result<scenes::Scene> open_scene(const SceneArguments& arguments);

@@ -5,11 +5,9 @@
 #include "scenes/nearest_name.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 
-#include <filesystem>
 #include <utility>
 
 namespace pelt::tools::check {
@@ -104,23 +102,6 @@ Result<std::vector<scenes::NamePair>> choose_ignored(const CheckArguments& argum
       "leave it out");
 }
 
-/// A failing check that overwrote its baseline would let the next check pass.
-Result<void> keep_baseline(const CheckArguments& arguments) {
-  struct Output {
-    const char* option;
-    const std::string& path;
-  };
-  for (const auto& [option, path] :
-       {Output{"--jsonl", arguments.jsonl}, Output{"--glb", arguments.glb},
-        Output{"--html", arguments.html}}) {
-    std::error_code missing;
-    if (path.empty() || path == output::kStandardOutput) continue;
-    if (!std::filesystem::equivalent(path, arguments.baseline, missing)) continue;
-    return output::bad_argument(option, "is the --baseline itself", "name another file");
-  }
-  return {};
-}
-
 /// Precondition: `settings` is complete except for `baseline` and `fail_on`.
 Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& arguments,
                                                      const CheckSettings& settings,
@@ -129,7 +110,6 @@ Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& argum
   if (settings.max_contacts)
     return output::bad_argument("--baseline", "requires all contacts",
                                 "leave out --first and --max-contacts");
-  if (const auto kept = keep_baseline(arguments); !kept) return kept.error();
   const CheckQuestion question = question_of(settings, scene, arguments.scene.models);
   Result<CheckBaseline> known = CheckBaseline::read(arguments.baseline, question, scene);
   if (!known) return known.error();
@@ -236,11 +216,6 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   choices.take(choose_fail_on(arguments), settings.fail_on);
   choices.take(choose_baseline(arguments, settings, scene), settings.baseline);
   if (choices.refusal()) return *choices.refusal();
-  // Report unwritable outputs before long work, and before --jsonl is replaced.
-  if (!arguments.glb.empty()) {
-    if (const auto writable = output::check_writable(arguments.glb); !writable)
-      return writable.error();
-  }
   return settings;
 }
 

@@ -2,7 +2,7 @@
 
 #include "asset/message.hpp"
 #include "tools/pelt/check/summary.hpp"
-#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
@@ -12,13 +12,24 @@
 namespace pelt::tools::check {
 namespace {
 
-Result<void> write_contacts_glb(const std::string& path, const scene::StagedScene& staged,
+/// The outputs of a check, opened before long work: what cannot be written is refused at once.
+struct OutputFiles {
+  output::OutputFile jsonl, glb, html;
+
+  Result<void> open(const CheckOutputs& outputs) {
+    if (const auto opened = jsonl.open(outputs.jsonl); !opened) return opened;
+    if (const auto opened = glb.open(outputs.glb); !opened) return opened;
+    return html.open(outputs.html);
+  }
+};
+
+Result<void> write_contacts_glb(output::OutputFile& file, const scene::StagedScene& staged,
                                 const CheckReport::Kept& kept,
                                 const arguments::ModelArguments& models) {
+  if (file.stream() == nullptr) return {};
   const auto posed = scene::pose_instances(staged.scene, kept.frame, models);
   if (!posed) return posed.error();
-  return output::write_file(
-      path,
+  return file.write_and_close(
       scene::contacts_glb(*posed, scene::touching_triangles(*posed, staged.colliders, kept.found)));
 }
 
@@ -35,11 +46,11 @@ std::string outer_lines(const scene::StagedScene& staged, const CheckQuestion& q
   return lines.str();
 }
 
-Result<void> write_page(const CheckOutputs& outputs, const scenes::Scene& scene,
-                        const arguments::ModelArguments& models, const page::PageAnswer& answer) {
-  const Result<std::string> page = page::page_of_scene(scene, models, {outputs.words, answer});
+Result<void> write_page(output::OutputFile& file, const scenes::Scene& scene,
+                        const arguments::ModelArguments& models, const page::PageData& data) {
+  const Result<std::string> page = page::page_of_scene(scene, models, data);
   if (!page) return page.error();
-  return output::write_file(outputs.html, std::as_bytes(std::span(*page)));
+  return file.write_and_close(std::as_bytes(std::span(*page)));
 }
 
 }  // namespace
@@ -47,29 +58,27 @@ Result<void> write_page(const CheckOutputs& outputs, const scenes::Scene& scene,
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
                                 const arguments::ModelArguments& models,
                                 const CheckOutputs& outputs, std::ostream& words) {
+  OutputFiles files;
+  if (const auto opened = files.open(outputs); !opened) return opened.error();
   const auto colliders = scene::make_colliders(scene, settings.granularity, models);
   if (!colliders) return colliders.error();
   const scene::StagedScene staged = {scene, *colliders};
   Result<TouchTally> tally = TouchTally::make(staged);
   if (!tally) return tally.error();
-  output::LineOutput lines;
-  if (const auto opened = lines.open(outputs.jsonl); !opened) return opened.error();
   std::optional<JsonlWriter> jsonl;
   const CheckQuestion question = question_of(settings, scene, models);
-  if (lines.stream() != nullptr) jsonl.emplace(*lines.stream(), question, staged);
+  if (files.jsonl.stream() != nullptr) jsonl.emplace(*files.jsonl.stream(), question, staged);
   if (jsonl) jsonl->header();
   JsonlWriter* const writer = jsonl ? &*jsonl : nullptr;
   Result<CheckReport> report = run_check(staged, settings, *tally, writer);
   if (!report) return asset::prefixed(scene.name, report.error());
-  if (const auto closed = lines.close(); !closed) return closed.error();
-  if (!outputs.glb.empty()) {
-    const auto written = write_contacts_glb(outputs.glb, staged, report->kept, models);
-    if (!written) return written.error();
-  }
-  if (!outputs.html.empty()) {
+  if (const auto closed = files.jsonl.close(); !closed) return closed.error();
+  const auto drawn = write_contacts_glb(files.glb, staged, report->kept, models);
+  if (!drawn) return drawn.error();
+  if (files.html.stream() != nullptr) {
     const page::PageAnswer answer = {report->frame_contacts,
                                      outer_lines(staged, question, *report, *tally)};
-    const auto written = write_page(outputs, scene, models, answer);
+    const auto written = write_page(files.html, scene, models, {outputs.words, answer});
     if (!written) return written.error();
   }
   print_summary(staged, settings, *report, *tally, words);

@@ -1,44 +1,30 @@
 #include "tools/pelt/output/output.hpp"
 
 #include "asset/printable.hpp"
+#include "tools/pelt/output/output_place.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <iostream>
+#include <system_error>
 
 namespace pelt::tools::output {
 
-Error unwritable(const std::string& name) {
+Error unwritable(const std::string& name, int error) {
+  const std::string why = error == 0 ? "" : ": " + std::generic_category().message(error);
   if (name == kStandardOutput) {
-    return {
-        ErrorCode::unreadable_file,
-        "standard output: cannot be written: check that it is open and that the disk has space"};
+    return {ErrorCode::unreadable_file, "standard output: cannot be written" + why +
+                                            ": check that it is open and that the disk has space"};
   }
   return {ErrorCode::unreadable_file,
-          name + ": cannot be written: check that its folder exists and that the disk has space"};
-}
-
-Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (file) return {};
-  return unwritable(path.string());
+          name + ": cannot be written" + why +
+              ": check that its folder exists and that the disk has space"};
 }
 
 void print_written(const std::string& name, std::ostream& words) {
-  if (!name.empty() && name != kStandardOutput) words << "wrote " << asset::printable(name) << '\n';
-}
-
-Result<void> check_writable(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const bool is_new = !std::filesystem::exists(path, ignored);
-  if (!std::ofstream(path, std::ios::app)) return unwritable(path.string());
-  if (is_new) std::filesystem::remove(path, ignored);
-  return {};
+  if (!name.empty() && !is_standard_output(name))
+    words << "wrote " << asset::printable(name) << '\n';
 }
 
 Result<void> flush_standard_output() {

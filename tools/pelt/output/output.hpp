@@ -4,28 +4,18 @@
 
 #include <pelt/result.hpp>
 
-#include <cstddef>
-#include <filesystem>
 #include <ostream>
-#include <span>
 #include <string>
 
 namespace pelt::tools::output {
 
-/// File name that means standard output.
-inline constexpr const char* kStandardOutput = "-";
-
-/// `name` as the user gave it: a path or kStandardOutput.
-Error unwritable(const std::string& name);
-
-Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+/// The refusal of an output that cannot be written. `name` as the user gave it: a path or
+/// kStandardOutput; `error` is the errno that says why, or 0.
+Error unwritable(const std::string& name, int error = 0);
 
 /// Tells people of a file that was written; of standard output and of "", which is no file,
 /// nothing.
 void print_written(const std::string& name, std::ostream& words);
-
-/// Whether a file can be written there, asked before long work; what it holds stays.
-Result<void> check_writable(const std::filesystem::path& path);
 
 /// Fails where any of what went to std::cout since the start is lost.
 Result<void> flush_standard_output();

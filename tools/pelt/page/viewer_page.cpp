@@ -19,20 +19,6 @@ constexpr std::string_view kMaker = R"(<meta name="generator" content="Pelt )" P
 constexpr const char* kRemedy =
     "build it with scripts/build-viewer, or set PELT_VIEWER to its path";
 
-/// Possible locations of the page, the most specific first.
-std::vector<fs::path> places() {
-  // The environment is read once, before there are threads.
-  const char* named = std::getenv("PELT_VIEWER");  // NOLINT(concurrency-mt-unsafe)
-  if (named != nullptr) return {named};
-  std::vector<fs::path> places;
-  std::error_code error;
-  const fs::path command = fs::read_symlink("/proc/self/exe", error);
-  if (!error)
-    places.push_back(command.parent_path().parent_path() / "share" / "pelt" / "viewer.html");
-  places.emplace_back(PELT_VIEWER_BUILT);
-  return places;
-}
-
 std::string as_text(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -57,8 +43,21 @@ std::string for_script(std::string_view text) {
 
 }  // namespace
 
+std::vector<fs::path> viewer_places() {
+  // The environment is read once, before there are threads.
+  const char* named = std::getenv("PELT_VIEWER");  // NOLINT(concurrency-mt-unsafe)
+  if (named != nullptr) return {named};
+  std::vector<fs::path> places;
+  std::error_code error;
+  const fs::path command = fs::read_symlink("/proc/self/exe", error);
+  if (!error)
+    places.push_back(command.parent_path().parent_path() / "share" / "pelt" / "viewer.html");
+  places.emplace_back(PELT_VIEWER_BUILT);
+  return places;
+}
+
 Result<std::string> read_viewer() {
-  for (const fs::path& place : places()) {
+  for (const fs::path& place : viewer_places()) {
     std::error_code ignored;
     if (!fs::exists(place, ignored)) continue;
     const auto bytes = asset::read_file(place);

@@ -4,7 +4,13 @@
 
 #include "tools/pelt/page/page_data.hpp"
 
+#include <filesystem>
+#include <vector>
+
 namespace pelt::tools::page {
+
+/// Possible locations of the page, the most specific first.
+std::vector<std::filesystem::path> viewer_places();
 
 /// The page as it was built: it opens with generated characters. Where the environment's
 /// PELT_VIEWER says, and nowhere else if it says anything; else beside the command's installation

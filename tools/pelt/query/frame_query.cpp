@@ -1,8 +1,8 @@
 #include "tools/pelt/query/frame_query.hpp"
 
 #include "asset/message.hpp"
-#include "tools/pelt/output/line_output.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
@@ -69,7 +69,7 @@ Result<scene::FrameCosts> ask_frames(const scene::StagedScene& staged,
 
 Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::FrameRange& frames,
                              FrameQuery& query, const QueryOutputs& outputs) {
-  output::LineOutput file;
+  output::OutputFile file;
   if (const auto opened = file.open(outputs.jsonl); !opened) return opened.error();
   QueryLines lines(staged, query, file.stream());
   lines.header(frames);

@@ -45,7 +45,7 @@ class FrameQuery {
 
 /// Destinations of the results of a query.
 struct QueryOutputs {
-  std::string jsonl;    ///< path, as LineOutput::open expects it
+  std::string jsonl;    ///< path, as OutputFile::open expects it
   std::ostream& words;  ///< the summary
 };
 

@@ -1,6 +1,7 @@
 #include "tools/pelt/scene/query_arguments.hpp"
 
 #include "asset/message.hpp"
+#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -29,6 +30,10 @@ Result<QueryInput> open_query(const QueryArguments& arguments) {
   const Result<arguments::FrameRange> frames =
       arguments::choose_frames(arguments.frames, arguments.scene, *scene);
   if (!frames) return frames.error();
+  const output::NamedOutput output = {"--jsonl", arguments.jsonl};
+  const auto checked =
+      output::check_outputs({&output, 1}, arguments::files_of_scene(arguments.scene, *scene));
+  if (!checked) return checked.error();
   return QueryInput{std::move(*scene), *frames};
 }
 

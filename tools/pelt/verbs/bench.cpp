@@ -3,12 +3,14 @@
 
 #include "asset/message.hpp"
 #include "scenes/nearest_name.hpp"
+#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/bench_against.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -165,13 +167,13 @@ Result<BenchSettings> choose(const Arguments& arguments) {
 }
 
 Result<arguments::ExitCode> bench_file(const std::string& path, const BenchSettings& settings,
-                                       std::vector<SceneFigures>& figures) {
+                                       std::vector<SceneFigures>& figures, std::ostream& words) {
   const auto scene = scenes::load_scene(path, settings.models.gltf_options());
   if (!scene) return scene.error();
   const Result<arguments::ExitCode> exit = bench_scene(*scene, settings, figures, std::cerr);
   if (!exit || *exit != arguments::ExitCode::success) return exit;
-  if (figures.size() == 1) print_machine(std::cout);
-  print_figures(figures.back(), std::cout);
+  if (figures.size() == 1) print_machine(words);
+  print_figures(figures.back(), words);
   return exit;
 }
 
@@ -187,9 +189,9 @@ Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments) {
 }
 
 arguments::ExitCode compare(const Baseline& baseline, const Arguments& arguments,
-                            std::span<const SceneFigures> figures) {
+                            std::span<const SceneFigures> figures, std::ostream& words) {
   const BenchComparison comparison =
-      print_comparison(baseline, figures, arguments.margin.value_or(kNoisePercent), std::cout);
+      print_comparison(baseline, figures, arguments.margin.value_or(kNoisePercent), words);
   if (comparison.different_answers == 0) return arguments::ExitCode::success;
   std::cerr
       << "pelt: error: " << output::counted(comparison.different_answers, "answer")
@@ -199,28 +201,46 @@ arguments::ExitCode compare(const Baseline& baseline, const Arguments& arguments
   return arguments::ExitCode::internal;
 }
 
+/// Reads the scenes once more than measuring them does: their models must be known before.
+Result<void> check_output(const Arguments& arguments, const BenchSettings& settings) {
+  if (arguments.json.empty()) return {};
+  std::vector<output::InputFile> inputs;
+  if (!arguments.against.empty())
+    inputs.push_back({arguments.against, "what --against compares with"});
+  for (const std::string& path : arguments.scenes) {
+    const auto scene = scenes::load_scene(path, settings.models.gltf_options());
+    if (!scene) return scene.error();
+    arguments::SceneArguments of_scene;
+    of_scene.inputs = {path};
+    for (output::InputFile& file : arguments::files_of_scene(of_scene, *scene))
+      inputs.push_back(std::move(file));
+  }
+  const output::NamedOutput output = {"--json", arguments.json};
+  return output::check_outputs({&output, 1}, inputs);
+}
+
 Result<arguments::ExitCode> bench_scenes(const Arguments& arguments) {
   if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
   const Result<BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
   const auto baseline = choose_baseline(arguments);
   if (!baseline) return baseline.error();
-  if (!arguments.json.empty()) {
-    if (const auto writable = output::check_writable(arguments.json); !writable)
-      return writable.error();
-  }
+  if (const auto checked = check_output(arguments, *settings); !checked) return checked.error();
+  output::OutputFile json;
+  if (const auto opened = json.open(arguments.json); !opened) return opened.error();
+  std::ostream& words = output::words_beside({arguments.json});
   std::vector<SceneFigures> figures;
   for (const std::string& path : arguments.scenes) {
-    const Result<arguments::ExitCode> exit = bench_file(path, *settings, figures);
+    const Result<arguments::ExitCode> exit = bench_file(path, *settings, figures, words);
     if (!exit || *exit != arguments::ExitCode::success) return exit;
   }
   if (!arguments.json.empty()) {
     const std::string text = figures_json(figures);
-    const auto written = output::write_file(arguments.json, std::as_bytes(std::span(text)));
+    const auto written = json.write_and_close(std::as_bytes(std::span(text)));
     if (!written) return written.error();
-    output::print_written(arguments.json, std::cout);
+    output::print_written(arguments.json, words);
   }
-  return *baseline ? compare(**baseline, arguments, figures) : arguments::ExitCode::success;
+  return *baseline ? compare(**baseline, arguments, figures, words) : arguments::ExitCode::success;
 }
 
 void add_options(arguments::Verb& verb, Arguments& arguments) {

@@ -1,7 +1,7 @@
 /// `pelt bounds`: how large posed characters are, frame by frame.
 
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/bounds_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
@@ -51,7 +51,7 @@ Result<arguments::ExitCode> bounds(const Arguments& arguments) {
   query::BoundsQuery query(
       staged, {*by, arguments.exact ? query::BoundsKind::exact : query::BoundsKind::guaranteed});
   const query::QueryOutputs outputs = {arguments.query.jsonl,
-                                       output::words_beside(arguments.query.jsonl)};
+                                       output::words_beside({arguments.query.jsonl})};
   const auto answered = query::run_frame_query(staged, input->frames, query, outputs);
   if (!answered) return answered.error();
   return arguments::ExitCode::success;

@@ -1,13 +1,16 @@
 /// `pelt check`: which triangles collide, frame by frame.
 
+#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_arguments.hpp"
 #include "tools/pelt/check/check_scene.hpp"
-#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/verbs/commands.hpp"
+
+#include <array>
 
 namespace pelt::tools::verbs {
 namespace {
@@ -48,13 +51,26 @@ Result<void> check_for_page(const check::CheckArguments& arguments) {
   if (arguments.max_contacts) return refused("--max-contacts");
   // Report missing inputs before long work.
   if (const auto viewer = page::read_viewer(); !viewer) return viewer.error();
-  return output::check_writable(arguments.html);
+  return {};
+}
+
+Result<void> check_outputs(const check::CheckArguments& arguments, const scenes::Scene& scene) {
+  std::vector<output::InputFile> inputs = arguments::files_of_scene(arguments.scene, scene);
+  if (!arguments.baseline.empty())
+    inputs.push_back({arguments.baseline, "the baseline " + arguments.baseline});
+  for (const std::filesystem::path& place : page::viewer_places())
+    inputs.push_back({place, "the viewer's page"});
+  const std::array outputs = {output::NamedOutput{"--jsonl", arguments.jsonl},
+                              output::NamedOutput{"--glb", arguments.glb},
+                              output::NamedOutput{"--html", arguments.html}};
+  return output::check_outputs(outputs, inputs);
 }
 
 Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
   if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
   Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
+  if (const auto checked = check_outputs(arguments, *scene); !checked) return checked.error();
   if (const auto checked = check_for_page(arguments); !checked) return checked.error();
   const Result<check::CheckSettings> settings = check::choose_settings(arguments, *scene);
   if (!settings) return settings.error();
@@ -64,8 +80,9 @@ Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
   outputs.glb = arguments.glb;
   outputs.html = arguments.html;
   outputs.words = arguments.words;
-  const Result<check::CheckReport> report = check::check_scene(
-      *scene, *settings, arguments.scene.models, outputs, output::words_beside(arguments.jsonl));
+  const Result<check::CheckReport> report =
+      check::check_scene(*scene, *settings, arguments.scene.models, outputs,
+                         output::words_beside({arguments.jsonl, arguments.glb, arguments.html}));
   if (!report) return report.error();
   return report->verdict.is_failed ? arguments::ExitCode::contact : arguments::ExitCode::success;
 }

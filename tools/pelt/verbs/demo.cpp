@@ -6,6 +6,8 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_scene.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_conflicts.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/run_program.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/picture/still.hpp"
@@ -37,6 +39,9 @@ clip in a browser) and still.png (a picture of one frame, rendered by POV-Ray).)
 
 /// The frame of still.png.
 constexpr std::uint32_t kStillFrame = 40;
+
+constexpr const char* kPicture = "still.png";
+constexpr const char* kDescription = "still.pov";
 
 Result<void> write_text(const fs::path& path, std::string_view text) {
   return output::write_file(path, std::as_bytes(std::span(text)));
@@ -86,13 +91,8 @@ Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
   return {};
 }
 
-void remove_file(const fs::path& path) {
-  std::error_code ignored;
-  fs::remove(path, ignored);
-}
-
-/// A missing ray tracer is no failure of the demo: all but the picture is there.
-void render(const fs::path& description, const fs::path& picture) {
+/// Runs POV-Ray, which tells a picture's format by the end of its name.
+output::ProgramEnd render(const fs::path& description, const fs::path& picture) {
   const std::vector<std::string> command = {"povray",
                                             "+I" + description.string(),
                                             "+O" + picture.string(),
@@ -102,36 +102,60 @@ void render(const fs::path& description, const fs::path& picture) {
                                             "-D",
                                             "-P",
                                             "+Q11"};
-  switch (output::run_program(command)) {
-    case output::ProgramEnd::succeeded:
-      output::print_written(picture.string(), std::cout);
-      remove_file(description);
-      return;
-    case output::ProgramEnd::not_found:
-      std::cout << "no picture: POV-Ray is not installed. Run `apt-get install povray`, then "
-                   "`pelt demo` again\n";
-      return;
-    case output::ProgramEnd::failed:
-      std::cout << "no picture: POV-Ray failed on " << asset::printable(description.string())
-                << "; run `povray " << asset::printable(description.string()) << "` to see why\n";
-      return;
-  }
+  return output::run_program(command);
 }
 
+/// A missing ray tracer is no failure of the demo: all but the picture is there.
+void say_why_not(output::ProgramEnd end, const fs::path& description) {
+  if (end == output::ProgramEnd::not_found) {
+    std::cout << "no picture: POV-Ray is not installed. Run `apt-get install povray`, then "
+                 "`pelt demo` again\n";
+    return;
+  }
+  const std::string name = asset::printable(description.string());
+  std::cout << "no picture: POV-Ray failed on " << name << "; run `povray " << name
+            << "` to see why\n";
+}
+
+/// The picture's description stays only if the picture cannot be made of it.
 Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
   const Result<picture::StillFrame> still = picture::take_still(scene, kStillFrame);
   if (!still) return still.error();
-  const fs::path description = folder / "still.pov";
+  const fs::path description = folder / kDescription, picture = folder / kPicture;
   if (const auto written = write_text(description, picture::describe_still(*still)); !written)
     return written.error();
+  output::OutputFile file;
+  if (const auto opened = file.open(picture.string()); !opened) return opened.error();
   std::cout << "rendering ..." << std::endl;
-  render(description, folder / "still.png");
+  const output::ProgramEnd end = render(description, file.temporary());
+  if (end != output::ProgramEnd::succeeded) {
+    say_why_not(end, description);
+    return {};
+  }
+  if (const auto closed = file.close(); !closed) return closed.error();
+  output::print_written(picture.string(), std::cout);
+  std::error_code ignored;
+  fs::remove(description, ignored);
   return {};
+}
+
+/// Refuses a folder in which links make two of the demo's files one, or one of them the viewer's
+/// page.
+Result<void> check_folder(const fs::path& folder) {
+  std::vector<output::NamedOutput> outputs;
+  for (const char* name : {"scene.json", "azure.glb", "sand.glb", "contacts.jsonl", "contacts.glb",
+                           "report.html", kDescription, kPicture})
+    outputs.push_back({"-o", (folder / name).string()});
+  std::vector<output::InputFile> inputs;
+  for (const fs::path& place : page::viewer_places())
+    inputs.push_back({place, "the viewer's page"});
+  return output::check_outputs(outputs, inputs);
 }
 
 Result<arguments::ExitCode> demo(const Arguments& arguments) {
   const fs::path folder = arguments.folder;
   if (const auto made = make_folder(folder); !made) return made.error();
+  if (const auto checked = check_folder(folder); !checked) return checked.error();
   const Result<scenes::Scene> scene = write_scene(folder);
   if (!scene) return scene.error();
   if (const auto written = write_characters(*scene, folder); !written) return written.error();

@@ -3,7 +3,7 @@
 #include "asset/message.hpp"
 #include "tools/pelt/arguments/position_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/nearest_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
@@ -87,7 +87,7 @@ Result<arguments::ExitCode> distance(const Arguments& arguments) {
   if (!colliders) return colliders.error();
   const scene::StagedScene staged = {input->scene, *colliders};
   const query::QueryOutputs outputs = {arguments.query.jsonl,
-                                       output::words_beside(arguments.query.jsonl)};
+                                       output::words_beside({arguments.query.jsonl})};
   return answer(staged, *points, settings, input->frames, outputs);
 }
 

@@ -1,13 +1,13 @@
 /// `pelt pose`: the characters of one frame, as they were collided, as a .glb file.
 
+#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/pelt/verbs/commands.hpp"
-
-#include <iostream>
 
 namespace pelt::tools::verbs {
 namespace {
@@ -38,11 +38,17 @@ Result<arguments::ExitCode> pose(const Arguments& arguments) {
         "--frame", std::to_string(arguments.frame) + " is beyond the last frame",
         scene->name + " has " + output::counted(scene->frame_count, "frame"));
   }
+  const output::NamedOutput output = {"--output", arguments.output};
+  const auto checked =
+      output::check_outputs({&output, 1}, arguments::files_of_scene(arguments.scene, *scene));
+  if (!checked) return checked.error();
+  output::OutputFile file;
+  if (const auto opened = file.open(arguments.output); !opened) return opened.error();
   const auto posed = scene::pose_instances(*scene, arguments.frame, arguments.scene.models);
   if (!posed) return posed.error();
-  const auto written = output::write_file(arguments.output, scene::posed_glb(*posed));
-  if (!written) return written.error();
-  output::print_written(arguments.output, std::cout);
+  if (const auto written = file.write_and_close(scene::posed_glb(*posed)); !written)
+    return written.error();
+  output::print_written(arguments.output, output::words_beside({arguments.output}));
   return arguments::ExitCode::success;
 }
 

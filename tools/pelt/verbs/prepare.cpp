@@ -5,9 +5,11 @@
 #include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"
 #include "scenes/scene.hpp"
+#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/prepared/prepared_file.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -15,7 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iomanip>
-#include <iostream>
+#include <ostream>
 
 namespace pelt::tools::verbs {
 namespace {
@@ -53,7 +55,9 @@ double loading_milliseconds(std::span<const std::byte> file) {
   return least;
 }
 
-std::ostream& label(const char* name) { return std::cout << std::left << std::setw(11) << name; }
+std::ostream& label(std::ostream& out, const char* name) {
+  return out << std::left << std::setw(11) << name;
+}
 
 /// A built model with its number of sample poses and build time.
 struct Prepared {
@@ -75,38 +79,45 @@ Result<Prepared> build(const scenes::Character& character,
   return Prepared{*model, samples.size() / asset.joints.size(), build_ms};
 }
 
-void print(const scenes::Character& character, const Prepared& prepared) {
+void print(const scenes::Character& character, const Prepared& prepared, std::ostream& out) {
   const SkinnedModel& model = prepared.model;
-  label("model") << asset::printable(character.source) << ": "
-                 << output::with_commas(model.vertex_count()) << " vertices, "
-                 << output::with_commas(model.triangle_count()) << " triangles, "
-                 << output::counted(model.joint_count(), "joint") << '\n';
-  label("samples") << output::counted(prepared.sample_poses, "pose") << " of "
-                   << output::counted(character.asset.clips.size(), "clip") << '\n';
-  label("build") << output::fixed(prepared.build_ms, 2) << " ms\n";
+  label(out, "model") << asset::printable(character.source) << ": "
+                      << output::with_commas(model.vertex_count()) << " vertices, "
+                      << output::with_commas(model.triangle_count()) << " triangles, "
+                      << output::counted(model.joint_count(), "joint") << '\n';
+  label(out, "samples") << output::counted(prepared.sample_poses, "pose") << " of "
+                        << output::counted(character.asset.clips.size(), "clip") << '\n';
+  label(out, "build") << output::fixed(prepared.build_ms, 2) << " ms\n";
 }
 
-void print(const std::string& output, std::span<const std::byte> file, double build_ms) {
+void print(const std::string& output, std::span<const std::byte> file, double build_ms,
+           std::ostream& out) {
   const double load_ms = loading_milliseconds(file);
-  label("prepared") << output::with_commas(file.size()) << " bytes\n";
-  label("load") << output::fixed(load_ms, 2) << " ms, " << output::fixed(build_ms / load_ms, 0)
-                << " times faster\n";
-  output::print_written(output, std::cout);
+  label(out, "prepared") << output::with_commas(file.size()) << " bytes\n";
+  label(out, "load") << output::fixed(load_ms, 2) << " ms, " << output::fixed(build_ms / load_ms, 0)
+                     << " times faster\n";
+  output::print_written(output, out);
 }
 
 Result<arguments::ExitCode> prepare(const Arguments& arguments) {
   const Result<scenes::Character> character = arguments::load_named_character(
       arguments.model, arguments.models.gltf_options(), "a glTF file, .glb or .gltf");
   if (!character) return character.error();
+  const output::NamedOutput output = {"--output", arguments.output};
+  const auto checked =
+      output::check_outputs({&output, 1}, arguments::files_of_model(arguments.model));
+  if (!checked) return checked.error();
+  output::OutputFile output_file;
+  if (const auto opened = output_file.open(arguments.output); !opened) return opened.error();
   const Result<Prepared> prepared = build(*character, arguments.models);
   if (!prepared) return prepared.error();
   const std::vector<std::byte> file = save_model(prepared->model);
   const Result<SkinnedModel> loaded = prepared::load_named_model(arguments.output, file);
   if (!loaded) return loaded.error();
-  const Result<void> written = output::write_file(arguments.output, file);
-  if (!written) return written.error();
-  print(*character, *prepared);
-  print(arguments.output, file, prepared->build_ms);
+  if (const auto written = output_file.write_and_close(file); !written) return written.error();
+  std::ostream& words = output::words_beside({arguments.output});
+  print(*character, *prepared, words);
+  print(arguments.output, file, prepared->build_ms, words);
   return arguments::ExitCode::success;
 }
 

@@ -3,7 +3,7 @@
 #include "asset/message.hpp"
 #include "tools/pelt/arguments/position_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/ray_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
@@ -85,7 +85,7 @@ Result<arguments::ExitCode> ray(const Arguments& arguments) {
   const scene::StagedScene staged = {input->scene, *colliders};
   query::RayQuery query(staged, settings);
   const query::QueryOutputs outputs = {arguments.query.jsonl,
-                                       output::words_beside(arguments.query.jsonl)};
+                                       output::words_beside({arguments.query.jsonl})};
   const auto answered = query::run_frame_query(staged, input->frames, query, outputs);
   if (!answered) return answered.error();
   return arguments::ExitCode::success;

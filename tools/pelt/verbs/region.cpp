@@ -1,7 +1,7 @@
 /// `pelt region`: which characters are in a region of space, frame by frame.
 
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/query/region_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -40,7 +40,7 @@ Result<arguments::ExitCode> region(const Arguments& arguments) {
   query::RegionQuery query(
       staged, {std::move(*chosen), *granularity, arguments.triangles, input->frames.stride});
   const query::QueryOutputs outputs = {arguments.query.jsonl,
-                                       output::words_beside(arguments.query.jsonl)};
+                                       output::words_beside({arguments.query.jsonl})};
   const auto answered = query::run_frame_query(staged, input->frames, query, outputs);
   if (!answered) return answered.error();
   return arguments::ExitCode::success;

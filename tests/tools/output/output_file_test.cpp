@@ -1,4 +1,4 @@
-#include "tools/pelt/output/line_output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"
@@ -7,63 +7,62 @@ namespace pelt::test {
 namespace {
 
 namespace fs = std::filesystem;
-using tools::output::LineOutput;
+using tools::output::OutputFile;
 
-TEST(LineOutput, LeavesTheFileAsItWasUntilItIsClosed) {
+TEST(OutputFile, LeavesTheFileAsItWasUntilItIsClosed) {
   const TestFolder folder;
   write_text(folder / "a.jsonl", "old\n");
-  LineOutput lines;
-  ASSERT_TRUE(lines.open(folder / "a.jsonl"));
-  *lines.stream() << "new\n" << std::flush;
+  OutputFile file;
+  ASSERT_TRUE(file.open(folder / "a.jsonl"));
+  *file.stream() << "new\n" << std::flush;
   EXPECT_EQ(read_text(folder / "a.jsonl"), "old\n");
-  ASSERT_TRUE(lines.close());
+  ASSERT_TRUE(file.close());
   EXPECT_EQ(read_text(folder / "a.jsonl"), "new\n");
-  EXPECT_FALSE(fs::exists(folder / "a.jsonl.partial"));
+  EXPECT_EQ(names_in(folder), std::set<std::string>{"a.jsonl"});
 }
 
-TEST(LineOutput, ThrowsAwayWhatIsNotClosed) {
+TEST(OutputFile, ThrowsAwayWhatIsNotClosed) {
   const TestFolder folder;
   write_text(folder / "a.jsonl", "old\n");
   {
-    LineOutput lines;
-    ASSERT_TRUE(lines.open(folder / "a.jsonl"));
-    *lines.stream() << "new\n";
+    OutputFile file;
+    ASSERT_TRUE(file.open(folder / "a.jsonl"));
+    *file.stream() << "new\n";
   }
   EXPECT_EQ(read_text(folder / "a.jsonl"), "old\n");
-  EXPECT_FALSE(fs::exists(folder / "a.jsonl.partial"));
+  EXPECT_EQ(names_in(folder), std::set<std::string>{"a.jsonl"});
 }
 
-TEST(LineOutput, FollowsALinkAndKeepsPermissions) {
+TEST(OutputFile, FollowsALinkAndKeepsPermissions) {
   const TestFolder folder;
   write_text(folder / "real.jsonl", "old\n");
   const fs::perms mode = fs::perms::owner_read | fs::perms::owner_write;
   fs::permissions(folder / "real.jsonl", mode);
   fs::create_symlink("real.jsonl", folder / "link.jsonl");
-  LineOutput lines;
-  ASSERT_TRUE(lines.open(folder / "link.jsonl"));
-  *lines.stream() << "new\n";
-  ASSERT_TRUE(lines.close());
+  OutputFile file;
+  ASSERT_TRUE(file.open(folder / "link.jsonl"));
+  *file.stream() << "new\n";
+  ASSERT_TRUE(file.close());
   EXPECT_TRUE(fs::is_symlink(folder / "link.jsonl"));
   EXPECT_EQ(read_text(folder / "real.jsonl"), "new\n");
   EXPECT_EQ(fs::status(folder / "real.jsonl").permissions(), mode);
 }
 
-TEST(LineOutput, WritesADeviceInPlace) {
-  LineOutput lines;
-  ASSERT_TRUE(lines.open("/dev/null"));
-  *lines.stream() << "new\n";
-  ASSERT_TRUE(lines.close());
+TEST(OutputFile, WritesADeviceInPlace) {
+  OutputFile file;
+  ASSERT_TRUE(file.open("/dev/null"));
+  *file.stream() << "new\n";
+  ASSERT_TRUE(file.close());
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  EXPECT_FALSE(fs::exists("/dev/null.partial"));
-  LineOutput full;
+  OutputFile full;
   ASSERT_TRUE(full.open("/dev/full"));
   *full.stream() << "new\n";
   EXPECT_FALSE(full.close());
 }
 
-TEST(LineOutput, NamesWhatCannotBeWritten) {
-  LineOutput lines;
-  const auto opened = lines.open("no/such/folder/a.jsonl");
+TEST(OutputFile, NamesWhatCannotBeWritten) {
+  OutputFile file;
+  const auto opened = file.open("no/such/folder/a.jsonl");
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().message.find("no/such/folder/a.jsonl: cannot be written"),
             std::string::npos);

@@ -1,0 +1,405 @@
+/// No output destroys an input or another output, and every file that a verb writes is complete or
+/// as it was before, whatever ends the verb.
+
+#include "tools/run_program.hpp"
+#include "tools/test_scenes.hpp"
+
+#include <pelt/version.hpp>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+namespace pelt::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+const std::string kOld = "what was there before\n";
+
+/// A verb with one output, whose name comes last.
+struct Writer {
+  std::string name;
+  Words words;
+  bool reads_scene = true;  ///< else a.gltf
+};
+
+void PrintTo(const Writer& writer, std::ostream* out) { *out << writer.name; }
+
+/// All outputs of all verbs; `demo` writes a folder and has tests of its own.
+std::vector<Writer> writers() {
+  return {{"check_jsonl", {"check", "scene.json", "--fail-on", "never", "--jsonl"}},
+          {"check_glb", {"check", "scene.json", "--fail-on", "never", "--glb"}},
+          {"check_html", {"check", "scene.json", "--fail-on", "never", "--html"}},
+          {"bounds", {"bounds", "scene.json", "--jsonl"}},
+          {"distance", {"distance", "scene.json", "--jsonl"}},
+          {"nearest", {"distance", "scene.json", "--from", "0,0,0", "--jsonl"}},
+          {"ray", {"ray", "scene.json", "--from", "0,0.5,-3", "--to", "0,0.5,3", "--jsonl"}},
+          {"region", {"region", "scene.json", "--sphere", "0,0,0,1", "--jsonl"}},
+          {"pose", {"pose", "scene.json", "--frame", "3", "-o"}},
+          {"prepare", {"prepare", "a.gltf", "-o"}, false},
+          {"bench",
+           {"bench", "scene.json", "--frames", "0:1", "--repeat", "1", "--methods", "on_demand",
+            "--json"}}};
+}
+
+/// A folder with a scene of a.gltf, which names a.bin and an image, and the viewer's page.
+class SafetyFolder {
+ public:
+  SafetyFolder() {
+    GltfBuilder builder = build_limb(12);
+    builder.document["buffers"] = {{{"byteLength", builder.binary.size()}, {"uri", "a.bin"}}};
+    builder.document["images"] = {{{"uri", "skin%20a.png"}}};
+    write_text(folder_ / "a.gltf", builder.document.dump());
+    write_bytes(folder_ / "a.bin", builder.binary);
+    write_text(folder_ / "skin a.png", "picture");
+    std::string scene = kLimbsScene;
+    for (const std::string model : {"one.glb", "two.glb"})
+      scene.replace(scene.find(model), model.size(), "a.gltf");
+    write_text(folder_ / "scene.json", scene);
+    write_text(folder_ / "viewer.html", viewer_page(PELT_VERSION));
+    EXPECT_EQ(setenv("PELT_VIEWER", (folder_ / "viewer.html").c_str(), 1), 0);
+  }
+  ~SafetyFolder() { unsetenv("PELT_VIEWER"); }
+
+  const TestFolder& get() const { return folder_; }
+  std::string operator/(const std::string& name) const { return folder_ / name; }
+
+  /// Names and contents, links followed.
+  std::map<std::string, std::string> contents() const {
+    std::map<std::string, std::string> all;
+    for (const std::string& name : names_in(folder_)) {
+      if (fs::is_regular_file(folder_ / name)) all[name] = read_text(folder_ / name);
+    }
+    return all;
+  }
+
+ private:
+  TestFolder folder_;
+};
+
+Words with(Words words, const std::string& last) {
+  words.push_back(last);
+  return words;
+}
+
+std::string shell_command(const Words& words) {
+  std::string command = "'" PELT_COMMAND "'";
+  for (const std::string& word : words) command.append(" '").append(word).append("'");
+  return command;
+}
+
+Ended run_in_shell(const SafetyFolder& folder, const std::string& script) {
+  return run_program(folder.get().path(), {"bash", "-c", script});
+}
+
+class Output : public ::testing::TestWithParam<Writer> {};
+
+std::string name_of(const ::testing::TestParamInfo<Writer>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Verbs, Output, ::testing::ValuesIn(writers()), name_of);
+
+TEST_P(Output, IsNoInput) {
+  const SafetyFolder folder;
+  fs::create_directory(folder / "sub");
+  fs::create_symlink("a.gltf", folder / "symbolic.gltf");
+  fs::create_symlink("symbolic.gltf", folder / "twice.gltf");
+  fs::create_directory_symlink(".", folder / "here");
+  fs::create_hard_link(folder / "a.gltf", folder / "hard.gltf");
+  Words inputs = {"a.gltf",     "./a.gltf",    "sub/../a.gltf", "symbolic.gltf",
+                  "twice.gltf", "here/a.gltf", "hard.gltf",     "A.GLTF",
+                  "a.bin",      "skin a.png",  "Skin A.PNG",    folder / "a.gltf"};
+  if (GetParam().reads_scene) inputs.push_back("scene.json");
+  if (GetParam().name.starts_with("check")) inputs.push_back("viewer.html");
+  const auto before = folder.contents();
+  for (const std::string& input : inputs) {
+    const Ended run = run_pelt(folder.get(), with(GetParam().words, input));
+    EXPECT_EQ(run.exit_code, 2) << input << run.out;
+    EXPECT_EQ(run.out, "") << input;
+    EXPECT_NE(run.err.find(input + " is "), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(": name another file"), std::string::npos) << run.err;
+    EXPECT_TRUE(folder.contents() == before) << input;
+  }
+}
+
+TEST_P(Output, ReplacesAnOldFileWhole) {
+  const SafetyFolder folder;
+  write_text(folder / "old", kOld);
+  const fs::perms mode = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
+  fs::permissions(folder / "old", mode);
+  fs::create_symlink("old", folder / "link");
+  const auto names = names_in(folder.get());
+  const Ended run = run_pelt(folder.get(), with(GetParam().words, "link"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_GT(fs::file_size(folder / "old"), 500u);
+  EXPECT_EQ(read_text(folder / "old").find(kOld), std::string::npos);
+  EXPECT_EQ(fs::status(folder / "old").permissions(), mode);
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(names_in(folder.get()), names);
+}
+
+TEST_P(Output, IsAsBeforeOnAFullDisk) {
+  const SafetyFolder folder;
+  write_text(folder / "old", kOld);
+  const auto before = folder.contents();
+  const Ended limited = run_in_shell(
+      folder, "ulimit -f 1; { " + shell_command(with(GetParam().words, "old")) + "; } 2>&1");
+  EXPECT_EQ(limited.exit_code, 2);
+  EXPECT_TRUE(folder.contents() == before);
+  const Ended full = run_pelt(folder.get(), with(GetParam().words, "/dev/full"));
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_NE(full.err.find("/dev/full: cannot be written: No space left on device"),
+            std::string::npos)
+      << full.err;
+}
+
+TEST_P(Output, IsRefusedBeforeWorkWhereItCannotBeWritten) {
+  const SafetyFolder folder;
+  fs::create_directory(folder / "sub");
+  const auto before = folder.contents();
+  for (const std::string place : {"no/such/folder", "sub", "sub/"}) {
+    const Ended run = run_pelt(folder.get(), with(GetParam().words, place));
+    EXPECT_EQ(run.exit_code, 2) << place;
+    EXPECT_EQ(run.out, "") << place;
+    EXPECT_NE(run.err.find(place + ": cannot be written"), std::string::npos) << run.err;
+  }
+  EXPECT_TRUE(folder.contents() == before);
+}
+
+/// Lines that differ from run to run do not matter here.
+std::size_t size_of(const Words& words, const SafetyFolder& folder) {
+  EXPECT_EQ(run_pelt(folder.get(), with(words, "file")).exit_code, 0);
+  return fs::file_size(folder / "file");
+}
+
+TEST_P(Output, GoesToStandardOutputPipesAndDevices) {
+  const SafetyFolder folder;
+  const std::size_t size = size_of(GetParam().words, folder);
+  const bool repeats = GetParam().name != "bench" && GetParam().name != "check_html";
+  const std::string whole = read_text(folder / "file");
+  const auto expect_whole = [&](const std::string& what, const std::string& text) {
+    EXPECT_NEAR(static_cast<double>(text.size()), static_cast<double>(size), repeats ? 0 : 200)
+        << what;
+    if (repeats) EXPECT_TRUE(text == whole) << what;
+  };
+  for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    const Ended run = run_pelt(folder.get(), with(GetParam().words, name));
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    expect_whole(name, run.out);
+  }
+  const std::string command = shell_command(with(GetParam().words, "/dev/stdout"));
+  expect_whole("pipe", run_in_shell(folder, command + " 2>/dev/null | cat").out);
+  const std::string words = shell_command(GetParam().words);
+  expect_whole("descriptor", run_in_shell(folder, words + " /dev/fd/9 9>&1 >/dev/null").out);
+  expect_whole("named pipe", run_in_shell(folder, "mkfifo pipe; " + words +
+                                                      " pipe >/dev/null & cat pipe; wait; rm pipe")
+                                 .out);
+  EXPECT_EQ(run_pelt(folder.get(), with(GetParam().words, "/dev/null")).exit_code, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+/// Words that make the verb busy until it is ended.
+Words endless(Words words, const std::string& output) {
+  words = with(std::move(words), output);
+  for (std::string& word : words) {
+    if (word == "scene.json") word = "long.json";
+    if (word == "0:1") word = "0:1000000";
+  }
+  return words;
+}
+
+pid_t start(const SafetyFolder& folder, const Words& arguments) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  const std::string command = shell_command(arguments);
+  if (chdir(folder.get().path().c_str()) == 0)
+    execlp("bash", "bash", "-c", ("exec " + command).c_str(), nullptr);
+  _exit(127);
+}
+
+bool has_unfinished_file(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().starts_with(".pelt-")) return true;
+  }
+  return false;
+}
+
+/// Sends the signal as soon as the verb has begun to write; the status of its end.
+int end_while_writing(pid_t child, const fs::path& folder, int signal) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  int status = 0;
+  while (!has_unfinished_file(folder) && std::chrono::steady_clock::now() < deadline) {
+    if (waitpid(child, &status, WNOHANG) == child) return status;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  kill(child, signal);
+  waitpid(child, &status, 0);
+  return status;
+}
+
+/// Short verbs may be through before the signal comes: tries until one is hit.
+void expect_removed(const SafetyFolder& folder, const Words& words, const fs::path& written,
+                    int signal) {
+  for (int attempt = 0; attempt < 50; ++attempt) {
+    const int status = end_while_writing(start(folder, words), written, signal);
+    EXPECT_FALSE(has_unfinished_file(written));
+    if (!WIFSIGNALED(status)) continue;
+    EXPECT_EQ(WTERMSIG(status), signal);
+    return;
+  }
+  ADD_FAILURE() << "no run was hit by the signal";
+}
+
+TEST_P(Output, IsAsBeforeWhenASignalComes) {
+  const SafetyFolder folder;
+  std::string scene = read_text(folder / "scene.json");
+  const std::string count = R"("count": 12)";
+  ASSERT_NE(scene.find(count), std::string::npos) << scene;
+  scene.replace(scene.find(count), count.size(), R"("count": 1000000)");
+  write_text(folder / "long.json", scene);
+  fs::create_directory(folder / "out");
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    write_text(folder / "out/old", kOld);
+    expect_removed(folder, endless(GetParam().words, "out/old"), folder / "out", signal);
+    if (GetParam().name != "pose" && GetParam().name != "prepare")
+      EXPECT_EQ(read_text(folder / "out/old"), kOld);
+    EXPECT_EQ(names_in_path(folder / "out"), std::set<std::string>{"old"});
+  }
+}
+
+TEST_P(Output, OfTwoRunsAtOnceIsThatOfOne) {
+  const SafetyFolder folder;
+  const std::size_t size = size_of(GetParam().words, folder);
+  const auto names = names_in(folder.get());
+  const Words words = with(GetParam().words, "file");
+  for (int i = 0; i < 5; ++i) {
+    const pid_t one = start(folder, words), two = start(folder, words);
+    int status = 0;
+    for (const pid_t child : {one, two}) {
+      waitpid(child, &status, 0);
+      EXPECT_EQ(status, 0);
+    }
+    EXPECT_NEAR(static_cast<double>(fs::file_size(folder / "file")), static_cast<double>(size),
+                GetParam().name == "bench" || GetParam().name == "check_html" ? 200 : 0);
+  }
+  EXPECT_EQ(names_in(folder.get()), names);
+}
+
+/// Two writers of unequal answers to one place; a mixture would be neither.
+TEST(Outputs, OfTwoRunsAtOnceAreNeverMixed) {
+  const SafetyFolder folder;
+  const Words check = {"check", "scene.json", "--fail-on", "never"};
+  Words few = check, many = check;
+  few.insert(few.end(), {"--frames", "0:1", "--jsonl"});
+  many.insert(many.end(), {"--pairs", "--jsonl"});
+  ASSERT_EQ(run_pelt(folder.get(), with(few, "few")).exit_code, 0);
+  ASSERT_EQ(run_pelt(folder.get(), with(many, "many")).exit_code, 0);
+  const std::string a = read_text(folder / "few"), b = read_text(folder / "many");
+  ASSERT_NE(a.size(), b.size());
+  for (int i = 0; i < 10; ++i) {
+    const pid_t one = start(folder, with(few, "file")), two = start(folder, with(many, "file"));
+    waitpid(one, nullptr, 0);
+    waitpid(two, nullptr, 0);
+    const std::string got = read_text(folder / "file");
+    EXPECT_TRUE(got == a || got == b);
+  }
+}
+
+TEST(Outputs, AreNotEachOther) {
+  const SafetyFolder folder;
+  write_text(folder / "b", kOld);
+  fs::create_symlink("new", folder / "dangling");
+  fs::create_symlink("b", folder / "symbolic");
+  fs::create_hard_link(folder / "b", folder / "hard");
+  fs::create_directory_symlink(".", folder / "here");
+  const auto before = folder.contents();
+  const std::vector<std::pair<std::string, std::string>> same = {
+      {"x", "x"},        {"x", "./x"},  {"x", "X"}, {"x", "here/x"},     {"new", "dangling"},
+      {"b", "symbolic"}, {"b", "hard"}, {"-", "-"}, {"-", "/dev/stdout"}};
+  for (const auto& [a, b] : same) {
+    for (const std::string other : {"--glb", "--html"}) {
+      const Ended run = run_pelt(folder.get(), {"check", "scene.json", "--jsonl", a, other, b});
+      EXPECT_EQ(run.exit_code, 2) << a << ' ' << b;
+      EXPECT_EQ(run.out, "");
+      EXPECT_NE(run.err.find(other + ": " + b + " is the output of --jsonl"), std::string::npos)
+          << run.err;
+    }
+  }
+  const Ended shell =
+      run_in_shell(folder, shell_command({"check", "scene.json", "--jsonl", "said"}) + " > said");
+  EXPECT_EQ(shell.exit_code, 2);
+  EXPECT_NE(shell.err.find("said is where standard output goes"), std::string::npos) << shell.err;
+  fs::remove(folder / "said");
+  EXPECT_TRUE(folder.contents() == before);
+}
+
+TEST(Outputs, AreNotTheBaseline) {
+  const SafetyFolder folder;
+  ASSERT_EQ(run_pelt(folder.get(), {"check", "scene.json", "--jsonl", "known"}).exit_code, 1);
+  const auto before = folder.contents();
+  for (const std::string option : {"--jsonl", "--glb", "--html"}) {
+    const Ended run =
+        run_pelt(folder.get(), {"check", "scene.json", "--baseline", "known", option, "./known"});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find(option + ": ./known is the baseline known"), std::string::npos)
+        << run.err;
+  }
+  EXPECT_TRUE(folder.contents() == before);
+  Words bench = writers().back().words;
+  ASSERT_EQ(run_pelt(folder.get(), with(bench, "figures.json")).exit_code, 0);
+  bench.insert(bench.end() - 1, {"--against", "figures.json"});
+  const Ended run = run_pelt(folder.get(), with(bench, "figures.json"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--json: figures.json is what --against"), std::string::npos) << run.err;
+}
+
+TEST(Outputs, KeepAReadOnlyFile) {
+  if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everything";
+  const SafetyFolder folder;
+  write_text(folder / "old", kOld);
+  fs::permissions(folder / "old", fs::perms::owner_read);
+  const Ended run = run_pelt(folder.get(), {"bounds", "scene.json", "--jsonl", "old"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(read_text(folder / "old"), kOld);
+}
+
+TEST(Outputs, OfADemoAreFilesOfTheirOwn) {
+  const SafetyFolder folder;
+  fs::create_directory(folder / "pelt-demo");
+  fs::create_symlink("scene.json", folder / "pelt-demo/contacts.glb");
+  Ended run = run_pelt(folder.get(), {"demo", "--no-picture"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("contacts.glb is the output of -o"), std::string::npos) << run.err;
+  fs::remove(folder / "pelt-demo/contacts.glb");
+  fs::create_symlink("../viewer.html", folder / "pelt-demo/report.html");
+  run = run_pelt(folder.get(), {"demo", "--no-picture"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(read_text(folder / "viewer.html"), viewer_page(PELT_VERSION));
+  EXPECT_EQ(names_in_path(folder / "pelt-demo"), std::set<std::string>{"report.html"});
+}
+
+TEST(Outputs, OfADemoAreAsBeforeOnAFullDiskOrASignal) {
+  const SafetyFolder folder;
+  fs::create_directory(folder / "pelt-demo");
+  for (const char* name : {"scene.json", "azure.glb", "contacts.jsonl"})
+    write_text(folder / ("pelt-demo/" + std::string(name)), kOld);
+  const Ended limited = run_in_shell(folder, "ulimit -f 1; " + shell_command({"demo"}));
+  EXPECT_EQ(limited.exit_code, 2);
+  EXPECT_EQ(read_text(folder / "pelt-demo/azure.glb"), kOld);
+  EXPECT_EQ(read_text(folder / "pelt-demo/contacts.jsonl"), kOld);
+  EXPECT_FALSE(has_unfinished_file(folder / "pelt-demo"));
+  expect_removed(folder, {"demo", "--no-picture"}, folder / "pelt-demo", SIGTERM);
+}
+
+}  // namespace
+}  // namespace pelt::test

@@ -1,0 +1,28 @@
+#pragma once
+
+/// Files that are being written, and are worth nothing before they are complete.
+
+#include <filesystem>
+
+namespace pelt::tools::output {
+
+/// Removes all unfinished files when a signal ends the command (SIGINT, SIGTERM, SIGHUP, SIGQUIT or
+/// SIGPIPE), which then ends as it would have. A signal that the caller of the command ignores
+/// stays ignored. Also makes a write beyond the limit of file sizes fail, instead of ending the
+/// command. To be called once, before there are threads.
+void remove_unfinished_files_on_signals();
+
+/// Registers a file as unfinished while it lives. Registers and releases files on one thread only.
+class UnfinishedFile {
+ public:
+  /// Registers a file, which need not exist yet.
+  explicit UnfinishedFile(const std::filesystem::path& path);
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+  ~UnfinishedFile();
+
+ private:
+  std::size_t slot_;
+};
+
+}  // namespace pelt::tools::output
