@@ -32,6 +32,8 @@ describe('the headline', () => {
     [answerOf([0, 0], [0, 2, 1]), 'No contact in 2 frames', null],
     [answerOf([4], [45, 46, 1]), 'Contact in frame 45', { frame: 45, contacts: 4 }],
     [answerOf([0], [0, 1, 1]), 'No contact in frame 0', null],
+    [answerOf([0, 0], [0, 2, 1], { pairs_compared: 0 }), 'Nothing was compared', null],
+    [answerOf([0], [0, 1, 1], { pairs_compared: 1 }), 'No contact in frame 0', null],
   ];
   for (const [answer, words, worst] of cases) {
     test(`is "${words}"`, async () => {

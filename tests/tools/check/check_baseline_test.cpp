@@ -52,8 +52,10 @@ TEST(CheckBaseline, OfTheSameSceneFindsNothingWorse) {
   const json none = json::array();
   EXPECT_EQ(file.totals["verdict"], json({{"fail_on", "grown"},
                                           {"failed", false},
+                                          {"pairs_compared", 1},
                                           {"worse", none},
                                           {"gone", none},
+                                          {"left_out", none},
                                           {"newly_held", none},
                                           {"no_longer_held", none},
                                           {"notes", none}}));

@@ -70,7 +70,8 @@ TEST_P(HostileNames, DoNotSteerTheTerminal) {
 
 INSTANTIATE_TEST_SUITE_P(
     Verbs, HostileNames,
-    ::testing::Values(std::vector<std::string>{"info"}, std::vector<std::string>{"check"},
+    ::testing::Values(std::vector<std::string>{"info"},
+                      std::vector<std::string>{"check", "--allow-empty"},
                       std::vector<std::string>{"check", "--by", "part", "--contacts"},
                       std::vector<std::string>{"check", "--by", "part", "--glb", kHostile + ".glb"},
                       std::vector<std::string>{"bounds", "--by", "joint"},

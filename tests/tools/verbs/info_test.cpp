@@ -21,9 +21,9 @@ TEST(Info, TellsWhatAModelHolds) {
     "morph_targets": [],
     "clips": [{"name": "bend", "duration": 1.0}, {"name": "", "duration": 1.0}],
     "parts": [
-      {"node": "paper", "mesh": "sheet", "material": "", "first_triangle": 0, "triangles": 6,
+      {"name": "paper", "node": "paper", "mesh": "sheet", "material": "", "first_triangle": 0, "triangles": 6,
        "skinned": true},
-      {"node": "fan", "mesh": "", "material": "", "first_triangle": 6, "triangles": 2,
+      {"name": "fan", "node": "fan", "mesh": "", "material": "", "first_triangle": 6, "triangles": 2,
        "skinned": false}],
     "warnings": []})"));
 }
@@ -51,8 +51,9 @@ TEST(Info, SpeaksToPeopleToo) {
   write_strip(folder, "strip.glb");
   const Ended run = run_pelt(folder, {"info", "strip.glb"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  for (const char* words : {"12, at 12 distinct positions", "up to 2", "1.000 s  bend",
-                            "\"\" (unnamed)", "6 triangles  paper / sheet", "(not skinned)"}) {
+  for (const char* words :
+       {"12, at 12 distinct positions", "up to 2", "1.000 s  bend", "\"\" (unnamed)",
+        "  lower,  upper,  fan\n", "6 triangles  paper  (mesh \"sheet\"", "not skinned)"}) {
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
   }
 }

@@ -159,7 +159,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option(
       "--by", arguments.by,
       "What is tested: every two instances, or every two parts, including parts of the same "
-      "instance",
+      "instance; neither is tested against itself",
       {.type = "instance|part"});
   verb.option("--method", arguments.method, "One of " + methods::listed(arguments.known_methods),
               {.type = "NAME"});
@@ -177,6 +177,10 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--fail-on", arguments.fail_on,
               "What sets the exit code to 1 (default: contact; with --baseline: grown)",
               {.type = "contact|grown|new|never"});
+  verb.flag(
+      "--allow-empty", arguments.allow_empty,
+      "Accept a check that compares nothing, such as one of a single instance (otherwise exit "
+      "code 2)");
   verb.option("--jsonl", arguments.jsonl,
               "Write the answer, one JSON object per line; -: to standard output, with the summary "
               "on standard error",
@@ -205,6 +209,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   settings.lists_triangles = arguments.pairs;
   settings.describes_contacts = arguments.contacts;
   settings.asks_inside = arguments.inside;
+  settings.allows_empty = arguments.allow_empty;
   Choices choices;
   choices.take(choose_method(arguments.method, arguments.known_methods), settings.method);
   choices.take(choose_clearance(arguments, settings.method), settings.clearance);

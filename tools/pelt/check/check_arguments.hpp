@@ -16,7 +16,7 @@ struct CheckArguments {
   arguments::SceneArguments scene;
   methods::MethodKinds known_methods;  ///< what --method can name
   std::string frames, by = "instance", method = "on_demand";
-  bool first = false, pairs = false, contacts = false, inside = false;
+  bool first = false, pairs = false, contacts = false, inside = false, allow_empty = false;
   std::optional<double> clearance;
   std::optional<std::uint32_t> max_contacts, glb_frame;
   std::vector<std::string> ignore;

@@ -129,7 +129,7 @@ void conclude(const scene::StagedScene& staged, const CheckSettings& settings,
   Findings found = {touches, {}};
   if (report.inside) found.held = report.inside->held;
   const CheckBaseline* const baseline = settings.baseline ? &*settings.baseline : nullptr;
-  report.verdict = judge(staged, found, baseline, settings.fail_on);
+  report.verdict = judge(staged, found, {settings.fail_on, settings.allows_empty, baseline});
   if (jsonl != nullptr) jsonl->totals(report.totals, found, report.verdict);
 }
 

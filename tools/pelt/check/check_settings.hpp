@@ -23,6 +23,7 @@ struct CheckSettings {
   std::vector<scenes::NamePair> ignore;
   std::optional<CheckBaseline> baseline;
   FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline
+  bool allows_empty = false;         ///< else comparing nothing fails
   arguments::FrameRange frames;
   std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
 };

@@ -88,8 +88,10 @@ ordered_json JsonlWriter::held_list(std::span<const Held> held) const {
 }
 
 ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
-  ordered_json json = {{"fail_on", name_of(verdict.fail_on)}, {"failed", verdict.is_failed}};
-  for (const char* key : {"worse", "gone", "newly_held", "no_longer_held", "notes"})
+  ordered_json json = {{"fail_on", name_of(verdict.fail_on)},
+                       {"failed", verdict.is_failed},
+                       {"pairs_compared", verdict.pairs_compared}};
+  for (const char* key : {"worse", "gone", "left_out", "newly_held", "no_longer_held", "notes"})
     json[key] = verdict.comparison ? ordered_json::array() : ordered_json();
   if (!verdict.comparison) return json;
   const Comparison& comparison = *verdict.comparison;
@@ -98,6 +100,7 @@ ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
     json["worse"].back()["known"] = worse.known;
   }
   for (const GoneTouch& gone : comparison.gone) json["gone"].push_back(gone_json(gone));
+  for (const GoneTouch& gone : comparison.left_out) json["left_out"].push_back(gone_json(gone));
   json["newly_held"] = held_list(comparison.newly_held);
   for (const auto& [inner, outer] : comparison.no_longer_held)
     json["no_longer_held"].push_back({{"inner", name_json(inner)}, {"outer", name_json(outer)}});

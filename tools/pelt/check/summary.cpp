@@ -15,6 +15,10 @@ constexpr std::size_t kMostRows = 10;
 void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
                     const CheckReport& report, std::ostream& out) {
   const CheckTotals& totals = report.totals;
+  if (report.verdict.pairs_compared == 0) {
+    scene::label(out, "contact") << "nothing was compared\n";
+    return;
+  }
   if (totals.contacts == 0) {
     scene::label(out, "contact") << "none in " << output::counted(totals.frames, "frame") << '\n';
     return;
@@ -129,13 +133,20 @@ void print_comparison(const scene::StagedScene& staged, const Comparison& compar
   for (const std::string& note : comparison.notes)
     scene::label(out, "note") << asset::printable(note) << '\n';
   const std::size_t fresh = new_touches(comparison), grown = comparison.worse.size() - fresh;
-  const std::size_t as_known = comparison.known_touches - comparison.gone.size() - grown;
+  const std::size_t as_known =
+      comparison.known_touches - comparison.gone.size() - comparison.left_out.size() - grown;
   scene::label(out, "baseline") << output::with_commas(fresh) << " new, "
                                 << output::with_commas(grown) << " grown, "
                                 << output::with_commas(as_known) << " as known\n";
-  print_worse(staged.scene, comparison.worse, out);
+  const std::span<const Worse> worse = comparison.worse;
+  print_worse(staged.scene, worse.first(fresh), out);
   print_held(staged, "new", comparison.newly_held, out);
+  print_worse(staged.scene, worse.subspan(fresh), out);
   print_gone(comparison, out);
+  if (!comparison.left_out.empty())
+    scene::label(out, "left out") << output::with_commas(comparison.left_out.size()) << " of "
+                                  << output::with_commas(comparison.known_touches)
+                                  << " known touches, of parts that this check leaves out\n";
 }
 
 void print_deepest(const CheckReport& report, std::ostream& out) {
@@ -189,8 +200,9 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
   print_contacts(staged.scene, settings, report, out);
   if (report.totals.ignored > 0)
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
-  print_touching(staged.scene, report, tally, out);
+  // What fails comes before what does not.
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
+  print_touching(staged.scene, report, tally, out);
   if (report.regions > 0) print_deepest(report, out);
   if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);

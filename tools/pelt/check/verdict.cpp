@@ -1,5 +1,10 @@
 #include "tools/pelt/check/verdict.hpp"
 
+#include "scenes/names.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -35,6 +40,42 @@ bool fails(FailOn fail_on, const Findings& found, const std::optional<Comparison
   return false;
 }
 
+/// The parts that a scene's files have and this check was told to leave out.
+class LeftOutParts {
+ public:
+  explicit LeftOutParts(const scenes::Scene& scene) {
+    for (const scenes::Character& character : scene.characters) {
+      Names& names = models_[scene::as_json_holds(character.name)];
+      const asset::Asset& asset = character.asset;
+      for (std::uint32_t p = 0; p < asset.parts.size(); ++p)
+        names.parts.insert(scene::as_json_holds(scenes::part_name(asset, p)));
+      for (const asset::Node& node : asset.nodes)
+        names.nodes.insert(scene::as_json_holds(node.name));
+    }
+  }
+
+  /// A part that is named after its node, or as "node:material".
+  bool contains(const BodyName& body) const {
+    const auto model = models_.find(body.model);
+    if (model == models_.end() || model->second.parts.count(body.part) > 0) return false;
+    const std::set<std::string>& nodes = model->second.nodes;
+    return nodes.count(body.part) > 0 || nodes.count(body.part.substr(0, body.part.rfind(':'))) > 0;
+  }
+
+ private:
+  struct Names {
+    std::set<std::string> parts, nodes;
+  };
+
+  std::map<std::string, Names> models_;
+};
+
+/// What is new fails most checks, so it comes first.
+void sort_by_importance(std::vector<Worse>& worse) {
+  std::stable_partition(worse.begin(), worse.end(),
+                        [](const Worse& touch) { return touch.known == 0; });
+}
+
 void compare_touches(const scenes::Scene& scene, std::span<const Touch> touches,
                      const CheckBaseline& baseline, Comparison& comparison) {
   std::map<CheckBaseline::TouchNames, std::uint64_t> rest = baseline.touches();
@@ -45,7 +86,13 @@ void compare_touches(const scenes::Scene& scene, std::span<const Touch> touches,
     if (touch.worst > known) comparison.worse.push_back({touch, known});
     rest.erase(names);
   }
-  for (const auto& [names, known] : rest) comparison.gone.push_back({names, known});
+  sort_by_importance(comparison.worse);
+  const LeftOutParts left_out(scene);
+  for (const auto& [names, known] : rest) {
+    const bool asked =
+        !left_out.contains(names.first.body) && !left_out.contains(names.second.body);
+    (asked ? comparison.gone : comparison.left_out).push_back({names, known});
+  }
 }
 
 void compare_held(const scene::StagedScene& staged, std::span<const Held> held,
@@ -57,7 +104,11 @@ void compare_held(const scene::StagedScene& staged, std::span<const Held> held,
     if (baseline.held().count(names) == 0) comparison.newly_held.push_back(h);
     rest.erase(names);
   }
-  comparison.no_longer_held.assign(rest.begin(), rest.end());
+  const LeftOutParts left_out(staged.scene);
+  for (const CheckBaseline::HeldNames& names : rest) {
+    if (!left_out.contains(names.first) && !left_out.contains(names.second))
+      comparison.no_longer_held.push_back(names);
+  }
 }
 
 }  // namespace
@@ -82,12 +133,14 @@ Comparison compare(const scene::StagedScene& staged, const Findings& found,
   return comparison;
 }
 
-Verdict judge(const scene::StagedScene& staged, const Findings& found,
-              const CheckBaseline* baseline, FailOn fail_on) {
+Verdict judge(const scene::StagedScene& staged, const Findings& found, const Demand& demand) {
   Verdict verdict;
-  verdict.fail_on = fail_on;
-  if (baseline != nullptr) verdict.comparison = compare(staged, found, *baseline);
-  verdict.is_failed = fails(fail_on, found, verdict.comparison);
+  verdict.fail_on = demand.fail_on;
+  const std::uint64_t count = staged.colliders.size();
+  verdict.pairs_compared = count < 2 ? 0 : count * (count - 1) / 2;
+  if (demand.baseline != nullptr) verdict.comparison = compare(staged, found, *demand.baseline);
+  const bool may_pass = verdict.pairs_compared > 0 || demand.allows_empty;
+  verdict.is_failed = !may_pass || fails(demand.fail_on, found, verdict.comparison);
   return verdict;
 }
 

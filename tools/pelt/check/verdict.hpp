@@ -45,8 +45,9 @@ struct GoneTouch {
 /// Differences from a baseline.
 struct Comparison {
   std::size_t known_touches = 0;  ///< how many the baseline has
-  std::vector<Worse> worse;       ///< most contacts first
+  std::vector<Worse> worse;       ///< new ones first, of each kind those with most contacts
   std::vector<GoneTouch> gone;
+  std::vector<GoneTouch> left_out;  ///< not asked: of parts that this check was told to leave out
   std::vector<Held> newly_held;
   std::vector<CheckBaseline::HeldNames> no_longer_held;
   std::vector<std::string> notes;  ///< how the earlier check differed from this one
@@ -58,11 +59,17 @@ Comparison compare(const scene::StagedScene& staged, const Findings& found,
 struct Verdict {
   FailOn fail_on = FailOn::contact;
   bool is_failed = false;
+  std::uint64_t pairs_compared = 0;      ///< of colliders, in each frame; 0: nothing was checked
   std::optional<Comparison> comparison;  ///< with a baseline
 };
 
-/// `baseline` may be null only where `fail_on` asks for nothing that was known.
-Verdict judge(const scene::StagedScene& staged, const Findings& found,
-              const CheckBaseline* baseline, FailOn fail_on);
+/// What a check is judged by.
+struct Demand {
+  FailOn fail_on = FailOn::contact;
+  bool allows_empty = false;                ///< else a check that compares nothing has failed
+  const CheckBaseline* baseline = nullptr;  ///< not null where `fail_on` asks for what was known
+};
+
+Verdict judge(const scene::StagedScene& staged, const Findings& found, const Demand& demand);
 
 }  // namespace pelt::tools::check

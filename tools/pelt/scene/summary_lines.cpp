@@ -41,8 +41,9 @@ bool has_many_parts(const scenes::Scene& scene) {
 void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ostream& out) {
   const bool parts = granularity == Granularity::part;
   label(out, "note") << "fewer than two " << (parts ? "parts" : "instances")
-                     << ", so nothing can touch";
-  if (!parts && has_many_parts(scene)) out << "; --by part tests the parts against each other";
+                     << ", so nothing can touch: none is tested against itself";
+  if (!parts && has_many_parts(scene))
+    out << "; --by part tests the parts against each other, but no part against itself";
   out << '\n';
 }
 

@@ -37,8 +37,10 @@ With --by part, a and b are indices of the header's "instances", which has one e
 --ignore takes names of parts or joints; knight/hand_r restricts a name to one model, and * matches
 any characters. --baseline takes the --jsonl of an earlier check; then only contacts that are new or
 have grown fail.
+No instance and no part is tested against itself. A check of only one of them compares nothing and
+fails with exit code 2, unless --allow-empty is given.
 Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside also a contained
-body), 2 bad input or arguments, 3 internal error.)";
+body), 2 bad input or arguments, or nothing compared, 3 internal error.)";
 
 /// The page counts contacts itself: it can show no answer to a question that it cannot ask.
 Result<void> check_for_page(const check::CheckArguments& arguments) {
@@ -66,6 +68,13 @@ Result<void> check_outputs(const check::CheckArguments& arguments, const scenes:
   return output::check_outputs(outputs, inputs);
 }
 
+/// Whoever forgot a model should not read "no contact" as good news.
+Error nothing_compared() {
+  return output::bad_argument(
+      "INPUT", "nothing was compared, because nothing is tested against itself",
+      "give another model, or --by part for a model of several, or --allow-empty if that is meant");
+}
+
 Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
   if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
   Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
@@ -84,6 +93,7 @@ Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
       check::check_scene(*scene, *settings, arguments.scene.models, outputs,
                          output::words_beside({arguments.jsonl, arguments.glb, arguments.html}));
   if (!report) return report.error();
+  if (report->verdict.pairs_compared == 0 && !arguments.allow_empty) return nothing_compared();
   return report->verdict.is_failed ? arguments::ExitCode::contact : arguments::ExitCode::success;
 }
 

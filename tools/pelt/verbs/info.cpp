@@ -1,7 +1,9 @@
 /// `pelt info`: what a model file holds.
 
+#include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"
+#include "scenes/names.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
@@ -62,8 +64,10 @@ ordered_json clips_json(const asset::Asset& asset) {
 
 ordered_json parts_json(const asset::Asset& asset) {
   ordered_json parts = ordered_json::array();
-  for (const asset::Part& part : asset.parts) {
-    parts.push_back({{"node", part.node},
+  for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
+    const asset::Part& part = asset.parts[p];
+    parts.push_back({{"name", scenes::part_name(asset, p)},
+                     {"node", part.node},
                      {"mesh", part.mesh},
                      {"material", part.material},
                      {"first_triangle", part.first_triangle},
@@ -75,7 +79,8 @@ ordered_json parts_json(const asset::Asset& asset) {
 
 ordered_json joints_json(const asset::Asset& asset) {
   ordered_json joints = ordered_json::array();
-  for (std::uint32_t j = 0; j < asset.joints.size(); ++j) joints.push_back(asset.joint_name(j));
+  for (std::uint32_t j = 0; j < asset.joints.size(); ++j)
+    joints.push_back(scenes::joint_name(asset, j));
   return joints;
 }
 
@@ -130,7 +135,6 @@ void print_counts(const ordered_json& info) {
   print_line("influences", "up to " + number("influences_per_vertex"), " for each vertex");
   print_line("weights", number("renormalised_vertices"),
              " vertices renormalised, " + number("merged_influences") + " influences merged");
-  print_line("joints", output::with_commas(info["joints"].size()));
   if (!info["morph_targets"].empty())
     print_line("morphs", output::with_commas(info["morph_targets"].size()), " targets");
   print_line("prepared", number("prepared_bytes"), " bytes");
@@ -147,17 +151,36 @@ void print_clips(const asset::Asset& asset) {
 
 void print_parts(const asset::Asset& asset) {
   print_line("parts", output::with_commas(asset.parts.size()));
-  for (const asset::Part& part : asset.parts) {
+  for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
+    const asset::Part& part = asset.parts[p];
     std::cout << "  " << std::right << std::setw(8) << output::with_commas(part.triangle_count)
-              << " triangles  " << asset::printable_name(part.node) << " / "
-              << asset::printable_name(part.mesh) << " / " << asset::printable_name(part.material)
-              << (part.skinned ? "" : "  (not skinned)") << '\n';
+              << " triangles  " << asset::printable_name(scenes::part_name(asset, p)) << "  (mesh "
+              << asset::quoted(part.mesh) << ", material " << asset::quoted(part.material)
+              << (part.skinned ? ")\n" : "; not skinned)\n");
   }
+}
+
+/// As --ignore and baselines name them, as many on a line as fit.
+void print_joints(const asset::Asset& asset) {
+  constexpr std::size_t kWidth = 100;
+  print_line("joints", output::with_commas(asset.joints.size()));
+  std::string line;
+  for (std::uint32_t j = 0; j < asset.joints.size(); ++j) {
+    const std::string name = asset::printable_name(scenes::joint_name(asset, j));
+    const bool is_last = j + 1 == asset.joints.size();
+    if (!line.empty() && line.size() + name.size() + 4 > kWidth) {
+      std::cout << line << '\n';
+      line.clear();
+    }
+    line += "  " + name + (is_last ? "" : ",");
+  }
+  if (!line.empty()) std::cout << line << '\n';
 }
 
 void print(const ordered_json& info, const asset::Asset& asset) {
   print_counts(info);
   print_clips(asset);
+  print_joints(asset);
   print_parts(asset);
   for (const std::string& warning : asset.warnings)
     print_line("warning", asset::printable(warning));

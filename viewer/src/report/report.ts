@@ -56,6 +56,8 @@ export interface ReportAnswer {
   verdict: {
     fail_on: string;
     failed: boolean;
+    /** Pairs of colliders that each frame compares; 0: nothing was checked. */
+    pairs_compared: number;
     /** Null without a baseline, like the members below. */
     worse: WorseTouch[] | null;
     /** Touches of the baseline that this check did not find. */

@@ -38,7 +38,8 @@ export function isAsItCame({ report, reported, scene, firstContact, by }: Asked)
 }
 
 /** The report in five words. */
-export function headlineOf({ totals, options }: ReportAnswer): string {
+export function headlineOf({ totals, options, verdict }: ReportAnswer): string {
+  if (verdict.pairs_compared === 0) return 'Nothing was compared';
   const { frames, frames_in_contact: inContact } = totals;
   const which = inContact === 0 ? 'No contact' : 'Contact';
   if (frames === 1) return `${which} in frame ${options.frames[0]}`;

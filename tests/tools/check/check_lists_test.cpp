@@ -1,0 +1,110 @@
+/// What `pelt check --baseline` lists, and in which order.
+
+#include "tools/answer.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Ended check_limbs_with(const TestFolder& folder, Words words) {
+  words.insert(words.begin(), {"check", "scene.json"});
+  return run_pelt(folder, words);
+}
+
+/// Writes known.jsonl: the limbs' answer in which one touch is missing, all others but one were
+/// rarer, and that one was as now. The missing one has the fewest contacts.
+void write_worse_baseline(const TestFolder& folder) {
+  ASSERT_EQ(check_limbs_with(folder, {"--jsonl", "now.jsonl"}).exit_code, 1);
+  Words lines = lines_of(read_text(folder / "now.jsonl"));
+  json last = json::parse(lines.back());
+  json& touches = last["touches"];
+  ASSERT_GT(touches.size(), 3u);
+  const auto fewer = [](const json& a, const json& b) {
+    return a["worst"]["contacts"] < b["worst"]["contacts"];
+  };
+  touches.erase(std::min_element(touches.begin(), touches.end(), fewer));
+  for (std::size_t i = 1; i < touches.size(); ++i) {
+    json& contacts = touches[i]["worst"]["contacts"];
+    contacts = contacts.get<int>() / 2 + 1;
+  }
+  lines.back() = last.dump();
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  write_text(folder / "known.jsonl", text);
+}
+
+TEST(CheckLists, GiveWhatIsNewFirst) {
+  const TestFolder folder;
+  write_limbs(folder);
+  write_worse_baseline(folder);
+  const Ended run = check_limbs_with(
+      folder, {"--baseline", "known.jsonl", "--fail-on", "new", "--jsonl", "answer.jsonl"});
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  const json worse =
+      parse_check_file(read_text(folder / "answer.jsonl")).totals["verdict"]["worse"];
+  ASSERT_GT(worse.size(), 1u);
+  EXPECT_EQ(worse[0]["known"], 0);
+  EXPECT_LT(worse[0]["worst"]["contacts"], worse[1]["worst"]["contacts"]);
+  for (std::size_t i = 1; i < worse.size(); ++i) {
+    EXPECT_GT(worse[i]["known"], 0);
+    if (i > 1) EXPECT_LE(worse[i]["worst"]["contacts"], worse[i - 1]["worst"]["contacts"]);
+  }
+  const std::size_t fresh = run.out.find("(new)"), grown = run.out.find("(was ");
+  const std::size_t touching = run.out.find("joints that touch");
+  ASSERT_NE(grown, std::string::npos) << run.out;
+  ASSERT_NE(touching, std::string::npos) << run.out;
+  EXPECT_LT(fresh, grown) << run.out;
+  EXPECT_LT(grown, touching) << run.out;
+}
+
+TEST(CheckLists, DoNotCallGoneWhatIsLeftOut) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const auto compare = [&](const Words& options) {
+    Words words = {"check",      "strip.glb",  "strip.glb",   "--at",    "0,0,0",       "--at",
+                   "0.25,0,0.1", "--baseline", "known.jsonl", "--jsonl", "answer.jsonl"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended run = run_pelt(folder, words);
+    EXPECT_LT(run.exit_code, 2) << run.err;
+    return std::pair(run.out, parse_check_file(read_text(folder / "answer.jsonl")).totals);
+  };
+  ASSERT_EQ(run_pelt(folder, {"check", "strip.glb", "strip.glb", "--at", "0,0,0", "--at",
+                              "0.25,0,0.1", "--jsonl", "known.jsonl"})
+                .exit_code,
+            1);
+  const json all = compare({}).second["verdict"];
+  EXPECT_EQ(all["gone"], json::array());
+  EXPECT_EQ(all["left_out"], json::array());
+  for (const Words& options : {Words{"--exclude", "fan"}, Words{"--no-unskinned"}}) {
+    const auto [words, totals] = compare(options);
+    const json& verdict = totals["verdict"];
+    EXPECT_EQ(verdict["gone"], json::array()) << verdict["gone"];
+    ASSERT_FALSE(verdict["left_out"].empty());
+    for (const json& touch : verdict["left_out"])
+      EXPECT_TRUE(touch["a"]["part"] == "fan" || touch["b"]["part"] == "fan") << touch;
+    EXPECT_NE(words.find("left out"), std::string::npos) << words;
+    EXPECT_EQ(words.find("gone"), std::string::npos) << words;
+  }
+}
+
+TEST(CheckLists, CallGoneWhatTheFileHasNoLonger) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const Words first = {"check", "strip.glb", "--by", "part", "--jsonl", "known.jsonl"};
+  ASSERT_EQ(run_pelt(folder, first).exit_code, 1);
+  GltfBuilder strip = strip_with_fan();
+  for (json& node : strip.document["nodes"]) {
+    if (node["name"] == "fan") node["name"] = "sail";
+  }
+  write_bytes(folder / "strip.glb", strip.glb());
+  const Ended run = run_pelt(
+      folder, {"check", "strip.glb", "--by", "part", "--baseline", "known.jsonl", "--jsonl", "-"});
+  const json verdict = parse_check_file(run.out).totals["verdict"];
+  EXPECT_FALSE(verdict["gone"].empty());
+  EXPECT_EQ(verdict["left_out"], json::array());
+}
+
+}  // namespace
+}  // namespace pelt::test
