@@ -38,11 +38,15 @@ function normaliseRotations(track) {
   }
 }
 
+/** A file's bytes, an ArrayBuffer, as GLTFLoader makes objects of them. */
+export function loadBytes(data) {
+  return new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).parseAsync(data, '');
+}
+
 export async function loadModel(path) {
-  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
   const bytes = await readFile(path);
   const data = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
-  const gltf = await loader.parseAsync(data, '');
+  const gltf = await loadBytes(data);
   gltf.scene.traverse((object) => object.quaternion.normalize());
   for (const clip of gltf.animations) {
     clip.tracks.forEach(normaliseRotations);
