@@ -1,3 +1,4 @@
+#include <pelt/region.hpp>
 #include <pelt/shapes.hpp>
 
 #include "support/random.hpp"
@@ -64,6 +65,20 @@ TEST(Frustum, IsAConvexPolyhedronOfSixFaces) {
   EXPECT_EQ(polyhedron.faces().size(), 6u);
   EXPECT_TRUE(is_in(frustum, {1, -1, 1}));
   EXPECT_FALSE(is_in(frustum, {1.5f, 0, 0}));
+}
+
+TEST(Frustum, ARegionOfATemporaryOwnsItsFaces) {
+  const Region region = make_frustum(Matrix4{});
+  const auto& polyhedron = std::get<ConvexPolyhedron>(region);
+  const Frustum frustum = make_frustum(Matrix4{});
+  ASSERT_EQ(polyhedron.faces().size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(polyhedron.faces()[i].normal, frustum.faces[i].normal);
+    EXPECT_EQ(polyhedron.faces()[i].offset, frustum.faces[i].offset);
+  }
+  const auto* begin = reinterpret_cast<const char*>(&region);
+  const auto* faces = reinterpret_cast<const char*>(polyhedron.faces().data());
+  EXPECT_TRUE(begin <= faces && faces < begin + sizeof region);
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 #include "skin/palette.hpp"
 
+#include <pelt/crowd.hpp>
+
 #include "pose/pose.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -208,6 +211,66 @@ TEST(Palette, NoVertexIsPosedBeyondItsReach) {
     EXPECT_LE(farthest, reach * (1 + 1e-6));
     EXPECT_GE(farthest, reach * 0.1) << "not a bound to be proud of";
   }
+}
+
+std::vector<Matrix3x4> rows_of(const std::vector<Matrix4>& palette) {
+  std::vector<Matrix3x4> rows(palette.size());
+  for (std::size_t j = 0; j < palette.size(); ++j)
+    for (std::size_t i = 0; i < 12; ++i) rows[j].m[i] = palette[j].m[4 * (i % 4) + i / 4];
+  return rows;
+}
+
+/// Doubles that round to the palette, some of them up and some down.
+std::vector<double> doubles_of(const std::vector<Matrix4>& palette) {
+  std::vector<double> doubles;
+  for (const Matrix4& matrix : palette)
+    for (std::size_t i = 0; i < 16; ++i)
+      doubles.push_back(double{matrix.m[i]} * (i % 2 ? 1 + 0x1p-30 : 1 - 0x1p-30));
+  return doubles;
+}
+
+TEST(SetPalette, OfThreeRowsAndOfDoublesPosesAsTheSameFloatsDo) {
+  Random random(8);
+  Pose pose = make_pose(), rows = make_pose(), doubles = make_pose();
+  Crowd crowd;
+  for (int i = 0; i < 3; ++i) crowd.add(pose.model());
+  for (const test::Motion motion : {test::Motion::rigid, test::Motion::affine}) {
+    const auto palette = test::make_palette(random, 3, motion, 2);
+    ASSERT_TRUE(pose.set_palette(palette) && crowd.set_palette(0, palette));
+    ASSERT_TRUE(rows.set_palette(rows_of(palette)) && crowd.set_palette(1, rows_of(palette)));
+    ASSERT_TRUE(doubles.set_palette(doubles_of(palette)) &&
+                crowd.set_palette(2, doubles_of(palette)));
+    const auto expected = pose.detail().palette.joints();
+    EXPECT_TRUE(std::ranges::equal(rows.detail().palette.joints(), expected));
+    EXPECT_TRUE(std::ranges::equal(doubles.detail().palette.joints(), expected));
+    EXPECT_EQ(rows.detail().palette.extent(), pose.detail().palette.extent());
+    EXPECT_EQ(doubles.detail().palette.extent(), pose.detail().palette.extent());
+    std::vector<CrowdPair> pairs;
+    crowd.intersecting_pairs(pairs);
+    EXPECT_EQ(pairs.size(), 3u) << "all three stand in one place";
+  }
+}
+
+TEST(SetPalette, OfThreeRowsAndOfDoublesRefusesWithTheElement) {
+  Random random(9);
+  Pose pose = make_pose();
+  const auto good = test::make_palette(random, 3, test::Motion::rigid, 2);
+  ASSERT_TRUE(pose.set_palette(good));
+  auto rows = rows_of(good);
+  rows[1].m[7] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(pose.set_palette(rows).error().message,
+            "palette[1] has the element nan at row 1, column 3");
+  rows.pop_back();
+  EXPECT_EQ(pose.set_palette(rows).error().message,
+            "the palette has 2 matrices, expected 3: one for each joint");
+  auto doubles = doubles_of(good);
+  doubles[32 + 12] = -1e300;
+  EXPECT_EQ(pose.set_palette(doubles).error().message,
+            "palette[2] has the element -inf at row 0, column 3");
+  doubles.pop_back();
+  EXPECT_EQ(pose.set_palette(doubles).error().message,
+            "the palette has 47 doubles, expected 48: 16 for each of the model's 3 joints");
+  EXPECT_TRUE(std::ranges::equal(pose.detail().palette.joints(), good)) << "left as it was";
 }
 
 }  // namespace
