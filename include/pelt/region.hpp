@@ -57,7 +57,7 @@ struct TrianglesInRegion {
 /// Appends the triangles that intersect the region to one list, and those inside it to the other
 /// list, both in ascending order. Exact like `classify`.
 ///
-/// Cost: opens nodes along the boundary of the region. What lies wholly inside is not posed.
+/// Cost: opens nodes along the boundary of the region. Parts wholly inside are not posed.
 PELT_API QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
                                    TrianglesInRegion& triangles);
 

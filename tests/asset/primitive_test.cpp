@@ -97,8 +97,8 @@ TEST(Primitive, TooShortStripsHaveNoTriangles) {
 
 TEST(Primitive, RefusesAListThatIsNoWholeNumberOfTriangles) {
   GltfBuilder builder = five_points(4);
-  EXPECT_TRUE(
-      refused(builder.load(), {"node 0 \"stone\"", "mesh 0 \"rock\"", "primitive 0", "5 vertices"}));
+  EXPECT_TRUE(refused(builder.load(),
+                      {"node 0 \"stone\"", "mesh 0 \"rock\"", "primitive 0", "5 vertices"}));
 }
 
 TEST(Primitive, RefusesIndicesBeyondTheVertices) {
