@@ -97,12 +97,14 @@ TEST(RegionVerb, RefusesWhatIsNoRegion) {
             "pelt: error: --sphere: \"1,2,3\" is not 4 numbers: give them as in --sphere "
             "0,1,0,0.5\n");
   EXPECT_EQ(refusal({"--sphere", "1,2,3,-4"}),
-            "pelt: error: --sphere: the radius is negative: give one that is not\n");
-  EXPECT_EQ(refusal({"--box", "1,0,0,0,1,1"}),
-            "pelt: error: --box: its lowest corner is above its highest one: give the lowest x, y "
-            "and z first\n");
+            "pelt: error: --sphere: the radius is negative: give 0 or more\n");
+  EXPECT_EQ(
+      refusal({"--box", "1,0,0,0,1,1"}),
+      "pelt: error: --box: the lowest corner is above the highest corner: give the lowest x, y "
+      "and z first\n");
   EXPECT_EQ(refusal({"--camera", "1,0,0,1,0,0"}),
-            "pelt: error: --camera: it looks at where it is: give another place to look at\n");
+            "pelt: error: --camera: position and target are the same point: give another point to "
+            "look at\n");
   EXPECT_EQ(refusal({"--camera", "1,0,0,1,0,1", "--angle", "180"}),
             "pelt: error: --angle: is out of range: give degrees between 0 and 180\n");
   EXPECT_EQ(refusal({"--sphere", "1,2,3,4", "--box", "0,0,0,1,1,1"}),
