@@ -10,6 +10,7 @@
 #include "region/region_oracle.hpp"
 #include "support/exact_winding.hpp"
 #include "support/require.hpp"
+#include "support/values.hpp"
 
 #include <pelt/pelt.hpp>
 #include <pelt/target.hpp>
@@ -156,7 +157,7 @@ void check_region(const Region& region, FuzzedBody& body, Scratch& scratch) {
 }
 
 PointSide side(FuzzedBody& body, const Vec3& point, Scratch& scratch) {
-  return side_of(body.pose, body.surface, point, scratch);
+  return point_side(body.pose, body.surface, point, scratch);
 }
 
 /// Those that are corners of a triangle.

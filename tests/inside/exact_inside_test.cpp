@@ -5,6 +5,7 @@
 #include "support/exact_winding.hpp"
 #include "support/pinned_shapes.hpp"
 #include "support/targets.hpp"
+#include "support/values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ class Body {
     positions_ = positions;
   }
 
-  PointSide side_of(const Vec3& point) { return pelt::side_of(pose_, surface_, point, scratch_); }
+  PointSide side_of(const Vec3& point) { return point_side(pose_, surface_, point, scratch_); }
 
   PointSide expected(const Vec3& point) const {
     return ExactWinding(positions_, triangles_).side_of(point);

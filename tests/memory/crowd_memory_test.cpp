@@ -88,7 +88,7 @@ TEST_P(CrowdMemoryOfThreads, CollidesAsBeforeWhenMemoryIsBack) {
   {
     std::optional<Crowd> crowd(limbs.make_crowd());
     std::vector<CrowdContact> found(1);
-    const auto check = [&] {
+    const auto check = [&, threads = threads] {
       ++failures;
       EXPECT_EQ(found.size(), 1u);
       found = std::vector<CrowdContact>(1);
@@ -97,10 +97,10 @@ TEST_P(CrowdMemoryOfThreads, CollidesAsBeforeWhenMemoryIsBack) {
       std::vector<CrowdContact> again;
       const CrowdStats stats = crowd->collide(again, {.threads = threads});
       EXPECT_TRUE(again == expected[shift]);
-      EXPECT_GT(stats.work.posed_vertices, 0u);
+      EXPECT_GT(stats.posed_vertices, 0u);
       crowd.emplace(limbs.make_crowd());  // without memory from earlier queries
     };
-    const auto collide = [&] {
+    const auto collide = [&, threads = threads] {
       found.resize(1);  // a thread that could not be started is no failure
       crowd->collide(found, {.threads = threads});
     };

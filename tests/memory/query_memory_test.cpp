@@ -135,11 +135,11 @@ TEST(Memory, EndsWhileContactsAreDescribed) {
   std::vector<Contact> contacts;
   collide(a, b, scratch, contacts);
   ContactGeometry expected;
-  describe_contacts(a, surface, b, surface, contacts, expected);
+  describe_contacts(a, surface, b, surface, contacts, scratch, expected);
   ASSERT_GT(expected.curves.size(), 0u);
   fail_and_leak_nothing([&] {
     ContactGeometry geometry;
-    describe_contacts(a, surface, b, surface, contacts, geometry);
+    describe_contacts(a, surface, b, surface, contacts, scratch, geometry);
     EXPECT_EQ(geometry.members, expected.members);
   });
 }

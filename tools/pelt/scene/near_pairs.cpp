@@ -10,7 +10,9 @@ namespace {
 
 /// Returns the box of the pose, grown by at least `margin` on each side.
 detail::RootBox wide_box(Pose& pose, double margin) {
-  const Box box = bounds(pose).box;
+  Bounds around;
+  bounds(pose, around);
+  const Box& box = around.box;
   const float low[] = {box.low.x, box.low.y, box.low.z};
   const float high[] = {box.high.x, box.high.y, box.high.z};
   detail::RootBox wide = {};
