@@ -7,9 +7,22 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_set>
 
 namespace pelt::scenes {
 namespace {
+
+struct Names {
+  explicit Names(const Character& character)
+      : model(character.name),
+        parts(part_names(character.asset)),
+        joints(joint_names(character.asset)) {}
+
+  std::string with_model(const std::string& name) const { return model + "/" + name; }
+
+  std::string model;
+  std::vector<std::string> parts, joints;
+};
 
 /// Parts and joints of a character that a pattern matches.
 struct Named {
@@ -22,39 +35,32 @@ struct Named {
   }
 };
 
-std::string with_model(const Character& character, const std::string& name) {
-  return character.name + "/" + name;
-}
-
-Named find_named(std::string_view pattern, const Character& character) {
-  const asset::Asset& asset = character.asset;
+Named find_named(std::string_view pattern, const Names& names) {
   const auto is_meant = [&](const std::string& name) {
-    return matches(pattern, name) || matches(pattern, with_model(character, name));
+    return matches(pattern, name) || matches(pattern, names.with_model(name));
   };
   Named named;
-  for (std::uint32_t p = 0; p < asset.parts.size(); ++p)
-    named.parts.push_back(is_meant(part_name(asset, p)));
-  for (std::uint32_t j = 0; j < asset.joints.size(); ++j)
-    named.joints.push_back(is_meant(joint_name(asset, j)));
+  for (const std::string& part : names.parts) named.parts.push_back(is_meant(part));
+  for (const std::string& joint : names.joints) named.joints.push_back(is_meant(joint));
   return named;
 }
 
 /// Returns all names, each once, in their order; with their models if `with_models`.
-std::vector<std::string> all_names(CharacterSpan characters, bool with_models) {
-  std::vector<std::string> names;
-  const auto add = [&](const Character& character, const std::string& bare) {
-    const std::string name = with_models ? with_model(character, bare) : bare;
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  };
-  for (const Character* character : characters) {
-    const asset::Asset& asset = character->asset;
-    for (std::uint32_t p = 0; p < asset.parts.size(); ++p) add(*character, part_name(asset, p));
-    for (std::uint32_t j = 0; j < asset.joints.size(); ++j) add(*character, joint_name(asset, j));
+std::vector<std::string> all_names(std::span<const Names> characters, bool with_models) {
+  std::vector<std::string> all;
+  std::unordered_set<std::string> known;
+  for (const Names& names : characters) {
+    for (const auto* list : {&names.parts, &names.joints}) {
+      for (const std::string& bare : *list) {
+        const std::string name = with_models ? names.with_model(bare) : bare;
+        if (known.insert(name).second) all.push_back(name);
+      }
+    }
   }
-  return names;
+  return all;
 }
 
-Error unknown_name(CharacterSpan characters, std::string_view name) {
+Error unknown_name(std::span<const Names> characters, std::string_view name) {
   const bool with_models = name.find('/') != name.npos;
   const std::vector<std::string> names = all_names(characters, with_models);
   const std::vector<std::string_view> known(names.begin(), names.end());
@@ -63,9 +69,9 @@ Error unknown_name(CharacterSpan characters, std::string_view name) {
 }
 
 /// Returns for each triangle whether the pattern matches it.
-std::vector<bool> find_meant(std::string_view pattern, const Character& character,
+std::vector<bool> find_meant(std::string_view pattern, const Names& names,
                              const TriangleLabels& labels) {
-  const Named named = find_named(pattern, character);
+  const Named named = find_named(pattern, names);
   std::vector<bool> meant;
   for (std::size_t t = 0; t < labels.part.size(); ++t)
     meant.push_back(named.parts[labels.part[t]] || named.joints[labels.joint[t]]);
@@ -86,14 +92,17 @@ std::vector<const Character*> characters_of(const Scene& scene) {
 }
 
 Result<void> check_names(CharacterSpan characters, std::span<const NamePair> pairs) {
-  const auto has = [&](const std::string& name) {
-    return std::any_of(characters.begin(), characters.end(), [&](const Character* character) {
-      return find_named(name, *character).is_any();
+  if (pairs.empty()) return {};
+  std::vector<Names> names;
+  for (const Character* character : characters) names.emplace_back(*character);
+  const auto has = [&](const std::string& pattern) {
+    return std::any_of(names.begin(), names.end(), [&](const Names& of_character) {
+      return find_named(pattern, of_character).is_any();
     });
   };
   for (const NamePair& pair : pairs) {
-    if (!has(pair.a)) return unknown_name(characters, pair.a);
-    if (!has(pair.b)) return unknown_name(characters, pair.b);
+    if (!has(pair.a)) return unknown_name(names, pair.a);
+    if (!has(pair.b)) return unknown_name(names, pair.b);
   }
   return {};
 }
@@ -105,9 +114,10 @@ Result<IgnoredPairs> IgnoredPairs::make(CharacterSpan characters, std::span<cons
   for (const Character* character : characters) {
     const Result<TriangleLabels> labels = label_triangles(character->asset);
     if (!labels) return asset::prefixed(character->source, labels.error());
+    const Names names(*character);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      ignored.rules_[i].a.push_back(find_meant(pairs[i].a, *character, *labels));
-      ignored.rules_[i].b.push_back(find_meant(pairs[i].b, *character, *labels));
+      ignored.rules_[i].a.push_back(find_meant(pairs[i].a, names, *labels));
+      ignored.rules_[i].b.push_back(find_meant(pairs[i].b, names, *labels));
     }
   }
   return ignored;

@@ -97,5 +97,20 @@ TEST_F(IgnoredPairsOfTwo, RefuseNamesThatNothingHas) {
   EXPECT_EQ(refusal("thief/*i*"), "");
 }
 
+/// Comparing all names with each other would take 10^11 steps: minutes.
+TEST(CheckNames, RefusesAnUnknownNameInTimeLinearInNames) {
+  Character crowd;
+  crowd.name = "crowd";
+  crowd.asset.parts.resize(400'000);
+  for (std::size_t p = 0; p < crowd.asset.parts.size(); ++p)
+    crowd.asset.parts[p].node = "part number " + std::to_string(p);
+  const std::vector<const Character*> characters = {&crowd};
+  const std::vector<NamePair> pairs = {{"part number 7", "x"}};
+  const Result<void> checked = check_names(characters, pairs);
+  ASSERT_FALSE(checked);
+  EXPECT_NE(checked.error().message.find("no part and no joint is named \"x\""), std::string::npos)
+      << checked.error().message;
+}
+
 }  // namespace
 }  // namespace pelt::scenes

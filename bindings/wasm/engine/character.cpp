@@ -98,9 +98,10 @@ std::uint32_t prepare_generated(Result<scenes::Character> generated, const Optio
 
 json describe_parts(const asset::Asset& asset) {
   json parts = json::array();
+  const std::vector<std::string> names = scenes::part_names(asset);
   for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
     const asset::Part& part = asset.parts[p];
-    parts.push_back({{"name", scenes::part_name(asset, p)},
+    parts.push_back({{"name", names[p]},
                      {"firstTriangle", part.first_triangle},
                      {"triangleCount", part.triangle_count},
                      {"skinned", part.skinned}});

@@ -29,14 +29,28 @@ scenes::Scene knights_and_thief() {
 
 TEST(TouchName, CountsInstancesByTheirModel) {
   const scenes::Scene scene = knights_and_thief();
-  EXPECT_EQ(touch_name(scene, {0, 1, 0}), (TouchName{{"knight", 0, "body:skin"}, "hips"}));
-  EXPECT_EQ(touch_name(scene, {1, 1, 0}), (TouchName{{"thief", 0, "body:skin"}, "hips"}));
-  EXPECT_EQ(touch_name(scene, {2, 1, 0}), (TouchName{{"knight", 1, "body:skin"}, "hips"}));
-  EXPECT_EQ(in_words(scene, {2, 1, 0}), "knight 2 body:skin hips");
+  const scene::StagedScene staged(scene, {});
+  EXPECT_EQ(touch_name(staged, {0, 1, 0}), (TouchName{{"knight", 0, "body:skin"}, "hips"}));
+  EXPECT_EQ(touch_name(staged, {1, 1, 0}), (TouchName{{"thief", 0, "body:skin"}, "hips"}));
+  EXPECT_EQ(touch_name(staged, {2, 1, 0}), (TouchName{{"knight", 1, "body:skin"}, "hips"}));
+  EXPECT_EQ(in_words(staged, {2, 1, 0}), "knight 2 body:skin hips");
 }
 
 TEST(TouchName, IsTextAsAFileHoldsIt) {
-  EXPECT_EQ(touch_name(knights_and_thief(), {3, 0, 0}).body.model, "caf\xEF\xBF\xBD");
+  const scenes::Scene scene = knights_and_thief();
+  const scene::StagedScene staged(scene, {});
+  EXPECT_EQ(touch_name(staged, {3, 0, 0}).body.model, "caf\xEF\xBF\xBD");
+}
+
+/// Comparing all instances with each other would take 10^11 steps: minutes.
+TEST(TouchName, CountsInstancesInTimeLinearInInstances) {
+  scenes::Scene scene = knights_and_thief();
+  scene.instances.resize(400'000, scene.instances[0]);
+  const scene::StagedScene staged(scene, {});
+  for (std::uint32_t i = 4; i < scene.instances.size(); ++i)
+    ASSERT_EQ(staged.names->copy(i), i - 2);
+  EXPECT_EQ(touch_name(staged, {399'999, 1, 0}),
+            (TouchName{{"knight", 399'997, "body:skin"}, "hips"}));
 }
 
 }  // namespace

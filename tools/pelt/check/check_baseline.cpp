@@ -212,8 +212,8 @@ std::uint64_t CheckBaseline::worst(const TouchNames& names) const {
   return found == touches_.end() ? 0 : found->second;
 }
 
-CheckBaseline::TouchNames names_of(const scenes::Scene& scene, const Touch& touch) {
-  return ordered(touch_name(scene, touch.a), touch_name(scene, touch.b));
+CheckBaseline::TouchNames names_of(const scene::StagedScene& staged, const Touch& touch) {
+  return ordered(touch_name(staged, touch.a), touch_name(staged, touch.b));
 }
 
 }  // namespace pelt::tools::check

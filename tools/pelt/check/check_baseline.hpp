@@ -54,6 +54,6 @@ class CheckBaseline {
 };
 
 /// The two places of a touch as a baseline knows them.
-CheckBaseline::TouchNames names_of(const scenes::Scene& scene, const Touch& touch);
+CheckBaseline::TouchNames names_of(const scene::StagedScene& staged, const Touch& touch);
 
 }  // namespace pelt::tools::check

@@ -21,9 +21,11 @@ const char* name_of(ContactKind kind) {
 /// Describes one of the two bodies.
 class Side {
  public:
-  Side(const scenes::Scene& scene, const scene::Collider& collider)
-      : collider_(collider),
-        asset_(scene.characters[scene.instances[collider.instance].character].asset) {}
+  Side(const scene::StagedScene& staged, std::uint32_t collider)
+      : collider_(staged.colliders[collider]),
+        character_(staged.character_of(collider)),
+        asset_(staged.asset_of(collider)),
+        names_(*staged.names) {}
 
   std::string joint(std::uint16_t joint) const { return scenes::joint_name(asset_, joint); }
 
@@ -34,11 +36,13 @@ class Side {
     return static_cast<std::uint32_t>(&asset_.part_of(triangle(own)) - asset_.parts.data());
   }
 
-  std::string part(std::uint32_t part) const { return scenes::part_name(asset_, part); }
+  const std::string& part(std::uint32_t part) const { return names_.part(character_, part); }
 
  private:
   const scene::Collider& collider_;
+  std::uint32_t character_;
   const asset::Asset& asset_;
+  const scene::SceneNames& names_;
 };
 
 ordered_json trace_json(const Side& a, const Side& b, const ContactTrace& trace) {
@@ -95,9 +99,9 @@ ordered_json region_json(const Side& a, const Side& b, const ContactGeometry& ge
 
 }  // namespace
 
-ordered_json contact_geometry_json(const scenes::Scene& scene, const scene::Collider& a,
-                                   const scene::Collider& b, const ContactGeometry& geometry) {
-  const Side side_a(scene, a), side_b(scene, b);
+ordered_json contact_geometry_json(const scene::StagedScene& staged, std::uint32_t a,
+                                   std::uint32_t b, const ContactGeometry& geometry) {
+  const Side side_a(staged, a), side_b(staged, b);
   ordered_json traces = ordered_json::array(), curves = traces, regions = traces;
   for (const ContactTrace& trace : geometry.traces)
     traces.push_back(trace_json(side_a, side_b, trace));

@@ -2,17 +2,15 @@
 
 #include <pelt/contact.hpp>
 
-#include "scenes/scene.hpp"
-#include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace pelt::tools::check {
 
-/// The geometry of two colliders' contacts, with names of parts and joints: `traces`, `curves` and
-/// `regions` as the manual page has them.
-nlohmann::ordered_json contact_geometry_json(const scenes::Scene& scene, const scene::Collider& a,
-                                             const scene::Collider& b,
-                                             const ContactGeometry& geometry);
+/// Returns the geometry of the contacts of two colliders, given by their numbers, with names of
+/// parts and joints: `traces`, `curves` and `regions` as in the manual page.
+nlohmann::ordered_json contact_geometry_json(const scene::StagedScene& staged, std::uint32_t a,
+                                             std::uint32_t b, const ContactGeometry& geometry);
 
 }  // namespace pelt::tools::check

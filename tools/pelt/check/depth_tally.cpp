@@ -31,7 +31,7 @@ std::vector<DepthTally::Row> DepthTally::deepest() const {
 std::string DepthTally::name(const Place& place) const {
   const scene::Collider& collider = staged_.colliders[place.collider];
   const std::uint32_t character = staged_.scene.instances[collider.instance].character;
-  return scene::collider_name(staged_.scene, collider) + " " +
+  return scene::collider_name(staged_, collider) + " " +
          asset::printable_name(
              scenes::joint_name(staged_.scene.characters[character].asset, place.joint));
 }

@@ -14,28 +14,27 @@ Body body_of(const scene::StagedScene& staged, std::uint32_t collider) {
   return {staged.character_of(collider), body.first_triangle, body.model.triangle_count()};
 }
 
-void add_held(std::uint32_t inner, std::uint32_t outer, std::uint32_t frame,
-              std::vector<Held>& held) {
-  const auto is_same = [&](const Held& h) { return h.inner == inner && h.outer == outer; };
-  const auto known = std::find_if(held.begin(), held.end(), is_same);
-  if (known == held.end())
-    held.push_back({inner, outer, 1, frame});
-  else
-    ++known->frames;
-}
-
 }  // namespace
 
 void InsideTally::add(std::uint32_t frame, std::span<const InsidePair> pairs) {
   bool is_held = false;
   for (const InsidePair& pair : pairs) {
     is_held |= pair.containment != Containment::none;
-    if (pair.containment == Containment::a_in_b) add_held(pair.a, pair.b, frame, held);
-    if (pair.containment == Containment::b_in_a) add_held(pair.b, pair.a, frame, held);
+    if (pair.containment == Containment::a_in_b) add_held(pair.a, pair.b, frame);
+    if (pair.containment == Containment::b_in_a) add_held(pair.b, pair.a, frame);
     if (pair.a_in_b.depth > deepest.depth) deepest = {pair.a_in_b.depth, pair.a, pair.b, frame};
     if (pair.b_in_a.depth > deepest.depth) deepest = {pair.b_in_a.depth, pair.b, pair.a, frame};
   }
   if (is_held) frames_held.push_back(frame);
+}
+
+void InsideTally::add_held(std::uint32_t inner, std::uint32_t outer, std::uint32_t frame) {
+  const std::uint64_t key = std::uint64_t{inner} << 32 | outer;
+  const auto [known, is_new] = held_at_.try_emplace(key, held.size());
+  if (is_new)
+    held.push_back({inner, outer, 1, frame});
+  else
+    ++held[known->second].frames;
 }
 
 InsideQuery::InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored)

@@ -11,6 +11,7 @@
 
 #include <map>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,11 @@ struct InsideTally {
   std::vector<std::uint32_t> frames_held;  ///< frames in which one collider contains another
   std::vector<Held> held;                  ///< in the order in which they were found
   Deepest deepest;  ///< among touching bodies; depth 0 if no vertex was inside
+
+ private:
+  void add_held(std::uint32_t inner, std::uint32_t outer, std::uint32_t frame);
+
+  std::unordered_map<std::uint64_t, std::size_t> held_at_;  // [inner, outer] index into `held`
 };
 
 class InsideQuery {

@@ -54,8 +54,7 @@ ordered_json JsonlWriter::pairs_json(const scene::FrameContacts& found,
     entry["contacts"] = pair.end - pair.begin;
     if (question_.pairs) entry["triangles"] = triangles_json(found.of(pair));
     if (details != nullptr) {
-      entry.update(contact_geometry_json(staged_.scene, staged_.colliders[pair.a],
-                                         staged_.colliders[pair.b], details->of_pair(i)));
+      entry.update(contact_geometry_json(staged_, pair.a, pair.b, details->of_pair(i)));
     }
   }
   return pairs;
@@ -96,7 +95,7 @@ ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
   if (!verdict.comparison) return json;
   const Comparison& comparison = *verdict.comparison;
   for (const Worse& worse : comparison.worse) {
-    json["worse"].push_back(touch_json(staged_.scene, worse.touch));
+    json["worse"].push_back(touch_json(staged_, worse.touch));
     json["worse"].back()["known"] = worse.known;
   }
   for (const GoneTouch& gone : comparison.gone) json["gone"].push_back(gone_json(gone));
@@ -122,8 +121,7 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
     last["cut_short"] = true;
   }
   last["touches"] = ordered_json::array();
-  for (const Touch& touch : found.touches)
-    last["touches"].push_back(touch_json(staged_.scene, touch));
+  for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(staged_, touch));
   if (question_.inside) last["held"] = held_list(found.held);
   last["verdict"] = verdict_json(verdict);
   scene::write_line(last, out_);

@@ -84,8 +84,8 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
 }
 
 std::string held_words(const scene::StagedScene& staged, const Held& held) {
-  return scene::collider_name(staged.scene, staged.colliders[held.inner]) + " is contained in " +
-         scene::collider_name(staged.scene, staged.colliders[held.outer]) + " in " +
+  return scene::collider_name(staged, staged.colliders[held.inner]) + " is contained in " +
+         scene::collider_name(staged, staged.colliders[held.outer]) + " in " +
          output::counted(held.frames, "frame") + ", first " + std::to_string(held.first_frame);
 }
 
@@ -96,13 +96,14 @@ void print_held(const scene::StagedScene& staged, const char* name, std::span<co
   print_rest(held.size(), out);
 }
 
-void print_worse(const scenes::Scene& scene, std::span<const Worse> worse, std::ostream& out) {
+void print_worse(const scene::StagedScene& staged, std::span<const Worse> worse,
+                 std::ostream& out) {
   for (std::size_t i = 0; i < std::min(worse.size(), kMostRows); ++i) {
     const auto& [touch, known] = worse[i];
     out << std::right << std::setw(12) << output::with_commas(touch.worst) << " ("
         << (known == 0 ? "new" : "was " + output::with_commas(known)) << ")  frame "
-        << touch.worst_frame << "  " << in_words(scene, touch.a) << "  " << in_words(scene, touch.b)
-        << '\n';
+        << touch.worst_frame << "  " << in_words(staged, touch.a) << "  "
+        << in_words(staged, touch.b) << '\n';
   }
   print_rest(worse.size(), out);
 }
@@ -139,9 +140,9 @@ void print_comparison(const scene::StagedScene& staged, const Comparison& compar
                                 << output::with_commas(grown) << " grown, "
                                 << output::with_commas(as_known) << " as known\n";
   const std::span<const Worse> worse = comparison.worse;
-  print_worse(staged.scene, worse.first(fresh), out);
+  print_worse(staged, worse.first(fresh), out);
   print_held(staged, "new", comparison.newly_held, out);
-  print_worse(staged.scene, worse.subspan(fresh), out);
+  print_worse(staged, worse.subspan(fresh), out);
   print_gone(comparison, out);
   if (!comparison.left_out.empty())
     scene::label(out, "left out") << output::with_commas(comparison.left_out.size()) << " of "
@@ -179,11 +180,9 @@ void print_inside(const scene::StagedScene& staged, const InsideTally& inside, s
   const InsideTally::Deepest& deepest = inside.deepest;
   if (deepest.depth == 0) return;
   scene::label(out, "deepest") << "a vertex of "
-                               << scene::collider_name(staged.scene,
-                                                       staged.colliders[deepest.inner])
+                               << scene::collider_name(staged, staged.colliders[deepest.inner])
                                << " is " << output::fixed(deepest.depth, 6) << " deep in "
-                               << scene::collider_name(staged.scene,
-                                                       staged.colliders[deepest.outer])
+                               << scene::collider_name(staged, staged.colliders[deepest.outer])
                                << ", frame " << deepest.frame << '\n';
 }
 

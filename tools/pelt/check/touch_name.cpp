@@ -11,16 +11,20 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const scenes::Character& character_of(const scenes::Scene& scene, std::uint32_t instance) {
-  return scene.characters[scene.instances[instance].character];
+BodyName instance_name(const scene::StagedScene& staged, std::uint32_t instance) {
+  const std::uint32_t character = staged.scene.instances[instance].character;
+  return {scene::as_json_holds(staged.scene.characters[character].name),
+          staged.names->copy(instance), ""};
 }
 
-BodyName instance_name(const scenes::Scene& scene, std::uint32_t instance) {
-  const std::string& model = character_of(scene, instance).name;
-  BodyName name;
-  name.model = scene::as_json_holds(model);
-  for (std::uint32_t i = 0; i < instance; ++i) name.copy += character_of(scene, i).name == model;
-  return name;
+const std::string& part_name(const scene::StagedScene& staged, std::uint32_t instance,
+                             std::uint32_t part) {
+  return staged.names->part(staged.scene.instances[instance].character, part);
+}
+
+std::string joint_name(const scene::StagedScene& staged, const TouchPlace& place) {
+  const std::uint32_t character = staged.scene.instances[place.instance].character;
+  return scenes::joint_name(staged.scene.characters[character].asset, place.joint);
 }
 
 ordered_json with_instance(std::uint32_t instance, const ordered_json& name) {
@@ -31,31 +35,31 @@ ordered_json with_instance(std::uint32_t instance, const ordered_json& name) {
 
 }  // namespace
 
-BodyName body_name(const scenes::Scene& scene, const scene::Collider& collider) {
-  BodyName name = instance_name(scene, collider.instance);
-  const asset::Asset& asset = character_of(scene, collider.instance).asset;
-  if (collider.part) name.part = scene::as_json_holds(scenes::part_name(asset, *collider.part));
+BodyName body_name(const scene::StagedScene& staged, const scene::Collider& collider) {
+  BodyName name = instance_name(staged, collider.instance);
+  if (collider.part)
+    name.part = scene::as_json_holds(part_name(staged, collider.instance, *collider.part));
   return name;
 }
 
-TouchName touch_name(const scenes::Scene& scene, const TouchPlace& place) {
-  const asset::Asset& asset = character_of(scene, place.instance).asset;
-  TouchName name = {instance_name(scene, place.instance),
-                    scene::as_json_holds(scenes::joint_name(asset, place.joint))};
-  name.body.part = scene::as_json_holds(scenes::part_name(asset, place.part));
+TouchName touch_name(const scene::StagedScene& staged, const TouchPlace& place) {
+  TouchName name = {instance_name(staged, place.instance),
+                    scene::as_json_holds(joint_name(staged, place))};
+  name.body.part = scene::as_json_holds(part_name(staged, place.instance, place.part));
   return name;
 }
 
-std::string in_words(const scenes::Scene& scene, const TouchPlace& place) {
-  const scenes::Character& character = character_of(scene, place.instance);
-  return asset::printable_name(character.name) + " " + std::to_string(place.instance) + " " +
-         asset::printable_name(scenes::part_name(character.asset, place.part)) + " " +
-         asset::printable_name(scenes::joint_name(character.asset, place.joint));
+std::string in_words(const scene::StagedScene& staged, const TouchPlace& place) {
+  const std::uint32_t character = staged.scene.instances[place.instance].character;
+  return asset::printable_name(staged.scene.characters[character].name) + " " +
+         std::to_string(place.instance) + " " +
+         asset::printable_name(part_name(staged, place.instance, place.part)) + " " +
+         asset::printable_name(joint_name(staged, place));
 }
 
-ordered_json touch_json(const scenes::Scene& scene, const Touch& touch) {
-  return {{"a", with_instance(touch.a.instance, name_json(touch_name(scene, touch.a)))},
-          {"b", with_instance(touch.b.instance, name_json(touch_name(scene, touch.b)))},
+ordered_json touch_json(const scene::StagedScene& staged, const Touch& touch) {
+  return {{"a", with_instance(touch.a.instance, name_json(touch_name(staged, touch.a)))},
+          {"b", with_instance(touch.b.instance, name_json(touch_name(staged, touch.b)))},
           {"contacts", touch.contacts},
           {"frames", touch.frames},
           {"worst", {{"frame", touch.worst_frame}, {"contacts", touch.worst}}}};
@@ -64,7 +68,7 @@ ordered_json touch_json(const scenes::Scene& scene, const Touch& touch) {
 ordered_json held_json(const scene::StagedScene& staged, const Held& held) {
   const auto body = [&](std::uint32_t collider) {
     return with_instance(staged.colliders[collider].instance,
-                         name_json(body_name(staged.scene, staged.colliders[collider])));
+                         name_json(body_name(staged, staged.colliders[collider])));
   };
   return {{"inner", body(held.inner)},
           {"outer", body(held.outer)},

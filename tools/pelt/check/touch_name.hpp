@@ -32,14 +32,14 @@ struct TouchName {
   friend auto operator<=>(const TouchName&, const TouchName&) = default;
 };
 
-BodyName body_name(const scenes::Scene& scene, const scene::Collider& collider);
-TouchName touch_name(const scenes::Scene& scene, const TouchPlace& place);
+BodyName body_name(const scene::StagedScene& staged, const scene::Collider& collider);
+TouchName touch_name(const scene::StagedScene& staged, const TouchPlace& place);
 
 /// "knight 0 Cape Spine", by the number of the instance in the scene; printable.
-std::string in_words(const scenes::Scene& scene, const TouchPlace& place);
+std::string in_words(const scene::StagedScene& staged, const TouchPlace& place);
 
 /// As in `pelt check --jsonl`; `instance` is the number in the scene.
-nlohmann::ordered_json touch_json(const scenes::Scene& scene, const Touch& touch);
+nlohmann::ordered_json touch_json(const scene::StagedScene& staged, const Touch& touch);
 nlohmann::ordered_json held_json(const scene::StagedScene& staged, const Held& held);
 
 /// Without the numbers of instances, for places that are no longer in the scene.

@@ -11,17 +11,14 @@
 namespace pelt::tools::check {
 namespace {
 
-using NameOf = std::string (*)(const asset::Asset&, std::uint32_t index);
-
 /// Replaces each index by the lowest that has the same name.
 template <typename Index>
-void unite_equal_names(const asset::Asset& asset, std::size_t count, NameOf name_of,
-                       std::vector<Index>& indices) {
-  std::map<std::string, Index> by_name;
+void unite_equal_names(const std::vector<std::string>& names, std::vector<Index>& indices) {
+  std::map<std::string_view, Index> by_name;
   std::vector<Index> lowest;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto index = static_cast<Index>(i);
-    lowest.push_back(by_name.try_emplace(name_of(asset, index), index).first->second);
+  for (const std::string& name : names) {
+    const auto index = static_cast<Index>(lowest.size());
+    lowest.push_back(by_name.try_emplace(name, index).first->second);
   }
   for (Index& index : indices) index = lowest[index];
 }
@@ -38,9 +35,8 @@ Result<TouchTally> TouchTally::make(const scene::StagedScene& staged) {
   for (const scenes::Character& character : staged.scene.characters) {
     Result<scenes::TriangleLabels> labels = scenes::label_triangles(character.asset);
     if (!labels) return asset::prefixed(character.source, labels.error());
-    const asset::Asset& asset = character.asset;
-    unite_equal_names(asset, asset.parts.size(), scenes::part_name, labels->part);
-    unite_equal_names(asset, asset.joints.size(), scenes::joint_name, labels->joint);
+    unite_equal_names(scenes::part_names(character.asset), labels->part);
+    unite_equal_names(scenes::joint_names(character.asset), labels->joint);
     tally.labels_.push_back(std::move(*labels));
   }
   return tally;
@@ -84,14 +80,19 @@ std::vector<Touch> TouchTally::touches() const {
 }
 
 std::vector<TouchTally::Row> TouchTally::joints() const {
-  return rows(&TouchPlace::joint, scenes::joint_name);
+  return rows(&TouchPlace::joint, [&](std::uint32_t character, std::uint32_t joint) {
+    return scenes::joint_name(staged_.scene.characters[character].asset, joint);
+  });
 }
 
 std::vector<TouchTally::Row> TouchTally::parts() const {
-  return rows(&TouchPlace::part, scenes::part_name);
+  return rows(&TouchPlace::part, [&](std::uint32_t character, std::uint32_t part) {
+    return staged_.names->part(character, part);
+  });
 }
 
-std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, Name name) const {
+std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index,
+                                              const NameOf& name_of) const {
   using Key = std::pair<std::uint32_t, std::uint32_t>;  // instance, part or joint
   std::map<std::pair<Key, Key>, std::uint64_t> counts;
   for (const auto& [places, touch] : touches_) {
@@ -99,10 +100,9 @@ std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index, 
     counts[ascending(Key{a.instance, a.*index}, Key{b.instance, b.*index})] += touch.contacts;
   }
   const auto full_name = [&](const Key& key) {
-    const scenes::Character& character =
-        staged_.scene.characters[staged_.scene.instances[key.first].character];
-    return asset::printable_name(character.name) + " " + std::to_string(key.first) + " " +
-           asset::printable_name(name(character.asset, key.second));
+    const std::uint32_t character = staged_.scene.instances[key.first].character;
+    return asset::printable_name(staged_.scene.characters[character].name) + " " +
+           std::to_string(key.first) + " " + asset::printable_name(name_of(character, key.second));
   };
   std::vector<Row> rows;
   for (const auto& [keys, contacts] : counts) {

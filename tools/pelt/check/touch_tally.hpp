@@ -6,6 +6,7 @@
 #include "tools/pelt/scene/scene_query.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -52,13 +53,13 @@ class TouchTally {
 
  private:
   using Places = std::pair<TouchPlace, TouchPlace>;  // ascending
-  using Name = std::string (*)(const asset::Asset&, std::uint32_t index);
+  using NameOf = std::function<std::string(std::uint32_t character, std::uint32_t index)>;
 
   explicit TouchTally(const scene::StagedScene& staged) : staged_(staged) {}
 
   TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
   void add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts);
-  std::vector<Row> rows(std::uint32_t TouchPlace::*index, Name name) const;
+  std::vector<Row> rows(std::uint32_t TouchPlace::*index, const NameOf& name_of) const;
 
   scene::StagedScene staged_;
   std::vector<scenes::TriangleLabels> labels_;  // by character

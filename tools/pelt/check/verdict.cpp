@@ -46,10 +46,9 @@ class LeftOutParts {
   explicit LeftOutParts(const scenes::Scene& scene) {
     for (const scenes::Character& character : scene.characters) {
       Names& names = models_[scene::as_json_holds(character.name)];
-      const asset::Asset& asset = character.asset;
-      for (std::uint32_t p = 0; p < asset.parts.size(); ++p)
-        names.parts.insert(scene::as_json_holds(scenes::part_name(asset, p)));
-      for (const asset::Node& node : asset.nodes)
+      for (const std::string& part : scenes::part_names(character.asset))
+        names.parts.insert(scene::as_json_holds(part));
+      for (const asset::Node& node : character.asset.nodes)
         names.nodes.insert(scene::as_json_holds(node.name));
     }
   }
@@ -76,18 +75,18 @@ void sort_by_importance(std::vector<Worse>& worse) {
                         [](const Worse& touch) { return touch.known == 0; });
 }
 
-void compare_touches(const scenes::Scene& scene, std::span<const Touch> touches,
+void compare_touches(const scene::StagedScene& staged, std::span<const Touch> touches,
                      const CheckBaseline& baseline, Comparison& comparison) {
   std::map<CheckBaseline::TouchNames, std::uint64_t> rest = baseline.touches();
   comparison.known_touches = rest.size();
   for (const Touch& touch : touches) {
-    const CheckBaseline::TouchNames names = names_of(scene, touch);
+    const CheckBaseline::TouchNames names = names_of(staged, touch);
     const std::uint64_t known = baseline.worst(names);
     if (touch.worst > known) comparison.worse.push_back({touch, known});
     rest.erase(names);
   }
   sort_by_importance(comparison.worse);
-  const LeftOutParts left_out(scene);
+  const LeftOutParts left_out(staged.scene);
   for (const auto& [names, known] : rest) {
     const bool asked =
         !left_out.contains(names.first.body) && !left_out.contains(names.second.body);
@@ -99,8 +98,8 @@ void compare_held(const scene::StagedScene& staged, std::span<const Held> held,
                   const CheckBaseline& baseline, Comparison& comparison) {
   std::set<CheckBaseline::HeldNames> rest = baseline.held();
   for (const Held& h : held) {
-    const CheckBaseline::HeldNames names = {body_name(staged.scene, staged.colliders[h.inner]),
-                                            body_name(staged.scene, staged.colliders[h.outer])};
+    const CheckBaseline::HeldNames names = {body_name(staged, staged.colliders[h.inner]),
+                                            body_name(staged, staged.colliders[h.outer])};
     if (baseline.held().count(names) == 0) comparison.newly_held.push_back(h);
     rest.erase(names);
   }
@@ -128,7 +127,7 @@ Comparison compare(const scene::StagedScene& staged, const Findings& found,
                    const CheckBaseline& baseline) {
   Comparison comparison;
   comparison.notes.assign(baseline.notes().begin(), baseline.notes().end());
-  compare_touches(staged.scene, found.touches, baseline, comparison);
+  compare_touches(staged, found.touches, baseline, comparison);
   compare_held(staged, found.held, baseline, comparison);
   return comparison;
 }

@@ -83,7 +83,7 @@ std::string BoundsQuery::joint_of(const Bounded& bounded) const {
 }
 
 std::string BoundsQuery::name_of(const Bounded& bounded) const {
-  const std::string name = scene::collider_name(staged_.scene, staged_.colliders[bounded.collider]);
+  const std::string name = scene::collider_name(staged_, staged_.colliders[bounded.collider]);
   return bounded.joint ? name + " " + asset::printable_name(joint_of(bounded)) : name;
 }
 

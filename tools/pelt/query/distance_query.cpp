@@ -95,7 +95,7 @@ ordered_json DistanceQuery::totals_json() const {
 ordered_json DistanceQuery::pair_json(const PairDistance& pair) const {
   const Distance& distance = pair.distance;
   const auto named = [&](std::uint32_t collider, const SurfacePoint& point) {
-    return scene::name_point(staged_.scene, staged_.colliders[collider], point);
+    return scene::name_point(staged_, staged_.colliders[collider], point);
   };
   const scene::NamedPoint a = named(pair.a, distance.a), b = named(pair.b, distance.b);
   return {{"a", pair.a},
@@ -119,7 +119,7 @@ void DistanceQuery::print(std::size_t frames, std::ostream& out) const {
     return;
   }
   const auto place = [&](std::uint32_t collider, const SurfacePoint& point) {
-    return scene::place_words(staged_.scene, staged_.colliders[collider], point);
+    return scene::place_words(staged_, staged_.colliders[collider], point);
   };
   out << "\nleast distances\n";
   for (const PairDistance& pair : nearest_.pairs()) {

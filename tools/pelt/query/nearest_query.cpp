@@ -86,7 +86,7 @@ ordered_json NearestQuery::totals_json() const {
 ordered_json NearestQuery::place_json(const Nearest& nearest) const {
   const SurfacePoint& point = nearest.closest.point;
   const scene::NamedPoint named =
-      scene::name_point(staged_.scene, staged_.colliders[nearest.collider], point);
+      scene::name_point(staged_, staged_.colliders[nearest.collider], point);
   return {{"index", nearest.collider},  {"distance", nearest.closest.distance},
           {"triangle", named.triangle}, {"position", scene::vector_json(point.position)},
           {"part", named.part},         {"joint", named.joint}};
@@ -103,7 +103,7 @@ void NearestQuery::print(std::size_t frames, std::ostream& out) const {
     }
     out << "nearest in frame " << least_frame_[p] << ": "
         << output::fixed(least.closest.distance, 6) << " from "
-        << scene::place_words(staged_.scene, staged_.colliders[least.collider], least.closest.point)
+        << scene::place_words(staged_, staged_.colliders[least.collider], least.closest.point)
         << '\n';
     scene::label(out, "") << "at" << scene::coordinates(least.closest.point.position) << '\n';
   }

@@ -26,17 +26,16 @@ class HitNames {
  public:
   HitNames(const scene::StagedScene& staged) : staged_(staged) {}
 
-  const scenes::Scene& scene() const { return staged_.scene; }
-  std::span<const scene::Collider> colliders() const { return staged_.colliders; }
-
-  const asset::Asset& asset_of(std::uint32_t instance) const {
-    return staged_.scene.characters[staged_.scene.instances[instance].character].asset;
+  std::string instance(std::uint32_t instance) const {
+    return scene::collider_name(staged_, staged_.colliders[instance]);
   }
+
+  const asset::Asset& asset_of(std::uint32_t instance) const { return staged_.asset_of(instance); }
 
   std::string part(std::uint32_t instance, const RayHit& hit) const {
     const asset::Asset& asset = asset_of(instance);
     const auto part = &asset.part_of(hit.triangle) - asset.parts.data();
-    return scenes::part_name(asset, static_cast<std::uint32_t>(part));
+    return staged_.names->part(staged_.character_of(instance), static_cast<std::uint32_t>(part));
   }
 
   std::vector<JointShare> joints(std::uint32_t instance, const RayHit& hit) const {
@@ -82,9 +81,8 @@ void print_nearest(const HitNames& names, const Ray& ray, const RayTally::Neares
   const RayHit& hit = nearest.hit;
   const std::vector<JointShare> joints = names.joints(nearest.instance, hit);
   scene::label(out, "nearest") << "frame " << nearest.frame << ": "
-                               << scene::collider_name(names.scene(),
-                                                       names.colliders()[nearest.instance])
-                               << ' ' << asset::printable_name(names.part(nearest.instance, hit))
+                               << names.instance(nearest.instance) << ' '
+                               << asset::printable_name(names.part(nearest.instance, hit))
                                << ", triangle " << hit.triangle << ", "
                                << asset::printable_name(scenes::joint_name(
                                       names.asset_of(nearest.instance), joints[0].joint))

@@ -79,7 +79,7 @@ void RegionQuery::print(std::size_t, std::ostream& out) const {
   std::vector<std::string> names;
   std::size_t width = 0;
   for (const scene::Collider& collider : staged_.colliders) {
-    names.push_back(scene::collider_name(staged_.scene, collider));
+    names.push_back(scene::collider_name(staged_, collider));
     width = std::max(width, names.back().size());
   }
   const auto column = [&](auto text) -> std::ostream& { return out << std::setw(9) << text; };

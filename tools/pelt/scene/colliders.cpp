@@ -1,8 +1,6 @@
 #include "tools/pelt/scene/colliders.hpp"
 
-#include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"
-#include "scenes/names.hpp"
 #include "tools/pelt/scene/part_mesh.hpp"
 
 #include <algorithm>
@@ -64,14 +62,6 @@ Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granula
     }
   }
   return colliders;
-}
-
-std::string collider_name(const scenes::Scene& scene, const Collider& collider) {
-  const Character& character = scene.characters[scene.instances[collider.instance].character];
-  const std::string name =
-      asset::printable_name(character.name) + " " + std::to_string(collider.instance);
-  if (!collider.part) return name;
-  return name + " " + asset::printable_name(scenes::part_name(character.asset, *collider.part));
 }
 
 }  // namespace pelt::tools::scene

@@ -43,7 +43,4 @@ inline Contact numbered_in_models(const Contact& c, const Collider& a, const Col
 Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
                                              const arguments::ModelArguments& arguments);
 
-/// "knight 0", or "knight 0 Knight_Helmet" for a part; printable.
-std::string collider_name(const scenes::Scene& scene, const Collider& collider);
-
 }  // namespace pelt::tools::scene

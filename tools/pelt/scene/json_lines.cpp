@@ -2,7 +2,6 @@
 
 #include <pelt/version.hpp>
 
-#include "scenes/names.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -25,15 +24,14 @@ ordered_json colliders_json(const StagedScene& staged) {
   ordered_json instances = ordered_json::array();
   for (std::size_t c = 0; c < staged.colliders.size(); ++c) {
     const Collider& collider = staged.colliders[c];
-    const scenes::Character& character =
-        staged.scene.characters[staged.scene.instances[collider.instance].character];
+    const std::uint32_t character = staged.scene.instances[collider.instance].character;
     ordered_json& entry = instances.emplace_back();
     entry["index"] = c;
-    entry["model"] = character.name;
+    entry["model"] = staged.scene.characters[character].name;
     entry["triangles"] = collider.model.triangle_count();
     if (!collider.part) continue;
     entry["instance"] = collider.instance;
-    entry["part"] = scenes::part_name(character.asset, *collider.part);
+    entry["part"] = staged.names->part(character, *collider.part);
     entry["first_triangle"] = collider.first_triangle;
   }
   return instances;

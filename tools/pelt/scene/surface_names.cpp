@@ -26,21 +26,21 @@ std::uint32_t dominant_joint(const asset::Asset& asset, const Triangle& triangle
 
 }  // namespace
 
-NamedPoint name_point(const scenes::Scene& scene, const Collider& collider,
+NamedPoint name_point(const StagedScene& staged, const Collider& collider,
                       const SurfacePoint& point) {
-  const std::uint32_t character = scene.instances[collider.instance].character;
-  const asset::Asset& asset = scene.characters[character].asset;
+  const std::uint32_t character = staged.scene.instances[collider.instance].character;
+  const asset::Asset& asset = staged.scene.characters[character].asset;
   const std::uint32_t triangle = collider.number_in_asset(point.triangle);
   const auto part = &asset.part_of(triangle) - asset.parts.data();
   const std::uint32_t joint = dominant_joint(asset, asset.triangles[triangle], point.barycentrics);
-  return {triangle, scenes::part_name(asset, static_cast<std::uint32_t>(part)),
+  return {triangle, staged.names->part(character, static_cast<std::uint32_t>(part)),
           scenes::joint_name(asset, joint)};
 }
 
-std::string place_words(const scenes::Scene& scene, const Collider& collider,
+std::string place_words(const StagedScene& staged, const Collider& collider,
                         const SurfacePoint& point) {
-  const NamedPoint named = name_point(scene, collider, point);
-  std::string words = collider_name(scene, collider);
+  const NamedPoint named = name_point(staged, collider, point);
+  std::string words = collider_name(staged, collider);
   if (!collider.part) words.append(" ").append(asset::printable_name(named.part));
   return words + " (" + asset::printable_name(named.joint) + ", triangle " +
          std::to_string(named.triangle) + ")";

@@ -4,7 +4,7 @@
 
 #include <pelt/distance.hpp>
 
-#include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <string>
 
@@ -16,11 +16,11 @@ struct NamedPoint {
   std::string part, joint;
 };
 
-NamedPoint name_point(const scenes::Scene& scene, const Collider& collider,
+NamedPoint name_point(const StagedScene& staged, const Collider& collider,
                       const SurfacePoint& point);
 
 /// "knight 0 Knight_Helmet (head, triangle 12)"
-std::string place_words(const scenes::Scene& scene, const Collider& collider,
+std::string place_words(const StagedScene& staged, const Collider& collider,
                         const SurfacePoint& point);
 
 }  // namespace pelt::tools::scene

@@ -64,9 +64,10 @@ ordered_json clips_json(const asset::Asset& asset) {
 
 ordered_json parts_json(const asset::Asset& asset) {
   ordered_json parts = ordered_json::array();
+  const std::vector<std::string> names = scenes::part_names(asset);
   for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
     const asset::Part& part = asset.parts[p];
-    parts.push_back({{"name", scenes::part_name(asset, p)},
+    parts.push_back({{"name", names[p]},
                      {"node", part.node},
                      {"mesh", part.mesh},
                      {"material", part.material},
@@ -151,10 +152,11 @@ void print_clips(const asset::Asset& asset) {
 
 void print_parts(const asset::Asset& asset) {
   print_line("parts", output::with_commas(asset.parts.size()));
+  const std::vector<std::string> names = scenes::part_names(asset);
   for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
     const asset::Part& part = asset.parts[p];
     std::cout << "  " << std::right << std::setw(8) << output::with_commas(part.triangle_count)
-              << " triangles  " << asset::printable_name(scenes::part_name(asset, p)) << "  (mesh "
+              << " triangles  " << asset::printable_name(names[p]) << "  (mesh "
               << asset::quoted(part.mesh) << ", material " << asset::quoted(part.material)
               << (part.skinned ? ")\n" : "; not skinned)\n");
   }
