@@ -91,10 +91,10 @@ struct Clip {
 ///
 /// Triangles are numbered in the order of the scene: nodes depth-first, primitives in order,
 /// including degenerate triangles. The arrays take 12 bytes per triangle, 12 + 6 K per vertex, 68
-/// per joint, 16 per vertex that a morph target displaces, and 4 per time and per number of a
-/// clip's keys. Nothing else grows with the mesh.
+/// per joint, 16 per vertex that a morph target displaces, and 4 per key time and per number in the
+/// keys' values. Nothing else grows with the mesh.
 struct PELT_API Asset {
-  std::vector<Vec3> rest_positions;          ///< [V] frame: see Part::skinned
+  std::vector<Vec3> rest_positions;          ///< [V] in mesh space; if unskinned, see Part::skinned
   std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
   std::uint32_t influences_per_vertex = 1;   ///< K
   std::vector<std::uint16_t> joint_indices;  ///< [V][K] into `joints`
@@ -146,8 +146,8 @@ struct GltfOptions {
 /// Cost: O(bytes of the file + size of the asset), apart from a factor log J for joints. Accessors
 /// are decoded once for each use, and a mesh is copied for each node that has it. While loading,
 /// memory holds the file, the files that it refers to, and decoded copies, in addition to the
-/// asset. A file may need at most 256 times its size plus 16 MiB. On 32-bit platforms, the limits
-/// are 256 MiB and two million values in the JSON.
+/// asset. A file whose contents need more than 256 times its size plus 16 MiB is an error. On
+/// 32-bit platforms, the limits are 256 MiB and two million values in the JSON.
 ///
 /// Returns an error that names the accessor, node or extension. Rotations whose squared length is
 /// further than 1/16 from 1 are an error.

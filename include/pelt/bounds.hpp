@@ -22,28 +22,31 @@ struct Bounds {
 };
 
 struct BoundsOptions {
-  /// Number of tree levels to open, where opening can still shrink the box. With 0, box and sphere
-  /// come from the joint palette alone. From the depth of the tree on, the box is exact.
+  /// Number of tree levels to open, except for nodes within the box found so far. With 0, box and
+  /// sphere come from the joint palette alone. The box is exact if `levels` is at least the depth
+  /// of the tree.
   std::uint32_t levels = 0;
 };
 
-/// Writes a box and a sphere that are guaranteed to enclose the posed surface: every float32 posed
-/// vertex that a triangle uses, including rounding. Both are in the frame of the joint palette.
+/// Writes a box and a sphere that are guaranteed to enclose the posed surface, in the frame of the
+/// joint palette. The guarantee includes rounding: both contain the float32 posed vertices (see
+/// `posed_vertices`) of all triangles.
 ///
 /// Cost: O(J) with `levels` 0, without posing or opening anything. The box then costs about as much
 /// as `set_palette`, and the sphere one and a half times that. Each further level costs the opening
 /// of a few nodes.
 ///
 /// Accuracy: for a human in motion, the box of `levels` 0 is a few per cent to 25 % larger than the
-/// exact one; three levels leave less than 10 %. The box of `levels` 0 is the hull of the posed
-/// rest boxes of the joints (Kavan & Zara 2005, eq. 2, with boxes and one body for each joint).
+/// exact one; three levels leave less than 10 %. The box of `levels` 0 encloses a posed box per
+/// joint. Before posing, this box encloses the rest positions that the joint moves. (This is eq. 2
+/// of Kavan & Zara 2005, with boxes, and with one body per joint.)
 PELT_API QueryStats bounds(Pose& pose, Bounds& result, const BoundsOptions& options = {});
 
 /// Writes the exact box: bit for bit the smallest and largest coordinates of the posed vertices
 /// that triangles use (see `posed_vertices`), except that zeros are positive. The sphere is
 /// guaranteed to enclose the surface.
 ///
-/// Cost: opens the tree only where the box can still grow.
+/// Cost: opens only nodes that may reach beyond the box found so far.
 PELT_API QueryStats exact_bounds(Pose& pose, Bounds& result);
 
 }  // namespace pelt

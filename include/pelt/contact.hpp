@@ -20,8 +20,9 @@ namespace detail {
 struct Surface;
 }
 
-/// Adjacency of a model's triangles, and the joints that they follow. Create one per model.
-/// Immutable, cheap to copy (copies share), safe to use from any number of threads.
+/// Stores which triangles of a model are adjacent, and for each triangle the joint with the largest
+/// sum of weights over its vertices. Create one surface per model. Immutable, cheap to copy (copies
+/// share), safe to use from any number of threads.
 class PELT_API Surface {
  public:
   /// O(T log T). Allocates 22 bytes per triangle.
@@ -47,29 +48,32 @@ enum class ContactKind : std::uint8_t {
   collapsed  ///< a triangle has collapsed to a segment or a point; there are no ends
 };
 
-/// The intersection of two triangles. The features that meet are decided exactly on the float32
-/// posed vertices; positions are rounded.
+/// The intersection of two triangles. Which features (vertices, edges or interiors) of the
+/// triangles meet is decided exactly on the float32 posed vertices. Positions are rounded.
 struct ContactTrace {
   Contact contact;
   ContactKind kind = ContactKind::segment;
 
-  /// Ends of the segment, in the direction n_a x n_b of the triangles' normals; for a point, twice
-  /// the point. Each coordinate is off by less than 2^-23 times the largest coordinate of the two
-  /// triangles. Without ends, both are the midpoint of the two triangles' centres.
+  /// Ends of the segment, in the direction n_a x n_b of the triangles' normals; for kind `point`,
+  /// both are that point. Each coordinate is off by less than 2^-23 times the largest coordinate of
+  /// the two triangles. For kinds `coplanar` and `collapsed`, both are the midpoint between the
+  /// centres of the two triangles.
   Vec3 from, to;
 
-  /// Unit vector, the direction in which `a` should move to leave `b`: the bisector of the normal
-  /// of b's triangle and the opposite of the normal of a's triangle. If these two are opposite, the
-  /// normal of b's triangle; zero if b's triangle has collapsed.
+  /// Unit vector, the direction in which `a` should move to leave `b`: the bisector of n_b and
+  /// -n_a, for the unit normals n_a and n_b of the triangles. If n_a equals n_b, it is n_b. A
+  /// collapsed triangle has the normal zero here, so `normal` is zero only if both triangles have
+  /// collapsed.
   Vec3 normal;
 
-  /// How far the triangle of `a` reaches behind the triangle of `b` along `normal`. Moved by this
-  /// amount, it would at most touch. Never larger than the triangles, so a finer mesh makes it
-  /// smaller. It does not measure the depth of one body inside another; see `deepest_vertex`.
+  /// How far the triangle of `a` reaches behind the triangle of `b` along `normal`. If the triangle
+  /// of `a` moved by `depth` along `normal`, the triangles would at most touch. Never larger than
+  /// the triangles, so a finer mesh makes it smaller. It does not measure the depth of one body
+  /// inside another; see `deepest_vertex`.
   float depth = 0;
 
-  /// The joints that the triangles follow most, by the sums of their vertices' weights; of equal
-  /// joints, the lowest.
+  /// For each of the two triangles, the joint with the largest sum of weights over the triangle's
+  /// vertices. Of joints with equal sums, the lowest.
   std::uint16_t joint_a = 0, joint_b = 0;
 };
 
@@ -93,7 +97,7 @@ struct ContactRegion {
   Vec3 point;                          ///< mean of the traces' midpoints, weighted by length
   Vec3 normal;      ///< mean of the traces' normals, likewise; unit length, or zero if they cancel
   float depth = 0;  ///< the largest depth of the traces
-  std::uint16_t joint_a = 0, joint_b = 0;  ///< the joints that occur in most of the contacts
+  std::uint16_t joint_a = 0, joint_b = 0;  ///< the most frequent joints of the traces
 };
 
 /// Result of `describe_contacts`. Reuse the object: writing to it again allocates only for more
@@ -120,7 +124,8 @@ struct ContactGeometry {
 ///   aborts the program, in every build.
 /// `contacts`: ascending, without repetition, and in range.
 ///
-/// Cost: O(C log C) for C contacts. Opens closed nodes that contain the contacts.
+/// Cost: O(C log C) for C contacts. Opens the nodes that contain the contacts, unless they are
+/// still open from `collide`.
 PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b,
                                       const Surface& surface_b, std::span<const Contact> contacts,
                                       Scratch& scratch, ContactGeometry& geometry);

@@ -63,8 +63,9 @@ struct CrowdStats : QueryStats {
 };
 
 /// Up to tens of thousands of instances of a few models, which are queried together. An instance
-/// stores its joint palette and a few words. Nodes that queries open are stored in memory shared by
-/// the crowd, which is recycled after each connected group of pairs.
+/// stores its joint palette and a few words. Queries store opened nodes in memory that all
+/// instances share. They recycle this memory after each connected group of pairs, that is, pairs
+/// linked by common instances.
 ///
 /// In each frame, call `set_palette` for the instances that have moved, then a query. Instances are
 /// numbered from 0. Functions without a stated cost take O(1).
@@ -113,14 +114,14 @@ class PELT_API Crowd {
   /// Cost: the broad phase runs on one thread. For n instances it takes O(n log n) to sort the
   /// boxes along the axis with the largest spread, and one comparison per pair of boxes that
   /// overlap along this axis, eight at a time. The remaining work runs on all threads: each pair
-  /// with overlapping boxes costs as much as `collide`, except that a node is opened only once for
-  /// all pairs of its instance.
+  /// with overlapping boxes costs as much as `collide`, but an instance that is in several pairs
+  /// opens each node only once.
   ///
   /// Allocates if there are more pairs, more contacts or more nodes to open than in any earlier
   /// query, and for the first query with more threads. A frame that resembles earlier frames
-  /// allocates nothing, whichever thread does which work. There is no `reserve`, because it would
-  /// need memory for all nodes of all instances, once per thread. Callers that must never allocate
-  /// should query reserved poses instead.
+  /// allocates nothing, even if the work is distributed differently among the threads. There is no
+  /// `reserve`, because it would need memory for all nodes of all instances, once per thread.
+  /// Callers that must never allocate should query reserved poses instead.
   ///
   /// Failure: if memory runs out on any thread, throws std::bad_alloc on the caller's thread.
   /// `contacts` is then unchanged, and the crowd can be queried again.

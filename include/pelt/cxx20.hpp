@@ -1,8 +1,8 @@
 #pragma once
 
-/// Stops compilers that do not compile C++20 with one line. After `#error` g++ and clang read on
-/// and report every declaration that they do not understand. A missing file ends the compilation,
-/// so there the name of the missing file is the message.
+/// Reports a single error if the compiler is not set to C++20. After `#error`, g++ and clang
+/// continue and report every declaration that they do not understand. They stop at a missing file,
+/// however, so for them the message is the name of a file that does not exist.
 
 #if !(__cplusplus > 201703L || (defined(_MSVC_LANG) && _MSVC_LANG > 201703L))
 #if defined(__GNUC__)

@@ -5,12 +5,12 @@
 /// Exactness: answers are a function of the float32 posed vertices only (see `posed_vertices`).
 /// They do not depend on earlier queries or on the machine. The distance of two triangles is 0 if
 /// and only if they intersect as in `collide`, which is decided exactly. Otherwise it is computed
-/// in double, is positive, and is off by less than 2^-46 times the largest difference of two of
-/// their coordinates on an axis. Of equally distant triangles, those with the lowest indices are
-/// reported.
+/// in double and is positive. Its error is less than 2^-46 times the longest side of the
+/// axis-aligned box around both triangles. Of equally distant triangles, those with the lowest
+/// indices are reported.
 ///
 /// A surface is not a solid: a body inside another one that it does not touch has a positive
-/// distance. A rigid or static mesh is a model with one joint.
+/// distance. For a rigid or static mesh, build a model with one joint.
 ///
 /// All trees are searched nearest first, and only nodes that are nearer than the best pair so far
 /// are opened. Source: branch and bound after Quinlan, "Efficient distance computation between
@@ -44,7 +44,7 @@ struct SurfacePoint {
 
 /// Result of `closest_point`.
 struct ClosestPoint {
-  /// Infinite if nothing is within the maximum; the point is then meaningless.
+  /// Infinite if nothing is within `max_distance`; the point is then meaningless.
   double distance = std::numeric_limits<double>::infinity();
   SurfacePoint point;
 
@@ -53,12 +53,13 @@ struct ClosestPoint {
 };
 
 struct ClosestPointOptions {
-  /// Ignore everything farther away. Not negative.
+  /// Ignore everything farther away. Negative or NaN aborts the program, in every build.
   double max_distance = std::numeric_limits<double>::infinity();
 };
 
-/// Writes the point of the posed surface that is closest to `point`. The distance has the same
-/// error as that of two triangles; it is 0 only up to rounding.
+/// Writes the point of the posed surface that is closest to `point`. The error of the distance is
+/// the same as for two triangles (see above). Unlike there, the distance of a point on the surface
+/// may be slightly more than 0.
 ///
 /// Precondition: the coordinates of `point` are finite and at most 2^60.
 ///
@@ -76,12 +77,12 @@ PELT_API QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scr
 
 /// Result of `distance`.
 struct Distance {
-  /// Distance of the two points. Infinite if nothing is within the maximum; the points are then
-  /// meaningless.
+  /// Distance of the points `a` and `b`. Infinite if nothing is within `max_distance`; the points
+  /// are then meaningless.
   double distance = std::numeric_limits<double>::infinity();
 
-  /// Proven lower bound of the least distance: equal to `distance` without a tolerance, and to the
-  /// maximum if nothing is within it.
+  /// Proven lower bound of the least distance: equal to `distance` if the tolerance is 0, and to
+  /// `max_distance` if nothing is within that.
   double lower_bound = 0;
 
   SurfacePoint a, b;
@@ -94,15 +95,16 @@ struct Distance {
 };
 
 struct DistanceOptions {
-  /// Ignore everything farther away. Not negative.
+  /// Ignore everything farther away. Negative or NaN aborts the program, in every build.
   double max_distance = std::numeric_limits<double>::infinity();
 
   /// Allowed excess of the result over the least distance. The query then ends earlier, with a
-  /// proven `lower_bound`, and the pair that it finds depends on earlier queries. Not negative.
+  /// proven `lower_bound`, and the pair that it finds depends on earlier queries. Negative or NaN
+  /// aborts the program, in every build.
   double tolerance = 0;
 
-  /// An earlier result for the same two models in nearly the same poses, where the search starts;
-  /// or null. Answers do not depend on it.
+  /// An earlier result for the same two models in nearly the same poses, or null. The search starts
+  /// where that result was found. If the tolerance is 0, answers do not depend on the hint.
   const Distance* hint = nullptr;
 };
 
@@ -136,7 +138,7 @@ struct ClearanceOptions {
 ///
 /// Preconditions:
 /// `a`, `b`: different poses, as for `distance`.
-/// `tolerance`: not negative.
+/// `tolerance`: not negative or NaN. Otherwise the program aborts, in every build.
 ///
 /// Cost: grows with the parts of the surfaces that are within the tolerance.
 PELT_API QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,

@@ -17,21 +17,22 @@ namespace pelt {
 struct FarthestVertex {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-  std::uint32_t triangle = kNone;  ///< the caller's number; the lowest of those with the vertex
-  std::uint32_t corner = 0;        ///< 0, 1 or 2, in the caller's order
+  std::uint32_t triangle = kNone;  ///< index into the model's triangle array
+  std::uint32_t corner = 0;        ///< 0, 1 or 2: index into that triangle
   Vec3 position;                   ///< posed
 
   explicit operator bool() const { return triangle != kNone; }
 };
 
-/// Finds the vertex p of `pose` with the greatest dot(direction, p), which is compared exactly,
-/// among the vertices of triangles. Of equally far vertices it returns the one with the lowest
-/// triangle and then the lowest corner.
+/// Writes the posed vertex p with the greatest dot(direction, p), among all vertices that triangles
+/// use. Dot products are compared exactly. The vertex is given as the corner of a triangle: of all
+/// corners with the greatest dot product, the one with the lowest triangle and then the lowest
+/// corner.
 ///
 /// `direction` need not have length 1. Precondition: it is finite and not zero.
 ///
 /// Cost: opens the nodes whose boxes reach beyond the farthest vertex so far, best box first; often
-/// one node for each level of the tree. Allocation: memory of the pose only.
+/// one node for each level of the tree. Allocates only in the pose, for nodes that are opened.
 PELT_API QueryStats farthest_vertex(Pose& pose, const Vec3& direction, FarthestVertex& result);
 
 }  // namespace pelt

@@ -79,8 +79,8 @@ PELT_API QueryStats group_bounds(const Pose& pose, const Groups& groups, std::ui
 /// Writes the exact box of the posed vertices of one group, except that zeros are positive.
 /// Precondition and empty groups as for `group_bounds`.
 ///
-/// Cost: O(vertices of the group times influences), and O(log V) for each vertex and active morph
-/// target that displaces it.
+/// Cost: O(vertices of the group * influences per vertex). Each morph target with a weight other
+/// than 0 adds O(log V) for each vertex of the group that it displaces.
 PELT_API QueryStats exact_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group,
                                        Box& result);
 

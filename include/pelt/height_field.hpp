@@ -41,10 +41,15 @@ struct HeightGrid {
 /// A validated height field, prepared for queries. Immutable, cheap to copy (copies share), safe to
 /// use from any number of threads.
 ///
-/// The cell between four vertices consists of two triangles, which share the diagonal from its
-/// lowest column and row to its highest. The cell in column c of row r has the triangles 2 (r
-/// (columns - 1) + c), on the side of the next row, and that plus one, on the side of the next
-/// column. Their fronts are above.
+/// The cell in column c of row r has four vertices. Its diagonal divides it into the triangles
+/// n = 2 (r (columns - 1) + c) and n + 1. The fronts of all triangles face up. Seen from above:
+///
+///             c       c + 1
+///     r       *---------*---> x
+///             | \ n + 1 |
+///             |  n  \   |
+///     r + 1   *---------*
+///             z
 class PELT_API HeightField {
  public:
   std::uint32_t columns() const;
@@ -80,9 +85,9 @@ PELT_API Result<HeightField> build_height_field(const HeightGrid& grid);
 /// Exact like `collide` of two poses, with the same predicate. A field is a surface: touching
 /// counts, and a body wholly below it touches nothing.
 ///
-/// Cost: opens nodes whose boxes overlap the range of heights of the field below them. A hierarchy
-/// gives this range in constant time, however large the field is. Triangles of the field are
-/// generated only where they are needed.
+/// Cost: opens nodes whose boxes overlap the range of heights of the field in their range of x and
+/// z. A hierarchy gives this range of heights in constant time, however large the field is.
+/// Triangles of the field are generated only where they are needed.
 PELT_API QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
                             std::vector<Contact>& contacts, const CollideOptions& options = {});
 

@@ -2,8 +2,8 @@
 
 /// Inside and outside of closed surfaces: whether a point lies inside a body, how deep one body is
 /// inside another, and whether one body contains another. Only closed surfaces
-/// (`Surface::is_closed`) have an inside: the points around which the posed surface winds, in
-/// either direction and any number of times. Decisions are exact on the float32 posed vertices.
+/// (`Surface::is_closed`) have an inside. A point is inside if the winding number of the posed
+/// surface around it is not 0. Decisions are exact on the float32 posed vertices.
 
 #include <pelt/cxx20.hpp>
 
@@ -58,9 +58,10 @@ struct Penetration {
 /// `a`, `b`: different poses.
 /// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`; `surface_b` is closed.
 ///
-/// Cost: a few rays per box of `a` that does not touch the surface of `b`; vertices outside are not
-/// posed. Each remaining vertex costs one nearest-point search, bounded by the greatest depth so
-/// far, and, if nothing is that near, a few rays.
+/// Cost: boxes of `a` are tested against the surface of `b`. A box that does not touch it costs one
+/// `side_of`, and if the box is outside `b`, nothing in it is opened or tested. For each remaining
+/// vertex, the query searches for a point of the surface of `b` within the greatest depth so far.
+/// Only if it finds none, it tests whether the vertex is inside and computes its closest point.
 PELT_API QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b,
                                    const Surface& surface_b, Scratch& scratch, Penetration& result);
 
@@ -70,8 +71,8 @@ enum class Containment : std::uint8_t {
   b_in_a,
 };
 
-/// Writes which body lies wholly inside the other without touching it. A surface that is not closed
-/// contains nothing but may be contained.
+/// Writes which body lies wholly inside the other without touching it. A body whose surface is not
+/// closed can be contained in the other body, but cannot contain it.
 ///
 /// Preconditions: as for `deepest_vertex`, but surfaces need not be closed.
 ///

@@ -35,7 +35,7 @@ struct ModelOptions {
 
 /// What `build_model` found in the mesh.
 struct BuildReport {
-  std::uint32_t renormalised_vertices = 0;  ///< sums of weights more than 2^-16 from 1
+  std::uint32_t renormalised_vertices = 0;  ///< weights summed to a value over 2^-16 from 1
   std::uint32_t merged_influences = 0;      ///< repeated joints of a vertex, summed
   std::uint32_t degenerate_triangles = 0;   ///< two or three equal rest positions; not removed
 };
@@ -66,9 +66,10 @@ class PELT_API SkinnedModel {
 ///
 /// Cost: O(T log T). Allocates.
 ///
-/// Returns an error that names the array, the index and the value: an index or joint out of range,
-/// NaN or infinity, a coordinate beyond 2^60, a negative weight, weights that do not sum to 1, or
-/// vertices of a morph target that do not ascend.
+/// Returns an error if an index or joint is out of range, a number is NaN or infinite, a coordinate
+/// is beyond 2^60, a weight is negative, the weights of a vertex do not sum to 1 (see
+/// `OffWeights`), or the vertices of a morph target do not ascend. The error names the array, the
+/// index and the value.
 PELT_API Result<SkinnedModel> build_model(const SkinnedMeshView& mesh,
                                           const ModelOptions& options = {});
 

@@ -3,9 +3,18 @@
 /// Exact collision detection for skinned characters. Build a SkinnedModel once, create a Pose for
 /// each instance, set its joint palette every frame, and query two poses for contacts.
 ///
-/// Failure: functions report invalid input with `Result` and throw nothing themselves. If memory
-/// runs out, std::bad_alloc leaves the function that needed it. Models, poses, crowds and scratch
-/// stay usable then, nothing leaks, and lists to which results are appended are unchanged.
+/// Failure: functions that validate outside input return a `Result`, which holds an error if the
+/// input is invalid. If memory runs out, functions throw std::bad_alloc; Pelt itself throws no
+/// other exception. After std::bad_alloc, models, poses, crowds and scratch are still usable,
+/// nothing has leaked, and lists to which results are appended are unchanged.
+///
+/// A violated precondition aborts the program where Pelt checks it. Comments name preconditions
+/// that are checked in every build; builds without NDEBUG check more.
+///
+/// Terms: a model has V vertices, T triangles, J joints and M morph targets. Its triangles are
+/// stored in the leaves of a tree. To open a node of this tree means to compute its posed vertices
+/// and the boxes of its children. Queries open nodes on demand. In a pose, opened nodes stay open
+/// for later queries until the joint palette or the morph weights change.
 
 #include <pelt/cxx20.hpp>
 

@@ -15,8 +15,9 @@ struct Pose;
 }
 
 /// One instance of a model: a joint palette, weights of morph targets, and the bounds that queries
-/// have computed from both so far. There is nothing to refit by hand: `set_palette` and
-/// `set_morph_weights`, in any order, are the whole update, and a query computes what it visits.
+/// have computed from both so far. To update a pose, call `set_palette`, `set_morph_weights` or
+/// both, in any order. Bounds need no separate refit, because queries compute the bounds that they
+/// need.
 ///
 /// A new pose has identity matrices and zero morph weights, that is, the rest positions. Queries
 /// store bounds in the pose, so only one thread at a time may query a pose. Movable, not copyable.
@@ -32,15 +33,15 @@ class PELT_API Pose {
 
   const SkinnedModel& model() const;
 
-  /// Copies the joint palette. Matrix j maps the rest positions that joint j moves into the frame
-  /// shared by all poses of a query (`instance x joint x inverse bind`).
+  /// Copies the joint palette. Matrix j is `instance x joint x inverse bind` of joint j. It
+  /// transforms rest positions into the frame shared by all poses of a query.
   ///
   /// Cost: O(J). Allocates nothing.
   ///
   /// Returns an error that names the joint, and leaves the pose unchanged, if there are not
   /// `model().joint_count()` matrices, an element is not finite, a last row is not 0 0 0 1 (the
-  /// matrix is probably row-major), or a vertex could move beyond 2^60 units. (A mesh within 2^-60
-  /// units of the origin counts as having that size.)
+  /// matrix is probably row-major), or a vertex could move beyond 2^60 units. (The last check
+  /// treats every mesh as reaching at least 2^-60 units from the origin.)
   Result<void> set_palette(std::span<const Matrix4> palette);
 
   /// Like `set_palette`, with 16 floats per joint in the layout of `Matrix4`.
@@ -61,8 +62,8 @@ class PELT_API Pose {
   /// targets cost only in nodes with vertices that they displace.
   ///
   /// Returns an error that names the target or the joint, and leaves the pose unchanged, if there
-  /// are not `model().morph_target_count()` weights, a weight is not finite, or a vertex could be
-  /// displaced by, or moved beyond, 2^60 units.
+  /// are not `model().morph_target_count()` weights, a weight is not finite, a vertex could be
+  /// displaced by more than 2^60 units, or a displaced vertex could move beyond 2^60 units.
   Result<void> set_morph_weights(std::span<const float> weights);
 
   /// Allocates all memory that queries can need for this pose, so that they never allocate for it.
@@ -70,7 +71,7 @@ class PELT_API Pose {
   /// `reserve`.
   ///
   /// The pose then holds 40 to 46 bytes per triangle (1.1 MB for a character of 26,756), of which a
-  /// query touches only what it opens. Closes all nodes.
+  /// query touches only what it opens. Discards all opened nodes.
   void reserve();
 
   /// For internal use.
@@ -87,8 +88,8 @@ class PELT_API Pose {
 ///
 /// Precondition: `out` has vertex_count() elements.
 ///
-/// Cost: O(V times influences), and O(log V) for each vertex and active target that displaces it.
-/// Allocates nothing.
+/// Cost: O(V * influences per vertex). Each morph target with a weight other than 0 adds O(log V)
+/// for each vertex that it displaces. Allocates nothing.
 PELT_API void posed_vertices(const Pose& pose, std::span<Vec3> out);
 
 }  // namespace pelt

@@ -18,8 +18,8 @@ struct Access;
 struct Scratch;
 }  // namespace detail
 
-/// Work done by a query, in counts that do not depend on the machine. Every query returns all of
-/// its work. Add several with `+=`.
+/// Work done by a query, in counts that do not depend on the machine. Each query returns its own
+/// work; add up the work of several queries with `+=`.
 struct QueryStats {
   /// Tests of a node against the other operand: a node of another tree, a ray, a point or a region.
   /// Includes the roots.
@@ -59,8 +59,8 @@ class TreeLocation {
   std::array<std::uint32_t, kNumbers> numbers_ = {};
 };
 
-/// Working memory for queries, so that warm queries allocate nothing. Use one for each thread. It
-/// carries no information from one query to the next.
+/// Working memory for queries. A query allocates from it only if it needs more than all earlier
+/// queries. Use one for each thread. Answers do not depend on earlier uses of it.
 class PELT_API Scratch {
  public:
   Scratch();

@@ -81,11 +81,11 @@ struct RayHit {
 ///
 /// Cost: opens only nodes whose boxes a ray enters before its nearest hit so far. A pick on a
 /// character of 26,756 triangles takes 3 us including a new palette, and hardly more with four
-/// times as many triangles. Nodes that one ray opens stay open for the others. Once the rays of a
-/// call have opened an eighth of the mesh, and at least as many rays remain as were cast, all
-/// remaining nodes are opened at once, which is cheaper then.
+/// times as many triangles. Nodes that one ray opens stay open for the others. Opening all nodes at
+/// once costs less per node than opening single nodes. `cast` therefore opens all remaining nodes
+/// when its rays have opened an eighth of the mesh and at least half of its rays remain.
 ///
-/// Allocates only memory of the pose for nodes to open.
+/// Allocates only in the pose, for nodes that are opened.
 PELT_API QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
                          const CastOptions& options = {});
 
@@ -104,7 +104,7 @@ PELT_API QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bo
 PELT_API QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch,
                              std::vector<RayHit>& hits, const CastOptions& options = {});
 
-/// How much a point follows a joint.
+/// A joint, and its weight in the position of a point.
 struct JointShare {
   std::uint32_t joint = 0;
   float share = 0;
@@ -112,9 +112,9 @@ struct JointShare {
   friend bool operator==(const JointShare&, const JointShare&) = default;
 };
 
-/// Appends the joints that a hit point follows: the influences of the triangle's vertices, blended
-/// with the weights of the hit. The largest share comes first; of equal shares, the lowest joint.
-/// Shares are positive and sum to 1 up to rounding.
+/// Appends the joints that move a hit point, with their shares: the influences of the triangle's
+/// vertices, blended with the weights of the hit. The largest share comes first; of equal shares,
+/// the lowest joint. Shares are positive and sum to 1 up to rounding.
 ///
 /// Precondition: `hit` is a hit on a pose of this model.
 PELT_API void influences_at(const SkinnedModel& model, const RayHit& hit,

@@ -17,8 +17,8 @@
 
 namespace pelt {
 
-/// A closed convex set of points, stored by value. Its numbers must be finite; radii and half
-/// extents must not be negative.
+/// A closed convex set of points, stored by value. Preconditions of queries: its numbers are
+/// finite, and radii and half extents are not negative. Builds without NDEBUG check them.
 using Region = std::variant<HalfSpace, Box, OrientedBox, ConvexPolyhedron, Sphere, Capsule>;
 
 /// Where the posed surface, the union of all triangles, lies.

@@ -23,7 +23,7 @@ struct Error {
 };
 
 /// A value, or the error that explains why there is none. Functions that depend on outside input
-/// return a Result; violated preconditions are asserts. Pelt's own code throws nothing.
+/// return a Result. Violated preconditions are not reported by a Result; see pelt/pelt.hpp.
 template <typename T>
 class [[nodiscard]] Result {
  public:

@@ -1,7 +1,8 @@
 #pragma once
 
-/// Simple shapes in the frame of the joint palette. All are closed sets. Their numbers are used
-/// without rounding, so answers about them are exact.
+/// Simple shapes in the frame of the joint palette. All are closed sets. Queries of regions
+/// (pelt/region.hpp) use their numbers without rounding and are exact. Queries of solids
+/// (pelt/solid.hpp) have errors, which are stated there.
 
 #include <pelt/cxx20.hpp>
 

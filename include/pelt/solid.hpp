@@ -22,7 +22,7 @@ using Solid = std::variant<HalfSpace, Box, OrientedBox, Sphere, Capsule>;
 
 /// Result of `distance` from a solid.
 struct SolidDistance {
-  /// Infinite if nothing is within the maximum; the points are then meaningless.
+  /// Infinite if nothing is within `max_distance`; the points are then meaningless.
   double distance = std::numeric_limits<double>::infinity();
   SurfacePoint surface;  ///< point of the posed skin
   Vec3 solid;            ///< closest point of the solid, rounded to float
@@ -39,8 +39,8 @@ struct SolidDistance {
 /// double and is positive. Of equally distant triangles, the lowest is reported.
 ///
 /// Error: less than 2^-45 times the largest coordinate in the query (including a half-space's
-/// offset for a unit normal). For an oriented box, 2^-22 times that, because its corners are
-/// rounded to float.
+/// offset for a unit normal). For an oriented box, the error is less than 2^-22 times that
+/// coordinate, because the corners of the box are rounded to float.
 ///
 /// Cost: opens nodes nearest first, like `closest_point`. A skin that touches costs as much as
 /// `collide`.
@@ -50,14 +50,14 @@ PELT_API QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch,
 /// Where a ray enters a solid.
 struct SolidHit {
   float t = std::numeric_limits<float>::infinity();
-  Vec3 normal;  ///< unit normal out of the solid; zero if the ray starts inside, at t_min
+  Vec3 normal;  ///< unit normal out of the solid; zero if the ray is already inside at t_min
 
   /// Whether anything was hit.
   explicit operator bool() const { return t < std::numeric_limits<float>::infinity(); }
 };
 
-/// Writes the first point of the ray in the solid. Does no counted work, because a solid has no
-/// tree.
+/// Writes the first point of the ray in the solid. The returned work is zero, because a solid has
+/// no tree.
 ///
 /// Error: unlike hits on triangles, the hit is computed in double. It is off the surface of the
 /// solid by less than 2^-40 times the largest coordinate in the query, apart from the rounding of
