@@ -11,6 +11,9 @@ namespace {
 
 using methods::MethodKind;
 using peers::Peer;
+using scene::Collider;
+using scene::FrameContacts;
+using scene::SceneQuery;
 
 constexpr std::array kOwn = {methods::kOnDemand, methods::kEager};
 constexpr std::array kVariants = {Variant{Question::all, Cache::hot},
