@@ -13,6 +13,7 @@ using methods::MethodKind;
 using peers::Peer;
 using scene::Collider;
 using scene::FrameContacts;
+using scene::Palettes;
 using scene::SceneQuery;
 
 constexpr std::array kOwn = {methods::kOnDemand, methods::kEager};
@@ -81,7 +82,7 @@ Result<void> compare_all(const Subject& subject, const std::function<void()>& ad
   asset::SampleScratch scratch;
   Palettes palettes;
   for (const std::uint32_t frame : subject.frames) {
-    sample_palettes(subject.scene, frame, scratch, palettes);
+    scene::sample_palettes(subject.scene, frame, scratch, palettes);
     if (const auto asked = ask_all(exact, palettes); !asked) return in_frame(frame, asked.error());
     scene.contacts += exact.found().contacts.size();
     scene.frames_in_contact += !exact.found().contacts.empty();

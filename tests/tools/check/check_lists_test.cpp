@@ -49,7 +49,9 @@ TEST(CheckLists, GiveWhatIsNewFirst) {
   EXPECT_LT(worse[0]["worst"]["contacts"], worse[1]["worst"]["contacts"]);
   for (std::size_t i = 1; i < worse.size(); ++i) {
     EXPECT_GT(worse[i]["known"], 0);
-    if (i > 1) EXPECT_LE(worse[i]["worst"]["contacts"], worse[i - 1]["worst"]["contacts"]);
+    if (i > 1) {
+      EXPECT_LE(worse[i]["worst"]["contacts"], worse[i - 1]["worst"]["contacts"]);
+    }
   }
   const std::size_t fresh = run.out.find("(new)"), grown = run.out.find("(was ");
   const std::size_t touching = run.out.find("joints that touch");

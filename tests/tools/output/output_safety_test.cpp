@@ -186,7 +186,9 @@ TEST_P(Output, GoesToStandardOutputPipesAndDevices) {
   const auto expect_whole = [&](const std::string& what, const std::string& text) {
     EXPECT_NEAR(static_cast<double>(text.size()), static_cast<double>(size), repeats ? 0 : 200)
         << what;
-    if (repeats) EXPECT_TRUE(text == whole) << what;
+    if (repeats) {
+      EXPECT_TRUE(text == whole) << what;
+    }
   };
   for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
     const Ended run = run_pelt(folder.get(), with(GetParam().words, name));
@@ -271,8 +273,9 @@ TEST_P(Output, IsAsBeforeWhenASignalComes) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     write_text(folder / "out/old", kOld);
     expect_removed(folder, endless(GetParam().words, "out/old"), folder / "out", signal);
-    if (GetParam().name != "pose" && GetParam().name != "prepare")
+    if (GetParam().name != "pose" && GetParam().name != "prepare") {
       EXPECT_EQ(read_text(folder / "out/old"), kOld);
+    }
     EXPECT_EQ(names_in_path(folder / "out"), std::set<std::string>{"old"});
   }
 }
