@@ -53,13 +53,13 @@ Table table_of(const std::string& id, const std::string& title, const tools::Sce
   return table;
 }
 
-struct Walk {
+struct PeerWalk {
   const char *id, *title;
   std::string_view scene;
   std::uint32_t frame_count;
 };
 
-Result<Table> measure_walk(const Walk& walk, const Conditions& conditions) {
+Result<Table> measure_peer_walk(const PeerWalk& walk, const Conditions& conditions) {
   const auto scene = scenes::parse_scene(walk.scene, {});
   if (!scene) return scene.error();
   const auto colliders =
@@ -87,11 +87,11 @@ Result<Section> peers(const Conditions& conditions) {
       "are "
       "reported but do not touch. If the narrow phase is ours, the library only finds candidate "
       "pairs, which are tested like in Pelt."};
-  for (const Walk& walk :
-       {Walk{"peers_two_men", "Two men", approaching_scene(), 6},
-        Walk{"peers_worst_case", "Two creatures through each other", passing_through_scene(), 12},
-        Walk{"peers_crowd", "Fifty creatures", crowd_scene(), 1}}) {
-    auto table = measure_walk(walk, conditions);
+  for (const PeerWalk& walk : {PeerWalk{"peers_two_men", "Two men", approaching_scene(), 6},
+                               PeerWalk{"peers_worst_case", "Two creatures through each other",
+                                        passing_through_scene(), 12},
+                               PeerWalk{"peers_crowd", "Fifty creatures", crowd_scene(), 1}}) {
+    auto table = measure_peer_walk(walk, conditions);
     if (!table) return table.error();
     section.tables.push_back(std::move(*table));
   }

@@ -28,7 +28,7 @@ scenes::Scene dwarfs() {
 
 ScenePeers measured() {
   const scenes::Scene scene = dwarfs();
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
+  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
   EXPECT_TRUE(colliders);
   const std::vector<std::uint32_t> frames = {0, 2};
   std::size_t steps = 0;
