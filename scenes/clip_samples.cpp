@@ -1,15 +1,23 @@
 #include "scenes/clip_samples.hpp"
 
+#include "scenes/takes.hpp"
+
 #include <algorithm>
 
 namespace pelt::scenes {
 
 std::vector<const asset::Clip*> played_clips(const Scene& scene, std::uint32_t character) {
+  const asset::Asset& asset = scene.characters[character].asset;
   std::vector<const asset::Clip*> clips;
+  const auto add = [&](const asset::Clip* clip) {
+    if (std::find(clips.begin(), clips.end(), clip) == clips.end()) clips.push_back(clip);
+  };
   for (const Instance& instance : scene.instances) {
     if (instance.character != character || !instance.clip) continue;
-    const asset::Clip* clip = scene.characters[character].asset.find_clip(*instance.clip);
-    if (std::find(clips.begin(), clips.end(), clip) == clips.end()) clips.push_back(clip);
+    if (plays_all_clips(instance))
+      for (const asset::Clip& clip : asset.clips) add(&clip);
+    else
+      add(asset.find_clip(*instance.clip));
   }
   return clips;
 }

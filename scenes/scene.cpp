@@ -9,6 +9,7 @@
 #include "scenes/excluded_nodes.hpp"
 #include "scenes/nearest_name.hpp"
 #include "scenes/scene_file.hpp"
+#include "scenes/takes.hpp"
 
 #include <cmath>
 
@@ -55,6 +56,8 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
     if (const auto found = check_morph_weights(scene, i); !found)
       return asset::prefixed(place + "morph_weights", found.error());
   }
+  if (const auto planned = plan_takes(scene); !planned)
+    return asset::prefixed("instances", planned.error());
   return scene;
 }
 
@@ -102,18 +105,31 @@ std::string why_none(const MorphWeight& morph, const Character& character) {
   return begin + "no morph target " + asset::quoted(name) + suggestion(name, known);
 }
 
-/// The clip of an instance, and the time in the clip.
-struct ClipTime {
-  const asset::Clip* clip;
-  float seconds;
-};
-
-ClipTime clip_at(const asset::Asset& asset, const Instance& instance, double seconds) {
+const asset::Clip* clip_of(const asset::Asset& asset, const Instance& instance) {
   const asset::Clip* clip = instance.clip ? asset.find_clip(*instance.clip) : nullptr;
   PELT_ASSERT(!instance.clip || clip != nullptr);
+  return clip;
+}
+
+/// Returns the time in the clip of an instance; 0 without a clip.
+float clip_time(const asset::Clip* clip, const Instance& instance, double seconds) {
   const double duration = clip != nullptr ? static_cast<double>(clip->duration) : 0;
   const double time = instance.start + instance.speed * seconds;
-  return {clip, static_cast<float>(wrapped(time, duration))};
+  return static_cast<float>(wrapped(time, duration));
+}
+
+void write_palette(const asset::Asset& asset, const asset::Clip* clip, const Instance& instance,
+                   double seconds, asset::SampleScratch& scratch, std::span<Matrix4> palette) {
+  const float clip_seconds = clip_time(clip, instance, seconds);
+  asset::sample_palette(asset, clip, clip_seconds, placement(instance, seconds), scratch, palette);
+}
+
+void write_morph_weights(const asset::Asset& asset, const asset::Clip* clip,
+                         const Instance& instance, double seconds, std::span<float> weights) {
+  asset::sample_morph_weights(asset, clip, clip_time(clip, instance, seconds), weights);
+  for (const MorphWeight& morph : instance.morph_weights)
+    for (std::size_t m = 0; m < weights.size(); ++m)
+      if (names(morph, asset, m)) weights[m] = morph.weight;
 }
 
 Result<Scene> read_scene(const std::filesystem::path& path, const asset::GltfOptions& options) {
@@ -143,9 +159,11 @@ Result<Scene> parse_scene(std::string_view text, const std::filesystem::path& fo
 
 Result<void> check_clip(const Scene& scene, std::uint32_t instance) {
   const std::optional<std::string>& clip = scene.instances[instance].clip;
+  if (plays_all_clips(scene.instances[instance]))
+    return check_all_clips(character_of(scene, instance));
   const asset::Asset& asset = asset_of(scene, instance);
   if (!clip || asset.find_clip(*clip) != nullptr) return {};
-  const std::string& character = scene.characters[scene.instances[instance].character].name;
+  const std::string& character = character_of(scene, instance).name;
   const std::string problem = asset::quoted(character) + " has no clip " + asset::quoted(*clip);
   if (asset.clips.empty()) return Error{ErrorCode::invalid_argument, problem + ", it has none"};
   std::vector<std::string_view> names;
@@ -164,33 +182,31 @@ Result<void> check_morph_weights(const Scene& scene, std::uint32_t instance) {
   return {};
 }
 
-double frame_time(const Scene& scene, std::uint32_t frame) { return frame / scene.fps; }
+double frame_time(const Scene& scene, std::uint32_t frame) {
+  const Take* take = find_take(scene, frame);
+  return (take == nullptr ? frame : frame - take->first_frame) / scene.fps;
+}
 
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette) {
-  instance_palette(asset_of(scene, instance), scene.instances[instance], frame_time(scene, frame),
-                   scratch, palette);
+  write_palette(asset_of(scene, instance), clip_in(scene, instance, find_take(scene, frame)),
+                scene.instances[instance], frame_time(scene, frame), scratch, palette);
 }
 
 void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                             std::span<float> weights) {
-  instance_morph_weights(asset_of(scene, instance), scene.instances[instance],
-                         frame_time(scene, frame), weights);
+  write_morph_weights(asset_of(scene, instance), clip_in(scene, instance, find_take(scene, frame)),
+                      scene.instances[instance], frame_time(scene, frame), weights);
 }
 
 void instance_palette(const asset::Asset& asset, const Instance& instance, double seconds,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette) {
-  const auto [clip, clip_seconds] = clip_at(asset, instance, seconds);
-  asset::sample_palette(asset, clip, clip_seconds, placement(instance, seconds), scratch, palette);
+  write_palette(asset, clip_of(asset, instance), instance, seconds, scratch, palette);
 }
 
 void instance_morph_weights(const asset::Asset& asset, const Instance& instance, double seconds,
                             std::span<float> weights) {
-  const auto [clip, clip_seconds] = clip_at(asset, instance, seconds);
-  asset::sample_morph_weights(asset, clip, clip_seconds, weights);
-  for (const MorphWeight& morph : instance.morph_weights)
-    for (std::size_t m = 0; m < weights.size(); ++m)
-      if (names(morph, asset, m)) weights[m] = morph.weight;
+  write_morph_weights(asset, clip_of(asset, instance), instance, seconds, weights);
 }
 
 }  // namespace pelt::scenes

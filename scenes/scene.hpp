@@ -41,9 +41,10 @@ struct MorphWeight {
 };
 
 struct Instance {
-  std::uint32_t character = 0;      ///< index into Scene::characters
-  std::optional<std::string> clip;  ///< nullopt: default node pose; "": the unnamed clip
-  double start = 0, speed = 1;      ///< clip time = (start + speed t) mod duration
+  std::uint32_t character = 0;  ///< index into Scene::characters
+  /// nullopt: default node pose; "": the unnamed clip; "*": all clips, see Scene::takes
+  std::optional<std::string> clip;
+  double start = 0, speed = 1;  ///< clip time = (start + speed t) mod duration
   std::array<double, 3> translation = {0, 0, 0};
   std::array<double, 4> rotation = {0, 0, 0, 1};  ///< x y z w, any length but 0
   double scale = 1;
@@ -57,6 +58,13 @@ struct NamePair {
   std::string a, b;
 };
 
+/// Consecutive frames in which the instances that play all clips play one clip of their characters.
+/// Time starts anew with each take.
+struct Take {
+  std::string clip;
+  std::uint32_t first_frame = 0, frame_count = 0;
+};
+
 struct Scene {
   std::string name;  ///< file name of the scene, for reports
   std::vector<Character> characters;
@@ -65,6 +73,9 @@ struct Scene {
   double fps = 30;
   std::vector<NamePair> ignore;
   std::vector<std::string> notes;  ///< hints about probable mistakes, with remedies, for reports
+  /// One for each clip, for all frames, if an instance plays all clips; otherwise empty. Set by
+  /// `plan_takes` (scenes/takes.hpp).
+  std::vector<Take> takes = {};
 };
 
 inline constexpr std::uint32_t kMaxFrames = 1'000'000;
@@ -95,14 +106,15 @@ Result<Character> generate_character(const CreatureOptions& options);
 Result<Character> generate_character(const FaceOptions& options);
 
 /// Returns an error if the character of an instance does not have the instance's clip. The message
-/// lists the known clips. O(clips).
+/// lists the known clips. For "*", returns the errors of `check_all_clips`. O(clips log clips).
 Result<void> check_clip(const Scene& scene, std::uint32_t instance);
 
 /// Returns an error if the character of an instance does not have the morph targets of its weights.
 /// The message lists the known targets. O(weights times targets).
 Result<void> check_morph_weights(const Scene& scene, std::uint32_t instance);
 
-/// Returns the time of a frame in seconds: frame / fps. O(1).
+/// Returns the time of a frame in seconds: its number, counted from the first frame of its take if
+/// the scene has takes, divided by fps. O(log takes).
 double frame_time(const Scene& scene, std::uint32_t frame);
 
 /// Writes the joint palette of one instance at one frame: the clip's pose, transformed by
@@ -121,7 +133,7 @@ void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uin
                             std::span<float> weights);
 
 /// Writes the joint palette of an instance without a scene at a time. Precondition: `asset` has the
-/// instance's clip.
+/// instance's clip, and the instance plays one clip only.
 void instance_palette(const asset::Asset& asset, const Instance& instance, double seconds,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette);
 void instance_morph_weights(const asset::Asset& asset, const Instance& instance, double seconds,

@@ -5,6 +5,7 @@
 #include "scenes/nearest_name.hpp"
 #include "scenes/scene_keys.hpp"
 #include "scenes/strict_object.hpp"
+#include "scenes/takes.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -173,6 +174,11 @@ Result<SceneFile> parse_scene_file(std::string_view text) {
   scene.frame_count = frames.count("count", scene.frame_count, {1, kMaxFrames});
   scene.fps = frames.number("fps", scene.fps, {kMinFps, kMaxFps});
   scene.instances = read_instances(file, scene.models);
+  if (frames.has("count") &&
+      std::any_of(scene.instances.begin(), scene.instances.end(), plays_all_clips))
+    frames.refuse("count",
+                  "cannot be combined with \"clip\": \"*\", which plays each clip once: "
+                  "leave it out");
   scene.ignore = read_ignore(file);
   if (problem) return asset::malformed(*problem);
   return scene;

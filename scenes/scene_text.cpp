@@ -75,8 +75,10 @@ std::string scene_text(const Scene& scene, std::span<const std::string> paths) {
     models[names[c]] = model_json(scene.characters[c], paths[c]);
   for (const Instance& instance : scene.instances)
     instances.push_back(instance_json(instance, names[instance.character]));
+  ordered_json frames = {{"count", scene.frame_count}, {"fps", scene.fps}};
+  if (!scene.takes.empty()) frames.erase("count");  // the clips determine it
   ordered_json file = {{"models", std::move(models)},
-                       {"frames", {{"count", scene.frame_count}, {"fps", scene.fps}}},
+                       {"frames", std::move(frames)},
                        {"instances", std::move(instances)}};
   for (const NamePair& pair : scene.ignore) file["ignore"].push_back({pair.a, pair.b});
   return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

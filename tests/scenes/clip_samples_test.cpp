@@ -59,6 +59,8 @@ TEST(ClipSamples, ComeFromThePlayedClipsOfTheCharacter) {
   };
   EXPECT_EQ(played_clips(scene, 0), (Clips{clip(0, 1), clip(0, 0)}));
   EXPECT_EQ(played_clips(scene, 1), Clips{clip(1, 0)});
+  scene.instances[1].clip = std::string("*");
+  EXPECT_EQ(played_clips(scene, 1), (Clips{clip(1, 0), clip(1, 1)}));
   EXPECT_EQ(first_clips(scene.characters[0].asset, 1), Clips{clip(0, 0)});
   EXPECT_EQ(first_clips(scene.characters[0].asset, 6), (Clips{clip(0, 0), clip(0, 1)}));
 }

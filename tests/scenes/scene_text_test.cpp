@@ -49,6 +49,20 @@ TEST(SceneText, IsReadAsTheSameScene) {
   }
 }
 
+TEST(SceneText, LeavesTheNumberOfFramesToTheClips) {
+  const auto first = parse_scene(R"({"models": {"man": {"creature": {"triangles": 1000}}},
+      "frames": {"fps": 10}, "instances": [{"model": "man", "clip": "*"}]})",
+                                 ".");
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ(first->takes.size(), 2u);
+  const std::vector<std::string> no_files(1);
+  const auto second = parse_scene(scene_text(*first, no_files), ".");
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_EQ(second->instances[0].clip, "*");
+  EXPECT_EQ(second->takes.size(), 2u);
+  EXPECT_EQ(second->frame_count, first->frame_count);
+}
+
 TEST(SceneText, NumbersCharactersOfTheSameName) {
   Scene scene;
   for (int i = 0; i < 3; ++i) {

@@ -41,7 +41,9 @@ std::vector<std::string> examples_of(const std::string& help) {
   return examples;
 }
 
-std::vector<std::string> words_of(const std::string& text) {
+/// Without the quotes, which are for a shell.
+std::vector<std::string> words_of(std::string text) {
+  std::erase(text, '\'');
   std::istringstream stream(text);
   std::vector<std::string> words;
   for (std::string word; stream >> word && word != ">";) words.push_back(word);

@@ -7,6 +7,7 @@
 #include "scenes/clip_samples.hpp"
 #include "scenes/demo_scene.hpp"
 #include "scenes/ignored_pairs.hpp"
+#include "scenes/takes.hpp"
 
 namespace pelt::wasm {
 namespace {
@@ -41,6 +42,13 @@ Result<void> check_ignored(const scenes::Scene& scene, const asset::GltfOptions&
   if (!options.unskinned_parts || !options.exclude_nodes.empty()) return {};
   const auto known = scenes::check_names(scenes::characters_of(scene), scene.ignore);
   return known ? known : asset::prefixed(scene.name + ": ignore", known.error());
+}
+
+/// Returns an error if an instance plays all clips, because frames of this scene have no takes.
+Result<void> check_clips(const scenes::Scene& scene) {
+  if (scene.takes.empty()) return {};
+  return asset::unsupported(scene.name +
+                            ": only the command can play all clips with \"*\": name one clip");
 }
 
 Result<std::vector<CharacterHandle>> prepare_all(scenes::Scene& scene, const Options& options) {
@@ -79,6 +87,7 @@ PELT_EXPORT const char* pelt_read_scene(const char* path, const char* options) {
   if (!scene) return refuse(scene.error()), nullptr;
   if (const auto checked = check_ignored(*scene, read->gltf()); !checked)
     return refuse(checked.error()), nullptr;
+  if (const auto checked = check_clips(*scene); !checked) return refuse(checked.error()), nullptr;
   Result<std::vector<CharacterHandle>> characters = prepare_all(*scene, *read);
   if (!characters) return refuse(characters.error()), nullptr;
   return answer_json(describe(*scene, std::move(*characters)));

@@ -30,6 +30,20 @@ TEST(InsideTally, CountsTheFramesOfEachContainedBody) {
   EXPECT_EQ(tally.frames_held, (std::vector<std::uint32_t>{3, 5, 6}));
 }
 
+TEST(InsideTally, CountsEachTakeByItself) {
+  InsideTally tally;
+  const std::vector<InsidePair> pair = {contained(0, 1, Containment::a_in_b)};
+  tally.add(3, pair, 0);
+  tally.add(4, pair, 1);
+  tally.add(5, pair, 1);
+  ASSERT_EQ(tally.held.size(), 2u);
+  EXPECT_EQ(tally.held[0].take, 0u);
+  EXPECT_EQ(tally.held[0].frames, 1u);
+  EXPECT_EQ(tally.held[1].take, 1u);
+  EXPECT_EQ(tally.held[1].first_frame, 4u);
+  EXPECT_EQ(tally.held[1].frames, 2u);
+}
+
 /// Comparing all bodies with each other would take 10^11 steps: minutes.
 TEST(InsideTally, CountsInTimeLinearInBodies) {
   std::vector<InsidePair> pairs;

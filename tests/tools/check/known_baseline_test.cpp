@@ -100,6 +100,27 @@ TEST(KnownBaseline, KnowsWhatWasHeldWholeIfThatIsAsked) {
   EXPECT_NE(message_of(parse(answer, question)).find("held: is missing"), std::string::npos);
 }
 
+TEST(KnownBaseline, KnowsTouchesByClip) {
+  Answer answer;
+  answer.header["options"]["clips"] = {"walk", "idle"};
+  answer.totals["touches"][0]["clip"] = "walk";
+  EXPECT_NE(message_of(parse(answer)).find("was written with all clips of a model ('*')"),
+            std::string::npos);
+  CheckQuestion question = asked();
+  question.clips = {"walk", "run"};
+  EXPECT_NE(message_of(parse({}, question)).find("was written without the clip '*'"),
+            std::string::npos);
+  const Result<CheckBaseline> baseline = parse(answer, question);
+  ASSERT_TRUE(baseline) << baseline.error().message;
+  const TouchName arm = name("knight", 0, "arm"), hips = name("thief", 0, "hips");
+  EXPECT_EQ(baseline->worst({arm, hips, "walk"}), 12u);
+  EXPECT_EQ(baseline->worst({arm, hips, "run"}), 0u);
+  EXPECT_EQ(baseline->worst({arm, hips}), 0u);
+  ASSERT_EQ(baseline->notes().size(), 1u);
+  EXPECT_EQ(baseline->notes()[0],
+            "clips was [\"walk\",\"idle\"] in the baseline and is [\"walk\",\"run\"] now");
+}
+
 TEST(KnownBaseline, RefusesTheAnswerToAnotherQuestion) {
   struct Case {
     const char* key;

@@ -60,5 +60,29 @@ TEST(TouchTally, CountsByDominantJointAndPart) {
   EXPECT_EQ(parts[0].contacts, 2u);
 }
 
+TEST(TouchTally, CountsEachTakeByItself) {
+  scenes::Scene scene = two_of(three_triangles());
+  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  scene.takes = {{"walk", 0, 2}, {"idle", 2, 3}};
+  scene::FrameContacts found;
+  found.contacts = {{0, 0}};
+  found.pairs = {{0, 1, 0, 1}};
+  Result<TouchTally> tally = TouchTally::make({scene, *colliders});
+  ASSERT_TRUE(tally) << tally.error().message;
+  for (const std::uint32_t frame : {1, 2, 4}) tally->add(frame, found);
+  const std::vector<Touch> touches = tally->touches();
+  ASSERT_EQ(touches.size(), 2u);
+  EXPECT_EQ(touches[0].take, 1u);
+  EXPECT_EQ(touches[0].contacts, 2u);
+  EXPECT_EQ(touches[0].worst_frame, 2u);
+  EXPECT_EQ(touches[1].take, 0u);
+  EXPECT_EQ(touches[1].contacts, 1u);
+  const std::vector<TouchTally::Row> joints = tally->joints();
+  ASSERT_EQ(joints.size(), 2u);
+  EXPECT_EQ(joints[0].clip, "\"idle\"");
+  EXPECT_EQ(joints[1].clip, "\"walk\"");
+}
+
 }  // namespace
 }  // namespace pelt::tools::check

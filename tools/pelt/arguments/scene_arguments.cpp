@@ -3,6 +3,7 @@
 #include "asset/angles.hpp"
 #include "asset/message.hpp"
 #include "scenes/excluded_nodes.hpp"
+#include "scenes/takes.hpp"
 #include "tools/pelt/arguments/position_argument.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -129,15 +130,12 @@ Result<void> add_instance(Scene& scene, const SceneArguments& arguments, std::si
   return {};
 }
 
-std::uint32_t frames_of_longest_clip(const Scene& scene) {
-  double longest = 0;
-  for (const Instance& instance : scene.instances) {
-    if (!instance.clip) continue;
-    const asset::Asset& asset = scene.characters[instance.character].asset;
-    longest = std::max(longest, static_cast<double>(asset.find_clip(*instance.clip)->duration));
-  }
-  const double frames = std::ceil(longest * scene.fps);
-  return static_cast<std::uint32_t>(std::clamp(frames, 1.0, double{scenes::kMaxFrames}));
+/// All clips, or the longest clip of models that play one clip each.
+Result<void> choose_frame_count(Scene& scene) {
+  if (const auto planned = scenes::plan_takes(scene); !planned)
+    return asset::prefixed("--clip", planned.error());
+  if (scene.takes.empty()) scene.frame_count = scenes::frames_of_longest_clip(scene);
+  return {};
 }
 
 /// How many models could play a clip and were not told to, nor told to stand still.
@@ -170,7 +168,7 @@ Result<Scene> scene_of_models(const SceneArguments& arguments) {
   }
   const auto known = scenes::check_excluded(scene, arguments.models.gltf_options());
   if (!known) return asset::prefixed("--exclude", known.error());
-  scene.frame_count = frames_of_longest_clip(scene);
+  if (const auto chosen = choose_frame_count(scene); !chosen) return chosen.error();
   scene.notes = placing_notes(arguments, scene);
   return scene;
 }
@@ -183,7 +181,10 @@ bool plays_nothing(const Scene& scene) {
 Result<Scene> scene_of_file(const SceneArguments& arguments) {
   if (const auto checked = check_for_scene(arguments); !checked) return checked.error();
   Result<Scene> scene = scenes::load_scene(arguments.inputs[0], arguments.models.gltf_options());
-  if (scene && arguments.fps) scene->fps = *arguments.fps;
+  if (!scene || !arguments.fps) return scene;
+  scene->fps = *arguments.fps;
+  if (const auto planned = scenes::plan_takes(*scene); !planned)
+    return asset::prefixed("--fps", planned.error());
   return scene;
 }
 
@@ -197,7 +198,8 @@ void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded neede
   verb.option("INPUT", arguments.inputs, "SCENE.json, or models: A.glb B.gltf ...",
               {.is_required = needed == InputsNeeded::one});
   placing("--clip", arguments.clips, "NAME",
-          "Animation clip, played in a loop; \"\": the unnamed clip; -: the default pose");
+          "Animation clip, played in a loop; \"\": the unnamed clip; -: the default pose; '*': all "
+          "clips of the model, one after the other, for which the other models start anew");
   placing("--start", arguments.starts, "SECONDS", "Time in the clip at frame 0");
   placing("--at", arguments.positions, "X,Y,Z", "Position");
   placing("--turn", arguments.turns, "DEGREES", "Rotation about the y axis, which points up");
@@ -225,7 +227,8 @@ Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& 
   if (text.empty()) return FrameRange{0, scene.frame_count};
   Result<FrameRange> range = parse_frame_range(text);
   if (!range) return range;
-  if (!asks_for_scene(arguments) && range->end <= scenes::kMaxFrames) {
+  const bool loops = !asks_for_scene(arguments) && scene.takes.empty();
+  if (loops && range->end <= scenes::kMaxFrames) {
     scene.frame_count = std::max(scene.frame_count, range->end);
     if (range->frames().size() > 1 && plays_nothing(scene))
       scene.notes.push_back(

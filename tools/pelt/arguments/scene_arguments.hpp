@@ -34,8 +34,8 @@ bool asks_for_scene(const SceneArguments& arguments);
 Result<scenes::Scene> open_scene(const SceneArguments& arguments);
 
 /// The frames that `text` (of --frames, "" where it was not given) asks for. Models on the command
-/// line have no end: their clips loop, and `scene.frame_count` follows. Notes in `scene` where all
-/// of several frames are alike.
+/// line have no end unless one plays all its clips: clips loop, and `scene.frame_count` follows.
+/// Notes in `scene` where all of several frames are alike.
 Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& arguments,
                                  scenes::Scene& scene);
 

@@ -37,9 +37,14 @@ BodyName read_body(const JsonObject& object) {
 
 TouchName read_place(const JsonObject& object) { return {read_body(object), object.text("joint")}; }
 
-CheckBaseline::TouchNames ordered(TouchName a, TouchName b) {
+CheckBaseline::TouchNames ordered(TouchName a, TouchName b, std::optional<std::string> clip) {
   if (b < a) std::swap(a, b);
-  return {std::move(a), std::move(b)};
+  return {std::move(a), std::move(b), std::move(clip)};
+}
+
+std::optional<std::string> read_clip(const JsonObject& object) {
+  if (!object.has("clip")) return std::nullopt;
+  return object.text("clip");
 }
 
 /// Null where it is absent.
@@ -62,6 +67,11 @@ Result<void> compare_questions(const json& theirs, const json& ours) {
                               option_words(option, ours[key]),
                           "use the same options, or write a new baseline");
   }
+  const bool played_all = !value_of(theirs, "clips").is_null();
+  if (played_all != !value_of(ours, "clips").is_null())
+    return incomparable(played_all ? "was written with all clips of a model ('*')"
+                                   : "was written without the clip '*', which this check plays",
+                        "play the same clips, or write a new baseline");
   if (!value_of(theirs, "max_contacts").is_null())
     return incomparable("was written with --first or --max-contacts and lacks contacts",
                         "write a new baseline without them");
@@ -73,7 +83,8 @@ Result<void> compare_questions(const json& theirs, const json& ours) {
 
 /// Notes differences that do not prevent a comparison.
 void note_differences(const json& theirs, const json& ours, std::vector<std::string>& notes) {
-  for (const char* key : {"frames", "fps", "ignore", "exclude", "no_unskinned", "renormalise"}) {
+  for (const char* key :
+       {"clips", "frames", "fps", "ignore", "exclude", "no_unskinned", "renormalise"}) {
     const json then = value_of(theirs, key);
     if (then.is_null() || then == ours[key]) continue;
     notes.push_back(std::string(key) + " was " + then.dump() + " in the baseline and is " +
@@ -174,7 +185,8 @@ Result<CheckBaseline> CheckBaseline::compare(const json& first, const json& last
 void CheckBaseline::take_touches(const JsonObject& totals) {
   if (!totals.has("touches")) totals.refuse("touches", "is missing from the last line");
   for (const JsonObject& touch : totals.objects("touches")) {
-    const TouchNames names = ordered(read_place(touch.object("a")), read_place(touch.object("b")));
+    const TouchNames names =
+        ordered(read_place(touch.object("a")), read_place(touch.object("b")), read_clip(touch));
     touches_[names] = std::max(touches_[names], touch.object("worst").count("contacts"));
   }
 }
@@ -182,7 +194,8 @@ void CheckBaseline::take_touches(const JsonObject& totals) {
 void CheckBaseline::take_held(const JsonObject& totals) {
   if (!totals.has("held")) totals.refuse("held", "is missing from the last line");
   for (const JsonObject& held : totals.objects("held"))
-    held_.insert({read_body(held.object("inner")), read_body(held.object("outer"))});
+    held_.insert(
+        {read_body(held.object("inner")), read_body(held.object("outer")), read_clip(held)});
 }
 
 Result<CheckBaseline> CheckBaseline::parse(const std::string& path, std::string_view text,
@@ -213,7 +226,13 @@ std::uint64_t CheckBaseline::worst(const TouchNames& names) const {
 }
 
 CheckBaseline::TouchNames names_of(const scene::StagedScene& staged, const Touch& touch) {
-  return ordered(touch_name(staged, touch.a), touch_name(staged, touch.b));
+  return ordered(touch_name(staged, touch.a), touch_name(staged, touch.b),
+                 clip_name(staged.scene, touch.take));
+}
+
+CheckBaseline::HeldNames names_of(const scene::StagedScene& staged, const Held& held) {
+  return {body_name(staged, staged.colliders[held.inner]),
+          body_name(staged, staged.colliders[held.outer]), clip_name(staged.scene, held.take)};
 }
 
 }  // namespace pelt::tools::check

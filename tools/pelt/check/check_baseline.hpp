@@ -8,21 +8,30 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace pelt::tools::check {
 
 class CheckBaseline {
  public:
-  /// Orders the two places, because their order has no meaning.
-  using TouchNames = std::pair<TouchName, TouchName>;
-  /// The inner, the outer.
-  using HeldNames = std::pair<BodyName, BodyName>;
+  /// Two places in order, because their order has no meaning, and the clip of their take.
+  struct TouchNames {
+    TouchName first, second;
+    std::optional<std::string> clip = {};
+
+    friend auto operator<=>(const TouchNames&, const TouchNames&) = default;
+  };
+  struct HeldNames {
+    BodyName inner, outer;
+    std::optional<std::string> clip = {};
+
+    friend auto operator<=>(const HeldNames&, const HeldNames&) = default;
+  };
 
   /// `text` is what `pelt check --jsonl` wrote; `path` is for messages. Refuses the answer to a
   /// question that cannot be compared with `question`, one that a limit cut short, and one of a
@@ -53,7 +62,8 @@ class CheckBaseline {
   std::vector<std::string> notes_;
 };
 
-/// The two places of a touch as a baseline knows them.
+/// Returns a touch and a contained body as a baseline knows them.
 CheckBaseline::TouchNames names_of(const scene::StagedScene& staged, const Touch& touch);
+CheckBaseline::HeldNames names_of(const scene::StagedScene& staged, const Held& held);
 
 }  // namespace pelt::tools::check

@@ -20,6 +20,7 @@ nlohmann::ordered_json question_json(const CheckQuestion& question) {
       {"no_unskinned", question.no_unskinned},
       {"renormalise", question.renormalise}};
   for (const scenes::NamePair& pair : question.ignore) json["ignore"].push_back({pair.a, pair.b});
+  if (!question.clips.empty()) json["clips"] = question.clips;
   if (question.clearance) json["clearance"] = *question.clearance;
   if (question.max_contacts) json["max_contacts"] = *question.max_contacts;
   return json;

@@ -18,6 +18,7 @@ struct CheckQuestion {
   std::string method, by;
   arguments::FrameRange frames;
   double fps = 30;
+  std::vector<std::string> clips;  ///< of the takes, in order; empty without takes
   std::optional<std::uint32_t> max_contacts;
   std::optional<double> clearance;
   bool pairs = false, contacts = false, inside = false;

@@ -1,5 +1,6 @@
 #include "tools/pelt/check/check_run.hpp"
 
+#include "scenes/takes.hpp"
 #include "tools/pelt/check/clearance_query.hpp"
 #include "tools/pelt/check/ignored_contacts.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
@@ -10,11 +11,27 @@
 namespace pelt::tools::check {
 namespace {
 
-void count_frame(std::uint32_t frame, const scene::FrameContacts& found, CheckReport& report) {
+/// Frames ascend, so those of a take follow each other.
+void count_in_take(std::uint32_t take, std::uint32_t frame, std::uint64_t contacts,
+                   std::vector<TakeTotals>& takes) {
+  if (takes.empty() || takes.back().take != take) takes.push_back({take});
+  TakeTotals& totals = takes.back();
+  ++totals.frames;
+  totals.frames_in_contact += contacts > 0;
+  totals.contacts += contacts;
+  if (contacts <= totals.worst) return;
+  totals.worst = contacts;
+  totals.worst_frame = frame;
+}
+
+void count_frame(const scenes::Scene& scene, std::uint32_t frame, const scene::FrameContacts& found,
+                 CheckReport& report) {
   const std::uint64_t contacts = found.contacts.size();
   ++report.totals.frames;
   report.frame_contacts.push_back(contacts);
   report.totals.contacts += contacts;
+  if (!scene.takes.empty())
+    count_in_take(scenes::take_index(scene, frame), frame, contacts, report.totals.takes);
   if (contacts == 0) return;
   ++report.totals.frames_in_contact;
   report.frames_in_contact.push_back(frame);
@@ -35,7 +52,8 @@ class ExtraQueries {
  public:
   /// All arguments must outlive this.
   ExtraQueries(const scene::StagedScene& staged, const CheckSettings& settings,
-               const scenes::IgnoredPairs& ignored) {
+               const scenes::IgnoredPairs& ignored)
+      : scene_(staged.scene) {
     if (settings.asks_inside) inside_.emplace(staged, ignored);
     if (!settings.describes_contacts) return;
     details_.emplace(staged);
@@ -47,7 +65,7 @@ class ExtraQueries {
                           const scene::FrameContacts& found) {
     if (!inside_) return {};
     if (const auto asked = inside_->ask(palettes, found); !asked) return asked;
-    insides_.add(frame, inside_->pairs());
+    insides_.add(frame, inside_->pairs(), scenes::take_index(scene_, frame));
     return {};
   }
 
@@ -75,6 +93,7 @@ class ExtraQueries {
   }
 
  private:
+  const scenes::Scene& scene_;
   std::optional<InsideQuery> inside_;
   InsideTally insides_;
   std::optional<ContactDetails> details_;
@@ -104,12 +123,11 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   const auto record = [&](std::uint32_t frame, const scene::Palettes& palettes) -> Result<void> {
     if (const auto asked = extras.ask_inside(frame, palettes, found); !asked) return asked;
     report.totals.ignored += take_ignored_out(*ignored, staged, found);
-    count_frame(frame, found, report);
+    count_frame(staged.scene, frame, found, report);
     tally.add(frame, found);
     hash.add(frame, found);
     if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked;
-    if (jsonl != nullptr)
-      jsonl->frame(frame, scenes::frame_time(staged.scene, frame), found, extras.of_frame());
+    if (jsonl != nullptr) jsonl->frame(frame, found, extras.of_frame());
     if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
     return {};
   };

@@ -9,6 +9,7 @@ CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& sc
   question.by = settings.granularity == scene::Granularity::part ? "part" : "instance";
   question.frames = settings.frames;
   question.fps = scene.fps;
+  for (const scenes::Take& take : scene.takes) question.clips.push_back(take.clip);
   question.max_contacts = settings.max_contacts;
   question.clearance = settings.clearance;
   question.pairs = settings.lists_triangles;

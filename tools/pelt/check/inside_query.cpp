@@ -16,7 +16,9 @@ Body body_of(const scene::StagedScene& staged, std::uint32_t collider) {
 
 }  // namespace
 
-void InsideTally::add(std::uint32_t frame, std::span<const InsidePair> pairs) {
+void InsideTally::add(std::uint32_t frame, std::span<const InsidePair> pairs, std::uint32_t take) {
+  if (take != take_) held_at_.clear();
+  take_ = take;
   bool is_held = false;
   for (const InsidePair& pair : pairs) {
     is_held |= pair.containment != Containment::none;
@@ -32,7 +34,7 @@ void InsideTally::add_held(std::uint32_t inner, std::uint32_t outer, std::uint32
   const std::uint64_t key = std::uint64_t{inner} << 32 | outer;
   const auto [known, is_new] = held_at_.try_emplace(key, held.size());
   if (is_new)
-    held.push_back({inner, outer, 1, frame});
+    held.push_back({inner, outer, 1, frame, take_});
   else
     ++held[known->second].frames;
 }

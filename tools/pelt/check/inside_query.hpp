@@ -25,10 +25,11 @@ struct InsidePair {
               b_in_a = {};  ///< of those that are closed; triangles as the model numbers them
 };
 
-/// A collider that another one contains.
+/// A collider that another one contains, in all frames or in those of a take.
 struct Held {
   std::uint32_t inner = 0, outer = 0;
   std::uint32_t frames = 0, first_frame = 0;  ///< how many, and the first of them
+  std::uint32_t take = 0;                     ///< index into the scene's takes, if it has any
 };
 
 /// Totals of all frames.
@@ -38,7 +39,8 @@ struct InsideTally {
     std::uint32_t inner = 0, outer = 0, frame = 0;
   };
 
-  void add(std::uint32_t frame, std::span<const InsidePair> pairs);
+  /// `take` is the index of the frame's take, or 0 without takes. Frames ascend.
+  void add(std::uint32_t frame, std::span<const InsidePair> pairs, std::uint32_t take = 0);
 
   std::size_t closed_colliders = 0;        ///< number of colliders with an inside
   std::vector<std::uint32_t> frames_held;  ///< frames in which one collider contains another
@@ -48,6 +50,7 @@ struct InsideTally {
  private:
   void add_held(std::uint32_t inner, std::uint32_t outer, std::uint32_t frame);
 
+  std::uint32_t take_ = 0;                                  // of the latest frame
   std::unordered_map<std::uint64_t, std::size_t> held_at_;  // [inner, outer] index into `held`
 };
 

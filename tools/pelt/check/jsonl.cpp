@@ -20,9 +20,34 @@ ordered_json triangles_json(std::span<const Contact> contacts) {
 }
 
 ordered_json gone_json(const GoneTouch& gone) {
-  return {{"a", name_json(gone.names.first)},
-          {"b", name_json(gone.names.second)},
-          {"known", gone.known}};
+  ordered_json json = of_clip(gone.names.clip);
+  json["a"] = name_json(gone.names.first);
+  json["b"] = name_json(gone.names.second);
+  json["known"] = gone.known;
+  return json;
+}
+
+ordered_json held_names_json(const CheckBaseline::HeldNames& names) {
+  ordered_json json = of_clip(names.clip);
+  json["inner"] = name_json(names.inner);
+  json["outer"] = name_json(names.outer);
+  return json;
+}
+
+ordered_json takes_json(const scenes::Scene& scene, std::span<const TakeTotals> takes) {
+  ordered_json list = ordered_json::array();
+  for (const TakeTotals& totals : takes) {
+    const scenes::Take& take = scene.takes[totals.take];
+    list.push_back({{"clip", take.clip},
+                    {"first_frame", take.first_frame},
+                    {"frames", totals.frames},
+                    {"frames_in_contact", totals.frames_in_contact},
+                    {"contacts", totals.contacts},
+                    {"worst", nullptr}});
+    if (totals.worst > 0)
+      list.back()["worst"] = {{"frame", totals.worst_frame}, {"contacts", totals.worst}};
+  }
+  return list;
 }
 
 }  // namespace
@@ -33,12 +58,11 @@ void JsonlWriter::header() {
   scene::write_line(header, out_);
 }
 
-void JsonlWriter::frame(std::uint32_t frame, double time, const scene::FrameContacts& found,
+void JsonlWriter::frame(std::uint32_t frame, const scene::FrameContacts& found,
                         const FrameExtras& extras) {
-  ordered_json line = {{"frame", frame},
-                       {"time", time},
-                       {"contacts", found.contacts.size()},
-                       {"pairs", pairs_json(found, extras.details)}};
+  ordered_json line = scene::frame_json(staged_.scene, frame);
+  line["contacts"] = found.contacts.size();
+  line["pairs"] = pairs_json(found, extras.details);
   if (extras.inside != nullptr) line["inside"] = inside_json(*extras.inside);
   scene::write_line(line, out_);
 }
@@ -101,8 +125,8 @@ ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
   for (const GoneTouch& gone : comparison.gone) json["gone"].push_back(gone_json(gone));
   for (const GoneTouch& gone : comparison.left_out) json["left_out"].push_back(gone_json(gone));
   json["newly_held"] = held_list(comparison.newly_held);
-  for (const auto& [inner, outer] : comparison.no_longer_held)
-    json["no_longer_held"].push_back({{"inner", name_json(inner)}, {"outer", name_json(outer)}});
+  for (const CheckBaseline::HeldNames& names : comparison.no_longer_held)
+    json["no_longer_held"].push_back(held_names_json(names));
   json["notes"] = comparison.notes;
   return json;
 }
@@ -120,6 +144,7 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
   } else {
     last["cut_short"] = true;
   }
+  if (!totals.takes.empty()) last["clips"] = takes_json(staged_.scene, totals.takes);
   last["touches"] = ordered_json::array();
   for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(staged_, touch));
   if (question_.inside) last["held"] = held_list(found.held);

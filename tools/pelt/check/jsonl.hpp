@@ -15,13 +15,23 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace pelt::tools::check {
+
+/// Totals of the frames of a take.
+struct TakeTotals {
+  std::uint32_t take = 0;  ///< index into Scene::takes
+  std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
+  std::uint64_t worst = 0;        ///< the most contacts of one frame
+  std::uint32_t worst_frame = 0;  ///< the first one with as many
+};
 
 struct CheckTotals {
   std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
   std::uint64_t ignored = 0;  ///< contacts that do not count
   QueryStats work;
+  std::vector<TakeTotals> takes;      ///< of checked frames; empty if the scene has no takes
   std::optional<std::uint64_t> hash;  ///< nothing where a limit on contacts was in force
 };
 
@@ -39,8 +49,7 @@ class JsonlWriter {
 
   void header();
 
-  void frame(std::uint32_t frame, double time, const scene::FrameContacts& found,
-             const FrameExtras& extras);
+  void frame(std::uint32_t frame, const scene::FrameContacts& found, const FrameExtras& extras);
   void totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict);
 
  private:

@@ -1,5 +1,6 @@
 #include "tools/pelt/check/summary.hpp"
 
+#include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
@@ -29,7 +30,8 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
                                                     settings.frames.stride)
                                << '\n';
   const double time = scenes::frame_time(scene, report.worst_frame);
-  scene::label(out, "worst") << "frame " << report.worst_frame << " (" << output::fixed(time, 3)
+  scene::label(out, "worst") << scene::frame_words(scene, report.worst_frame) << " ("
+                             << output::fixed(time, 3)
                              << " s): " << output::counted(report.worst_contacts, "contact")
                              << '\n';
   scene::label(out, "contacts") << output::with_commas(totals.contacts) << " in all"
@@ -50,11 +52,11 @@ std::span<const Row> shown(const std::vector<Row>& rows) {
   return std::span(rows).first(std::min(rows.size(), kMostRows));
 }
 
-/// Width of the first column of names.
+/// Width of a column of names.
 template <typename Row>
-int width_of(std::span<const Row> rows) {
+int width_of(std::span<const Row> rows, std::string Row::*column = &Row::a) {
   std::size_t width = 0;
-  for (const Row& row : rows) width = std::max(width, row.a.size());
+  for (const Row& row : rows) width = std::max(width, (row.*column).size());
   return static_cast<int>(width);
 }
 
@@ -62,14 +64,34 @@ void print_rows(const char* title, const std::vector<TouchTally::Row>& rows, std
                 std::ostream& out) {
   out << '\n' << title << '\n';
   const int width = width_of(shown(rows));
+  const int clip_width = width_of(shown(rows), &TouchTally::Row::clip);
   for (const TouchTally::Row& row : shown(rows)) {
     const double percent =
         100.0 * static_cast<double>(row.contacts) / static_cast<double>(contacts);
     out << std::right << std::setw(12) << output::with_commas(row.contacts) << std::setw(6)
-        << output::fixed(percent, 1) << " %  " << std::left << std::setw(width) << row.a << "  "
-        << row.b << '\n';
+        << output::fixed(percent, 1) << " %  " << std::left;
+    if (clip_width > 0) out << std::setw(clip_width) << row.clip << "  ";
+    out << std::setw(width) << row.a << "  " << row.b << '\n';
   }
   print_rest(rows.size(), out);
+}
+
+/// Prints the clips in contact, those with the most contacts of one frame first.
+void print_takes(const scenes::Scene& scene, const std::vector<TakeTotals>& takes,
+                 std::ostream& out) {
+  std::vector<TakeTotals> in_contact = takes;
+  std::erase_if(in_contact, [](const TakeTotals& take) { return take.contacts == 0; });
+  std::stable_sort(in_contact.begin(), in_contact.end(),
+                   [](const TakeTotals& a, const TakeTotals& b) { return a.worst > b.worst; });
+  scene::label(out, "clips") << output::with_commas(in_contact.size()) << " of "
+                             << output::counted(takes.size(), "checked clip") << " in contact\n";
+  for (const TakeTotals& take : shown(in_contact)) {
+    out << std::right << std::setw(12) << output::with_commas(take.worst) << "  "
+        << scene::frame_words(scene, take.worst_frame) << ", in contact in "
+        << output::with_commas(take.frames_in_contact) << " of "
+        << output::counted(take.frames, "frame") << '\n';
+  }
+  print_rest(in_contact.size(), out);
 }
 
 void print_touching(const scenes::Scene& scene, const CheckReport& report, const TouchTally& tally,
@@ -86,7 +108,8 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
 std::string held_words(const scene::StagedScene& staged, const Held& held) {
   return scene::collider_name(staged, staged.colliders[held.inner]) + " is contained in " +
          scene::collider_name(staged, staged.colliders[held.outer]) + " in " +
-         output::counted(held.frames, "frame") + ", first " + std::to_string(held.first_frame);
+         output::counted(held.frames, "frame") + ", first " +
+         scene::frame_words(staged.scene, held.first_frame);
 }
 
 void print_held(const scene::StagedScene& staged, const char* name, std::span<const Held> held,
@@ -101,9 +124,9 @@ void print_worse(const scene::StagedScene& staged, std::span<const Worse> worse,
   for (std::size_t i = 0; i < std::min(worse.size(), kMostRows); ++i) {
     const auto& [touch, known] = worse[i];
     out << std::right << std::setw(12) << output::with_commas(touch.worst) << " ("
-        << (known == 0 ? "new" : "was " + output::with_commas(known)) << ")  frame "
-        << touch.worst_frame << "  " << in_words(staged, touch.a) << "  "
-        << in_words(staged, touch.b) << '\n';
+        << (known == 0 ? "new" : "was " + output::with_commas(known)) << ")  "
+        << scene::frame_words(staged.scene, touch.worst_frame) << "  " << in_words(staged, touch.a)
+        << "  " << in_words(staged, touch.b) << '\n';
   }
   print_rest(worse.size(), out);
 }
@@ -150,14 +173,14 @@ void print_comparison(const scene::StagedScene& staged, const Comparison& compar
                                   << " known touches, of parts that this check leaves out\n";
 }
 
-void print_deepest(const CheckReport& report, std::ostream& out) {
+void print_deepest(const scenes::Scene& scene, const CheckReport& report, std::ostream& out) {
   scene::label(out, "regions") << output::with_commas(report.regions)
                                << " in all\n\ndeepest regions\n";
   const int width = width_of(shown(report.deepest));
   for (const DepthTally::Row& row : shown(report.deepest)) {
     out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.depth), 6)
-        << "  frame " << std::setw(5) << row.frame << "  " << std::left << std::setw(width) << row.a
-        << "  " << row.b << '\n';
+        << "  frame " << std::setw(5) << row.frame << scene::clip_words(scene, row.frame) << "  "
+        << std::left << std::setw(width) << row.a << "  " << row.b << '\n';
   }
   print_rest(report.deepest.size(), out);
   out << '\n';
@@ -183,7 +206,7 @@ void print_inside(const scene::StagedScene& staged, const InsideTally& inside, s
                                << scene::collider_name(staged, staged.colliders[deepest.inner])
                                << " is " << output::fixed(deepest.depth, 6) << " deep in "
                                << scene::collider_name(staged, staged.colliders[deepest.outer])
-                               << ", frame " << deepest.frame << '\n';
+                               << ", " << scene::frame_words(staged.scene, deepest.frame) << '\n';
 }
 
 }  // namespace
@@ -197,12 +220,13 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
     scene::label(out, "clearance")
         << "counts triangles at most " << *settings.clearance << " apart\n";
   print_contacts(staged.scene, settings, report, out);
+  if (!report.totals.takes.empty()) print_takes(staged.scene, report.totals.takes, out);
   if (report.totals.ignored > 0)
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
   // What fails comes before what does not.
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   print_touching(staged.scene, report, tally, out);
-  if (report.regions > 0) print_deepest(report, out);
+  if (report.regions > 0) print_deepest(staged.scene, report, out);
   if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';

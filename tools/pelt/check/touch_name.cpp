@@ -35,6 +35,11 @@ ordered_json with_instance(std::uint32_t instance, const ordered_json& name) {
 
 }  // namespace
 
+std::optional<std::string> clip_name(const scenes::Scene& scene, std::uint32_t take) {
+  if (scene.takes.empty()) return std::nullopt;
+  return scene::as_json_holds(scene.takes[take].clip);
+}
+
 BodyName body_name(const scene::StagedScene& staged, const scene::Collider& collider) {
   BodyName name = instance_name(staged, collider.instance);
   if (collider.part)
@@ -58,11 +63,14 @@ std::string in_words(const scene::StagedScene& staged, const TouchPlace& place) 
 }
 
 ordered_json touch_json(const scene::StagedScene& staged, const Touch& touch) {
-  return {{"a", with_instance(touch.a.instance, name_json(touch_name(staged, touch.a)))},
-          {"b", with_instance(touch.b.instance, name_json(touch_name(staged, touch.b)))},
-          {"contacts", touch.contacts},
-          {"frames", touch.frames},
-          {"worst", {{"frame", touch.worst_frame}, {"contacts", touch.worst}}}};
+  ordered_json json = of_clip(clip_name(staged.scene, touch.take));
+  json.update(
+      ordered_json{{"a", with_instance(touch.a.instance, name_json(touch_name(staged, touch.a)))},
+                   {"b", with_instance(touch.b.instance, name_json(touch_name(staged, touch.b)))},
+                   {"contacts", touch.contacts},
+                   {"frames", touch.frames},
+                   {"worst", {{"frame", touch.worst_frame}, {"contacts", touch.worst}}}});
+  return json;
 }
 
 ordered_json held_json(const scene::StagedScene& staged, const Held& held) {
@@ -70,10 +78,18 @@ ordered_json held_json(const scene::StagedScene& staged, const Held& held) {
     return with_instance(staged.colliders[collider].instance,
                          name_json(body_name(staged, staged.colliders[collider])));
   };
-  return {{"inner", body(held.inner)},
-          {"outer", body(held.outer)},
-          {"frames", held.frames},
-          {"first_frame", held.first_frame}};
+  ordered_json json = of_clip(clip_name(staged.scene, held.take));
+  json.update(ordered_json{{"inner", body(held.inner)},
+                           {"outer", body(held.outer)},
+                           {"frames", held.frames},
+                           {"first_frame", held.first_frame}});
+  return json;
+}
+
+ordered_json of_clip(const std::optional<std::string>& clip) {
+  ordered_json json = ordered_json::object();
+  if (clip) json["clip"] = *clip;
+  return json;
 }
 
 ordered_json name_json(const BodyName& name) {

@@ -11,6 +11,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -32,15 +33,22 @@ struct TouchName {
   friend auto operator<=>(const TouchName&, const TouchName&) = default;
 };
 
+/// The clip of a take, or nullopt if the scene has no takes. As JSON holds it.
+std::optional<std::string> clip_name(const scenes::Scene& scene, std::uint32_t take);
+
 BodyName body_name(const scene::StagedScene& staged, const scene::Collider& collider);
 TouchName touch_name(const scene::StagedScene& staged, const TouchPlace& place);
 
 /// "knight 0 Cape Spine", by the number of the instance in the scene; printable.
 std::string in_words(const scene::StagedScene& staged, const TouchPlace& place);
 
-/// As in `pelt check --jsonl`; `instance` is the number in the scene.
+/// As in `pelt check --jsonl`; `instance` is the number in the scene. With the clip if the scene
+/// has takes.
 nlohmann::ordered_json touch_json(const scene::StagedScene& staged, const Touch& touch);
 nlohmann::ordered_json held_json(const scene::StagedScene& staged, const Held& held);
+
+/// An object with `clip`, or an empty one without a clip.
+nlohmann::ordered_json of_clip(const std::optional<std::string>& clip);
 
 /// Without the numbers of instances, for places that are no longer in the scene.
 nlohmann::ordered_json name_json(const BodyName& name);

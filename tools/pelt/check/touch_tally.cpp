@@ -3,6 +3,7 @@
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "scenes/names.hpp"
+#include "scenes/takes.hpp"
 
 #include <algorithm>
 #include <string>
@@ -59,8 +60,10 @@ void TouchTally::add(std::uint32_t frame, const scene::FrameContacts& found) {
 }
 
 void TouchTally::add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts) {
+  const std::uint32_t take = scenes::take_index(staged_.scene, frame);
   for (const auto& [places, count] : contacts) {
-    Touch& touch = touches_[places];
+    Touch& touch = touches_[{take, places}];
+    touch.take = take;
     touch.a = places.first;
     touch.b = places.second;
     touch.contacts += count;
@@ -73,7 +76,7 @@ void TouchTally::add_frame(std::uint32_t frame, const std::map<Places, std::uint
 
 std::vector<Touch> TouchTally::touches() const {
   std::vector<Touch> touches;
-  for (const auto& [places, touch] : touches_) touches.push_back(touch);
+  for (const auto& [key, touch] : touches_) touches.push_back(touch);
   std::stable_sort(touches.begin(), touches.end(),
                    [](const Touch& a, const Touch& b) { return a.contacts > b.contacts; });
   return touches;
@@ -93,20 +96,25 @@ std::vector<TouchTally::Row> TouchTally::parts() const {
 
 std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index,
                                               const NameOf& name_of) const {
-  using Key = std::pair<std::uint32_t, std::uint32_t>;  // instance, part or joint
-  std::map<std::pair<Key, Key>, std::uint64_t> counts;
-  for (const auto& [places, touch] : touches_) {
-    const auto& [a, b] = places;
-    counts[ascending(Key{a.instance, a.*index}, Key{b.instance, b.*index})] += touch.contacts;
+  using Place = std::pair<std::uint32_t, std::uint32_t>;  // instance, part or joint
+  std::map<std::pair<std::uint32_t, std::pair<Place, Place>>, std::uint64_t> counts;
+  for (const auto& [key, touch] : touches_) {
+    const auto& [a, b] = key.second;
+    const auto places = ascending(Place{a.instance, a.*index}, Place{b.instance, b.*index});
+    counts[{touch.take, places}] += touch.contacts;
   }
-  const auto full_name = [&](const Key& key) {
-    const std::uint32_t character = staged_.scene.instances[key.first].character;
+  const auto full_name = [&](const Place& place) {
+    const std::uint32_t character = staged_.scene.instances[place.first].character;
     return asset::printable_name(staged_.scene.characters[character].name) + " " +
-           std::to_string(key.first) + " " + asset::printable_name(name_of(character, key.second));
+           std::to_string(place.first) + " " +
+           asset::printable_name(name_of(character, place.second));
   };
   std::vector<Row> rows;
-  for (const auto& [keys, contacts] : counts) {
-    rows.push_back({full_name(keys.first), full_name(keys.second), contacts});
+  const std::vector<scenes::Take>& takes = staged_.scene.takes;
+  for (const auto& [key, contacts] : counts) {
+    const auto& [take, places] = key;
+    rows.push_back({takes.empty() ? "" : asset::quoted(takes[take].clip), full_name(places.first),
+                    full_name(places.second), contacts});
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.contacts > b.contacts; });

@@ -20,13 +20,14 @@ struct TouchPlace {
   friend auto operator<=>(const TouchPlace&, const TouchPlace&) = default;
 };
 
-/// The contacts of two places over all frames.
+/// The contacts of two places over all frames, or over those of a take.
 struct Touch {
   TouchPlace a, b;  ///< a <= b
   std::uint64_t contacts = 0;
   std::uint32_t frames = 0;       ///< with contacts
   std::uint64_t worst = 0;        ///< the most contacts of one frame
   std::uint32_t worst_frame = 0;  ///< the first one with as many
+  std::uint32_t take = 0;         ///< index into the scene's takes, if it has any
 };
 
 /// Parts of equal names count as one, the first of them, and so do joints: by names nobody could
@@ -43,6 +44,7 @@ class TouchTally {
   std::vector<Touch> touches() const;
 
   struct Row {
+    std::string clip;  ///< in quotes; "" if the scene has no takes
     std::string a, b;  ///< "knight 0 Hips"
     std::uint64_t contacts = 0;
   };
@@ -53,6 +55,7 @@ class TouchTally {
 
  private:
   using Places = std::pair<TouchPlace, TouchPlace>;  // ascending
+  using Key = std::pair<std::uint32_t, Places>;      // take, places
   using NameOf = std::function<std::string(std::uint32_t character, std::uint32_t index)>;
 
   explicit TouchTally(const scene::StagedScene& staged) : staged_(staged) {}
@@ -63,7 +66,7 @@ class TouchTally {
 
   scene::StagedScene staged_;
   std::vector<scenes::TriangleLabels> labels_;  // by character
-  std::map<Places, Touch> touches_;
+  std::map<Key, Touch> touches_;
 };
 
 }  // namespace pelt::tools::check

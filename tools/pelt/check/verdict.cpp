@@ -98,14 +98,13 @@ void compare_held(const scene::StagedScene& staged, std::span<const Held> held,
                   const CheckBaseline& baseline, Comparison& comparison) {
   std::set<CheckBaseline::HeldNames> rest = baseline.held();
   for (const Held& h : held) {
-    const CheckBaseline::HeldNames names = {body_name(staged, staged.colliders[h.inner]),
-                                            body_name(staged, staged.colliders[h.outer])};
+    const CheckBaseline::HeldNames names = names_of(staged, h);
     if (baseline.held().count(names) == 0) comparison.newly_held.push_back(h);
     rest.erase(names);
   }
   const LeftOutParts left_out(staged.scene);
   for (const CheckBaseline::HeldNames& names : rest) {
-    if (!left_out.contains(names.first) && !left_out.contains(names.second))
+    if (!left_out.contains(names.inner) && !left_out.contains(names.outer))
       comparison.no_longer_held.push_back(names);
   }
 }

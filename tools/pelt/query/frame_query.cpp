@@ -30,7 +30,7 @@ class QueryLines {
 
   void frame(std::uint32_t frame) {
     if (out_ == nullptr) return;
-    ordered_json line = {{"frame", frame}, {"time", scenes::frame_time(staged_.scene, frame)}};
+    ordered_json line = scene::frame_json(staged_.scene, frame);
     line.update(query_.frame_json());
     scene::write_line(line, *out_);
   }

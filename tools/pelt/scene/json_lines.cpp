@@ -2,6 +2,7 @@
 
 #include <pelt/version.hpp>
 
+#include "scenes/takes.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -45,6 +46,13 @@ ordered_json header_json(const char* format, const StagedScene& staged) {
           {"pelt", PELT_VERSION},
           {"inputs", inputs_json(staged.scene)},
           {"instances", colliders_json(staged)}};
+}
+
+ordered_json frame_json(const scenes::Scene& scene, std::uint32_t frame) {
+  ordered_json json = {{"frame", frame}};
+  if (const scenes::Take* take = scenes::find_take(scene, frame)) json["clip"] = take->clip;
+  json["time"] = scenes::frame_time(scene, frame);
+  return json;
 }
 
 ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }

@@ -21,6 +21,9 @@ namespace pelt::tools::scene {
 /// The header without the options: `format`, `version`, `pelt`, `inputs`, `instances`.
 nlohmann::ordered_json header_json(const char* format, const StagedScene& staged);
 
+/// The start of a frame's line: `frame`, `clip` if the scene has takes, `time`.
+nlohmann::ordered_json frame_json(const scenes::Scene& scene, std::uint32_t frame);
+
 nlohmann::ordered_json vector_json(const Vec3& v);
 
 nlohmann::ordered_json counters_json(const QueryStats& work);

@@ -2,6 +2,7 @@
 
 #include "asset/message.hpp"
 #include "tools/pelt/output/progress.hpp"
+#include "tools/pelt/scene/summary_lines.hpp"
 
 #include <chrono>
 
@@ -42,7 +43,7 @@ Result<FrameCosts> run_frames(const scenes::Scene& scene, const arguments::Frame
   output::Progress progress(numbers.size());
   for (const std::uint32_t frame : numbers) {
     const auto in_frame = [&](const Error& error) {
-      return asset::prefixed("frame " + std::to_string(frame), error);
+      return asset::prefixed(frame_words(scene, frame), error);
     };
     sample_palettes(scene, frame, scratch, palettes);
     const Clock::time_point begin = Clock::now();

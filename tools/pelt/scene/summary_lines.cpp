@@ -1,6 +1,8 @@
 #include "tools/pelt/scene/summary_lines.hpp"
 
+#include "asset/message.hpp"
 #include "asset/printable.hpp"
+#include "scenes/takes.hpp"
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -15,6 +17,27 @@ std::uint64_t triangle_count(std::span<const Collider> colliders) {
   return count;
 }
 
+constexpr std::size_t kLongestList = 200;
+
+/// Cuts a list at a comma.
+std::string shortened(const std::string& text) {
+  if (text.size() <= kLongestList) return text;
+  return text.substr(0, text.rfind(',', kLongestList)) + ", ...";
+}
+
+/// The clips of the takes with their frames: "walk" 0-29, "idle" 30-59.
+std::string take_list(std::span<const scenes::Take> takes) {
+  std::string text;
+  for (const scenes::Take& take : takes) {
+    if (text.size() > kLongestList) break;
+    const std::uint32_t last = take.first_frame + take.frame_count - 1;
+    if (!text.empty()) text += ", ";
+    text.append(asset::quoted(take.clip)).append(" ").append(std::to_string(take.first_frame));
+    if (take.frame_count > 1) text.append("-").append(std::to_string(last));
+  }
+  return shortened(text);
+}
+
 }  // namespace
 
 std::ostream& label(std::ostream& out, const char* name) {
@@ -27,8 +50,20 @@ void print_scene(const StagedScene& staged, std::ostream& out) {
   const bool parts = !staged.colliders.empty() && staged.colliders[0].part;
   if (parts) out << ", " << output::counted(staged.colliders.size(), "part");
   out << ", " << output::with_commas(triangle_count(staged.colliders)) << " triangles\n";
+  if (const auto& takes = staged.scene.takes; !takes.empty())
+    label(out, "clips") << output::with_commas(takes.size()) << " in frames " << take_list(takes)
+                        << '\n';
   for (const std::string& note : staged.scene.notes)
     label(out, "note") << asset::printable(note) << '\n';
+}
+
+std::string clip_words(const scenes::Scene& scene, std::uint32_t frame) {
+  const scenes::Take* take = scenes::find_take(scene, frame);
+  return take == nullptr ? "" : " of clip " + asset::quoted(take->clip);
+}
+
+std::string frame_words(const scenes::Scene& scene, std::uint32_t frame) {
+  return "frame " + std::to_string(frame) + clip_words(scene, frame);
 }
 
 bool has_many_parts(const scenes::Scene& scene) {
@@ -57,8 +92,7 @@ std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stri
     if (last > i) text.append("-").append(std::to_string(frames[last]));
     i = last + 1;
   }
-  constexpr std::size_t kLongest = 200;
-  return text.size() <= kLongest ? text : text.substr(0, text.rfind(',', kLongest)) + ", ...";
+  return shortened(text);
 }
 
 void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out) {

@@ -19,10 +19,17 @@ namespace pelt::tools::scene {
 /// The first column: what the line is about.
 std::ostream& label(std::ostream& out, const char* name);
 
-/// The scene, its instances and, where colliders are that, parts; triangles; the scene's notes.
+/// The scene, its instances and, where colliders are that, parts; triangles; the clips of the
+/// scene's takes; its notes.
 void print_scene(const StagedScene& staged, std::ostream& out);
 
 bool has_many_parts(const scenes::Scene& scene);
+
+/// ` of clip "walk"` for the clip of this frame's take, "" if the scene has no takes; printable.
+std::string clip_words(const scenes::Scene& scene, std::uint32_t frame);
+
+/// "frame 12", followed by `clip_words`.
+std::string frame_words(const scenes::Scene& scene, std::uint32_t frame);
 
 /// Says that there is nothing to touch: whoever forgot the other model should not read "none" as
 /// good news.

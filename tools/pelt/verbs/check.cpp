@@ -20,6 +20,7 @@ Examples:
   pelt check scene.json
   pelt check knight.glb barbarian.glb --clip Walk --clip Attack --at 0,0,-0.5 --at 0,0,0.5 --turn 0 --turn 180
   pelt check knight.glb --clip Walk --by part
+  pelt check knight.glb --clip '*' --by part --jsonl clips.jsonl
   pelt check scene.json --frames 20:40 --jsonl contacts.jsonl --pairs
   pelt check scene.json --contacts --jsonl contacts.jsonl
   pelt check scene.json --clearance 0.02
@@ -43,7 +44,7 @@ Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside al
 body), 2 bad input or arguments, or nothing compared, 3 internal error.)";
 
 /// The page counts contacts itself: it can show no answer to a question that it cannot ask.
-Result<void> check_for_page(const check::CheckArguments& arguments) {
+Result<void> check_for_page(const check::CheckArguments& arguments, const scenes::Scene& scene) {
   if (arguments.html.empty()) return {};
   const auto refused = [](const char* option) {
     return output::bad_argument("--html", std::string("cannot be combined with ") + option,
@@ -51,6 +52,9 @@ Result<void> check_for_page(const check::CheckArguments& arguments) {
   };
   if (arguments.clearance) return refused("--clearance");
   if (arguments.max_contacts) return refused("--max-contacts");
+  if (!scene.takes.empty())
+    return output::bad_argument("--html", "the page cannot play all clips with '*'",
+                                "name one clip, or leave out --html");
   // Report missing inputs before long work.
   if (const auto viewer = page::read_viewer(); !viewer) return viewer.error();
   return {};
@@ -80,7 +84,7 @@ Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
   Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
   if (const auto checked = check_outputs(arguments, *scene); !checked) return checked.error();
-  if (const auto checked = check_for_page(arguments); !checked) return checked.error();
+  if (const auto checked = check_for_page(arguments, *scene); !checked) return checked.error();
   const Result<check::CheckSettings> settings = check::choose_settings(arguments, *scene);
   if (!settings) return settings.error();
   scene->ignore = settings->ignore;  // so that the page has it too

@@ -33,6 +33,10 @@ Result<std::string> make_page(const Arguments& arguments) {
   if (arguments.scene.inputs.empty()) return page::read_viewer();
   const Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
+  if (!scene->takes.empty())
+    return output::bad_argument(
+        arguments::asks_for_scene(arguments.scene) ? arguments.scene.inputs[0] : "--clip",
+        "the page cannot play all clips with '*'", "name one clip");
   return page::page_of_scene(*scene, arguments.scene.models, {arguments.words, std::nullopt});
 }
 

@@ -1,0 +1,135 @@
+#include "scenes/takes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelt::scenes {
+namespace {
+
+struct Move {
+  const char* name;
+  float duration;
+};
+
+/// One joint that moves by one unit along x in a second in each of its clips.
+asset::Asset slider(const std::vector<Move>& moves) {
+  asset::Asset asset;
+  asset.nodes.resize(1);
+  asset.joints.resize(1);
+  for (const Move& move : moves) {
+    asset::Channel channel;
+    channel.times = {0, move.duration};
+    channel.values = {0, 0, 0, move.duration, 0, 0};
+    asset.clips.push_back({move.name, move.duration, {channel}});
+  }
+  return asset;
+}
+
+/// An instance of each of these characters, at 2 frames per second.
+Scene scene_of(const std::vector<asset::Asset>& assets, const std::vector<std::string>& clips) {
+  Scene scene;
+  scene.fps = 2;
+  for (std::uint32_t i = 0; i < assets.size(); ++i) {
+    scene.characters.push_back({std::string(1, static_cast<char>('a' + i)), "a.glb", 0, assets[i]});
+    scene.instances.emplace_back();
+    scene.instances[i].character = i;
+    scene.instances[i].clip = clips[i];
+  }
+  return scene;
+}
+
+float x_at(const Scene& scene, std::uint32_t instance, std::uint32_t frame) {
+  asset::SampleScratch scratch;
+  Matrix4 palette;
+  instance_palette(scene, instance, frame, scratch, std::span(&palette, 1));
+  return palette.m[12];
+}
+
+TEST(Takes, AreAbsentWithoutAnInstanceThatPlaysAllClips) {
+  Scene scene = scene_of({slider({{"walk", 2}})}, {"walk"});
+  scene.frame_count = 7;
+  ASSERT_TRUE(plan_takes(scene));
+  EXPECT_TRUE(scene.takes.empty());
+  EXPECT_EQ(scene.frame_count, 7u);
+  EXPECT_EQ(find_take(scene, 3), nullptr);
+  EXPECT_EQ(take_index(scene, 3), 0u);
+  EXPECT_EQ(frame_time(scene, 3), 1.5);
+}
+
+TEST(Takes, PlayTheClipsOneAfterTheOther) {
+  Scene scene = scene_of({slider({{"walk", 2}, {"idle", 1.2f}, {"", 0.5f}})}, {"*"});
+  scene.instances[0].velocity = {0, 1, 0};
+  ASSERT_TRUE(plan_takes(scene));
+  ASSERT_EQ(scene.takes.size(), 3u);
+  EXPECT_EQ(scene.frame_count, 4u + 3 + 1);
+  EXPECT_EQ(find_take(scene, 3)->clip, "walk");
+  EXPECT_EQ(find_take(scene, 4)->clip, "idle");
+  EXPECT_EQ(find_take(scene, 6)->clip, "idle");
+  EXPECT_EQ(find_take(scene, 7)->clip, "");
+  EXPECT_EQ(frame_time(scene, 3), 1.5);
+  EXPECT_EQ(frame_time(scene, 4), 0);
+  EXPECT_EQ(x_at(scene, 0, 3), 1.5f);
+  EXPECT_EQ(x_at(scene, 0, 4), 0.0f);
+  EXPECT_EQ(x_at(scene, 0, 6), 1.0f);
+}
+
+TEST(Takes, EqualScenesThatPlayOneClip) {
+  const asset::Asset asset = slider({{"walk", 2}, {"idle", 1.5f}});
+  Scene all = scene_of({asset, asset}, {"*", "walk"});
+  all.instances[0].start = 0.25;
+  all.instances[1].velocity = {1, 0, 0};
+  ASSERT_TRUE(plan_takes(all));
+  for (const Take& take : all.takes) {
+    Scene one = all;
+    one.takes.clear();
+    one.instances[0].clip = take.clip;
+    ASSERT_EQ(take.frame_count, 4u);  // the other instance plays "walk" in each take
+    for (std::uint32_t frame = 0; frame < take.frame_count; ++frame)
+      for (const std::uint32_t instance : {0, 1})
+        EXPECT_EQ(x_at(all, instance, take.first_frame + frame), x_at(one, instance, frame))
+            << take.clip << " " << frame;
+  }
+}
+
+TEST(Takes, AreSharedByCharactersWithTheSameNames) {
+  Scene scene = scene_of({slider({{"walk", 1}, {"idle", 1}}), slider({{"idle", 3}, {"walk", 2}})},
+                         {"*", "*"});
+  ASSERT_TRUE(plan_takes(scene));
+  ASSERT_EQ(scene.takes.size(), 2u);
+  EXPECT_EQ(scene.takes[0].clip, "walk");
+  EXPECT_EQ(scene.takes[0].frame_count, 4u);
+  EXPECT_EQ(scene.takes[1].clip, "idle");
+  EXPECT_EQ(scene.takes[1].frame_count, 6u);
+}
+
+TEST(Takes, AreRefusedForCharactersWithDifferentNames) {
+  Scene scene = scene_of({slider({{"walk", 1}}), slider({{"run", 1}})}, {"*", "*"});
+  const Result<void> planned = plan_takes(scene);
+  ASSERT_FALSE(planned);
+  EXPECT_EQ(planned.error().message,
+            "\"a\" and \"b\" have different clips, so \"*\" cannot play the clips of both: name "
+            "one clip for one of them");
+}
+
+TEST(Takes, AreRefusedIfTheyAreTooLong) {
+  Scene scene = scene_of({slider({{"walk", 300'000}, {"idle", 300'000}})}, {"*"});
+  const Result<void> planned = plan_takes(scene);
+  ASSERT_FALSE(planned);
+  EXPECT_EQ(planned.error().message,
+            "all clips together have more than 1000000 frames: lower the frame rate");
+}
+
+TEST(Takes, NeedClipsWithDistinctNames) {
+  const Scene none = scene_of({slider({})}, {"*"});
+  const Result<void> nothing = check_clip(none, 0);
+  ASSERT_FALSE(nothing);
+  EXPECT_EQ(nothing.error().message, "\"a\" has no clips, so \"*\" has nothing to play");
+  const Scene twice = scene_of({slider({{"walk", 1}, {"run", 1}, {"walk", 2}})}, {"*"});
+  const Result<void> doubled = check_clip(twice, 0);
+  ASSERT_FALSE(doubled);
+  EXPECT_EQ(doubled.error().message,
+            "\"a\" has several clips named \"walk\", which \"*\" cannot tell apart: give each clip "
+            "its own name");
+}
+
+}  // namespace
+}  // namespace pelt::scenes

@@ -1,0 +1,180 @@
+/// `pelt check --clip '*'`: all clips of a model in one check.
+
+#include "tools/answer.hpp"
+#include "tools/test_scenes.hpp"
+
+namespace pelt::test {
+namespace {
+
+using nlohmann::json;
+
+/// The strip with the clips "bend" (1 s) and "wave" (the same).
+std::string write_moving_strip(const TestFolder& folder) {
+  GltfBuilder builder = strip_with_fan();
+  builder.document["animations"][1]["name"] = "wave";
+  write_bytes(folder / "strip.glb", builder.glb());
+  return folder / "strip.glb";
+}
+
+const std::vector<std::string> kApart = {"--at", "0,0,0", "--at", "0.25,0,0.1"};
+
+/// A check of two strips, with `clips` for each of them and further options.
+std::vector<std::string> two_strips(const std::string& strip, const std::vector<std::string>& clips,
+                                    const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments = {"check", strip, strip};
+  for (const std::string& clip : clips) arguments.insert(arguments.end(), {"--clip", clip});
+  arguments.insert(arguments.end(), kApart.begin(), kApart.end());
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return arguments;
+}
+
+CheckFile answer_of(const TestFolder& folder, const std::vector<std::string>& arguments) {
+  std::vector<std::string> all = arguments;
+  all.insert(all.end(), {"--jsonl", "-", "--pairs"});
+  const Ended run = run_pelt(folder, all);
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  return parse_check_file(run.out);
+}
+
+bool contains(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST(CheckAllClips, FindWhatChecksOfEachClipFind) {
+  const TestFolder folder;
+  const std::string strip = write_moving_strip(folder);
+  const CheckFile all = answer_of(folder, two_strips(strip, {"*", "bend"}));
+  ASSERT_EQ(all.frames.size(), 60u);
+  EXPECT_EQ(all.header["options"]["clips"], json({"bend", "wave"}));
+  std::uint64_t contacts = 0;
+  std::size_t touches = 0, first = 0;
+  for (const char* clip : {"bend", "wave"}) {
+    const CheckFile one = answer_of(folder, two_strips(strip, {clip, "bend"}));
+    ASSERT_EQ(one.frames.size(), 30u);
+    for (std::size_t f = 0; f < 30; ++f) {
+      const json& frame = all.frames[first + f];
+      EXPECT_EQ(frame["frame"], first + f);
+      EXPECT_EQ(frame["clip"], clip);
+      EXPECT_EQ(frame["time"], one.frames[f]["time"]);
+      EXPECT_EQ(frame["pairs"], one.frames[f]["pairs"]) << clip << " " << f;
+    }
+    first += 30;
+    contacts += one.totals["totals"]["contacts"].get<std::uint64_t>();
+    touches += one.totals["touches"].size();
+  }
+  EXPECT_GT(contacts, 0u);
+  EXPECT_EQ(all.totals["totals"]["contacts"], contacts);
+  EXPECT_EQ(all.totals["touches"].size(), touches);
+  for (const json& touch : all.totals["touches"])
+    EXPECT_EQ(touch["clip"], all.frames[touch["worst"]["frame"].get<std::size_t>()]["clip"]);
+  ASSERT_EQ(all.totals["clips"].size(), 2u);
+  EXPECT_EQ(all.totals["clips"][1]["clip"], "wave");
+  EXPECT_EQ(all.totals["clips"][1]["first_frame"], 30);
+  EXPECT_EQ(all.totals["clips"][1]["frames"], 30);
+  EXPECT_EQ(all.totals["hash"], hash_of(all));
+}
+
+TEST(CheckAllClips, AreNamedInTheSummary) {
+  const TestFolder folder;
+  const Ended run = run_pelt(folder, two_strips(write_moving_strip(folder), {"*", "-"}));
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  for (const char* words : {"clips      2 in frames \"bend\" 0-29, \"wave\" 30-59\n",
+                            "worst      frame 0 of clip \"bend\" (0.000 s)",
+                            "clips      2 of 2 checked clips in contact\n",
+                            "  frame 30 of clip \"wave\", in contact in ", " %  \"bend\"  strip 0 ",
+                            " %  \"wave\"  strip 0 "})
+    EXPECT_TRUE(contains(run.out, words)) << words << " is not in\n" << run.out;
+}
+
+TEST(CheckAllClips, CoverTheFramesThatAreAskedFor) {
+  const TestFolder folder;
+  const std::string strip = write_moving_strip(folder);
+  const CheckFile some = answer_of(folder, two_strips(strip, {"*"}, {"--frames", "40:44"}));
+  ASSERT_EQ(some.frames.size(), 4u);
+  ASSERT_EQ(some.totals["clips"].size(), 1u);
+  EXPECT_EQ(some.totals["clips"][0]["clip"], "wave");
+  EXPECT_EQ(some.totals["clips"][0]["frames"], 4);
+  const Ended beyond = run_pelt(folder, two_strips(strip, {"*"}, {"--frames", "40:61"}));
+  EXPECT_EQ(beyond.exit_code, 2);
+  EXPECT_TRUE(contains(beyond.err, "40:61 goes beyond the last frame")) << beyond.err;
+}
+
+TEST(CheckAllClips, WorkLikewiseInSceneFiles) {
+  const TestFolder folder;
+  const std::string strip = write_moving_strip(folder);
+  write_text(folder / "scene.json", R"({
+    "models": {"strip": "strip.glb"},
+    "frames": {"fps": 10},
+    "instances": [{"model": "strip", "clip": "*"},
+                  {"model": "strip", "clip": "bend", "translation": [0.25, 0, 0.1]}]})");
+  const CheckFile models = answer_of(folder, two_strips(strip, {"*", "bend"}, {"--fps", "5"}));
+  const CheckFile scene = answer_of(folder, {"check", "scene.json", "--fps", "5"});
+  EXPECT_EQ(scene.frames.size(), 10u);
+  EXPECT_EQ(scene.frames, models.frames);
+}
+
+TEST(CheckAllClips, AreComparedWithABaselineClipByClip) {
+  const TestFolder folder;
+  const std::string strip = write_moving_strip(folder);
+  const CheckFile all = answer_of(folder, two_strips(strip, {"*", "-"}));
+  json bend = all.totals;
+  std::erase_if(bend["touches"].get_ref<json::array_t&>(),
+                [](const json& touch) { return touch["clip"] == "wave"; });
+  ASSERT_GT(bend["touches"].size(), 0u);
+  ASSERT_LT(bend["touches"].size(), all.totals["touches"].size());
+  write_text(folder / "all.jsonl", all.header.dump() + "\n" + all.totals.dump() + "\n");
+  write_text(folder / "bend.jsonl", all.header.dump() + "\n" + bend.dump() + "\n");
+  const auto check = [&](const char* baseline) {
+    return run_pelt(folder, two_strips(strip, {"*", "-"}, {"--baseline", baseline}));
+  };
+  EXPECT_EQ(check("all.jsonl").exit_code, 0);
+  const Ended run = check("bend.jsonl");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.out, "(new)  frame 30 of clip \"wave\"  strip 0 ")) << run.out;
+  EXPECT_FALSE(contains(run.out, "(new)  frame 0 ")) << run.out;
+  const Ended one = run_pelt(folder, two_strips(strip, {"bend"}, {"--baseline", "all.jsonl"}));
+  EXPECT_EQ(one.exit_code, 2);
+  EXPECT_TRUE(contains(one.err, "was written with all clips of a model")) << one.err;
+}
+
+TEST(CheckAllClips, AreRefusedWithARemedy) {
+  const TestFolder folder;
+  const std::string strip = write_moving_strip(folder);
+  write_bytes(folder / "stone.glb", stone().glb());
+  const std::string other = write_strip(folder, "other.glb");
+  GltfBuilder twice = strip_with_fan();
+  twice.document["animations"][1]["name"] = "bend";
+  write_bytes(folder / "twice.glb", twice.glb());
+  const auto refusal = [&](std::vector<std::string> arguments) {
+    const Ended run = run_pelt(folder, arguments);
+    EXPECT_EQ(run.exit_code, 2) << run.out;
+    EXPECT_EQ(run.out, "");
+    return run.err;
+  };
+  EXPECT_EQ(refusal({"check", "stone.glb", "--clip", "*"}),
+            "pelt: error: --clip: \"stone\" has no clips, so \"*\" has nothing to play\n");
+  EXPECT_TRUE(contains(refusal({"check", "twice.glb", "--clip", "*"}),
+                       "--clip: \"twice\" has several clips named \"bend\""));
+  EXPECT_TRUE(contains(refusal({"check", strip, other, "--clip", "*", "--clip", "*"}),
+                       "--clip: \"strip\" and \"other\" have different clips"));
+  EXPECT_TRUE(contains(refusal({"check", strip, strip, "--clip", "*", "--html", "a.html"}),
+                       "--html: the page cannot play all clips with '*'"));
+  EXPECT_TRUE(contains(refusal({"view", strip, "--clip", "*", "--no-browser"}),
+                       "--clip: the page cannot play all clips with '*'"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.html"));
+}
+
+TEST(AllClips, AreNamedInTheLinesOfOtherQueries) {
+  const TestFolder folder;
+  const std::string strip = write_moving_strip(folder);
+  const Ended run = run_pelt(folder, {"bounds", strip, "--clip", "*", "--jsonl", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const CheckFile file = parse_check_file(run.out);
+  ASSERT_EQ(file.frames.size(), 60u);
+  EXPECT_EQ(file.frames[29]["clip"], "bend");
+  EXPECT_EQ(file.frames[30]["clip"], "wave");
+  EXPECT_EQ(file.frames[30]["time"], 0);
+}
+
+}  // namespace
+}  // namespace pelt::test
