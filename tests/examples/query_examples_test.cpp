@@ -14,7 +14,7 @@ std::vector<std::uint32_t> brushed(pelt::Pose& pose, const pelt::Sphere& brush,
                                    pelt::Scratch& scratch);
 int picked_joint(pelt::Pose& pose, const pelt::Vec3& eye, const pelt::Vec3& far_away);
 double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance& nearest);
-pelt::Vec3 nearest_place(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch);
+pelt::Vec3 closest_place(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch);
 std::vector<pelt::ContactRegion> pushes(pelt::Pose& a, const pelt::Surface& surface_a,
                                         pelt::Pose& b, const pelt::Surface& surface_b,
                                         pelt::Scratch& scratch);
@@ -76,7 +76,7 @@ TEST_F(QueryExamples, Distance) {
   EXPECT_GT(first, 2);
   EXPECT_LT(first, 3);
   EXPECT_EQ(gap(pose_, other, scratch_, nearest), first);
-  const Vec3 place = nearest_place(pose_, {9, 0.5f, 0}, scratch_);
+  const Vec3 place = closest_place(pose_, {9, 0.5f, 0}, scratch_);
   EXPECT_NEAR(place.x, nearest.a.position.x, 0.01);
 }
 
