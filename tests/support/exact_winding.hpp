@@ -46,7 +46,8 @@ class ExactWinding {
 
  private:
   BigPoint random_direction() {
-    const auto coordinate = [&] {
+    // With a deduced type, the lambda returns an expression of GMP that refers to dead temporaries.
+    const auto coordinate = [&]() -> mpz_class {
       return mpz_class(static_cast<long>(random_() >> 20)) - (mpz_class(1) << 43);
     };
     return {coordinate(), coordinate(), coordinate()};

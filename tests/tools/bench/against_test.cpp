@@ -55,12 +55,13 @@ TEST(Against, ADifferentAnswerIsAFailure) {
   EXPECT_TRUE(std::filesystem::exists(folder / "new.json")) << "what was measured is not lost";
 }
 
-TEST(Against, MayReplaceItsFile) {
+TEST(Against, KeepsItsFile) {
   const TestFolder folder;
   const json old = write_baseline(folder);
   const Ended run = bench(folder, {"--against", "old.json", "--json", "old.json"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(json::parse(read_text(folder / "old.json")), old);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("name another file"), std::string::npos) << run.err;
+  EXPECT_EQ(json::parse(read_text(folder / "old.json")), old);
 }
 
 TEST(Against, FileThatCannotBeWrittenIsRefusedBeforeAnyIsMeasured) {
