@@ -1,4 +1,4 @@
-/// The program `pelt-lab`: Pelt beside the methods of the literature. It is not installed.
+/// The program `pelt-lab`: compares Pelt with methods from other papers. It is not installed.
 
 #include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/command.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The methods that only the comparison needs, beside those of the command.
+/// Methods that are used only for comparison, in addition to the methods of the command.
 
 #include "tools/pelt/methods/command_methods.hpp"
 
@@ -17,40 +17,42 @@ std::unique_ptr<Method> make_hash();
 std::unique_ptr<Method> make_hash_overlap();
 std::unique_ptr<Method> make_bd_tree();
 
-/// The yardstick: what the same query costs rigid bodies. For each palette the tree is built afresh
-/// over the posed mesh, and all is opened with exact boxes; a query then has no more to do than one
-/// between rigid bodies. The last two palettes of a body are remembered, so that going to and fro
-/// between two frames builds nothing.
+/// A lower bound for comparison: the cost of the same query between rigid bodies. For each palette,
+/// builds the tree again over the posed mesh and opens all nodes with exact boxes, so a query does
+/// no more work than a query between rigid bodies. Stores the last two palettes of a body, so
+/// alternating between two frames builds nothing.
 inline constexpr MethodKind kRigid = {"rigid", Skins::first, make_rigid};
 
-/// The paper's method with the un-optimised bound of its eq. 2.
+/// The paper's method with the bound of its eq. 2, which is not optimised.
 inline constexpr MethodKind kPaperEq2 = {"paper_eq2", Skins::where_queried, make_paper_eq2};
 
-/// The paper's rival: all vertices skinned, the same sphere tree refitted bottom-up.
+/// The method that the paper compares with: skins all vertices, refits the same sphere tree
+/// bottom-up.
 inline constexpr MethodKind kPaperEager = {"paper_eager", Skins::first, make_paper_eager};
 
-/// A sphere tree built afresh over the posed mesh.
+/// Builds a new sphere tree over the posed mesh.
 inline constexpr MethodKind kPaperRigid = {"paper_rigid", Skins::first, make_paper_rigid};
 
-/// van den Bergen 1997: all vertices skinned, a tree of boxes refitted.
+/// van den Bergen 1997: skins all vertices, refits a tree of boxes.
 inline constexpr MethodKind kAabbRefit = {"aabb_refit", Skins::first, make_aabb_refit};
 
-/// The same tree built afresh.
+/// Builds the same tree again in each frame.
 inline constexpr MethodKind kAabbRebuild = {"aabb_rebuild", Skins::first, make_aabb_rebuild};
 
-/// Larsson & Akenine-Moller 2001: that tree, its upper half refitted, the rest on demand.
+/// Larsson & Akenine-Moller 2001: the same tree, with its upper half refitted and the rest refitted
+/// on demand.
 inline constexpr MethodKind kHybrid = {"hybrid", Skins::first, make_hybrid};
 
-/// Teschner et al. 2003: all triangles hashed into cells.
+/// Teschner et al. 2003: hashes all triangles into cells.
 inline constexpr MethodKind kHash = {"hash", Skins::first, make_hash};
 
-/// The same where the bodies' boxes overlap, cells sorted.
+/// The same, only where the boxes of the bodies overlap, with sorted cells.
 inline constexpr MethodKind kHashOverlap = {"hash_overlap", Skins::first, make_hash_overlap};
 
 /// James & Pai 2004: spheres from the entries of the joint matrices, on demand.
 inline constexpr MethodKind kBdTree = {"bd_tree", Skins::where_queried, make_bd_tree};
 
-/// What the program `pelt-lab` offers: the command's methods and these.
+/// All methods of the program `pelt-lab`: the methods of the command, and these.
 inline constexpr std::array kLabMethods = {
     kOnDemand,  kEager,       kRigid,  kPaper, kPaperEq2,    kPaperEager, kPaperRigid,
     kAabbRefit, kAabbRebuild, kHybrid, kHash,  kHashOverlap, kBdTree,     kBrute};

@@ -9,7 +9,7 @@ namespace {
 using detail::Palette;
 using detail::SkinnedMesh;
 
-/// Bodies that are all done once their palette has been taken.
+/// Bodies that do all their work when the palette is set.
 template <typename Body_, typename Prepared_>
 struct UpdatedTraits {
   using Prepared = Prepared_;

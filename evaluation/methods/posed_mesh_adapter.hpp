@@ -5,8 +5,8 @@
 
 namespace pelt::methods {
 
-/// A method that starts from posed vertices, given all of them at every new palette: as fast as the
-/// library skins, and counted as part of what the method costs.
+/// Adapts a method that starts from posed vertices. For every new palette, the adapter skins all
+/// vertices with the library's fastest code. This time counts as part of the method's cost.
 std::unique_ptr<Method> adapt(std::unique_ptr<rivals::PosedMeshMethod> method);
 
 }  // namespace pelt::methods

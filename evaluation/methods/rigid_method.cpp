@@ -29,7 +29,7 @@ SkinnedMesh frozen(const SkinnedMesh& mesh, const Palette& palette) {
   return posed;
 }
 
-/// A body as it was at one palette.
+/// A body, posed by one palette.
 struct Frozen {
   Frozen(const SkinnedMesh& mesh, const Palette& palette)
       : joints(palette.joints().begin(), palette.joints().end()),

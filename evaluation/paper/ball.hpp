@@ -25,13 +25,13 @@ inline float squared_distance(const Float4& a, const Float4& b) {
   return (dd[0] + dd[1]) + dd[2];
 }
 
-/// Whether two balls meet; balls that touch by their real radii are never said to be apart.
+/// Whether two balls intersect. Never false for balls whose real radii touch.
 inline bool balls_meet(const Float4& a, const Float4& b) {
   const float radii = a[3] + b[3];
   return squared_distance(a, b) <= radii * radii;
 }
 
-/// Four balls side by side: lane i is of ball i.
+/// Four balls side by side: lane i is ball i.
 struct Balls4 {
   Float4 x, y, z, radius;
 };
@@ -48,7 +48,7 @@ inline Float4 squared_distances(const Balls4& balls, const Float4& centre) {
   return (x * x + y * y) + z * z;
 }
 
-/// Positive in the lanes of those balls that do not meet `other`, as balls_meet says.
+/// Positive in the lanes of the balls that do not intersect `other`, as by balls_meet.
 inline Float4 gaps_between(const Balls4& balls, const Float4& other) {
   const Float4 radii = balls.radius + Float4(other[3]);
   return squared_distances(balls, other) - radii * radii;

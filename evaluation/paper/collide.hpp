@@ -28,7 +28,7 @@ class Descent {
           std::uint32_t max_contacts)
       : a_(a), b_(b), stack_(scratch.node_pairs), contacts_(contacts), left_(max_contacts) {}
 
-  /// Appends contacts until all are found or `max_contacts` of them.
+  /// Appends all contacts, or the first `max_contacts` that it finds.
   QueryStats run() {
     ++stats_.node_pairs;
     make_room(1);
@@ -61,8 +61,8 @@ class Descent {
     }
   }
 
-  /// Keeps the pairs whose spheres overlap for later. Every pair is written and only the
-  /// overlapping ones are counted: whether they overlap is nothing that a processor could foretell.
+  /// Pushes the pairs whose spheres overlap. Writes every pair and counts only the overlapping
+  /// ones, because a processor cannot predict whether two spheres overlap.
   template <class Side, class MakePair>
   void test_children(Side& side, const Node& parent, const Float4& other, MakePair make_pair) {
     stats_.node_pairs += parent.child_count;

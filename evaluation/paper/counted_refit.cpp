@@ -7,7 +7,7 @@
 namespace pelt::paper {
 namespace {
 
-/// A number whose every operation is a flop. Those with constants count like others.
+/// A number whose every operation counts as a flop, also operations with constants.
 struct Counted {
   double value = 0;
   int* flops = nullptr;
@@ -41,7 +41,7 @@ CountedSphere counted_sphere(const Sphere& sphere, int& flops) {
   return {{number(c.x), number(c.y), number(c.z)}, number(sphere.radius)};
 }
 
-/// C_j S: the centre transformed, the radius kept. 18 flops.
+/// C_j S: transforms the centre and copies the radius. 18 flops.
 CountedSphere transformed(const Matrix4& c, const CountedSphere& s) {
   const auto entry = [&](std::size_t i) { return static_cast<double>(c.m[i]); };
   CountedSphere image = s;
@@ -73,8 +73,9 @@ Counted reach(const CountedSphere& s, const std::array<Counted, 3>& centre) {
   return root(x * x + y * y + z * z) + s.radius;
 }
 
-/// Around the average of the centres: 3 (m - 1) sums and 3 products (1 / m is a constant); m
-/// distances; m - 1 comparisons and as many selections: 15 m - 2 flops.
+/// Encloses the spheres by a ball around the average of their centres: 3 (m - 1) sums and 3
+/// products (1 / m is a constant); m distances; m - 1 comparisons and as many selections: 15 m - 2
+/// flops.
 CountedSphere enclose(const std::vector<CountedSphere>& spheres) {
   std::array<Counted, 3> centre = spheres[0].centre;
   const double share = 1 / static_cast<double>(spheres.size());

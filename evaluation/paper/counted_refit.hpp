@@ -30,7 +30,7 @@ struct CountedRefit {
   RefitFlops flops;
 };
 
-/// Precondition: the palette's joints do not stretch.
+/// Precondition: no joint of the palette stretches.
 CountedRefit counted_refit(const SphereModel& model, std::uint32_t node, const Palette& palette);
 
 /// The terms of the paper, summed over the joint sets.

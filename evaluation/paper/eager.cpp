@@ -10,7 +10,7 @@
 namespace pelt::paper {
 namespace {
 
-/// A tight ball around balls: in the middle of the box around them.
+/// A tight ball around balls; its centre is the centre of the box around them.
 Float4 ball_of_balls(std::span<const Float4> balls) {
   Float4 low = balls[0] - Float4(balls[0][3]), high = balls[0] + Float4(balls[0][3]);
   for (const Float4& ball : balls.subspan(1)) {
@@ -59,7 +59,8 @@ void EagerBody::refit_bottom_up() {
   }
 }
 
-/// Four at a time; the last four overlap those before where the count is not a multiple of four.
+/// Four leaves at a time. If the number of leaves is not a multiple of four, the last step repeats
+/// some.
 void EagerBody::refit_leaves() {
   const std::size_t count = leaves_.size();
   for (std::size_t first = 0; first < count; first += 4) {

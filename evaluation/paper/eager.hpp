@@ -1,7 +1,7 @@
 #pragma once
 
-/// The paper's rival (van den Bergen 1997; "bottom-up" in its section 5): after every change all
-/// vertices are skinned and all spheres of the same tree refitted, leaves first.
+/// The method that the paper compares with (van den Bergen 1997; "bottom-up" in its section 5):
+/// after every change, skins all vertices and refits all spheres of the same tree, leaves first.
 
 #include "evaluation/paper/posed_side.hpp"
 #include "evaluation/paper/scratch.hpp"
@@ -19,10 +19,10 @@ class EagerBody {
  public:
   EagerBody(const SkinnedMesh& mesh, const SphereTree& tree);
 
-  /// Skins all vertices and refits all spheres; returns the counts of both.
+  /// Skins all vertices and refits all spheres. Returns the counts of both.
   QueryStats update(const Palette& palette);
 
-  /// The two halves of update(), to be timed apart.
+  /// The two halves of update(), which can be timed separately.
   void skin(const Palette& palette);
   void refit_bottom_up();
 

@@ -28,7 +28,7 @@ using detail::squared_length;
 using detail::to_float;
 using detail::Vec3d;
 
-/// Points on the boundary of a sphere, at most four, and a fifth while it is being enlarged.
+/// Points on the boundary of a sphere: at most four, or five while the sphere is being enlarged.
 struct Support {
   std::array<Vec3d, 5> points;
   std::size_t count = 0;
@@ -43,8 +43,8 @@ struct SupportedSphere {
 
 double squared_distance(const Vec3d& a, const Vec3d& b) { return squared_length(a - b); }
 
-/// The point of the plane of 0, u and v as far from 0 as from u and v. Here and below, a divisor is
-/// zero or at least 2^-596, so that even a useless quotient is no NaN.
+/// The point in the plane of 0, u and v with equal distances from 0, u and v. Here and below, a
+/// divisor is zero or at least 2^-596, so that even a useless quotient is not NaN.
 std::optional<Vec3d> circumcentre(const Vec3d& u, const Vec3d& v) {
   const Vec3d normal = cross(u, v);
   const double divisor = 2 * squared_length(normal);
@@ -53,7 +53,7 @@ std::optional<Vec3d> circumcentre(const Vec3d& u, const Vec3d& v) {
   return (1 / divisor) * cross(across, normal);
 }
 
-/// The point as far from 0 as from u, v and w.
+/// The point with equal distances from 0, u, v and w.
 std::optional<Vec3d> circumcentre(const Vec3d& u, const Vec3d& v, const Vec3d& w) {
   const Vec3d vw = cross(v, w);
   const double divisor = 2 * dot(u, vw);
@@ -90,7 +90,7 @@ Support choose(const Support& s, unsigned subset) {
   return chosen;
 }
 
-/// The minimal sphere of a support's points, the last of which is on its boundary.
+/// The minimal sphere of a support's points. Its boundary contains the last point.
 SupportedSphere min_sphere_through_last(const Support& s) {
   SupportedSphere best;
   best.squared_radius = std::numeric_limits<double>::infinity();

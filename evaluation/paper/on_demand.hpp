@@ -1,7 +1,7 @@
 #pragma once
 
-/// The paper's method for one posed body: spheres refitted and vertices skinned when the descent
-/// asks for them, at most once for each palette.
+/// The paper's method for one posed body: refits spheres and skins vertices when the descent needs
+/// them, at most once per palette.
 
 #include "evaluation/paper/collide.hpp"
 #include "evaluation/paper/posed_triangles.hpp"
@@ -9,7 +9,7 @@
 
 namespace pelt::paper {
 
-/// Off-line part of section 4.2.
+/// The off-line part of section 4.2.
 SphereModel build_sphere_model(const SkinnedMesh& mesh, BoundKind kind = BoundKind::optimised,
                                float collapse_ratio = kCollapseRatio);
 
@@ -18,13 +18,13 @@ class OnDemandBody {
   OnDemandBody(const SkinnedMesh& mesh, const SphereModel& model)
       : model_(model), refit_(model, mesh.joint_count), triangles_(model.leaf_mesh) {}
 
-  /// The palette has changed.
+  /// Call after the palette has changed.
   void invalidate() {
     refit_.invalidate();
     triangles_.invalidate();
   }
 
-  /// This body under a palette, for a descent.
+  /// A body under a palette, as an operand of a descent.
   class Side {
    public:
     Side(OnDemandBody& body, const Palette& palette) : body_(body), palette_(palette) {}
@@ -48,7 +48,7 @@ class OnDemandBody {
     const Palette& palette_;
   };
 
-  /// Whether no descent has asked for the node's sphere since the palette changed.
+  /// Whether no descent has used the node's sphere since the palette changed.
   bool is_stale(std::uint32_t node) const { return refit_.is_stale(node); }
 
   std::uint64_t refits() const { return refit_.refits(); }

@@ -10,7 +10,7 @@ namespace pelt::paper {
 
 using detail::TriangleCorners;
 
-/// One side of a descent whose spheres and vertices have all been computed before.
+/// An operand of a descent whose spheres and vertices have been computed before.
 class PosedSide {
  public:
   PosedSide(const SphereTree& tree, std::span<const Float4> spheres,

@@ -12,15 +12,15 @@ namespace pelt::paper {
 using detail::Palette;
 using detail::TriangleCorners;
 
-/// The posed triangles of one pose, in the order of a sphere tree's leaves, where triangles that
-/// are asked for together stand together; so do those of the mesh (leaf_order.hpp). Vertices are
-/// skinned when a triangle first needs them and then, like the triangles, kept until the palette
+/// The posed triangles of one pose, in the order of the sphere tree's leaves, like those of the
+/// mesh (leaf_order.hpp): triangles that are used together are neighbours in memory. Vertices are
+/// skinned when a triangle first needs them. Vertices and triangles stay valid until the palette
 /// changes.
 class PosedTriangles {
  public:
   explicit PosedTriangles(const SkinnedMesh& mesh_in_leaf_order);
 
-  /// The palette has changed. O(1).
+  /// Call after the palette has changed. O(1).
   void invalidate();
 
   const TriangleCorners& corners(const Node& leaf, const Palette& palette) {
@@ -32,7 +32,7 @@ class PosedTriangles {
     return posed.value;
   }
 
-  /// To be called some time before corners().
+  /// Call some time before corners().
   void prefetch(const Node& node) const {
     paper::prefetch(&triangles_[node.first_triangle]);
     paper::prefetch(&mesh_->triangles[node.first_triangle]);

@@ -2,7 +2,7 @@
 
 namespace pelt::paper {
 
-/// Asks for the memory at `p` ahead of its use. Changes no result.
+/// Prefetches the memory at `p`. Changes no result.
 template <typename T>
 void prefetch(const T* p) {
   __builtin_prefetch(p);

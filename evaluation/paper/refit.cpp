@@ -44,8 +44,9 @@ double largest_row_sum(const Symmetric3& g) {
 
 double largest_diagonal(const Symmetric3& g) { return std::max({g[0][0], g[1][1], g[2][2]}); }
 
-/// Writes R_a = sum_j r_aj S_j for each of a joint set's corners, adds them to `sum` and returns
-/// the end of `r`. The number of joints is a constant where it is small, as it mostly is.
+/// Writes R_a = sum_j r_aj S_j for each corner of a joint set, adds them to `sum` and returns the
+/// end of `r`. The number of joints is a template parameter if it is small, which is the usual
+/// case.
 template <std::uint32_t Joints>
 Float4* blend(const Float4* s, const RecordedSet& set, Float4* r, Float4& sum) {
   const std::uint32_t n = Joints > 0 ? Joints : set.joint_count;
@@ -121,7 +122,7 @@ void Refit::take_palette(const Palette& palette) {
   palette_stamp_ = stamp_;
 }
 
-/// What the descent reads if it opens this node; half of the refits are of nodes that it does open.
+/// The descent reads these records if it opens the node, which it does after half of the refits.
 void Refit::prefetch_children(const RefitRecord& record) const {
   model_->records.prefetch_children(record);
   prefetch(&node_stamp_[record.first_child]);

@@ -34,7 +34,7 @@ using detail::Palette;
 /// rounding for a rotation, at most 4 % too large for any matrix.
 float stretch_bound(const Matrix4& joint);
 
-/// What does not change in a model while it moves.
+/// The constants of a model.
 struct SphereModel {
   SphereTree tree;
   WeightBounds bounds;
@@ -42,29 +42,31 @@ struct SphereModel {
   SkinnedMesh leaf_mesh;  // in the order of the leaves
 };
 
-/// The spheres of one pose, refitted when first asked for and then kept until the palette changes.
+/// The spheres of one pose. A sphere is refitted on first use and stays valid until the palette
+/// changes.
 class Refit {
  public:
   explicit Refit(const SphereModel& model, std::uint32_t joint_count);
 
-  /// The palette has changed: all spheres are stale. O(1).
+  /// Call after the palette has changed: marks all spheres as stale. O(1).
   void invalidate();
 
   bool is_stale(std::uint32_t node) const { return node_stamp_[node] != stamp_; }
 
-  /// Lanes x, y, z: centre; lane 3: radius. The same bits in whatever order nodes are asked for.
+  /// Lanes x, y, z: centre; lane 3: radius. The bits do not depend on the order in which spheres
+  /// are refitted.
   Float4 sphere(std::uint32_t node, const Palette& palette) {
     if (is_stale(node)) refit(node, palette);
     return spheres_[node];
   }
 
-  /// By node; those of stale nodes mean nothing.
+  /// By node. The spheres of stale nodes are meaningless.
   std::span<const Float4> spheres() const { return spheres_; }
 
   /// Precondition: the node is stale.
   void refit(std::uint32_t node, const Palette& palette);
 
-  /// Refits so far.
+  /// Number of refits so far.
   std::uint64_t refits() const { return refits_; }
 
  private:

@@ -5,7 +5,7 @@
 namespace pelt::paper {
 namespace {
 
-/// Most families of siblings have no more; memory that follows comes without being asked for.
+/// Most families of siblings are no larger; the processor prefetches the memory that follows.
 constexpr std::uint32_t kPrefetchedWords = 64, kWordsInCacheLine = 16;
 
 std::uint32_t size_of_record(std::span<const JointSet> sets) {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// What a refit reads of a node, in one piece. The sphere tree and its weight bounds say the same,
-/// but in five places, and nodes are refitted in an order that no cache foresees: a refit would
-/// wait for memory for longer than it computes.
+/// All that a refit reads of a node, in one piece. The sphere tree and its weight bounds have the
+/// same data in five places, and the order of refits is unpredictable: with them a refit would wait
+/// for memory longer than it computes.
 
 #include "evaluation/paper/weight_bounds.hpp"
 
@@ -14,7 +14,7 @@
 
 namespace pelt::paper {
 
-/// A node's constants; its joint sets come after them.
+/// The constants of a node; its joint sets follow.
 struct RefitRecord {
   Sphere rest;
   std::uint32_t first_child = 0;        // 0 in a leaf
@@ -34,7 +34,7 @@ class RefitRecords {
   RefitRecords() = default;
   RefitRecords(const SphereTree& tree, const WeightBounds& bounds);
 
-  /// Reads a record from its beginning to its end, once.
+  /// Reads a record once, from beginning to end.
   class Reader {
    public:
     explicit Reader(const float* words) : word_(words + sizeof(RefitRecord) / sizeof(float)) {
@@ -56,7 +56,7 @@ class RefitRecords {
 
   Reader of(std::uint32_t node) const { return Reader(words_.data() + begin_[node]); }
 
-  /// To be called some time before the children of a node are read.
+  /// Call some time before the children of a node are read.
   void prefetch_children(const RefitRecord& record) const;
 
   static std::uint32_t as_number(float word) { return std::bit_cast<std::uint32_t>(word); }

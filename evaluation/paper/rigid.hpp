@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the paper compares itself with in section 5: rigid body detection, a brand new sphere tree
-/// built over the posed mesh. Its query is the yardstick; its build is counted apart.
+/// The method that section 5 of the paper compares with: rigid body detection with a new sphere
+/// tree over the posed mesh. Its query is a lower bound; its build is counted separately.
 
 #include "evaluation/paper/posed_side.hpp"
 #include "evaluation/paper/scratch.hpp"

@@ -6,7 +6,7 @@
 
 namespace pelt::paper {
 
-/// Memory lent to descents, so that they allocate nothing after the first ones.
+/// Memory for descents, so that they allocate nothing after the first ones.
 struct Scratch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> node_pairs;
 };

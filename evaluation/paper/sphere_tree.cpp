@@ -8,7 +8,7 @@
 namespace pelt::paper {
 namespace {
 
-/// Three times a triangle's centroid along each axis: enough to compare triangles by.
+/// Three times a triangle's centroid along each axis, which suffices to compare triangles.
 std::array<double, 3> centroid(std::span<const Vec3> positions, const Triangle& triangle) {
   std::array<double, 3> sum = {0, 0, 0};
   for (const std::uint32_t v : triangle) {
@@ -69,9 +69,9 @@ class BinaryBuilder {
     return min_sphere(points_);
   }
 
-  /// Quinlan 1994: cut the box around the centroids across its longest axis, at their mean.
-  /// Returns how many triangles went to the left; where the mean does not separate (all centroids
-  /// in one place), half of them.
+  /// Quinlan 1994: cuts the box around the centroids across its longest axis, at their mean.
+  /// Returns the number of triangles on the left. If the mean does not separate them (all centroids
+  /// coincide), returns half of the triangles.
   std::uint32_t partition(std::uint32_t first, std::uint32_t count) {
     const auto begin = tree_.triangle_order.begin() + first;
     const auto end = begin + count;
@@ -104,14 +104,14 @@ class BinaryBuilder {
   std::span<const Vec3> positions_;
   std::span<const Triangle> triangles_;
   std::vector<std::array<double, 3>> centroids_;
-  std::vector<std::uint32_t> seen_in_;  // by vertex: the last node that took it
+  std::vector<std::uint32_t> seen_in_;  // by vertex: the last node that contained it
   std::uint32_t stamp_ = 0;
   std::vector<Vec3> points_;
   SphereTree tree_;
 };
 
-/// Appends to `children` what becomes of the binary children of `node` under a surviving parent of
-/// radius `parent_radius`: themselves, or in place of a deleted one its own children.
+/// Appends to `children` the binary children of `node` under a surviving parent of radius
+/// `parent_radius`. A deleted child is replaced by its own children.
 void surviving_children(const SphereTree& binary, const Node& node, float parent_radius,
                         float ratio, std::vector<std::uint32_t>& children) {
   for (std::uint32_t c = node.first_child; c < node.first_child + node.child_count; ++c) {

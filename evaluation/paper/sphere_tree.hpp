@@ -18,7 +18,7 @@ namespace pelt::paper {
 
 using detail::SkinnedMesh;
 
-/// Children of a node stand side by side; a leaf has none and exactly one triangle.
+/// The children of a node are contiguous; a leaf has no children and exactly one triangle.
 struct Node {
   Sphere rest;
   std::uint32_t first_child = 0, child_count = 0;
@@ -39,7 +39,8 @@ struct SphereTree {
   }
 };
 
-/// The first pass. Rest positions are given apart so that a tree can also be built over posed ones.
+/// The first pass. Rest positions are a separate argument, so that a tree can also be built over
+/// posed ones.
 SphereTree build_binary_tree(std::span<const Vec3> positions, std::span<const Triangle> triangles);
 
 /// The paper's constant C of section 3.1.
@@ -52,14 +53,14 @@ SphereTree collapse(const SphereTree& binary, float ratio = kCollapseRatio);
 SphereTree build_sphere_tree(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                              float ratio = kCollapseRatio);
 
-/// Section 5's figures of one level, the root being level 1.
+/// The figures of section 5 for one level; the root is level 1.
 struct LevelStatistics {
   std::uint32_t nodes = 0, leaves = 0;
   double mean_radius = 0;
   std::uint32_t max_children = 0;
 };
 
-/// One entry for each level; `radii` has one radius for each node (rest, or refitted).
+/// One entry for each level. `radii` has one radius for each node, at rest or refitted.
 std::vector<LevelStatistics> level_statistics(const SphereTree& tree, std::span<const float> radii);
 std::vector<LevelStatistics> level_statistics(const SphereTree& tree);
 

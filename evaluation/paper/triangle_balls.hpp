@@ -22,7 +22,7 @@ inline Points4 operator+(const Points4& p, const Points4& q) {
 inline Points4 operator*(const Float4& s, const Points4& p) { return {s * p.x, s * p.y, s * p.z}; }
 inline Float4 dot(const Points4& p, const Points4& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
-/// From four points with their coordinates in lanes 0 to 2.
+/// Transposes four points with coordinates in lanes 0 to 2.
 inline Points4 side_by_side(Float4 p0, Float4 p1, Float4 p2, Float4 p3) {
   detail::transpose(p0, p1, p2, p3);
   return {p0, p1, p2};

@@ -10,7 +10,7 @@ namespace {
 
 using JointList = std::vector<std::uint16_t>;
 
-/// J(v) of every vertex, as a number into a list of distinct joint sets.
+/// J(v) of every vertex, as an index into a list of distinct joint sets.
 struct VertexJointSets {
   std::vector<std::uint32_t> set_of_vertex;
   std::vector<JointList> sets;
@@ -31,7 +31,7 @@ VertexJointSets distinct_joint_sets(const SkinnedMesh& mesh) {
   return result;
 }
 
-/// The most weights that the corners of a model may take: 16 MiB and 2 KiB for each triangle.
+/// Limits of the weights in the corners of a model: 16 MiB, and 2 KiB for each triangle.
 constexpr std::size_t kCornerWeights = std::size_t{1} << 22, kCornerWeightsPerTriangle = 512;
 
 class Builder {
@@ -92,8 +92,8 @@ class Builder {
       intervals[i].include(static_cast<double>(influences[i].weight) / sum);
   }
 
-  /// Whether there is memory for the corners of the node at hand. Real characters take a twentieth
-  /// of it; a file that was made to take more gets the bound of eq. 2, which needs no corners.
+  /// Whether the corners of the current node fit into memory. Real characters need a twentieth of
+  /// the limit; a file made to need more gets the bound of eq. 2, which needs no corners.
   bool corners_fit() const {
     constexpr std::size_t kMostCornersOfFewJoints = 280;
     std::size_t most = 0;
@@ -116,7 +116,7 @@ class Builder {
     bounds_.sets.push_back(entry);
   }
 
-  /// Eq. 2 as a special case: a joint alone is a joint set, whose only corner is the weight 1.
+  /// Eq. 2 as a special case: a single joint is a joint set whose only corner is the weight 1.
   void prepare_single_joints() {
     first_single_joint_ = static_cast<std::uint32_t>(bounds_.joints.size());
     for (std::uint32_t j = 0; j < mesh_.joint_count; ++j)
@@ -149,7 +149,7 @@ class Builder {
   VertexJointSets vertex_sets_;
   std::vector<std::uint32_t> first_joint_;  // by distinct joint set
   std::uint32_t first_single_joint_ = 0;
-  std::vector<std::uint32_t> seen_in_;  // by vertex: the last node that took it
+  std::vector<std::uint32_t> seen_in_;  // by vertex: the last node that contained it
   std::uint32_t stamp_ = 0;
   std::size_t most_corner_weights_;
   std::vector<std::vector<WeightInterval>> intervals_;  // by distinct joint set; of this node

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Kavan & Zara 2005, section 4.2, off-line part: for each node of the sphere tree its distinct
-/// joint sets and, for each of them, the corners of the weights that its vertices have. With these
-/// the vertices themselves are not needed to refit a node.
+/// Kavan & Zara 2005, section 4.2, off-line part: the distinct joint sets of each node of the
+/// sphere tree and, for each joint set, the corners of its vertices' weights. With these, a refit
+/// of the node needs no vertices.
 
 #include "evaluation/paper/sphere_tree.hpp"
 
@@ -29,7 +29,7 @@ struct JointSet {
 struct WeightBounds {
   std::vector<std::uint32_t> set_begin;  // [nodes + 1], into sets
   std::vector<JointSet> sets;
-  std::vector<std::uint16_t> joints;  // each distinct list of joints stands here once
+  std::vector<std::uint16_t> joints;  // each distinct list of joints once
   std::vector<float> corners;
   std::uint32_t max_joints = 0;   // in one set
   std::uint32_t max_corners = 0;  // in all sets of one node

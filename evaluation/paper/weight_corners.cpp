@@ -15,7 +15,7 @@ double sum_of_lows(std::span<const WeightInterval> intervals) {
   return sum;
 }
 
-/// The corners of the simplex that the lower ends alone cut out.
+/// The corners of the simplex that is bounded by the lower ends alone.
 void append_simplex_corners(std::span<const WeightInterval> intervals,
                             std::vector<double>& corners) {
   const double rest = 1 - sum_of_lows(intervals);
@@ -24,7 +24,7 @@ void append_simplex_corners(std::span<const WeightInterval> intervals,
       corners.push_back(intervals[i].low + (i == a ? rest : 0));
 }
 
-/// "Testing all intersections": a corner has every weight but one at an end of its interval.
+/// "Testing all intersections": all weights of a corner but one are at an end of their interval.
 class Enumeration {
  public:
   Enumeration(std::span<const WeightInterval> intervals, std::vector<double>& corners)
@@ -35,7 +35,8 @@ class Enumeration {
   }
 
  private:
-  /// Puts weights i, i + 1, ... at either end of their intervals; `rest` is 1 less those before.
+  /// Sets weights i, i + 1, ... to either end of their intervals; `rest` is 1 less the weights
+  /// before.
   void choose(std::size_t i, double rest) {
     if (i == intervals_.size()) {
       take_free_weight(rest);
@@ -58,7 +59,7 @@ class Enumeration {
     if (!is_known()) corners_.insert(corners_.end(), corner_.begin(), corner_.begin() + size());
   }
 
-  /// The same corner is met once for every weight that is at an end of its interval there.
+  /// The enumeration finds a corner once for every weight that is at an end of its interval there.
   bool is_known() const {
     for (std::size_t c = first_; c < corners_.size(); c += intervals_.size())
       if (std::equal(corner_.begin(), corner_.begin() + size(), corners_.begin() + index(c),

@@ -11,7 +11,7 @@
 
 namespace pelt::paper {
 
-/// <l, h>: all weights that one joint has among some vertices.
+/// <l, h>: all weights that one joint has among a set of vertices.
 struct WeightInterval {
   double low = 1, high = 0;
 
@@ -21,17 +21,17 @@ struct WeightInterval {
   }
 };
 
-/// Up to this many joints the corners are enumerated; a set of more joints would have thousands and
-/// gets the n corners l + (1 - sum l) e_a instead, whose hull contains W'.
+/// Up to this many joints the corners are enumerated. A larger set would have thousands of corners
+/// and gets the n corners l + (1 - sum l) e_a instead, whose hull contains W'.
 inline constexpr std::size_t kMaxEnumeratedJoints = 8;
 
-/// Sums of weights are off 1 by rounding, so corners may leave their intervals by this much; the
-/// refit's margin covers it.
+/// Rounding makes sums of weights differ from 1, so corners may leave their intervals by this much.
+/// The margin of the refit covers it.
 inline constexpr double kWeightTolerance = 1e-9;
 
-/// Appends the corners r_1 ... r_m, n numbers each, to `corners`. Precondition: W', widened by
-/// kWeightTolerance, is not empty (as it is when the intervals come from weights that sum to 1).
-/// At least one corner, at most 2, 6, 12 for n = 2, 3, 4 and 280 for n = 8.
+/// Appends the corners r_1 ... r_m, n numbers each, to `corners`: at least one, at most 2, 6, 12
+/// for n = 2, 3, 4 and 280 for n = 8. Precondition: W', widened by kWeightTolerance, is not empty
+/// (as it is if the intervals come from weights that sum to 1).
 void append_weight_corners(std::span<const WeightInterval> intervals, std::vector<double>& corners);
 
 }  // namespace pelt::paper

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What each adapter's file provides: the method, and which version of its library it runs on.
+/// Each adapter's file provides the method and the version of its library.
 
 #include "evaluation/rivals/posed_mesh_method.hpp"
 

@@ -48,7 +48,7 @@ btAABB box_of(std::span<const Vec3> positions) {
 
 btScalar largest(const btVector3& v) { return v.absolute()[v.absolute().maxAxis()]; }
 
-/// The triangles of a body in its own frame.
+/// The triangles of a body in the frame of the body.
 class Triangles final : public btPrimitiveManagerBase {
  public:
   explicit Triangles(const PosedBody& body) : body_(body) {}
@@ -68,8 +68,8 @@ class Triangles final : public btPrimitiveManagerBase {
     triangle.m_margin = margin_.x();
   }
 
-  /// Where the frame stands, how many times as large as they are boxes become, and by how much
-  /// they are enlarged after that.
+  /// Sets the origin of the frame, the factor by which boxes are scaled, and the margin that is
+  /// added to scaled boxes.
   void set_frame(const btVector3& origin, btScalar size, btScalar margin) {
     origin_ = origin;
     size_ = size;
@@ -130,8 +130,8 @@ class Body {
     boxes_.buildSet();
   }
 
-  /// A step of the 16 bits, that GImpact lays over one unit more on each side, and what rounding to
-  /// 24 bits may cost so far from the origin.
+  /// One step of the 16 bits, which GImpact spreads over one unit more on each side, plus the
+  /// rounding to 24 bits at this distance from the origin.
   btScalar margin_around(const btVector3& middle) const {
     return 2 * (largest(room_) + 1) / 65535 + largest(middle) * 4e-7f;
   }
@@ -142,7 +142,7 @@ class Body {
   btVector3 room_ = {-1, -1, -1};
 };
 
-/// The candidates by Bullet's own triangle test.
+/// Tests the candidates with Bullet's own triangle test.
 QueryStats keep_theirs(const btPairSet& pairs, const Body& a, const Body& b,
                        std::vector<Contact>& contacts, std::uint32_t max_contacts) {
   QueryStats work;
@@ -168,7 +168,7 @@ QueryStats keep_theirs(const btPairSet& pairs, const Body& a, const Body& b,
   return work;
 }
 
-/// The candidates by Pelt's.
+/// Tests the candidates with Pelt's predicate.
 QueryStats keep_exact(const btPairSet& pairs, const Body& a, const Body& b,
                       std::vector<Contact>& contacts, std::uint32_t max_contacts) {
   Candidates candidates(a.mesh(), b.mesh(), contacts, max_contacts);

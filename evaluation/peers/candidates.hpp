@@ -1,6 +1,6 @@
 #pragma once
 
-/// Pelt's narrow phase, for libraries that let us have their candidates.
+/// Pelt's narrow phase, for libraries that expose their candidates.
 
 #include "geometry/triangle_pair.hpp"
 
@@ -11,7 +11,7 @@
 
 namespace pelt::peers {
 
-/// A body as it was last updated.
+/// A body at its last update.
 struct PosedBody {
   PosedBody(std::span<const Triangle> its_triangles, std::span<const Vec3> rest)
       : triangles(its_triangles), rest_positions(rest.begin(), rest.end()) {}
@@ -28,7 +28,7 @@ struct PosedBody {
   std::span<const Vec3> positions = rest_positions;
 };
 
-/// Takes the candidates of one query and appends those that intersect, up to a number of them.
+/// Tests the candidates of one query and appends the pairs that intersect, up to a limit.
 class Candidates {
  public:
   Candidates(const PosedBody& a, const PosedBody& b, std::vector<Contact>& contacts,
@@ -37,7 +37,7 @@ class Candidates {
     work_.cut_short = wanted_ == 0;
   }
 
-  /// False: no more are wanted, and further ones are passed over.
+  /// False once the limit is reached; further candidates are ignored.
   bool wants_more() const { return wanted_ > 0; }
 
   void add(std::uint32_t triangle_a, std::uint32_t triangle_b) {

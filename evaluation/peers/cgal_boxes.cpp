@@ -25,7 +25,7 @@ struct Box {
   static int dimension() { return 3; }
   float min_coord(int axis) const { return low[axis]; }
   float max_coord(int axis) const { return high[axis]; }
-  /// Distinct within both sets.
+  /// Distinct in both sets together.
   ID id() const { return triangle | body << 31; }
 
   void include(const Vec3& p) {
@@ -77,7 +77,7 @@ struct Body {
   Box whole;
 };
 
-/// Copies of the boxes that meet `where`, for the algorithm changes their order.
+/// Copies the boxes that overlap `where`: the algorithm changes the order of its input.
 void select(const Body& body, const Box& where, std::uint32_t number, std::vector<Box>& out) {
   out.clear();
   if (!body.whole.meets(where)) return;
@@ -124,7 +124,7 @@ class CgalBoxesMethod final : public rivals::PosedMeshMethod {
     }
   }
 
-  /// Sets smaller than this are compared all with all.
+  /// CGAL compares sets smaller than this pair by pair.
   static constexpr std::ptrdiff_t kCutoff = 10;
 
   std::vector<std::unique_ptr<Body>> bodies_;

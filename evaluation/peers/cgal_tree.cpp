@@ -1,8 +1,8 @@
-/// CGAL's AABB tree, built anew for each pose: it cannot be refitted.
+/// CGAL's AABB tree, built again for each pose, because it cannot be refitted.
 ///
-/// One body's tree is asked for each triangle of the other that meets its box, by CGAL's filtered
-/// exact predicates (its narrow phase; ours cannot be put into its tree). A traversal ends when
-/// there are enough contacts.
+/// Each triangle of one body that overlaps the other body's box is queried in that body's tree,
+/// with CGAL's filtered exact predicates as narrow phase (its tree cannot use ours). A traversal
+/// ends when there are enough contacts.
 #include "evaluation/peers/adapters.hpp"
 
 #include <CGAL/AABB_traits.h>
@@ -49,7 +49,8 @@ class Body {
   Tree tree_;
 };
 
-/// What CGAL's trees call back: keeps the triangles of one body that meet a triangle of the other.
+/// Callbacks for CGAL's trees: collects the triangles of one body that intersect a triangle of the
+/// other.
 class Search {
  public:
   Search(const Body& body, std::vector<Contact>& contacts, std::uint32_t max_contacts)

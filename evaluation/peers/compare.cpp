@@ -13,7 +13,7 @@ std::vector<Contact> as_set(std::span<const Contact> contacts) {
   return set;
 }
 
-/// Those of `a` that `b` has not. Precondition: both are sets.
+/// Number of contacts of `a` that `b` does not contain. Precondition: both are sets.
 std::size_t count_only_in(const std::vector<Contact>& a, const std::vector<Contact>& b) {
   return static_cast<std::size_t>(std::count_if(a.begin(), a.end(), [&](const Contact& contact) {
     return !std::binary_search(b.begin(), b.end(), contact);

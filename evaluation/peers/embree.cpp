@@ -32,7 +32,7 @@ void take(void* candidates, RTCCollision* pairs, unsigned int count) {
     static_cast<Candidates*>(candidates)->add(pairs[i].primID0, pairs[i].primID1);
 }
 
-/// A body with a scene of its own.
+/// A body in a scene of its own.
 class Body {
  public:
   Body(RTCDevice device, std::span<const Triangle> triangles, std::span<const Vec3> rest)

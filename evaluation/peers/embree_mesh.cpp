@@ -1,5 +1,5 @@
-/// A geometry of quality REFIT in a scene of quality LOW, which alone is refitted (see embree.cpp);
-/// ROBUST, without which rays slip through edges. One thread.
+/// A geometry of quality REFIT in a scene of quality LOW, because no other scene is refitted (see
+/// embree.cpp); ROBUST, because otherwise rays pass through edges. One thread.
 #include "evaluation/peers/embree_mesh.hpp"
 
 #include "geometry/triangle_distance.hpp"
@@ -96,7 +96,7 @@ void cast_stream(RTCScene scene, std::span<const Ray> rays, std::span<RayHit> hi
   });
 }
 
-/// What a search for the nearest triangle knows.
+/// The state of a search for the nearest triangle.
 struct NearestSoFar {
   std::span<const Triangle> triangles;
   std::span<const Vec3> positions;
@@ -104,7 +104,8 @@ struct NearestSoFar {
   std::uint32_t triangle = 0;
 };
 
-/// Embree asks about each triangle of a leaf within the radius; tells whether that became less.
+/// Embree's callback for each triangle of a leaf within the radius. Returns whether the radius
+/// shrank.
 bool look_at_triangle(RTCPointQueryFunctionArguments* arguments) {
   auto& best = *static_cast<NearestSoFar*>(arguments->userPtr);
   const auto [a, b, c] = best.triangles[arguments->primID];

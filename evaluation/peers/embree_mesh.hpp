@@ -12,7 +12,7 @@
 
 namespace pelt::peers {
 
-/// How rays are handed over.
+/// How rays are passed to Embree.
 enum class RayCalls {
   one,     ///< rtcIntersect1
   eight,   ///< rtcIntersect8
@@ -21,20 +21,20 @@ enum class RayCalls {
 
 class EmbreeMesh {
  public:
-  /// `triangles` must outlive this.
+  /// `triangles` must outlive this object.
   EmbreeMesh(std::span<const Triangle> triangles, std::size_t vertex_count);
   ~EmbreeMesh();
 
-  /// Where the posed vertices are to be written before `refit`.
+  /// Write the posed vertices here before `refit`.
   std::span<Vec3> positions();
 
   void refit();
 
-  /// What each ray hits first: sets `triangle` and `t` alone.
+  /// Finds the first hit of each ray. Sets only `triangle` and `t`.
   void cast(std::span<const Ray> rays, std::span<RayHit> hits, RayCalls calls);
 
-  /// What is nearest to each point: sets `distance` and `point.triangle` alone. By the same
-  /// function of a triangle as Pelt, so that only the trees differ.
+  /// Finds the triangle nearest to each point. Sets only `distance` and `point.triangle`. Uses
+  /// Pelt's function for a single triangle, so that only the trees differ.
   void find_nearest(std::span<const Vec3> points, std::span<ClosestPoint> nearest);
 
  private:

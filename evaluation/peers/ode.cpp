@@ -19,7 +19,7 @@ namespace {
 /// ODE counts contact points in 16 bits.
 constexpr std::uint32_t kMostPoints = 0xffff;
 
-/// Numbers from the number of triangles on, each of which stands for two others.
+/// Numbers, starting at the number of triangles, that each represent two others.
 class TriangleGroups {
  public:
   explicit TriangleGroups(std::size_t triangle_count) : first_(static_cast<int>(triangle_count)) {}
@@ -31,7 +31,7 @@ class TriangleGroups {
     return first_ + static_cast<int>(joined_.size()) - 1;
   }
 
-  /// Appends the triangles that a number stands for.
+  /// Appends the triangles that a number represents.
   void resolve(int number, std::vector<std::uint32_t>& triangles) const {
     if (number < first_) {
       triangles.push_back(static_cast<std::uint32_t>(number));
@@ -69,7 +69,7 @@ class Body {
     dGeomTriMeshDataDestroy(data_);
   }
 
-  /// ODE wants its vertices where they were.
+  /// ODE borrows the vertices and needs them at the same address.
   void update(std::span<const Vec3> positions) {
     std::copy(positions.begin(), positions.end(), positions_.begin());
     dGeomTriMeshDataUpdate(data_);
@@ -85,7 +85,7 @@ class Body {
   dGeomID geom_;
 };
 
-/// ODE as long as somebody uses it, and silent: it tells each time that points were not merged.
+/// Initialises ODE while it is used, and silences its message about points that were not merged.
 class Library {
  public:
   Library() {
@@ -123,8 +123,8 @@ class OdeMethod final : public rivals::PosedMeshMethod {
   }
 
  private:
-  /// The pairs of up to so many points; true if there may be more of these. Several points may be
-  /// those of one pair.
+  /// Finds the pairs of at most `most` points; several points may belong to one pair. Returns true
+  /// if there may be more points.
   bool find(Body& a, Body& b, std::uint32_t most) {
     pairs_.clear();
     a.groups().clear();

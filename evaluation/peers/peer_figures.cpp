@@ -20,7 +20,7 @@ constexpr std::array kOwn = {methods::kOnDemand, methods::kEager};
 constexpr std::array kVariants = {Variant{Question::all, Cache::hot},
                                   Variant{Question::first, Cache::hot}};
 
-/// What is left of a peer without the peer: all vertices skinned.
+/// A method that only skins all vertices, which every peer needs.
 class SkinningOnly final : public rivals::PosedMeshMethod {
  public:
   void add(std::span<const Triangle>, std::span<const Vec3>) override {}
@@ -38,7 +38,7 @@ Engine engine_from(std::string_view name, const MakeMethod& make) {
           }};
 }
 
-/// Skinning, Pelt's own, the peers.
+/// Skinning alone, Pelt's methods, then the peers.
 std::vector<Engine> all_engines() {
   std::vector<Engine> engines = {
       engine_from("skinning", [] { return std::make_unique<SkinningOnly>(); })};
@@ -49,7 +49,7 @@ std::vector<Engine> all_engines() {
   return engines;
 }
 
-/// What `found` has of a pair of colliders; none where they are apart.
+/// The contacts of a pair of colliders in `found`; empty if they do not touch.
 std::span<const Contact> contacts_of(const FrameContacts& found, const FrameContacts::Pair& pair) {
   const auto place = std::find_if(found.pairs.begin(), found.pairs.end(), [&](const auto& other) {
     return other.a == pair.a && other.b == pair.b;
@@ -66,7 +66,7 @@ peers::Difference compare_frames(const FrameContacts& answer, const FrameContact
   return sum;
 }
 
-/// All contacts of a frame.
+/// Finds all contacts of a frame.
 Result<void> ask_all(Runner& runner, const Palettes& palettes) {
   if (const auto posed = runner.pose(palettes); !posed) return posed.error();
   runner.ask(Question::all);

@@ -1,10 +1,10 @@
 #pragma once
 
-/// What peers take for a scene and what they find, beside Pelt in the same run.
+/// Times and answers of peers for a scene, and of Pelt in the same run.
 ///
-/// Measured as `pelt bench` measures (bench_measure.hpp). All peers start from vertices that are
-/// skinned by Pelt's fastest code, which is measured as a method that does nothing else, and counts
-/// as part of what each of them costs.
+/// Measured as by `pelt bench` (bench_measure.hpp). All peers start from vertices that Pelt's
+/// fastest code skins. This skinning is measured as a method of its own and counts as part of the
+/// cost of each peer.
 
 #include "evaluation/peers/compare.hpp"
 #include "evaluation/peers/peers.hpp"
@@ -19,12 +19,12 @@ namespace pelt::tools {
 /// One method; times are microseconds a frame.
 struct PeerFigures {
   std::string method, version, update, narrow_phase;
-  double skinning_us = 0;     ///< of all vertices; 0 of Pelt's, which skin as they update or query
-  double update_us = 0;       ///< what else is done before queries
-  double all_us = 0;          ///< the query for all contacts
-  double first_us = 0;        ///< the query for one of each pair of instances
-  double frame_us = 0;        ///< all of it, for all contacts ...
-  double first_frame_us = 0;  ///< ... and for one
+  double skinning_us = 0;             ///< skinning all vertices; 0 for Pelt, which skins later
+  double update_us = 0;               ///< other work before queries
+  double all_us = 0;                  ///< the query for all contacts
+  double first_us = 0;                ///< the query for one of each pair of instances
+  double frame_us = 0;                ///< total for all contacts
+  double first_frame_us = 0;          ///< total for one contact of each pair
   peers::Difference difference = {};  ///< from the exact answer, over all frames
 };
 
@@ -37,16 +37,16 @@ struct ScenePeers {
   std::vector<PeerFigures> methods;  ///< Pelt on demand, Pelt eager, then the peers
 };
 
-/// How often measure_peers calls `advance`.
+/// Number of times that measure_peers calls `advance`.
 std::size_t peer_steps(std::size_t frames);
 
-/// Precondition: `subject` has frames.
+/// Precondition: `subject` has at least one frame.
 Result<ScenePeers> measure_peers(const Subject& subject, std::uint32_t repetitions,
                                  const std::function<void()>& advance);
 
 void print_peers(const ScenePeers& scene, std::ostream& out);
 
-/// A row for each method of each scene.
+/// Writes one row for each method of each scene.
 void write_peers_csv(std::span<const ScenePeers> scenes, std::ostream& out);
 
 }  // namespace pelt::tools

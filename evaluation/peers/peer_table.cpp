@@ -1,4 +1,4 @@
-/// Pelt beside other libraries on scenes: a table for people, a CSV for programs.
+/// Compares Pelt with other libraries on scenes; prints a table and writes a CSV file.
 
 #include "evaluation/peers/peer_figures.hpp"
 #include "tools/pelt/arguments/frame_range.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Libraries that people use for what Pelt does, each behind the face of methods that start from
-/// posed vertices: all do the same job on the same posed vertices, at the settings that suit
-/// deforming meshes best.
+/// Libraries that people use for the same purpose as Pelt, with the interface of methods that start
+/// from posed vertices. All get the same posed vertices, and the settings that suit deforming
+/// meshes best.
 
 #include "evaluation/rivals/posed_mesh_method.hpp"
 
@@ -13,17 +13,17 @@
 
 namespace pelt::peers {
 
-/// What a peer's answers are known to be, which tests confirm and `compare` counts.
+/// Known quality of a peer's answers. Tests confirm it, and `compare` counts the differences.
 enum class Answers {
-  exact,   ///< the very pairs that intersect, in all that was tried
-  nearly,  ///< pairs that all but touch may be missing or too many
+  exact,   ///< exactly the pairs that intersect, in all that was tried
+  nearly,  ///< pairs that nearly touch may be missing or extra
   more,    ///< all pairs that intersect, and some that only come close
   fewer,   ///< pairs are missing
 };
 
 std::string_view name_of(Answers answers);
 
-/// Who decides whether two triangles intersect.
+/// Decides whether two triangles intersect.
 enum class NarrowPhase {
   ours,    ///< Pelt's exact predicate, on candidates that the library supplies
   theirs,  ///< the library
@@ -31,16 +31,16 @@ enum class NarrowPhase {
 
 struct Peer {
   std::string_view name;     ///< for make_peer
-  std::string_view library;  ///< with what is used of it
-  std::string version;       ///< of the library that this program runs with
-  std::string_view update;   ///< what is done in each frame, in a word or two
+  std::string_view library;  ///< and the part of it that is used
+  std::string version;       ///< of the library at run time
+  std::string_view update;   ///< the work in each frame, in a word or two
   NarrowPhase narrow_phase = NarrowPhase::ours;
   Answers answers = Answers::exact;
 };
 
 std::span<const Peer> all_peers();
 
-/// Null for a name that no peer has.
+/// Null if no peer has this name.
 std::unique_ptr<rivals::PosedMeshMethod> make_peer(std::string_view name);
 
 }  // namespace pelt::peers

@@ -1,4 +1,5 @@
-/// Left, the guaranteed box and the exact one; right, the exact boxes of what joints move.
+/// Left: the guaranteed box and the exact box. Right: the exact boxes of the vertices of each
+/// joint.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"

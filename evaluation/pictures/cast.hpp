@@ -1,6 +1,6 @@
 #pragma once
 
-/// Characters of a scene, posed to be asked and to be painted.
+/// Characters of a scene, posed for queries and for drawing.
 
 #include <pelt/pose.hpp>
 
@@ -17,7 +17,8 @@ struct Actor {
   tools::scene::PosedInstance posed;
 };
 
-/// One frame of a scene. Exits with a message where the scene is wrong: scenes are written here.
+/// One frame of a scene. Exits with a message if the scene is invalid, because the callers write
+/// it.
 class Cast {
  public:
   Cast(std::string_view scene_text, std::uint32_t frame);

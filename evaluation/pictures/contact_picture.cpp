@@ -1,4 +1,4 @@
-/// The curves in which two creatures cut each other, and the normal of each region.
+/// The curves in which two creatures intersect, and the normal of each region.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"

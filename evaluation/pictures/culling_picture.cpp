@@ -1,4 +1,4 @@
-/// A camera's frustum among creatures: those inside it, those it cuts, those it misses.
+/// The frustum of a camera among creatures: inside, partly inside and outside.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"
@@ -13,7 +13,7 @@
 namespace pelt::pictures {
 namespace {
 
-/// What looks from the origin of its frame along -z.
+/// A camera at the origin of its frame that looks along -z.
 struct Eye {
   Vec3d place;
   double turn, half_width, half_height, near, far;  ///< radians about y; half sizes at depth 1
@@ -47,7 +47,7 @@ std::string loop(std::span<const Vec3d> corners) {
   return text;
 }
 
-/// The frustum down to the ground, which its lower face meets at some depth.
+/// The outline of the frustum down to the ground, where its lower face ends.
 std::string outline(const Eye& eye) {
   const double landing = eye.place.y / eye.half_height;
   const auto on_ground = [&](double x, double depth) {

@@ -1,4 +1,5 @@
-/// Two creatures with the segment between their nearest points, and a point with its nearest place.
+/// Two creatures with the segment between their nearest points, and a point with its closest
+/// surface point.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"
@@ -18,7 +19,7 @@ constexpr std::string_view kScene = R"({
      "rotation": [0, 1, 0, 0]}
   ]})";
 
-/// A segment between two places, each with a dot.
+/// A segment between two points, with a dot at each end.
 std::string between(const Vec3d& from, const Vec3d& to) {
   return line(from, to, 0.010, Tone::answer) + dot_at(from, 0.026, Tone::answer) +
          dot_at(to, 0.026, Tone::answer);

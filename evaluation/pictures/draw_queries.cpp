@@ -1,5 +1,5 @@
-/// Renders the pictures of docs/queries.md into the folder named on the command line, which is
-/// docs/figures/queries: all of them, or those whose names follow.
+/// Renders the pictures of docs/queries.md into the folder that is the first argument
+/// (docs/figures/queries): all pictures, or those that the other arguments name.
 
 #include "evaluation/pictures/pictures.hpp"
 #include "evaluation/reproduce/picture.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using namespace pelt;
 
-/// Of few colours, a third of the size.
+/// Reduces the number of colours, which shrinks the file to a third.
 void shrink(const std::filesystem::path& png) {
   const std::vector<std::string> command = {"convert", png.string(), "+dither",
                                             "-colors", "256",        "PNG8:" + png.string()};

@@ -5,7 +5,7 @@
 
 namespace pelt::pictures {
 
-/// A picture in the size that the page shows.
+/// A picture of the size that the page shows.
 inline reproduce::Picture framed(const char* id, const tools::picture::PovCamera& camera,
                                  const std::string& objects) {
   reproduce::Picture picture =

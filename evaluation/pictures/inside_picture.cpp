@@ -1,4 +1,5 @@
-/// The vertex of one creature that is deepest in another, and the way to the surface from there.
+/// The vertex of one creature that is deepest in another, and the segment to the nearest surface
+/// point.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"

@@ -25,7 +25,7 @@ std::string dot_at(const Vec3d& place, double radius, Tone tone) {
 }
 
 std::string line(const Vec3d& from, const Vec3d& to, double radius, Tone tone) {
-  if (squared_length(to - from) == 0) return {};  // POV-Ray refuses these
+  if (squared_length(to - from) == 0) return {};  // POV-Ray rejects these
   return "cylinder {" + pov_vector(from) + ", " + pov_vector(to) + ", " + std::to_string(radius) +
          texture_of(tone) + " no_shadow}\n";
 }

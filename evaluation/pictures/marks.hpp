@@ -1,6 +1,6 @@
 #pragma once
 
-/// What pictures of queries draw beside the characters.
+/// Marks that the pictures of queries draw beside the characters.
 
 #include <pelt/shapes.hpp>
 
@@ -13,11 +13,11 @@ namespace pelt::pictures {
 
 using detail::Vec3d;
 
-/// Of lines, dots and skins.
+/// Tone of lines, dots and skins.
 enum class Tone {
-  answer,    ///< what a query has found
-  question,  ///< what it was asked
-  quiet,     ///< what is there besides
+  answer,    ///< the result of a query
+  question,  ///< the input of the query
+  quiet,     ///< everything else
 };
 
 std::string dot_at(const Vec3d& place, double radius, Tone tone);
@@ -28,20 +28,20 @@ std::string arrow(const Vec3d& from, const Vec3d& to, double radius, Tone tone);
 
 std::string edges(const Box& box, double radius, Tone tone);
 
-/// Smooth, in a quiet skin.
+/// Smooth, with a quiet skin.
 std::string painted(const Actor& actor, std::size_t skin);
 
-/// The same in another texture, all over or where `marked` says so in the tone of answers.
+/// The same with another texture: everywhere, or, with the tone of answers, where `marked` is true.
 std::string painted(const Actor& actor, const std::string& texture,
                     const std::vector<bool>& marked);
 
-/// That lets all light pass.
+/// A mesh that casts no shadow.
 std::string unshadowed(const std::string& mesh);
 
-/// So much of the light goes through, from 0 to 1.
+/// A material that transmits the fraction `through` of the light, from 0 to 1.
 std::string glass(const std::array<float, 3>& colour, double through);
 
-/// Of that colour, matt.
+/// A matt material of this colour.
 std::string paint(const std::array<float, 3>& colour);
 
 }  // namespace pelt::pictures

@@ -1,4 +1,4 @@
-/// A face at rest and in some expressions; what each displaces stands out.
+/// A face at rest and with three expressions; the displaced triangles are highlighted.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"
@@ -17,8 +17,8 @@ constexpr std::string_view kScene = R"({
      "morph_weights": {"blink_l": 1, "blink_r": 1, "cheeks_puffed": 1}}
   ]})";
 
-/// The triangles of an instance with a corner elsewhere, relative to its place, than that of the
-/// first one.
+/// Marks the triangles of an instance that have a vertex at another position, relative to the
+/// instance, than in the first instance.
 std::vector<bool> displaced(const Actor& actor, const Actor& at_rest, float shift) {
   std::vector<bool> moved;
   for (const Triangle& triangle : actor.posed.triangles) {

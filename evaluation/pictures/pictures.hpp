@@ -1,6 +1,6 @@
 #pragma once
 
-/// The pictures of docs/queries.md, each drawn from the answer of the query itself.
+/// The pictures of docs/queries.md, each drawn from the result of its query.
 
 #include "evaluation/reproduce/report.hpp"
 

@@ -1,4 +1,4 @@
-/// A fan of rays, what they hit first, and the normals there.
+/// A fan of rays, their first hits, and the normals there.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"

@@ -1,5 +1,5 @@
-/// A creature that stands in a hilly field, the triangles of both that touch, and its distance from
-/// a pillar.
+/// A creature in a hilly field, the triangles of both that touch, and the distance of the creature
+/// from a pillar.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"

@@ -1,7 +1,7 @@
-/// What bounds and culling cost of a posed skin, and what they cost by skinning everything: all
-/// vertices and their box, or all vertices, all boxes of the tree bottom-up and the same query.
-/// Each time is a median over poses from all clips, each pose's the best of some runs; what both
-/// answer is compared, and nothing is printed when it differs.
+/// Measures bounds and culling of a posed skin, and the same with everything skinned: all vertices
+/// and their box; or all vertices, all boxes of the tree bottom-up, and the same query. Each time
+/// is a median over poses from all clips; the time of a pose is the best of several runs. The
+/// answers are compared, and nothing is printed if they differ.
 
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
@@ -26,14 +26,14 @@ namespace {
 
 using tools::output::median;
 
-/// An answer in numbers, to be compared.
+/// An answer as numbers, for comparison.
 using Answer = std::vector<double>;
 
-/// A question to one pose, answered on demand and by skinning everything.
+/// A query of one pose, on demand and with everything skinned.
 struct Question {
   std::string name;
   std::function<Answer(Pose&)> on_demand, eager;
-  bool same_answer = true;  ///< false: the eager one is inside the other
+  bool same_answer = true;  ///< false: the eager answer is inside the other
 };
 
 Answer numbers(const Box& box) {
@@ -72,7 +72,7 @@ Box exact_box(Pose& pose) {
 
 class Questions {
  public:
-  /// Regions are placed about this sphere from now on.
+  /// Places later regions around this sphere.
   void place(const Sphere& around) { around_ = around; }
 
   std::vector<Question> all() {
@@ -135,7 +135,7 @@ class Questions {
   std::vector<Vec3> positions_;
 };
 
-/// Microseconds of a question, without the palette's.
+/// Times a query in microseconds, without setting the palette.
 class Stopwatch {
  public:
   explicit Stopwatch(int runs) : runs_(runs) {}

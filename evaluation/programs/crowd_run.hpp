@@ -1,7 +1,7 @@
 #pragma once
 
-/// The frames of a crowd, timed. A frame is all palettes set, by as many threads as then ask for
-/// the contacts, and all contacts found; sampling the clips is not counted.
+/// Times the frames of a crowd. A frame consists of setting all palettes and finding all contacts,
+/// both with the same number of threads. Sampling the clips is not timed.
 
 #include <pelt/crowd.hpp>
 
@@ -13,14 +13,14 @@
 
 namespace pelt::programs {
 
-/// What is posed and asked.
+/// The crowd to pose and query.
 struct CrowdJob {
-  std::vector<SkinnedModel> models;  ///< of each instance
+  std::vector<SkinnedModel> models;  ///< one per instance
   std::uint32_t frame_count = 0;
   std::function<void(std::uint32_t frame, std::vector<Matrix4>& palettes)> pose;
 };
 
-/// Of a frame in wall time; times are medians over the frames, counts those of the last one.
+/// Wall times of a frame. Times are medians over the frames; counts are those of the last frame.
 struct CrowdTiming {
   double palettes_ms = 0, frame_ms = 0;
   CrowdStats stats;
@@ -34,10 +34,11 @@ class CrowdRun {
 
   CrowdTiming run(std::uint32_t threads);
 
-  /// The one of so many runs with the least time of a frame, for others may use the machine too.
+  /// The run with the least time per frame of `runs` runs, because other programs may use the
+  /// machine.
   CrowdTiming best_of(std::uint32_t runs, std::uint32_t threads);
 
-  /// Bytes of the crowd, without its models.
+  /// Bytes of the crowd without its models.
   std::size_t memory_bytes() const { return crowd_.memory_bytes(); }
 
  private:
@@ -47,7 +48,7 @@ class CrowdRun {
 
   const CrowdJob& job_;
   Crowd crowd_;
-  std::vector<std::size_t> firsts_;  // of each instance, into palettes_
+  std::vector<std::size_t> firsts_;  // by instance: index into palettes_
   std::vector<Matrix4> palettes_;
   std::vector<CrowdContact> contacts_;
   detail::WorkShares shares_;

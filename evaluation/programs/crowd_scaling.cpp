@@ -1,6 +1,6 @@
-/// How the time of a frame and the memory grow with a crowd: from 100 to 10,000 walking instances
-/// of a character, or as many as a scene has. The best of several runs counts, for others may use
-/// the machine too. scripts/plot-crowd-growth draws the table.
+/// Measures how the time of a frame and the memory grow with a crowd: 100 to 10,000 walking
+/// instances of a character, or the instances of a scene. Prints the best of several runs, because
+/// other programs may use the machine. scripts/plot-crowd-growth draws the table.
 
 #include "evaluation/programs/crowd_run.hpp"
 #include "evaluation/programs/walking_crowd.hpp"
@@ -23,16 +23,16 @@ struct Arguments {
   std::uint32_t most = 10000, runs = 3;
 };
 
-/// The generated character holds its arms wide.
+/// The generated character needs more space, because it spreads its arms.
 constexpr double kMetreOfGenerated = 1.9;
 
-/// One number of instances on one number of threads.
+/// The figures for one number of instances and one number of threads.
 struct Row {
   std::size_t instances = 0;
   std::uint64_t triangles = 0;  ///< of all instances
   std::uint32_t threads = 0;
   CrowdTiming timing;
-  std::size_t crowd_bytes = 0, process_bytes = 0;  ///< the latter with the palettes to be set
+  std::size_t crowd_bytes = 0, process_bytes = 0;  ///< with the palettes to be set
 };
 
 constexpr const char* kColumns =
@@ -49,7 +49,7 @@ std::ostream& operator<<(std::ostream& out, const Row& row) {
              << megabytes(row.crowd_bytes) << ',' << megabytes(row.process_bytes);
 }
 
-/// The most that it ever was.
+/// Peak memory of the process.
 std::size_t process_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -62,7 +62,7 @@ std::uint64_t triangles_of(const CrowdJob& job) {
   return triangles;
 }
 
-/// The first run warms up.
+/// The first run is a warm-up.
 void measure(const CrowdJob& job, std::uint32_t runs, std::vector<Row>& rows) {
   CrowdRun run(job);
   run.run(2);

@@ -1,7 +1,7 @@
-/// What the distance of two walkers costs from near to far: on demand, on demand with the last
-/// frame's answer as a hint, and after all has been skinned and boxed. All answer the same frames
-/// in turn, so each finds the caches as the others leave them, and the medians count, for others
-/// may use the machine too. Where the answers differ nothing is printed.
+/// Measures the distance of two walkers, from near to far: on demand, on demand with the answer of
+/// the last frame as a hint, and with everything skinned and boxed. All answer the same frames in
+/// turn, so each finds the caches as the others leave them. Prints medians, because other programs
+/// may use the machine. Prints nothing if answers differ.
 
 #include "distance/pair_search.hpp"
 #include "evaluation/programs/microseconds.hpp"
@@ -32,10 +32,10 @@ struct Arguments {
   std::uint32_t rounds = 3;
 };
 
-/// How far apart the walkers' roots are, in metres.
+/// Distances between the walkers' roots in metres.
 constexpr double kShifts[] = {0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0};
 
-/// Half a step or so between the walkers.
+/// About half a step between the walkers.
 constexpr std::uint32_t kPhaseShift = 23;
 
 using Palette = std::vector<Matrix4>;
@@ -46,7 +46,7 @@ Palette moved(std::span<const Matrix4> palette, double x) {
   return result;
 }
 
-/// One value a frame, for each column.
+/// One value per frame for each column.
 struct Samples {
   std::vector<double> distance, palettes, demand, hinted, eager_open, eager_query;
   std::vector<double> refits, hinted_refits, node_pairs, exact_node_pairs, triangle_pairs;
@@ -56,7 +56,7 @@ struct Walkers {
   explicit Walkers(const SkinnedModel& m)
       : model(m), a(m), b(m), exact_a(m.detail().tree), exact_b(m.detail().tree) {}
 
-  /// Precondition: of this model.
+  /// Precondition: the palettes belong to this model.
   void pose(const Palette& palette_a, const Palette& palette_b) {
     (void)a.set_palette(palette_a);
     (void)b.set_palette(palette_b);
@@ -78,7 +78,8 @@ struct Walkers {
 
 double as_sample(std::uint64_t count) { return static_cast<double>(count); }
 
-/// Asks one frame in all ways; false if the answers differ. `last` is the frame before's.
+/// Queries one frame in all ways. Returns false if the answers differ. `last` is the answer of the
+/// previous frame.
 bool ask(Walkers& walkers, const Palette& palette_a, const Palette& palette_b, Distance& last,
          Samples& samples) {
   Distance plain, hinted;

@@ -8,8 +8,8 @@
 
 namespace pelt::programs {
 
-/// Asks `measure` about each character, or about the generated one, which has the name "". Returns
-/// the exit code of `program`, which names the first failure on standard error.
+/// Calls `measure` for each character, or for the generated one, whose name is "". Returns the exit
+/// code of `program`. Prints the first failure to standard error.
 template <typename Measure>
 int measure_each(const char* program, std::vector<std::string> characters, const Measure& measure) {
   if (characters.empty()) characters.emplace_back();

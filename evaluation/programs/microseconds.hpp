@@ -4,7 +4,7 @@
 
 namespace pelt::programs {
 
-/// How long `work()` takes.
+/// Duration of `work()`.
 template <typename Work>
 double microseconds(const Work& work) {
   const auto begin = std::chrono::steady_clock::now();

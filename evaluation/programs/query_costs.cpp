@@ -38,10 +38,10 @@ struct Arguments {
   std::uint32_t frames = 12, points = 1000, runs = 5;
 };
 
-/// What two ways must agree on, as numbers.
+/// Numbers that must be equal for both ways.
 using Answer = std::vector<double>;
 
-/// Takes a frame's palettes and asks.
+/// Sets the palettes of a frame and runs the query.
 struct Way {
   std::string name;
   std::function<void(const QueryFrame&, Answer&)> ask;
@@ -54,7 +54,7 @@ struct Question {
   std::vector<Way> ways;
 };
 
-/// One run over the frames: fills the answers of all, and lessens the times.
+/// One run over the frames: fills `answers`, and lowers the times to the least ones.
 void run(const Way& way, const std::vector<QueryFrame>& frames, std::vector<Answer>& answers,
          std::vector<double>& times) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -63,7 +63,7 @@ void run(const Way& way, const std::vector<QueryFrame>& frames, std::vector<Answ
   }
 }
 
-/// How many numbers are off by more than a 10,000th.
+/// Counts numbers that differ by more than a 10,000th.
 std::size_t count_wrong(const std::vector<Answer>& expected, const std::vector<Answer>& found) {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < expected.size(); ++i)
@@ -95,7 +95,7 @@ void measure(const Question& question, const QueryStage& stage, std::uint32_t ru
   std::fflush(stdout);
 }
 
-/// Two instances and what is asked of them.
+/// Two instances and the queries to measure.
 class Costs {
  public:
   Costs(const scenes::Character& character, const SkinnedModel& model, const Arguments& arguments)
@@ -118,12 +118,12 @@ class Costs {
  private:
   using AskOne = std::function<void(const QueryFrame&, Answer&)>;
 
-  /// A question about the first instance.
+  /// A query of the first instance.
   Question about_one(const std::string& name, const AskOne& ask) {
     return about(name, nullptr, ask);
   }
 
-  /// A question about both; the second's palette is a member of the frame.
+  /// A query of both; the palette of the second instance is a member of the frame.
   Question about(const std::string& name, JointPalette QueryFrame::*second, const AskOne& ask) {
     const auto way = [=, this](bool opens_all) {
       return [=, this](const QueryFrame& frame, Answer& answer) {
@@ -210,7 +210,7 @@ class Costs {
     add_pairs(contacts_, answer);
   }
 
-  /// Their number and a sum that their order changes: they may be millions.
+  /// The number of pairs and a sum that depends on their order, because there may be millions.
   template <typename Pair>
   static void add_pairs(const std::vector<Pair>& pairs, Answer& answer) {
     std::uint64_t sum = 0;

@@ -8,7 +8,7 @@
 namespace pelt::programs {
 namespace {
 
-/// The same on every platform.
+/// Random numbers that are the same on every platform.
 class Numbers {
  public:
   double between(double low, double high) {
@@ -36,8 +36,8 @@ class Neighbours {
  public:
   explicit Neighbours(const SkinnedModel& model) : a_(model), b_(model) {}
 
-  /// How far `b` has to be moved so that it is `gap` from `a`, about. To move it by less than it is
-  /// too far cannot bring it too near.
+  /// How far `b` has to be moved to be about `gap` from `a`. Moving `b` by less than its excess
+  /// distance cannot bring it too near.
   double shift_to(const JointPalette& a, const JointPalette& b, double gap) {
     const Box box_a = box_of(a_, a), box_b = box_of(b_, b);
     double shift = double{box_a.high.x} - double{box_b.low.x} + 2 * gap;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Frames of two instances of a character, made so that a query has a certain thing to find.
+/// Frames of two instances of a character in which each query has something to find.
 
 #include "scenes/scene.hpp"
 
@@ -15,20 +15,21 @@ namespace pelt::programs {
 using JointPalette = std::vector<Matrix4>;
 
 struct QueryFrame {
-  JointPalette a, touching, near, far;  ///< of the first instance; of the second
+  JointPalette a, touching, near, far;  ///< the first instance; the second
   std::vector<Vec3> points;             ///< around the first
 };
 
 class QueryStage {
  public:
-  /// Frames along the character's first clip; a character is 1.75 metres high in its default pose.
+  /// Frames along the character's first clip. A character is 1.75 metres high in its default pose.
   QueryStage(const asset::Asset& asset, const SkinnedModel& model, std::uint32_t frames,
              std::uint32_t points);
 
   double metre() const { return metre_; }
   const std::vector<QueryFrame>& frames() const { return frames_; }
 
-  /// Hills around the character, a vertex each tenth of a metre, with its feet 3 cm in the ground.
+  /// Hills around the character with a vertex every tenth of a metre; its feet are 3 cm in the
+  /// ground.
   HeightField hills(std::uint32_t side) const;
 
  private:
@@ -37,8 +38,8 @@ class QueryStage {
   std::vector<QueryFrame> frames_;
 };
 
-/// All triangles of a field, with their numbers, as a mesh that follows one joint. Precondition:
-/// the field has no holes.
+/// All triangles of a field, with the same numbers, as a mesh with one joint. Precondition: the
+/// field has no holes.
 SkinnedModel as_static_mesh(const HeightField& field);
 
 }  // namespace pelt::programs

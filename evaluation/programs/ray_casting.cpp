@@ -39,7 +39,7 @@ struct Arguments {
   std::uint32_t rays = 1000, poses = 12, runs = 5;
 };
 
-/// The same on every platform.
+/// Random numbers that are the same on every platform.
 class Numbers {
  public:
   double between(double low, double high) {
@@ -76,8 +76,8 @@ Vec3 around(const Extent& extent, Numbers& numbers, double distance) {
           static_cast<float>(double{extent.centre.z} + flat * std::sin(turn))};
 }
 
-/// Of ten rays six are aimed at the middle of a triangle, two at a vertex, which often is on the
-/// outline, and two at places around the body.
+/// Of ten rays, six are aimed at the middle of a triangle, two at a vertex, which often is on the
+/// outline, and two at points around the body.
 std::vector<Ray> make_rays(const asset::Asset& asset, std::span<const Vec3> positions,
                            std::uint32_t count) {
   const Extent extent = extent_of(positions);
@@ -95,7 +95,7 @@ std::vector<Ray> make_rays(const asset::Asset& asset, std::span<const Vec3> posi
   return rays;
 }
 
-/// A character, its palettes along the first clip, and rays for each of them.
+/// A character, its palettes along the first clip, and rays for each palette.
 struct Job {
   Job(const asset::Asset& a, SkinnedModel m, const Arguments& arguments)
       : asset(a), model(std::move(m)) {
@@ -121,7 +121,7 @@ struct Job {
   std::vector<std::vector<Ray>> rays;
 };
 
-/// A way to make a pose ready and to ask rays of it.
+/// A way to prepare a pose and to cast rays at it.
 struct Way {
   std::string name;
   std::function<void(std::span<const Matrix4>)> pose;
@@ -132,7 +132,7 @@ struct Times {
   double pick_us = 0, batch_us = 0;
 };
 
-/// The pose and its rays, all at once; the best of so many runs.
+/// The time for the pose and all its rays; the best of several runs.
 double best_time(const Way& way, std::span<const Matrix4> palette, std::span<const Ray> rays,
                  std::span<RayHit> hits, std::uint32_t runs) {
   double best = HUGE_VAL;
@@ -144,7 +144,7 @@ double best_time(const Way& way, std::span<const Matrix4> palette, std::span<con
   return best;
 }
 
-/// Medians; fills `hits`, those of all poses one after the other.
+/// Medians over the poses. Fills `hits` with the hits of all poses, one pose after the other.
 Times measure(const Job& job, const Way& way, std::uint32_t runs, std::vector<RayHit>& hits) {
   constexpr std::size_t kPicks = 20;
   std::vector<double> picks, batches;

@@ -7,11 +7,11 @@
 namespace pelt::programs {
 namespace {
 
-// Distances of neighbours in a row, and of rows, in metres. People who are less than half a metre
-// apart brush each other with arms and legs: of these, one pair for ten walkers does.
+// Distances of neighbours in a row, and of rows, in metres. People less than half a metre apart
+// brush each other with arms and legs; here about one pair per ten walkers does.
 constexpr double kNearest = 0.4, kFarthest = 1.2, kRow = 1.3;
 
-/// `m` after a turn that takes +z to `forward`, and a shift.
+/// `m`, rotated so that +z becomes `forward`, and translated.
 Matrix4 placed(const Matrix4& m, float forward_x, float forward_z, float x, float z) {
   Matrix4 out = m;
   for (std::size_t column = 0; column < 4; ++column) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Any number of instances of one character that walk about on a plain, for measuring crowds.
+/// A crowd of any size of one character that walks on a plain, for measuring.
 
 #include "scenes/scene.hpp"
 
@@ -11,7 +11,7 @@
 
 namespace pelt::programs {
 
-/// The clip in so many phases, as palettes of an instance at the origin.
+/// A clip in `count` phases, as palettes of an instance at the origin.
 class WalkPhases {
  public:
   static constexpr std::uint32_t kCount = 64;
@@ -23,7 +23,7 @@ class WalkPhases {
     return std::span(palettes_).subspan(std::size_t{phase} * joint_count_, joint_count_);
   }
 
-  /// Half a dozen of them, for build_model.
+  /// Six of the palettes, for build_model.
   std::vector<Matrix4> samples() const;
 
  private:
@@ -31,16 +31,16 @@ class WalkPhases {
   std::vector<Matrix4> palettes_;
 };
 
-/// Instances in as many rows as a row has walkers, that walk on the spot into directions of their
-/// own, a phase further in each frame: so the crowd stays as sparse as it begins.
+/// Instances in rows, with as many rows as a row has walkers. They walk on the spot in different
+/// directions, one phase further in each frame, so the crowd stays as sparse as at the start.
 class WalkingCrowd {
  public:
-  /// `metre` in units of the character. `phases` must outlive the crowd.
+  /// `metre` is in units of the character. `phases` must outlive the crowd.
   WalkingCrowd(const WalkPhases& phases, std::uint32_t count, double metre);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(walkers_.size()); }
 
-  /// The palettes of all instances, one after the other.
+  /// The palettes of all instances, concatenated.
   void pose(std::uint32_t frame, std::vector<Matrix4>& palettes) const;
 
  private:

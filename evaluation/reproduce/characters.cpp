@@ -1,4 +1,4 @@
-/// Table 1 of the paper: how large the characters are.
+/// Table 1 of the paper: sizes of the characters.
 
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"

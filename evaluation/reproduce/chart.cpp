@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In single quotes nothing but these has a meaning for gnuplot.
+/// Inside single quotes, only these characters are special to gnuplot.
 std::string quoted(const std::string& text) {
   std::string inside;
   for (const char c : with_micro_signs(text)) inside += c == '\'' ? "''" : std::string(1, c);
@@ -44,7 +44,7 @@ Table drawn_rows(const Chart& chart, Table table) {
   return table;
 }
 
-/// The table as gnuplot reads it: tabs between columns, NaN where there is no figure.
+/// The table in gnuplot's format: tabs between columns, NaN for missing figures.
 std::string data_block(const Chart& chart, const Table& table) {
   std::vector<std::size_t> columns = {column_of(table, chart.x)};
   for (const std::string& key : chart.y) columns.push_back(column_of(table, key));
@@ -61,8 +61,8 @@ std::string data_block(const Chart& chart, const Table& table) {
   return text.str();
 }
 
-/// Dark enough on white, and told apart by those who confuse red and green; where lines lie on each
-/// other, by their dashes and marks.
+/// Dark enough on white, and distinguishable for people with red-green colour blindness. Dashes and
+/// marks distinguish lines that coincide.
 constexpr const char* kLines[] = {
     "'#1c6b4a' dashtype solid pointtype 7",      "'#b5533c' dashtype (12,4) pointtype 5",
     "'#2f5fa8' dashtype (3,3) pointtype 9",      "'#c28a00' dashtype (12,3,3,3) pointtype 11",
@@ -71,14 +71,14 @@ constexpr const char* kLines[] = {
     "'#d678a8' dashtype (2,2,6,2) pointtype 10", "'#8a8a96' dashtype (6,6) pointtype 12",
     "'#b08060' dashtype (3,6) pointtype 1",      "'#4a5a2a' dashtype (9,3) pointtype 3"};
 
-/// Methods have the same line in every chart: that of their place here.
+/// A method has the same line in every chart: that of its index here.
 constexpr std::string_view kMethodKeys[] = {"on_demand_us",    "eager_us",        "paper_us",
                                             "paper_eager_us",  "crowd_us",        "hybrid_us",
                                             "aabb_refit_us",   "aabb_rebuild_us", "hash_us",
                                             "hash_overlap_us", "bd_tree_us",      "hash_crowd_us"};
 static_assert(std::size(kMethodKeys) == std::size(kLines));
 
-/// Series that are no methods take the lines in their own order.
+/// Series that are not methods use the lines in order.
 std::size_t line_of(const Chart& chart, std::size_t series) {
   const auto* const found =
       std::find(std::begin(kMethodKeys), std::end(kMethodKeys), chart.y[series]);
@@ -86,13 +86,13 @@ std::size_t line_of(const Chart& chart, std::size_t series) {
   return static_cast<std::size_t>(found - std::begin(kMethodKeys));
 }
 
-/// What stands in the brackets at the end: " [us]".
+/// The unit in brackets at the end: " [us]".
 std::string unit_of(const std::string& title) {
   const std::size_t at = title.rfind(" [");
   return at == title.npos || title.back() != ']' ? "" : title.substr(at);
 }
 
-/// Without the unit where the axis names the same.
+/// Without the unit if the axis names the same unit.
 std::string series_title(const Chart& chart, const Column& column) {
   const std::string unit = unit_of(column.title);
   const bool is_told = unit == unit_of(chart.y_title);
@@ -135,7 +135,7 @@ std::string plots(const Chart& chart, const Table& table) {
   return text + "\n";
 }
 
-/// Below the plot, which so keeps its width; one line needs no key.
+/// Below the plot, so the plot keeps its width. A single line needs no key.
 const char* key(const Chart& chart) {
   return chart.y.size() == 1
              ? "set key off\n"

@@ -10,11 +10,11 @@
 
 namespace pelt::reproduce {
 
-/// The commands that make gnuplot draw `chart` into the file `svg`.
+/// The gnuplot commands that draw `chart` into the file `svg`.
 std::string gnuplot_script(const Chart& chart, const Table& table,
                            const std::filesystem::path& svg);
 
-/// Draws it. The message of an error says what to do where gnuplot is missing.
+/// Draws the chart. If gnuplot is missing, the error message says what to do.
 Result<void> draw_chart(const Chart& chart, const Table& table, const std::filesystem::path& svg);
 
 }  // namespace pelt::reproduce

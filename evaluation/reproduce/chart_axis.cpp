@@ -9,7 +9,7 @@
 namespace pelt::reproduce {
 namespace {
 
-/// Of the axis' length, at both ends.
+/// Fraction of the axis' length, at both ends.
 constexpr double kMargin = 0.03;
 
 struct Range {
@@ -32,13 +32,14 @@ std::string range(const std::string& axis, const Range& of) {
   return "set " + axis + "range [" + number(of.low) + ":" + number(of.high) + "]\n";
 }
 
-/// Without powers: "0.05", "1,000,000".
+/// A number without an exponent: "0.05", "1,000,000".
 std::string label(double figure) {
   return figure < 1 ? number(figure)
                     : tools::output::with_commas(static_cast<std::uint64_t>(std::llround(figure)));
 }
 
-/// Of 1 to 9 times a power of ten. The fewer decades there are, the more tics have labels.
+/// Whether `digit` (1 to 9) times a power of ten has a label. With fewer decades, more tics have
+/// labels.
 bool has_label(int digit, double decades) {
   if (digit == 1) return true;
   return decades < 1 || (decades < 2.5 && (digit == 2 || digit == 5));

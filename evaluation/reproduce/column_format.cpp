@@ -11,7 +11,8 @@ namespace {
 constexpr int kSignificant = 3;
 constexpr int kMostDecimals = 6;
 
-/// Digits before the point less one, of the figure rounded to three: 0 for 1 to 9.99.
+/// Number of digits before the decimal point, minus one, of the figure rounded to three digits: 0
+/// for 1 to 9.99.
 int magnitude(double figure) { return static_cast<int>(std::floor(std::log10(1.0005 * figure))); }
 
 bool has_decimals(double figure, int decimals) {
@@ -25,7 +26,7 @@ int decimals_of(double figure) {
   return decimals;
 }
 
-/// Of three significant digits.
+/// Decimals for three significant digits.
 int significant_decimals(double figure) {
   return std::clamp(kSignificant - 1 - magnitude(figure), 0, kMostDecimals);
 }

@@ -1,15 +1,15 @@
 #pragma once
 
-/// Figures of one column of a table, all written alike.
+/// Formats all figures of one column of a table alike.
 
 #include <span>
 #include <string>
 
 namespace pelt::reproduce {
 
-/// How the figures of a column are written: whole numbers where all are whole; as many decimals in
-/// every row where a few tell all of them; otherwise three significant digits of each, with the
-/// zeros at their ends: "0.0182", "4.90", "32.0", "26,756".
+/// The format of a column. Whole numbers if all are whole. The same number of decimals in every row
+/// if a few decimals represent all figures. Otherwise three significant digits for each figure,
+/// with trailing zeros: "0.0182", "4.90", "32.0", "26,756".
 class ColumnFormat {
  public:
   explicit ColumnFormat(std::span<const double> figures);

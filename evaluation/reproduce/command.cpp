@@ -1,4 +1,4 @@
-/// `pelt-lab reproduce`: the experiments of the paper, run again and written up.
+/// `pelt-lab reproduce`: runs the experiments of the paper again and writes a report.
 
 #include <pelt/version.hpp>
 
@@ -56,7 +56,7 @@ Result<std::vector<Experiment>> all_experiments(bool has_peers) {
   return all;
 }
 
-/// Those of `all` whose ids `only` lists, or all.
+/// The experiments of `all` whose ids `only` lists; all if `only` is empty.
 Result<std::vector<Experiment>> chosen_experiments(const std::vector<Experiment>& all,
                                                    const std::string& only) {
   if (only.empty()) return all;
@@ -121,7 +121,7 @@ Result<arguments::ExitCode> reproduce_all(const Arguments& arguments) {
   report.provenance = provenance(arguments);
   for (const Experiment& experiment : *chosen) {
     std::cout << '[' << report.sections.size() + 1 << " of " << chosen->size() << "] "
-              << experiment.title << std::endl;  // bars are drawn on the lines below
+              << experiment.title << std::endl;  // progress bars are drawn on the lines below
     Result<Section> section = run_experiment(experiment, {arguments.is_quick, arguments.models});
     if (!section) return section.error();
     std::cout << "    " << output::fixed(section->seconds, 1) << " s" << std::endl;

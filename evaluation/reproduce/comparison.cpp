@@ -1,7 +1,7 @@
-/// The comparison that the paper asks for in its last lines: trees refitted on demand and bottom-up
-/// against rebuilt trees, spatial hashing and image space. All take the same joint palettes and
-/// give the same contacts, but for the images, which only say yes or no; skinning counts for those
-/// that need skinned vertices, and is shown apart.
+/// The comparison that the paper proposes in its last lines: trees refitted on demand and bottom-up
+/// against rebuilt trees, spatial hashing and image space. All get the same joint palettes and find
+/// the same contacts, except the images, which only answer yes or no. Skinning counts for the
+/// methods that need skinned vertices, and is also shown separately.
 
 #include "evaluation/reproduce/comparison_tables.hpp"
 #include "evaluation/reproduce/image_space.hpp"

@@ -1,4 +1,4 @@
-/// Whether all methods of the comparison give one answer.
+/// Compares the answers of all methods of the comparison.
 
 #include "evaluation/reproduce/comparison_methods.hpp"
 #include "evaluation/reproduce/comparison_tables.hpp"
@@ -30,7 +30,8 @@ std::vector<Asked> all_methods() {
   return all;
 }
 
-/// How many of `a` are not in `b`. Both ascend, as the contacts of one pair do.
+/// Number of contacts of `a` that are not in `b`. Both are in ascending order, as for the contacts
+/// of one pair.
 double without(std::span<const Contact> a, std::span<const Contact> b) {
   std::vector<Contact> rest;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
@@ -46,7 +47,8 @@ Result<std::vector<Contact>> contacts_of(const tools::Engine& engine,
   return runner.found().contacts;
 }
 
-/// Adds how the answers about one pair differ; returns the contacts of brute force.
+/// Adds the differences between the answers about one pair. Returns the number of contacts of brute
+/// force.
 Result<double> compare(const scenes::Scene& scene, std::vector<Asked>& methods) {
   const auto colliders =
       tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});

@@ -1,5 +1,5 @@
-/// What the tables of the comparison say in words. No number is written here: all are taken from
-/// the tables, or are ratios of two of theirs.
+/// The conclusions from the tables of the comparison, in words. No number is written here: each is
+/// a figure of a table, or a ratio of two figures.
 
 #include "base/assert.hpp"
 #include "evaluation/reproduce/comparison_methods.hpp"
@@ -24,7 +24,7 @@ const Table& table_of(const Section& section, const std::string& id) {
 
 std::string us(double time) { return shown(time) + " us"; }
 
-/// "0.8", with so many decimals at most.
+/// "0.8", with at most `decimals` decimals.
 std::string brief(double figure, int decimals) {
   std::ostringstream text;
   const double unit = std::pow(10, decimals);
@@ -46,10 +46,10 @@ std::string listed(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// A table whose rows are sizes or distances, and whose columns are times of methods.
+/// A table with sizes or distances as rows and times of methods as columns.
 class Sweep {
  public:
-  /// `unit` stands before a row's figure: "a distance of".
+  /// `unit` precedes a row's figure: "a distance of".
   Sweep(const Table& table, std::string unit) : table_(table), unit_(std::move(unit)) {}
 
   std::size_t row_count() const { return table_.rows.size(); }
@@ -82,13 +82,13 @@ class Sweep {
     return listed(parts);
   }
 
-  /// How many times longer one takes than another; nothing where one was not asked.
+  /// The factor by which `slow` takes longer than `fast`; nullopt if one of them was not measured.
   std::optional<double> ratio(std::size_t row, MethodKind slow, MethodKind fast) const {
     const auto s = time(row, slow), f = time(row, fast);
     return s && f ? std::optional(*s / *f) : std::nullopt;
   }
 
-  /// Who of two is faster where.
+  /// Which of two methods is faster, and in which rows.
   std::string duel(MethodKind a, MethodKind b) const {
     std::vector<std::size_t> lost;
     double most_won = 0, most_lost = 0;
@@ -105,7 +105,7 @@ class Sweep {
            ", and slower elsewhere, by up to " + times(most_won);
   }
 
-  /// The rows in which a method is not the fastest of all: "at ... Pelt eager by 1.03 times".
+  /// The rows in which a method is not the fastest, as text: "at ... Pelt eager by 1.03 times".
   std::vector<std::string> losses(MethodKind method, std::span<const MethodKind> rivals) const {
     std::vector<std::string> lost;
     for (std::size_t row = 0; row < row_count(); ++row) {
@@ -122,7 +122,7 @@ class Sweep {
     return title_of(a) + " is faster than " + title_of(b);
   }
 
-  /// "0.8 to 0" of rows without a gap, else one by one.
+  /// "0.8 to 0" for rows without a gap, otherwise a list.
   std::string span_of(std::span<const std::size_t> rows) const {
     const auto x = [&](std::size_t row) { return size(*table_.rows[row][0].figure); };
     if (rows.size() > 2 && rows.back() - rows.front() + 1 == rows.size())
@@ -142,7 +142,7 @@ class Sweep {
   std::string unit_;
 };
 
-/// What all paragraphs look into.
+/// The tables that all paragraphs use.
 struct Evidence {
   explicit Evidence(const Section& section)
       : all(table_of(section, "separation"), "a distance of"),
@@ -198,7 +198,7 @@ std::string hashing(const Evidence& of) {
          ". First contact: " + of.first.duel(methods::kHashOverlap, methods::kHash) + ".";
 }
 
-/// Many in one grid is what plain hashing is for.
+/// Plain hashing is meant for many bodies in one grid.
 std::string crowds(const Evidence& of) {
   const Table& table = of.instances;
   const std::size_t last = table.rows.size() - 1;
@@ -213,7 +213,7 @@ std::string crowds(const Evidence& of) {
          us(time(time_key(methods::kHashOverlap))) + ".";
 }
 
-/// The least resolution that misses nothing; else the greatest.
+/// The row of the least resolution that misses nothing; otherwise of the greatest resolution.
 std::size_t sufficient_row(const Table& images) {
   std::size_t row = 0;
   while (row + 1 < images.rows.size() && figure_at(images, row, "missed") > 0) ++row;

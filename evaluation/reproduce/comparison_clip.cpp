@@ -20,7 +20,7 @@ using tools::Question;
 
 constexpr std::uint32_t kFrames = 30;
 
-/// In the middle of it, two stand in each other.
+/// In the middle of the clip, two creatures intersect deeply.
 constexpr std::uint32_t kMiddle = 60;
 
 Result<tools::SceneFigures> measure_clip(const scenes::Scene& scene, const Conditions& conditions) {
@@ -47,8 +47,8 @@ const tools::Times& times_of(const tools::SceneFigures& figures, MethodKind meth
       ->times;
 }
 
-/// What a method holds for so many instances of a model once it has been asked about a pair deep
-/// in each other, the model itself apart.
+/// Memory that a method uses for `count` instances of a model after a query of a pair that
+/// intersects deeply, without the model.
 std::optional<double> bytes_of(MethodKind method, const SkinnedModel& model,
                                std::span<const std::vector<Matrix4>> palettes,
                                std::uint32_t instances) {
@@ -66,7 +66,7 @@ std::optional<double> bytes_of(MethodKind method, const SkinnedModel& model,
   return static_cast<double>(*after) - static_cast<double>(*before);
 }
 
-/// KiB of one more instance, and of what is there once.
+/// KiB per additional instance, and KiB that exist once.
 struct Memory {
   Cell instance, shared;
 };

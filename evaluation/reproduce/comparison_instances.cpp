@@ -1,5 +1,5 @@
-/// The comparison over the number of instances: pair by pair, and where a method has it, all at
-/// once.
+/// The comparison over the number of instances: pair by pair and, if a method supports it, all
+/// pairs at once.
 
 #include "evaluation/reproduce/comparison_methods.hpp"
 #include "evaluation/reproduce/comparison_tables.hpp"
@@ -20,15 +20,15 @@ constexpr std::array kByPairs = {methods::kOnDemand,   methods::kEager,      met
                                  methods::kPaperEager, methods::kHybrid,     methods::kAabbRefit,
                                  methods::kHash,       methods::kHashOverlap};
 
-/// What is asked about all at once.
+/// Names of the methods that query all pairs at once.
 constexpr const char *kCrowd = "crowd", *kOneGrid = "hash_crowd";
 
 constexpr double kTurn = 6.283185307179586;
 
-/// Neighbours in a row, and rows, are so far apart, in units of a creature 1.8 tall.
+/// Distances of neighbours in a row, and of rows, in units of a creature 1.8 tall.
 constexpr double kNearest = 0.5, kFarthest = 1.4, kRow = 1.5;
 
-/// Some who walk on the spot in rows, into directions of their own.
+/// Creatures that walk on the spot in rows, in different directions.
 scenes::Scene walkers(const scenes::Character& creature, std::uint32_t count) {
   scenes::Scene scene;
   scene.name = std::to_string(count) + " walkers";

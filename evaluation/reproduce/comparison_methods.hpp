@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the tables of the open comparison have in common.
+/// Shared code of the tables of the open comparison.
 
 #include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/experiment.hpp"
@@ -19,10 +19,10 @@ inline constexpr std::array kCompared = {
     methods::kBdTree,   methods::kHybrid,     methods::kAabbRefit, methods::kAabbRebuild,
     methods::kHash,     methods::kHashOverlap};
 
-/// The distances, from middle to middle, that texts and notes call by a name.
+/// The distances, from middle to middle, that texts and notes refer to by name.
 inline constexpr double kApart = 1.2, kTouching = 0.7, kDeep = 0.3;
 
-/// Over how many phases of the walk a distance is averaged.
+/// Number of phases of the walk over which a distance is averaged.
 inline constexpr std::uint32_t kPhases = 4;
 
 /// "hash_us", "hash [us]".
@@ -33,24 +33,24 @@ Column time_column(methods::MethodKind method);
 Table times_table(const std::string& id, const std::string& title, std::vector<Column> first,
                   std::span<const methods::MethodKind> methods, const std::string& note);
 
-/// Adds the times and the fastest method to a row. Those that were not measured stay empty.
+/// Adds the times and the fastest method to a row. Leaves methods empty that were not measured.
 void append_times(const tools::SceneFigures& figures, tools::Question question,
                   std::span<const methods::MethodKind> methods, std::vector<Cell>& row);
 
-/// "Medians of 9 repetitions, one thread, hot caches.", with what a row is the mean of before it.
+/// "Medians of 9 repetitions, one thread, hot caches.", preceded by what a row is the mean of.
 std::string how_measured(const std::string& mean_of, const Conditions& conditions);
 
-/// Adds the table with two charts, that their lines can be told apart: trees on demand, and
-/// everything that skins all; Pelt is in both.
+/// Adds the table with two charts, so that their lines can be distinguished: trees on demand, and
+/// methods that skin everything. Pelt is in both charts.
 void add_with_charts(Table table, const std::string& x, Axes axes, std::optional<double> x_end,
                      Section& section);
 
 using MakeRival = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
 
-/// A rival that is no method of the command.
+/// A rival that is not a method of the command.
 tools::Engine rival_engine(const std::string& name, const MakeRival& make);
 
-/// The figure of a row and a column. Precondition: there is one.
+/// The figure of a row and a column. Precondition: the cell has a figure.
 double figure_at(const Table& table, std::size_t row, const std::string& key);
 
 }  // namespace pelt::reproduce

@@ -1,4 +1,4 @@
-/// The comparison over distance and resolution, and where the time goes.
+/// The comparison over distance and resolution, and how the time of a deep contact splits.
 
 #include "evaluation/reproduce/comparison_methods.hpp"
 #include "evaluation/reproduce/comparison_tables.hpp"
@@ -15,10 +15,10 @@ using methods::MethodKind;
 using tools::Question;
 using tools::SceneFigures;
 
-/// From apart to two in one place.
+/// From apart to two in the same position.
 constexpr std::array kDistances = {3.0, kApart, 0.9, 0.8, kTouching, 0.6, 0.45, kDeep, 0.15, 0.0};
 
-/// Beyond, a tree built anew takes seconds.
+/// For larger meshes, building a tree in each frame takes seconds.
 constexpr std::uint32_t kMostRebuilt = 100000;
 
 double height_of(const scenes::Character& character) {
@@ -42,7 +42,7 @@ std::vector<MethodKind> methods_for(std::uint32_t triangles) {
   return methods;
 }
 
-/// How the time before the query parts into skinning and the rest, as far as it can be told.
+/// Splits the time before the query into skinning and the rest, if the two can be separated.
 std::array<Cell, 2> update_split(MethodKind method, double update, double skinning) {
   switch (method.skins) {
     case methods::Skins::first:

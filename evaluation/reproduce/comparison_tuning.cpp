@@ -1,4 +1,4 @@
-/// The parameters that those have to choose who use the rivals.
+/// The parameters that users of the rivals have to choose.
 
 #include "evaluation/reproduce/comparison_methods.hpp"
 #include "evaluation/reproduce/comparison_tables.hpp"
@@ -36,7 +36,7 @@ std::string engine_name(MethodKind method, double value) {
   return std::string(method.name) + " " + shown(value);
 }
 
-/// All values at once, so that they meet the same moods of the machine.
+/// Measures all values in turn, so that changes in the load of the machine affect all alike.
 Result<tools::SceneFigures> measure_values(const scenes::Character& creature, double distance,
                                            std::span<const Tuned> tuned,
                                            std::span<const double> values,
@@ -50,7 +50,7 @@ Result<tools::SceneFigures> measure_values(const scenes::Character& creature, do
                        conditions);
 }
 
-/// A row for each value, with a time for each method and case.
+/// Adds a row for each value, with a time for each method and case.
 Result<void> fill(const scenes::Character& creature, std::span<const Tuned> tuned,
                   std::span<const double> values, const Conditions& conditions, Table& table) {
   const auto light = measure_values(creature, kTouching, tuned, values, conditions);

@@ -8,13 +8,13 @@
 
 namespace pelt::reproduce {
 
-/// A program that draws, and Debian's package of it.
+/// A drawing program and its Debian package.
 struct DrawingProgram {
   const char *name, *package;
 };
 
-/// Writes `description` into a file, lets the program work by `command`, which names that file, and
-/// removes it again unless the program failed. The message of an error says what to do.
+/// Writes `description` into a file, runs the program with `command`, which names that file, and
+/// removes the file unless the program failed. The error message says what to do.
 Result<void> draw(const DrawingProgram& program, std::span<const std::string> command,
                   const std::filesystem::path& file, const std::string& description);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The experiments of Kavan & Zara 2005, section 5, and those beyond it, each in a file of its own.
+/// The experiments of Kavan & Zara 2005, section 5, and further ones, each in a file of its own.
 
 #include <pelt/result.hpp>
 
@@ -26,8 +26,8 @@ struct Experiment {
 /// In the order of the report.
 std::span<const Experiment> experiments();
 
-/// The comparison with other libraries, which comes after them; null where the command was built
-/// without (PELT_BENCH_PEERS).
+/// The comparison with other libraries, which follows them. Null in a build without the adapters
+/// (PELT_BENCH_PEERS).
 const Experiment* peers_experiment();
 
 Result<Section> characters(const Conditions& conditions);      // characters.cpp

@@ -14,7 +14,7 @@ namespace {
 using detail::Vec3d;
 using tools::scene::PosedInstance;
 
-/// Some triangles of an instance, and which of them touch.
+/// Some triangles of an instance, with a flag for those in contact.
 struct Part {
   std::vector<Triangle> triangles;
   std::vector<bool> touching;
@@ -36,7 +36,7 @@ Part part_of(const PosedInstance& instance, const std::vector<bool>& touching,
   return part;
 }
 
-/// A prism of three sides along an edge, as the corners of its six triangles.
+/// A three-sided prism along an edge, as the corners of its six triangles.
 void append_prism(const Vec3d& from, const Vec3d& to, double radius, std::vector<Vec3d>& corners) {
   const Vec3d along = to - from;
   const Vec3d other = std::fabs(along.y) < std::fabs(along.x) ? Vec3d(0, 1, 0) : Vec3d(1, 0, 0);
@@ -51,8 +51,8 @@ void append_prism(const Vec3d& from, const Vec3d& to, double radius, std::vector
   }
 }
 
-/// Each edge once, however many triangles have it. One mesh: POV-Ray would try many cylinders one
-/// after the other.
+/// Draws each edge once, also if triangles share it. One mesh, because POV-Ray would test many
+/// cylinders one after the other.
 std::string edges(const PosedInstance& instance, const Part& part, double radius) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> all;
   for (const Triangle& triangle : part.triangles)

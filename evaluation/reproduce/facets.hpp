@@ -1,6 +1,6 @@
 #pragma once
 
-/// Characters as the triangles that they consist of.
+/// Draws characters as their triangles.
 
 #include "base/vec3.hpp"
 #include "tools/pelt/picture/still_frame.hpp"
@@ -9,14 +9,14 @@
 
 namespace pelt::reproduce {
 
-/// A ball; what lies outside is left out.
+/// A ball; everything outside is left out.
 struct Around {
   detail::Vec3d centre;
   double reach;
 };
 
-/// All triangles of a frame's characters that reach into `around`, flat, with dark edges of that
-/// radius; triangles in contact glow.
+/// All triangles of a frame's characters that reach into `around`, flat, with dark edges of radius
+/// `edge`. Triangles in contact glow.
 std::string facets(const tools::picture::StillFrame& still, double edge, const Around& around);
 
 }  // namespace pelt::reproduce

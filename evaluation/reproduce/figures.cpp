@@ -35,11 +35,11 @@ std::vector<Float4> rest_spheres(const paper::SphereTree& tree) {
   return spheres;
 }
 
-/// From the front, a little from its left.
+/// From the front, slightly from the character's left.
 const PovCamera kLevelCamera = {{13.3, 4.6, 12.9}, {-0.3, 1.86, 0.3}, 20.6, 1.5};
 const Vec3d kLevelStep(1.19, 0, -1.28);
 
-/// In front of what stands in the middle, for cameras that look along x.
+/// In front of the character in the middle, for cameras that look along x.
 const Vec3d kFloorWord(-0.9, 0.04, 0);
 
 /// A character, then its spheres of levels 4 and 6, from left to right.

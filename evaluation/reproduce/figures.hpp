@@ -1,6 +1,6 @@
 #pragma once
 
-/// The figures of the paper that show characters, drawn again from what is computed here.
+/// Redraws the figures of the paper that show characters from computed data.
 
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/specimen.hpp"
@@ -8,22 +8,23 @@
 
 namespace pelt::reproduce {
 
-/// Figure 4: the creature at rest above, in that pose below, with the spheres of levels 4 and 6.
+/// Figure 4: the creature at rest (above) and in that pose (below), with the spheres of levels 4
+/// and 6.
 Picture level_picture(const Specimen& creature, const detail::Palette& palette,
                       const Conditions& conditions);
 
-/// The frame that Figure 5 shows: the two have just met.
+/// The frame of Figure 5, in which the two first touch.
 inline constexpr std::uint32_t kRefitFrame = 117;
 
-/// Figure 5: two men, and them with the spheres of levels 5 and 6; those that the query refitted
-/// are blue, the rest red. Precondition: two instances of one character.
+/// Figure 5: two men, and the same with the spheres of levels 5 and 6: blue if the query refitted
+/// them, otherwise red. Precondition: two instances of one character.
 Result<Picture> refit_picture(const scenes::Scene& scene, const Conditions& conditions);
 
-/// Figure 6: two creatures before, in and behind each other.
+/// Figure 6: two creatures before, during and after passing through each other.
 Result<Picture> passing_picture(const scenes::Scene& scene, const Conditions& conditions);
 
-/// Figure 7: the first frames of both scenes beside each other, and contacts of the second one from
-/// near, also with its triangles subdivided.
+/// Figure 7: the first frames of both scenes side by side, and contacts of the second scene in
+/// close-up, also with its triangles subdivided.
 Result<Picture> dwarves_picture(const scenes::Scene& apart, const scenes::Scene& interfering,
                                 const scenes::Scene& subdivided, const Conditions& conditions);
 

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// RFC 4180: a field with a comma or a quote stands in quotes.
+/// RFC 4180: a field with a comma or a quote is quoted.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n") == text.npos) return text;
   std::string field = "\"";
@@ -72,7 +72,7 @@ std::size_t image_count(const Report& report) {
   return count;
 }
 
-/// The images of all sections by their ids; each problem is told once.
+/// The images of all sections by id. Reports each problem once.
 class Images {
  public:
   Images(const Report& report, const fs::path& folder, std::ostream& messages)

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The report on disk: report.html, results.json, and in folders csv, charts and pictures what they
-/// are made of.
+/// The report on disk: report.html, results.json, and their sources in the folders csv, charts and
+/// pictures.
 
 #include <pelt/result.hpp>
 
@@ -13,18 +13,19 @@
 namespace pelt::reproduce {
 
 struct Report {
-  std::vector<std::string> provenance;  ///< machine, build, date: a line each
+  std::vector<std::string> provenance;  ///< machine, build, date: one line each
   std::vector<Section> sections;
 };
 
 std::string csv_of(const Table& table);
 std::string json_of(const Report& report);
 
-/// Makes the folder with those inside it, or says why not: before minutes of work, not after.
+/// Creates the folder and its subfolders. Called before the experiments, so that an error costs no
+/// minutes of work.
 Result<void> make_folders(const std::filesystem::path& folder);
 
-/// Writes everything into `folder`. Precondition: its folders have been made. Charts and pictures
-/// whose program is missing are left out, and `messages` says what to install.
+/// Writes all files into `folder`. Leaves out charts and pictures whose program is missing;
+/// `messages` then says what to install. Precondition: make_folders has succeeded.
 Result<void> write_report(const Report& report, const std::filesystem::path& folder,
                           std::ostream& messages);
 

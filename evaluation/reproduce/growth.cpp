@@ -14,7 +14,7 @@ constexpr std::array<std::uint32_t, 6> kJoints = {20, 25, 32, 40, 50, 64};
 constexpr std::array<std::uint32_t, 8> kInstances = {2, 10, 32, 100, 316, 1000, 3162, 10000};
 constexpr std::array<double, 10> kDistances = {1.2, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.2, 0.1, 0};
 
-/// All sizes, and in a quick run the first so many.
+/// All sizes; in a quick run only the first ones.
 template <std::size_t kCount>
 std::span<const std::uint32_t> chosen(const std::array<std::uint32_t, kCount>& sizes,
                                       std::size_t quick_count, const Conditions& conditions) {
@@ -26,7 +26,8 @@ bool has_column(const Table& table, const std::string& key) {
                      [&](const Column& column) { return column.key == key; });
 }
 
-/// Of a column over the sizes at which it was measured; none if the table has no such column.
+/// The points of a column at the sizes where it was measured; empty if the table has no such
+/// column.
 std::vector<Measured> points_of(const Growth& growth, const std::string& key) {
   if (!has_column(growth.table, key)) return {};
   const std::size_t x = column_of(growth.table, growth.size), y = column_of(growth.table, key);
@@ -36,7 +37,7 @@ std::vector<Measured> points_of(const Growth& growth, const std::string& key) {
   return points;
 }
 
-/// Of rows with contacts alone: two bodies apart are another question than a crowd.
+/// Only rows with contacts, because two separate bodies are another case than a crowd.
 std::vector<Measured> points_in_contact(const Growth& growth, const std::string& key) {
   Growth in_contact = growth;
   std::erase_if(in_contact.table.rows, [&](const std::vector<Cell>& row) {
@@ -81,7 +82,7 @@ std::string text_of_crowd(const Growth& instances) {
          ", for they ask all pairs.";
 }
 
-/// What the exponents of the first growth say.
+/// The conclusions from the exponents of the first growth.
 std::string text_of_exponents(const Growth& triangles) {
   const auto power = [&](const std::string& key) { return shown(exponent_of(triangles, key)); };
   return "Two surfaces cut each other in curves, so that contacts go with the power " +
@@ -91,7 +92,7 @@ std::string text_of_exponents(const Growth& triangles) {
          power("eager_us") + " and the paper bottom-up with " + power("paper_eager_us") + '.';
 }
 
-/// From apart to one place.
+/// From apart to the same position.
 std::string text_of_depth(const Table& depth) {
   const auto times = [&](const std::vector<Cell>& row) {
     const auto time = [&](const char* key) { return shown(row[column_of(depth, key)]) + " us"; };

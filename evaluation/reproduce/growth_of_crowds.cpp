@@ -1,4 +1,4 @@
-/// Walking crowds, asked as a whole by one thread, and pair by pair.
+/// Walking crowds, queried as a whole by one thread, and pair by pair.
 
 #include "evaluation/programs/walking_crowd.hpp"
 #include "evaluation/reproduce/growth.hpp"
@@ -8,7 +8,7 @@
 namespace pelt::reproduce {
 namespace {
 
-/// Of the crowd, in units of the creature: dense enough that small crowds have contacts too.
+/// Units of the creature per metre of the crowd; dense enough that small crowds have contacts too.
 constexpr double kMetre = 1.2;
 
 /// A creature, and crowds of it.
@@ -28,7 +28,7 @@ Result<Walkers> make_walkers() {
   return Walkers(*asset, *model);
 }
 
-/// The times of all methods that are asked pair by pair; those of the crowd are known.
+/// Adds the times of all methods that are queried pair by pair to those of the crowd.
 Result<void> append_pairwise(const programs::CrowdJob& job, const programs::CrowdTiming& crowd,
                              std::vector<Cell>& row) {
   for (const methods::MethodKind method : kPairMethods) {

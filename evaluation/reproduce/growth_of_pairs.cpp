@@ -1,4 +1,4 @@
-/// Two creatures who face each other, asked for all contacts.
+/// Two creatures that face each other, queried for all contacts.
 
 #include "evaluation/reproduce/facing_pair.hpp"
 #include "evaluation/reproduce/growth.hpp"
@@ -8,7 +8,7 @@
 namespace pelt::reproduce {
 namespace {
 
-/// So near that arms reach into the other one.
+/// A distance at which arms reach into the other creature.
 constexpr double kInterfering = 0.6;
 
 Table empty_table(const char* id, const char* title, const Column& size, const std::string& note) {
@@ -30,7 +30,7 @@ Result<void> append_row(double size, const scenes::Character& character, double 
   return {};
 }
 
-/// The same of two that interfere. Returns the triangles of each.
+/// The same for two creatures that intersect. Returns the number of triangles of each.
 Result<std::size_t> append_generated(double size, const scenes::CreatureOptions& options,
                                      const Conditions& conditions, Table& table) {
   const Result<scenes::Character> character = scenes::generate_character(options);

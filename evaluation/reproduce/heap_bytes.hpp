@@ -5,8 +5,8 @@
 
 namespace pelt::reproduce {
 
-/// The bytes that the program has allocated and not freed; nothing where the C library does not
-/// tell. O(number of the allocator's arenas).
+/// Bytes that the program has allocated and not freed; nullopt if the C library does not provide
+/// it. O(number of the allocator's arenas).
 std::optional<std::size_t> heap_bytes();
 
 }  // namespace pelt::reproduce

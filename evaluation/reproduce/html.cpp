@@ -84,7 +84,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// As people read it.
+/// `text` as the page shows it.
 std::string typeset(const std::string& text) { return with_micro_signs(escaped(text)); }
 
 std::string element(const char* name, const std::string& text, const char* attributes = "") {
@@ -133,7 +133,7 @@ std::string html_table(const Table& table) {
 
 struct ImageKind {
   const char *prefix, *type;
-  bool has_caption;  // charts have their titles in them
+  bool has_caption;  // charts contain their titles
 };
 constexpr ImageKind kChart = {"chart-", "image/svg+xml", false};
 constexpr ImageKind kPicture = {"picture-", "image/png", true};
@@ -147,7 +147,7 @@ std::string html_figure(const ImageKind& kind, const std::string& id, const std:
          (kind.has_caption ? element("figcaption", caption) : "") + "</figure>\n";
 }
 
-/// Each chart stands below the table that it draws.
+/// A chart follows the table that it draws.
 std::string html_section(const Section& section, const std::map<std::string, std::string>& images) {
   std::string html = "<h2 id=\"" + section.id + "\">" + typeset(section.title) + "</h2>\n";
   for (const std::string& paragraph : section.text) html += element("p", paragraph);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The report as one page that needs nothing beside it.
+/// The report as a single self-contained page.
 
 #include "evaluation/reproduce/report.hpp"
 
@@ -9,8 +9,8 @@
 
 namespace pelt::reproduce {
 
-/// The page. `images` has the bytes of charts (SVG) and pictures (PNG) by their ids; where one is
-/// missing, the page says so. `provenance` are lines about machine, build and date.
+/// The page. `images` has the bytes of charts (SVG) and pictures (PNG) by id; the page says which
+/// are missing. `provenance` has lines about machine, build and date.
 std::string html_page(const std::vector<Section>& sections,
                       const std::vector<std::string>& provenance,
                       const std::map<std::string, std::string>& images);

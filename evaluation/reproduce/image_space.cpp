@@ -20,11 +20,12 @@ constexpr std::array kExact = {methods::kOnDemand,   methods::kEager,     method
                                methods::kHybrid,     methods::kAabbRefit, methods::kHash,
                                methods::kHashOverlap};
 
-/// From hands that just do not meet until arms are deep in the other: light contacts are the hard
+/// From hands that nearly touch to arms deep in the other body, because light contacts are the hard
 /// ones.
 constexpr double kFrom = 0.9, kTo = 0.3;
 
-/// Images as a method: where two seem to touch, some pair of triangles stands for the answer.
+/// Images as a method: if two bodies seem to touch, an arbitrary pair of triangles represents the
+/// answer.
 class Images final : public rivals::PosedMeshMethod {
  public:
   explicit Images(std::uint32_t resolution) : images_(resolution) {}
@@ -45,7 +46,7 @@ class Images final : public rivals::PosedMeshMethod {
   rivals::LayeredDepth images_;
 };
 
-/// The images by resolution, then those that know.
+/// The images by resolution, then the exact methods.
 std::vector<tools::Engine> engines() {
   std::vector<tools::Engine> all;
   for (const std::uint32_t resolution : kResolutions)
@@ -55,7 +56,7 @@ std::vector<tools::Engine> engines() {
   return all;
 }
 
-/// Whether the two touch, frame by frame.
+/// Whether the two bodies touch, frame by frame.
 Result<std::vector<bool>> ask(const tools::Subject& subject, const tools::Engine& engine) {
   tools::Runner runner(subject.colliders, engine);
   asset::SampleScratch scratch;
@@ -71,13 +72,13 @@ Result<std::vector<bool>> ask(const tools::Subject& subject, const tools::Engine
   return touching;
 }
 
-/// In how many frames the first says so and the second does not.
+/// Number of frames in which the first says yes and the second says no.
 double count_only(const std::vector<bool>& first, const std::vector<bool>& second) {
   return std::inner_product(first.begin(), first.end(), second.begin(), 0.0, std::plus<>(),
                             [](bool a, bool b) { return a && !b ? 1.0 : 0.0; });
 }
 
-/// Yes or no of every engine on every frame, and the time it takes.
+/// Answer and time of every engine in every frame.
 struct Answers {
   std::vector<std::vector<bool>> touching;  // [engines][frames]
   std::vector<std::vector<tools::Times>> times;

@@ -5,7 +5,7 @@
 
 namespace pelt::reproduce {
 
-/// Layered depth images, which only say whether two bodies touch, beside methods that know:
+/// Layered depth images, which only answer whether two bodies touch, beside exact methods:
 /// "image_space" by resolution, with charts of time and misses, and "image_space_rivals".
 Result<void> add_image_space(const scenes::Character& character, const Conditions& conditions,
                              Section& section);

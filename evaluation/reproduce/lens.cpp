@@ -11,9 +11,9 @@ using detail::Vec3d;
 using tools::picture::pov_vector;
 using tools::picture::PovCamera;
 
-/// Of the way to the stage: in front of all that stands there.
+/// Fraction of the distance to the stage: in front of everything on the stage.
 constexpr double kDepth = 0.5;
-/// Of rings and lines, over the half height of the picture.
+/// Width of rings and lines over the half height of the picture.
 constexpr double kLine = 0.006;
 
 constexpr const char* kRimTexture = " texture {Rim} no_shadow}\n";
@@ -29,7 +29,7 @@ std::string ring(const Vec3d& centre, double radius, double line, const View& vi
          numbers(centre) + ">" + kRimTexture;
 }
 
-/// A cone whose tip is the camera, so that its wall is never seen, cut off before and behind.
+/// A cone, cut off at both ends, with the camera as its tip, so that its wall is invisible.
 std::string funnel(const Vec3d& near, const Vec3d& far, double radius, const Vec3d& from,
                    const Vec3d& centre) {
   const double whole = length(centre - from);

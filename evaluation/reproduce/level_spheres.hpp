@@ -1,6 +1,6 @@
 #pragma once
 
-/// Spheres of the paper's trees, level by level, to be looked at.
+/// The spheres of the paper's trees, level by level, for drawing.
 
 #include "evaluation/paper/on_demand.hpp"
 
@@ -9,10 +9,10 @@ namespace pelt::reproduce {
 /// The root is on level 1.
 std::vector<std::uint32_t> nodes_on_level(const paper::SphereTree& tree, std::uint32_t level);
 
-/// A body after a query that refitted what it asked for.
+/// A body after a query that refitted the spheres it needed.
 struct AskedBody {
   std::vector<paper::Float4> spheres;  ///< of all nodes, under the palette of the query
-  std::vector<bool> refitted;          ///< by node, whether the query asked for it
+  std::vector<bool> refitted;          ///< by node: whether the query refitted it
 };
 
 struct AskedPair {
@@ -20,11 +20,11 @@ struct AskedPair {
   QueryStats work;
 };
 
-/// Two bodies of one model, asked for all their contacts.
+/// Queries two bodies of one model for all contacts.
 AskedPair ask_on_demand(const detail::SkinnedMesh& mesh, const paper::SphereModel& model,
                         const std::array<detail::Palette, 2>& palettes);
 
-/// Of all nodes, each refitted.
+/// The spheres of all nodes, each refitted.
 std::vector<paper::Float4> all_refitted(const paper::SphereModel& model,
                                         const detail::Palette& palette);
 

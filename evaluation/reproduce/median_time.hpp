@@ -8,7 +8,7 @@
 
 namespace pelt::reproduce {
 
-/// Microseconds that `work` takes, the median of so many repetitions.
+/// Duration of `work` in microseconds: the median of `repetitions` runs.
 template <typename Work>
 double median_us(std::uint32_t repetitions, const Work& work) {
   std::vector<double> times;

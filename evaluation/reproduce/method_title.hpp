@@ -6,11 +6,11 @@
 
 namespace pelt::reproduce {
 
-/// What the report calls a method, in text, tables and legends alike; keys of columns keep the
-/// name that the command line has for it.
+/// The name of a method in text, tables and legends of the report. Keys of columns use the name on
+/// the command line.
 std::string title_of(methods::MethodKind method);
 
-/// What it does and where it is from, for those who have not read the code.
+/// What the method does and which paper it is from, for readers who do not know the code.
 std::string description_of(methods::MethodKind method);
 
 }  // namespace pelt::reproduce

@@ -7,14 +7,14 @@
 
 namespace pelt::reproduce {
 
-/// Of a frame: the median time over the frames, the contacts of the last one.
+/// Time per frame: the median over the frames. Contacts: of the last frame.
 struct PairwiseTiming {
   double frame_us = 0;
   std::size_t contacts = 0;
 };
 
-/// A method on the frames of a crowd, every pair asked by itself. A frame is what CrowdRun times:
-/// all palettes set, and all contacts found.
+/// Runs a method on the frames of a crowd, pair by pair. As in CrowdRun, a frame consists of
+/// setting all palettes and finding all contacts.
 class PairwiseRun {
  public:
   /// `job` must outlive the run.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The figures that Kavan & Zara 2005 print, to stand beside ours. Times are those of a 2.5 GHz
+/// The figures that Kavan & Zara 2005 print, for comparison with ours. Times are from a 2.5 GHz
 /// Athlon; only ratios can be compared.
 
 #include "scenes/creature.hpp"
@@ -9,7 +9,7 @@
 
 namespace pelt::reproduce {
 
-/// Table 1, and the generated character of the same size.
+/// A character of Table 1, and the generated character of the same size.
 struct PaperCharacter {
   const char* name;
   double vertices, triangles, joints;
@@ -38,19 +38,19 @@ inline constexpr std::array kPaperBottomUp = {45.68, 24.63, 9.21, 4.58, 2.27,
                                               1.17,  0.74,  0.49, 0.35};
 inline constexpr std::array kPaperBest = {33.33, 19.39, 7.31, 3.70, 1.70, 0.92, 0.61, 0.42, 0.30};
 
-/// Milliseconds of the two men (Figure 5) and of the worst case (Figure 6).
+/// Times of the two men (Figure 5) and of the worst case (Figure 6) in milliseconds.
 inline constexpr double kPaperTwoMenOnDemand = 0.36, kPaperTwoMenBottomUp = 18.13;
 inline constexpr double kPaperWorstOnDemand = 6.97, kPaperWorstBottomUp = 37.1;
 inline constexpr double kPaperWorstFirstOnDemand = 0.82, kPaperWorstFirstBottomUp = 30.18;
 
-/// Milliseconds of the crowd (Figure 1).
+/// Times of the crowd (Figure 1) in milliseconds.
 inline constexpr double kPaperCrowdOnDemand = 52.83, kPaperCrowdBottomUp = 779.3;
 
-/// Section 2, of van den Bergen 1997: how many times a rebuilt tree costs as much as a refitted
-/// one.
+/// Section 2, citing van den Bergen 1997: the cost of rebuilding a tree over the cost of refitting
+/// it.
 inline constexpr double kPaperRebuildOverRefit = 10;
 
-/// Milliseconds in which all spheres of the two men are refitted.
+/// Time to refit all spheres of the two men in milliseconds.
 inline constexpr double kPaperSpheresOfTheMen = 15339;
 inline constexpr double kPaperAllOnDemand = 20.21, kPaperAllBottomUp = 17.28;
 

@@ -1,4 +1,4 @@
-/// What other libraries take for the same question, and how much of the answer they find.
+/// Times of other libraries for the same query, and the part of the contacts that they find.
 
 #include "evaluation/peers/peer_figures.hpp"
 #include "evaluation/reproduce/experiment.hpp"
@@ -10,7 +10,7 @@
 namespace pelt::reproduce {
 namespace {
 
-/// Pelt's own methods have the names that they have in the rest of the report.
+/// Pelt's own methods have the same names as in the rest of the report.
 std::string shown_name(const std::string& method) {
   constexpr std::string_view kOurs = "pelt ";
   if (!method.starts_with(kOurs)) return method;

@@ -10,8 +10,8 @@
 
 namespace pelt::reproduce {
 
-/// Renders it into the file `png`. The message of an error says what to do where POV-Ray is
-/// missing.
+/// Renders the picture into the file `png`. If POV-Ray is missing, the error message says what to
+/// do.
 Result<void> render(const Picture& picture, const std::filesystem::path& png);
 
 }  // namespace pelt::reproduce

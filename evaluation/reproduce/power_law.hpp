@@ -9,8 +9,9 @@ struct Measured {
   double size = 0, value = 0;
 };
 
-/// The b of the law value = a size^b that fits best, by least squares of the logarithms. Points
-/// with a size or value of 0 have none and are left out. Precondition: others of two sizes remain.
+/// The exponent b of the law value = a size^b that fits best (least squares of the logarithms).
+/// Ignores points with a size or value of 0. Precondition: the other points have at least two
+/// sizes.
 double fitted_exponent(std::span<const Measured> points);
 
 }  // namespace pelt::reproduce

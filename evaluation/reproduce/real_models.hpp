@@ -5,7 +5,7 @@
 
 namespace pelt::reproduce {
 
-/// The .glb files of a folder, by name; none where there is no folder.
+/// The .glb files of a folder, sorted by name; empty if the folder does not exist.
 std::vector<std::filesystem::path> model_files(const std::filesystem::path& folder);
 
 }  // namespace pelt::reproduce

@@ -1,4 +1,5 @@
-/// Real characters, two of each in each other, so that nothing rests on generated ones alone.
+/// Pairs of intersecting real characters, so that the conclusions do not depend on generated ones
+/// alone.
 
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/method_title.hpp"
@@ -18,10 +19,10 @@ using tools::Question;
 constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
                                  methods::kOnDemand};
 
-/// The second stands so many widths of the first beside it.
+/// Distance of the second character in widths of the first.
 constexpr double kWidths = 0.6;
 
-/// How wide the character is in its default pose, along x.
+/// The width of the character along x in its default pose.
 Result<double> width_of(const scenes::Scene& scene) {
   const Result<Specimen> specimen = make_specimen(scene.characters[0].asset);
   if (!specimen) return specimen.error();
@@ -37,7 +38,7 @@ Result<double> width_of(const scenes::Scene& scene) {
   return static_cast<double>(most->x) - static_cast<double>(least->x);
 }
 
-/// Two of a character play its first clip, half a second apart.
+/// Two instances of a character that play its first clip, half a second apart.
 Result<scenes::Scene> pair_of(const scenes::Character& character) {
   scenes::Scene scene;
   scene.name = "two of " + character.name;
@@ -86,7 +87,7 @@ Table empty_table() {
   return table;
 }
 
-/// "1.2 to 9.9", of a column.
+/// The range of a column: "1.2 to 9.9".
 std::string range(const Table& table, const char* key) {
   const std::size_t column = column_of(table, key);
   double least = *table.rows[0][column].figure, most = least;

@@ -20,7 +20,7 @@ using methods::MethodKind;
 
 std::uint32_t repetitions_of(const Conditions& conditions) { return conditions.is_quick ? 5 : 25; }
 
-/// Microseconds in which the paper refits all spheres of a body.
+/// Times in which the paper's method refits all spheres of a body, in microseconds.
 struct AllSpheres {
   double spheres = 0, on_demand_us = 0, skinning_us = 0, bottom_up_us = 0;
 };
@@ -42,7 +42,7 @@ AllSpheres refit_all(const Specimen& specimen, const Palette& palette, std::uint
   return all;
 }
 
-/// Of both together, in the phases of the scene "approaching".
+/// Times for both men together, in the phases of the scene "approaching".
 AllSpheres refit_two_men(const Specimen& man, std::uint32_t repetitions) {
   AllSpheres both;
   for (const float start : {0.0f, 0.55f}) {
@@ -55,7 +55,7 @@ AllSpheres refit_two_men(const Specimen& man, std::uint32_t repetitions) {
   return both;
 }
 
-/// Of one body, by a method that does all its work when it gets a palette.
+/// Time for one body, by a method that does all its work when the palette is set.
 double update_us(MethodKind kind, const Specimen& specimen, const Palette& palette,
                  std::uint32_t repetitions) {
   const std::unique_ptr<methods::Method> method = kind.make();
@@ -66,7 +66,7 @@ double update_us(MethodKind kind, const Specimen& specimen, const Palette& palet
   });
 }
 
-/// All boxes of Pelt's tree by the bounds that queries use.
+/// Computes all boxes of Pelt's tree from the bounds that queries use.
 double open_fully_us(const Specimen& specimen, const Palette& palette, std::uint32_t repetitions) {
   Pose pose(specimen.model);
   return median_us(repetitions, [&] {

@@ -4,11 +4,11 @@
 
 namespace pelt::reproduce {
 
-/// All spheres of two men, refitted on demand and bottom-up, beside what the paper prints.
+/// Refitting all spheres of two men, on demand and bottom-up, beside the paper's figures.
 Result<Table> all_spheres_table(const Conditions& conditions);
 
-/// All bounds of the three characters refitted, and their trees built anew: by the paper's methods
-/// and by ours.
+/// Refitting all bounds of the three characters, and building their trees again, by the paper's
+/// methods and by ours.
 Result<Table> rebuild_table(const Conditions& conditions);
 
 }  // namespace pelt::reproduce

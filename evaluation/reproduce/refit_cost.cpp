@@ -1,5 +1,5 @@
-/// What a refit of the paper's costs (section 4.2's count of flops, section 5's times), and what it
-/// spares: refitting everything, and building trees anew.
+/// The cost of one refit of the paper's method (the flops of section 4.2, the times of section 5),
+/// and the work that it saves: refitting everything, and building trees again.
 
 #include "base/assert.hpp"
 #include "evaluation/paper/on_demand.hpp"
@@ -17,14 +17,14 @@ namespace {
 using detail::Palette;
 using paper::SphereModel;
 
-/// Into the walk, both legs and arms apart.
+/// At this time of the walk, both legs and both arms are apart.
 constexpr float kSeconds = 0.3f;
 
 std::uint32_t repetitions_of(const Conditions& conditions) {
   return conditions.is_quick ? 50 : 500;
 }
 
-/// Refits of the creature's spheres by their joints, or by their corners.
+/// Refits of the creature's spheres, classified by joints or by corners.
 Table class_table(const char* id, const char* title, const std::vector<NodeClass>& classes) {
   Table table = {id,
                  title,

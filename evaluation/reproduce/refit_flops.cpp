@@ -14,7 +14,7 @@ using paper::SphereModel;
 /// Means over all spheres.
 struct FlopCount {
   double sets = 0, joints = 0, corners = 0, counted = 0, stated = 0;
-  double unexplained = 0;  ///< spheres whose counts differ by more than what joins their sets
+  double unexplained = 0;  ///< spheres whose counts differ for another reason than joining sets
 };
 
 FlopCount count_flops(const SphereModel& model, const Palette& palette) {

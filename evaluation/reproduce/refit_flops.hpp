@@ -4,7 +4,7 @@
 
 namespace pelt::reproduce {
 
-/// The operations of a refit, counted, beside the formula of section 4.2; a row for each of the
+/// The counted operations of a refit beside the formula of section 4.2, one row for each of the
 /// three characters.
 Result<Table> flops_table();
 

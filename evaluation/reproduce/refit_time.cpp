@@ -16,8 +16,8 @@ namespace {
 using detail::Palette;
 using paper::SphereModel;
 
-/// A class has no fewer nodes, for a clock is read once for all of them, and no more are timed, so
-/// that they stay in the caches.
+/// Limits of the nodes of a class. At least kFewest, because the clock is read once for all of
+/// them. Times at most kMost, so that they stay in the caches.
 constexpr std::size_t kFewest = 8, kMost = 256;
 
 /// Counts the vertices of nodes, each once.
@@ -36,7 +36,7 @@ class VertexCounter {
 
  private:
   const detail::SkinnedMesh& mesh_;
-  std::vector<std::uint32_t> last_node_;  // that was found to have the vertex
+  std::vector<std::uint32_t> last_node_;  // by vertex: the last node that counted it
 };
 
 /// Half octaves: 1, 2, 3, 4 to 5, 6 to 7, 8 to 11, ...
@@ -52,20 +52,20 @@ std::vector<std::uint32_t> evenly_chosen(const std::vector<std::uint32_t>& nodes
   return chosen;
 }
 
-/// Nodes that are refitted one after the other; none is the root.
+/// Nodes that are refitted one after the other, without the root.
 struct Sample {
   std::vector<std::uint32_t> nodes;
   std::vector<double> microseconds;
 };
 
-/// Refits all samples in turn, so that all meet the same moods of the machine.
+/// Refits all samples in turn, so that changes in the load of the machine affect all alike.
 void time_in_turn(const SphereModel& model, const Palette& palette, std::uint32_t repetitions,
                   std::vector<Sample>& samples) {
   paper::Refit refit(model, static_cast<std::uint32_t>(palette.joints().size()));
   for (std::uint32_t r = 0; r < repetitions; ++r)
     for (Sample& sample : samples) {
       refit.invalidate();
-      refit.refit(0, palette);  // the first one after a change looks at all joints
+      refit.refit(0, palette);  // the first refit after a change visits all joints
       tools::Stopwatch watch;
       for (const std::uint32_t node : sample.nodes) refit.refit(node, palette);
       watch.stop();

@@ -1,14 +1,14 @@
 #pragma once
 
-/// How long one refit of the paper's takes, over what could decide it: the joints and corners of a
-/// node, and the vertices below it.
+/// The time of one refit of the paper's method over three possible causes: the joints of a node,
+/// its corners, and the vertices below it.
 
 #include "evaluation/paper/refit.hpp"
 #include "evaluation/reproduce/report.hpp"
 
 namespace pelt::reproduce {
 
-/// What is known of a node beforehand.
+/// Facts about a node that do not depend on the pose.
 struct NodeFacts {
   double joints = 0;    ///< sum of p_i over its joint sets
   double corners = 0;   ///< sum of m_i
@@ -19,21 +19,21 @@ struct NodeFacts {
 /// By node.
 std::vector<NodeFacts> facts_of(const paper::SphereModel& model, const detail::SkinnedMesh& mesh);
 
-/// Nodes that are alike in one of their facts, and the means of what is known of them.
+/// Nodes with a similar value of one fact, and the means of their facts.
 struct NodeClass {
   double nodes = 0;
   NodeFacts facts;
   double nanoseconds = 0;  ///< a refit, with hot caches
 };
 
-/// Classes of nodes whose `fact` is the same or, where it is larger, much the same; those with few
-/// nodes are left out. Ascending.
+/// Classes of nodes with equal or, if large, similar values of `fact`, in ascending order. Leaves
+/// out classes with few nodes.
 std::vector<NodeClass> time_classes(const paper::SphereModel& model, const detail::Palette& palette,
                                     std::span<const NodeFacts> facts, double NodeFacts::*fact,
                                     std::uint32_t repetitions);
 
-/// The mesh with other weights: all vertices follow the first two joints, with weights that vary
-/// from vertex to vertex, so that every node has the same joint set and as many corners.
+/// The mesh with other weights. All vertices follow the first two joints, with weights that vary
+/// from vertex to vertex, so every node has the same joint set and the same number of corners.
 detail::SkinnedMesh with_one_joint_set(const detail::SkinnedMesh& mesh);
 
 }  // namespace pelt::reproduce

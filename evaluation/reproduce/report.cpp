@@ -15,7 +15,7 @@ std::size_t column_of(const Table& table, const std::string& key) {
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
-/// Whole numbers in full, others with three digits or more.
+/// Whole numbers in full, others with at least three digits.
 std::string shown(double figure) {
   const double size = std::fabs(figure);
   if (size >= 100 || figure == std::floor(figure))

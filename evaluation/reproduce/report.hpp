@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `pelt-lab reproduce` finds out, before it becomes a page, tables and pictures on disk.
+/// The results of `pelt-lab reproduce`, before they are written as a page, tables and pictures.
 
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace pelt::reproduce {
 
-/// A figure, a name, or nothing where there is none to tell.
+/// A figure, a name, or empty.
 struct Cell {
   Cell() = default;
   Cell(double f) : figure(f) {}
@@ -18,12 +18,12 @@ struct Cell {
   Cell(const char* n) : name(n) {}
 
   std::optional<double> figure;
-  std::string name;  ///< empty if there is none
+  std::string name;  ///< empty if there is no name
 };
 
 struct Column {
   std::string key;    ///< in CSV and JSON, with its unit: "refit_ns"
-  std::string title;  ///< as people read it, with its unit
+  std::string title;  ///< for display, with its unit
 };
 
 struct Table {
@@ -37,7 +37,7 @@ struct Table {
 enum class Better { lower, higher, neither };
 enum class Axes { linear, logarithmic, logarithmic_x, logarithmic_y };
 
-/// Columns of a table of the same section, drawn over another of its columns.
+/// Columns of a table of the same section, drawn over another column of the table.
 struct Chart {
   std::string id, title;
   std::string table;           ///< id
@@ -46,8 +46,8 @@ struct Chart {
   std::string y_title;         ///< with its unit
   Axes axes = Axes::logarithmic;
   Better better = Better::lower;
-  double least_y = 0;                ///< where a linear axis of heights begins
-  std::optional<double> x_end = {};  ///< rows beyond are left to the table
+  double least_y = 0;                ///< start of a linear axis of heights
+  std::optional<double> x_end = {};  ///< larger x are in the table only
 };
 
 /// A scene for POV-Ray.
@@ -57,20 +57,20 @@ struct Picture {
   std::uint32_t width = 960, height = 540;
 };
 
-/// What one experiment found. Every figure that `text` states is in a table.
+/// The result of one experiment. Every figure in `text` is also in a table.
 struct Section {
   std::string id, title;
   std::vector<std::string> text;  ///< paragraphs
   std::vector<Table> tables;
   std::vector<Chart> charts;
   std::vector<Picture> pictures;
-  double seconds = 0;  ///< that the experiment took
+  double seconds = 0;  ///< duration of the experiment
 };
 
-/// The index of the column with that key. Precondition: there is one.
+/// The index of the column with the key `key`. Precondition: the column exists.
 std::size_t column_of(const Table& table, const std::string& key);
 
-/// A figure for people: "26,756", "4.913", "0.0182".
+/// A figure for display: "26,756", "4.913", "0.0182".
 std::string shown(double figure);
 std::string shown(const Cell& cell);
 

@@ -48,7 +48,7 @@ std::string summary(const SceneFigures& scene) {
          "models have.";
 }
 
-/// At most so many, evenly over all.
+/// At most `most` frames, evenly spaced.
 tools::arguments::FrameRange frames_of(const scenes::Scene& scene, std::uint32_t most) {
   return {0, scene.frame_count, (scene.frame_count + most - 1) / most};
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-/// Methods on a scene, measured as `pelt bench` measures them, and what becomes of it in the
-/// report.
+/// Measures methods on a scene as `pelt bench` does, and makes tables of the figures.
 
 #include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/experiment.hpp"
@@ -12,51 +11,51 @@
 
 namespace pelt::reproduce {
 
-/// All contacts and the first one, with hot caches, on at most `most_frames` frames, evenly over
-/// all (in a quick run a fourth of that). Fails where methods answer differently.
+/// Measures all contacts and the first one, with hot caches, on at most `most_frames` evenly spaced
+/// frames (in a quick run a fourth of that). Fails if methods give different answers.
 Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
                                           std::span<const methods::MethodKind> methods,
                                           std::uint32_t most_frames, const Conditions& conditions);
 
-/// The same of engines that are no methods of the command.
+/// The same for engines that are not methods of the command.
 Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
                                           std::vector<tools::Engine> engines,
                                           std::uint32_t most_frames, const Conditions& conditions);
 
-/// What one engine was measured to do. Precondition: it was.
+/// The figures of one engine. Precondition: the engine was measured.
 const tools::Figures& figures_of(const tools::SceneFigures& scene, std::string_view engine,
                                  tools::Question question);
 
-/// Microseconds a frame of one method. Precondition: it was measured.
+/// Time of one method in microseconds per frame. Precondition: the method was measured.
 double mean_us(const tools::SceneFigures& figures, methods::MethodKind method,
                tools::Question question);
 
-/// Of a frame, in the mean.
+/// Mean number of contacts per frame.
 double contact_count(const tools::SceneFigures& figures);
 
-/// Times and work of every method, a row each.
+/// Times and work of every method, one row each.
 Table method_table(const std::string& id, const std::string& title,
                    const tools::SceneFigures& figures);
 
-/// Where the time of methods goes that skin and refit everything before their query. Precondition:
+/// How the time splits for methods that skin and refit everything before their query. Precondition:
 /// they were measured.
 Table eager_split_table(const std::string& id, const std::string& title,
                         const tools::SceneFigures& figures,
                         std::span<const methods::MethodKind> methods);
 
-/// Milliseconds of a frame that the paper prints.
+/// Times per frame that the paper prints, in milliseconds.
 struct PrintedTimes {
   double slower_ms = 0, faster_ms = 0;
 };
 
-/// One comparison, and what the paper prints for it.
+/// A comparison of two methods, and the paper's figure for it.
 struct Comparison {
   methods::MethodKind slower, faster;
   tools::Question question;
   std::optional<PrintedTimes> printed;
 };
 
-/// How many times faster the second method of each comparison is than the first.
+/// The factor by which the second method of each comparison is faster than the first.
 Table comparison_table(const std::string& id, const std::string& title,
                        const tools::SceneFigures& figures, std::span<const Comparison> comparisons);
 

@@ -4,7 +4,7 @@
 
 namespace pelt::reproduce {
 
-/// The scenes of evaluation/scenes, so that the command needs no files beside it.
+/// The text of the scenes of evaluation/scenes, so that the program needs no other files.
 std::string_view approaching_scene();
 std::string_view passing_through_scene();
 std::string_view crowd_scene();

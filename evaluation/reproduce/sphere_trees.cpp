@@ -1,5 +1,5 @@
-/// The trees of section 5: spheres, levels and children before and after collapsing, the paper's
-/// constant C (section 3.1) swept, and Pelt's own tree of the same characters.
+/// The trees of section 5: spheres, levels and children before and after collapsing, a sweep over
+/// the paper's constant C (section 3.1), and Pelt's own tree of the same characters.
 
 #include "evaluation/paper/on_demand.hpp"
 #include "evaluation/reproduce/experiment.hpp"
@@ -47,7 +47,7 @@ Table tree_table(std::size_t triangles, const SphereTree& binary, const SphereTr
           ""};
 }
 
-/// What the report says of one level of a tree; `printed` are the paper's mean radii.
+/// The columns of one level of a tree. `printed` has the paper's mean radii.
 struct LevelColumns {
   const std::vector<LevelStatistics>& levels;
   std::span<const double> printed;
@@ -67,7 +67,7 @@ void append_level(const LevelColumns& tree, std::size_t level, std::vector<Cell>
   row.push_back(is_printed ? Cell(tree.printed[level]) : Cell());
 }
 
-/// The paper's units are unknown, so radii are told in percent of the root's too.
+/// The paper's units are unknown, so radii are also given in percent of the root's radius.
 Table level_table(const SphereTree& binary, const SphereTree& collapsed) {
   const std::vector<LevelStatistics> before = level_statistics(binary);
   const std::vector<LevelStatistics> after = level_statistics(collapsed);
@@ -93,12 +93,12 @@ Table level_table(const SphereTree& binary, const SphereTree& collapsed) {
   return table;
 }
 
-/// What two creatures that walk into each other cost with one tree.
+/// The cost of two creatures that walk into each other, with one tree.
 struct DescentCost {
   double node_pairs = 0, refits = 0, microseconds = 0;
 };
 
-/// The second creature stands in front of the first, turned to it, `distance` away.
+/// The second creature is `distance` in front of the first and faces it.
 detail::Palette facing_palette(const Specimen& specimen, float seconds, float distance) {
   const detail::Palette palette = walking_palette(specimen, seconds);
   std::vector<Matrix4> joints(palette.joints().begin(), palette.joints().end());
@@ -115,7 +115,7 @@ detail::Palette facing_palette(const Specimen& specimen, float seconds, float di
 constexpr float kFrames = 16;
 constexpr int kRepetitions = 5;
 
-/// A pair of creatures with one of the trees that are compared.
+/// A pair of creatures with one of the compared trees.
 struct Pair {
   Pair(const Specimen& specimen, const paper::SphereModel& model)
       : a(specimen.mesh, model), b(specimen.mesh, model) {}
@@ -124,7 +124,7 @@ struct Pair {
   DescentCost cost;
 };
 
-/// Adds one frame to what the pair costs; the least of the repetitions counts.
+/// Adds the cost of one frame: the least of the repetitions.
 void add_frame(const detail::Palette& palette_a, const detail::Palette& palette_b, Pair& pair) {
   paper::Scratch scratch;
   std::vector<Contact> contacts;
@@ -145,7 +145,8 @@ void add_frame(const detail::Palette& palette_a, const detail::Palette& palette_
   pair.cost.microseconds += least / kFrames;
 }
 
-/// All trees take their turns at every frame, so that all meet the same moods of the machine.
+/// Measures all trees in turn at every frame, so that changes in the load of the machine affect all
+/// alike.
 std::vector<DescentCost> descent_costs(const Specimen& specimen,
                                        const std::vector<paper::SphereModel>& models) {
   std::vector<Pair> pairs;
@@ -190,7 +191,7 @@ Table sweep_table(const Specimen& specimen) {
   return table;
 }
 
-/// For each node how many are above it.
+/// The number of ancestors of each node.
 std::vector<std::uint32_t> depths_of(const detail::Tree& tree) {
   std::vector<std::uint32_t> depths(tree.nodes.size(), 0);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
@@ -250,7 +251,7 @@ Result<Table> production_table() {
   return table;
 }
 
-/// Half the diagonal of the box around the rest vertices of a node's pool and of those below.
+/// Half the diagonal of the box around the rest vertices of a node's pool and of the pools below.
 std::vector<double> rest_radii(const detail::Tree& tree) {
   std::vector<detail::Box4> boxes(tree.nodes.size(), detail::empty_box());
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
@@ -271,7 +272,7 @@ std::vector<double> rest_radii(const detail::Tree& tree) {
   return radii;
 }
 
-/// The same statistics as the paper's, of Pelt's tree.
+/// The statistics of the paper for Pelt's tree.
 Table production_level_table(const Specimen& creature) {
   struct Level {
     double nodes = 0, clusters = 0, slots = 0, most_slots = 0, radius = 0;

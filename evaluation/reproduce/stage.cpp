@@ -34,11 +34,11 @@ constexpr std::array<std::array<float, 3>, 4> kSkins = {
 /// The height of letters over the width of a square picture.
 constexpr double kLetters = 0.033;
 
-/// Beyond all that a picture shows.
+/// Farther than anything in a picture.
 constexpr double kFar = 30;
 
-/// A large key from the upper left, a sky, and a weak fill from the right, all as far away as the
-/// sun: the floor is as bright everywhere.
+/// A large key light from the upper left, a sky, and a weak fill light from the right, all as far
+/// away as the sun, so that the floor is evenly bright.
 std::string lights(const PovCamera& camera) {
   const View view(camera);
   const Vec3d level = unit(Vec3d(view.ahead.x, 0, view.ahead.z));

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The stage of the report's pictures for POV-Ray: softly lit, on the white of the page, in colours
-/// that colour-blind people tell apart.
+/// The stage of the report's pictures for POV-Ray: soft light, the white of the page as background,
+/// and colours that colour-blind people can distinguish.
 
 #include "evaluation/reproduce/experiment.hpp"
 #include "tools/pelt/picture/pov.hpp"
@@ -16,24 +16,24 @@ inline constexpr const char* kRedBall = "RedBall";
 /// A floor at height zero that only shows shadows.
 std::string white_floor();
 
-/// A round pedestal whose top is centred there.
+/// A round pedestal whose top has its centre at `top`.
 std::string pedestal(const detail::Vec3d& top);
 
 std::string ball(const detail::Vec3d& centre, double radius, const char* texture);
 
-/// One of four quiet colours, by number.
+/// One of four quiet colours, by index.
 std::string skin_texture(std::size_t skin);
 
-/// Smooth, in the skin of that number.
+/// Smooth, in the skin with the index `skin`.
 std::string mesh_in_skin(const tools::scene::PosedInstance& instance,
                          const std::vector<bool>& touching, std::size_t skin);
 
-/// All characters of a frame, in skins of their own; triangles in contact glow.
+/// All characters of a frame, each in another skin. Triangles in contact glow.
 std::string characters(const tools::picture::StillFrame& still);
 
 std::string moved(const std::string& objects, const detail::Vec3d& by);
 
-/// Letters that face the camera, centred, standing on that place, as high in every picture.
+/// Letters that face the camera, centred above `place`, of the same height in every picture.
 std::string word(const std::string& letters, const detail::Vec3d& place,
                  const tools::picture::PovCamera& camera);
 
@@ -41,7 +41,8 @@ struct Caption {
   const char *id, *text;
 };
 
-/// As many pixels whatever the camera's aspect; a third of them in a quick run.
+/// Has the same number of pixels for every aspect ratio of the camera; a third of them in a quick
+/// run.
 Picture make_picture(const Caption& caption, const tools::picture::PovCamera& camera,
                      const std::string& objects, const Conditions& conditions);
 

@@ -12,7 +12,7 @@ namespace {
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // lower vertex first
 using Weights = std::map<std::uint16_t, float>;        // of joints
 
-/// The edges in the order in which triangles name them: new vertex V + i lies on edge i.
+/// The edges in the order in which triangles first use them: new vertex V + i is on edge i.
 struct Edges {
   explicit Edges(std::span<const Triangle> triangles) {
     for (const Triangle& t : triangles)

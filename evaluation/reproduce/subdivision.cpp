@@ -1,5 +1,5 @@
-/// Table 3 and Figure 7 of the paper: two dwarves whose triangles are cut into four again and
-/// again, apart and in each other.
+/// Table 3 and Figure 7 of the paper: two dwarves whose triangles are repeatedly cut into four,
+/// once apart and once intersecting.
 
 #include "base/assert.hpp"
 #include "evaluation/methods/lab_methods.hpp"
@@ -22,13 +22,13 @@ namespace {
 using methods::MethodKind;
 using tools::Question;
 
-/// How far the two stand from each other: bounds overlap, and hands meet.
+/// Distances of the two: bounds overlap; hands touch.
 constexpr double kApart = 0.85, kInterfering = 0.73;
 
 constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
                                  methods::kOnDemand};
 
-/// The dwarf and what its triangles are cut into.
+/// The dwarf and its subdivisions.
 Result<std::vector<scenes::Character>> subdivisions(std::uint32_t most) {
   const Result<scenes::Character> dwarf = scenes::generate_character(scenes::kDwarf);
   if (!dwarf) return dwarf.error();
@@ -40,7 +40,7 @@ Result<std::vector<scenes::Character>> subdivisions(std::uint32_t most) {
   return all;
 }
 
-/// Of all levels so far, in percent of the character's height.
+/// The drift of all levels so far, in percent of the character's height.
 double drift(const std::vector<scenes::Character>& dwarves, std::size_t level, double before) {
   if (level == 0) return 0;
   const scenes::Scene scene = facing_pair(dwarves[0], kInterfering);
@@ -61,15 +61,15 @@ const QueryStats& work_of(const tools::SceneFigures& figures, MethodKind method)
   return figures_of(figures, method.name, Question::all).answer.work;
 }
 
-/// A position of the two, and what the paper prints of it by level; of the first it prints no more
-/// than how many times faster it is.
+/// A position of the two, and the paper's figures for it by level. For the first position, the
+/// paper prints only speed-ups.
 struct Position {
   const char *id, *title;
   double distance;
   std::span<const double> speed_ups;
 };
 
-/// Ours; those of the paper stand in a table of their own.
+/// A table for our figures; the paper's are in a table of their own.
 Table empty_table(const Position& position) {
   Table table = {position.id,
                  position.title,
@@ -93,7 +93,8 @@ Table empty_table(const Position& position) {
   return table;
 }
 
-/// The joints in all joint sets of the root's sphere: what its refit is made of.
+/// The number of joints in all joint sets of the root's sphere, which determines the cost of its
+/// refit.
 double joints_of_root(const scenes::Character& dwarf) {
   const Result<Specimen> specimen = make_specimen(dwarf.asset);
   PELT_ASSERT(specimen);
@@ -136,7 +137,7 @@ Result<Table> position_table(const std::vector<scenes::Character>& dwarves,
   return table;
 }
 
-/// Table 3 as it is printed.
+/// Table 3 as printed in the paper.
 Table printed_table(std::size_t levels) {
   Table table = {"dwarves_printed",
                  "The interfering dwarves in the paper (Table 3)",
@@ -174,7 +175,7 @@ Table drift_table(const std::vector<scenes::Character>& dwarves) {
   return table;
 }
 
-/// Both build times of sphere trees over the posed dwarves.
+/// The time to build both sphere trees over the posed dwarves.
 Result<double> rigid_build_us(const scenes::Scene& scene) {
   const auto colliders =
       tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
@@ -246,7 +247,7 @@ std::string text_of(const Table& table, const char* where) {
          figure(0, "on_demand_us") + " to " + figure(last, "on_demand_us") + " us.";
 }
 
-/// Why refits of finer dwarves are not free here, as the paper has them.
+/// Why refits of finer dwarves cost more here, unlike in the paper.
 std::string text_of_joints(const Table& table) {
   const auto joints = [&](std::size_t row) {
     return shown(table.rows[row][column_of(table, "paper_joints")]);

@@ -37,14 +37,14 @@ struct Place {
   const char* key;
 };
 
-/// How many times as fast refit on demand is as bottom-up: in the paper, the paper's method here,
-/// and Pelt against Pelt eager.
+/// The speed-up of refitting on demand over refitting bottom-up: in the paper, for the paper's
+/// method here, and for Pelt over Pelt eager.
 struct Claim {
   const char* what;
   Place printed, here, pelt;
 };
 
-/// Of a scene, in the rows of its comparisons.
+/// A claim about a scene, from a row of its comparisons.
 constexpr Claim scene_claim(const char* what, const char* table, std::size_t row) {
   return {
       what, {table, row, "paper_speed_up"}, {table, row, "speed_up"}, {table, row + 3, "speed_up"}};

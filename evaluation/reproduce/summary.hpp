@@ -6,8 +6,8 @@
 
 namespace pelt::reproduce {
 
-/// What the report begins with: what each method is, and what became of the paper's claims, taken
-/// from the tables of `sections`; claims whose section is not among them are left out.
+/// The first section of the report: describes each method, and compares the paper's claims with the
+/// tables of `sections`. Leaves out claims whose section is missing.
 Section summary(std::span<const Section> sections);
 
 }  // namespace pelt::reproduce

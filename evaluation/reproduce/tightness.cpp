@@ -1,5 +1,5 @@
 /// Table 2 of the paper: mean radii of refitted spheres, level by level, between those of the rest
-/// pose and the best that any refit could reach; and the same question for Pelt's boxes.
+/// pose and the least that any refit could reach; and the same comparison for Pelt's boxes.
 
 #include "evaluation/paper/eager.hpp"
 #include "evaluation/paper/min_sphere.hpp"
@@ -23,7 +23,7 @@ using paper::Node;
 using paper::SphereModel;
 using paper::SphereTree;
 
-/// Into the walk, both legs and arms apart.
+/// At this time of the walk, both legs and both arms are apart.
 constexpr float kSeconds = 0.3f;
 
 using Radii = std::vector<float>;  // by node
@@ -63,8 +63,8 @@ std::vector<Vec3> corner_centres(const SphereModel& model, std::uint32_t node,
   return centres;
 }
 
-/// The smallest spheres around the corner spheres, which are all as large as the rest sphere: the
-/// generated character's joints only turn and shift.
+/// The smallest spheres around the corner spheres. These are all as large as the rest sphere,
+/// because the generated character's joints only rotate and translate.
 Radii smallest_around_corners(const SphereModel& model, const Palette& palette) {
   Radii radii;
   for (std::uint32_t n = 0; n < model.tree.nodes.size(); ++n)
@@ -102,7 +102,7 @@ Radii reference(const SphereTree& tree) {
   return radii;
 }
 
-/// A column of Table 2: what we find, and what the paper prints.
+/// A column of Table 2: our figure and the paper's.
 struct RadiusColumn {
   const char *key, *title;
   std::vector<paper::LevelStatistics> levels;
@@ -154,7 +154,7 @@ Table printed_radius_table(const std::vector<RadiusColumn>& columns) {
   return table;
 }
 
-/// Radii over the best, which is what can be compared with the paper's.
+/// Ratios of the radii to the best ones; only these can be compared with the paper's.
 Table ratio_table(const std::vector<RadiusColumn>& columns) {
   Table table = {"radii_over_best",
                  "Radii relative to the best possible refit, ours and the paper's",
@@ -184,7 +184,7 @@ Table ratio_table(const std::vector<RadiusColumn>& columns) {
   return table;
 }
 
-/// A box by its corners.
+/// A box, by its lowest and highest corner.
 struct Box {
   std::array<float, 3> low = {HUGE_VALF, HUGE_VALF, HUGE_VALF};
   std::array<float, 3> high = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
@@ -206,7 +206,7 @@ struct Box {
   }
 };
 
-/// Around the posed vertices below each node.
+/// The box of the posed vertices below each node.
 std::vector<Box> exact_boxes(const Specimen& specimen, const Palette& palette) {
   const detail::Tree& tree = specimen.model.detail().tree;
   const detail::SkinnedMesh vertices = detail::unpack_vertices(tree);
@@ -221,7 +221,7 @@ std::vector<Box> exact_boxes(const Specimen& specimen, const Palette& palette) {
   return boxes;
 }
 
-/// What the nodes of one level come to.
+/// The figures of the nodes of one level.
 struct BoxLevel {
   double nodes = 0, affine = 0, area = 0, exact_area = 0;
 };
@@ -273,7 +273,7 @@ Table box_table(const Specimen& specimen, const Palette& palette) {
   return table;
 }
 
-/// On how many levels the first column of `table` has the smaller radius.
+/// Number of levels on which the first column of `table` has the smaller radius.
 std::size_t levels_won(const Table& table, const char* key, const char* other) {
   const std::size_t a = column_of(table, key), b = column_of(table, other);
   return static_cast<std::size_t>(

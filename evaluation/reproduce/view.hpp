@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where things stand as a camera sees them.
+/// Positions as a camera sees them.
 
 #include "tools/pelt/picture/pov.hpp"
 
@@ -9,22 +9,22 @@ namespace pelt::reproduce {
 double length(const detail::Vec3d& v);
 detail::Vec3d unit(const detail::Vec3d& v);
 
-/// What a camera calls right, up and ahead.
+/// The right, up and forward directions of a camera.
 struct View {
   explicit View(const tools::picture::PovCamera& camera);
 
-  /// The width of what the picture shows at the depth of that place.
+  /// The width of the visible area at the depth of `place`.
   double width_at(const detail::Vec3d& place) const;
 
-  /// The point that many units ahead of the camera which is seen at (x, y) from the middle of the
-  /// picture, in halves of its height.
+  /// The point `depth` units ahead of the camera that appears at (x, y) from the middle of the
+  /// picture, in half heights.
   detail::Vec3d seen_at(double x, double y, double depth) const;
 
   detail::Vec3d ahead, right, up;
 
  private:
   detail::Vec3d from_;
-  double width_, height_;  // of the picture, one unit ahead
+  double width_, height_;  // of the visible area at depth 1
 };
 
 }  // namespace pelt::reproduce

@@ -15,10 +15,10 @@ using tools::Question;
 constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
                                  methods::kOnDemand, methods::kRigid};
 
-/// Those that refit everything first.
+/// The methods that refit everything first.
 constexpr std::array kEager = {methods::kPaperEager, methods::kEager};
 
-/// What the paper prints of a scene.
+/// The paper's figures for a scene.
 struct Printed {
   std::optional<PrintedTimes> all, first;
 };
@@ -39,7 +39,7 @@ std::vector<Comparison> comparisons(const Printed& printed) {
 
 std::string microseconds(double us) { return shown(us) + " us"; }
 
-/// The paper's claim, here. All figures are in the tables.
+/// The paper's claim, compared with our figures, all of which are in the tables.
 std::string text_of_claim(const tools::SceneFigures& figures, const PrintedTimes& printed) {
   const double speed_up = mean_us(figures, methods::kPaperEager, Question::all) /
                           mean_us(figures, methods::kPaper, Question::all);
@@ -50,7 +50,7 @@ std::string text_of_claim(const tools::SceneFigures& figures, const PrintedTimes
          microseconds(mean_us(figures, methods::kPaperEager, Question::all)) + ".";
 }
 
-/// Where the paper's speed-up went: what both spend before and in their queries.
+/// Why the paper's speed-up is not reached: the time of both methods before and in their queries.
 std::string text_of_cause(const tools::SceneFigures& figures) {
   const tools::Figures& on_demand = figures_of(figures, "paper", Question::all);
   const tools::Figures& bottom_up = figures_of(figures, "paper_eager", Question::all);

@@ -7,7 +7,7 @@
 namespace pelt::rivals {
 namespace {
 
-/// One side of a descent whose boxes have all been taken before.
+/// An operand of a descent whose boxes have all been computed before.
 class FreshSide {
  public:
   FreshSide(std::span<const BoxNode> nodes, std::span<const std::uint32_t> order,
@@ -28,7 +28,7 @@ class FreshSide {
   Points points_;
 };
 
-/// What both methods have in common: everything but their bodies.
+/// The shared part of both methods: everything except their bodies.
 template <typename Body>
 class AabbMethod final : public PosedMeshMethod {
  public:

@@ -42,7 +42,8 @@ class Builder {
   }
 
  private:
-  /// The vertices below a node, the joints that move them and the weights of these, summed.
+  /// Collects the vertices below a node, the joints that move them, and the sums of these joints'
+  /// weights.
   void collect(const paper::Node& node) {
     vertices_.clear();
     joints_.clear();
@@ -86,7 +87,7 @@ class Builder {
     return entry->second;
   }
 
-  /// Calls `visit(term, w_ij, x_i)` for each vertex and each joint that moves it but the base.
+  /// Calls `visit(term, w_ij, x_i)` for each vertex and each joint that moves it, except the base.
   template <typename Visit>
   void visit_influences(const Vec3d& centre, const Visit& visit) {
     for (const std::uint32_t v : vertices_) {
@@ -98,7 +99,7 @@ class Builder {
     }
   }
 
-  /// Means and deviations of the terms just appended.
+  /// Computes the means and deviations of the terms that were just appended.
   void measure(const Vec3d& centre) {
     const std::span<BdTerm> terms = std::span(records_.terms).subspan(records_.first_term.back());
     sums_.assign(terms.size(), {});
@@ -140,10 +141,10 @@ class Builder {
   const SkinnedMesh& mesh_;
   const paper::SphereTree& tree_;
   BdRecords& records_;
-  std::vector<std::uint32_t> seen_in_;  // by vertex: the last node that took it
+  std::vector<std::uint32_t> seen_in_;  // by vertex: the last node that contained it
   std::uint32_t stamp_ = 0;
-  std::vector<double> weight_of_;       // by joint, in the node at hand
-  std::vector<std::uint32_t> term_of_;  // by joint, in the node at hand
+  std::vector<double> weight_of_;       // by joint, in the current node
+  std::vector<std::uint32_t> term_of_;  // by joint, in the current node
   std::vector<std::uint32_t> vertices_;
   std::vector<std::uint16_t> joints_;
   std::vector<Sum> sums_;

@@ -27,20 +27,20 @@
 
 namespace pelt::rivals {
 
-/// What a joint other than the base contributes to a node.
+/// The contribution of a joint other than the base to a node.
 struct BdTerm {
   Vec3 mean_x;
   float mean_w = 0;
   float deviation_x = 0, deviation_w = 0;  // rounded up
   std::uint16_t joint = 0;
-  std::uint32_t pair = 0;  // of this joint and the base, into BdRecords::pairs
+  std::uint32_t pair = 0;  // of this joint and the base: index into BdRecords::pairs
 };
 
 struct BdRecords {
   BdRecords(const detail::SkinnedMesh& mesh, const paper::SphereTree& tree);
 
   std::vector<std::uint16_t> base;        // by node
-  std::vector<std::uint32_t> first_term;  // by node, into terms; and the end
+  std::vector<std::uint32_t> first_term;  // by node: index into terms; then the end
   std::vector<BdTerm> terms;
   std::vector<std::pair<std::uint16_t, std::uint16_t>> pairs;  // joint and base
   std::uint32_t max_influences = 0;                            // of a vertex

@@ -19,7 +19,7 @@ namespace pelt::rivals {
 using detail::Float4;
 using detail::Palette;
 
-/// What does not change in a model while it moves.
+/// The constants of a model.
 struct BdModel {
   explicit BdModel(const detail::SkinnedMesh& mesh);
 
@@ -32,7 +32,7 @@ class BdRefit {
  public:
   BdRefit(const BdModel& model, std::uint32_t joint_count);
 
-  /// The palette has changed: all spheres are stale.
+  /// Call after the palette has changed: marks all spheres as stale.
   void invalidate();
 
   bool is_stale(std::uint32_t node) const { return node_stamp_[node] != stamp_; }
@@ -40,14 +40,14 @@ class BdRefit {
   /// Precondition: the node is stale.
   void refit(std::uint32_t node, const Palette& palette);
 
-  /// Lanes x, y, z: centre; lane 3: radius. By node; those of stale nodes mean nothing.
+  /// Lanes x, y, z: centre; lane 3: radius. By node. The spheres of stale nodes are meaningless.
   std::span<const Float4> spheres() const { return spheres_; }
 
-  /// Refits so far.
+  /// Number of refits so far.
   std::uint64_t refits() const { return refits_; }
 
  private:
-  /// A number that is of the palette which `stamp` tells.
+  /// A norm that is valid for the palette with the number `stamp`.
   struct Norm {
     float value = 0;
     std::uint32_t stamp = 0;

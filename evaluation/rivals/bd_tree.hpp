@@ -1,8 +1,8 @@
 #pragma once
 
-/// A BD-tree under each of two bodies: the paper's sphere tree and descent
-/// (evaluation/paper/collide.hpp), but spheres bounded by means and deviations in place of the
-/// corners of the weights. No vertex is skinned but those of triangles that are tested.
+/// A BD-tree for each of two bodies: the paper's sphere tree and descent
+/// (evaluation/paper/collide.hpp), but with spheres bounded by means and deviations instead of the
+/// corners of the weights. Skins only the vertices of triangles that are tested.
 
 #include "evaluation/paper/collide.hpp"
 #include "evaluation/paper/posed_triangles.hpp"
@@ -15,13 +15,13 @@ class BdBody {
   BdBody(const BdModel& model, std::uint32_t joint_count)
       : model_(model), refit_(model, joint_count), triangles_(model.leaf_mesh) {}
 
-  /// The palette has changed.
+  /// Call after the palette has changed.
   void invalidate() {
     refit_.invalidate();
     triangles_.invalidate();
   }
 
-  /// This body under a palette, for a descent.
+  /// A body under a palette, as an operand of a descent.
   class Side {
    public:
     Side(BdBody& body, const Palette& palette) : body_(body), palette_(palette) {}

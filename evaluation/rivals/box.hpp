@@ -39,7 +39,7 @@ class Points {
   std::uint32_t last_ = 0;
 };
 
-/// Of the first `count` points.
+/// The box of the first `count` points.
 inline Box4 box_of(const Points& points, std::uint32_t count) {
   Box4 box = detail::empty_box();
   for (std::uint32_t v = 0; v < count; ++v)
@@ -47,7 +47,7 @@ inline Box4 box_of(const Points& points, std::uint32_t count) {
   return box;
 }
 
-/// Touching counts.
+/// Boxes that touch overlap.
 inline bool overlap(const Box4& a, const Box4& b) {
   constexpr unsigned kThreeLanes = 7;
   return ((a.low <= b.high) & (b.low <= a.high)).bits() % 8 == kThreeLanes;
@@ -61,7 +61,7 @@ struct alignas(32) NumberedBox {
   std::uint32_t count;
 
   Box4 box() const {
-    Box4 box;  // the numbers come along in the lanes that mean nothing
+    Box4 box;  // the numbers are stored in its unused lanes
     std::memcpy(&box.low, this, sizeof box.low);
     std::memcpy(&box.high, reinterpret_cast<const char*>(this) + 16, sizeof box.high);
     return box;

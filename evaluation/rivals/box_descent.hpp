@@ -14,7 +14,7 @@
 
 namespace pelt::rivals {
 
-/// Memory lent to descents, so that they allocate nothing after the first ones.
+/// Memory for descents, so that they allocate nothing after the first ones.
 using NodePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 template <class SideA, class SideB>
@@ -23,7 +23,7 @@ class BoxDescent {
   BoxDescent(SideA& a, SideB& b, NodePairs& stack, PairTests& tests)
       : a_(a), b_(b), stack_(stack), tests_(tests) {}
 
-  /// Returns the pairs of boxes compared, those of triangles apart.
+  /// Returns the number of pairs of boxes compared, without the boxes of triangles.
   std::uint64_t run() {
     make_room();
     test(0, 0);
@@ -52,8 +52,8 @@ class BoxDescent {
     }
   }
 
-  /// Keeps a pair for later if its boxes overlap, which no processor could foretell: the pair is
-  /// written in any case.
+  /// Pushes a pair if its boxes overlap. Writes the pair in any case, because a processor cannot
+  /// predict whether they overlap.
   void test(std::uint32_t node_a, std::uint32_t node_b) {
     ++compared_;
     stack_[waiting_] = {node_a, node_b};
@@ -74,7 +74,7 @@ class BoxDescent {
         if (overlap(boxes_a.box[i], boxes_b.box[j])) tests_.add(boxes_a.id[i], boxes_b.id[j]);
   }
 
-  /// The triangles of a leaf whose boxes overlap the other leaf's.
+  /// The triangles of a leaf whose boxes overlap the other leaf's box.
   struct LeafBoxes {
     Box4 box[kMostLeafTriangles];
     std::uint32_t id[kMostLeafTriangles];

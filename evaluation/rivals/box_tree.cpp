@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostBins = 12;
 
-/// A triangle's box and, in `first`, its number.
+/// A triangle's box; `first` is the triangle's number.
 using Item = NumberedBox;
 
 float middle(const Item& item, int axis) { return item.low[axis] + item.high[axis]; }
@@ -19,13 +19,13 @@ struct Bin {
   std::uint32_t count = 0;
 };
 
-/// Bins of equal width between the lowest and the highest middle of some boxes.
+/// Bins of equal width between the lowest and the highest middle of a set of boxes.
 class Binning {
  public:
   Binning(float low, float high, int bins)
       : low_(low), scale_(static_cast<float>(bins) / (high - low)), last_(bins - 1) {}
 
-  /// Whether there is anything to tell apart.
+  /// Whether the boxes have different middles.
   bool is_sound() const { return std::isfinite(scale_); }
 
   int bin_of(float middle) const {
@@ -94,8 +94,8 @@ class Builder {
     add_leaf(first + left, count - left);
   }
 
-  /// Brings those of the left child to the front and returns their number; half of them where
-  /// nothing tells them apart.
+  /// Moves the boxes of the left child to the front and returns their number; half of them if their
+  /// middles coincide.
   std::uint32_t partition(std::span<Item> items) {
     Box4 middles = detail::empty_box();
     for (const Item& item : items) {
@@ -103,7 +103,7 @@ class Builder {
       const Float4 m = box.low + box.high;
       middles = {min(middles.low, m), max(middles.high, m)};
     }
-    // Sorting out many bins of few boxes would cost more than it gains.
+    // Evaluating many bins for few boxes would cost more than it gains.
     const int bin_count = std::clamp(static_cast<int>(items.size() / 2), 4, kMostBins);
     Cut best;
     for (int axis = 0; axis < 3; ++axis) {

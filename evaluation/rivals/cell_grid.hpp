@@ -1,8 +1,8 @@
 #pragma once
 
-/// Space cut into cubes. Two boxes that overlap are both in the cell of their intersection's low
-/// corner, since the number of a coordinate's cell never falls when the coordinate grows, rounded
-/// or not. A pair that is found in several cells is taken in that one alone.
+/// Space divided into cubic cells. If two boxes overlap, both touch the cell of their
+/// intersection's low corner, because the cell number of a coordinate is monotonic, also with
+/// rounding. A pair that is found in several cells is reported in that cell only.
 
 #include "evaluation/rivals/box.hpp"
 
@@ -14,7 +14,7 @@ namespace pelt::rivals {
 
 using Cell = std::array<std::uint32_t, 3>;
 
-/// The cells that a box touches.
+/// The range of cells that a box touches.
 struct CellRange {
   Cell low, high;
 
@@ -30,18 +30,20 @@ struct CellRange {
   }
 };
 
-/// What touches more cells is entered in none: it is compared with everything. This bounds memory
-/// and time where a triangle is much larger than a cell.
+/// A box that touches more cells is entered in none, and is compared with everything. This bounds
+/// memory and time if a triangle is much larger than a cell.
 inline constexpr std::uint64_t kMostCells = 64;
 
 class CellGrid {
  public:
-  /// No axis has more cells, so that a cell's three numbers fit into 60 bits.
+  /// The largest number of cells along an axis, so that the three numbers of a cell fit into 60
+  /// bits.
   static constexpr std::uint32_t kMostOnAxis = 1u << 20;
 
   CellGrid() = default;
 
-  /// Cells of edge `edge`, numbered from the corner `low`; what lies beyond `last` belongs to it.
+  /// Cells of edge `edge`, numbered from the corner `low`. Everything beyond `last` belongs to
+  /// `last`.
   CellGrid(const Float4& low, float edge, const Cell& last)
       : low_(low),
         scale_(1 / std::max(edge, std::numeric_limits<float>::min())),
@@ -66,7 +68,7 @@ class CellGrid {
   Float4 last_ = Float4(0.0f);
 };
 
-/// Cells of edge `edge` from the corner `low` as far as they can be numbered.
+/// Cells of edge `edge` from the corner `low`, up to the largest cell number.
 inline CellGrid endless_grid(const Float4& low, float edge) {
   constexpr std::uint32_t kLast = CellGrid::kMostOnAxis - 1;
   return {low, edge, {kLast, kLast, kLast}};

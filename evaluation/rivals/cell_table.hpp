@@ -1,8 +1,8 @@
 #pragma once
 
-/// The hash table of Teschner et al. 2003 (hash.hpp): the cell (i, j, k) has the place (i 73856093
-/// xor j 19349663 xor k 83492791) mod n. Time stamps take the place of clearing. Entries know their
-/// cell, so that what merely shares a place is passed over.
+/// The hash table of Teschner et al. 2003 (hash.hpp): the cell (i, j, k) is at index (i 73856093
+/// xor j 19349663 xor k 83492791) mod n. Time stamps replace clearing. Entries store their cell, so
+/// entries of other cells at the same index are skipped.
 
 #include "evaluation/rivals/cell_grid.hpp"
 
@@ -11,10 +11,10 @@
 
 namespace pelt::rivals {
 
-/// Cells, and which items have been entered in each.
+/// The items of each cell.
 class CellTable {
  public:
-  /// For about so many items; more make it slower.
+  /// Sized for about `item_count` items; more items make it slower.
   explicit CellTable(std::size_t item_count)
       : places_(std::bit_ceil(2 * item_count)), mask_(places_.size() - 1) {}
 
@@ -32,7 +32,7 @@ class CellTable {
     entries_.push_back({key_of(cell), item, next});
   }
 
-  /// Calls `visit(item)` for all of a cell.
+  /// Calls `visit(item)` for all items of a cell.
   template <typename Visit>
   void visit(const Cell& cell, const Visit& visit) const {
     const Place& place = places_[place_of(cell)];

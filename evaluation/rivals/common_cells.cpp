@@ -7,8 +7,8 @@ namespace {
 
 constexpr double kMostInRow = 64;
 
-/// Rows then take 128 KiB for each set at most: they are cleared at every query and stay in the
-/// cache.
+/// With this limit, the rows take at most 128 KiB per set: they are cleared in every query and stay
+/// in the cache.
 constexpr double kMostRows = 0x1p14;
 
 }  // namespace
@@ -68,7 +68,7 @@ void CommonCells::sort_first_set() {
   std::uint32_t end = 0;
   for (std::uint32_t& begin : begin_) begin = end += begin;
   entries_.resize(end);
-  // Each cell's entries are filled in from their end: begin_ falls to where they begin.
+  // Fills each cell's entries from their end; begin_ decreases to their beginning.
   for (std::uint32_t i = 0; i < cells_a_.size(); ++i)
     if (!is_large(cells_a_[i]))
       visit_common_cells(cells_a_[i], [&](const Cell&, std::uint32_t number) {

@@ -1,9 +1,9 @@
 #pragma once
 
-/// The boxes of two sets that share a cell of a box, cut into cells. The cells that each set
-/// touches are marked, 64 in a word: a row along x. Those marked by both, few where surfaces merely
-/// meet, are numbered by counting the bits before them, and the first set's boxes are sorted into
-/// them.
+/// The boxes of two sets that share a cell of a box that is divided into cells. The cells that each
+/// set touches are marked in words of 64 bits; a word is a row along x. Few cells are marked by
+/// both sets if surfaces merely touch. These cells are numbered by counting the bits before them,
+/// and the first set's boxes are sorted into them.
 
 #include "evaluation/rivals/cell_grid.hpp"
 
@@ -14,8 +14,8 @@ namespace pelt::rivals {
 
 class CommonCells {
  public:
-  /// Both sets are to outlive this or the next call. All their boxes reach into `where`; cells have
-  /// the edge `edge`, or a larger one where there would be too many.
+  /// Both sets must outlive this object or the next call. All their boxes must overlap `where`.
+  /// Cells have the edge `edge`, or a larger one if there would be too many cells.
   void sort(std::span<const NumberedBox> a, std::span<const NumberedBox> b, const Box4& where,
             float edge);
 
@@ -51,7 +51,7 @@ class CommonCells {
   void number_common_cells();
   void sort_first_set();
 
-  /// Calls `visit(row, bits, y, z)` for the rows of some cells.
+  /// Calls `visit(row, bits, y, z)` for the rows of a range of cells.
   template <typename Visit>
   void visit_rows(const CellRange& cells, const Visit& visit) const {
     const std::uint64_t bits =
@@ -61,7 +61,7 @@ class CommonCells {
         visit(z * sizes_[1] + y, bits, y, z);
   }
 
-  /// Calls `visit(cell, number)` for those that are in common.
+  /// Calls `visit(cell, number)` for the common cells.
   template <typename Visit>
   void visit_common_cells(const CellRange& cells, const Visit& visit) const {
     visit_rows(cells, [&](std::uint32_t row, std::uint64_t bits, std::uint32_t y, std::uint32_t z) {
@@ -79,10 +79,10 @@ class CommonCells {
   Cell sizes_ = {};
   std::vector<CellRange> cells_a_, cells_b_;  // of the boxes
   Rows common_, marked_b_;                    // a bit for each cell
-  std::vector<std::uint32_t> first_number_;   // by row: of its cells in common
-  std::vector<std::uint32_t> begin_;          // by cell in common, into entries_; and the end
-  std::vector<NumberedBox> entries_;          // boxes of the first set, cell after cell
-  std::vector<NumberedBox> large_;            // those of the first set that touch too many cells
+  std::vector<std::uint32_t> first_number_;   // by row: the number of its first common cell
+  std::vector<std::uint32_t> begin_;          // by common cell: index into entries_; then the end
+  std::vector<NumberedBox> entries_;          // boxes of the first set, cell by cell
+  std::vector<NumberedBox> large_;            // boxes of the first set that touch too many cells
 };
 
 }  // namespace pelt::rivals

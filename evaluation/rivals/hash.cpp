@@ -19,7 +19,7 @@ class HashedBody {
     has_boxes_ = is_entered_ = false;
   }
 
-  /// Adds the pairs of this body's triangles with another's whose boxes overlap.
+  /// Adds the pairs of this body's triangles and another body's triangles whose boxes overlap.
   void find_pairs(HashedBody& other, PairTests& tests) {
     if (!overlap(box_, other.box_)) return;
     enter_all();

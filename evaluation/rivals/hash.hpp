@@ -18,7 +18,7 @@
 namespace pelt::rivals {
 
 struct HashOptions {
-  /// Edge of a cell in mean edges of the mesh at rest.
+  /// Edge of a cell over the mean edge of the mesh at rest.
   float cell_edges = 3;
 };
 

@@ -10,21 +10,21 @@ namespace {
 
 struct Body {
   std::span<const Triangle> triangles;
-  std::uint32_t first_item;  // of its triangles among those of all bodies
+  std::uint32_t first_item;  // index of its first triangle among those of all bodies
   std::uint32_t vertex_count;
   Points points;
 
   PosedMesh mesh() const { return {triangles.data(), points.data()}; }
 };
 
-/// A triangle of some body, by its number among those of all bodies.
+/// A triangle of a body, by its index among those of all bodies.
 struct Item {
   Box4 box;
   std::uint32_t body;
-  bool is_near;  // to another body's box
+  bool is_near;  // to the box of another body
 };
 
-/// Boxes that overlap: a triangle of an earlier body and one of a later.
+/// Overlapping boxes: of a triangle of an earlier body and a triangle of a later one.
 struct Candidate {
   std::uint32_t early, late;  // bodies
   Contact triangles;
@@ -120,7 +120,7 @@ class HashCrowd final : public PosedMeshMethod {
       cells.visit([&](const Cell& cell) { table_->add(cell, item); });
   }
 
-  /// Among those of the bodies before its own.
+  /// Looks up the item among those of the bodies before its own.
   void look_up(std::uint32_t item) {
     const Box4& box = items_[item].box;
     const CellRange cells = grid_.cells_of(box);
@@ -156,9 +156,9 @@ class HashCrowd final : public PosedMeshMethod {
   HashOptions options_;
   float cell_edge_ = 0;
   std::vector<Body> bodies_;
-  std::vector<Item> items_;  // triangles, body after body
+  std::vector<Item> items_;  // triangles, body by body
   std::vector<Box4> boxes_;  // by body
-  std::vector<Box4> near_;   // that overlap a body's
+  std::vector<Box4> near_;   // boxes that overlap the box of a body
   std::optional<CellTable> table_;
   CellGrid grid_;
   std::vector<std::uint32_t> large_;  // items that touch too many cells

@@ -1,11 +1,10 @@
 #pragma once
 
-/// Spatial hashing (hash.hpp) as its authors mean it: one grid for all bodies. The first question
-/// after an update finds the contacts of all of them: body after body, its triangles are looked up
-/// among those of the bodies before it, then entered. Triangles outside all other bodies' boxes are
-/// left out. No pair of bodies is asked for by itself, and
-/// nothing need be known of which are near. Limits are kept, but save little.
-/// Precondition of a question: all bodies have been updated.
+/// Spatial hashing (hash.hpp) as its authors intend it: one grid for all bodies. The first query
+/// after an update finds the contacts of all bodies: for one body after the other, looks up its
+/// triangles among those of the bodies before it, then enters them. Leaves out triangles outside
+/// all other bodies' boxes. Queries no pair of bodies separately, and needs no list of near pairs.
+/// Limits on contacts work, but save little. Precondition of a query: all bodies have been updated.
 
 #include "evaluation/rivals/hash.hpp"
 

@@ -20,7 +20,7 @@ Float4 with(const Float4& v, int lane, float value) {
   return {at(0), at(1), at(2), 0};
 }
 
-/// A box cut across its longest edge.
+/// Cuts a box into slabs across its longest edge.
 std::array<Box4, kSlabs> slabs_of(const Box4& box) {
   const Float4 extent = box.high - box.low;
   const int longest_xy = extent[0] < extent[1] ? 1 : 0;
@@ -55,7 +55,7 @@ class Body {
     box_ = rivals::box_of(points_, static_cast<std::uint32_t>(sides_.size()));
   }
 
-  /// The triangles whose boxes overlap `where`, their numbers in `first`.
+  /// Appends the triangles whose boxes overlap `where`, with their numbers in `first`.
   void find(const Box4& where, std::vector<NumberedBox>& found) {
     for (std::uint32_t v = 0; v < sides_.size(); ++v) sides_[v] = sides_of(points_[v], where);
     found.clear();
@@ -72,7 +72,7 @@ class Body {
   PosedMesh mesh() const { return {triangles_.data(), points_.data()}; }
 
  private:
-  /// The sides of a box beyond which a point lies, one bit each.
+  /// The sides of a box beyond which a point is, one bit each.
   static std::uint8_t sides_of(const Float4& p, const Box4& box) {
     return static_cast<std::uint8_t>((p < box.low).bits() % 8 | (box.high < p).bits() % 8 << 3);
   }
@@ -118,7 +118,7 @@ class HashOverlap final : public PosedMeshMethod {
     }
   }
 
-  /// Pairs of boxes in both sets that overlap. Those that wait are tested at the end.
+  /// Adds the overlapping pairs of boxes of both sets. Pending pairs are tested at the end.
   void add_pairs(std::span<const NumberedBox> a, std::span<const NumberedBox> b, float edge,
                  PairTests& tests) {
     const Box4 box_a = box_of(a), box_b = box_of(b);

@@ -1,11 +1,12 @@
 #pragma once
 
-/// Spatial hashing (hash.hpp) where it matters alone: nothing is entered at an update; a query
-/// takes those triangles of both bodies that reach into the intersection of the bodies' boxes,
-/// finds the cells of it that both bodies touch (common_cells.hpp), and sorts one body's triangles
-/// into these by counting. There are no chains, no hash, and no table larger than what is sorted.
-/// Who wants one contact gets it from the first slab of the intersection that has one: a pair may
-/// be found in two slabs, which then does not matter, and what lies beyond is not sorted.
+/// Spatial hashing (hash.hpp) restricted to the overlap of two bodies. An update enters nothing. A
+/// query selects the triangles of both bodies that reach into the intersection of the bodies'
+/// boxes, finds the cells of the intersection that both bodies touch (common_cells.hpp), and sorts
+/// one body's triangles into these cells by counting. There are no chains, no hash, and no table
+/// larger than the sorted triangles. If one contact suffices, the query processes the intersection
+/// slab by slab and stops at the first slab with a contact; a pair that lies in two slabs is
+/// harmless then.
 
 #include "evaluation/rivals/hash.hpp"
 

@@ -9,8 +9,8 @@
 namespace pelt::rivals {
 namespace {
 
-/// A tree and the level at which it is cut in two. Levels are contiguous in it: the upper nodes are
-/// [0, cut), those at the cut [cut, below).
+/// A tree and the level at which it is cut in two. Levels are contiguous in the tree: the upper
+/// nodes are [0, cut), the nodes at the cut [cut, below).
 struct HybridShape {
   HybridShape(std::span<const Triangle> triangles, std::span<const Vec3> rest,
               std::uint32_t leaf_triangles)

@@ -22,8 +22,8 @@ bool LayeredDepth::touch(std::uint32_t a, std::uint32_t b) {
   return share_space(layers_a_, layers_b_);
 }
 
-/// The layers pixel by pixel, from near to far. All of a ray is drawn, not only what lies within
-/// the box: parity counts from the outside.
+/// Fills the layers of each pixel, from near to far. Draws the whole ray and not only its part
+/// inside the box, because parity is counted from the outside.
 void LayeredDepth::draw(const Body& body, const Box4& where, std::vector<Layer>& layers) const {
   const Rasteriser rasteriser(where, resolution_);
   layers.clear();

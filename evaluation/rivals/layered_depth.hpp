@@ -26,16 +26,17 @@ namespace pelt::rivals {
 
 class LayeredDepth {
  public:
-  /// Pictures of `resolution` by `resolution` pixels, at most 4096.
+  /// Images of `resolution` by `resolution` pixels, at most 4096.
   explicit LayeredDepth(std::uint32_t resolution) : resolution_(resolution) {}
 
-  /// Adds a body; they are numbered in this order. `triangles` outlives this.
+  /// Adds a body. Bodies are numbered in the order of the calls. `triangles` must outlive this
+  /// object.
   void add(std::span<const Triangle> triangles) { bodies_.push_back({triangles, {}, {}}); }
 
-  /// The vertices of a body have moved. `positions` stays as it is until the next update.
+  /// Sets the posed vertices of a body. `positions` must stay unchanged until the next update.
   void update(std::uint32_t body, std::span<const Vec3> positions);
 
-  /// Whether two bodies seem to share some space. Precondition: both have been updated.
+  /// Whether two bodies seem to overlap. Precondition: both have been updated.
   bool touch(std::uint32_t a, std::uint32_t b);
 
  private:
@@ -45,7 +46,7 @@ class LayeredDepth {
     Box4 box;
   };
 
-  /// A surface on the ray of a pixel.
+  /// A surface hit by the ray of a pixel.
   struct Layer {
     std::uint32_t pixel;
     float depth;

@@ -7,23 +7,23 @@
 
 namespace pelt::rivals {
 
-/// Tests the pairs of triangles that a method finds, and keeps count.
+/// Tests the pairs of triangles that a method finds, and counts them.
 class PairTests {
  public:
   PairTests(const PosedMesh& a, const PosedMesh& b, std::vector<Contact>& contacts,
             std::uint32_t max_contacts)
       : a_(a), b_(b), touching_(active_touching()), contacts_(contacts), left_(max_contacts) {}
 
-  /// Tests a pair now or with the next ones. Each pair is to be added once.
+  /// Tests a pair now or together with later ones. Add each pair once.
   void add(std::uint32_t triangle_a, std::uint32_t triangle_b) {
     waiting_[count_++] = {triangle_a, triangle_b};
     if (count_ == kPairsAtOnce) test();
   }
 
-  /// Whether no more contacts are wanted; what else is added is forgotten.
+  /// Whether the limit on contacts is reached; further pairs are ignored.
   bool full() const { return left_ == 0; }
 
-  /// Tests what waits.
+  /// Tests the pending pairs.
   void test() {
     if (count_ > 0 && !full()) {
       tested_ += count_;
@@ -32,7 +32,8 @@ class PairTests {
     count_ = 0;
   }
 
-  /// The same at the end. Returns how many pairs were tested, and whether max_contacts was reached.
+  /// The same after the last pair. Returns the number of tested pairs, and whether max_contacts was
+  /// reached.
   QueryStats finish() {
     test();
     QueryStats work;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// The face of methods that start from posed vertices and know nothing of joints: most of what
-/// people use for animated characters. Whoever measures one skins all vertices first, and counts
-/// that as part of its cost.
+/// The interface of methods that start from posed vertices and do not use joints, like most
+/// libraries that people use for animated characters. Measuring such a method includes skinning all
+/// vertices first.
 
 #include <pelt/collide.hpp>
 
@@ -17,15 +17,16 @@ class PosedMeshMethod {
  public:
   virtual ~PosedMeshMethod() = default;
 
-  /// Adds a body at its rest positions. `triangles` outlives this, `rest` is read during the call.
+  /// Adds a body at its rest positions. `triangles` must outlive this object; `rest` is read during
+  /// the call only.
   virtual void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) = 0;
 
-  /// The vertices of a body have moved, or are told for the first time, which comes before any
-  /// question about it. `positions` stays as it is until the next update of the body.
+  /// Sets the posed vertices of a body. The first call must precede any query of the body.
+  /// `positions` must stay unchanged until the next update of the body.
   virtual void update(std::uint32_t body, std::span<const Vec3> positions) = 0;
 
-  /// Appends the contacts of two bodies in no particular order, until all are found or
-  /// `max_contacts` of them; returns the work, skinning and updates apart.
+  /// Appends all contacts of two bodies, or `max_contacts` of them, in no particular order. Returns
+  /// the work without skinning and updates.
   virtual QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                              std::uint32_t max_contacts) = 0;
 };

@@ -16,7 +16,7 @@ namespace pelt::rivals {
 
 class Rasteriser {
  public:
-  /// The face of `where` across its shortest edge, in `resolution` squared pixels.
+  /// Draws onto the face of `where` across its shortest edge, with `resolution` squared pixels.
   Rasteriser(const Box4& where, std::uint32_t resolution)
       : low_(where.low), high_(where.high), resolution_(resolution) {
     const Float4 extent = where.high - where.low;
@@ -70,7 +70,7 @@ class Rasteriser {
     std::int64_t x, y;
   };
 
-  /// What is far outside the picture is brought nearer: areas then fit into 64 bits.
+  /// Clamps coordinates far outside the picture, so that areas fit into 64 bits.
   std::int64_t snap(float value, int i) const {
     constexpr double kFar = 0x1p29;
     const double pixels = (double{value} - double{low_[axis_[i]]}) * scale_[i];
@@ -85,7 +85,7 @@ class Rasteriser {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   }
 
-  /// Of the two triangles on either side of an edge one takes the centres on it.
+  /// Decides which of the two triangles at an edge covers the centres on the edge.
   static bool covers(std::int64_t side, const Point& from, const Point& to) {
     return side > 0 || (side == 0 && (from.y > to.y || (from.y == to.y && from.x < to.x)));
   }
@@ -94,7 +94,7 @@ class Rasteriser {
     std::int64_t first, end;
   };
 
-  /// The pixels whose centres may lie between the least and the largest of three coordinates.
+  /// The pixels whose centres may be between the least and the largest of three coordinates.
   Range pixels(std::int64_t a, std::int64_t b, std::int64_t c) const {
     const auto [least, most] = std::minmax({a, b, c});
     return {std::max<std::int64_t>(least / kUnit, 0),

@@ -8,14 +8,14 @@
 
 namespace pelt::rivals {
 
-/// What is prepared once for all bodies of a mesh. Bodies share it that name the same array of
-/// triangles.
+/// Data that is prepared once for all bodies of a mesh. Bodies with the same array of triangles
+/// share it.
 template <typename Shape>
 class SharedShapes {
  public:
   explicit SharedShapes(std::uint32_t leaf_triangles) : leaf_triangles_(leaf_triangles) {}
 
-  /// How many triangles a leaf has at most.
+  /// The largest number of triangles of a leaf.
   std::uint32_t leaf_triangles() const { return leaf_triangles_; }
 
   const Shape& of(std::span<const Triangle> triangles, std::span<const Vec3> rest) {

@@ -5,7 +5,7 @@
 namespace pelt::rivals {
 namespace {
 
-/// The list of the vertices of some triangles.
+/// The list of the vertices of a set of triangles.
 std::vector<std::uint32_t> corners_of(std::span<const Triangle> all,
                                       std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> corners;
@@ -15,7 +15,7 @@ std::vector<std::uint32_t> corners_of(std::span<const Triangle> all,
   return corners;
 }
 
-/// The leaves in the order of their triangles.
+/// The leaves, ordered by their triangles.
 std::vector<std::uint32_t> leaves_of(const BoxTree& tree) {
   std::vector<std::uint32_t> leaves;
   for (std::uint32_t n = 0; n < tree.nodes.size(); ++n)

@@ -4,11 +4,12 @@
 
 namespace pelt::rivals {
 
-/// Lists of vertices have each once, ascending, and the last again until there is a multiple of
-/// this many: loops over them then take few different numbers of steps, which branches predict.
+/// Lists of vertices contain each vertex once, in ascending order. The last vertex is repeated
+/// until the length is a multiple of this, so that loops over the lists have few different lengths,
+/// which branch predictors learn.
 inline constexpr std::uint32_t kVertexGroup = 4;
 
-/// What does not change of a tree of boxes while its triangles move.
+/// The constants of a tree of boxes while its triangles move.
 struct TreeShape {
   TreeShape(std::span<const Triangle> triangles, std::span<const Vec3> rest,
             std::uint32_t leaf_triangles);
@@ -22,17 +23,17 @@ struct TreeShape {
   };
 
   BoxTree tree;                         // over the rest positions
-  std::vector<std::uint32_t> vertices;  // lists of each leaf, leaf after leaf
+  std::vector<std::uint32_t> vertices;  // lists of each leaf, leaf by leaf
   std::vector<Range> vertices_of;       // by node: of all leaves below it, in `vertices`
 };
 
-/// Makes some vertices a list.
+/// Turns a set of vertices into a list.
 void make_vertex_list(std::vector<std::uint32_t>& vertices);
 
-/// Precondition: a multiple of kVertexGroup of them.
+/// Precondition: the length is a multiple of kVertexGroup.
 Box4 box_of(std::span<const std::uint32_t> vertices, const Points& points);
 
-/// The boxes of all nodes, children before parents.
+/// Computes the boxes of all nodes, children before parents.
 void refit_bottom_up(const TreeShape& shape, const Points& points, std::vector<BoxNode>& nodes);
 
 }  // namespace pelt::rivals
