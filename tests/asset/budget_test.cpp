@@ -38,7 +38,7 @@ TEST(Budget, HasAnEndHoweverLargeTheFile) {
                 std::to_string(Budget::kMost >> 20) + " MiB of memory");
 }
 
-// Two millions of them are too many where addresses have 32 bits (tests/wasm/limits.test.mjs).
+// With 32-bit addresses, two million values are too many (tests/wasm/limits.test.mjs).
 TEST(Budget, AllowsAnyNumberOfValuesInATextWhereAddressesHave64Bits) {
   std::string text = "[0";
   for (int i = 0; i < 2'100'000; ++i) text += ",0";

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 using test::GltfBuilder;
 using test::refused;
 
-/// A folder with a .gltf and its buffer beside it.
+/// A folder with a .gltf file and its buffer.
 class BesideFiles : public ::testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_ / "data"); }

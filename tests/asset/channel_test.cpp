@@ -44,8 +44,8 @@ TEST(Channel, SingleKeyHoldsForEver) {
   for (float seconds : {-1.0f, 0.0f, 1.0f}) EXPECT_EQ(sample_channel(cubic, seconds)[1], 8);
 }
 
-// A cubic is its own Hermite spline: sampled values and slopes of t^3 - 2 t^2 + 3 give it back, on
-// intervals whose length is not 1, so that tangents must be scaled by it.
+// A cubic is its own Hermite spline: sampled values and slopes of t^3 - 2 t^2 + 3 reproduce it. The
+// intervals do not have length 1, so tangents must be scaled by the length.
 TEST(Channel, CubicSplineReproducesACubic) {
   const auto value = [](double t) { return t * t * t - 2 * t * t + 3; };
   const auto slope = [](double t) { return 3 * t * t - 4 * t; };

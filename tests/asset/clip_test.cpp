@@ -27,8 +27,8 @@ void expect_near(const Vec3& v, const Vec3& expected) {
   EXPECT_NEAR(v.z, expected.z, 1e-6);
 }
 
-// An arm along x: shoulder at the origin, elbow at x = 2, and a clip that bends the elbow by a
-// quarter turn about z within a second.
+// An arm along x: shoulder at the origin, elbow at x = 2, and a clip that bends the elbow by 90
+// degrees about z within a second.
 Asset arm() {
   const float half = std::sqrt(0.5f);
   Asset asset;
@@ -92,7 +92,7 @@ TEST(SamplePalette, MatrixNodesTakeTheirMatrix) {
   Asset asset = arm();
   asset.nodes[0].has_matrix = true;
   asset.nodes[0].matrix = translation(0, 4, 0);
-  asset.nodes[0].matrix.m[4] = 0.5f;  // a shear, which no Transform can say
+  asset.nodes[0].matrix.m[4] = 0.5f;  // a shear, which no Transform can represent
   const std::vector<Matrix4> palette = palette_of(asset, &asset.clips[0], 1);
   expect_near(transformed(palette[0], {1, 2, 3}), {2, 6, 3});
   expect_near(transformed(palette[1], {3, 0, 0}), {2.5f, 5, 0});
@@ -119,7 +119,7 @@ TEST(SamplePalette, ZeroLengthClipIsOnePose) {
 
 TEST(SamplePalette, LastRowsAreExact) {
   Asset asset = arm();
-  asset.joints[0].inverse_bind.m[15] = 0.9999999f;  // as some exporters write it
+  asset.joints[0].inverse_bind.m[15] = 0.9999999f;  // as written by some exporters
   for (const Matrix4& matrix : palette_of(asset, &asset.clips[0], 0.3f)) {
     EXPECT_EQ(matrix.m[3], 0);
     EXPECT_EQ(matrix.m[7], 0);
@@ -138,7 +138,7 @@ TEST(SamplePalette, ScratchCarriesNothingOver) {
   EXPECT_EQ(first, second);
 }
 
-// Twenty links of a chain, each turned a little: the end agrees with the sum of its links.
+// Twenty links of a chain, each slightly rotated: the end equals the sum of the links.
 TEST(SamplePalette, LongChainsKeepTheirPrecision) {
   Asset asset;
   const float angle = 0.3f;

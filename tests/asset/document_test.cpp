@@ -70,7 +70,7 @@ TEST(JsonObject, KeepsTheFirstError) {
   EXPECT_EQ(errors.get()->message, "a: must be a string");
 }
 
-/// Sets one value of the strip's document and says what becomes of the file.
+/// Sets one value of the strip's document and loads the file.
 Result<Asset> load_with(const char* pointer, const json& value) {
   GltfBuilder builder = test::paper_strip();
   builder.document["buffers"] = {{{"byteLength", builder.binary.size()}}};

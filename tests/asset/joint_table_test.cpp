@@ -67,7 +67,7 @@ TEST(JointTable, RefusesMatricesThatAreNotFinite) {
   EXPECT_TRUE(refused(builder.load(), {"accessor 4", "element 1 is infinite"}));
 }
 
-/// The strip twice, the second time by a skin of its own.
+/// The strip twice, the second time with another skin.
 GltfBuilder two_skins(const std::vector<float>& second_matrices) {
   GltfBuilder builder = test::paper_strip();
   const std::size_t matrices = builder.add_accessor(second_matrices, "MAT4");
@@ -83,7 +83,7 @@ TEST(JointTable, KeepsJointsThatSkinsShareOnce) {
   const Result<Asset> asset = two_skins(swapped).load();
   ASSERT_TRUE(asset) << asset.error().message;
   EXPECT_EQ(asset->joints.size(), 2u);
-  // The copy's skin lists the joints the other way round.
+  // The skin of the copy lists the joints in reverse order.
   EXPECT_EQ(asset->joint_indices[2 * 2], 0);
   EXPECT_EQ(asset->joint_indices[2 * (8 + 2)], 1);
 }

@@ -9,7 +9,7 @@ using test::GltfBuilder;
 using test::json;
 using test::refused;
 
-/// The strip with a stone in the hand (a child of "upper") and a pebble in a bag beside it.
+/// The strip with a stone as a child of "upper", and a pebble in a bag beside it.
 GltfBuilder armed_strip() {
   GltfBuilder builder = test::paper_strip();
   const std::size_t positions =

@@ -46,7 +46,7 @@ std::vector<unsigned char> encode_indices(const std::vector<std::byte>& bytes, b
   return out;
 }
 
-/// Puts the compressed bytes of a view into the buffer and points the view at a fallback.
+/// Moves the compressed bytes of a view into the buffer and sets the view to a fallback.
 void compress_view(GltfBuilder& builder, std::size_t view, const std::vector<unsigned char>& packed,
                    std::size_t stride, const char* mode, const char* filter = "NONE") {
   const std::size_t offset = builder.binary.size();
@@ -81,7 +81,8 @@ GltfBuilder compressed_strip(bool triangles) {
   return builder;
 }
 
-/// Turns every triangle so that its smallest corner comes first: the codec may turn them.
+/// Rotates every triangle so that its smallest index comes first, because the codec may rotate
+/// them.
 std::vector<Triangle> turned(std::vector<Triangle> triangles) {
   for (Triangle& triangle : triangles) {
     while (triangle[0] > triangle[1] || triangle[0] > triangle[2]) {
@@ -152,7 +153,7 @@ TEST(Meshopt, QuaternionsAgreeWithTheLibrary) {
   for (std::size_t i = 0; i < own.size(); ++i) ASSERT_LE(std::abs(own[i] - theirs[i]), 1) << i;
 }
 
-/// Also such as no encoder writes: a scale that is zero or negative, components beyond it.
+/// Also bytes that no encoder writes: a scale that is zero or negative, and components beyond it.
 TEST(Meshopt, QuaternionFilterTakesAnyBytes) {
   test::Random random(32);
   std::vector<std::int16_t> before(40000);
@@ -264,7 +265,7 @@ TEST(Meshopt, BoundsHoldForTheMostCompressibleBytes) {
 }
 
 TEST(MeshQuantization, PlaysNoRoleForTheReader) {
-  // Positions in 16-bit units; the inverse bind matrices take them back, as gltfpack does it.
+  // Positions in 16-bit units; the inverse bind matrices undo this, as in gltfpack.
   GltfBuilder builder = test::paper_strip();
   std::vector<std::uint16_t> positions;
   for (std::uint16_t v = 0; v < 8; ++v) {

@@ -1,5 +1,5 @@
-/// Files that are broken at random must be refused or load as something that can be used, without a
-/// crash and without memory out of proportion. The sanitizers watch; the memory is counted here.
+/// Randomly damaged files must be refused, or load as something usable, without a crash and without
+/// excessive memory. The sanitizers detect errors; the memory is counted here.
 
 #include "support/gltf_builder.hpp"
 #include "support/gltf_corpus.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using asset::Asset;
 
-/// How often mutation left a file that loads, and how often one that is refused.
+/// Number of mutated files that load, and of those that are refused.
 struct Tally {
   int loaded = 0, refused = 0, used = 0;
 };
@@ -33,7 +33,7 @@ void try_file(std::span<const std::byte> file, Tally& tally) {
   tally.used += use_asset(*asset);
 }
 
-/// 16 MiB are granted to any file, and a vector that grows holds more than it needs.
+/// The reader grants 16 MiB to any file, and a growing vector allocates more than it needs.
 void expect_little_memory() { EXPECT_LE(largest_allocation(), std::size_t{64} << 20); }
 
 void expect_both(const Tally& tally, int loaded, int used) {
@@ -108,7 +108,7 @@ TEST(Mutation, TruncationsAndInsertions) {
   expect_little_memory();
 }
 
-/// Where the numbers of a JSON text stand.
+/// Positions of the numbers in a JSON text.
 std::vector<std::pair<std::size_t, std::size_t>> find_numbers(const std::string& text) {
   std::vector<std::pair<std::size_t, std::size_t>> numbers;
   bool in_string = false;

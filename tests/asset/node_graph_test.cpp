@@ -9,7 +9,7 @@ using test::GltfBuilder;
 using test::json;
 using test::refused;
 
-/// A stone's document with these nodes besides the stone; node 0 stays "stone".
+/// A stone's document with these nodes after the stone; node 0 remains "stone".
 GltfBuilder stone_with_nodes(const std::vector<json>& nodes, const json& roots) {
   GltfBuilder builder = test::stone();
   for (const json& node : nodes) builder.add("nodes", node);

@@ -13,7 +13,7 @@ using test::refused;
 
 using Triangles = std::vector<Triangle>;
 
-/// Five points without indices, drawn in a mode of the format.
+/// Five points without indices, in a given drawing mode.
 GltfBuilder five_points(int mode) {
   GltfBuilder builder = test::stone();
   builder.add_accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}, "VEC3");
@@ -247,7 +247,7 @@ TEST(MorphTargets, AreNumberedNodeAfterNode) {
   EXPECT_EQ(default_weights(*asset), (std::vector<float>{0, 0, 0, 1, 2, 3}));
 }
 
-/// Sparse displacements take room for what they displace.
+/// Sparse displacements take memory only for the displaced vertices.
 TEST(MorphTargets, KeepOnlyWhatMoves) {
   GltfBuilder builder = morphing_stone();
   builder.set_value<float>(1, 3, 0);
@@ -256,7 +256,7 @@ TEST(MorphTargets, KeepOnlyWhatMoves) {
   EXPECT_EQ(asset->morph_vertices, (std::vector<std::uint32_t>{0, 2, 0, 1, 2}));
 }
 
-/// The part stands at rest where its node has it, and so do its displacements.
+/// An unskinned part is placed at rest by its node, and so are its displacements.
 TEST(MorphTargets, TurnWithTheRestPoseOfAnUnskinnedPart) {
   GltfBuilder builder = morphing_stone();
   builder.document["nodes"][0]["scale"] = {2, 3, 4};
@@ -285,7 +285,7 @@ TEST(MorphTargets, MustHaveOneDisplacementForEachVertex) {
   EXPECT_TRUE(refused(builder.load(), {"accessor 2", "morph target 2", "2 elements for 3"}));
 }
 
-/// A few bytes must not name targets without end.
+/// A few bytes must not be able to declare any number of targets.
 TEST(MorphTargets, AreCountedAgainstTheSizeOfTheFile) {
   GltfBuilder builder = morphing_stone();
   for (int t = 0; t < 3000; ++t) builder.primitive()["targets"].push_back({{"POSITION", 1}});

@@ -1,4 +1,4 @@
-/// The real characters of the shared folder: they load, and have what their table says.
+/// The real characters of the shared folder load and have the sizes in this table.
 
 #include "support/gltf_builder.hpp"
 
@@ -14,10 +14,10 @@ const fs::path kModels = fs::path(PELT_SHARED_DIR) / "models";
 struct Expected {
   const char* file;
   std::size_t vertices, triangles;  ///< of the skinned meshes
-  std::size_t palette;              ///< joints of all skins, shared ones kept once
+  std::size_t palette;              ///< joints of all skins, each once
   std::size_t clips;
   std::uint32_t influences;
-  std::size_t parts, triangles_of_all;  ///< with the unskinned meshes
+  std::size_t parts, triangles_of_all;  ///< including unskinned meshes
 };
 
 constexpr Expected kExpected[] = {
@@ -86,7 +86,7 @@ TEST_F(SharedModels, LoadWithoutASkin) {
   EXPECT_TRUE(build_model(asset->mesh()));
 }
 
-/// As exported, all sparse values of its face are zero.
+/// In this export, all sparse values of the face are zero.
 TEST_F(SharedModels, MayHaveMorphTargetsThatDisplaceNothing) {
   const Result<Asset> asset = load_gltf(kModels / "sintel.glb");
   ASSERT_TRUE(asset) << asset.error().message;

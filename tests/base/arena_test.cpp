@@ -18,7 +18,7 @@ struct Piece {
   int content;
 };
 
-/// Hands out pieces of these sizes and fills each with a number of its own.
+/// Allocates pieces of these sizes and fills each with a different number.
 std::vector<Piece> allocate_all(Arena& arena, const std::vector<std::size_t>& sizes) {
   std::vector<Piece> pieces;
   for (const std::size_t size : sizes) {

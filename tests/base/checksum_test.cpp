@@ -44,7 +44,7 @@ TEST(Checksum, FindsEveryFlippedBit) {
   EXPECT_EQ(sums.size(), 8 * bytes.size() + 1);
 }
 
-/// Multiplication carries the top bit of a word nowhere: another flipped bit might undo it.
+/// Multiplication does not spread the top bit of a word, so another flipped bit might cancel it.
 TEST(Checksum, FindsTwoFlippedBits) {
   const std::vector<std::byte> bytes = some_bytes(96);
   const std::uint64_t sum = Checksum::of(bytes);

@@ -43,7 +43,7 @@ void on_each_compiled(const Body& body) {
   EXPECT_EQ(ran, std::ssize(available_targets()));
 }
 
-/// Equal to the bit, but one NaN is as good as another.
+/// Bitwise equality, except that all NaNs are equal.
 bool same(float x, float y) {
   return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y) ||
          (std::isnan(x) && std::isnan(y));
@@ -109,7 +109,7 @@ TEST(Float8, DoesInEachLaneWhatPlainFloatsDo) {
       for (float& x : a) x = interesting_float(random);
       for (float& x : b) x = interesting_float(random);
       if (random.chance(0.2)) b[2] = a[2];
-      const int offset = round % 2;  // addresses that are no multiple of a row's
+      const int offset = round % 2;  // addresses that are not multiples of a row's size
       expect_results(compiled.lane_operations(a + offset, b + offset), a + offset, b + offset);
     }
   });

@@ -4,16 +4,16 @@
 
 namespace pelt::test {
 
-/// What the operations of base/float8.hpp make of two rows of eight floats. Masks are a bit for
-/// each lane.
+/// Results of the operations of base/float8.hpp on two rows of eight floats. Masks have one bit per
+/// lane.
 struct LaneResults {
   float sum[8], difference[8], product[8], product_and_sum[8], least[8], most[8], size[8];
   unsigned less, less_equal, both, either, one_of_both;
-  float chosen[8];  ///< a's where it is less, otherwise b's
+  float chosen[8];  ///< of a where a is less, otherwise of b
   float repeated[8], paired[8], low[4], high[4], joined[8], folded[4];
 };
 
-/// Points 0 to 7, four floats each, as their coordinates.
+/// Points 0 to 7, four floats each, transposed to coordinates.
 struct TurnedPoints {
   float x[8], y[8], z[8];
 };
@@ -21,7 +21,7 @@ struct TurnedPoints {
 using LaneOperations = LaneResults(const float* a, const float* b);
 using TurnPoints = TurnedPoints(const float* points);
 
-/// The operations as compiled for each target. Any address will do.
+/// The operations as compiled for each target. Addresses need no alignment.
 namespace avx2 {
 LaneOperations lane_operations;
 TurnPoints turn_points;

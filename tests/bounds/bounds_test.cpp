@@ -16,7 +16,7 @@ using test::Random;
 using test::Shape;
 using test::Weights;
 
-/// What is asked of one shape in one pose: bounds at all levels against the posed vertices.
+/// Checks bounds of one shape in one pose, at all levels, against the posed vertices.
 struct Asked {
   Asked(const Shape& s, Pose& p) : shape(s), pose(p), positions(test::all_posed(p)) {
     exact = test::box_of(shape.triangles, positions);
@@ -111,7 +111,7 @@ TEST(Bounds, AreTheSameAfterTheSameWorkOnEachTarget) {
   }
 }
 
-/// All that a joint can do to a coordinate within the limits of a palette.
+/// Joints with the largest scales that a palette may have.
 TEST(Bounds, EncloseAtTheLimitsOfScale) {
   Random random(502);
   for (const float scale : {0x1p-100f, 0x1p-60f, 0x1p-20f, 0x1p20f, 0x1p50f})
@@ -127,7 +127,7 @@ TEST(Bounds, EncloseAtTheLimitsOfScale) {
     }
 }
 
-/// Half a turn between neighbours: the surface falls together to a point in between.
+/// Half a turn between neighbouring joints: the surface between them collapses to a point.
 TEST(Bounds, EncloseACandyWrapper) {
   const Shape limb = test::make_limb(60, 20, 2);
   Pose pose(*build_model(limb.view()));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What bounds are compared with: all posed vertices.
+/// The expected bounds, from all posed vertices.
 
 #include <pelt/pose.hpp>
 #include <pelt/shapes.hpp>
@@ -21,7 +21,7 @@ inline std::vector<Vec3> all_posed(const Pose& pose) {
   return positions;
 }
 
-/// The box from infinity to minus infinity.
+/// The empty box, from infinity to minus infinity.
 inline Box nothing() {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
@@ -32,7 +32,7 @@ inline void include(const Vec3& p, Box& box) {
   box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
 }
 
-/// The corners of these triangles in one box, whose zeros are positive.
+/// The box of the vertices of these triangles; its zeros are positive.
 inline Box box_of(std::span<const Triangle> triangles, std::span<const Vec3> positions) {
   Box box = nothing();
   for (const Triangle& triangle : triangles)
@@ -57,7 +57,7 @@ inline bool encloses(const Box& outer, const Box& inner) {
          outer.high.z >= inner.high.z;
 }
 
-/// In long double, whose rounding is nothing beside what a sphere may be larger.
+/// In long double, whose rounding is negligible compared to the margin of a sphere.
 inline bool encloses(const Sphere& sphere, const Vec3& p) {
   const auto square = [](float a, float b) {
     const long double d = static_cast<long double>(a) - static_cast<long double>(b);

@@ -17,7 +17,7 @@ using test::Random;
 using test::Shape;
 using test::Weights;
 
-/// Labels in long runs, as parts of a file are, with some triangles in no group.
+/// Labels in long runs, like the parts of a file; some triangles belong to no group.
 std::vector<std::uint32_t> random_labels(Random& random, std::size_t triangles,
                                          std::uint32_t groups) {
   std::vector<std::uint32_t> labels(triangles);

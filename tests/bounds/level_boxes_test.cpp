@@ -29,7 +29,7 @@ bool contains(const Box& box, const Vec3& p) {
          box.low.z <= p.z && p.z <= box.high.z;
 }
 
-/// A limb that bends, and one that is bent across it.
+/// A bending limb and another one across it.
 class LevelBoxesTest : public ::testing::Test {
  protected:
   LevelBoxesTest() {
@@ -38,7 +38,7 @@ class LevelBoxesTest : public ::testing::Test {
     EXPECT_TRUE(b.set_palette(test::bend_limb(random, 6, 0.3, {0.05f, 0, 0})));
   }
 
-  /// Of `a`, at `level`.
+  /// The boxes of `a` at `level`.
   const LevelBoxes& at(std::uint32_t level) {
     open_whole(a.detail(), whole.detail());
     level_boxes(a.detail(), whole.detail(), level, found);

@@ -14,7 +14,7 @@
 namespace pelt {
 namespace {
 
-/// The mean over three axes of how much longer a box is than the exact one.
+/// The mean, over three axes, of the relative excess length of a box over the exact one.
 double looseness(const Box& box, const Box& exact) {
   const auto ratio = [](float low, float high, float exact_low, float exact_high) {
     return static_cast<double>(high - low) / static_cast<double>(exact_high - exact_low);

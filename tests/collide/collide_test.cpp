@@ -18,7 +18,7 @@ using test::Random;
 using test::Shape;
 using test::Weights;
 
-/// Two limbs that bend and often touch.
+/// Two bending limbs that often touch.
 struct Limbs {
   Shape shape_a = test::make_limb(24, 10, 5), shape_b = test::make_limb(17, 9, 4);
   Pose a = Pose(*build_model(shape_a.view())), b = Pose(*build_model(shape_b.view()));

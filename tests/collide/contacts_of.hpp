@@ -1,6 +1,6 @@
 #pragma once
 
-/// The contacts of two poses, by a query and by comparing all of their triangles.
+/// The contacts of two poses, by a query and by brute force.
 
 #include "support/skinned_shapes.hpp"
 #include "tools/pelt/methods/brute_force.hpp"

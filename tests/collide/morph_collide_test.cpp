@@ -1,5 +1,5 @@
-/// Queries of models with morph targets: exact, on any order of setters and queries, and costing
-/// something only where an active target displaces what a query visits.
+/// Queries of models with morph targets: exact in any order of setters and queries. Targets cost
+/// nothing unless an active target displaces vertices that a query visits.
 
 #include <pelt/crowd.hpp>
 
@@ -23,7 +23,7 @@ using test::Random;
 using test::Shape;
 using test::Weights;
 
-/// How many cases there were, and in how many something touched.
+/// Number of cases, and of cases with contacts.
 struct Tally {
   int cases = 0, touching = 0;
 };
@@ -41,7 +41,7 @@ void expect_exact(Random& random, const Shape& shape, Motion motion, Tally& tall
     ASSERT_EQ(contacts_of(a, b, scratch), expected);
     ++tally.cases;
     tally.touching += !expected.empty();
-    // Other weights alone, in the same palettes.
+    // Changes only the weights, not the palettes.
     ASSERT_TRUE(a.set_morph_weights(test::make_morph_weights(random, targets, Morphing::all)));
     ASSERT_EQ(contacts_of(a, b, scratch), brute_force(shape, a, shape, b));
   }
@@ -83,8 +83,8 @@ TEST(MorphCollide, EqualsBruteForceOnLimbs) {
   EXPECT_GT(apart, 10);
 }
 
-/// Two long limbs, crossed at their lower ends. Targets displace their upper ends (0, 2, 4 ...) or
-/// their lower ends (1, 3, 5 ...), the last one all that there is.
+/// Two long limbs, crossed at their lower ends. Targets displace the upper ends (0, 2, 4 ...) or
+/// the lower ends (1, 3, 5 ...); the last one displaces everything.
 struct CrossedLimbs {
   static constexpr std::uint32_t kTargets = 41;
 
@@ -106,7 +106,7 @@ struct CrossedLimbs {
     EXPECT_TRUE(b->set_palette(std::vector<Matrix4>(6, turned)));
   }
 
-  /// The work of a query with these targets active, and as many contacts as without any.
+  /// The work of a query with these active targets. Expects as many contacts as without targets.
   QueryStats ask(const std::vector<std::uint32_t>& active, float weight = 1) {
     std::vector<float> weights(kTargets);
     for (const std::uint32_t m : active) weights[m] = weight;
@@ -137,7 +137,7 @@ TEST(MorphCollide, CostsNothingWhereNoActiveTargetIs) {
 
 TEST(MorphCollide, CostGrowsWithActiveTargetsThatDisplaceWhatIsVisited) {
   CrossedLimbs limbs;
-  const float tiny = 1e-9f;  // moves nothing, and is added all the same
+  const float tiny = 1e-9f;  // moves nothing, but is added nevertheless
   const QueryStats one = limbs.ask({1}, tiny);
   const QueryStats five = limbs.ask({1, 3, 5, 7, 9}, tiny);
   const QueryStats mixed = limbs.ask({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, tiny);

@@ -1,4 +1,4 @@
-/// Poses and scratch that have been reserved: no query allocates, from the first on.
+/// With reserved poses and scratch, no query allocates, not even the first.
 
 #include <pelt/collide.hpp>
 
@@ -18,7 +18,7 @@ using test::Motion;
 using test::Random;
 using test::Shape;
 
-/// Triangles that double in size from one to the next, around one corner: as deep a tree as can be.
+/// Triangles around one vertex, each twice as large as the one before: the deepest possible tree.
 Shape make_fan_of_all_sizes() {
   Shape fan;
   fan.influences_per_vertex = 1;
@@ -35,7 +35,7 @@ Shape make_fan_of_all_sizes() {
   return fan;
 }
 
-/// Two poses of one model, and all that is asked about them.
+/// Two poses of one model, and all queries of them.
 struct Twins {
   explicit Twins(const Shape& shape)
       : a(*build_model(shape.view())), b(a.model()), positions(shape.rest_positions.size()) {
@@ -48,7 +48,7 @@ struct Twins {
     scratch.reserve(contact_count);
   }
 
-  /// Asks everything in a new pose, and returns how many allocations that took.
+  /// Runs all queries in a new pose. Returns the number of allocations.
   std::size_t ask(const std::vector<Matrix4>& palette_a, const std::vector<Matrix4>& palette_b,
                   std::initializer_list<std::uint32_t> limits = {UINT32_MAX, kFewContacts, 1}) {
     const std::size_t before = test::allocation_count();
@@ -72,7 +72,7 @@ struct Twins {
   QueryStats stats;
 };
 
-/// Limbs, soups and a fan, near each other, in one place and fallen flat.
+/// Limbs, soups and a fan: near each other, in the same position, and flattened.
 template <typename Body>
 void for_all_twins(Random& random, const Body& body) {
   const Shape limb = test::make_limb(60, 20, 5), fan = make_fan_of_all_sizes();

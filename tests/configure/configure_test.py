@@ -13,7 +13,7 @@ import unittest
 
 COMPILER, CMAKE, SOURCE = sys.argv.pop(), sys.argv.pop(), pathlib.Path(sys.argv.pop()).resolve()
 
-# How each Debian package is hidden. An empty path counts as a search that found nothing.
+# Hides each Debian package. CMake treats an empty path as a search that found nothing.
 HIDDEN = {
     "nlohmann-json3-dev": ["-DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON"],
     "libmeshoptimizer-dev": ["-DPELT_MESHOPTIMIZER="],
@@ -47,7 +47,7 @@ class Configured:
             run = subprocess.run(words + list(options), cwd=source, text=True,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.status, self.printed = run.returncode, run.stdout
-            self.words = " ".join(run.stdout.split())  # CMake wraps the text of errors
+            self.words = " ".join(run.stdout.split())  # CMake wraps error messages
             self.lines = [line for line in run.stdout.splitlines() if line.startswith("-- Pelt: ")]
             self.targets = set()
             for model in pathlib.Path(folder).glob(".cmake/api/v1/reply/codemodel-v2-*.json"):

@@ -1,6 +1,6 @@
 #!/bin/sh
 # pkg_config.sh COMPILER PKG_CONFIG_PATH EXAMPLES FOLDER: compiles the README's programs in FOLDER
-# with what pkg-config says, and runs the one that needs no file.
+# with the flags of pkg-config, and runs the one that needs no file.
 set -eu
 compiler=$1 examples=$3 folder=$4
 export PKG_CONFIG_PATH="$2"

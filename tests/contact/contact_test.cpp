@@ -46,13 +46,13 @@ std::size_t count_of(const ContactGeometry& geometry, ContactKind kind) {
                     [&](const ContactTrace& trace) { return trace.kind == kind; }));
 }
 
-/// Where a step begins, and where it ends.
+/// The start and the end of a step.
 std::pair<Vec3, Vec3> ends_of(const ContactGeometry& geometry, const CurveStep& step) {
   const ContactTrace& trace = geometry.traces[step.trace];
   return step.is_reversed ? std::pair(trace.to, trace.from) : std::pair(trace.from, trace.to);
 }
 
-/// All segments stand in curves, each once, and follow one another to the bit.
+/// All segments are in curves, each once, and consecutive ends are bitwise equal.
 void check_curves(const ContactGeometry& geometry) {
   std::set<std::uint32_t> seen;
   for (const ContactCurve& curve : geometry.curves) {
@@ -71,7 +71,7 @@ void check_curves(const ContactGeometry& geometry) {
   EXPECT_EQ(seen.size(), geometry.steps.size());
 }
 
-/// All traces stand in regions, each once; those of a curve stand in one.
+/// All traces are in regions, each once; the traces of a curve are in one region.
 void check_regions(const ContactGeometry& geometry) {
   std::vector<std::size_t> region_of(geometry.traces.size(), SIZE_MAX);
   for (std::size_t r = 0; r < geometry.regions.size(); ++r) {
@@ -134,7 +134,7 @@ TEST(Contact, CurvesEndAtABorder) {
   square.influences_per_vertex = 1;
   square.joints = {0, 0, 0, 0};
   square.weights = {1, 1, 1, 1};
-  Shape upright = square;  // in the plane x = 0.25, beyond the border of the other
+  Shape upright = square;  // in the plane x = 0.25, and extending beyond the border of the other
   upright.rest_positions = {{0.25f, -1, -3}, {0.25f, 1, -3}, {0.25f, 1, 2.5f}, {0.25f, -1, 2.5f}};
   Body a(square), b(upright);
   const ContactGeometry geometry = geometry_of(a, b);
@@ -152,13 +152,13 @@ TEST(Contact, CurvesEndAtABorder) {
 }
 
 TEST(Contact, TellsHowDeepATriangleReachesBehindTheOther) {
-  Shape below;  // its front is up
+  Shape below;  // its front faces up
   below.rest_positions = {{-5, 0, -5}, {0, 0, 8}, {5, 0, -5}};
   below.triangles = {{0, 1, 2}};
   below.influences_per_vertex = 1;
   below.joints = {0, 0, 0};
   below.weights = {1, 1, 1};
-  Shape above = below;  // an upright one that reaches 0.25 below, seen from +x
+  Shape above = below;  // an upright triangle that reaches 0.25 below, seen from +x
   above.rest_positions = {{0, 1, -1}, {0, 1, 1}, {0, -0.25f, 0}};
   Body a(above), b(below);
   const ContactGeometry geometry = geometry_of(a, b);

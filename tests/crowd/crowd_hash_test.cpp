@@ -1,5 +1,5 @@
-/// Whole scenes asked as a crowd, frame after frame: the contacts have one hash on any number of
-/// threads, and it is the one that `pelt check` prints for them.
+/// Whole scenes as a crowd, frame by frame: the hash of the contacts is the same with any number of
+/// threads, and equals the hash that `pelt check` prints.
 
 #include <pelt/crowd.hpp>
 
@@ -25,7 +25,7 @@ struct Golden {
 
 class CrowdHash : public testing::TestWithParam<Golden> {};
 
-/// The scene's crowd asked on so many threads, and what it has answered so far.
+/// The crowd of a scene on a number of threads, and the hash of its contacts so far.
 class AskedCrowd {
  public:
   AskedCrowd(const scenes::Scene& scene, std::span<const SkinnedModel> models,

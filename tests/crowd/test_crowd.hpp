@@ -1,6 +1,6 @@
 #pragma once
 
-/// A crowd to test with, and the same instances one by one.
+/// A crowd for tests, with the same instances as single poses.
 
 #include <pelt/crowd.hpp>
 
@@ -16,7 +16,7 @@ namespace pelt::test {
 
 inline constexpr std::uint32_t kThreadCounts[] = {1, 2, 3, 8};
 
-/// Instances of several models with their poses, as a crowd and one by one.
+/// Instances of several models, as a crowd and as single poses.
 struct TestCrowd {
   explicit TestCrowd(std::vector<Shape> shapes) {
     for (const Shape& shape : shapes) models.push_back(*build_model(shape.view()));
@@ -51,7 +51,7 @@ struct TestCrowd {
            (all_groups[b].member_of & all_groups[a].collides_with) != 0;
   }
 
-  /// Every pair asked by itself.
+  /// The contacts of every pair, queried separately.
   std::vector<CrowdContact> expected(const CrowdOptions& options = {}) {
     std::vector<CrowdContact> all;
     Scratch scratch;
@@ -86,7 +86,7 @@ inline std::vector<CrowdPair> pairs_of(const std::vector<CrowdContact>& contacts
   return pairs;
 }
 
-/// Limbs of two models and a soup, and room for them.
+/// Limbs of two models and a soup, with space between them.
 inline std::vector<Shape> mixed_shapes(Random& random) {
   return {make_limb(12, 8, 3), make_limb(20, 6, 5), make_soup(random, 60, 4, 3, Weights::random)};
 }

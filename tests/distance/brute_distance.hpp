@@ -1,6 +1,6 @@
 #pragma once
 
-/// Distances by asking every pair of posed triangles.
+/// Distances by brute force over all pairs of posed triangles.
 
 #include "geometry/triangle_distance.hpp"
 #include "support/skinned_shapes.hpp"
@@ -21,7 +21,7 @@ using detail::nearest_points;
 using detail::TriangleCorners;
 using detail::triangles_intersect;
 
-/// All triangles as they are posed.
+/// All triangles, posed.
 inline std::vector<TriangleCorners> posed_triangles(std::span<const Triangle> triangles,
                                                     const Pose& pose) {
   std::vector<Vec3> positions(pose.model().vertex_count());
@@ -58,7 +58,7 @@ inline double box_gap(const TriangleCorners& a, const TriangleCorners& b) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-/// The least distance, and of the pairs that have it the lowest.
+/// The least distance; among equal ones, the lowest pair.
 inline BruteDistance brute_distance(std::span<const TriangleCorners> a,
                                     std::span<const TriangleCorners> b) {
   BruteDistance best;
@@ -75,7 +75,7 @@ inline BruteDistance brute_distance(std::span<const TriangleCorners> a,
   return best;
 }
 
-/// All pairs within a distance, ascending.
+/// All pairs within a distance, in ascending order.
 inline std::vector<NearPair> brute_clearance(std::span<const TriangleCorners> a,
                                              std::span<const TriangleCorners> b, double tolerance) {
   std::vector<NearPair> pairs;
@@ -87,7 +87,7 @@ inline std::vector<NearPair> brute_clearance(std::span<const TriangleCorners> a,
   return pairs;
 }
 
-/// Whether pairs that are near are the contacts.
+/// Whether the near pairs equal the contacts.
 inline bool same_pairs(std::span<const NearPair> pairs, std::span<const Contact> contacts) {
   return std::equal(pairs.begin(), pairs.end(), contacts.begin(), contacts.end(),
                     [](const NearPair& pair, const Contact& contact) {
@@ -96,7 +96,7 @@ inline bool same_pairs(std::span<const NearPair> pairs, std::span<const Contact>
                     });
 }
 
-/// What an answer says, to be compared in every bit.
+/// Compares two answers bit by bit.
 inline bool same(const Distance& x, const Distance& y) {
   const auto same_point = [](const SurfacePoint& p, const SurfacePoint& q) {
     return p.triangle == q.triangle && p.barycentrics == q.barycentrics && p.position == q.position;

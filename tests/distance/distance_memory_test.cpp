@@ -1,4 +1,4 @@
-/// Once warm, or reserved, no query allocates.
+/// No query allocates after a first one, or in reserved poses.
 
 #include <pelt/distance.hpp>
 
@@ -16,7 +16,7 @@ using test::Motion;
 using test::Random;
 using test::Shape;
 
-/// Asks everything in the poses' current palettes.
+/// Runs all queries in the current palettes.
 void ask(Pose& a, Pose& b, Scratch& scratch, std::vector<NearPair>& pairs) {
   Distance nearest;
   distance(a, b, scratch, nearest);

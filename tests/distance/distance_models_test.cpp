@@ -1,4 +1,4 @@
-/// Real characters against brute force over all their posed triangles.
+/// Real characters, compared with brute force over all their posed triangles.
 
 #include <pelt/asset.hpp>
 #include <pelt/distance.hpp>
@@ -20,7 +20,7 @@ using test::TriangleCorners;
 
 struct Case {
   std::string model;
-  double metre;  ///< in the model's units
+  double metre;  ///< one metre in units of the model
 };
 
 class DistanceOfModels : public testing::TestWithParam<Case> {};

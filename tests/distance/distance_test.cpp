@@ -74,7 +74,7 @@ TEST(Distance, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
   EXPECT_GT(apart, 5);
 }
 
-/// Triangles that lie flat, one for each three points, moved by one joint.
+/// Flat triangles, one for each three points, moved by one joint.
 Shape flat_shape(const std::vector<Vec3>& corners) {
   Shape shape;
   shape.rest_positions = corners;
@@ -119,7 +119,7 @@ TEST(Distance, OfABodyInsideAnotherIsNotZero) {
                                        posed_triangles(limb.triangles, inner)));
 }
 
-/// Two limbs, their size times `scale`, `shift` from the origin.
+/// Two limbs, scaled by `scale` and translated by `shift` from the origin.
 void expect_brute_force_at(double scale, double shift, double apart, std::uint64_t seed) {
   Random random(seed);
   Limbs limbs;

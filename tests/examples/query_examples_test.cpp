@@ -1,4 +1,4 @@
-/// The programs of docs/queries.md do what they say.
+/// Runs the programs of docs/queries.md.
 
 #include "support/skinned_shapes.hpp"
 
@@ -29,7 +29,7 @@ double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch&
 namespace pelt::test {
 namespace {
 
-/// A limb from y = 0 to y = 1 around the axis, moved along x.
+/// A limb from y = 0 to y = 1 along the axis, translated along x.
 class QueryExamples : public ::testing::Test {
  protected:
   static SkinnedModel limb() { return *build_model(make_limb(16, 12, 3).view()); }
@@ -54,7 +54,7 @@ TEST_F(QueryExamples, Bounds) {
 }
 
 TEST_F(QueryExamples, Region) {
-  EXPECT_TRUE(is_seen(pose_, Matrix4(), scratch_));  // all between -1 and 1
+  EXPECT_TRUE(is_seen(pose_, Matrix4(), scratch_));  // everything is between -1 and 1
   ASSERT_TRUE(pose_.set_palette(moved(5)));
   EXPECT_FALSE(is_seen(pose_, Matrix4(), scratch_));
   EXPECT_TRUE(brushed(pose_, {{0, 0.5f, 0}, 1}, scratch_).empty());

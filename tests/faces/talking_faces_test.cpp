@@ -1,4 +1,4 @@
-/// Every query of two generated faces that talk, their morph weights in motion, against all posed
+/// Every query of two generated, talking faces with changing morph weights, compared with all posed
 /// triangles.
 
 #include <pelt/pelt.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kFrames = 8;
 
-/// A face that plays its clip somewhere.
+/// A face that plays its clip at a given position.
 class Face {
  public:
   explicit Face(std::uint32_t seed)
@@ -53,13 +53,13 @@ class Face {
   std::vector<float> weights_;
 };
 
-/// Face to face, their snouts in each other at first and then apart.
+/// Two faces opposite each other; their snouts intersect at first and separate later.
 class TalkingFaces : public ::testing::Test {
  protected:
   void play(int frame) {
     const auto time = static_cast<float>(frame);
     a.play(0.47f * time, {});
-    Matrix4 facing;  // turned half about y
+    Matrix4 facing;  // half a turn about y
     facing.m[0] = facing.m[10] = -1;
     facing.m[14] = 0.5f + 0.04f * time;
     facing.m[13] = 0.02f;
@@ -197,7 +197,7 @@ TEST_F(TalkingFaces, AreEnteredByTheVertexThatIsDeepest) {
   EXPECT_GE(entered, 2);
 }
 
-/// Of all frames.
+/// The answers of all frames.
 class Answers {
  public:
   void add(float number) { hash_.add_u32(std::bit_cast<std::uint32_t>(number)); }
@@ -209,7 +209,7 @@ class Answers {
   detail::Fnv1a64 hash_;
 };
 
-// The same on every target and machine.
+// The bits do not depend on the target or the machine.
 TEST_F(TalkingFaces, GiveTheSameBitsEverywhere) {
   on_each_target([&](Target) {
     Answers answers;

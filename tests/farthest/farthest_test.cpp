@@ -17,14 +17,14 @@ using test::Random;
 using test::Shape;
 using test::Weights;
 
-/// Dot products of small integers times a power of two, which are exact.
+/// Small integers times a power of two, so that dot products are exact.
 Vec3 grid_direction(Random& random) {
   const auto component = [&] { return (static_cast<float>(random.index(7)) - 3) * 0x1p-40f; };
   const Vec3 d = {component(), component(), component()};
   return d.x == 0 && d.y == 0 && d.z == 0 ? Vec3{1, 0, 0} : d;
 }
 
-/// In long double: exact for directions of grid_direction and positions of usual size.
+/// Uses long double, which is exact for directions of grid_direction and usual positions.
 long double along(const Vec3& d, const Vec3& p) {
   return static_cast<long double>(d.x) * p.x + static_cast<long double>(d.y) * p.y +
          static_cast<long double>(d.z) * p.z;
@@ -32,7 +32,7 @@ long double along(const Vec3& d, const Vec3& p) {
 
 struct Farthest {
   std::uint32_t triangle = 0, corner = 0;
-  std::uint32_t equals = 0;  ///< corners that are as far
+  std::uint32_t equals = 0;  ///< vertices at the same distance
 };
 
 Farthest brute_farthest(const Shape& shape, const Pose& pose, const Vec3& direction) {
@@ -87,7 +87,7 @@ TEST(FarthestVertex, EqualsBruteForce) {
       expect_brute_force(random, soup, pose, counts);
     }
   EXPECT_EQ(counts.queries, 8 * 26);
-  EXPECT_GT(counts.ties, counts.queries / 2);  // a limb's vertices are corners of several triangles
+  EXPECT_GT(counts.ties, counts.queries / 2);  // a limb's vertices belong to several triangles
 }
 
 TEST(FarthestVertex, OpensFewNodes) {

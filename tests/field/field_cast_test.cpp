@@ -12,7 +12,7 @@ using test::make_hills;
 using test::make_plain;
 using test::Random;
 
-/// All triangles, one by one.
+/// Tests all triangles one by one.
 RayHit brute_force(const HeightField& field, const Ray& ray, Facing facing) {
   RayHit best;
   for (std::uint32_t t = 0; t < field.triangle_count(); ++t) {

@@ -28,7 +28,7 @@ std::vector<Contact> contacts_of(Pose& pose, const HeightField& field, Scratch& 
   return contacts;
 }
 
-/// Asks, and compares with brute force; returns how many contacts there are.
+/// Compares the query with brute force. Returns the number of contacts.
 std::size_t expect_as_brute_force(Pose& pose, const Shape& shape, const HeightField& field,
                                   Scratch& scratch) {
   const auto expected = test::brute_force(field, shape.triangles, posed(pose));
@@ -79,7 +79,7 @@ TEST(FieldCollide, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
   EXPECT_GT(contacts, 1000u);
 }
 
-/// A soup whose vertices are vertices of the field, or on its edges, diagonals and planes.
+/// A soup with vertices at vertices of the field, or on its edges, diagonals and planes.
 Shape make_soup_on_grid(Random& random, std::uint32_t triangle_count, std::uint32_t side) {
   Shape soup = test::make_soup(random, triangle_count, 1, 1, Weights::one_joint);
   for (Vec3& p : soup.rest_positions) {
@@ -96,7 +96,7 @@ Shape make_soup_on_grid(Random& random, std::uint32_t triangle_count, std::uint3
       case 2:  // above or below
         p.y = random.chance(0.5) ? 1.0f : -0.25f;
         break;
-      case 3:  // above by as little as there is
+      case 3:  // above by the least amount
         p.y = 0x1p-149f;
         break;
       default:  // a vertex
@@ -166,7 +166,7 @@ TEST(FieldCollide, StopsWhereItIsTold) {
   EXPECT_FALSE(collide(pose, field, scratch, contacts).cut_short);
 }
 
-/// 4,096 x 4,096 vertices: the work is that of a field which ends around the limb.
+/// With 4,096 x 4,096 vertices, the work equals that for a field that ends around the limb.
 TEST(FieldCollide, WorkDoesNotGrowWithTheField) {
   Random random(706);
   const Shape limb = test::make_limb(40, 12, 5);

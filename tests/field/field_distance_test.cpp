@@ -13,7 +13,7 @@ using test::Random;
 using test::Shape;
 using test::Weights;
 
-/// The triangles of a field that exist, and their numbers.
+/// The existing triangles of a field, and their numbers.
 struct Existing {
   explicit Existing(const HeightField& field) {
     for (std::uint32_t t = 0; t < field.triangle_count(); ++t) {
@@ -27,7 +27,7 @@ struct Existing {
   std::vector<std::uint32_t> numbers;
 };
 
-/// What is asked of one pose, and the answers of brute force.
+/// Queries of one pose, and the answers of brute force.
 struct Asked {
   double expect_as_brute_force(const HeightField& field) {
     const Existing existing(field);
@@ -117,7 +117,7 @@ TEST(FieldDistance, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
   EXPECT_GT(apart, 12);
 }
 
-/// All triangles of the ground are as near as its plane: the lowest numbers count.
+/// All triangles of the ground have the same distance; the lowest numbers are returned.
 TEST(FieldDistance, LevelGroundHasTies) {
   const Shape limb = test::make_limb(10, 6, 3);
   Pose pose(*build_model(limb.view()));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Height fields to test with, and what their triangles touch when asked one by one.
+/// Height fields for tests, and brute force over their triangles.
 
 #include "geometry/triangle_pair.hpp"
 #include "support/random.hpp"
@@ -35,7 +35,7 @@ inline Terrain make_plain(std::uint32_t columns, std::uint32_t rows, const Vec3&
           {{}, columns, rows, origin, spacing, spacing}};
 }
 
-/// Waves and noise, with a share of holes.
+/// Waves and noise with a fraction of holes.
 inline Terrain make_hills(Random& random, std::uint32_t columns, std::uint32_t rows,
                           const Vec3& origin, float spacing, double height, double holes) {
   Terrain terrain = make_plain(columns, rows, origin, spacing);

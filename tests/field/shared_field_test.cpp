@@ -1,4 +1,4 @@
-/// Real characters walk over generated terrain.
+/// Real characters that walk on generated terrain.
 
 #include "fields.hpp"
 #include "support/values.hpp"

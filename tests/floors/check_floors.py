@@ -38,14 +38,14 @@ EVALUATION = {
 }
 FOLDERS = [*FLOORS, *EVALUATION, "docs/examples", "tests"]
 
-# The paper's method stays reachable from the command: it is what this project set out to build.
+# The paper's method is reachable from the command because Pelt started as an implementation of it.
 MAY_INCLUDE_PAPER = "tools/pelt/methods/paper_method.hpp"
 MAY_INCLUDE_ONLY = {
     "include/pelt": ["include/pelt"],
     "asset": ["include/pelt", "src/base", "asset"],
     "docs/examples": ["include/pelt"],
 }
-# src/base has the headers of instruction sets and systems.
+# src/base includes headers of instruction sets and systems.
 STANDARD_LIBRARY_ONLY = ("include/pelt", "evaluation/paper", "docs/examples",
                          *(f for f in LIBRARY if f.startswith("src/") and f != "src/base"))
 

@@ -61,7 +61,7 @@ Topology make_topology(FuzzBytes& bytes) {
   }
 }
 
-/// Up to two targets, each of which moves some vertices.
+/// At most two targets, each moving some vertices.
 void add_morphs(FuzzBytes& bytes, Shape& shape) {
   const std::uint32_t count = bytes.index(3);
   if (count == 0) return;
@@ -76,8 +76,8 @@ void add_morphs(FuzzBytes& bytes, Shape& shape) {
   }
 }
 
-/// Most joints map their vertex to a point; some only move or scale it, so that displacements and
-/// rest positions count.
+/// Most joints map their vertex to a point. Some only translate or scale it, so that displacements
+/// and rest positions matter.
 std::vector<Matrix4> make_palette(FuzzBytes& bytes, std::uint32_t joint_count) {
   std::vector<Vec3> positions;
   for (std::uint32_t j = 0; j < joint_count; ++j)

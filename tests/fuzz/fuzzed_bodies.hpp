@@ -1,7 +1,7 @@
 #pragma once
 
-/// Bodies out of bytes: small meshes whose posed vertices, and what is asked of them, are of the
-/// kinds that break arithmetic.
+/// Makes bodies from bytes: small meshes whose posed vertices and queries have coordinates that are
+/// hard for arithmetic.
 
 #include "support/pinned_shapes.hpp"
 
@@ -16,21 +16,21 @@
 
 namespace pelt::test {
 
-/// Numbers out of bytes; all zero after the last byte.
+/// Reads numbers from bytes; returns zeros after the last byte.
 class FuzzBytes {
  public:
   explicit FuzzBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   std::uint8_t next();
 
-  /// Below `count`.
+  /// A number below `count`.
   std::uint32_t index(std::uint32_t count) { return next() % count; }
 
-  /// From a small grid, a list of odd ones, fractions, or any float up to 2^58.
+  /// A number from a small grid or a list of special values, a fraction, or any float up to 2^58.
   float coordinate();
   Vec3 point();
 
-  /// A float that is not negative.
+  /// A nonnegative float.
   float size();
 
  private:
@@ -53,7 +53,7 @@ struct FuzzedBody {
   }
 };
 
-/// Nothing if the bytes make a mesh, palette or weights that Pelt refuses.
+/// Nullopt if Pelt refuses the mesh, the palette or the weights.
 std::optional<FuzzedBody> make_body(FuzzBytes& bytes);
 
 }  // namespace pelt::test

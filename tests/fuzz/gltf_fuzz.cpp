@@ -1,4 +1,4 @@
-/// The fuzz target of glTF files: bytes -> load_gltf, and what a program does with a character.
+/// The fuzz target of glTF files: bytes -> load_gltf, then typical uses of a character.
 
 #include "support/use_asset.hpp"
 

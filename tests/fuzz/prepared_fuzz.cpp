@@ -1,11 +1,11 @@
-/// libFuzzer's way into load_model and what comes after it, with the checksum mended so that it
-/// hides nothing.
+/// The fuzz target of prepared models: bytes -> load_model, then queries. Corrects the checksum
+/// first, so that it does not hide the later checks.
 
 #include "support/prepared_file.hpp"
 #include "support/use_model.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::uint32_t kMostTriangles = 20000;  // so that fuzzing stays quick
+  constexpr std::uint32_t kMostTriangles = 20000;  // limits the time per input
   const auto bytes = std::as_bytes(std::span(data, size));
   pelt::test::Bytes file(bytes.begin(), bytes.end());
   pelt::test::mend(file);

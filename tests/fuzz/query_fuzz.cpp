@@ -1,7 +1,7 @@
-/// The fuzz target of the interface: bytes -> two bodies and questions, on any instruction set;
-/// every query against all posed triangles, one by one. Whether triangles meet and which side a
-/// point is on is decided by integer arithmetic here; distances and rays by the library's
-/// definitions for one triangle.
+/// The fuzz target of the interface: bytes -> two bodies and queries, on any instruction set.
+/// Compares every query with brute force over all posed triangles. Integer arithmetic decides
+/// whether triangles intersect and on which side a point is; the library's functions for single
+/// triangles give distances and ray hits.
 
 #include "distance/brute_distance.hpp"
 #include "fuzz/fuzzed_bodies.hpp"
@@ -67,8 +67,8 @@ void check_crowd(FuzzBytes& bytes, const FuzzedBody& a, const FuzzedBody& b) {
   require(contacts == expected, "the contacts of a crowd");
 }
 
-/// How far a measured distance may be off (triangle_distance.hpp), twice: boxes that are certainly
-/// further than a distance that was measured too small are not searched.
+/// Twice the largest error of a measured distance (triangle_distance.hpp): if a distance was
+/// measured too small, boxes beyond it are not searched.
 double error_between(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double size = 0;
   for (const std::vector<Vec3>* points : {&a, &b})
@@ -77,7 +77,7 @@ double error_between(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return 2 * detail::kDistanceError * size;
 }
 
-/// Equal to the bit where the error is too small to matter.
+/// Bitwise equality if the error is too small to matter.
 bool agree(double found, double expected, double error) {
   return error < 1e-9 * expected ? found == expected : std::abs(found - expected) <= error;
 }
@@ -160,7 +160,7 @@ PointSide side(FuzzedBody& body, const Vec3& point, Scratch& scratch) {
   return point_side(body.pose, body.surface, point, scratch);
 }
 
-/// Those that are corners of a triangle.
+/// The vertices that belong to a triangle.
 std::vector<Vec3> used_vertices(const FuzzedBody& body) {
   std::vector<Vec3> used;
   for (std::size_t t = 0; t < body.shape.triangles.size(); ++t)

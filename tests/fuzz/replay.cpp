@@ -1,6 +1,6 @@
-/// TARGET_replay FILE|FOLDER...: gives files to a fuzz target one after the other, without
-/// libFuzzer, so that every build checks the seeds. The last file named on standard output is the
-/// one at which it ended.
+/// TARGET_replay FILE|FOLDER...: passes files to a fuzz target one by one, without libFuzzer, so
+/// that every build checks the seeds. Prints each file before it runs, so the last printed file is
+/// the one that crashed.
 
 #include <algorithm>
 #include <cstdint>

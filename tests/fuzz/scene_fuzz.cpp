@@ -1,5 +1,5 @@
-/// The fuzz target of scene files: bytes -> parse_scene_file; a scene of one generated character is
-/// made too, written as text and parsed again, which must give the same text.
+/// The fuzz target of scene files: bytes -> parse_scene_file. Also builds a scene of one generated
+/// character, writes it as text and parses it again, which must give the same text.
 
 #include "scenes/scene_file.hpp"
 #include "scenes/scene_text.hpp"
@@ -12,7 +12,7 @@
 namespace pelt::test {
 namespace {
 
-/// Quick to generate, and no file on this machine.
+/// Whether the scene is quick to generate and reads no file of this machine.
 bool is_small(const scenes::SceneFile& file) {
   if (file.models.size() != 1 || file.instances.size() > 20) return false;
   const auto* creature = std::get_if<scenes::CreatureOptions>(&file.models[0].source);

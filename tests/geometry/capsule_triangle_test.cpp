@@ -15,7 +15,7 @@ namespace {
 using test::Random;
 using test::RationalPoint;
 
-/// By exact distances.
+/// Decides by exact distances.
 TrianglePlace expected(const TriangleCorners& triangle, const Capsule& capsule) {
   const std::vector<RationalPoint> segment = {test::to_rational(capsule.a),
                                               test::to_rational(capsule.b)};
@@ -31,7 +31,7 @@ TrianglePlace expected(const TriangleCorners& triangle, const Capsule& capsule) 
                                                                      : TrianglePlace::apart;
 }
 
-/// How often each answer was found.
+/// Number of times that each answer occurred.
 using Counts = std::array<int, 3>;
 
 template <typename MakePoint, typename MakeRadius>
@@ -76,7 +76,7 @@ TEST(CapsuleTriangle, EqualsRationalsInGeneralPosition) {
                    100);
 }
 
-/// Coordinates from far apart, that no double holds the differences of.
+/// Coordinates so different in size that double cannot represent their differences.
 TEST(CapsuleTriangle, EqualsRationalsOnAllScalesAtOnce) {
   Random random(522);
   const auto coordinate = [&] {
@@ -92,7 +92,7 @@ TEST(CapsuleTriangle, EqualsRationalsOnAllScalesAtOnce) {
       [&] { return std::fabs(coordinate()); });
 }
 
-/// A radius that is the distance to a corner, edge or face, or a float beside it.
+/// A radius that equals the distance to a vertex, edge or face, or is one float beside it.
 TEST(CapsuleTriangle, TellsTouchingFromJustNotTouching) {
   Random random(523);
   int touching = 0, apart = 0;
@@ -114,7 +114,7 @@ TEST(CapsuleTriangle, TellsTouchingFromJustNotTouching) {
   EXPECT_GT(apart, 400);
 }
 
-/// 3-4-5 and 1-2-2-3 in whole numbers, far out and small, so that squares need more than a double.
+/// 3-4-5 and 1-2-2-3 as integers, far out and small, so that squares need more than a double.
 TEST(CapsuleTriangle, TouchesExactlyWherePythagorasSays) {
   const std::uint64_t before = exact_sign_count();
   for (const float unit : {0x1p-120f, 0x1p-20f, 1.0f, 5'592'405.0f * 0x1p30f}) {

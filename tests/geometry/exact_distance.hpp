@@ -1,6 +1,6 @@
 #pragma once
 
-/// Squared distances in rational numbers, by the least over features: an oracle that rounds once.
+/// Squared distances in rational numbers, as the least over features: an oracle that rounds once.
 
 #include "geometry/triangle_pair.hpp"
 
@@ -35,8 +35,8 @@ inline mpq_class point_segment(const ExactVector& p, const ExactVector& a, const
   return squared(p - along(a, s, ab));
 }
 
-/// By the normal equations, if the nearest points of the two lines are inside; else the ends
-/// decide, which are compared as points.
+/// Uses the normal equations if the nearest points of the two lines are inside both segments,
+/// otherwise the distances of the ends.
 inline mpq_class segment_segment(const ExactVector& a, const ExactVector& b, const ExactVector& c,
                                  const ExactVector& d) {
   mpq_class least = std::min({point_segment(a, c, d), point_segment(b, c, d),
@@ -70,7 +70,7 @@ inline mpq_class point_triangle(const ExactVector& p, const ExactTriangle& t) {
   return std::min(least, squared(p - along(along(t[0], s, u), r, v)));
 }
 
-/// Of triangles that do not touch.
+/// Precondition: the triangles do not touch.
 inline mpq_class triangle_triangle(const ExactTriangle& a, const ExactTriangle& b) {
   mpq_class least = squared(a[0] - b[0]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -81,7 +81,7 @@ inline mpq_class triangle_triangle(const ExactTriangle& a, const ExactTriangle& 
   return least;
 }
 
-/// The root of a rational number, rounded to about 100 bits and then to double.
+/// The square root of a rational number, rounded to about 100 bits and then to double.
 inline double root(const mpq_class& value) {
   return mpf_class(sqrt(mpf_class(value, 256))).get_d();
 }

@@ -13,10 +13,10 @@
 namespace pelt::test {
 namespace {
 
-/// As large as any that the predicates use.
+/// As large as the largest sum of the predicates.
 using Sum = detail::ExactSum<48>;
 
-/// In units of 2^-500.
+/// The value in units of 2^-500.
 mpz_class exact(double value) {
   mpq_class quotient(value);
   quotient <<= 500;
@@ -24,7 +24,7 @@ mpz_class exact(double value) {
   return quotient.get_num();
 }
 
-/// That the terms are a nonoverlapping expansion of `expected`.
+/// Expects the terms to be a nonoverlapping expansion of `expected`.
 void expect_sum(const Sum& sum, const mpz_class& expected) {
   mpz_class total, all_before;
   for (const double term : sum.terms()) {
@@ -66,8 +66,8 @@ TEST(ExactSum, SeesWhatCancellationLeaves) {
   expect_sum(sum, 0);
 }
 
-/// Terms 60 bits apart stay apart, and a value that reaches from just above one of them to just
-/// below the next leaves its lower bit between them.
+/// Terms 60 bits apart stay separate. A value that extends from just above one term to just below
+/// the next leaves its lower bit between them.
 TEST(ExactSum, HasRoomForAsManyTermsAsValues) {
   std::vector<double> values;
   for (const double value : {0x1p0, 0x1p56 + 0x1p4})
@@ -78,7 +78,7 @@ TEST(ExactSum, HasRoomForAsManyTermsAsValues) {
   EXPECT_EQ(most_terms, 48u);
 }
 
-/// Often of few bits, so that sums have gaps.
+/// Often has few bits, so that sums have gaps.
 double sparse_number(std::mt19937_64& random, int largest_exponent) {
   std::uint64_t mantissa = random() >> 11;
   for (std::uint64_t thinned = random() % 5; thinned > 0; --thinned) mantissa &= random();

@@ -20,7 +20,7 @@ mpq_class side(const Face& face, const RationalPoint& p) {
          mpq_class(static_cast<double>(face.offset));
 }
 
-/// Cuts a convex polygon off at a face (Sutherland & Hodgman 1974).
+/// Clips a convex polygon at a face (Sutherland & Hodgman 1974).
 std::vector<RationalPoint> cut(const std::vector<RationalPoint>& polygon, const Face& face) {
   std::vector<RationalPoint> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -50,7 +50,7 @@ TrianglePlace expected(const TriangleCorners& triangle, const std::vector<Face>&
   return polygon.empty() ? TrianglePlace::apart : TrianglePlace::touching;
 }
 
-/// Of 4,000 triangles against so many random faces.
+/// Tests 4,000 triangles against `face_count` random faces each.
 template <typename MakePoint>
 void expect_as_rationals(Random& random, std::uint32_t most_faces, int least,
                          const MakePoint& point) {
@@ -92,8 +92,8 @@ TEST(FacesTriangle, EqualsRationalsOnAllScalesAtOnce) {
   });
 }
 
-/// A triangle whose inside touches an edge, or a corner, of a box of floats that are not binary
-/// round.
+/// A triangle whose interior touches an edge or a vertex of a box whose coordinates are not round
+/// in binary.
 TEST(FacesTriangle, TouchesAtAnEdgeAndACornerOfABox) {
   const float c = 0.1f;
   const std::vector<Face> box = {{{1, 0, 0}, {}, c},  {{-1, 0, 0}, {}, c}, {{0, 1, 0}, {}, c},

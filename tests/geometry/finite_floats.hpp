@@ -10,7 +10,7 @@
 
 namespace pelt::test {
 
-/// Any finite bit pattern: all exponents are equally likely.
+/// Any finite bit pattern; all exponents are equally likely.
 inline float any_finite_float(Random& random) {
   while (true) {
     const auto value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
@@ -18,7 +18,7 @@ inline float any_finite_float(Random& random) {
   }
 }
 
-/// Floats of all magnitudes from a short list, so that many of them meet.
+/// Floats of all magnitudes from a short list, so that many are equal.
 inline float one_of_few_floats(Random& random) {
   constexpr std::array kFew = {0.0f, -0.0f,    0x1p-149f,        -0x1p-149f,       0x1p-126f,
                                1.0f, -1.0f,    1.0f + 0x1p-23f,  -1.0f - 0x1p-23f, 0x1p-25f,

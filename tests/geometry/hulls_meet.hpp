@@ -39,7 +39,7 @@ class HullsMeet {
     std::size_t count = 0;
   };
 
-  /// The dependencies of a subset: how many independent ones, and the coefficients of the only one.
+  /// The number of independent dependencies of a subset, and the coefficients if there is only one.
   struct Dependencies {
     std::size_t count = 0;
     std::array<Integer, 5> coefficients;
@@ -52,7 +52,7 @@ class HullsMeet {
     return false;
   }
 
-  /// Whether `subset`, or a part of it, has a dependency that proves a common point.
+  /// Whether `subset` or a part of it has a dependency that proves a common point.
   bool proves(unsigned subset) {
     const std::uint64_t bit = std::uint64_t{1} << subset;
     if (visited_ & bit) return false;

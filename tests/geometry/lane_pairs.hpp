@@ -12,7 +12,7 @@ inline detail::Points8 lane_points(const float (&p)[8][4]) {
                             load4(p[5]), load4(p[6]), load4(p[7]));
 }
 
-/// The eight pairs as the wide code takes them.
+/// The eight pairs in the layout of the wide code.
 inline detail::TrianglePairs8 lane_pairs(const LaneCorners& corners) {
   detail::TrianglePairs8 pairs;
   for (int i = 0; i < 3; ++i) {

@@ -37,7 +37,7 @@ int exact_orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   return sgn(determinant);
 }
 
-/// How often each sign was the answer; a test must have met all three.
+/// Number of times that each sign occurred; a test needs all three.
 struct SignCounts {
   int negative = 0, zero = 0, positive = 0;
 
@@ -108,8 +108,8 @@ TEST(Orient3d, EqualsExactSignOfNearlyCoplanarPoints) {
   EXPECT_GT(exact_sign_count(), exact_before + 100'000);
 }
 
-/// Planes through one axis at 45 degrees, where the six products cancel in pairs to the last bit of
-/// mantissas as long as differences of floats get.
+/// Planes through one axis at 45 degrees: the six products cancel in pairs, down to the last bit of
+/// the longest differences of floats.
 TEST(Orient3d, IsZeroOnDiagonalPlanes) {
   constexpr std::uint64_t kSeed = 25;
   std::cout << "seed " << kSeed << "\n";

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How near a triangle and a segment are, by linear algebra over the rationals: it shares no idea
-/// with the tests of the library.
+/// The distance of a triangle and a segment by linear algebra over the rationals, an approach
+/// independent of the library's.
 
 #include <pelt/math.hpp>
 
@@ -30,8 +30,8 @@ inline mpq_class dot(const RationalPoint& a, const RationalPoint& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The solution of a linear system given by its rows with the right hand side behind; nothing if it
-/// is singular.
+/// Solves a linear system given by its rows, each followed by its right-hand side; nullopt if it is
+/// singular.
 inline std::optional<std::vector<mpq_class>> solve(std::vector<std::vector<mpq_class>> rows) {
   const std::size_t n = rows.size();
   for (std::size_t column = 0; column < n; ++column) {
@@ -50,8 +50,8 @@ inline std::optional<std::vector<mpq_class>> solve(std::vector<std::vector<mpq_c
   return solution;
 }
 
-/// The squared distance of the planes, lines or points through two sets of points, if they are
-/// nearest in one pair only and that lies within both hulls.
+/// The squared distance of the planes, lines or points through two sets of points, if exactly one
+/// pair of points is nearest and this pair is inside both hulls.
 inline std::optional<mpq_class> squared_distance_inside(const std::vector<RationalPoint>& p,
                                                         const std::vector<RationalPoint>& q) {
   std::vector<RationalPoint> directions;
@@ -84,7 +84,8 @@ inline std::vector<RationalPoint> subset_of(const std::vector<RationalPoint>& po
   return members;
 }
 
-/// Of two hulls. Some parts of both that are nearest in one pair only are so inside.
+/// The squared distance of two hulls. Some subsets of both have a unique nearest pair inside their
+/// hulls.
 inline mpq_class squared_distance(const std::vector<RationalPoint>& p,
                                   const std::vector<RationalPoint>& q) {
   std::optional<mpq_class> least;

@@ -1,4 +1,4 @@
-/// Compiled once for each target, so that the test itself runs on any machine.
+/// Compiled once for each target. The test itself runs on any machine.
 #include "ray_lanes.hpp"
 
 #include "geometry/ray_triage.hpp"

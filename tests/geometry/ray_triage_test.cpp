@@ -1,4 +1,5 @@
-/// What the float test calls certain, against the exact one; and the same from every target.
+/// The certain answers of the float test equal the exact ones, and all targets give the same
+/// answers.
 
 #include "finite_floats.hpp"
 #include "geometry/ray_triangle.hpp"
@@ -36,7 +37,7 @@ constexpr Compiled kCompiled[] = {
 
 using EightTriangles = std::array<TriangleCorners, 8>;
 
-/// What all targets say.
+/// The answer of all targets.
 RayLaneMasks triage(const RayLine& line, const EightTriangles& triangles) {
   RayLaneCorners corners;
   for (std::size_t k = 0; k < 3; ++k)
@@ -57,7 +58,7 @@ struct Counts {
   int missed = 0, met = 0, undecided = 0;
 };
 
-/// Passes when nothing that is certain is wrong.
+/// Expects every certain answer to be right.
 void expect_right(const RayLine& line, const EightTriangles& triangles, Counts& counts) {
   const RayLaneMasks known = triage(line, triangles);
   for (std::size_t i = 0; i < 8; ++i) {
@@ -101,7 +102,7 @@ Counts run(std::uint64_t seed, int cases, const Generate& generate) {
   return counts;
 }
 
-/// From a case of pairs: a ray through two corners of the second triangles.
+/// A ray through two vertices of the second triangles of pairs.
 template <IntegerPair (*kPair)(Random&)>
 RayLine through_corners(Random& random, EightTriangles& triangles) {
   const int exponent = std::array{0, -149, 36, -24}[random() % 4];
@@ -114,7 +115,7 @@ RayLine through_corners(Random& random, EightTriangles& triangles) {
   return {b[0], {b[1].x - b[0].x, b[1].y - b[0].y, b[1].z - b[0].z}};
 }
 
-/// Centimetres, seen from metres away and aimed at one of them.
+/// Triangles of centimetres, and a ray from metres away aimed at one of them.
 RayLine at_a_body(Random& random, EightTriangles& triangles) {
   const auto unit = [&] { return static_cast<float>(random() >> 40) * 0x1p-23f - 1; };
   const auto near = [&](const Vec3& p, float r) {

@@ -19,7 +19,7 @@ using detail::TriangleCorners;
 
 using ExactVector = std::array<mpz_class, 3>;
 
-/// Any float times 2^149 is an integer.
+/// Every float times 2^149 is an integer.
 ExactVector exact(const Vec3& v) {
   const auto integer = [](float x) { return mpz_class(std::ldexp(double{x}, 149)); };
   return {integer(v.x), integer(v.y), integer(v.z)};
@@ -43,12 +43,12 @@ mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
   return result;
 }
 
-/// 2^128 stands for infinity.
+/// 2^128 represents infinity.
 mpq_class value_of(float x) {
   return std::isfinite(x) ? mpq_class(x) : mpq_class(std::copysign(0x1p128, x));
 }
 
-/// The nearest float, of two the even one: found among neighbours by exact distances.
+/// The nearest float, ties to even, found among neighbours by exact distances.
 float nearest_float(const mpq_class& q) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   if (abs(q) >= value_of(kInfinity)) return q > 0 ? kInfinity : -kInfinity;
@@ -61,7 +61,7 @@ float nearest_float(const mpq_class& q) {
   return (std::bit_cast<std::uint32_t>(below) & 1) == 0 ? below : above;
 }
 
-/// What the definition says, in integers.
+/// The result by definition, in integers.
 struct Expected {
   Expected(const RayLine& line, const TriangleCorners& t) {
     const ExactVector o = exact(line.origin), d = exact(line.direction);
@@ -141,8 +141,8 @@ Vec3 as_float(const Point& p, int exponent) {
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// A ray from the first corner of the second triangle: to another one, or through a corner or the
-/// middle of an edge of the first, or to a place near these.
+/// A ray from the first vertex of the second triangle to another vertex of it, through a vertex or
+/// the middle of an edge of the first triangle, or to a point near these.
 RayLine line_of(Random& random, const IntegerPair& pair, int exponent) {
   const Point& origin = pair.b[0];
   const auto target = [&]() -> Point {
@@ -246,7 +246,7 @@ TEST(RayTriangle, IsAsDefinedOfAnyFloats) {
   EXPECT_GT(counts.on_edge, 200);
 }
 
-/// Where t lies halfway between two floats, or a little beside.
+/// With t halfway between two floats, or slightly off.
 TEST(RayTriangle, RoundsTToTheNearestFloat) {
   std::cout << "seed 39\n";
   Random random(39);

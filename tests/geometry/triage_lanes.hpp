@@ -2,8 +2,8 @@
 
 namespace pelt::test {
 
-/// The corners of eight pairs of triangles: pair i's are [triangle][corner][i], four floats of
-/// which the last is unused.
+/// The vertices of eight pairs of triangles: those of pair i are [triangle][vertex][i], four floats
+/// of which the last is unused.
 using LaneCorners = float[2][3][8][4];
 
 struct LaneMasks {
@@ -12,7 +12,7 @@ struct LaneMasks {
   friend bool operator==(const LaneMasks&, const LaneMasks&) = default;
 };
 
-/// The certified test as compiled for each target.
+/// The certified test, as compiled for each target.
 namespace avx2 {
 LaneMasks triage_lanes(const LaneCorners& corners);
 }

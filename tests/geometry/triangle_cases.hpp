@@ -13,8 +13,8 @@
 
 namespace pelt::test {
 
-/// Pairs of triangles with integer corners, which an exact reference can take as they are and
-/// which, times a power of two, are float32: |coordinate| <= kLimit.
+/// Pairs of triangles with integer coordinates, |coordinate| <= kLimit: an exact reference can use
+/// them directly, and scaled by a power of two they are float32.
 inline constexpr std::int64_t kLimit = (1 << 24) - 1;
 
 using Random = std::mt19937_64;
@@ -48,8 +48,8 @@ inline Point middle(const Point& p, const Point& q) {
   return {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
 }
 
-/// Anywhere, one pair in eight touching: a corner of the one halfway along an edge of the other, up
-/// to rounding.
+/// Random positions; in one pair of eight, a vertex of one triangle is in the middle of an edge of
+/// the other, up to rounding.
 inline IntegerPair anywhere(Random& random) {
   IntegerPair pair = {uniform_corners(random, -kLimit, kLimit),
                       uniform_corners(random, -kLimit, kLimit)};
@@ -57,7 +57,7 @@ inline IntegerPair anywhere(Random& random) {
   return pair;
 }
 
-/// On a small grid, where most pairs have coplanar corners, touch or are degenerate.
+/// On a small grid, where most pairs are coplanar, touch or are degenerate.
 inline IntegerPair on_grid(Random& random) {
   return {uniform_corners(random, 0, 3), uniform_corners(random, 0, 3)};
 }
@@ -71,7 +71,8 @@ inline IntegerPair in_plane(Random& random) {
   return pair;
 }
 
-/// To a point, a segment between two corners, or a segment with a corner inside.
+/// Collapses a triangle to a point, to a segment between two vertices, or to a segment with a
+/// vertex inside.
 inline void collapse(Random& random, IntegerCorners& corners) {
   auto& [p, q, r] = corners;
   switch (random() % 4) {
@@ -90,7 +91,7 @@ inline void collapse(Random& random, IntegerCorners& corners) {
   }
 }
 
-/// On a small grid, the first triangle collapsed, and the second in every other pair.
+/// On a small grid; the first triangle is collapsed, and in every other pair also the second.
 inline IntegerPair collapsed(Random& random) {
   IntegerPair pair = on_grid(random);
   collapse(random, pair.a);
@@ -99,7 +100,8 @@ inline IntegerPair collapsed(Random& random) {
   return pair;
 }
 
-/// A point of the triangle's plane, in or near the triangle, rounded and moved by at most one unit.
+/// A point of the triangle's plane, inside or near the triangle, rounded and moved by at most one
+/// unit.
 inline Point near_plane(Random& random, const IntegerCorners& t) {
   std::uniform_real_distribution<double> weight(-0.25, 1);
   const double u = weight(random), v = weight(random);
@@ -112,8 +114,8 @@ inline Point near_plane(Random& random, const IntegerCorners& t) {
   return p;
 }
 
-/// The second triangle within a unit of the first one's plane, in every other pair with one corner
-/// exactly on it.
+/// The second triangle is within a unit of the first one's plane; in every other pair, one vertex
+/// is exactly on it.
 inline IntegerPair nearly_coplanar(Random& random) {
   IntegerPair pair;
   pair.a = uniform_corners(random, -kLimit / 4, kLimit / 4);
@@ -122,8 +124,9 @@ inline IntegerPair nearly_coplanar(Random& random) {
   return pair;
 }
 
-/// Pairs on a small grid, mapped by a linear map of determinant one with coefficients of 2^20: it
-/// keeps volumes of one unit while coordinates grow, far closer to coplanar than double can see.
+/// Pairs on a small grid, transformed by a linear map with determinant one and coefficients of
+/// 2^20. The map preserves volumes of one unit while coordinates grow, far closer to coplanar than
+/// double can distinguish.
 inline IntegerPair sheared_grid(Random& random) {
   IntegerPair pair = on_grid(random);
   IntegerCorners images = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -140,8 +143,8 @@ inline IntegerPair sheared_grid(Random& random) {
   return pair;
 }
 
-/// A sliver: two corners far apart, the third within a unit of the line between them; and another
-/// triangle with two corners near the same line.
+/// A sliver: two vertices far apart, the third within a unit of the line between them; and another
+/// triangle with two vertices near the same line.
 inline IntegerPair slivers(Random& random) {
   IntegerPair pair;
   pair.a = uniform_corners(random, -kLimit / 4, kLimit / 4);
@@ -152,7 +155,7 @@ inline IntegerPair slivers(Random& random) {
   return pair;
 }
 
-/// The corners times 2^exponent.
+/// The vertices times 2^exponent.
 inline detail::TriangleCorners scaled(const IntegerCorners& corners, int exponent) {
   detail::TriangleCorners result;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -164,7 +167,7 @@ inline detail::TriangleCorners scaled(const IntegerCorners& corners, int exponen
   return result;
 }
 
-/// Hexadecimal, to be pasted into a test.
+/// In hexadecimal, for copying into a test.
 inline std::string to_text(const detail::TriangleCorners& corners) {
   std::string text = "{";
   for (const Vec3& p : corners) {

@@ -1,4 +1,4 @@
-/// Which features of two triangles meet, and where, against CGAL's exact constructions.
+/// Which features of two triangles intersect, and where, against CGAL's exact constructions.
 #include "geometry/triangle_crossing.hpp"
 
 #include "geometry/flat_pair.hpp"
@@ -28,7 +28,7 @@ using Triangle3 = Kernel::Triangle_3;
 Point3 cgal(const Vec3& p) { return {p.x, p.y, p.z}; }
 Triangle3 cgal(const TriangleCorners& t) { return {cgal(t[0]), cgal(t[1]), cgal(t[2])}; }
 
-/// What CGAL finds: the ends of the intersection, or nothing where it is no point and no segment.
+/// The ends of the intersection by CGAL; empty unless it is a point or a segment.
 std::vector<Point3> ends_by_cgal(const Triangle3& a, const Triangle3& b) {
   const auto found = CGAL::intersection(a, b);
   if (!found) return {};
@@ -38,7 +38,7 @@ std::vector<Point3> ends_by_cgal(const Triangle3& a, const Triangle3& b) {
   return {};
 }
 
-/// The feature of a triangle on which a point of it lies.
+/// The feature of a triangle that contains a point of it.
 Feature feature_at(const Triangle3& t, const Point3& p) {
   for (int i = 0; i < 3; ++i)
     if (t.vertex(i) == p) return detail::corner_feature(static_cast<std::size_t>(i));
@@ -48,7 +48,7 @@ Feature feature_at(const Triangle3& t, const Point3& p) {
   return Feature::face;
 }
 
-/// Along the axis where it is largest.
+/// The largest distance along an axis.
 double distance(const Point3& p, const Vec3& q) {
   double most = 0;
   for (int axis = 0; axis < 3; ++axis)

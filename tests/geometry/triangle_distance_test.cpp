@@ -1,5 +1,5 @@
-/// The scalar distance against rational numbers, on pairs that are made to be hard, and the wide
-/// one against the scalar one.
+/// The scalar distance against rational numbers, on pairs that are designed to be hard, and the
+/// wide distance against the scalar one.
 #include "geometry/triangle_distance.hpp"
 
 #include "distance_lanes.hpp"
@@ -25,7 +25,7 @@ using detail::TriangleCorners;
 using detail::triangles_intersect;
 using detail::Vec3d;
 
-/// The largest difference of two coordinates on an axis.
+/// The largest difference of two coordinates along an axis.
 double extent(const std::vector<Vec3>& points) {
   double most = 0;
   for (const Vec3& p : points)
@@ -46,7 +46,7 @@ void expect_in_triangle(const Barycentrics& at) {
 
 using TrianglePair = std::array<TriangleCorners, 2>;
 
-/// The same two triangles in eight spellings.
+/// The same two triangles with eight orders of vertices.
 std::array<TrianglePair, 8> turned(const TriangleCorners& a, const TriangleCorners& b) {
   std::array<TrianglePair, 8> pairs;
   for (std::size_t lane = 0; lane < 8; ++lane)
@@ -68,7 +68,7 @@ LaneCorners& fill(LaneCorners& lanes, const std::array<TrianglePair, 8>& pairs) 
   return lanes;
 }
 
-/// The wide distances have the scalar one's bits on all targets.
+/// On all targets, the wide distances equal the scalar one bit by bit.
 void check_wide(const TriangleCorners& a, const TriangleCorners& b) {
   const std::array<TrianglePair, 8> pairs = turned(a, b);
   LaneDistances scalar_ones;
@@ -85,7 +85,7 @@ void check_wide(const TriangleCorners& a, const TriangleCorners& b) {
   }
 }
 
-/// What came of many pairs.
+/// Counts over many pairs.
 struct Tally {
   int apart = 0;
   double worst_error = 0;  ///< relative to the extent

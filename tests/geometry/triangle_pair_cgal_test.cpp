@@ -1,5 +1,5 @@
-/// The triangle pair test against CGAL's exact predicates, on triangles that have not collapsed
-/// (CGAL takes no others).
+/// The triangle pair test against CGAL's exact predicates, on triangles that are not collapsed
+/// (CGAL accepts no others).
 #include "geometry/triangle_pair.hpp"
 
 #include "finite_floats.hpp"
@@ -25,8 +25,8 @@ Kernel::Triangle_3 cgal(const TriangleCorners& corners) {
   return {point(corners[0]), point(corners[1]), point(corners[2])};
 }
 
-/// Compares `pairs` pairs from `make`, without those with a collapsed triangle, of which there must
-/// be less than half; and wants the exact stage to have run at least `exact_signs` times.
+/// Compares `pairs` pairs from `make`. Skips pairs with a collapsed triangle, which must be less
+/// than half. Expects the exact stage to have run at least `exact_signs` times.
 template <typename Make>
 void compare_with_cgal(const Make& make, std::uint64_t seed, int pairs, std::uint64_t exact_signs) {
   Random random(seed);

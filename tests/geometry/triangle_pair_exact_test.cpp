@@ -20,7 +20,7 @@ using detail::triangles_intersect;
 
 __extension__ using Int128 = __int128;
 
-/// What a run over many pairs must have met, lest it be empty of meaning.
+/// What a run over many pairs must contain to be meaningful.
 struct Expected {
   double least_hits, most_hits;  ///< shares of all pairs
   double exact_signs;            ///< per pair, at least
@@ -30,7 +30,7 @@ class Tally {
  public:
   explicit Tally(std::uint64_t seed) : seed_(seed), exact_before_(detail::exact_sign_count()) {}
 
-  /// False at a mismatch.
+  /// Returns false on a mismatch.
   bool add(const TriangleCorners& a, const TriangleCorners& b, bool expected) {
     ++pairs_;
     hits_ += expected;
@@ -64,8 +64,8 @@ IntegerTriangle<Integer> widened(const IntegerCorners& corners) {
   return result;
 }
 
-/// The smallest floats are multiples of 2^-149, of which those below 2^-126 are subnormal; the
-/// largest are multiples of 2^104.
+/// The smallest floats are multiples of 2^-149 (below 2^-126 they are subnormal); the largest are
+/// multiples of 2^104.
 constexpr int kSmallest = -149, kOne = -24, kLargest = 104;
 
 template <typename Integer>

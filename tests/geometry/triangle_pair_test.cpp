@@ -25,7 +25,7 @@ TriangleCorners reordered(const TriangleCorners& t, const std::array<std::size_t
   return {t[order[0]], t[order[1]], t[order[2]]};
 }
 
-/// The image under a permutation of the axes, times `scale`.
+/// The triangle with permuted axes, times `scale`.
 TriangleCorners mapped(const TriangleCorners& t, const std::array<std::size_t, 3>& axes,
                        float scale) {
   TriangleCorners result;
@@ -67,7 +67,7 @@ struct NamedPair {
 constexpr TriangleCorners kFlat = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
 
 constexpr NamedPair kNamedPairs[] = {
-    // Two proper triangles in planes that cross.
+    // Two proper triangles in crossing planes.
     {"PiercesInside", kFlat, {{{1, 1, -1}, {1, 1, 1}, {9, 9, 1}}}, true},
     {"PassesBeside", kFlat, {{{3, 3, -1}, {3, 3, 1}, {9, 9, 1}}}, false},
     {"LinkedByOneEdgeEach", kFlat, {{{1, -1, -1}, {1, 1, 1}, {1, -5, 3}}}, true},
@@ -95,7 +95,7 @@ constexpr NamedPair kNamedPairs[] = {
     {"CoplanarCornerOnCorner", kFlat, {{{4, 0, 0}, {5, 0, 0}, {5, 1, 0}}}, true},
     {"CoplanarCornerOnEdge", kFlat, {{{2, 2, 0}, {5, 2, 0}, {5, 5, 0}}}, true},
     {"CoplanarApart", kFlat, {{{3, 2, 0}, {3, 4, 0}, {2, 3, 0}}}, false},
-    // One collapsed.
+    // One collapsed triangle.
     {"PointOnFace", kFlat, {{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}}}, true},
     {"PointOnCorner", kFlat, {{{0, 4, 0}, {0, 4, 0}, {0, 4, 0}}}, true},
     {"PointOnPlaneOutside", kFlat, {{{3, 3, 0}, {3, 3, 0}, {3, 3, 0}}}, false},
@@ -111,7 +111,7 @@ constexpr NamedPair kNamedPairs[] = {
     {"SegmentInPlaneOutside", kFlat, {{{3, 2, 0}, {2, 3, 0}, {2, 3, 0}}}, false},
     {"SegmentOnEdge", kFlat, {{{3, 1, 0}, {1, 3, 0}, {2, 2, 0}}}, true},
     {"SegmentOnLineOfEdge", kFlat, {{{5, 0, 0}, {7, 0, 0}, {6, 0, 0}}}, false},
-    // Both collapsed.
+    // Two collapsed triangles.
     {"SegmentsCross",
      {{{0, 0, 0}, {2, 2, 2}, {0, 0, 0}}},
      {{{2, 0, 0}, {0, 2, 2}, {1, 1, 1}}},
@@ -199,7 +199,7 @@ TEST(TrianglePair, LargestFloatsDoNotOverflow) {
   expect_same_in_any_order(a, {{{kMax, kMax, kMax}, {kMax, kMax, 0}, {kMax, 0, kMax}}}, false);
 }
 
-/// The answer to one pair in any order of arguments and corners, any frame, any scale.
+/// The answer must not depend on the order of arguments and vertices, the frame, or the scale.
 void expect_invariant(IntegerPair (*make)(Random&), std::uint64_t seed) {
   std::cout << "seed " << seed << "\n";
   Random random(seed);

@@ -34,8 +34,8 @@ struct TestedPair {
   TriangleCorners a, b;
 };
 
-// Generators without the distributions of the standard library, which differ from one library to
-// the next: the golden hash needs the same pairs everywhere.
+// Generators without the distributions of the standard library, which differ between
+// implementations: the golden hash needs the same pairs everywhere.
 
 /// From -1 to 1, a multiple of 2^-23.
 float unit(Random& random) { return static_cast<float>(random() >> 40) * 0x1p-23f - 1; }
@@ -49,7 +49,7 @@ TriangleCorners triangle_near(Random& random, const Vec3& center, float radius) 
   return {near(random, center, radius), near(random, center, radius), near(random, center, radius)};
 }
 
-/// Triangles of about a centimetre, less than that from each other.
+/// Triangles of about a centimetre, less than a centimetre apart.
 TestedPair close_at(Random& random, float distance) {
   const Vec3 center = near(random, {distance, distance, distance}, distance / 2);
   return {triangle_near(random, center, 0.007f),
@@ -83,21 +83,22 @@ float power_of_two(Random& random, int low, unsigned count) {
   return std::ldexp(1.0f, low + static_cast<int>(random() % count));
 }
 
-/// The first has two corners 2^6 to 2^13 times closer to each other than to the third.
+/// In the first triangle, two vertices are 2^6 to 2^13 times closer to each other than to the
+/// third.
 TestedPair needle(Random& random) {
   TestedPair pair = close_at_0(random);
   pair.a[1] = near(random, pair.a[2], 0.01f * power_of_two(random, -13, 8));
   return pair;
 }
 
-/// A point of the triangle's plane, rounded, in or near the triangle.
+/// A rounded point of the triangle's plane, inside or near the triangle.
 Vec3 in_plane_of(Random& random, const TriangleCorners& t) {
   const float u = unit(random), v = unit(random), w = 1 - u - v;
   return {w * t[0].x + u * t[1].x + v * t[2].x, w * t[0].y + u * t[1].y + v * t[2].y,
           w * t[0].z + u * t[1].z + v * t[2].z};
 }
 
-/// The second is 2^4 to 2^11 times smaller than the first and near its plane.
+/// The second triangle is 2^4 to 2^11 times smaller than the first and near its plane.
 TestedPair large_and_small(Random& random) {
   const TriangleCorners large = triangle_near(random, {}, 1);
   const float size = power_of_two(random, -11, 8);
@@ -105,8 +106,8 @@ TestedPair large_and_small(Random& random) {
   return {large, triangle_near(random, center, size)};
 }
 
-/// Corners of the second are off the first one's plane by 2^-6 to 2^-25 of its size, where signs
-/// begin to be uncertain.
+/// The vertices of the second triangle are off the first one's plane by 2^-6 to 2^-25 of its size,
+/// where signs start to be uncertain.
 TestedPair almost_coplanar(Random& random) {
   const TriangleCorners t = triangle_near(random, {}, 1);
   const auto off_plane = [&] {
@@ -116,7 +117,8 @@ TestedPair almost_coplanar(Random& random) {
   return {t, {off_plane(), off_plane(), off_plane()}};
 }
 
-/// An edge of the second passes an edge of the first at 2^-6 to 2^-25 of its length.
+/// An edge of the second triangle passes an edge of the first at a distance of 2^-6 to 2^-25 of its
+/// length.
 TestedPair almost_touching(Random& random) {
   const TriangleCorners t = triangle_near(random, {}, 1);
   const Vec3 middle = {(t[0].x + t[1].x) / 2, (t[0].y + t[1].y) / 2, (t[0].z + t[1].z) / 2};
@@ -132,12 +134,13 @@ TestedPair integers(Random& random) {
   return {scaled(pair.a, exponent), scaled(pair.b, exponent)};
 }
 
-/// In general position with small integers, so that a few pairs touch.
+/// In general position with small integers, so few pairs touch.
 IntegerPair on_wide_grid(Random& random) {
   return {uniform_corners(random, 0, 30), uniform_corners(random, 0, 30)};
 }
 
-/// The second with a corner on a corner of the first or halfway along an edge, each second time.
+/// In every other pair, a vertex of the second triangle is at a vertex of the first or in the
+/// middle of an edge.
 IntegerPair touching(Random& random) {
   IntegerPair pair = {uniform_corners(random, -500, 500), uniform_corners(random, -500, 500)};
   for (Point& p : pair.a) p = 2 * p;
@@ -181,7 +184,7 @@ constexpr Case kCases[] = {
     {"Slivers", integers<slivers>, 0.2, 1, 0},
 };
 
-/// The test as compiled for one target.
+/// The test, as compiled for one target.
 struct Compiled {
   Target target;
   LaneMasks (*triage_lanes)(const LaneCorners&);
@@ -215,10 +218,10 @@ void put(const TriangleCorners& triangle, float (&corners)[3][8][4], std::size_t
   }
 }
 
-/// What was decided about many pairs.
+/// Counts of decisions over many pairs.
 struct Tally {
   int pairs = 0, apart = 0, intersecting = 0;
-  std::uint64_t exact_signs = 0;  ///< that pairs left undecided needed
+  std::uint64_t exact_signs = 0;  ///< needed by undecided pairs
 
   void add(const TestedPair& pair, bool is_apart, bool is_intersecting) {
     ++pairs;

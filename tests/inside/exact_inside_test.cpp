@@ -1,4 +1,4 @@
-/// side_of against integer arithmetic, on closed surfaces that are as degenerate as they can be.
+/// side_of against integer arithmetic, on closed surfaces that are as degenerate as possible.
 
 #include <pelt/inside.hpp>
 
@@ -17,7 +17,7 @@
 namespace pelt::test {
 namespace {
 
-/// A closed surface posed vertex by vertex.
+/// A closed surface with freely chosen posed vertices.
 class Body {
  public:
   explicit Body(const std::vector<Triangle>& triangles, std::uint32_t vertex_count)
@@ -92,7 +92,7 @@ TEST(SideOf, ReturnsWhereWeightsUnderflow) {
                       {0x1.c1c1c2p+55f, 0x1.313132p+53f, 0x1.388p+11f});
 }
 
-/// A corner, an edge or a face lies on the ray along the first generic direction.
+/// The ray along the first generic direction hits a vertex, an edge or a face.
 TEST(SideOf, NeedsNoSecondRay) {
   const auto on_ray = [](float t) { return Vec3{t * 0.8391f, t * 0.4772f, t * 0.2613f}; };
   const Vec3 a = {-4, 0, 1}, b = {-4, -3, -1}, c = {0, 3, -4};
@@ -103,7 +103,7 @@ TEST(SideOf, NeedsNoSecondRay) {
   EXPECT_EQ(side_of_tetrahedron({on_ray(-2), on_ray(4), a, b}, {0, 0, 0}), PointSide::on);
 }
 
-/// Where coordinates come from.
+/// The kind of coordinates.
 enum class Numbers { grid, few, wide };
 
 float coordinate(Random& random, Numbers numbers) {
@@ -125,7 +125,7 @@ Vec3 point_of(Random& random, Numbers numbers) {
   return {coordinate(random, numbers), coordinate(random, numbers), coordinate(random, numbers)};
 }
 
-/// Half way, a third or two thirds of the way between two vertices, or anywhere.
+/// A point halfway, a third or two thirds of the way between two vertices, or anywhere.
 Vec3 question(Random& random, Numbers numbers, const std::vector<Vec3>& posed) {
   if (random.chance(0.2)) return point_of(random, numbers);
   const auto any = [&] { return posed[random.index(static_cast<std::uint32_t>(posed.size()))]; };

@@ -34,8 +34,8 @@ struct Body {
   Surface surface;
 };
 
-/// How often the posed surface winds around a point, by the solid angles of its triangles (Van
-/// Oosterom & Strackee 1983): no ray, and no predicate.
+/// The winding number of the posed surface around a point, by the solid angles of its triangles
+/// (Van Oosterom & Strackee 1983), without rays and predicates.
 double winding_number(const Body& body, const std::vector<Vec3>& posed, const Vec3& point) {
   double angle = 0;
   for (const Triangle& t : body.shape.triangles) {
@@ -62,7 +62,7 @@ Shape rigid(const std::vector<Vec3>& positions, const std::vector<Triangle>& tri
   return shape;
 }
 
-/// Four triangles a side, around its middle.
+/// Four triangles per side, around its middle.
 Shape cube(float half, const Vec3& at) {
   std::vector<Vec3> positions;
   for (const float z : {-half, half})
@@ -82,7 +82,7 @@ Shape cube(float half, const Vec3& at) {
   return rigid(positions, triangles);
 }
 
-/// Both in one mesh.
+/// Both shapes in one mesh.
 Shape together(const Shape& a, const Shape& b) {
   std::vector<Vec3> positions = a.rest_positions;
   positions.insert(positions.end(), b.rest_positions.begin(), b.rest_positions.end());
@@ -93,7 +93,7 @@ Shape together(const Shape& a, const Shape& b) {
   return rigid(positions, triangles);
 }
 
-/// Each triangle in four; no two share a vertex by its number.
+/// Each triangle cut into four; no two triangles share a vertex index.
 Shape cut(const Shape& shape) {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
@@ -125,7 +125,7 @@ TEST(SideOf, IsWhereTheSurfaceWinds) {
       const Vec3 near = posed[random.index(static_cast<std::uint32_t>(posed.size()))];
       const Vec3 off = random.point(0.1), point = {near.x + off.x, near.y + off.y, near.z + off.z};
       const double winding = winding_number(body, posed, point);
-      if (std::abs(winding - std::round(winding)) > 1e-3) continue;  // too near to tell this way
+      if (std::abs(winding - std::round(winding)) > 1e-3) continue;  // too near for this method
       const PointSide side = test::point_side(body.pose, body.surface, point, scratch);
       EXPECT_EQ(side == PointSide::inside, std::round(winding) != 0) << winding;
       inside += side == PointSide::inside;
@@ -163,7 +163,7 @@ TEST(SideOf, HoldsForMirroredBodies) {
             PointSide::outside);
 }
 
-/// All vertices, each asked by itself.
+/// Tests each vertex separately.
 Penetration deepest_by_brute_force(Body& a, Body& b) {
   Penetration deepest;
   Scratch scratch;
@@ -208,7 +208,7 @@ double depth_of(const Shape& shape_a, const Shape& shape_b) {
 
 TEST(DeepestVertex, StaysAsDeepWhenTrianglesAreCut) {
   const Shape small = cube(0.5f, {0.8f, 0.1f, 0.05f}), large = cube(1, {0, 0, 0});
-  // The middle of the small one's side x = 0.3 is nearest to the large one's side x = 1.
+  // The middle of the small cube's side x = 0.3 is nearest to the large cube's side x = 1.
   EXPECT_NEAR(depth_of(small, large), 0.7, 1e-6);
   EXPECT_NEAR(depth_of(cut(small), large), 0.7, 1e-6);
   EXPECT_NEAR(depth_of(cut(cut(small)), cut(large)), 0.7, 1e-6);
@@ -244,7 +244,7 @@ TEST(DeepestVertex, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
   });
 }
 
-/// Vertices of all nodes that are open.
+/// The number of vertices in all open nodes.
 std::uint64_t opened_vertices(Pose& pose) {
   const detail::PosedTree posed = pose.detail().posed_tree();
   std::uint64_t count = 0;
@@ -253,7 +253,7 @@ std::uint64_t opened_vertices(Pose& pose) {
   return count;
 }
 
-/// Each opened vertex was opened by the query, and counted once.
+/// The query opened each open vertex and counted it once.
 TEST(DeepestVertex, CountsAllWorkOnBothBodies) {
   Random random(14);
   Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
@@ -295,7 +295,7 @@ TEST(Containment, TellsWhichBodyHoldsTheOther) {
   EXPECT_EQ(containment_of(small, large), Containment::a_in_b);
   EXPECT_EQ(containment_of(large, small), Containment::b_in_a);
   EXPECT_EQ(containment_of(small, cube(1, {5, 0, 0})), Containment::none);
-  // A side of the one lies in a side of the other.
+  // A side of one cube is in the plane of a side of the other.
   EXPECT_EQ(containment_of(cube(0.5f, {0.75f, 0, 0}), large), Containment::none);
 }
 

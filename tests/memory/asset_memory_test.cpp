@@ -1,4 +1,4 @@
-/// Memory that ends while a file is read.
+/// Allocation failures while a file is read.
 
 #include <pelt/asset.hpp>
 
@@ -39,7 +39,8 @@ TEST(AssetMemory, EndsAnywhereAndNothingLeaks) {
   EXPECT_GT(failures, 500u);
 }
 
-/// Of a file by its path: an error, not an exception, and the same file loads afterwards.
+/// Loading a file by its path returns an error, not an exception, and the same file loads
+/// afterwards.
 TEST(AssetMemory, IsToldWithTheFilesName) {
   const std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / "pelt_asset_memory.glb";

@@ -1,4 +1,4 @@
-/// A crowd whose memory ends: it must stay as it was, and answer rightly afterwards.
+/// Allocation failures in a crowd: the crowd must stay unchanged and give right answers afterwards.
 
 #include <pelt/crowd.hpp>
 
@@ -13,7 +13,7 @@
 namespace pelt::test {
 namespace {
 
-/// Limbs in a row, each of which touches its neighbours, and some apart.
+/// Limbs in a row: each touches its neighbours, and some are apart.
 class Limbs {
  public:
   Limbs() : model_(*build_model(make_limb(12, 8, 3).view())) {
@@ -75,8 +75,8 @@ TEST(CrowdMemory, NeedsNoneToRemove) {
 
 class CrowdMemoryOfThreads : public testing::TestWithParam<std::tuple<std::uint32_t, bool>> {};
 
-/// Each allocation of a first query fails once, or it and all that follow; in between, palettes
-/// move, so that nodes left open would give wrong answers.
+/// Fails each allocation of a first query once, alone or with all that follow. Palettes change in
+/// between, so nodes that were left open would give wrong answers.
 TEST_P(CrowdMemoryOfThreads, CollidesAsBeforeWhenMemoryIsBack) {
   const auto [threads, for_ever] = GetParam();
   const Limbs limbs;
@@ -98,10 +98,10 @@ TEST_P(CrowdMemoryOfThreads, CollidesAsBeforeWhenMemoryIsBack) {
       const CrowdStats stats = crowd->collide(again, {.threads = threads});
       EXPECT_TRUE(again == expected[shift]);
       EXPECT_GT(stats.posed_vertices, 0u);
-      crowd.emplace(limbs.make_crowd());  // without memory from earlier queries
+      crowd.emplace(limbs.make_crowd());  // without memory of earlier queries
     };
     const auto collide = [&, threads = threads] {
-      found.resize(1);  // a thread that could not be started is no failure
+      found.resize(1);  // failing to start a thread is not an error
       crowd->collide(found, {.threads = threads});
     };
     fail_each_allocation(collide, check, for_ever);

@@ -1,4 +1,4 @@
-/// Memory that ends while a model is built, posed or asked.
+/// Allocation failures while models are built, posed and queried.
 
 #include <pelt/pelt.hpp>
 
@@ -14,9 +14,9 @@
 namespace pelt::test {
 namespace {
 
-/// Runs an operation that keeps nothing, failing each of its allocations.
+/// Runs an operation that leaves nothing allocated, failing each of its allocations.
 void fail_and_leak_nothing(const std::function<void()>& operation) {
-  operation();  // what is kept for ever is allocated now
+  operation();  // allocates what is never freed
   const std::ptrdiff_t before = live_allocations();
   const std::size_t failures =
       fail_each_allocation(operation, [&] { EXPECT_EQ(live_allocations(), before); });
@@ -54,7 +54,7 @@ TEST(Memory, EndsWhileAPoseOrASurfaceIsMade) {
   });
 }
 
-/// Two poses that can be asked, with an answer to compare.
+/// Two poses for queries, with an answer to compare.
 template <typename Answer>
 class Question {
  public:
@@ -67,7 +67,8 @@ class Question {
     palette_b_ = bend_limb(random, 3, 0.3, offset);
   }
 
-  /// The poses and the scratch outlive each failure, and are asked again at once and after a move.
+  /// The poses and the scratch survive each failure, and are queried again at once and after a
+  /// move.
   void check() const {
     const std::ptrdiff_t before = live_allocations();
     {

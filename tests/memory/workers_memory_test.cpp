@@ -14,7 +14,8 @@ using detail::Workers;
 
 class WorkersThatThrow : public testing::TestWithParam<std::uint32_t> {};
 
-/// The caller learns of it on its own thread, after all workers have ended, and may ask again.
+/// The exception reaches the caller's thread after all workers have ended, and the caller may
+/// retry.
 TEST_P(WorkersThatThrow, TellTheCaller) {
   Workers workers;
   std::atomic<int> ended{0};
@@ -44,7 +45,7 @@ TEST(Workers, KeepTheFirstOfManyExceptions) {
   workers.run(4, [](std::uint32_t) {});
 }
 
-/// Fewer of them work where memory for threads ends.
+/// Fewer workers run if there is no memory for more threads.
 TEST(Workers, DoWithoutThreadsThatMemoryIsMissingFor) {
   const std::size_t failures = fail_each_allocation(
       [] {

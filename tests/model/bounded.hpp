@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bounds of both kinds around many sets of a mesh's vertices, and whether they enclose them.
+/// Bounds of both kinds around many sets of a mesh's vertices, and checks that they enclose them.
 
 #include "compiled_node_box.hpp"
 #include "meshes.hpp"
@@ -27,11 +27,11 @@ using detail::Palette;
 using detail::SkinnedMesh;
 using detail::Tree;
 
-/// Sets of vertices, by their places in the pools, that are to be bounded.
+/// Sets of vertices to bound, by their positions in the pools.
 using Places = std::vector<std::vector<std::uint32_t>>;
 
-/// All that lies below each node, as the tree is; besides, each vertex as a node of its own, where
-/// rounding has nothing to hide behind, and threes, which are flat and lie askew.
+/// All vertices below each node of the tree. Also each vertex as a node of its own, whose margin
+/// consists of rounding only, and sets of three, which are flat and oblique.
 inline Places nodes_and_a_few(const Tree& tree) {
   Places places(tree.nodes.size());
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
@@ -47,7 +47,7 @@ inline Places nodes_and_a_few(const Tree& tree) {
   return places;
 }
 
-/// Both kinds of bound for every set: joint boxes at 2 i, affine at 2 i + 1.
+/// Both kinds of bound for every set: joint boxes at 2 i, affine bounds at 2 i + 1.
 inline NodeBounds fit_both_kinds(const Tree& tree, const Places& sets) {
   const detail::WeightRounding rounding = weight_rounding(tree);
   detail::NodeVertices vertices(tree);
@@ -96,7 +96,7 @@ struct Bounded {
   Tree tree;
   SkinnedMesh vertices;  // in the order of the pools
   Places sets;
-  NodeBounds bounds, bare;  // with and without margins
+  NodeBounds bounds, bare;  // with margins; without
 };
 
 inline PlainBox box_around(const std::vector<Vec3>& posed, const std::vector<std::uint32_t>& set) {
@@ -117,7 +117,7 @@ inline bool encloses(const PlainBox& box, const PlainBox& exact) {
   return true;
 }
 
-/// How far `exact` sticks out of `box`.
+/// The largest distance by which `exact` exceeds `box`.
 inline double excess(const PlainBox& box, const PlainBox& exact) {
   double most = 0;
   for (int a = 0; a < 3; ++a) {
@@ -142,14 +142,14 @@ inline const char* name_of(BoundKind kind) {
   return kind == BoundKind::affine ? "affine" : "joint boxes";
 }
 
-/// What was checked, and how much of the margins was needed.
+/// Counts of checks, and the used fraction of the margins.
 struct Tally {
   std::size_t boxes = 0;
-  double largest_share = 0;  // of the margin that a vertex needed
+  double largest_share = 0;  // largest used fraction of a margin
   double units_needed = 0;   // in u M
 };
 
-/// How much of the margin the posed vertices need.
+/// Adds the fraction of the margin that the posed vertices need.
 inline void add_margin_needed(const Bounded& bounded, std::uint32_t node, const Palette& palette,
                               const PlainBox& exact, Tally& tally) {
   const double need = excess(node_box(bounded.bare, node, palette), exact);
@@ -163,7 +163,7 @@ inline bool is_finite(const PlainBox& box) {
          std::all_of(box.high, box.high + 3, [](float c) { return std::isfinite(c); });
 }
 
-/// Whether a build could take this bound.
+/// Whether a build could use this bound.
 inline bool is_usable(const Bounded& bounded, const detail::NodeBound& bound) {
   return !bound.is_affine() ||
          detail::stays_finite(
@@ -171,7 +171,8 @@ inline bool is_usable(const Bounded& bounded, const detail::NodeBound& bound) {
              bounded.tree.rest_extent);
 }
 
-/// Both kinds of bound around every set of vertices, on every target. Stops at the first failure.
+/// Checks both kinds of bound around every set of vertices on every target. Stops at the first
+/// failure.
 inline void expect_enclosed(const Bounded& bounded, const Palette& palette, Tally& tally) {
   const std::vector<Vec3> posed = pose(bounded.vertices, palette);
   for (std::uint32_t node = 0; node < bounded.bounds.nodes.size(); ++node) {
@@ -206,8 +207,8 @@ inline Matrix4 scaled(Matrix4 joint, float x, float y, float z) {
   return joint;
 }
 
-/// Palettes of every kind: rigid, affine, collapsed, far away, mirrored, shrunk, blown up, joints
-/// torn apart, all joints alike, the rest pose.
+/// Palettes of every kind: rigid, affine, collapsed, far away, mirrored, scaled down, scaled up,
+/// with joints far apart, with equal joints, and the rest pose.
 inline std::vector<std::vector<Matrix4>> palettes_of_all_kinds(Random& random,
                                                                std::uint32_t joint_count) {
   std::vector<std::vector<Matrix4>> all;

@@ -25,7 +25,7 @@ NodeBound& first_of(NodeBounds& bounds, BoundKind kind) {
                        [=](const NodeBound& bound) { return bound.kind == kind; });
 }
 
-/// A node takes the shape of one whose vertices more targets displace.
+/// Gives a node the shape of a node whose vertices are displaced by more targets.
 void share_a_shape(NodeBounds& b) {
   const auto displacements = [&](const NodeBound& bound) {
     const std::size_t body = b.joint_boxes.size() + bound.shape;
@@ -138,7 +138,7 @@ bool is_finite(const Box4& box) {
   return true;
 }
 
-/// Fits up to `q` of check_node_bounds.hpp for each joint, in a mesh of this extent.
+/// Sets fits of each joint up to the limit `q` of check_node_bounds.hpp, in a mesh of this extent.
 void forge(Random& random, double extent, double q, Model& model) {
   model.tree.rest_extent = static_cast<float>(extent);
   for (float& morph_extent : model.tree.morphs.extents) morph_extent = model.tree.rest_extent;
@@ -161,7 +161,7 @@ void forge(Random& random, double extent, double q, Model& model) {
   }
 }
 
-/// Some joints stretch, where nothing cancels, and others go away, each as far as it may.
+/// Some joints scale, without cancellation, and others translate, each as far as allowed.
 std::vector<Matrix4> largest_joints(Random& random, std::uint32_t joint_count, double extent) {
   std::vector<Matrix4> joints(joint_count);
   for (Matrix4& joint : joints) {
@@ -174,7 +174,7 @@ std::vector<Matrix4> largest_joints(Random& random, std::uint32_t joint_count, d
   return joints;
 }
 
-/// The largest palettes, on bounds of random numbers up to the limits.
+/// The largest palettes, with bounds of random numbers up to the limits.
 TEST(CheckNodeBounds, WhatPassesIsFiniteOnEveryPalette) {
   Random random(304);
   Model model = sound_model();

@@ -15,7 +15,7 @@ using test::Random;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// A few hundred triangles in several nodes, and a vertex that none of them uses.
+/// A few hundred triangles in several nodes, and an unused vertex.
 Tree sound_tree() {
   auto shape = test::make_morphing_limb(30, 16, 4);
   test::split_vertex(shape, 5);
@@ -112,7 +112,7 @@ const Breach kBreaches[] = {
 
     {"corners[0] has 65535", [](Tree& t) { t.corners[0][1] = 65535; }},
     {"not one of its cluster_vertices",
-     [](Tree& t) {  // the corner of another cluster
+     [](Tree& t) {  // a vertex of another cluster
        const Node& node = *std::find_if(t.nodes.begin(), t.nodes.end(),
                                         [](const Node& n) { return n.cluster_count > 1; });
        const Cluster* cluster = &t.clusters[node.first_cluster];
@@ -126,19 +126,19 @@ const Breach kBreaches[] = {
     {"cluster_vertices[1] is", [](Tree& t) { t.cluster_vertices[1] = t.cluster_vertices[0]; }},
     {"cluster_vertices[0] is 65535", [](Tree& t) { t.cluster_vertices[0] = 65535; }},
     {"clusters[0] has",
-     [](Tree& t) {  // a corner that is named by no triangle any more
+     [](Tree& t) {  // a vertex that no triangle uses any more
        const std::uint16_t gone = t.cluster_vertices[0];
        const std::uint16_t other = t.cluster_vertices[1];
        for (std::uint32_t i = 0; i < t.clusters[0].triangle_count; ++i)
          std::replace(t.corners[i].begin(), t.corners[i].end(), gone, other);
      }},
     {"has no triangle",
-     [](Tree& t) {  // the last pool takes the vertex that no triangle uses
+     [](Tree& t) {  // the last pool has the unused vertex
        ++t.nodes.back().vertex_count;
      }},
     {"has fewer influences than the one before it",
      [](Tree& t) {
-       // Vertex `p` follows one joint, the ones before it two.
+       // Vertex `p` has one influence, and the vertices before it have two.
        const Node& node = t.nodes.back();
        const std::uint32_t p = node.first_vertex + node.vertex_count - 1;
        const std::uint32_t begin = t.influence_begin[p], end = t.influence_begin[p + 1];
@@ -258,7 +258,7 @@ void change_one_array(Tree& tree, Random& random, Change change) {
   }
 }
 
-/// Meant for the sanitizers: nothing is read beyond its end, and what passes can be unpacked.
+/// For the sanitizers: nothing is read out of bounds, and whatever passes can be unpacked.
 TEST(CheckTree, IsNotLedAstrayByDamage) {
   Random random(84);
   const Tree sound = sound_tree();

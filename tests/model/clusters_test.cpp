@@ -19,7 +19,7 @@ ClusterTree build(const std::vector<Triangle>& triangles, const Samples& samples
 
 ClusterTree build(const Shape& shape) { return build(shape.triangles, {shape.rest_positions}); }
 
-/// Small triangles at these places.
+/// Small triangles at these positions.
 Shape triangles_at(const std::vector<Vec3>& places, float size = 0.01f) {
   Shape shape;
   for (const Vec3& p : places) {
@@ -45,7 +45,7 @@ double area_of(const std::vector<Triangle>& triangles, std::span<const std::uint
   return x * y + y * z + z * x;
 }
 
-/// Everything that the header promises; returns the number of clusters.
+/// Checks all promises of the header. Returns the number of clusters.
 std::uint32_t expect_sound(const ClusterTree& tree, const std::vector<Triangle>& triangles,
                            const Samples& samples) {
   std::vector<std::uint32_t> sorted = tree.triangle_order;
@@ -137,8 +137,8 @@ TEST(Clusters, CutsBetweenTwoClumps) {
   }
 }
 
-/// Along each axis places that shrink by powers, and all others at the origin: the best cut takes
-/// away a single triangle, again and again.
+/// Along each axis, positions that shrink by powers, and all others at the origin: the best cut
+/// removes a single triangle again and again.
 TEST(Clusters, StayWithinTheDepth) {
   std::vector<Vec3> places(400, Vec3{});
   float at = 0x1p50f;

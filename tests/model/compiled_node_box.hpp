@@ -7,7 +7,7 @@
 
 namespace pelt::test {
 
-/// Corners of a box.
+/// The lowest and highest corner of a box.
 struct PlainBox {
   float low[3], high[3];
 
@@ -17,7 +17,7 @@ struct PlainBox {
 using NodeBoxFunction = PlainBox(const detail::NodeBounds& bounds, std::uint32_t node,
                                  const detail::Palette& palette);
 
-/// detail::node_box as compiled for each target.
+/// detail::node_box, as compiled for each target.
 namespace avx2 {
 NodeBoxFunction compiled_node_box;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Checked meshes, made from the shapes of tests/support.
+/// Valid meshes from the shapes of tests/support.
 
 #include "skin/skinned_mesh.hpp"
 #include "support/skinned_shapes.hpp"
@@ -29,14 +29,15 @@ inline std::uint32_t split_vertex(Shape& shape, std::uint32_t v) {
   return static_cast<std::uint32_t>(shape.rest_positions.size() - 1);
 }
 
-/// As exporters do at seams: each corner has a vertex of its own with the given probability.
+/// Splits vertices as exporters do at seams: each corner of a triangle gets a vertex of its own
+/// with the given probability.
 inline void split_at_seams(Shape& shape, Random& random, double probability) {
   for (Triangle& triangle : shape.triangles)
     for (std::uint32_t& v : triangle)
       if (random.chance(probability)) v = split_vertex(shape, v);
 }
 
-/// Positions in the rest pose alone.
+/// Sample poses that consist of the rest pose only.
 inline std::vector<std::vector<Vec3>> rest_only(const detail::SkinnedMesh& mesh) {
   return {mesh.rest_positions};
 }

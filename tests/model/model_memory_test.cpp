@@ -1,4 +1,4 @@
-/// SkinnedModel::memory_bytes leaves no array out.
+/// SkinnedModel::memory_bytes counts every array.
 
 #include "model/model.hpp"
 
@@ -9,7 +9,8 @@
 namespace pelt {
 namespace {
 
-// The arrays that each_array visits, and Tree::triangle_places: add a new array there too.
+// The arrays that each_array visits, and Tree::triangle_places. If you add an array, add it there
+// too.
 static_assert(sizeof(detail::PoolMorphs) == 4 * sizeof(std::vector<int>));
 static_assert(sizeof(detail::Tree) ==
               11 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 8);

@@ -47,7 +47,7 @@ TEST(MorphBounds, BothKindsEncloseWhatIsDisplaced) {
   EXPECT_GT(tally.boxes, 100'000u);
 }
 
-/// Each of many targets adds a rounding: displacements that all point away, on a single vertex.
+/// Each of many targets adds a rounding error: displacements in one direction on a single vertex.
 TEST(MorphBounds, HundredsOfTargetsOnOneVertexAreEnclosed) {
   Random random(331);
   Tally tally;
@@ -66,7 +66,7 @@ TEST(MorphBounds, HundredsOfTargetsOnOneVertexAreEnclosed) {
   test::report(tally);
 }
 
-/// What targets of weight zero could do is no part of the boxes.
+/// Targets of weight zero do not widen the boxes.
 TEST(MorphBounds, InactiveTargetsChangeNoBit) {
   Random random(332);
   Shape limb = test::make_limb(40, 12, 5);
@@ -85,7 +85,7 @@ TEST(MorphBounds, InactiveTargetsChangeNoBit) {
               test::node_box(bare.detail().bounds, n, bare_palette));
 }
 
-/// A bump at one end of a limb leaves the boxes at the other end alone, but for margins.
+/// A bump at one end of a limb does not change the boxes at the other end, except for margins.
 TEST(MorphBounds, ATargetWidensOnlyWhatItDisplaces) {
   Shape limb = test::make_limb(60, 12, 6);
   limb.morph_begin = {0};
@@ -113,8 +113,8 @@ TEST(MorphBounds, ATargetWidensOnlyWhatItDisplaces) {
   EXPECT_GT(wider, 1);
 }
 
-/// Whatever was asked before, on every target: the bounds of opened nodes are those of the weights
-/// set last.
+/// On every target and after any earlier query, the bounds of opened nodes are those of the current
+/// weights.
 TEST(MorphBounds, QueriesSeeTheWeightsSetLast) {
   Random random(333);
   Shape limb = test::make_limb(50, 16, 5);

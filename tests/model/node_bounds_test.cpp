@@ -89,7 +89,7 @@ TEST(NodeBounds, HoldNearTheLimitsOfFloats) {
   EXPECT_GT(tally.boxes, 150000u);
 }
 
-/// The largest float that `is_taken`, of which smaller ones are.
+/// The largest float for which `is_taken` is true; it must be true for smaller ones.
 template <typename IsTaken>
 float largest(const IsTaken& is_taken) {
   std::uint32_t taken = 0, refused = std::bit_cast<std::uint32_t>(HUGE_VALF);
@@ -100,7 +100,7 @@ float largest(const IsTaken& is_taken) {
   return std::bit_cast<float>(taken);
 }
 
-/// Joints turned about and mirrored: those at even places stretch, the others go away.
+/// Rotated and mirrored joints: even joints scale, odd joints translate.
 std::vector<Matrix4> stretching_and_going(Random& random, std::uint32_t joint_count, float linear,
                                           float translation) {
   std::vector<Matrix4> joints(joint_count);
@@ -189,8 +189,8 @@ double half_area(const PlainBox& box) {
   return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
 }
 
-/// The area of the bounds of all nodes, as a build chooses them, over that of the exact boxes: of a
-/// limb of 9,678 triangles in twenty poses.
+/// The area of the bounds of all nodes, as a build chooses them, over the area of the exact boxes,
+/// for a limb of 9,678 triangles in twenty poses.
 double looseness_of_bent_limb(Random& random, double angle) {
   const SkinnedModel model = *build_model(test::make_limb(120, 40, 6).view());
   const Tree& tree = model.detail().tree;
@@ -210,8 +210,8 @@ double looseness_of_bent_limb(Random& random, double angle) {
   return bounds / exact;
 }
 
-/// Counted, so that a change that makes them looser is seen, and one that makes them tighter may
-/// lower the limits.
+/// Limits on the looseness, so that a change that loosens the bounds is noticed. A change that
+/// tightens them may lower the limits.
 TEST(NodeBounds, AreLittleLargerThanExactBoxesOnABentLimb) {
   Random random(34);
   EXPECT_LT(looseness_of_bent_limb(random, 0), 1.002);

@@ -1,6 +1,6 @@
-/// Prepared models that are broken must be refused or load as something that queries can use,
-/// without a crash and without memory out of proportion. The sanitizers watch; the memory is
-/// counted here. A program of its own: it replaces operator new.
+/// Damaged prepared models must be refused, or load as something that queries can use, without a
+/// crash and without excessive memory. The sanitizers detect errors; the memory is counted here. A
+/// separate program, because it replaces operator new.
 
 #include "support/largest_allocation.hpp"
 #include "support/prepared_file.hpp"
@@ -24,7 +24,7 @@ SkinnedModel small_model() {
   return model;
 }
 
-/// How often a broken file was refused, was loaded, and could then be posed.
+/// Number of damaged files that were refused, loaded, and could then be posed.
 struct Tally {
   int refused = 0, loaded = 0, used = 0;
 };
@@ -86,7 +86,7 @@ TEST(PreparedMutation, EveryFlippedByteIsHarmlessWhereTheChecksumHasBeenMended) 
   EXPECT_GT(tally.used, static_cast<int>(file.size() / 4));
 }
 
-/// Numbers at the edges of what a field can hold, at the places of numbers.
+/// Extreme values of each field, at the positions of numbers.
 template <typename T>
 void replace_number(Bytes& file, Random& random, std::initializer_list<T> numbers) {
   const T number = numbers.begin()[random.index(static_cast<std::uint32_t>(numbers.size()))];
@@ -138,9 +138,9 @@ TEST(PreparedMutation, PiecesOfAnotherModelAreHarmless) {
   EXPECT_GT(tally.refused, 1000);
 }
 
-/// Runs after the others, as they stand in this file.
+/// Must run after the other tests of this file.
 TEST(PreparedMutation, NoneOfThemTookMuchMemory) {
-  // A palette of the 65535 joints that a small file may name is the most.
+  // The largest is a palette of the 65535 joints that a small file may declare.
   EXPECT_LE(largest_allocation(), std::size_t{65535} * sizeof(Matrix4));
 }
 

@@ -34,7 +34,7 @@ void expect_words(const Bytes& file, const char* words) {
       << "expected: " << words << "\nfound:    " << refusal_of(file);
 }
 
-/// What two poses answer, and the work of it.
+/// The answers of two poses, and their work.
 auto answers(Pose& a, Pose& b) {
   Scratch scratch;
   std::vector<Contact> contacts;
@@ -101,7 +101,7 @@ TEST(Prepared, TheSameModelGivesTheSameBytes) {
   EXPECT_EQ(save_model(*load_model(file)), file);
 }
 
-/// The bytes may lie anywhere, as in a file mapped into memory.
+/// The bytes may have any alignment, as in a file mapped into memory.
 TEST(Prepared, LoadsFromOddAddresses) {
   Bytes file = save_model(limb());
   file.insert(file.begin(), std::byte{0});
@@ -164,7 +164,7 @@ TEST(Prepared, NamesWhatAForgerHasDoneToTheHeader) {
 
 ErrorCode refusal_code(const Bytes& file) { return load_model(file).error().code; }
 
-/// Whatever else is in it: another size of the header, another checksum, other arrays.
+/// Even if the header size, the checksum and the arrays differ.
 TEST(Prepared, TellsOtherVersionsFromDamage) {
   for (const std::uint32_t version : {1u, 2u, 4u, 0x7FFFFFFFu}) {
     Bytes file = save_model(limb());
@@ -190,8 +190,8 @@ Bytes stored_limb() {
   return file;
 }
 
-/// Who changes the layout, or what an array means, raises the version and stores the limb.pelt that
-/// prepared_seeds then writes. Earlier files are else refused as damaged, or miss contacts.
+/// If you change the layout or the meaning of an array, raise the version and store the limb.pelt
+/// that prepared_seeds writes. Otherwise earlier files are refused as damaged, or miss contacts.
 TEST(Prepared, FilesOfThisVersionKeepTheirMeaning) {
   const Shape shape = test::make_morphing_limb(20, 8, 3);
   const Result<SkinnedModel> stored = load_model(stored_limb());

@@ -26,7 +26,7 @@ TEST(Surface, WithATriangleTurnedRoundIsNotClosed) {
 
 TEST(Surface, IsClosedAcrossSeams) {
   const Shape limb = make_limb(12, 9, 3);
-  Shape split = limb;  // no two triangles share a vertex by its number
+  Shape split = limb;  // no two triangles share a vertex index
   split.rest_positions.clear();
   split.joints.clear();
   split.weights.clear();

@@ -32,7 +32,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// Every vertex and every triangle comes back, up to names of vertices that are bit-identical.
+/// Expects every vertex and every triangle, up to the choice between bit-identical vertices.
 void expect_unpacks_to(const SkinnedMesh& mesh, const Tree& tree) {
   const SkinnedMesh unpacked = unpack_mesh(tree);
   EXPECT_TRUE(same_bits(unpacked.rest_positions, mesh.rest_positions));
@@ -80,7 +80,7 @@ TEST(TreeBuild, WeldsSeams) {
 
 TEST(TreeBuild, PutsUnusedVerticesLast) {
   Shape shape = test::make_limb(10, 8, 2);
-  shape.rest_positions[3].x = 5;  // used, but unlike its copies below
+  shape.rest_positions[3].x = 5;  // used, but different from its copies below
   const std::uint32_t used = static_cast<std::uint32_t>(shape.rest_positions.size());
   for (const std::uint32_t v : {3u, 7u}) test::split_vertex(shape, v);
   shape.rest_positions[used].x = 6;

@@ -10,7 +10,7 @@ namespace {
 using test::Random;
 using test::Shape;
 
-/// Four vertices of two influences, all alike.
+/// Four equal vertices of two influences.
 Shape four_alike() {
   Shape shape;
   shape.rest_positions.assign(4, {1, 2, 3});

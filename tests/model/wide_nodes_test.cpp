@@ -12,7 +12,7 @@ namespace {
 
 using test::Random;
 
-/// A binary tree of random form with this many clusters; areas shrink downwards.
+/// A binary tree of random shape with this many clusters; areas decrease downwards.
 ClusterTree random_tree(Random& random, std::uint32_t clusters) {
   ClusterTree tree;
   tree.nodes.push_back({.first = 0, .count = clusters, .left_child = 0, .area = 1});
@@ -28,7 +28,7 @@ ClusterTree random_tree(Random& random, std::uint32_t clusters) {
   return tree;
 }
 
-/// How many slots lie below `n` if the nodes of `wide` are wide nodes.
+/// The number of slots below `n` if the nodes of `wide` are wide nodes.
 std::uint32_t slots_below(const ClusterTree& tree, std::uint32_t n, const std::vector<bool>& wide) {
   const auto slots_of = [&](std::uint32_t child) {
     const bool is_slot = tree.nodes[child].is_cluster() || wide[child];
@@ -37,7 +37,7 @@ std::uint32_t slots_below(const ClusterTree& tree, std::uint32_t n, const std::v
   return slots_of(tree.nodes[n].left_child) + slots_of(tree.nodes[n].left_child + 1);
 }
 
-/// The least cost over every choice of which nodes become wide ones.
+/// The least cost over every choice of wide nodes.
 double least_cost(const ClusterTree& tree) {
   std::vector<std::uint32_t> inner;
   for (std::uint32_t n = 1; n < tree.nodes.size(); ++n)
@@ -63,7 +63,7 @@ std::uint32_t slot_count(const WideNode& node) {
   return std::uint32_t{node.cluster_count} + node.child_count;
 }
 
-/// Checks that every cluster and every wide node is reached once, in order; returns the cost.
+/// Checks that every cluster and every wide node occurs once, in order. Returns the cost.
 double expect_sound(const ClusterTree& tree, const std::vector<WideNode>& nodes) {
   std::vector<std::uint32_t> origins = {0};
   std::vector<bool> reached(tree.nodes.size(), false);

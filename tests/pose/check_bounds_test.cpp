@@ -21,7 +21,7 @@ using test::Weights;
 
 Pose limb_pose() { return Pose(*build_model(test::make_limb(40, 12, 5).view())); }
 
-/// Two limbs across each other; the first has been queried.
+/// The first of two crossing limbs, after a query.
 Pose queried_limb() {
   Pose limb = limb_pose(), other = limb_pose();
   Random random(1);

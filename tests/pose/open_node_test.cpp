@@ -1,4 +1,4 @@
-/// Opening nodes, on every target: the same bits, the same work.
+/// Opening nodes gives the same bits and the same work on every target.
 
 #include "pose/open_node.hpp"
 #include "model/unpack.hpp"
@@ -39,7 +39,7 @@ void append(Bits& bits, const float (&rows)[3][kCount]) {
   for (const auto& row : rows) append(bits, row, kCount);
 }
 
-/// Everything that a pose knows of its opened nodes, bit by bit; fourth lanes mean nothing.
+/// All data of a pose's opened nodes, bit by bit, without the unused fourth lanes.
 Bits bits_of(Pose& pose) {
   const Tree& tree = pose.model().detail().tree;
   Bits bits;
@@ -60,7 +60,7 @@ Bits bits_of(Pose& pose) {
   return bits;
 }
 
-/// Soups and limbs in poses of all kinds.
+/// Soups and limbs in all kinds of poses.
 template <typename Body>
 void for_all_poses(Random& random, const Body& body) {
   for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
@@ -166,7 +166,7 @@ Box lane(const float (&low)[3][kCount], const float (&high)[3][kCount], std::siz
   return {{{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}}};
 }
 
-/// The box around a triangle's corners in an opened node.
+/// The box of a triangle in an opened node.
 Box triangle_box(const Tree& tree, const OpenedNode& opened, std::uint32_t triangle) {
   Box box = kEmpty;
   for (const std::uint16_t corner : tree.corners[triangle]) {

@@ -1,5 +1,5 @@
-/// The descent visits each pair of clusters that overlap once, of two trees and of one tree against
-/// itself.
+/// The descent visits each pair of overlapping clusters once, for two trees and for one tree
+/// against itself.
 
 #include "query/pair_descent.hpp"
 
@@ -33,7 +33,7 @@ struct VisitClusters : BoxOverlap {
   ClusterPairs pairs;
 };
 
-/// All clusters of a pose, in order, their nodes opened.
+/// All clusters of a pose in order, with their nodes opened.
 std::vector<PosedCluster> all_clusters(const PosedTree& posed) {
   make_table(posed);
   QueryStats work;
@@ -54,7 +54,7 @@ bool overlap(const PosedCluster& a, const PosedCluster& b) {
   return true;
 }
 
-/// Sorted; the lower cluster of each pair first where both are of one tree.
+/// Sorted. For one tree, the lower cluster of each pair comes first.
 ClusterPairs sorted(ClusterPairs pairs, bool is_one_tree) {
   for (auto& [a, b] : pairs)
     if (is_one_tree && b < a) std::swap(a, b);

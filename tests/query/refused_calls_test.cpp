@@ -1,4 +1,4 @@
-/// Broken preconditions abort in every build, with a message.
+/// Violated preconditions abort with a message in every build.
 
 #include <pelt/pelt.hpp>
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr Facing kFacings[] = {Facing::both, Facing::front, Facing::back};
 
-/// A posed shape, and what its rays should hit.
+/// A posed shape and the expected hits of rays.
 struct Posed {
   Posed(const Shape& s, const std::vector<Matrix4>& palette)
       : shape(s), pose(*build_model(shape.view())), oracle(shape.triangles, set(pose, palette)) {}
@@ -35,7 +35,7 @@ struct Posed {
   RayOracle oracle;
 };
 
-/// How many rays hit so many triangles.
+/// The number of rays by their number of hit triangles.
 struct HitCounts {
   int none = 0, one = 0, several = 0;
 
@@ -114,7 +114,7 @@ TEST(Cast, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
   counts.expect_each_at_least(100);
 }
 
-/// Joints that make a mesh tiny or huge, with rays of any length from near and from far.
+/// Joints that make a mesh tiny or huge, and rays of any length from near and far.
 TEST(Cast, EqualsBruteForceOnMeshesOfAllSizes) {
   Random random(92);
   Scratch scratch;
@@ -135,7 +135,7 @@ TEST(Cast, EqualsBruteForceOnMeshesOfAllSizes) {
   counts.expect_each_at_least(40);
 }
 
-/// Vertices on a grid, so that rays run along edges, in planes of triangles and of boxes.
+/// Vertices on a grid, so that rays run along edges and in planes of triangles and boxes.
 TEST(Cast, EqualsBruteForceOnGrids) {
   Random random(93);
   Scratch scratch;
@@ -203,7 +203,7 @@ TEST(Cast, ChoosesTheLowestTriangleOfAnEdge) {
   EXPECT_GT(shared, 20);
 }
 
-/// The far side of a body is not opened, nor anything when the ray passes by.
+/// The far side of a body is not opened, and a ray that misses the body opens nothing.
 TEST(Cast, OpensLittle) {
   Posed limb(make_limb(400, 40, 5), std::vector<Matrix4>(5));
   const Ray ray = {{-5, 0.51f, 0.013f}, {1, 0, 0}};
@@ -223,7 +223,7 @@ TEST(Cast, OpensLittle) {
   EXPECT_EQ(missed.node_pairs, 1u);
 }
 
-/// Once many rays have opened much, the rest is opened at once; rays at one place open little.
+/// Once many rays have opened many nodes, the rest is opened at once; rays at one place open few.
 TEST(Cast, OpensAllWhenManyRaysNeedMuch) {
   Random random(98);
   Posed limb(make_limb(200, 30, 5), bend_limb(random, 5, 0.4, {}));

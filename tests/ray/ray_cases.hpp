@@ -1,6 +1,6 @@
 #pragma once
 
-/// Rays at a posed mesh: anywhere, and those that meet what is hardest to decide.
+/// Rays at a posed mesh: random ones, and the ones that are hardest to decide.
 
 #include "support/random.hpp"
 
@@ -23,7 +23,7 @@ class RayCases {
     }
   }
 
-  /// In the box around the mesh, or as much around it.
+  /// A point in the box of the mesh or around it.
   Vec3 place(Random& random) const {
     const auto between = [&](float low, float high) {
       const double size = double{high} - double{low};
@@ -36,7 +36,7 @@ class RayCases {
     return positions_[triangles_[random.index(size())][random.index(3)]];
   }
 
-  /// A corner, the middle of an edge up to rounding, or a place within a triangle.
+  /// A vertex, the middle of an edge up to rounding, or a point inside a triangle.
   Vec3 target(Random& random) const {
     const Triangle& t = triangles_[random.index(size())];
     const Vec3 &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
@@ -81,7 +81,7 @@ class RayCases {
     }
   }
 
-  /// Parallel to an axis through a target exactly.
+  /// A ray parallel to an axis, exactly through a target.
   Ray along_axis(Random& random) const {
     const std::uint32_t axis = random.index(3);
     Ray ray = {target(random), {0, 0, 0}};

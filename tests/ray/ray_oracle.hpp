@@ -1,6 +1,6 @@
 #pragma once
 
-/// The oracle of ray casts: every posed triangle by the exact predicate, without a tree.
+/// The oracle of ray casts: tests every posed triangle with the exact predicate, without a tree.
 
 #include "geometry/ray_triangle.hpp"
 #include "support/values.hpp"
@@ -30,7 +30,7 @@ class RayOracle {
     return {positions_[a], positions_[b], positions_[c]};
   }
 
-  /// Ascending by t, then by triangle. `location` is not set.
+  /// All hits in ascending order of t, then of the triangle. Does not set `location`.
   std::vector<RayHit> all(const Ray& ray, Facing facing = Facing::both) const {
     std::vector<RayHit> hits;
     const detail::RayLine line = {ray.origin, ray.direction};
@@ -60,8 +60,8 @@ inline RayHit without_location(RayHit hit) {
   return hit;
 }
 
-/// All that can be asked of a ray, against the oracle; a failure names the ray. Returns how many
-/// triangles it hits.
+/// Compares all queries of a ray with the oracle; a failure names the ray. Returns the number of
+/// triangles that the ray hits.
 inline std::size_t expect_as_oracle(Pose& pose, const RayOracle& oracle, const Ray& ray,
                                     Scratch& scratch, Facing facing = Facing::both) {
   const std::vector<RayHit> expected = oracle.all(ray, facing);

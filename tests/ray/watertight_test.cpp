@@ -1,4 +1,4 @@
-/// Closed characters leak nowhere; and files of all kinds, against the oracle.
+/// Closed characters have no leaks; all kinds of files are compared with the oracle.
 
 #include "ray_cases.hpp"
 #include "ray_oracle.hpp"
@@ -38,7 +38,7 @@ bool is_on_edge(const RayHit& hit) {
   return hit.weights[0] == 0 || hit.weights[1] == 0 || hit.weights[2] == 0;
 }
 
-/// Negative where the ray enters.
+/// Negative if the ray enters.
 float along(const Vec3& direction, const Vec3& normal) {
   return direction.x * normal.x + direction.y * normal.y + direction.z * normal.z;
 }
@@ -69,7 +69,7 @@ TEST(Watertight, ARayFromOutsideEntersAsOftenAsItLeaves) {
   EXPECT_GT(crossed, 800);
 }
 
-/// From places inside, through corners and edges as exactly as floats can aim, and anywhere.
+/// From points inside, through vertices and edges as exactly as floats allow, and anywhere.
 TEST(Watertight, ARayFromInsideAlwaysHits) {
   Random random(101);
   Scratch scratch;

@@ -12,7 +12,7 @@ namespace {
 
 using test::Random;
 
-/// Column-major. `depth` is that of glTF's perspective camera for OpenGL, or of Vulkan's.
+/// Column-major. `depth` selects glTF's perspective camera for OpenGL or for Vulkan.
 Matrix4 perspective(float near, float far, ClipDepth depth) {
   Matrix4 m;
   m.m = {};

@@ -1,4 +1,4 @@
-/// Each kind of region means what its comment says.
+/// Each kind of region matches its documentation.
 
 #include "region/region_oracle.hpp"
 #include "support/random.hpp"
@@ -23,7 +23,7 @@ Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b
 
 double distance(const Vec3& a, const Vec3& b) { return std::sqrt(dot(minus(a, b), minus(a, b))); }
 
-/// How deep a point is inside, negative outside.
+/// The depth of a point inside; negative outside.
 double depth(const HalfSpace& half, const Vec3& p) {
   return double{half.offset} - dot(half.normal, p);
 }

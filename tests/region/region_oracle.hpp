@@ -1,6 +1,6 @@
 #pragma once
 
-/// All posed triangles against a region, one by one.
+/// Tests all posed triangles against a region, one by one.
 
 #include <pelt/region.hpp>
 

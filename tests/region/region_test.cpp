@@ -19,7 +19,7 @@ using test::Random;
 using test::Shape;
 using test::Weights;
 
-/// Regions of all kinds, around a place and of about a size.
+/// Regions of all kinds near a position and of about a given size.
 class RandomRegions {
  public:
   explicit RandomRegions(Random& random) : random_(random) {}
@@ -84,7 +84,7 @@ class RandomRegions {
   std::array<HalfSpace, 8> faces_;  // of the last polyhedron
 };
 
-/// What is asked of one pose, and the answers of brute force.
+/// Queries of one pose, and the answers of brute force.
 struct Asked {
   Asked(const Shape& s, Pose& p) : shape(s), pose(p), positions(s.rest_positions.size()) {
     posed_vertices(pose, positions);
@@ -154,7 +154,7 @@ TEST(Region, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
   EXPECT_GT(counts[1], 100);
 }
 
-/// Faces through corners, spheres through corners: which only exact arithmetic can tell.
+/// Faces and spheres through vertices, which only exact arithmetic can decide.
 TEST(Region, TouchingCounts) {
   Random random(542);
   const Shape limb = test::make_limb(20, 8, 3);

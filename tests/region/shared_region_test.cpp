@@ -1,4 +1,4 @@
-/// Real characters in regions of all kinds.
+/// Real characters, and regions of all kinds.
 
 #include <pelt/asset.hpp>
 #include <pelt/bounds.hpp>
@@ -20,7 +20,7 @@ using test::Random;
 
 class SharedRegions : public testing::TestWithParam<const char*> {};
 
-/// A point of the box, or somewhat outside.
+/// A point inside the box or slightly outside.
 Vec3 near_box(Random& random, const Box& box) {
   const auto between = [&](float low, float high) {
     return low + (high - low) * random.uniformf(-0.2, 1.2);

@@ -5,7 +5,7 @@
 namespace pelt::scenes {
 namespace {
 
-/// One joint that moves by one unit along x in a second, in clips of 2 s and 4 s.
+/// One joint that moves one unit along x per second, in clips of 2 s and 4 s.
 asset::Asset slider() {
   asset::Asset asset;
   asset.nodes.resize(1);
@@ -40,7 +40,7 @@ TEST(ClipSamples, AreSharedByClips) {
   const asset::Asset asset = slider();
   const Clips clips = {&asset.clips[1], &asset.clips[0]};
   EXPECT_EQ(places(clip_samples(asset, clips, 4)), (Places{1, 3, 0.5f, 1.5f}));
-  EXPECT_EQ(places(clip_samples(asset, clips, 1)), Places{0});  // where the second begins
+  EXPECT_EQ(places(clip_samples(asset, clips, 1)), Places{0});  // the start of the second clip
   EXPECT_EQ(places(clip_samples(asset, {}, 4)), Places{});
 }
 

@@ -47,7 +47,7 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// Every directed edge once, its reverse once: closed, 2-manifold along edges, oriented.
+/// Every directed edge and its reverse occur once: closed, 2-manifold along edges, oriented.
 void expect_closed(const Asset& asset) {
   std::vector<std::uint64_t> edges, reversed;
   for (const Triangle& t : asset.triangles) {
@@ -68,8 +68,8 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
   return v;
 }
 
-/// Connected, and as many vertices, edges and triangles as a ball: no handle, no hole, no vertex at
-/// which two sheets meet.
+/// Connected, with the Euler characteristic of a ball: no handle, no hole, no vertex where two
+/// sheets meet.
 void expect_ball(const Asset& asset) {
   const std::uint32_t vertex_count = static_cast<std::uint32_t>(asset.rest_positions.size());
   std::vector<std::uint32_t> parent(vertex_count);
@@ -137,7 +137,7 @@ void expect_sound_weights(const Asset& asset) {
     }
     ASSERT_NEAR(sum, 1, 1e-6) << v;
   }
-  // On small budgets the outermost joint of a finger may be left without a vertex.
+  // With few triangles, the outermost joint of a finger may have no vertex.
   EXPECT_GE(used.size() + 4, asset.joints.size());
 }
 
@@ -189,7 +189,7 @@ TEST(Creature, EverySeedStandsOnTheGroundAndIsAsTallAsPromised) {
     }
     EXPECT_NEAR(low.y, 0, 0.003);
     EXPECT_NEAR(high.y, 1.8, 0.03);
-    EXPECT_NEAR(low.x + high.x, 0, 0.03);  // as wide to the left as to the right
+    EXPECT_NEAR(low.x + high.x, 0, 0.03);  // symmetric about x = 0
     EXPECT_GT(high.x - low.x, 0.7);
   }
 }
@@ -254,8 +254,8 @@ std::uint64_t hash_of(const Asset& asset) {
   return hash.value();
 }
 
-// The same bits by every compiler and at every level of optimisation. A change of the creature
-// changes these numbers, and with them the hashes of all its contacts.
+// The bits do not depend on the compiler or the optimisation level. Changing the creature changes
+// these numbers, and the hashes of all its contacts.
 TEST(Creature, SameBitsEverywhere) {
   EXPECT_EQ(hash_of(make(kDwarf)), 0x87a7f5bd399fab9du);
   EXPECT_EQ(hash_of(make(kMan)), 0xefaa38ac993b98c6u);
@@ -321,7 +321,7 @@ double lowest(const std::vector<Vec3>& vertices) {
   return y;
 }
 
-// One foot at least is on the ground in every frame, and none goes into it.
+// At least one foot is on the ground in every frame, and no foot is below it.
 TEST(CreatureClips, FeetTouchTheGround) {
   for (const CreatureOptions& options :
        {CreatureOptions{6000, 20, 3}, CreatureOptions{6000, 64, 6}}) {
@@ -335,7 +335,7 @@ TEST(CreatureClips, FeetTouchTheGround) {
   }
 }
 
-// Among the vertices on the ground some go backwards exactly as the ground does under a creature
+// Some of the vertices on the ground move backwards exactly as the ground does under a creature
 // that walks at kWalkSpeed.
 TEST(CreatureClips, FeetDoNotSlide) {
   constexpr int kFrames = 96;
@@ -356,7 +356,7 @@ TEST(CreatureClips, FeetDoNotSlide) {
   }
 }
 
-// No torn or exploded skin: edges keep about their length, the belly its place.
+// The skin does not tear: edges roughly keep their length, and the belly stays in place.
 TEST(CreatureClips, SkinStaysTogether) {
   for (const CreatureOptions& options : {kDwarf, kMan, kCreature}) {
     const Asset asset = make(options);

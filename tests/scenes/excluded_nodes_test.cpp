@@ -7,7 +7,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// A file of one mesh node, whose name is left where `part` is not.
+/// A file with one mesh node; if `part` is empty, the mesh has no name.
 Character file(const std::string& name, const std::string& node, const std::string& part) {
   Character character;
   character.name = name;

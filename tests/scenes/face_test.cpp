@@ -61,7 +61,7 @@ TEST(Face, RefusesOptionsOutOfRange) {
   EXPECT_FALSE(make_face({200001, 1}));
 }
 
-/// How far the jaw's tip goes down and the corners of the mouth up.
+/// Measures how far the tip of the jaw moves down and the corners of the mouth move up.
 TEST(Face, ExpressionsMoveWhatTheyAreNamedAfter) {
   const Asset asset = make({});
   Pose pose(*build_model(asset.mesh()));
@@ -104,7 +104,7 @@ TEST(Face, TalksWithWeightsThatComeAndGo) {
   }
 }
 
-/// Everything that a query can see of an asset.
+/// Hash of everything in an asset that a query can observe.
 std::uint64_t hash_of(const Asset& asset) {
   detail::Fnv1a64 hash;
   const auto add = [&](float number) { hash.add_u32(std::bit_cast<std::uint32_t>(number)); };
@@ -139,7 +139,7 @@ std::uint64_t hash_of(const Asset& asset) {
   return hash.value();
 }
 
-// The same bits by every compiler and at every level of optimisation.
+// The bits do not depend on the compiler or the optimisation level.
 TEST(Face, SameBitsEverywhere) { EXPECT_EQ(hash_of(make({})), 0xbca77aa55361213cu); }
 
 Asset written_and_read(const Asset& asset) {
@@ -161,7 +161,7 @@ TEST(CharacterGlb, IsReadAsItWas) {
     EXPECT_EQ(read.nodes[n].name, face.nodes[n].name);
 }
 
-/// Its nodes are read in another order, its joints are not.
+/// The order of its nodes changes, the order of its joints does not.
 TEST(CharacterGlb, PlaysAsItDid) {
   const Asset creature = *make_creature({1000, 24, 1}), read = written_and_read(creature);
   ASSERT_EQ(read.clips.size(), 2u);

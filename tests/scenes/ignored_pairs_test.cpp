@@ -5,8 +5,8 @@
 namespace pelt::scenes {
 namespace {
 
-/// Four triangles: "body" has two that follow "hips" and one that follows "arm", "cape" one that
-/// follows "spine".
+/// Four triangles: "body" has two that follow "hips" and one that follows "arm"; "cape" has one
+/// that follows "spine".
 Character person(const std::string& name) {
   Character character;
   character.name = character.source = name;
@@ -97,7 +97,7 @@ TEST_F(IgnoredPairsOfTwo, RefuseNamesThatNothingHas) {
   EXPECT_EQ(refusal("thief/*i*"), "");
 }
 
-/// Comparing all names with each other would take 10^11 steps: minutes.
+/// Comparing all names with each other would take 10^11 steps, which is minutes.
 TEST(CheckNames, RefusesAnUnknownNameInTimeLinearInNames) {
   Character crowd;
   crowd.name = "crowd";

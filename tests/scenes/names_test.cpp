@@ -26,7 +26,7 @@ TEST(PartNames, AreThoseOfMeshesWhereNodesHaveNone) {
   EXPECT_EQ(part_names(asset), (std::vector<std::string>{"cape:0", "part:1"}));
 }
 
-/// Comparing all nodes with each other would take 10^11 steps: minutes.
+/// Comparing all nodes with each other would take 10^11 steps, which is minutes.
 TEST(PartNames, AreFoundInTimeLinearInParts) {
   asset::Asset asset;
   asset.parts.resize(400'000);

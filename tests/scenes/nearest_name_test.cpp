@@ -37,7 +37,7 @@ TEST(NearestName, ListsNoMoreThanCanBeRead) {
 TEST(NearestName, ListsAllWhereNoneIsNear) {
   EXPECT_EQ(suggestion("dance", kKnown),
             ", expected one of \"walk\", \"walk_formal\", \"run\", \"T\"");
-  // Short names are near to everything.
+  // Every name is near to a short one.
   EXPECT_NE(suggestion("X", kKnown).find("expected"), std::string::npos);
 }
 

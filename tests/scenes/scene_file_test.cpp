@@ -66,7 +66,7 @@ TEST(SceneFile, ReadsFacesAndWeightsInTheirOrder) {
 
 struct Refusal {
   const char* text;
-  const char* message;  ///< its begin
+  const char* message;  ///< its start
 };
 
 class RefusedScene : public ::testing::TestWithParam<Refusal> {};

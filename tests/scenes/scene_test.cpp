@@ -8,7 +8,7 @@
 namespace pelt::scenes {
 namespace {
 
-/// One joint that moves along x by one unit a second through a clip of `duration` seconds.
+/// One joint that moves one unit along x per second, in a clip of `duration` seconds.
 asset::Asset sliding_point(float duration) {
   asset::Asset asset;
   asset.nodes.resize(1);
@@ -92,7 +92,7 @@ TEST(Placement, TurnsThenMoves) {
   instance.scale = 2;
   instance.velocity = {0, 4, 0};
   const Matrix4 m = palette_at(scene_of(sliding_point(2), instance), 2);
-  // The node stands at (7, 0, 0); cosine 0.28 and sine 0.96 of the turn around y; t = 0.5.
+  // The node is at (7, 0, 0); the rotation about y has cosine 0.28 and sine 0.96; t = 0.5.
   EXPECT_FLOAT_EQ(m.m[0], 2 * 0.28f);
   EXPECT_FLOAT_EQ(m.m[2], -2 * 0.96f);
   EXPECT_FLOAT_EQ(m.m[5], 2);

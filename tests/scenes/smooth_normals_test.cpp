@@ -9,8 +9,8 @@
 namespace pelt::scenes {
 namespace {
 
-/// A roof: two faces of the ridge 1-2, of which the second is twice as large and has the ridge's
-/// vertices once more, as 4 and 5; then a vertex that no triangle uses, and a collapsed triangle.
+/// A roof: two faces with the ridge 1-2. The second face is twice as large and has copies of the
+/// ridge's vertices, 4 and 5. Also a vertex that no triangle uses, and a collapsed triangle.
 const std::vector<Vec3> kRoof = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, -2},
                                  {0, 0, 0},  {0, 1, 0}, {7, 7, 7}, {5, 5, 5}};
 const std::vector<Triangle> kFaces = {{0, 1, 2}, {4, 3, 5}, {7, 7, 7}};

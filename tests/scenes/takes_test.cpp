@@ -10,7 +10,7 @@ struct Move {
   float duration;
 };
 
-/// One joint that moves by one unit along x in a second in each of its clips.
+/// One joint that moves one unit along x per second in each of its clips.
 asset::Asset slider(const std::vector<Move>& moves) {
   asset::Asset asset;
   asset.nodes.resize(1);
@@ -24,7 +24,7 @@ asset::Asset slider(const std::vector<Move>& moves) {
   return asset;
 }
 
-/// An instance of each of these characters, at 2 frames per second.
+/// One instance of each of these characters, at 2 frames per second.
 Scene scene_of(const std::vector<asset::Asset>& assets, const std::vector<std::string>& clips) {
   Scene scene;
   scene.fps = 2;

@@ -11,7 +11,7 @@
 namespace pelt::scenes {
 namespace {
 
-/// A joint of the greatest sum that is the greatest of no single vertex; then two parts.
+/// One joint has the largest sum without being the largest of any vertex; also two parts.
 asset::Asset three_triangles() {
   asset::Asset asset;
   asset.rest_positions.resize(9, Vec3{0, 0, 0});

@@ -10,7 +10,7 @@ import unittest
 
 SCRIPTS = pathlib.Path(sys.argv.pop(1))
 
-# Stands in for each program that the script runs: notes its words, and fails if $FAILING names it.
+# Replaces each program that the script runs: records its arguments, and fails if $FAILING names it.
 STAND_IN = ('#!/bin/sh\necho "${0##*/} $*" >> "$NOTES"\n'
             'case " $FAILING " in *" ${0##*/} "*) exit 1 ;; esac\n')
 PASSED = '<testsuite><testcase name="good" status="run"/></testsuite>'

@@ -10,7 +10,7 @@ import unittest
 
 SCRIPT = pathlib.Path(sys.argv.pop(1))
 
-# What each of the programs that the script runs does here: it notes its words.
+# Replaces each program that the script runs: records its arguments.
 STAND_IN = '#!/bin/sh\nfor word in "${0##*/}" "$@"; do echo "$word"; done >> "$NOTES"\n'
 
 

@@ -115,7 +115,7 @@ TEST(MorphTargets, BadWeightsAreRefusedAndChangeNothing) {
   }
 }
 
-/// What palette and weights throw too far together is refused in either order.
+/// A palette and weights that together move vertices too far are refused in either order.
 TEST(MorphTargets, NothingLandsTooFarWhicheverIsSetFirst) {
   const SkinnedModel model = *build_model(morphing_limb().view());
   Matrix4 large;
@@ -135,7 +135,7 @@ TEST(MorphTargets, NothingLandsTooFarWhicheverIsSetFirst) {
   EXPECT_TRUE(weights_first.set_palette(palette));
 }
 
-/// A mesh at the limit of coordinates stands at rest, where no palette may put it.
+/// A mesh at the limit of coordinates may be at rest, although no palette may move it there.
 TEST(MorphTargets, ZeroWeightsAreNeverTooFar) {
   Shape shape = morphing_limb();
   shape.rest_positions[0] = {0x1p60f, 0x1p60f, 0x1p60f};
@@ -173,7 +173,7 @@ TEST(MorphTargets, AllWaysOfPosingHaveTheBitsOfTheScalarDefinition) {
   });
 }
 
-/// By the caller's arrays alone.
+/// Computed from the caller's arrays alone.
 TEST(MorphTargets, TheDefinitionIsTheWeightedSumBeforeSkinning) {
   for_each_kind(35, [](const Shape& shape, const Pose& pose) {
     Shape displaced = shape;
@@ -191,7 +191,7 @@ TEST(MorphTargets, TheDefinitionIsTheWeightedSumBeforeSkinning) {
   });
 }
 
-/// Vertices of a seam that a target tears apart are not one vertex.
+/// Vertices of a seam that a target separates are not welded.
 TEST(MorphTargets, SeamsStayTornWhereDisplacementsDiffer) {
   Shape shape = morphing_limb();
   shape.rest_positions[6] = shape.rest_positions[5];

@@ -111,8 +111,8 @@ TEST(SetPalette, NamesTheFirstJointThatIsBad) {
   EXPECT_EQ(refusal(pose, bad).find("palette[1] has the last row 1 0 0 1"), 0u);
 }
 
-/// One joint's linear part and another's translation are both near the limit: no vertex goes beyond
-/// it, though the extent of all together does.
+/// One joint's linear part and another's translation are both near the limit. No vertex exceeds the
+/// limit, although the extent of all joints together does.
 TEST(SetPalette, MeasuresJointByJointWhatTheyCanDo) {
   Pose pose = make_pose();
   std::vector<Matrix4> palette(3);
@@ -220,7 +220,7 @@ std::vector<Matrix3x4> rows_of(const std::vector<Matrix4>& palette) {
   return rows;
 }
 
-/// Doubles that round to the palette, some of them up and some down.
+/// Doubles that round to the palette, some up and some down.
 std::vector<double> doubles_of(const std::vector<Matrix4>& palette) {
   std::vector<double> doubles;
   for (const Matrix4& matrix : palette)

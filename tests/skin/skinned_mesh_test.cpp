@@ -15,7 +15,7 @@ using detail::SkinnedMesh;
 using test::Random;
 using test::Shape;
 
-/// One triangle, two influences a vertex, three joints.
+/// One triangle, two influences per vertex, three joints.
 Shape one_triangle() {
   Shape shape;
   shape.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -12,7 +12,8 @@ using test::Random;
 
 Vec3d place_at(const Ray& ray, double t) { return Vec3d(ray.origin) + t * Vec3d(ray.direction); }
 
-/// A hit is on the surface, and what comes before it is outside; without one all is outside.
+/// Checks that the hit is on the surface, and that the ray before it (or, without a hit, all of it)
+/// is outside.
 void expect_first_point(const Solid& solid, const Ray& ray, const SolidHit& hit, Random& random) {
   const double end = hit ? double{hit.t} : double{ray.t_max};
   if (hit) {
@@ -66,7 +67,7 @@ TEST(SolidCast, GivesPlacesAndNormals) {
   EXPECT_FALSE(test::first_hit(Sphere{{0.25f, 10, 0}, 0.5f}, down));  // behind it
 }
 
-/// From a million units away a ball of one unit is still met where it is.
+/// From a million units away, a ball of one unit is still hit at the right position.
 TEST(SolidCast, IsRightFromFarAway) {
   const SolidHit hit = test::first_hit(Sphere{{0, 0, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}});
   EXPECT_EQ(hit.t, (1 << 20) - 1);

@@ -46,7 +46,7 @@ TEST(SolidDistance, OfATriangleIsThatOfItsNearestPoint) {
   EXPECT_LT(apart, 2500);
 }
 
-/// What is asked of one pose, and the answers of brute force.
+/// Queries of one pose, and the answers of brute force.
 struct Asked {
   Asked(std::span<const Triangle> t, Pose& p)
       : triangles(t), pose(p), positions(p.model().vertex_count()) {
@@ -120,7 +120,7 @@ TEST(SolidDistance, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
   EXPECT_GT(apart, 50);
 }
 
-/// The ground under it, a ball around it, a wall far away.
+/// The ground below it, a ball around it, a wall far away.
 TEST(SolidDistance, WhatIsInsideTouchesWithoutBeingOpened) {
   const Shape limb = test::make_limb(20, 8, 4);
   Pose pose(*build_model(limb.view()));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Solids of all kinds, and what is asked of them when triangles are asked one by one.
+/// Solids of all kinds, and brute force over triangles.
 
 #include "region/region_oracle.hpp"
 #include "solid/solid_points.hpp"
@@ -17,7 +17,7 @@
 
 namespace pelt::test {
 
-/// A solid around a place, of about a size.
+/// A random solid near `about`, of about the given size.
 inline Solid random_solid(Random& random, const Vec3& about, double size) {
   const auto point = [&] {
     const Vec3 away = random.point(size);
@@ -70,7 +70,7 @@ inline BruteSolidDistance brute_distance(const Solid& solid, std::span<const Tri
   return best;
 }
 
-// How far a point is from each kind of solid, by other formulas.
+// The distance of a point from each kind of solid, by other formulas.
 
 inline double distance_to(const HalfSpace& half, const detail::Vec3d& p) {
   const detail::Vec3d n(half.normal);
@@ -88,7 +88,7 @@ inline double distance_to(const Sphere& sphere, const detail::Vec3d& p) {
   return distance_to(Capsule{sphere.centre, sphere.centre, sphere.radius}, p);
 }
 
-/// The axes are at right angles.
+/// Precondition: the axes are orthogonal.
 inline double distance_to(const OrientedBox& box, const detail::Vec3d& p) {
   const detail::Vec3d way = p - detail::Vec3d(box.centre);
   const auto beyond = [&](std::size_t axis, float half) {

@@ -1,5 +1,5 @@
-/// Rigid and static meshes: models with one joint, prepared like any other, that characters collide
-/// with, that rays meet, and that are moved by one matrix.
+/// Rigid and static meshes: models with one joint, prepared like any other model, that are collided
+/// with, hit by rays, and moved by one matrix.
 
 #include "geometry/ray_triangle.hpp"
 #include "support/skinned_shapes.hpp"
@@ -24,7 +24,7 @@ std::vector<Vec3> posed(const Pose& pose) {
   return positions;
 }
 
-/// A rock, as it is built and as it is read from bytes.
+/// A rock, once built and once read from bytes.
 struct Rocks {
   explicit Rocks(Random& random)
       : shape(test::make_soup(random, 300, 1, 1, test::Weights::one_joint)),
@@ -99,7 +99,7 @@ TEST(StaticMesh, MeetsRaysAsBruteForceTells) {
   EXPECT_GT(hits, 100);
 }
 
-/// What has been opened of a mesh stays open while it is not moved.
+/// Opened nodes of a mesh stay open while it does not move.
 TEST(StaticMesh, IsPosedOnceWhileItStands) {
   Random random(752);
   Rocks rocks(random);

@@ -4,7 +4,7 @@
 
 namespace pelt::test {
 
-/// Calls of operator new so far; linking pelt_allocation_count replaces it by one that counts.
+/// Number of calls of operator new so far. Link pelt_allocation_count, which replaces operator new.
 std::size_t allocation_count();
 
 }  // namespace pelt::test

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Inside and outside by integer arithmetic and brute force: every triangle against a ray of a
-/// random direction, another one where that meets an edge. Shares no idea with the library but the
-/// definition.
+/// Inside and outside by integer arithmetic and brute force: intersects every triangle with a ray
+/// in a random direction, and tries another direction if the ray meets an edge. Shares only the
+/// definition with the library.
 
 #include "geometry/hulls_meet.hpp"
 
@@ -22,7 +22,7 @@ namespace pelt::test {
 using BigPoint = IntegerPoint<mpz_class>;
 using BigTriangle = IntegerTriangle<mpz_class>;
 
-/// The coordinate in units of 2^-149, of which every float is a multiple.
+/// The coordinate in units of 2^-149; every float is a multiple of this.
 inline mpz_class to_big(float value) {
   return mpz_class(mpf_class(mpf_class(static_cast<double>(value), 512) << 149));
 }
@@ -46,7 +46,8 @@ class ExactWinding {
 
  private:
   BigPoint random_direction() {
-    // With a deduced type, the lambda returns an expression of GMP that refers to dead temporaries.
+    // Without the return type, the lambda would return an expression of GMP with dangling
+    // references.
     const auto coordinate = [&]() -> mpz_class {
       return mpz_class(static_cast<long>(random_() >> 20)) - (mpz_class(1) << 43);
     };
@@ -58,7 +59,7 @@ class ExactWinding {
            p[2] * (q[0] * r[1] - q[1] * r[0]);
   }
 
-  /// Nothing if the ray meets an edge.
+  /// Nullopt if the ray meets an edge.
   std::optional<int> winding_along(const BigPoint& direction, const BigPoint& origin) const {
     int number = 0;
     for (const BigTriangle& t : triangles_) {
@@ -72,7 +73,7 @@ class ExactWinding {
       if (least < 0 && most > 0) continue;
       if (least == 0 && most == 0 && is_collapsed(t)) continue;
       if (std::count(sides.begin(), sides.end(), 0) > 0) return std::nullopt;
-      // The ray's parameter is this determinant over one with the sign of the sides.
+      // The ray's parameter is this determinant, divided by one with the sign of the sides.
       const int ahead = sgn(determinant(seen[0], seen[1], seen[2])) * sides[0];
       if (ahead > 0) number += sides[0];
     }

@@ -8,7 +8,7 @@ namespace {
 constexpr std::ptrdiff_t kNever = -1;
 
 std::atomic<std::ptrdiff_t> live{0};
-std::atomic<std::ptrdiff_t> left{kNever};  // to be granted before one fails; kNever: all are
+std::atomic<std::ptrdiff_t> left{kNever};  // successes before a failure; kNever: all succeed
 std::atomic<bool> fails_for_ever{false}, failed{false};
 
 bool is_refused() {
@@ -59,7 +59,7 @@ bool FailingAllocation::has_failed() const { return failed; }
 
 }  // namespace pelt::test
 
-// Every form, since a sanitizer has forms of its own that do not call another.
+// Replaces every form, because a sanitizer has forms of its own that do not call another.
 void* operator new(std::size_t size) { return allocate_or_throw(size, kAlignment); }
 void* operator new[](std::size_t size) { return allocate_or_throw(size, kAlignment); }
 void* operator new(std::size_t size, std::align_val_t alignment) {

@@ -1,18 +1,18 @@
 #pragma once
 
-/// Memory that ends when a test says so. A program that links pelt_failing_allocation has an
-/// operator new that counts and can fail.
+/// Lets tests choose when memory allocation fails. Link pelt_failing_allocation, which replaces
+/// operator new by one that counts and can fail.
 
 #include <cstddef>
 #include <new>
 
 namespace pelt::test {
 
-/// Blocks of operator new that have not been deleted.
+/// Number of allocated blocks that have not been deleted.
 std::ptrdiff_t live_allocations();
 
-/// Fails allocation `number` from now on, 1 being the next one, on whichever thread. With
-/// `for_ever` all that follow fail too, until this object ends.
+/// Makes allocation `number` fail, counted from 1 for the next one, on any thread. With `for_ever`,
+/// all later allocations fail too, until this object is destroyed.
 class FailingAllocation {
  public:
   explicit FailingAllocation(std::size_t number, bool for_ever = false);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Small glTF files made in memory, whole or broken on purpose.
+/// Builds small glTF files in memory, valid or deliberately broken.
 
 #include <pelt/asset.hpp>
 
@@ -34,20 +34,19 @@ std::size_t component_count(const std::string& type);
 void append(std::vector<std::byte>& bytes, const void* data, std::size_t size);
 void append_u32(std::vector<std::byte>& bytes, std::size_t value);
 
-/// The bytes of a .glb with these two chunks.
+/// The bytes of a .glb file with these two chunks.
 std::vector<std::byte> make_glb(std::string text, std::vector<std::byte> binary);
 
-/// A document and its one buffer. Tests change `document` as they like before they make a file of
-/// it.
+/// A document and its single buffer. Tests may change `document` before they make a file.
 class GltfBuilder {
  public:
   json document = {{"asset", {{"version", "2.0"}}}};
   std::vector<std::byte> binary;
 
-  /// Appends to an array of the document; returns the element's number.
+  /// Appends to an array of the document. Returns the element's index.
   std::size_t add(const char* array, const json& element);
 
-  /// A view on bytes that it appends to the buffer.
+  /// Appends bytes to the buffer and adds a view of them.
   std::size_t add_view(const void* data, std::size_t size);
 
   template <typename T>
@@ -55,7 +54,7 @@ class GltfBuilder {
     return add_view(values.data(), values.size() * sizeof(T));
   }
 
-  /// An accessor on values that it appends to the buffer.
+  /// Appends values to the buffer and adds an accessor to them.
   template <typename T>
   std::size_t add_accessor(const std::vector<T>& values, const std::string& type,
                            bool normalised = false) {
@@ -68,7 +67,7 @@ class GltfBuilder {
   json& primitive(std::size_t mesh = 0, std::size_t index = 0);
   json& attribute(const char* name);
 
-  /// Sets a number of an accessor that has no gaps.
+  /// Sets a number of an accessor without gaps.
   template <typename T>
   void set_value(std::size_t accessor, std::size_t i, T value) {
     std::memcpy(&binary[offset_of(accessor) + i * sizeof(T)], &value, sizeof(T));
@@ -76,7 +75,7 @@ class GltfBuilder {
 
   std::vector<std::byte> glb() const;
 
-  /// The .gltf that has its buffer under this uri; "" puts the bytes into the text.
+  /// The .gltf file with its buffer at this URI; "" embeds the buffer in the text.
   std::vector<std::byte> gltf(std::string uri = "") const;
 
   Result<asset::Asset> load(const asset::GltfOptions& options = {}) const;
@@ -87,8 +86,8 @@ class GltfBuilder {
   std::size_t offset_of(std::size_t accessor);
 };
 
-/// Passes when the result is an error whose message has all the words and, where the file is at
-/// fault, says what to do about it: to export something else.
+/// Succeeds if the result is an error whose message contains all the words and, if the file is at
+/// fault, says how to fix the file: by exporting something else.
 ::testing::AssertionResult refused(const Result<asset::Asset>& result,
                                    std::initializer_list<std::string_view> words);
 

@@ -15,7 +15,7 @@ GltfSeed seed_of(const char* name, const GltfBuilder& builder) {
   return {name, document.dump(), builder.binary};
 }
 
-/// Sparse positions, morph targets with default weights and a channel that animates them.
+/// Sparse positions, morph targets with default weights, and a channel that animates them.
 GltfBuilder morphing() {
   GltfBuilder builder = paper_strip();
   const std::size_t indices = builder.add_view(std::vector<std::uint8_t>{1, 3, 6});

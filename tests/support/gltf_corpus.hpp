@@ -6,15 +6,15 @@
 
 namespace pelt::test {
 
-/// A small file that loads, in its two halves.
+/// A small valid file, as JSON and binary data.
 struct GltfSeed {
   std::string name;
   std::string json;
   std::vector<std::byte> binary;
 };
 
-/// Files that together have every feature of the format that the reader knows: where mutation
-/// begins.
+/// Files that together use every feature of the format that the reader supports: seeds for
+/// mutation.
 std::vector<GltfSeed> gltf_corpus();
 
 }  // namespace pelt::test

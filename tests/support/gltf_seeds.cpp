@@ -1,5 +1,5 @@
-/// gltf_seeds FOLDER: writes the generated files, to compare with another
-/// reader or to begin fuzzing with.
+/// gltf_seeds FOLDER: writes the generated files, for comparison with another reader and as seeds
+/// for fuzzing.
 
 #include "support/gltf_builder.hpp"
 #include "support/gltf_corpus.hpp"

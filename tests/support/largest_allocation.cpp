@@ -22,7 +22,8 @@ void* allocate_or_throw(std::size_t size) {
 
 std::size_t pelt::test::largest_allocation() { return g_largest; }
 
-// Every form but the aligned ones, since a sanitizer has forms of its own that do not call another.
+// Replaces every form except the aligned ones, because a sanitizer has forms of its own that do not
+// call another.
 void* operator new(std::size_t size) { return allocate_or_throw(size); }
 void* operator new[](std::size_t size) { return allocate_or_throw(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }

@@ -4,8 +4,8 @@
 
 namespace pelt::test {
 
-/// The most bytes that operator new has been asked for at once; a program that has
-/// largest_allocation.cpp among its sources has an operator new that keeps count.
+/// The largest number of bytes in one call of operator new. Add largest_allocation.cpp to the
+/// program, which replaces operator new.
 std::size_t largest_allocation();
 
 }  // namespace pelt::test

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Prepared models, broken on purpose.
+/// Deliberately broken prepared models.
 
 #include "model/prepared_format.hpp"
 
@@ -23,7 +23,7 @@ inline void put_header(const detail::PreparedHeader& header, Bytes& file) {
   std::memcpy(file.data(), &header, sizeof header);
 }
 
-/// Makes checksum and size right again, as a forger would. Nothing for what is shorter than the
+/// Corrects checksum and size, as a forger would. Does nothing if the file is shorter than the
 /// header.
 inline void mend(Bytes& file) {
   if (file.size() < sizeof(detail::PreparedHeader)) return;
@@ -33,7 +33,7 @@ inline void mend(Bytes& file) {
   put_header(header, file);
 }
 
-/// Where the bytes of each array of `model` begin in its file, and those past the last end.
+/// The offset of each array of `model` in its file, and the end of the last array.
 inline std::vector<std::size_t> array_places(const detail::Model& model) {
   std::vector<std::size_t> places;
   std::size_t end = sizeof(detail::PreparedHeader);

@@ -1,4 +1,4 @@
-/// prepared_seeds FOLDER: writes small prepared models to begin fuzzing with.
+/// prepared_seeds FOLDER: writes small prepared models as seeds for fuzzing.
 
 #include "support/skinned_shapes.hpp"
 

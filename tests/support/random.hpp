@@ -8,8 +8,8 @@
 
 namespace pelt::test {
 
-/// Random numbers that are the same on every platform (the standard's distributions are not) and
-/// tell their seed, so that a failure can be repeated.
+/// Random numbers that are the same on every platform (the standard's distributions are not).
+/// Prints its seed, so that a failure can be repeated.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {

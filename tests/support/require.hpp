@@ -5,7 +5,7 @@
 
 namespace pelt::test {
 
-/// Ends the program with a message where a condition does not hold. For fuzzers, which have no
+/// Ends the program with a message if a condition does not hold. For fuzzers, which do not use
 /// GoogleTest.
 inline void require(bool condition, const char* what) {
   if (condition) return;

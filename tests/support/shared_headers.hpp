@@ -1,6 +1,6 @@
 #pragma once
 
-/// What most tests include, to be compiled once for all of them.
+/// Headers that most tests include, precompiled for all of them.
 
 #include <gtest/gtest.h>
 

@@ -52,7 +52,7 @@ void append_random_influences(Shape& shape, Random& random, Weights weights) {
   append_influences(shape, influences);
 }
 
-/// Turns `m`'s linear part into L * m's.
+/// Replaces the linear part of `m` by L times it.
 Matrix4 linear_times(const double (&l)[3][3], const Matrix4& m) {
   Matrix4 product = m;
   for (std::size_t column = 0; column < 3; ++column)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Small skinned meshes and joint palettes to test with.
+/// Small skinned meshes and joint palettes for tests.
 
 #include "support/random.hpp"
 
@@ -37,17 +37,17 @@ enum class Weights {
   adversarial,  ///< tiny weights, equal weights, weights off 1 by rounding, all mixed
 };
 
-/// A soup of triangles with shared vertices and random joints: no structure that a bound could rely
-/// on. Every 16th triangle is degenerate.
+/// A soup of triangles with shared vertices and random joints, without structure that a bound could
+/// rely on. Every 16th triangle is degenerate.
 Shape make_soup(Random& random, std::uint32_t triangle_count, std::uint32_t joint_count,
                 std::uint32_t influences_per_vertex, Weights weights);
 
-/// Adds morph targets that each displace a share of the vertices, by up to `size` along each axis:
-/// a run of them, as a face is one, or any of them.
+/// Adds morph targets that each displace a fraction of the vertices by up to `size` along each
+/// axis: a contiguous run of vertices, as in a face, or any of them.
 void add_morph_targets(Random& random, Shape& shape, std::uint32_t count, double share,
                        double size);
 
-/// A limb with three morph targets: bumps at either end, and one that every third vertex is in.
+/// A limb with three morph targets: bumps at either end, and one with every third vertex.
 Shape make_morphing_limb(std::uint32_t rings, std::uint32_t sides, std::uint32_t joint_count);
 
 enum class Morphing {
@@ -56,7 +56,7 @@ enum class Morphing {
   some,        ///< a third of the targets active, weights in [0, 1]
   all,         ///< weights in [-1, 2]
   huge,        ///< weights up to 1e4 of either sign
-  cancelling,  ///< large weights, each of which nearly undoes the one before it
+  cancelling,  ///< large weights, each of which nearly cancels the previous one
 };
 
 inline constexpr Morphing kAllMorphings[] = {Morphing::none, Morphing::one,  Morphing::some,
@@ -67,20 +67,20 @@ std::vector<float> make_morph_weights(Random& random, std::uint32_t count, Morph
 enum class Motion {
   rigid,      ///< rotations and translations, as in the paper
   affine,     ///< any scale, shear and reflection
-  collapsed,  ///< singular matrices: everything falls on planes, lines, points
+  collapsed,  ///< singular matrices: everything is mapped to planes, lines, points
   far_away,   ///< rigid, 1e5 units from the origin
 };
 
-/// A random palette of the given kind; translations up to `spread`.
+/// A random palette of the given kind, with translations up to `spread`.
 std::vector<Matrix4> make_palette(Random& random, std::uint32_t joint_count, Motion motion,
                                   double spread);
 
-/// A palette that bends a limb: each joint turns by up to `angle` more than the one before, around
-/// random axes. `placement` comes last.
+/// A palette that bends a limb: each joint rotates by up to `angle` more than the previous one,
+/// around random axes. `placement` is applied last.
 std::vector<Matrix4> bend_limb(Random& random, std::uint32_t joint_count, double angle,
                                const Vec3& placement);
 
-/// Rotation by `angle` around the direction `axis` through `centre`, then translation.
+/// Rotation by `angle` about the axis through `centre` with the direction `axis`, then translation.
 Matrix4 rotation_about(const Vec3& axis, double angle, const Vec3& centre, const Vec3& translation);
 
 }  // namespace pelt::test

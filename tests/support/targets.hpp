@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tests that run on every target that this machine has.
+/// Runs tests on every target that this machine supports.
 
 #include <pelt/target.hpp>
 
@@ -15,7 +15,7 @@ inline bool runs_here(Target target) {
   return std::find(available.begin(), available.end(), target) != available.end();
 }
 
-/// Calls `body(target)` while queries use `target`, for each available one.
+/// Calls `body(target)` for each available target, with queries set to use that target.
 template <typename Body>
 void on_each_target(const Body& body) {
   const Target before = active_target();

@@ -4,8 +4,8 @@
 
 namespace pelt::test {
 
-/// Does with a loaded file all that a program would, whatever is in it: builds the model, samples
-/// its clips, poses it. True when all of it was accepted.
+/// Uses a loaded file as a program would, whatever its content: builds the model, samples its
+/// clips, poses it. Returns true if all steps succeed.
 bool use_asset(const asset::Asset& asset);
 
 }  // namespace pelt::test

@@ -11,7 +11,7 @@
 namespace pelt::test {
 namespace {
 
-/// The joints at even places stay, the others go a little way.
+/// Even joints stay, odd joints move slightly.
 std::vector<Matrix4> spread_palette(const SkinnedModel& model, float step) {
   std::vector<Matrix4> palette(model.joint_count());
   for (std::size_t j = 1; j < palette.size(); j += 2) palette[j].m[12] = step;
@@ -34,7 +34,7 @@ bool use_model(const SkinnedModel& model) {
   if (!a.set_morph_weights(std::vector<float>(model.morph_target_count(), 0.5f))) return false;
   require_finite(a);
   require_finite(b);
-  static_cast<void>(check_bounds(a));  // opens every node; forged bounds may well be wrong
+  static_cast<void>(check_bounds(a));  // opens every node; forged bounds may be wrong
   Scratch scratch;
   std::vector<Contact> contacts;
   collide(a, b, scratch, contacts, {.max_contacts = 100'000});

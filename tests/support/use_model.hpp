@@ -4,9 +4,9 @@
 
 namespace pelt::test {
 
-/// Does with a model what a program would, whatever is in it: poses two instances, opens all their
-/// nodes, collides them. Ends the program where a posed vertex is not finite or a contact names a
-/// triangle that does not exist. True when the joint palettes were accepted.
+/// Uses a model as a program would, whatever its content: poses two instances, opens all their
+/// nodes, collides them. Ends the program if a posed vertex is not finite or a contact has an
+/// invalid triangle number. Returns true if the joint palettes were accepted.
 bool use_model(const SkinnedModel& model);
 
 }  // namespace pelt::test

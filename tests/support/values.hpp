@@ -1,6 +1,6 @@
 #pragma once
 
-/// Queries by value, for tests that compare answers and do not ask for the work.
+/// Queries that return values, for tests that compare answers and ignore the work.
 
 #include <pelt/pelt.hpp>
 

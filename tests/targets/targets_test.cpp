@@ -1,5 +1,5 @@
-/// Every target finds what brute force finds, by the same work; also where corners lie on planes
-/// and edges of other triangles, which only exact arithmetic can tell.
+/// Every target finds the contacts of brute force with the same work, also where vertices are on
+/// planes and edges of other triangles, which only exact arithmetic can decide.
 
 #include <pelt/collide.hpp>
 
@@ -27,7 +27,8 @@ struct Body {
   Matrices palette;
 };
 
-/// Triangles between points of a small integer grid; each vertex follows one joint, or two alike.
+/// Triangles between points of a small integer grid; each vertex follows one joint, or two equal
+/// ones.
 Shape make_grid_soup(Random& random, std::uint32_t triangle_count, std::uint32_t joint_count) {
   Shape shape;
   shape.joint_count = joint_count;
@@ -47,7 +48,7 @@ Shape make_grid_soup(Random& random, std::uint32_t triangle_count, std::uint32_t
   return shape;
 }
 
-/// Turns by right angles and reflections, moves by whole units: what lies on the grid stays there.
+/// Rotations by right angles, reflections and translations by whole units, which preserve the grid.
 Matrix4 grid_joint(Random& random) {
   std::uint32_t axes[3] = {0, 1, 2};
   std::swap(axes[0], axes[random.index(3)]);
@@ -62,7 +63,7 @@ Matrix4 grid_joint(Random& random) {
   return joint;
 }
 
-/// Sets whole rows to zero: everything falls on planes of the grid, lines, or a point.
+/// Sets whole rows to zero: everything is mapped to planes of the grid, lines, or a point.
 Matrix4 collapsed(Random& random, Matrix4 joint, double probability) {
   for (std::size_t row = 0; row < 3; ++row)
     if (random.chance(probability))
@@ -90,7 +91,8 @@ Body in_one_plane(Random& random) {
   return body;
 }
 
-/// The same limb in the same pose: every triangle lies on its twin and touches its neighbours.
+/// The same limb in the same pose: every triangle coincides with its twin and touches its
+/// neighbours.
 Body twin(Random&) {
   Random same(90);
   return {test::make_limb(12, 8, 4), test::bend_limb(same, 4, 0.3, {})};
@@ -143,7 +145,7 @@ constexpr Case kCases[] = {
     {"soups_far_away", soup<Motion::far_away>, false},
 };
 
-/// What a query answers and does.
+/// The answer and the work of a query.
 struct Answer {
   std::vector<Contact> contacts;
   QueryStats work;
@@ -155,7 +157,7 @@ auto counts(const QueryStats& work) {
                     work.cut_short);
 }
 
-/// Two bodies that are queried, each time in a pose set anew.
+/// Two bodies that are queried in a new pose each time.
 class Pair {
  public:
   Pair(const Body& a, const Body& b)

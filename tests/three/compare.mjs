@@ -9,7 +9,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { loadModel, poseCorners } from './three_pose.mjs';
 
-const TOLERANCE = 1e-4; // of the extent of the pose
+const TOLERANCE = 1e-4; // relative to the extent of the pose
 const MOST_CLIPS = 4;
 
 function modelFiles(argument) {

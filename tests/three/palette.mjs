@@ -1,6 +1,6 @@
-// palette.mjs PACKAGE: what bindings/wasm/README.md says of three.js's bones holds: the palette of a
-// pose is boneMatrices[j] x bindMatrix, names with dots are in userData.name, and a file with
-// unskinned parts must be read with noUnskinned.
+// palette.mjs PACKAGE: checks the statements of bindings/wasm/README.md about three.js's bones: the
+// palette of a pose is boneMatrices[j] x bindMatrix, names with dots are in userData.name, and a
+// file with unskinned parts must be read with noUnskinned.
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
@@ -79,19 +79,19 @@ place(scene, mesh);
 pose.setPalette(paletteOf(mesh));
 assertNear(pose.posedVertices(), drawnBy(mesh));
 
-// Bound with a matrix, as by bind() without one.
+// Bound with a matrix, as by bind() without an argument.
 mesh.bind(mesh.skeleton, new THREE.Matrix4().makeRotationX(0.4).setPosition(1, 2, 3));
 place(scene, mesh);
 pose.setPalette(paletteOf(mesh));
 const drawn = drawnBy(mesh);
 assertNear(pose.posedVertices(), drawn);
 
-// The world matrix of the mesh has no place in it.
+// The world matrix of the mesh must not be multiplied in.
 const wrong = new THREE.Matrix4().fromArray(paletteOf(mesh)).premultiply(mesh.matrixWorld);
 pose.setPalette(new Float32Array(wrong.toArray()));
 assert.throws(() => assertNear(pose.posedVertices(), drawn));
 
-// With the stone, a character has a joint that the skeleton lacks.
+// With the stone, the character has a joint that the skeleton lacks.
 const withStone = pelt.readCharacter(bytes, { name: 'rock.gltf' });
 assert.deepEqual(withStone.jointNames, ['hand.r', 'stone']);
 assert.throws(() => withStone.makePose().setPalette(paletteOf(mesh)), /palette/);

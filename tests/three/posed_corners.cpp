@@ -1,5 +1,5 @@
-/// posed_corners MODEL OUT CLIP:SECONDS...: writes, for each pose, the corners of all triangles as
-/// Pelt poses them, nine float32 each. CLIP is a number, -1 the default pose.
+/// posed_corners MODEL OUT CLIP:SECONDS...: writes the vertices of all triangles for each pose, as
+/// Pelt poses them, nine float32 per triangle. CLIP is an index; -1 is the default pose.
 
 #include <pelt/asset.hpp>
 #include <pelt/pelt.hpp>

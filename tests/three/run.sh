@@ -1,5 +1,5 @@
 #!/bin/sh
-# run.sh POSED_CORNERS FILE_OR_FOLDER...: compares Pelt with three.js, or says why it cannot (77).
+# run.sh POSED_CORNERS FILE_OR_FOLDER...: compares Pelt with three.js, or prints why it cannot (77).
 set -eu
 here=$(dirname "$0")
 if ! command -v node >/dev/null; then

@@ -1,6 +1,6 @@
 #!/bin/sh
-# run_palette.sh PACKAGE: runs palette.mjs with the npm package in that folder, or says why it cannot
-# (77).
+# run_palette.sh PACKAGE: runs palette.mjs with the npm package in that folder, or prints why it
+# cannot (77).
 set -eu
 here=$(dirname "$0")
 skip() {

@@ -1,5 +1,6 @@
-// What three.js makes of a glTF file: loaded by its GLTFLoader, moved by its AnimationMixer, skinned
-// by its SkinnedMesh. three.js is written for browsers; what it misses in Node stands at the top.
+// Poses a glTF file with three.js: loaded by its GLTFLoader, moved by its AnimationMixer, skinned
+// by its SkinnedMesh. three.js is written for browsers; replacements for what Node lacks are at the
+// top.
 
 import { readFile } from 'node:fs/promises';
 import * as THREE from 'three';
@@ -9,7 +10,7 @@ import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 globalThis.self ??= globalThis;
 globalThis.ProgressEvent ??= class ProgressEvent extends Event {};
 
-// three.js would make the first four weights sum to 1, whatever comes after them.
+// three.js would make the first four weights sum to 1 and ignore further ones.
 const normaliseFourWeights = THREE.SkinnedMesh.prototype.normalizeSkinWeights;
 THREE.SkinnedMesh.prototype.normalizeSkinWeights = function () {
   if (influenceSets(this).length === 1) normaliseFourWeights.call(this);

@@ -1,7 +1,6 @@
 #pragma once
 
-/// What `pelt check` should answer, found without it: all pairs of triangles by the exact
-/// predicate.
+/// The expected answer of `pelt check`: all pairs of triangles, by the exact predicate.
 
 #include "tools/pelt/methods/brute_force.hpp"
 #include "tools/pelt/scene/posed_instances.hpp"
@@ -34,7 +33,7 @@ inline CheckFile parse_check_file(const std::string& text) {
   return file;
 }
 
-/// Contacts of a range of triangles of one instance with one of another, as JSON.
+/// Contacts between two ranges of triangles of two instances, as JSON.
 inline nlohmann::json brute_force_json(const tools::scene::PosedInstance& a,
                                        const tools::scene::PosedInstance& b) {
   std::vector<Contact> contacts;
@@ -47,7 +46,7 @@ inline nlohmann::json brute_force_json(const tools::scene::PosedInstance& a,
   return triangles;
 }
 
-/// The hash as the documentation defines it, from the triangle lists of a file.
+/// The hash as documented, from the triangle lists of a file.
 inline std::string hash_of(const CheckFile& file) {
   std::uint64_t state = 14695981039346656037u;
   const auto add = [&](std::uint32_t value) {

@@ -1,5 +1,5 @@
 /// Bad input and arguments: exit code 2, nothing on standard output, and one line on standard error
-/// that names the thing and the remedy.
+/// with the cause and the remedy.
 
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The content of a .glb file as it stands there, by as little code as possible.
+/// Reads a .glb file with as little code as possible.
 
 #include <pelt/mesh.hpp>
 
@@ -60,7 +60,7 @@ class GlbFile {
   std::size_t binary_begin_ = 0;
 };
 
-/// Whether the bits are the same, which == does not tell of 0 and -0.
+/// Bitwise equality: unlike ==, distinguishes 0 and -0.
 inline bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
 }

@@ -24,7 +24,7 @@ TEST(Help, TellsTheVersion) {
   EXPECT_EQ(run.out, "pelt 0.1.0\n");
 }
 
-/// A strip whose clips have the names that the examples use.
+/// A strip whose clips have the names of the examples.
 void write_character(const TestFolder& folder, const std::string& name) {
   GltfBuilder builder = strip_with_fan();
   builder.document["animations"][0]["name"] = "Walk";
@@ -41,7 +41,7 @@ std::vector<std::string> examples_of(const std::string& help) {
   return examples;
 }
 
-/// Without the quotes, which are for a shell.
+/// Removes the quotes, which only a shell needs.
 std::vector<std::string> words_of(std::string text) {
   std::erase(text, '\'');
   std::istringstream stream(text);
@@ -57,7 +57,7 @@ TEST_P(HelpExamples, Run) {
   const std::string verb = GetParam();
   const Ended help = run_pelt(folder, {verb, "--help"});
   ASSERT_EQ(help.exit_code, 0);
-  // The frames that the examples name, and some in contact among them.
+  // A scene with the frames that the examples use, some of them in contact.
   std::string scene = kLimbsScene;
   scene.replace(scene.find("\"count\": 12, \"fps\": 6"), 21, "\"count\": 60, \"fps\": 30");
   write_limbs(folder);
@@ -77,7 +77,7 @@ TEST_P(HelpExamples, Run) {
   }
 }
 
-// `demo` has a test of its own: what it does takes long.
+// `demo` has a test of its own, because it takes long.
 INSTANTIATE_TEST_SUITE_P(Verbs, HelpExamples,
                          ::testing::Values("check", "bounds", "ray", "region", "distance", "info",
                                            "prepare", "pose", "bench"));

@@ -1,4 +1,4 @@
-/// Want of memory is told with the name of the file that needs it, and is no internal error.
+/// If memory is insufficient, the message names the file, and it is not an internal error.
 
 #include "support/sanitizers.hpp"
 #include "tools/run_program.hpp"
@@ -10,7 +10,7 @@
 namespace pelt::test {
 namespace {
 
-/// A sparse file, larger than the memory that `run_limited` grants.
+/// A sparse file, larger than the memory limit of `run_limited`.
 void write_huge(const TestFolder& folder, const std::string& name) {
   std::ofstream(folder / name);
   std::filesystem::resize_file(folder / name, std::uintmax_t{1} << 36);

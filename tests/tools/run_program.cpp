@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the child: never returns.
+/// Runs in the child process. Never returns.
 [[noreturn]] void become(const fs::path& folder, const fs::path& out, const fs::path& err,
                          const std::string& search_path, const std::vector<std::string>& words) {
   const int out_file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Running of real programs, above all the command under test.
+/// Runs programs, mainly the command under test.
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@
 namespace pelt::test {
 
 struct Ended {
-  int exit_code = -1;  ///< -1: it did not end by itself
+  int exit_code = -1;  ///< -1: ended by a signal
   std::string out, err;
 };
 
-/// A folder for one test, empty at its begin and gone at its end.
+/// A folder for one test, empty at first and deleted at the end.
 class TestFolder {
  public:
   TestFolder();
@@ -31,7 +31,7 @@ class TestFolder {
   std::filesystem::path path_;
 };
 
-/// Runs a program found on PATH, in `folder`; `search_path` replaces PATH unless it is empty.
+/// Runs a program found on PATH, in `folder`. If `search_path` is not empty, it replaces PATH.
 Ended run_program(const std::filesystem::path& folder, const std::vector<std::string>& words,
                   const std::string& search_path = "");
 

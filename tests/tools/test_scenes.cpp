@@ -20,7 +20,8 @@ void add_limb_mesh(const Shape& limb, GltfBuilder& builder) {
   builder.add("meshes", {{"primitives", {primitive}}});
 }
 
-/// Nodes 0 to count - 1, each the child of the one before, evenly from y = 0 to y = 1.
+/// Nodes 0 to count - 1, each the child of the previous one, at equal intervals from y = 0 to y =
+/// 1.
 void add_joint_chain(std::uint32_t count, GltfBuilder& builder) {
   const float step = 1.0f / static_cast<float>(count - 1);
   std::vector<float> inverse_binds;
@@ -37,7 +38,7 @@ void add_joint_chain(std::uint32_t count, GltfBuilder& builder) {
                         {"inverseBindMatrices", builder.add_accessor(inverse_binds, "MAT4")}});
 }
 
-/// Every joint but the first turns around x and back.
+/// Every joint except the first rotates about x and back.
 void add_sway(std::uint32_t count, GltfBuilder& builder) {
   const std::vector<float> quaternions = {0, 0, 0, 1, 0.28f, 0, 0, 0.96f, 0, 0, 0, 1};
   const std::size_t times = builder.add_accessor(std::vector<float>{0, 0.5f, 1}, "SCALAR");

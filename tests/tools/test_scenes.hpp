@@ -15,10 +15,10 @@ void write_bytes(const std::filesystem::path& path, const std::vector<std::byte>
 /// A closed tube of 24 rings, 1 unit high along y, with a clip "sway" (1 s) that bends its joints.
 std::vector<std::byte> swaying_limb(std::uint32_t sides);
 
-/// The same to be changed: one primitive in mesh 0, the node "limb" last.
+/// The same for modification: one primitive in mesh 0, and "limb" as the last node.
 GltfBuilder build_limb(std::uint32_t sides);
 
-/// Two limbs that pass through each other: apart at first and at last, in contact between.
+/// Two limbs that pass through each other: apart in the first and last frames, in contact between.
 inline constexpr const char* kLimbsScene = R"({
   "models": {"one": "one.glb", "two": "two.glb"},
   "frames": {"count": 12, "fps": 6},
@@ -29,17 +29,17 @@ inline constexpr const char* kLimbsScene = R"({
   ]
 })";
 
-/// Writes kLimbsScene to scene.json of the folder, and its models; returns its path.
+/// Writes kLimbsScene to scene.json of the folder, and its models. Returns its path.
 std::string write_limbs(const TestFolder& folder);
 
-/// paper_strip() with a sheet that rides unskinned on its node "upper" and crosses the strip: parts
-/// "paper" (6 triangles) and "fan" (2), clips "bend" (1 s) and one without a name.
+/// paper_strip() with an unskinned sheet on its node "upper" that crosses the strip: parts "paper"
+/// (6 triangles) and "fan" (2), clips "bend" (1 s) and one without a name.
 GltfBuilder strip_with_fan();
 
-/// Writes strip_with_fan() to `name` of the folder; returns its path.
+/// Writes strip_with_fan() to `name` in the folder. Returns its path.
 std::string write_strip(const TestFolder& folder, const std::string& name);
 
-/// A page that stands in for the viewer.
+/// A page that replaces the viewer.
 std::string viewer_page(const std::string& version);
 
 }  // namespace pelt::test

@@ -1,6 +1,6 @@
 #!/bin/sh
-# run.sh PACKAGE: tests the npm package in that folder, or says why it cannot (77). Where the command
-# and the files are, is in the environment (CMakeLists.txt).
+# run.sh PACKAGE: tests the npm package in that folder, or prints why it cannot (77). The
+# environment has the paths of the command and the files (CMakeLists.txt).
 set -eu
 here=$(dirname "$0")
 skip() {

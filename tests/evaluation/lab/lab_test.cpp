@@ -1,4 +1,4 @@
-/// The program pelt-lab: the command's verbs with the methods that the command does not have.
+/// The program pelt-lab: the verbs of the command with additional methods.
 
 #include "evaluation/methods/lab_methods.hpp"
 #include "tools/test_scenes.hpp"
@@ -42,7 +42,7 @@ TEST(Lab, ChecksByEveryMethodWithTheSameAnswer) {
   }
   EXPECT_EQ(last_lines.size(), 14u);
   EXPECT_TRUE(last_lines["on_demand"]["hash"].is_string());
-  // On demand far fewer vertices are posed than by methods that pose all; rigid ones refit nothing.
+  // On demand poses far fewer vertices than methods that pose all; rigid methods refit nothing.
   for (const std::string prefix : {"", "paper_"}) {
     const json& lazy = last_lines[prefix.empty() ? "on_demand" : "paper"]["counters"];
     const json& eager = last_lines[prefix + "eager"]["counters"];

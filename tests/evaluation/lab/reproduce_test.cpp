@@ -14,7 +14,7 @@ TEST(Reproduce, WritesAReport) {
   EXPECT_EQ(lines_of(read_text(folder / "r/csv/characters.csv")).size(), 4u);
 }
 
-/// Programs are hidden by an empty PATH.
+/// An empty PATH hides all programs.
 TEST(Reproduce, SaysOnceWhatToInstallForTheCharts) {
   const TestFolder folder;
   const Ended run =

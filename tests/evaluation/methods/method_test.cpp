@@ -1,4 +1,4 @@
-/// The ways to answer a query give the same contacts and do the work that they are called after.
+/// All methods find the same contacts, and do the work that their names promise.
 
 #include "evaluation/methods/lab_methods.hpp"
 
@@ -37,7 +37,7 @@ std::uint64_t node_count(const SkinnedModel& model) {
   return paper::build_sphere_model(detail::unpack_mesh(model.detail().tree)).tree.nodes.size();
 }
 
-/// Two posed bodies and what a method says of them.
+/// Two posed bodies, and the answer of a method.
 struct Scene {
   SkinnedModel models[2];
   Joints palettes[2];
@@ -59,7 +59,7 @@ Contacts contacts_of(const MethodKind& kind, const Scene& scene) {
   return contacts;
 }
 
-/// Limbs that bend into each other, soups whose triangles fly about: some touch, some do not.
+/// Bending limbs, and soups with moving triangles: some touch, some do not.
 Scene random_scene(Random& random, int i) {
   if (i % 3 == 0)
     return {{model_of(test::make_limb(12, 8, kJoints)), model_of(test::make_limb(9, 7, kJoints))},
@@ -75,7 +75,7 @@ Scene random_scene(Random& random, int i) {
   return {{std::move(a), std::move(b)}, {std::move(palette_a), std::move(palette_b)}};
 }
 
-/// Limbs side by side: nothing overlaps, not even the spheres of the roots.
+/// Limbs side by side: nothing overlaps, not even the root spheres.
 Scene separated_scene(Random& random) {
   const SkinnedModel limb = model_of(test::make_limb(12, 8, kJoints));
   return {
@@ -83,7 +83,7 @@ Scene separated_scene(Random& random) {
       {bend_limb(random, kJoints, 0.2, {-10, 0, 0}), bend_limb(random, kJoints, 0.2, {10, 0, 0})}};
 }
 
-/// Limbs that cross.
+/// Crossing limbs.
 Scene crossing_scene(Random& random) {
   const SkinnedModel limb = model_of(test::make_limb(12, 8, kJoints));
   Joints across = bend_limb(random, kJoints, 0.1, {});
@@ -176,7 +176,7 @@ TEST(Methods, LimitsAreKeptAndTold) {
         Contacts contacts = {{7, 7}};
         const auto method = method_with(kind, scene);
         const QueryStats stats = method->collide(0, 1, contacts, {.max_contacts = limit});
-        ASSERT_EQ(contacts[0], (Contact{7, 7}));  // appended
+        ASSERT_EQ(contacts[0], (Contact{7, 7}));  // the query appends
         contacts.erase(contacts.begin());
         ASSERT_EQ(contacts.size(), std::min(limit, total)) << kind.name;
         ASSERT_TRUE(std::includes(all.begin(), all.end(), contacts.begin(), contacts.end()));
@@ -239,13 +239,13 @@ TEST_P(OnDemand, RefitsAndSkinsAtMostOnceForEachPalette) {
   ASSERT_TRUE(method->set_palette(0, scene.palettes[0]));
   const QueryStats one_stale = method->collide(0, 1, contacts, {});
   EXPECT_GT(one_stale.refits, 0u);
-  EXPECT_LT(one_stale.refits, once.refits);  // the other body's spheres still stand
+  EXPECT_LT(one_stale.refits, once.refits);  // the other body's spheres are still valid
 }
 
 INSTANTIATE_TEST_SUITE_P(Bound, OnDemand, testing::Values(kPaper, kPaperEq2, kBdTree),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
-/// What two bodies' palettes cost, without what adding the bodies cost.
+/// The work of setting two palettes, without adding the bodies.
 QueryStats work_of_palettes(Method& method, const Scene& scene) {
   const QueryStats before = method.update_work();
   for (std::uint32_t body = 0; body < 2; ++body)
@@ -344,7 +344,7 @@ TEST(Methods, RefuseABadPaletteAndKeepTheOldOne) {
   }
 }
 
-/// Those that bound vertices by what joints do to rest positions have no bounds for displaced ones.
+/// Methods that bound vertices by how joints move rest positions cannot bound displaced vertices.
 bool knows_morph_targets(const MethodKind& kind) {
   return kind != kPaper && kind != kPaperEq2 && kind != kBdTree;
 }

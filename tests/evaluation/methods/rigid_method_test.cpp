@@ -1,4 +1,4 @@
-/// Rigid bodies are built afresh for each palette, whatever order palettes come in.
+/// Rigid bodies are built again for each palette, in whatever order palettes are set.
 
 #include "evaluation/methods/lab_methods.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Balls in double precision, and the hulls that section 4.1 and Appendix A make of them, known by
-/// their support functions h(m) = max over the set of m.x: of two closed convex sets one contains
-/// the other exactly if its support function is nowhere smaller.
+/// Balls in double precision, and the hulls of section 4.1 and Appendix A, represented by their
+/// support functions h(m) = max over the set of m.x. A closed convex set contains another if and
+/// only if its support function is nowhere smaller.
 
 #include "base/vec3.hpp"
 #include "evaluation/paper/weight_corners.hpp"
@@ -46,8 +46,8 @@ inline double hull_support(std::span<const Ball> balls, const Vec3d& m) {
   return largest;
 }
 
-/// The largest w.q over W'. No corners are needed: starting from w = l, what is left of 1 goes to
-/// the largest q first, as much as its interval takes.
+/// The largest w.q over W'. No corners are needed: starting from w = l, the rest of 1 goes to the
+/// largest q first, as much as its interval allows.
 inline double largest_over_weights(std::span<const paper::WeightInterval> intervals,
                                    std::span<const double> q) {
   std::vector<std::size_t> order(q.size());
@@ -95,7 +95,7 @@ inline Vec3d random_direction(Random& random) {
   }
 }
 
-/// Balls in a box of half size 1; every third a point.
+/// Balls in a box of half size 1; every third ball is a point.
 inline std::vector<Ball> random_balls(Random& random, std::size_t count) {
   std::vector<Ball> balls;
   for (std::size_t j = 0; j < count; ++j)

@@ -21,10 +21,10 @@ text{font:italic 15px Georgia,serif;fill:#222;text-anchor:middle}
 .vertex{stroke:#fff;stroke-width:1}
 )";
 
-/// Between the colours of joint 1 and joint 2, by the weight of joint 1.
+/// A colour between those of joint 1 and joint 2, by the weight of joint 1.
 std::string colour_of(double weight) {
   const double a[3] = {200, 80, 20}, b[3] = {30, 80, 200};
-  // The weights of the figure are all near one half: spread them.
+  // All weights of the figure are near one half; spreads them.
   const double share = std::clamp(5 * (weight - 0.5) + 0.5, 0.0, 1.0);
   char text[8];
   std::snprintf(text, sizeof text, "#%02x%02x%02x",
@@ -34,7 +34,7 @@ std::string colour_of(double weight) {
   return text;
 }
 
-/// The two bones: in the reference posture nearly side by side, each turned by its joint.
+/// The two bones: nearly side by side in the reference posture, each moved by its joint.
 void draw_bones(Svg& svg, const Figure2& figure, bool animated) {
   for (std::size_t j = 0; j < 2; ++j) {
     const double side = j == 0 ? -1 : 1;
@@ -110,7 +110,7 @@ std::string draw_figure2() {
 std::string draw_figure3() {
   const Figure3 figure;
   std::vector<Ball> around = figure.corners();
-  // Counter-clockwise: the cut's two ends stand in the place of S_1.
+  // Counter-clockwise; the two ends of the cut replace S_1.
   std::sort(around.begin(), around.end(), [](const Ball& a, const Ball& b) {
     const auto angle = [](const Ball& ball) {
       const Vec3d middle(0, 0.2, 0);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Figures 2 and 3 of Kavan & Zara 2005 in numbers, for the drawings in docs/figures and for the
-/// test. Weights and intervals are the paper's; positions, which it does not give, are round
+/// Figures 2 and 3 of Kavan & Zara 2005 as numbers, for the drawings in docs/figures and for the
+/// test. Weights and intervals are from the paper. The paper gives no positions, so these are round
 /// numbers in the plane z = 0.
 
 #include "balls.hpp"
@@ -23,7 +23,7 @@ struct PlaneRotation {
   Ball operator()(const Ball& ball) const { return {(*this)(ball.centre), ball.radius}; }
 };
 
-/// Three vertices between two bones that start at one point and are spread apart.
+/// Three vertices between two bones with a common start that diverge.
 struct Figure2 {
   Ball sphere = {{0, 0, 0}, 1};
   std::array<Vec3d, 3> vertices = {Vec3d(-0.8, 0.6, 0), Vec3d(0, -1, 0), Vec3d(0.8, 0.6, 0)};
@@ -47,9 +47,9 @@ struct Figure2 {
       for (std::size_t j = 0; j < 2; ++j) smallest[j].include(w[j]);
     return smallest;
   }
-  /// BV_1 is the convex hull of these.
+  /// BV_1 is the convex hull of these balls.
   std::vector<Ball> images_of_sphere() const { return {joints[0](sphere), joints[1](sphere)}; }
-  /// BV_2 is the convex hull of these.
+  /// BV_2 is the convex hull of these balls.
   std::vector<Ball> corners() const { return corner_balls(intervals(), images_of_sphere()); }
 };
 

@@ -1,5 +1,5 @@
-/// The operations that section 4.2 of Kavan & Zara 2005 counts: those of the counted refit are its
-/// total sum_i (18 p_i + 11 m_i + 8 p_i m_i - 2), and its spheres are those of
+/// The operations that section 4.2 of Kavan & Zara 2005 counts: the counted refit reproduces the
+/// total sum_i (18 p_i + 11 m_i + 8 p_i m_i - 2), and its spheres equal those of
 /// evaluation/paper/refit.
 
 #include "evaluation/paper/counted_refit.hpp"
@@ -15,7 +15,7 @@ using test::Motion;
 using test::Random;
 using test::Weights;
 
-/// The total as the paper writes it, not by steps.
+/// The total as in the paper, not step by step.
 int stated_total(std::span<const JointSet> sets) {
   int sum = 0;
   for (const JointSet& set : sets) {

@@ -1,4 +1,4 @@
-/// Sections 4 and 4.1 of Kavan & Zara 2005: equations 2 to 5 and what the paper says of them.
+/// Sections 4 and 4.1 of Kavan & Zara 2005: equations 2 to 5 and the paper's statements about them.
 
 #include "balls.hpp"
 #include "random_weights.hpp"
@@ -20,7 +20,7 @@ std::vector<WeightInterval> whole_intervals(std::size_t count) {
   return std::vector<WeightInterval>(count, WeightInterval{0, 1});
 }
 
-/// Spheres of one radius, as rotations make them, none of which lies in the hull of the others.
+/// Spheres of one radius, as after rotations, none inside the hull of the others.
 std::vector<Ball> balls_in_convex_position(Random& random, std::size_t count) {
   const double radius = random.unit();
   std::vector<Ball> balls;
@@ -105,8 +105,8 @@ TEST(GeneralisedHull, LiesInTheConvexHull) {
   EXPECT_GT(smaller, kCases * kDirections / 2);
 }
 
-/// How much smaller the generalised hull is, in the direction where the difference is largest among
-/// those that look from the middle to the sphere of one joint.
+/// The largest difference between the two hulls, over the directions from the middle to the sphere
+/// of one joint.
 double largest_gap(std::span<const WeightInterval> intervals, std::span<const Ball> balls) {
   double gap = 0;
   for (const Ball& ball : balls)
@@ -130,7 +130,7 @@ TEST(GeneralisedHull, EqualsTheConvexHullOnlyIfAllIntervalsAreWhole) {
 }
 
 TEST(GeneralisedHull, EqualsTheConvexHullAlsoIfTheIntervalIsOfASphereInsideTheHullOfTheOthers) {
-  // "Equal iff all weight intervals are <0, 1>" supposes that every sphere matters.
+  // "Equal iff all weight intervals are <0, 1>" assumes that every sphere contributes to the hull.
   const std::vector<Ball> balls = {{{-1, 0, 0}, 1}, {{1, 0, 0}, 1}, {{0.2, 0, 0}, 0.5}};
   const std::vector<WeightInterval> intervals = {{0, 1}, {0, 1}, {0, 0.1}};
   Random random(7);

@@ -21,7 +21,7 @@ TEST(LeafOrder, KeepsEveryTriangleUnderTheNumberOfItsLeaf) {
   const SphereTree tree = build_sphere_tree(mesh.rest_positions, mesh.triangles);
   const SkinnedMesh ordered = in_leaf_order(mesh, tree);
   ASSERT_EQ(ordered.triangle_count(), mesh.triangle_count());
-  std::uint32_t used = 0;  // vertices are numbered as triangles first name them
+  std::uint32_t used = 0;  // vertices are numbered in the order in which triangles use them
   for (std::uint32_t t = 0; t < ordered.triangle_count(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t w = ordered.triangles[t][k];

@@ -1,5 +1,5 @@
-/// Appendix A of Kavan & Zara 2005, in one to four dimensions. M stands for the union of
-/// sum_j w_j S_j over all convex weights w.
+/// Appendix A of Kavan & Zara 2005, in one to four dimensions. M is the union of sum_j w_j S_j over
+/// all convex weights w.
 
 #include "random_weights.hpp"
 
@@ -61,7 +61,7 @@ Point random_point(Random& random, std::size_t dimensions) {
   return x;
 }
 
-/// Half of them on the boundary.
+/// Half of the points are on the boundary.
 Point random_point_in(Random& random, const Ball& ball) {
   Point towards = random_point(random, ball.centre.size());
   while (dot(towards, towards) == 0) towards = random_point(random, ball.centre.size());
@@ -96,11 +96,11 @@ TEST(Lemma1, ConvexCombinationsOfPointsOfTheSpheresLieInTheBlendedSphere) {
     ASSERT_TRUE(contains(blended, sum));
     on_boundary += !contains({blended.centre, blended.radius - 1e-6}, sum);
   }
-  EXPECT_GT(on_boundary, kCases / 10);  // the lemma's radius is not larger than it has to be
+  EXPECT_GT(on_boundary, kCases / 10);  // the lemma's radius is not larger than necessary
 }
 
-/// The points x_i of the paper's proof. It divides by r, which is 0 when every sphere that has a
-/// weight is a point; then x is the centre, and x_i = c_i serves.
+/// The points x_i of the paper's proof. The proof divides by r, which is 0 if every sphere with a
+/// weight is a point; x is then the centre, and x_i = c_i.
 Point point_of_proof(const Point& x, const Ball& blended, const Ball& ball) {
   if (blended.radius == 0) return ball.centre;
   const double scale = ball.radius / blended.radius;
@@ -140,7 +140,7 @@ TEST(Lemma2, TheUnionOfAllBlendedSpheresIsConvex) {
     ASSERT_TRUE(contains(blend(sum_of({1 - lambda, lambda}, {w, w1}), balls), between));
     outside_both += !contains(blend(w, balls), between) && !contains(blend(w1, balls), between);
   }
-  EXPECT_GT(outside_both, kCases / 4);  // the point needed weights of its own
+  EXPECT_GT(outside_both, kCases / 4);  // the point needed other weights
 }
 
 TEST(Lemma3, TheUnionOfAllBlendedSpheresLiesInTheConvexHull) {
@@ -150,7 +150,7 @@ TEST(Lemma3, TheUnionOfAllBlendedSpheresLiesInTheConvexHull) {
     const std::vector<Ball> balls = random_balls(random, radii_of_case(i));
     const std::vector<double> w = random_weights(random, balls.size());
     const Point x = random_point_in(random, blend(w, balls));
-    // All half-spaces that contain the spheres contain the point.
+    // All half-spaces that contain the spheres also contain the point.
     for (int k = 0; k < 10; ++k) {
       const Point m = random_point(random, x.size());
       double support = dot(m, balls[0].centre);
@@ -168,7 +168,8 @@ TEST(Lemma3, TheConvexHullLiesInTheUnionOfAllBlendedSpheres) {
   int outside_all = 0;
   for (int i = 0; i < kCases; ++i) {
     const std::vector<Ball> balls = random_balls(random, radii_of_case(i));
-    // Any point of the hull: a convex combination of points of the spheres, several of one sphere.
+    // An arbitrary point of the hull: a convex combination of points of the spheres, several per
+    // sphere.
     const std::vector<double> u = random_weights(random, 1 + random.index(8));
     std::vector<Point> points;
     std::vector<double> w(balls.size(), 0);

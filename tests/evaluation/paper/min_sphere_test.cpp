@@ -48,7 +48,7 @@ bool encloses_exactly(const Sphere& sphere, std::span<const Vec3> points) {
   });
 }
 
-/// Solves the symmetric system of at most three equations by elimination; nothing if it is
+/// Solves the symmetric system of at most three equations by elimination; nullopt if it is
 /// singular.
 std::optional<std::vector<mpq_class>> solve(std::vector<std::vector<mpq_class>> rows) {
   const std::size_t n = rows.size();
@@ -89,8 +89,8 @@ std::optional<Rational3> circumcentre(const std::vector<Rational3>& support) {
   return centre;
 }
 
-/// The exact squared radius of the minimal enclosing sphere: of all spheres through one to four of
-/// the points that enclose all, the smallest.
+/// The exact squared radius of the minimal enclosing sphere: the smallest of all spheres through
+/// one to four of the points that enclose all points.
 mpq_class exact_min_squared_radius(std::span<const Vec3> points) {
   std::vector<Rational3> all;
   for (const Vec3& p : points) all.push_back(rational(p));
@@ -114,15 +114,15 @@ mpq_class exact_min_squared_radius(std::span<const Vec3> points) {
   return *best;
 }
 
-/// Enclosing exactly, and no larger than `slack` relative to the exact minimum; at coordinates of
-/// size `extent` the centre's own rounding to float is allowed for.
+/// Checks that the sphere encloses all points and is no larger than `slack` relative to the exact
+/// minimum. At coordinates of size `extent`, allows for rounding the centre to float.
 void expect_minimal(const Sphere& sphere, std::span<const Vec3> points, double slack) {
   ASSERT_TRUE(encloses_exactly(sphere, points));
   float extent = 0;
   for (const Vec3& p : points) {
     extent = std::max({extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   }
-  // mpf rather than double: a squared radius may be beyond its range of exponents.
+  // mpf, because a squared radius may exceed the range of double.
   const double minimum = mpf_class(sqrt(mpf_class(exact_min_squared_radius(points), 128))).get_d();
   EXPECT_LE(sphere.radius, minimum * (1 + slack) + 0x1p-23 * extent + 0x1p-147);
 }
@@ -185,7 +185,7 @@ TEST(MinSphere, IsMinimalAnywhere) {
       800);
 }
 
-/// Duplicates, collinear, coplanar, cocircular and cospherical points abound.
+/// Has many duplicate, collinear, coplanar, cocircular and cospherical points.
 TEST(MinSphere, IsMinimalOnGrid) {
   expect_minimal_spheres(
       [](Random& random, std::size_t n) { return uniform_points(random, n, 0, 3); }, 52, 800);
@@ -242,7 +242,7 @@ TEST(MinSphere, IsMinimalOfManyPoints) {
   auto points = scaled_points(uniform_points(random, 100'000, -kLimit, kLimit), -24);
   const Sphere sphere = min_sphere(points);
   EXPECT_TRUE(encloses_exactly(sphere, points));
-  // The few points on the boundary need a sphere as large.
+  // The few points on the boundary need an equally large sphere.
   const detail::Vec3d centre(sphere.centre);
   const auto farther = [&](const Vec3& p, const Vec3& q) {
     return squared_length(detail::Vec3d(p) - centre) > squared_length(detail::Vec3d(q) - centre);
@@ -283,7 +283,7 @@ TEST(MinSphere, IsTheSameEveryTime) {
   EXPECT_EQ(first.radius, second.radius);
 }
 
-/// One corner farther than the others' distance can be told in double.
+/// A vertex is farther away by less than double can represent.
 TEST(MinSphere, IsMinimalOfFarPoints) {
   constexpr std::uint64_t kSeed = 65;
   std::cout << "seed " << kSeed << "\n";

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the tests of refitted spheres share: checked meshes and palettes, and which posed vertices
+/// Shared by the tests of refitted spheres: valid meshes and palettes, and the posed vertices that
 /// a sphere has to enclose.
 
 #include "base/vec3.hpp"
@@ -50,7 +50,7 @@ inline double relative_reach(const detail::Float4& sphere, const Vec3& v) {
          static_cast<double>(sphere[3]);
 }
 
-/// Room for rounding that a refitted radius may have beyond the real one.
+/// The excess over the real radius that rounding may cause in a refitted radius.
 inline double rounding_room(const paper::SphereModel& model, const detail::Palette& palette,
                             double radius) {
   const double margin =

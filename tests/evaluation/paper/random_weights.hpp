@@ -24,7 +24,7 @@ inline std::vector<double> random_weights(Random& random, std::size_t count) {
   return weights;
 }
 
-/// The smallest intervals <l_j, h_j> that some vertices' weights fit into.
+/// The smallest intervals <l_j, h_j> that contain the weights of a set of vertices.
 inline std::vector<paper::WeightInterval> intervals_of(
     std::span<const std::vector<double>> vertices) {
   std::vector<paper::WeightInterval> intervals(vertices[0].size());
@@ -40,7 +40,7 @@ inline std::vector<paper::WeightInterval> random_intervals(Random& random, std::
   return intervals_of(vertices);
 }
 
-/// A random point of W': from w = l, parts of what is left of 1 are dealt out to random joints.
+/// A random point of W': starting from w = l, distributes the rest of 1 over random joints.
 inline std::vector<double> random_weights_within(Random& random,
                                                  std::span<const paper::WeightInterval> intervals) {
   std::vector<double> weights;

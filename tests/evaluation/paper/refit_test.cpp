@@ -26,7 +26,7 @@ std::vector<Vec3> posed(const SkinnedMesh& mesh, const Palette& palette) {
   return positions;
 }
 
-/// How many vertices of how many spheres were checked, and how near the farthest came to leaving.
+/// Number of checked spheres and vertices, and the largest relative reach of a vertex.
 struct Enclosed {
   std::uint64_t spheres = 0, vertices = 0, near_surface = 0;
 };
@@ -105,7 +105,7 @@ TEST(Refit, EnclosesVerticesOfTinyAndHugeModels) {
   EXPECT_GT(enclosed.spheres, 500u);
 }
 
-/// Triangles that are one vertex each: their spheres are nothing but room for rounding.
+/// Triangles that collapse to one vertex: their spheres consist of rounding margins only.
 Shape make_points(Random& random, std::uint32_t influences) {
   Shape shape = make_soup(random, 64, 14, influences, Weights::adversarial);
   shape.triangles.clear();
@@ -165,7 +165,7 @@ TEST(Refit, RefitsEachNodeAtMostOnceForEachPalette) {
   for (int pose = 0; pose < 3; ++pose) {
     const auto palette = test::checked_palette(mesh, make_palette(random, 4, Motion::rigid, 1));
     refit.invalidate();
-    EXPECT_EQ(refit.refits(), expected);  // none before it is asked for
+    EXPECT_EQ(refit.refits(), expected);  // no refit before the first use
     refit.sphere(3, palette);
     refit.sphere(3, palette);
     EXPECT_EQ(refit.refits(), expected + 1);
@@ -201,7 +201,7 @@ TEST(Refit, GivesTheSameBitsInAnyOrderOfAsking) {
       std::swap(order[k - 1], order[random.index(static_cast<std::uint32_t>(k))]);
     Refit shuffled(model, 6);
     for (std::size_t k = 0; k < order.size() / 2; ++k) shuffled.sphere(order[k], before);
-    shuffled.invalidate();  // what stood there before leaves no trace
+    shuffled.invalidate();  // earlier spheres leave no trace
     for (const std::uint32_t n : order)
       ASSERT_EQ(bits_of(shuffled.sphere(n, palette)), first[n]) << "node " << n;
   }
@@ -216,7 +216,7 @@ std::vector<float> refitted_radii(const SkinnedMesh& mesh, const SphereModel& mo
   return radii;
 }
 
-/// The last column of the paper's table 2: minimal spheres around the posed vertices.
+/// The last column of Table 2 of the paper: minimal spheres around the posed vertices.
 std::vector<float> best_radii(const SkinnedMesh& mesh, const SphereModel& model,
                               const Palette& palette) {
   const std::vector<Vec3> positions = posed(mesh, palette);

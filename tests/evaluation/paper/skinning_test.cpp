@@ -37,8 +37,8 @@ TEST(Skinning, OneJointIsASpecialCaseBitForBit) {
   EXPECT_GT(vertices, 400);
 }
 
-/// Two vertices at either end of the unit ball around the origin; joint 0 has the one, joint 1 the
-/// other.
+/// Two vertices at opposite ends of the unit ball around the origin. One follows joint 0, the other
+/// joint 1.
 Shape make_split_triangle() {
   Shape shape;
   shape.rest_positions = {{-1, 0, 0}, {1, 0, 0}};
@@ -57,14 +57,14 @@ TEST(Skinning, ABallDeformedLikeTheSkinLosesItsVertices) {
   ASSERT_EQ(rest.centre, Vec3());
   ASSERT_NEAR(rest.radius, 1, 1e-6);
 
-  // Joint 1 only rotates, half a turn about an axis at x = 3: the vertices are six apart now.
+  // Joint 1 only rotates, half a turn about an axis at x = 3: the vertices are then six apart.
   std::vector<Matrix4> joints(2);
   joints[1] = test::rotation_about({0, 1, 0}, 3.14159265358979, {3, 0, 0}, {});
   const Palette palette = test::checked_palette(mesh, joints);
   const Vec3 a = detail::posed_vertex(mesh, palette, 0);
   const Vec3 b = detail::posed_vertex(mesh, palette, 1);
 
-  // A rotation keeps the radius, so wherever the ball went it could hold points two apart at most.
+  // A rotation preserves the radius, so wherever the ball moves, its points are at most two apart.
   const double apart = std::sqrt(squared_length(detail::Vec3d(a) - detail::Vec3d(b)));
   EXPECT_GT(apart, 2 * 2.9 * static_cast<double>(rest.radius));
   const Float4 refitted = Refit(model, 2).sphere(0, palette);

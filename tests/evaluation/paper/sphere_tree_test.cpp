@@ -25,7 +25,7 @@ SphereTree binary_tree(const Shape& shape) {
   return build_binary_tree(shape.rest_positions, shape.triangles);
 }
 
-/// In rational arithmetic.
+/// Uses rational arithmetic.
 bool encloses(const Sphere& sphere, const Vec3& v) {
   const auto squared_difference = [](float a, float b) -> mpq_class {
     const mpq_class d = mpq_class(static_cast<double>(a)) - mpq_class(static_cast<double>(b));
@@ -47,7 +47,7 @@ void expect_well_formed(const SphereTree& tree, const Shape& shape) {
     for (std::uint32_t c = node.first_child; c < node.first_child + node.child_count; ++c) {
       ASSERT_GT(c, n);
       ++parents[c];
-      ASSERT_EQ(tree.nodes[c].first_triangle, at);  // children divide the triangles among them
+      ASSERT_EQ(tree.nodes[c].first_triangle, at);  // the children partition the triangles
       at += tree.nodes[c].triangle_count;
     }
     if (node.is_leaf()) {
@@ -98,13 +98,13 @@ TEST(BinaryTree, HalvesTrianglesWhoseCentroidsAllLieInOnePlace) {
   EXPECT_EQ(level_statistics(tree).size(), 8u);  // 2^6 < 100 <= 2^7
 }
 
-/// A node of the binary tree by the range of its triangles, which no other node has.
+/// Identifies a node of the binary tree by the range of its triangles, which is unique.
 using Range = std::pair<std::uint32_t, std::uint32_t>;
 
 Range range_of(const Node& node) { return {node.first_triangle, node.triangle_count}; }
 
-/// Checks the rule of section 3.1 from both sides, for the nodes below `n` of the binary tree whose
-/// surviving parent is the node `parent`: deleted exactly if c_r > ratio p_r.
+/// Checks the rule of section 3.1 in both directions, for the nodes below `n` of the binary tree
+/// whose surviving parent is the node `parent`: deleted if and only if c_r > ratio p_r.
 void expect_rule_kept(const SphereTree& binary, const std::map<Range, const Node*>& survivors,
                       std::uint32_t n, const Node& parent, float ratio) {
   for (std::uint32_t c = binary.nodes[n].first_child; c < binary.nodes[n].first_child + 2; ++c) {
@@ -177,7 +177,7 @@ TEST(LevelStatistics, CountAllNodesFromTheRootDown) {
   EXPECT_GT(max_children, 2u);
   EXPECT_EQ(levels.back().leaves, levels.back().nodes);
   EXPECT_LT(levels.size(), level_statistics(binary_tree(shape)).size());
-  // Each surviving inner node is smaller than 0.6 of its parent, and so on average each level.
+  // Each surviving inner node is smaller than 0.6 of its parent, so each level is on average, too.
   for (std::size_t l = 1; l < levels.size(); ++l)
     EXPECT_LT(levels[l].mean_radius, levels[l - 1].mean_radius);
 }

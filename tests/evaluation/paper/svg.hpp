@@ -1,6 +1,6 @@
 #pragma once
 
-/// As much SVG as the figures need.
+/// The subset of SVG that the figures need.
 
 #include "balls.hpp"
 
@@ -11,10 +11,10 @@
 
 namespace pelt::test {
 
-/// A drawing, and the place in it where the plane's origin is at the moment.
+/// A drawing, with the current position of the plane's origin.
 class Svg {
  public:
-  /// `style` is a style sheet for the classes that shapes are drawn with.
+  /// `style` is a style sheet for the classes of the shapes.
   Svg(int width, int height, const char* title, const char* style) {
     print("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" role=\"img\">\n", width,
           height);
@@ -22,7 +22,7 @@ class Svg {
     print("<rect width=\"%d\" height=\"%d\" fill=\"#fdfdfc\"/>\n", width, height);
   }
 
-  /// From now on one unit is `scale` wide and the origin is at (x, y).
+  /// Sets the scale to `scale` per unit and the origin to (x, y).
   void place(double x, double y, double scale) {
     x_ = x;
     y_ = y;
@@ -44,8 +44,8 @@ class Svg {
           y(from), x(to), y(to));
   }
 
-  /// The convex hull of balls of equal radius whose centres are the corners of a convex polygon,
-  /// counter-clockwise: its sides moved outwards, joined by arcs.
+  /// The convex hull of balls of equal radius whose centres are the vertices of a convex polygon,
+  /// counter-clockwise: the sides are moved outwards and joined by arcs.
   void hull(const char* shape, const std::vector<Ball>& balls) {
     print("<path class=\"%s\" d=\"", shape);
     const double radius = scale_ * balls[0].radius;

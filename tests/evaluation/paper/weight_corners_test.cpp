@@ -84,8 +84,8 @@ TEST(WeightCorners, AreInsideDistinctAndFew) {
 }
 
 TEST(WeightCorners, MostAreReached) {
-  // n intervals <0, h> with 1 halfway between two multiples of h: the plane cuts the middle of the
-  // box.
+  // n intervals <0, h> with 1 halfway between two multiples of h: the plane cuts through the middle
+  // of the box.
   for (const auto& [count, high] : std::vector<std::pair<std::size_t, double>>{
            {1, 1}, {2, 2.0 / 3}, {3, 2.0 / 3}, {4, 2.0 / 3}, {8, 2.0 / 7}})
     EXPECT_EQ(corners_of(Intervals(count, {0, high})).size(), most_corners(count)) << count;
@@ -134,7 +134,7 @@ TEST(WeightCorners, AFixedWeightDoublesNoCorner) {
 }
 
 TEST(WeightCorners, CornersThatFallTogetherAreTakenOnce) {
-  // Exactly one half for the first leaves exactly the upper end for the second, and so on round.
+  // If the first weight is exactly one half, the second is exactly at its upper end, and so on.
   EXPECT_EQ(corners_of({{0, 0.5}, {0, 0.5}, {0, 0.5}}).size(), 3u);
   EXPECT_EQ(corners_of({{0, 0.25}, {0, 0.25}, {0, 0.25}, {0, 0.25}}).size(), 1u);
   EXPECT_EQ(corners_of(Intervals(8, {0, 1})).size(), 8u);

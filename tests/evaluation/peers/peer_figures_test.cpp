@@ -1,4 +1,4 @@
-/// Peers are measured beside Pelt on the same frames, and what differs from brute force is counted.
+/// Peers are measured beside Pelt on the same frames, and differences from brute force are counted.
 
 #include "evaluation/peers/peer_figures.hpp"
 
@@ -11,7 +11,7 @@
 namespace pelt::tools {
 namespace {
 
-/// Three dwarfs, the first two into each other and the third far away.
+/// Three dwarfs: the first two intersect, the third is far away.
 scenes::Scene dwarfs() {
   scenes::Scene scene;
   scene.name = "dwarfs";

@@ -1,5 +1,5 @@
-/// Every peer does the job that it is measured at: it finds contacts, and its answers are what
-/// `Peer::answers` says of them.
+/// Every peer does the work that it is measured for: it finds contacts, with the quality that
+/// `Peer::answers` states.
 
 #include "evaluation/peers/peers.hpp"
 
@@ -20,7 +20,7 @@ using Positions = std::vector<Vec3>;
 
 constexpr std::uint32_t kFrames = 12;
 
-/// A dwarf and a man who walk through each other, away from the origin, and are apart in the end.
+/// A dwarf and a man that walk through each other, away from the origin, and end apart.
 scenes::Scene two_walkers() {
   scenes::Scene scene;
   scene.frame_count = kFrames;
@@ -47,7 +47,7 @@ struct Frame {
   Contacts exact;
 };
 
-/// What the peers are asked, and the answers of brute force.
+/// The queries of the peers and the answers of brute force.
 class Peers : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -81,7 +81,7 @@ class Peers : public testing::Test {
     posed_vertices(pose, positions);
   }
 
-  /// A peer with the two bodies as they are in the first frame.
+  /// A peer with the two bodies of the first frame.
   static std::unique_ptr<rivals::PosedMeshMethod> method_of(const Peer& peer) {
     auto method = make_peer(peer.name);
     for (std::uint32_t body = 0; body < 2; ++body)

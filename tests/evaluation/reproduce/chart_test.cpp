@@ -46,7 +46,7 @@ const Table kMethods = {"methods",
                         {{1.0, 2.0, 3.0}},
                         ""};
 
-/// What stands between the number of the series' column and its title.
+/// The text between the number of the series' column and its title.
 std::string line_of(const std::string& script, const std::string& title) {
   const std::size_t end = script.find(" title '" + title + "'");
   EXPECT_NE(end, script.npos) << script;

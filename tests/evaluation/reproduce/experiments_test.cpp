@@ -1,4 +1,4 @@
-/// The figures that do not depend on the machine, against the paper's.
+/// Compares the figures that do not depend on the machine with the paper's.
 
 #include "evaluation/reproduce/experiment.hpp"
 

@@ -1,4 +1,4 @@
-/// The pairs that methods are compared on stand where they are said to.
+/// The pairs for comparing methods have the stated distances.
 
 #include "evaluation/reproduce/facing_pair.hpp"
 #include "evaluation/reproduce/heap_bytes.hpp"

@@ -1,4 +1,4 @@
-/// What the pictures describe, without a ray tracer.
+/// The descriptions of the pictures, without a ray tracer.
 
 #include "evaluation/reproduce/figures.hpp"
 
@@ -104,7 +104,7 @@ TEST(PassingPicture, HasTwoCreaturesThreeTimesAndTheirContacts) {
   const Result<Picture> picture = passing_picture(scene_of(passing_through_scene()), {});
   ASSERT_TRUE(picture) << picture.error().message;
   EXPECT_EQ(count(picture->description, "mesh2 {"), 6u);
-  EXPECT_GT(count(picture->description, ">,0,\n"), 100u);  // faces that glow
+  EXPECT_GT(count(picture->description, ">,0,\n"), 100u);  // glowing faces
 }
 
 TEST(DwarvesPicture, ShowsContactsFromNearAsTheyAreAndSubdivided) {
@@ -135,7 +135,7 @@ TEST(View, FindsPlacesOnThePicture) {
   EXPECT_NEAR(squared_length(corner - detail::Vec3d(10, 6, 0)), 0, 1e-9);
 }
 
-/// A quick run has the same scenes on fewer pixels.
+/// A quick run has the same scenes with fewer pixels.
 TEST(Pictures, AreSmallerInAQuickRun) {
   const Specimen creature = *make_specimen(scenes::kCreature);
   const Palette palette = walking_palette(creature, 0.3f);

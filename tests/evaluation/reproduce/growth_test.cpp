@@ -1,4 +1,4 @@
-/// The pieces of the experiment on growth, on sizes that take no time. None of its times is judged.
+/// The parts of the experiment on growth, with small sizes. Times are not checked.
 
 #include "evaluation/reproduce/growth.hpp"
 

@@ -1,4 +1,4 @@
-/// What the figures of the experiment on refits are made of. None of its times is judged.
+/// The parts of the experiment on refits. Times are not checked.
 
 #include "evaluation/paper/counted_refit.hpp"
 #include "evaluation/paper/on_demand.hpp"

@@ -74,7 +74,7 @@ TEST(HtmlPage, EscapesNamesAndSaysWhatIsNotDrawn) {
   EXPECT_EQ(page.find("src=\"http"), page.npos) << "the page needs nothing beside it";
 }
 
-/// A section, its tables, charts and pictures may have one id between them.
+/// A section, its tables, charts and pictures may share an id.
 TEST(HtmlPage, HasNoIdTwice) {
   Section section;
   section.id = "small";

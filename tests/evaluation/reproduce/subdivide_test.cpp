@@ -17,7 +17,7 @@ asset::Asset dwarf() { return *scenes::make_creature(scenes::kDwarf); }
 TEST(Subdivided, CutsEachTriangleIntoFourWithSharedMiddles) {
   const asset::Asset coarse = dwarf(), fine = subdivided(coarse);
   EXPECT_EQ(fine.triangles.size(), 4 * coarse.triangles.size());
-  // A closed surface has three edges for two triangles.
+  // A closed surface has three edges per two triangles.
   EXPECT_EQ(fine.rest_positions.size(),
             coarse.rest_positions.size() + coarse.triangles.size() * 3 / 2);
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;

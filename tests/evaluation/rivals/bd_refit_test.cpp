@@ -14,7 +14,7 @@ using test::Motion;
 using test::Random;
 using test::Weights;
 
-/// How far the vertices reach in their spheres, the farthest of all and on average of the nodes.
+/// The relative reach of vertices in their spheres: the largest, and the mean over the nodes.
 struct Reach {
   double farthest = 0, sum = 0;
   std::uint32_t nodes = 0;
@@ -49,7 +49,7 @@ TEST(BdRefit, SpheresOfSoupsEncloseTheirVertices) {
   std::printf("farthest %.9f, mean %.3f of the radius in %u nodes\n", reach.farthest,
               reach.sum / reach.nodes, reach.nodes);
   EXPECT_LE(reach.farthest, 1);
-  EXPECT_GT(reach.farthest, 0.99);  // somewhere there is nothing to spare
+  EXPECT_GT(reach.farthest, 0.99);  // some sphere is tight
 }
 
 TEST(BdRefit, SpheresOfLimbsEncloseTheirVerticesAndAreNotMuchLarger) {

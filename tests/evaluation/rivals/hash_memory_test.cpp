@@ -1,4 +1,5 @@
-/// Tables of cells stay as small as the mesh, however large its triangles are beside its edges.
+/// Tables of cells stay as small as the mesh, even if triangles are large compared to the mean
+/// edge.
 
 #include "evaluation/rivals/hash_crowd.hpp"
 #include "evaluation/rivals/hash_overlap.hpp"
@@ -19,7 +20,7 @@ TEST(HashMemory, IsBoundedWhereTrianglesTouchMillionsOfCells) {
         [](test::Random&) { return 0.01; });
   };
   test::PosedBody a = make(), b = make();
-  for (test::PosedBody* body : {&a, &b})  // tiny at rest, then every tenth is stretched
+  for (test::PosedBody* body : {&a, &b})  // tiny at rest; then every tenth triangle is stretched
     for (std::size_t v = 0; v < body->frames[1].size(); v += 30)
       body->frames[1][v] = {random.uniformf(-1e3, 1e3), random.uniformf(-1e3, 1e3), 1e3f};
   const std::size_t before = test::largest_allocation();

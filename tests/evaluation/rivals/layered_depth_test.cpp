@@ -1,5 +1,5 @@
-/// What pictures say of bodies beside the exact answer. They are not expected to be right, but to
-/// say no of bodies whose boxes are apart and yes of bodies that are deep in each other.
+/// Compares images with the exact answer. Images are not always right, but must answer no for
+/// bodies whose boxes do not overlap, and yes for bodies that overlap deeply.
 
 #include "evaluation/rivals/layered_depth.hpp"
 
@@ -106,7 +106,7 @@ TEST(LayeredDepth, HolesAreSurvived) {
       bodies.a.triangles.erase(bodies.a.triangles.begin() + random.index(200));
     seen += touch(bodies, 32);
   }
-  EXPECT_GT(seen, 40);  // most rays still find both sides of the ball
+  EXPECT_GT(seen, 40);  // most rays still hit both sides of the ball
 }
 
 TEST(LayeredDepth, FlatAndHugeBodiesAreSurvived) {

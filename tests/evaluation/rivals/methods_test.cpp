@@ -1,5 +1,5 @@
-/// Every method that starts from posed vertices finds the contacts of brute force, on bodies made
-/// to trip up trees and grids.
+/// Every method that starts from posed vertices finds the contacts of brute force, on bodies that
+/// are hard for trees and grids.
 
 #include "evaluation/rivals/aabb.hpp"
 #include "evaluation/rivals/hash_crowd.hpp"
@@ -56,7 +56,7 @@ class Methods : public testing::TestWithParam<NamedMethod> {
     return contacts;
   }
 
-  /// Asks about each frame, both ways round; returns the contacts of all frames.
+  /// Queries each frame in both orders. Returns the number of contacts of all frames.
   static std::size_t check_frames(const PosedBodies& bodies) {
     const auto method = method_with(bodies);
     std::size_t total = 0;
@@ -214,7 +214,7 @@ TEST_P(Methods, FindOneContactWhereThereIsOne) {
   EXPECT_LT(touching, 40);
 }
 
-/// Two walking creatures, nearer in each frame.
+/// Two walking creatures that approach each other.
 PosedBodies walkers(std::uint32_t frames) {
   const auto asset = scenes::make_creature({1000, 24, 1});
   EXPECT_TRUE(asset) << asset.error().message;
@@ -258,7 +258,7 @@ TEST_P(Methods, TellBodiesOfOneMeshApart) {
   const auto method = GetParam().make();
   for (int i = 0; i < 3; ++i) method->add(bodies.a.triangles, bodies.a.frames[0]);
   for (std::uint32_t i = 0; i < 3; ++i) method->update(i, bodies.a.frames[i]);
-  method->update(1, bodies.a.frames[3]);  // alone: the others stay as they are
+  method->update(1, bodies.a.frames[3]);  // updates one body only
   for (const auto& [first, second] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(0u, 2u)}) {
     const auto frame_of = [&](std::uint32_t i) { return bodies.a.frames[i == 1 ? 3 : i]; };
     const PosedBodies asked = {{bodies.a.triangles, {frame_of(first)}},

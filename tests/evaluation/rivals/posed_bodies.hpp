@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bodies in motion to ask rivals about, and the answer by every triangle against every other.
+/// Moving bodies for testing rivals, and the answer of brute force.
 
 #include "geometry/triangle_pair.hpp"
 #include "support/random.hpp"
@@ -26,8 +26,8 @@ struct PosedBodies {
   PosedBody a, b;
 };
 
-/// Separate triangles. `place(random)` is where one is, `size(random)` how far its corners are from
-/// there; they move about from frame to frame.
+/// Separate triangles. `place(random)` is the position of one, and `size(random)` the distance of
+/// its vertices from there. They move from frame to frame.
 template <typename Place, typename Size>
 PosedBody scattered(Random& random, std::uint32_t count, std::uint32_t frames, const Place& place,
                     const Size& size) {

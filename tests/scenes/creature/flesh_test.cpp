@@ -60,7 +60,7 @@ TEST_F(WholeBody, GradientIsTheSlopeOfTheDistance) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3d p = random_point();
     const FleshSample sample = sample_flesh(plan_.flesh, p);
-    if (sample.distance < -0.03 || sample.distance > 0.1) continue;  // creases lie deep inside
+    if (sample.distance < -0.03 || sample.distance > 0.1) continue;  // creases are deep inside
     ++near;
     const double h = 1e-6;
     const auto slope = [&](const Vec3d& d) {
@@ -75,7 +75,7 @@ TEST_F(WholeBody, GradientIsTheSlopeOfTheDistance) {
   EXPECT_GT(near, 150);
 }
 
-// What `polygonise` and its pruning rely on, and with it that leaving out far limbs makes no step.
+// `polygonise` and its pruning rely on this; it implies that leaving out far limbs causes no step.
 TEST_F(WholeBody, DistanceChangesByAtMostTheWay) {
   for (int i = 0; i < 5000; ++i) {
     const Vec3d a = random_point();

@@ -43,8 +43,8 @@ TEST_F(Skin, KneeSharesThighAndShinAndNothingOfTheOtherLeg) {
   for (const auto& [name, weight] : weights) EXPECT_EQ(name.find("_r"), std::string::npos) << name;
 }
 
-// Over the whole skin: neighbours differ little, left and right never share a limb, fingers never
-// follow other fingers but through the hand.
+// Over the whole skin: weights of neighbours differ little, left and right never share a limb, and
+// fingers never follow other fingers, only the hand.
 TEST_F(Skin, WeightsAreSmoothAndLocal) {
   const double spacing = 0.016;
   const RawMesh mesh = polygonise(plan_.flesh, spacing);
@@ -76,7 +76,7 @@ TEST_F(Skin, WeightsAreSmoothAndLocal) {
       }
     }
   }
-  EXPECT_LT(steepest, 200);  // at the clefts between the toes, where limbs that meet part
+  EXPECT_LT(steepest, 200);  // at the clefts between the toes
   EXPECT_GT(steepest, 20);
 }
 

@@ -18,7 +18,7 @@ RawMesh ball() {
   return polygonise(flesh, 0.25);
 }
 
-/// Whether every directed edge has its reverse and none comes twice.
+/// Whether every directed edge has its reverse and occurs once.
 bool is_closed(const std::vector<Triangle>& triangles) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const Triangle& t : triangles) {

@@ -5,7 +5,7 @@
 namespace pelt::tools::arguments {
 namespace {
 
-/// A clip may throw the model out of range at times that nobody asks for.
+/// A clip may move the model out of range at times that no frame uses.
 TEST(BuildNamedModel, PassesOverSamplesThatAModelCannotTake) {
   const std::vector<Vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const std::vector<Triangle> triangles = {{0, 1, 2}};

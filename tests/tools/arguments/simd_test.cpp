@@ -1,4 +1,4 @@
-/// --simd: other instructions, the same answer and the same work.
+/// --simd: other instructions, same answer and same work.
 
 #include <pelt/target.hpp>
 

@@ -1,5 +1,5 @@
-/// `pelt bench --against`: its exit codes, and that nothing is measured for output that would be
-/// lost.
+/// `pelt bench --against`: its exit codes, and that nothing is measured if the output cannot be
+/// written.
 
 #include "tools/test_scenes.hpp"
 
@@ -13,7 +13,7 @@ Ended bench(const TestFolder& folder, const std::vector<std::string>& options) {
   return run_pelt(folder, words);
 }
 
-/// What a run wrote to old.json of the folder.
+/// Runs bench and returns the content of old.json.
 json write_baseline(const TestFolder& folder) {
   write_limbs(folder);
   const Ended run = bench(folder, {"--json", "old.json"});
@@ -31,7 +31,7 @@ TEST(Against, ComparesWithWhatJsonWrote) {
   EXPECT_NE(run.out.find("of 3 ratios worse by more than 15 %"), std::string::npos) << run.out;
 }
 
-/// In the file on demand takes a billionth of the time that it took.
+/// In the file, on demand takes a billionth of its real time.
 TEST(Against, MarksWhatIsSlowerButDoesNotFail) {
   const TestFolder folder;
   json file = write_baseline(folder);
@@ -75,7 +75,7 @@ TEST(Against, FileThatCannotBeWrittenIsRefusedBeforeAnyIsMeasured) {
   }
 }
 
-/// Nothing is left behind, and nothing lost, where measuring fails.
+/// If measuring fails, no new file remains and no old file changes.
 TEST(Against, FileIsAsItWasAfterAFailure) {
   const TestFolder folder;
   write_text(folder / "old.json", "precious");

@@ -1,4 +1,4 @@
-/// The comparison with an earlier run, of figures that are made up.
+/// The comparison with an earlier run, with invented figures.
 
 #include "tools/pelt/bench/bench_against.hpp"
 
@@ -18,8 +18,8 @@ Figures figures_of(const std::string& engine, double mean_us, Variant variant = 
   return figures;
 }
 
-/// On demand is 20 times as fast as the paper's method and 4 times as eager, at twice the cost of
-/// rigid.
+/// On demand is 20 times as fast as the paper's method and 4 times as fast as eager, and takes
+/// twice as long as rigid.
 SceneFigures walkers() {
   SceneFigures scene;
   scene.scene = "walkers.json";
@@ -46,7 +46,7 @@ Compared compared(const std::vector<SceneFigures>& then, const std::vector<Scene
   return {comparison, out.str()};
 }
 
-/// The words of the row of a method; none where there is no row.
+/// The words of a method's row; empty if there is no row.
 std::vector<std::string> row(const std::string& text, const std::string& method) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {

@@ -1,4 +1,4 @@
-/// Reading what `pelt bench --json` wrote, and what something else did.
+/// Reads the output of `pelt bench --json`, and other files.
 
 #include "tools/pelt/bench/bench_baseline.hpp"
 
@@ -54,7 +54,7 @@ TEST(BenchBaseline, IsWhatWasWritten) {
   }
 }
 
-/// Puts `value` in the place of one that is compared; an empty text takes it away.
+/// Replaces a compared value by `value`; an empty text removes it.
 struct Damage {
   const char* place;
   json value;

@@ -1,4 +1,4 @@
-/// The figures that `pelt bench --json` writes are those that the manual page and the help tell of.
+/// `pelt bench --json` writes the figures that the manual page and the help list.
 
 #include "tools/test_scenes.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 using Paths = std::set<std::string>;
 
-/// Where numbers, texts and nulls stand: "scenes[].engines[].mean_us".
+/// Collects the paths of numbers, texts and nulls: "scenes[].engines[].mean_us".
 void collect_paths(const json& value, const std::string& path, Paths& paths) {
   if (value.is_array()) {
     for (const json& element : value) collect_paths(element, path + "[]", paths);
@@ -37,7 +37,7 @@ Paths written_paths(const TestFolder& folder) {
   return paths_of(json::parse(read_text(folder / "figures.json")));
 }
 
-/// The part of the manual page that is about these figures.
+/// The section of the manual page about these figures.
 std::string manual_section() {
   const std::string page = read_text(std::string(PELT_DOCS_DIR) + "/pelt.1");
   const std::size_t begin = page.find(".SS \"Figures");

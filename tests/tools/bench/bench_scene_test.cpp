@@ -1,4 +1,4 @@
-/// The core of `pelt bench`, with engines that the command does not have.
+/// The core of `pelt bench`, with methods that the command does not have.
 
 #include "tools/pelt/bench/bench_scene.hpp"
 
@@ -11,7 +11,8 @@
 namespace pelt::tools {
 namespace {
 
-/// A method that loses the last contact of every tenth question that has several, or of every one.
+/// A method that omits the last contact of every tenth query with several contacts, or of every
+/// such query.
 class Forgetful final : public methods::Method {
  public:
   explicit Forgetful(int every) : every_(every) {}
@@ -97,7 +98,7 @@ TEST(BenchScene, RefusesAnEngineThatDeniesThatAPairTouches) {
   EXPECT_TRUE(figures.empty());
 }
 
-/// Notes where body 0 stands along z whenever it gets a palette.
+/// Records the z position of body 0 at every palette.
 class Noting final : public methods::Method {
  public:
   explicit Noting(std::vector<float>& places) : places_(places) {}
@@ -186,7 +187,7 @@ TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {
   EXPECT_NE(scene.figures[0].answer.hash, scene.figures[8].answer.hash);
 }
 
-/// What bodies do in their update is not charged to rigid ones, nor shown as their work.
+/// The update of rigid bodies counts neither as their time nor as their work.
 TEST(BenchScene, UpdatesOfRigidBodiesCostNothing) {
   const auto settings = settings_with({engine_of(methods::kEager), engine_of(methods::kRigid)});
   std::vector<SceneFigures> figures;

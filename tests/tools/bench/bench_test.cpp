@@ -78,7 +78,7 @@ TEST(Bench, AsksACrowdOnSoManyThreads) {
   }
 }
 
-/// The columns of a line of a table, by their heads.
+/// The cells of a line of a table, by the column heads.
 std::vector<std::string> cells_of(const std::string& line) {
   std::istringstream stream(line);
   return {std::istream_iterator<std::string>(stream), {}};

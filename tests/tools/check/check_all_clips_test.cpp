@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The strip with the clips "bend" (1 s) and "wave" (the same).
+/// The strip with the clips "bend" (1 s) and "wave" (equal to "bend").
 std::string write_moving_strip(const TestFolder& folder) {
   GltfBuilder builder = strip_with_fan();
   builder.document["animations"][1]["name"] = "wave";

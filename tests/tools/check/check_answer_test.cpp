@@ -1,4 +1,4 @@
-/// What `pelt check` answers, against all pairs of triangles.
+/// Compares the answer of `pelt check` with all pairs of triangles.
 
 #include "evaluation/methods/lab_methods.hpp"
 #include "tools/answer.hpp"
@@ -34,7 +34,7 @@ TEST(CheckAnswer, EqualsBruteForceInEveryFrame) {
     contacts += expected.size();
     frames_in_contact += !expected.empty();
   }
-  // The scene has both kinds of frames, or the test would show little.
+  // The test is meaningful only if the scene has frames with and without contact.
   EXPECT_GT(frames_in_contact, 2u);
   EXPECT_LT(frames_in_contact, 12u);
   EXPECT_GT(contacts, 100u);
@@ -81,7 +81,7 @@ TEST(CheckAnswer, IsTheSameByEveryMethod) {
     counters[method] = file.totals["counters"];
     EXPECT_EQ(frames.back(), frames.front()) << method;
   }
-  // Eager poses every vertex; on demand, far fewer are.
+  // Eager poses every vertex; on demand poses far fewer.
   const json &lazy = counters["on_demand"], &eager = counters["eager"];
   EXPECT_LT(lazy["posed_vertices"], eager["posed_vertices"]);
   EXPECT_LT(lazy["refits"], eager["refits"]);
@@ -143,7 +143,7 @@ TEST(CheckAnswer, ByPartMeetsPartsOfOneInstance) {
   for (std::uint32_t frame = 0; frame < file.frames.size(); ++frame) {
     const auto posed = tools::scene::pose_instances(scene, frame, {});
     ASSERT_TRUE(posed);
-    // The parts' triangles as models of their own; their numbers in answers go on counting.
+    // The triangles of each part as a model; triangle numbers in answers refer to the whole model.
     std::vector<tools::scene::PosedInstance> parts;
     for (const tools::scene::PosedInstance& instance : *posed) {
       for (const auto& part : character->asset.parts) {

@@ -1,4 +1,4 @@
-/// `pelt check` for a build server: what is ignored, what is known, what fails.
+/// `pelt check` for a build server: ignored pairs, baselines, failures.
 
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
@@ -8,7 +8,7 @@
 namespace pelt::test {
 namespace {
 
-/// The answer to the limbs' scene, with the triangles.
+/// The answer for the limbs' scene, with the triangles.
 CheckFile check_limbs(const TestFolder& folder, std::vector<std::string> options, int exit_code) {
   std::vector<std::string> arguments = {"check", "scene.json", "--jsonl", "-", "--pairs"};
   arguments.insert(arguments.end(), options.begin(), options.end());
@@ -19,7 +19,7 @@ CheckFile check_limbs(const TestFolder& folder, std::vector<std::string> options
 
 std::uint64_t contacts_of(const CheckFile& file) { return file.totals["totals"]["contacts"]; }
 
-/// The limbs' scene with one of them moved closer: what touched then touches more.
+/// Moves one limb of the scene closer: places that touched then have more contacts.
 void move_limb(const TestFolder& folder) {
   std::string text = read_text(folder / "scene.json");
   const std::string place = "[0.5, 0, 0.03]";

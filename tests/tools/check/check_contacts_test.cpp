@@ -1,4 +1,4 @@
-/// `pelt check --contacts`: the geometry that it adds agrees with the contacts and with itself.
+/// `pelt check --contacts`: the added geometry is consistent with the contacts and with itself.
 
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"

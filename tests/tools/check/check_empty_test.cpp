@@ -1,4 +1,4 @@
-/// A check that compares nothing says so everywhere, and is no success unless that is allowed.
+/// A check that compares nothing says so in every output, and fails unless this is allowed.
 
 #include <pelt/version.hpp>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Checks one strip of two parts, with these options too.
+/// Checks one strip of two parts with additional options.
 Ended check_strip(const TestFolder& folder, const Words& options) {
   write_strip(folder, "strip.glb");
   Words words = {"check", "strip.glb"};

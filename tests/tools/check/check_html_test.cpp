@@ -1,4 +1,4 @@
-/// What `pelt check --html` puts into the page; the page itself is tested in a browser
+/// The data that `pelt check --html` writes into the page. The page itself is tested in a browser
 /// (viewer/test).
 
 #include <pelt/version.hpp>
@@ -12,7 +12,7 @@
 namespace pelt::test {
 namespace {
 
-/// A folder with the limbs' scene and a page that stands in for the viewer.
+/// A folder with the limbs' scene and a page that replaces the viewer.
 class CheckHtml : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -22,7 +22,7 @@ class CheckHtml : public ::testing::Test {
   }
   void TearDown() override { unsetenv("PELT_VIEWER"); }
 
-  /// What stands between the tags.
+  /// The text between the tags.
   static json data_of(const std::string& page) {
     const std::string open = R"(id="pelt-data">)";
     const std::size_t begin = page.find(open) + open.size();
@@ -32,7 +32,7 @@ class CheckHtml : public ::testing::Test {
   TestFolder folder_;
 };
 
-/// RFC 4648, for the other direction than the command's.
+/// RFC 4648, decoding; the command only encodes.
 std::string decode(const std::string& base64) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -77,7 +77,7 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
   EXPECT_EQ(parse_check_file(again.out).totals["hash"], file.totals["hash"]);
 }
 
-/// Writes the files of a page to `again`, and checks its scene.
+/// Writes the files of a page to `again` and checks their scene.
 CheckFile check_again(const TestFolder& folder, const json& data) {
   for (const auto& [path, bytes] : data["files"].items()) {
     const std::filesystem::path target = folder / ("again/" + path);
@@ -88,8 +88,7 @@ CheckFile check_again(const TestFolder& folder, const json& data) {
   return parse_check_file(run_pelt(folder, {"check", scene, "--jsonl", "-"}).out);
 }
 
-/// A .gltf of the limb with its buffer beside it, one more that nothing needs, one that is missing,
-/// and an image.
+/// A .gltf file of the limb with its buffer, an unused buffer, a missing one, and an image.
 void write_limb_of_files(const TestFolder& folder, const std::string& name,
                          const std::string& buffer) {
   GltfBuilder limb = build_limb(24);

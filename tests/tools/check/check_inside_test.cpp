@@ -6,7 +6,7 @@
 namespace pelt::test {
 namespace {
 
-/// A large limb and a small one that leaves it: inside in the first frame, beside it in the last.
+/// A large limb and a small one that leaves it: inside in the first frame, outside in the last.
 constexpr const char* kLeaving = R"({
   "models": {"one": "one.glb", "two": "two.glb"},
   "frames": {"count": 5, "fps": 1},
@@ -59,7 +59,7 @@ TEST(CheckInside, HasTheExitCodeOfContactWhereNothingTouches) {
             1);
 }
 
-/// The answer to the first frame of kLeaving, in which one limb holds the other.
+/// The answer for the first frame of kLeaving, in which one limb contains the other.
 CheckFile check_held(const TestFolder& folder, std::vector<std::string> options, int exit_code) {
   std::vector<std::string> arguments = {"check",    "leaving.json", "--frames", "0:1",
                                         "--inside", "--jsonl",      "-"};

@@ -1,4 +1,4 @@
-/// What `pelt check --baseline` lists, and in which order.
+/// The lists of `pelt check --baseline`, and their order.
 
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
@@ -13,8 +13,8 @@ Ended check_limbs_with(const TestFolder& folder, Words words) {
   return run_pelt(folder, words);
 }
 
-/// Writes known.jsonl: the limbs' answer in which one touch is missing, all others but one were
-/// rarer, and that one was as now. The missing one has the fewest contacts.
+/// Writes known.jsonl, an answer for the limbs in which one touch is missing, one touch is
+/// unchanged, and all others have fewer contacts. The missing touch has the fewest contacts.
 void write_worse_baseline(const TestFolder& folder) {
   ASSERT_EQ(check_limbs_with(folder, {"--jsonl", "now.jsonl"}).exit_code, 1);
   Words lines = lines_of(read_text(folder / "now.jsonl"));

@@ -1,4 +1,4 @@
-/// What `pelt check --baseline` takes as the same: names, in any order.
+/// `pelt check --baseline` identifies contacts by names, in any order.
 
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
@@ -6,7 +6,8 @@
 namespace pelt::test {
 namespace {
 
-/// Cuts the one primitive of a limb in two of one material, so that their parts have one name.
+/// Splits the single primitive of a limb into two of one material, so that two parts have the same
+/// name.
 std::vector<std::byte> limb_of_two_parts(std::uint32_t sides) {
   GltfBuilder limb = build_limb(sides);
   const json material = limb.add("materials", {{"name", "skin"}});
@@ -24,7 +25,7 @@ std::vector<std::byte> limb_of_two_parts(std::uint32_t sides) {
   return limb.glb();
 }
 
-/// The verdict on `input`, with an earlier answer to `known` as the baseline.
+/// The verdict on `input`, with an earlier answer for `known` as the baseline.
 json compare(const TestFolder& folder, const std::string& known, const std::string& input,
              const std::vector<std::string>& options = {}) {
   std::vector<std::string> first = {"check", known, "--jsonl", "known.jsonl"};

@@ -90,7 +90,7 @@ TEST(CheckOptions, QuarterTurnLeadsFromZToX) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto posed = asset::load_gltf(folder / "a.glb");
   ASSERT_TRUE(posed);
-  // The fan's corner at (0.5, y, 1) goes to (1, y, -0.5).
+  // The fan's vertex at (0.5, y, 1) moves to (1, y, -0.5).
   bool found = false;
   for (const Vec3& p : posed->rest_positions) {
     found = found || (std::abs(p.x - 1) < 1e-6f && std::abs(p.z + 0.5f) < 1e-6f);
@@ -159,7 +159,7 @@ TEST(CheckOptions, WeightsAreRenormalisedOnDemand) {
   EXPECT_EQ(run_pelt(folder, {"check", "off.glb", "--renormalise", "--allow-empty"}).exit_code, 0);
 }
 
-/// Triangles of the material "contact" in a file that --glb wrote.
+/// Number of triangles of the material "contact" in a file of --glb.
 std::size_t glowing(const std::string& path) {
   const auto asset = asset::load_gltf(path);
   EXPECT_TRUE(asset) << asset.error().message;

@@ -1,4 +1,4 @@
-/// What `pelt check` refuses of ignored names and baselines, before it writes anything.
+/// Invalid ignored names and baselines, which `pelt check` refuses before it writes anything.
 
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
@@ -14,7 +14,7 @@ struct RefusedCheck {
 
 class CheckRefuses : public ::testing::TestWithParam<RefusedCheck> {};
 
-/// Each beside a --jsonl file, which stays as it was.
+/// Each call also names a --jsonl file, which must stay unchanged.
 TEST_P(CheckRefuses, WithAMessageAndWritesNothing) {
   const TestFolder folder;
   write_limbs(folder);

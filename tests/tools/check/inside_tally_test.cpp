@@ -44,7 +44,7 @@ TEST(InsideTally, CountsEachTakeByItself) {
   EXPECT_EQ(tally.held[1].frames, 2u);
 }
 
-/// Comparing all bodies with each other would take 10^11 steps: minutes.
+/// Comparing all bodies with each other would take 10^11 steps, which is minutes.
 TEST(InsideTally, CountsInTimeLinearInBodies) {
   std::vector<InsidePair> pairs;
   for (std::uint32_t b = 1; b <= 800'000; ++b)

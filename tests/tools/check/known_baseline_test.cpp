@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Instances of models with these names, without any mesh.
+/// Instances of models with these names, without meshes.
 scenes::Scene scene_of(const std::vector<std::string>& models) {
   scenes::Scene scene;
   for (const std::string& model : models) {
@@ -35,7 +35,7 @@ json place(const std::string& model, std::uint32_t copy, const std::string& join
   return {{"instance", 7}, {"model", model}, {"copy", copy}, {"part", "body"}, {"joint", joint}};
 }
 
-/// What `pelt check --jsonl` writes of a knight and a thief, to be changed.
+/// An answer of `pelt check --jsonl` for a knight and a thief, which tests modify.
 struct Answer {
   json header = {
       {"format", "pelt-check"},

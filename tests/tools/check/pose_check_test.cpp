@@ -1,5 +1,5 @@
-/// What `pelt check` answers is what all pairs of triangles say at the positions that `pelt pose`
-/// writes: the two verbs share one definition of a posed vertex, and this goes by the files alone.
+/// The answer of `pelt check` equals brute force at the positions that `pelt pose` writes. Both
+/// verbs share one definition of a posed vertex; this test uses only their files.
 
 #include "tools/answer.hpp"
 #include "tools/glb_file.hpp"
@@ -14,7 +14,7 @@ GlbFile pose_to_file(const TestFolder& folder, const std::string& scene, const s
   return GlbFile(read_text(folder / "posed.glb"));
 }
 
-/// The pairs of meshes that touch, as a frame of a pelt-check file has them.
+/// The pairs of touching meshes, in the format of a frame of a pelt-check file.
 json touching_pairs(const GlbFile& file) {
   const std::size_t count = file.document["meshes"].size();
   std::vector<std::vector<Triangle>> triangles;

@@ -5,7 +5,7 @@
 namespace pelt::tools::check {
 namespace {
 
-/// Instances of a knight, a thief and a knight again, whose two parts have one name.
+/// Instances of a knight, a thief and the knight again; the two parts of a model share one name.
 scenes::Scene knights_and_thief() {
   scenes::Scene scene;
   for (const char* name : {"knight", "thief", "caf\xE9"}) {
@@ -42,7 +42,7 @@ TEST(TouchName, IsTextAsAFileHoldsIt) {
   EXPECT_EQ(touch_name(staged, {3, 0, 0}).body.model, "caf\xEF\xBF\xBD");
 }
 
-/// Comparing all instances with each other would take 10^11 steps: minutes.
+/// Comparing all instances with each other would take 10^11 steps, which is minutes.
 TEST(TouchName, CountsInstancesInTimeLinearInInstances) {
   scenes::Scene scene = knights_and_thief();
   scene.instances.resize(400'000, scene.instances[0]);

@@ -5,8 +5,8 @@
 namespace pelt::tools::check {
 namespace {
 
-/// Three triangles: the first follows joint "arm" most, by the sum over its vertices although no
-/// single vertex says so; the others follow "leg". The last is a part of its own.
+/// Three triangles. The first follows joint "arm" most by the sum over its vertices, although no
+/// single vertex does; the others follow "leg". The last is a separate part.
 asset::Asset three_triangles() {
   asset::Asset asset;
   asset.rest_positions.resize(9, Vec3{0, 0, 0});

@@ -12,7 +12,7 @@
 namespace pelt::tools::output {
 namespace {
 
-/// Values whose bits a careless writer would lose.
+/// Values whose bits a careless writer would change.
 const std::vector<Vec3> kPositions = {{0.1f, -0.0f, 1e-42f},
                                       {std::numeric_limits<float>::max(), 1.0f / 3, 5},
                                       {-7, 16777216, std::numeric_limits<float>::min()},

@@ -1,5 +1,4 @@
-/// Names out of files never steer the terminal: neither in what verbs print, nor in what they
-/// refuse.
+/// Names from files never control the terminal, neither in output nor in error messages.
 
 #include "asset/printable.hpp"
 #include "support/gltf_builder.hpp"
@@ -9,20 +8,20 @@
 namespace pelt::test {
 namespace {
 
-/// What people would see, or would not, in a terminal.
+/// Characters that are visible or invisible in a terminal.
 const std::string kHostile =
     "a\x1b]0;b\x07\x1b[2J\xc2\x9b"
     "31m\r\n\xe2\x80\xae"
     "c";
 
-/// Of ten thousand letters of two bytes each.
+/// A name of ten thousand letters of two bytes each.
 std::string very_long(const std::string& begin) {
   std::string name = begin;
   for (int i = 0; i < 10000; ++i) name += "é";
   return name;
 }
 
-/// A strip of paper and a fan, as `strip_with_fan`, with other names.
+/// A strip of paper and a fan, like `strip_with_fan`, with other names.
 GltfBuilder strip_named(const std::string& name) {
   GltfBuilder builder = strip_with_fan();
   for (const char* array : {"nodes", "meshes", "skins", "animations"}) {
@@ -32,7 +31,7 @@ GltfBuilder strip_named(const std::string& name) {
   return builder;
 }
 
-/// Where a line is longer than its names cut short allow, or steers.
+/// The first line that is longer than truncated names allow, or that has control characters.
 std::string problem_of(std::string_view text) {
   std::size_t line = 0;
   while (!text.empty()) {

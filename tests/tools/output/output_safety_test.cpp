@@ -1,5 +1,5 @@
-/// No output destroys an input or another output, and every file that a verb writes is complete or
-/// as it was before, whatever ends the verb.
+/// No output overwrites an input or another output, and every output file is either complete or
+/// unchanged, however the verb ends.
 
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"
@@ -23,16 +23,16 @@ using Words = std::vector<std::string>;
 
 const std::string kOld = "what was there before\n";
 
-/// A verb with one output, whose name comes last.
+/// A verb with one output, whose name is the last argument.
 struct Writer {
   std::string name;
   Words words;
-  bool reads_scene = true;  ///< else a.gltf
+  bool reads_scene = true;  ///< otherwise a.gltf
 };
 
 void PrintTo(const Writer& writer, std::ostream* out) { *out << writer.name; }
 
-/// All outputs of all verbs; `demo` writes a folder and has tests of its own.
+/// All outputs of all verbs, except `demo`, which writes a folder and has tests of its own.
 std::vector<Writer> writers() {
   return {{"check_jsonl", {"check", "scene.json", "--fail-on", "never", "--jsonl"}},
           {"check_glb", {"check", "scene.json", "--fail-on", "never", "--glb"}},
@@ -49,7 +49,8 @@ std::vector<Writer> writers() {
             "--json"}}};
 }
 
-/// A folder with a scene of a.gltf, which names a.bin and an image, and the viewer's page.
+/// A folder with a scene of a.gltf, the buffer a.bin and the image that a.gltf names, and the
+/// viewer's page.
 class SafetyFolder {
  public:
   SafetyFolder() {
@@ -71,7 +72,7 @@ class SafetyFolder {
   const TestFolder& get() const { return folder_; }
   std::string operator/(const std::string& name) const { return folder_ / name; }
 
-  /// Names and contents, links followed.
+  /// Names and contents of the files; follows links.
   std::map<std::string, std::string> contents() const {
     std::map<std::string, std::string> all;
     for (const std::string& name : names_in(folder_)) {
@@ -172,7 +173,7 @@ TEST_P(Output, IsRefusedBeforeWorkWhereItCannotBeWritten) {
   EXPECT_TRUE(folder.contents() == before);
 }
 
-/// Lines that differ from run to run do not matter here.
+/// The size of the output; lines that differ between runs have the same size.
 std::size_t size_of(const Words& words, const SafetyFolder& folder) {
   EXPECT_EQ(run_pelt(folder.get(), with(words, "file")).exit_code, 0);
   return fs::file_size(folder / "file");
@@ -206,7 +207,7 @@ TEST_P(Output, GoesToStandardOutputPipesAndDevices) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-/// Words that make the verb busy until it is ended.
+/// Arguments that keep the verb busy until a signal ends it.
 Words endless(Words words, const std::string& output) {
   words = with(std::move(words), output);
   for (std::string& word : words) {
@@ -236,7 +237,7 @@ bool has_unfinished_file(const fs::path& folder) {
   return false;
 }
 
-/// Sends the signal as soon as the verb has begun to write; the status of its end.
+/// Sends the signal once the verb has started to write. Returns the exit status.
 int end_while_writing(pid_t child, const fs::path& folder, int signal) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   int status = 0;
@@ -249,7 +250,7 @@ int end_while_writing(pid_t child, const fs::path& folder, int signal) {
   return status;
 }
 
-/// Short verbs may be through before the signal comes: tries until one is hit.
+/// A short verb may end before the signal arrives, so this retries until the signal hits.
 void expect_removed(const SafetyFolder& folder, const Words& words, const fs::path& written,
                     int signal) {
   for (int attempt = 0; attempt < 50; ++attempt) {
@@ -298,7 +299,7 @@ TEST_P(Output, OfTwoRunsAtOnceIsThatOfOne) {
   EXPECT_EQ(names_in(folder.get()), names);
 }
 
-/// Two writers of unequal answers to one place; a mixture would be neither.
+/// Two processes write different answers to one path; a mixture would equal neither.
 TEST(Outputs, OfTwoRunsAtOnceAreNeverMixed) {
   const SafetyFolder folder;
   const Words check = {"check", "scene.json", "--fail-on", "never"};

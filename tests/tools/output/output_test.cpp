@@ -1,4 +1,4 @@
-/// What was to be written and cannot be never passes for a success.
+/// A failed write is never reported as a success.
 
 #include "tools/pelt/output/output.hpp"
 

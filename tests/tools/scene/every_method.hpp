@@ -1,6 +1,6 @@
 #pragma once
 
-/// A scene asked by every method, with its files read once.
+/// Queries a scene with every method and reads its files once.
 
 #include "evaluation/methods/lab_methods.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
@@ -35,7 +35,8 @@ inline FramesAnswer ask_frames(const scenes::Scene& scene, tools::scene::SceneQu
   return answer;
 }
 
-/// All methods give the same contacts in frames [begin, end); in how many of them there are some.
+/// Expects the same contacts from all methods in frames [begin, end). Returns the number of frames
+/// with contacts.
 inline std::uint32_t in_contact_by_every_method(const scenes::Scene& scene, std::uint32_t begin,
                                                 std::uint32_t end) {
   const auto colliders =

@@ -1,6 +1,6 @@
-/// The answers on the benchmark's scenes, whose characters are generated, and on real characters
-/// where they are at hand: the same bits from every compiler, build type and instruction set. A
-/// hash here changes only with the scenes, the characters or the definition of a posed vertex.
+/// The answers for the benchmark scenes, whose characters are generated, and for real characters if
+/// they are available. The bits do not depend on the compiler, build type or instruction set. A
+/// hash here changes only if the scenes, the characters or the definition of a posed vertex change.
 
 #include <pelt/target.hpp>
 

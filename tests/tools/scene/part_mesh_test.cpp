@@ -7,7 +7,7 @@
 namespace pelt::tools::scene {
 namespace {
 
-/// `count` parts of one triangle; triangle t uses the vertices t, 2 count - 1 - t, 2 count + t.
+/// `count` parts of one triangle; triangle t has the vertices t, 2 count - 1 - t, 2 count + t.
 asset::Asset many_parts(std::uint32_t count) {
   asset::Asset asset;
   asset.joints.resize(1);

@@ -1,4 +1,4 @@
-/// Contact everywhere: several characters in one place, their clips offset.
+/// Contact everywhere: several characters at one position with offset clips.
 
 #include "tools/scene/every_method.hpp"
 #include "tools/test_scenes.hpp"
@@ -8,7 +8,7 @@
 namespace pelt::test {
 namespace {
 
-/// What scripts/pile-scene writes to pile.json of the folder.
+/// The content of the pile.json that scripts/pile-scene writes.
 json write_pile(const TestFolder& folder, const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {PELT_PYTHON, PELT_SCRIPTS_DIR "/pile-scene"};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -18,7 +18,8 @@ json write_pile(const TestFolder& folder, const std::vector<std::string>& argume
   return json::parse(run.out);
 }
 
-/// Every method gives the same contacts in one frame of the scene in this file, and some.
+/// Expects the same contacts, at least one, from every method in one frame of the scene in this
+/// file.
 void expect_one_answer(const std::filesystem::path& path, std::uint32_t frame) {
   const Result<scenes::Scene> scene = scenes::load_scene(path);
   ASSERT_TRUE(scene) << scene.error().message;

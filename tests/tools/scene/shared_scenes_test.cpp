@@ -1,5 +1,4 @@
-/// Real characters, where they are at hand: every method gives the same contacts, and there are
-/// some.
+/// Real characters, if they are available: every method finds the same contacts, and at least one.
 
 #include "tools/scene/every_method.hpp"
 

@@ -15,7 +15,7 @@ CheckFile bounds_of(const TestFolder& folder, std::vector<std::string> arguments
   return parse_check_file(run.out);
 }
 
-/// The box of a mesh's triangles, as the file has boxes.
+/// The box of a mesh's triangles, in the format of the file.
 json box_of(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
   Vec3 low = positions[triangles[0][0]], high = low;
   for (const Triangle& triangle : triangles) {

@@ -8,7 +8,7 @@
 namespace pelt::test {
 namespace {
 
-/// POV-Ray is hidden by an empty PATH, so that the test is quick and the same everywhere.
+/// An empty PATH hides POV-Ray, so that the test is quick and the same everywhere.
 TEST(Demo, WritesItsFilesWithoutARayTracer) {
   const TestFolder folder;
   write_text(folder / "viewer.html", viewer_page(PELT_VERSION));
@@ -32,14 +32,14 @@ TEST(Demo, WritesItsFilesWithoutARayTracer) {
   ASSERT_TRUE(character) << character.error().message;
   EXPECT_NE(character->find_clip("walk"), nullptr);
 
-  // The scene that it wrote is one that `check` takes, with the same answer.
+  // `check` accepts the scene that was written, and finds the same contacts.
   const Ended check = run_pelt(
       folder, {"check", "pelt-demo/scene.json", "--frames", "40:41", "--jsonl", "-", "--pairs"});
   ASSERT_EQ(check.exit_code, 1) << check.err;
   EXPECT_EQ(lines_of(check.out)[1], lines[41]);
 }
 
-/// A stand-in for POV-Ray, which is slow, that leaves a picture where it is told to.
+/// A replacement for POV-Ray, which is slow, that only writes a file.
 TEST(Demo, CallsTheRayTracer) {
   const TestFolder folder;
   write_text(folder / "povray", R"(#!/bin/sh

@@ -29,7 +29,7 @@ double distance_of(const json& p, const json& q) {
                     p[2].get<double>() - q[2].get<double>());
 }
 
-/// Between corners: no less than the distance, and here little more.
+/// The least distance between vertices: at least the distance, and in this scene little more.
 double corner_distance(const GlbFile& file) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& p : file.positions(0)) {
@@ -41,7 +41,7 @@ double corner_distance(const GlbFile& file) {
   return least;
 }
 
-/// Whether a point is in the box of a triangle, which it is if it is on it.
+/// Whether a point is in the box of a triangle, as every point of the triangle is.
 bool is_at(const json& point, const Triangle& triangle, std::span<const Vec3> positions) {
   for (int axis = 0; axis < 3; ++axis) {
     std::array<double, 3> values;

@@ -8,7 +8,7 @@
 namespace pelt::test {
 namespace {
 
-/// The posed vertices by the public functions alone.
+/// The posed vertices, computed with the public functions only.
 std::vector<Vec3> posed_by_library(const scenes::Scene& scene, std::uint32_t instance,
                                    std::uint32_t frame) {
   const asset::Asset& asset = scene.characters[scene.instances[instance].character].asset;

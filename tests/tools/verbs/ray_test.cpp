@@ -24,7 +24,7 @@ struct FirstHit {
   double t = std::numeric_limits<double>::infinity();
 };
 
-/// By solving for the plane and the corners' weights in double: good enough away from edges.
+/// Solves for the plane and the vertices' weights in double, which suffices away from edges.
 FirstHit first_hit(const Vec3d& from, const Vec3d& direction, std::span<const Vec3> positions,
                    std::span<const Triangle> triangles) {
   FirstHit first;
@@ -80,7 +80,7 @@ TEST(RayVerb, FindsTheFirstOfAllTriangles) {
 TEST(RayVerb, NamesPartAndJoints) {
   const TestFolder folder;
   write_strip(folder, "strip.glb");
-  // The fan stands at x = 0.5 and rides on its own node.
+  // The fan is at x = 0.5, on a node of its own.
   const CheckFile file =
       rays_of(folder, {"strip.glb", "--from", "2,1.8,0.3", "--to", "1,1.8,0.3", "--beyond",
                        "--from", "2,1.8,-0.3", "--to", "0,1.8,-0.3"});

@@ -1,4 +1,4 @@
-/// `pelt region`, compared with the corners of all triangles at the positions that `pelt pose`
+/// `pelt region`, compared with the vertices of all triangles at the positions that `pelt pose`
 /// writes.
 
 #include "tools/answer.hpp"
@@ -21,7 +21,7 @@ GlbFile frame_as_posed(const TestFolder& folder, int frame) {
   return GlbFile(read_text(folder / "posed.glb"));
 }
 
-/// The triangles all of whose corners are on that side of the plane x = 0.
+/// The triangles whose vertices are all on that side of the plane x = 0.
 std::vector<std::uint32_t> triangles_beside(const GlbFile& file, int instance, double side) {
   const std::vector<Vec3> positions = file.positions(instance);
   const std::vector<Triangle> triangles = file.triangles(instance);
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> triangles_beside(const GlbFile& file, int instance, d
 TEST(RegionVerb, TellsWhichTrianglesLieInABox) {
   const TestFolder folder;
   write_limbs(folder);
-  // All that is beside the plane x = 0, which the limbs pass.
+  // Everything on one side of the plane x = 0, which the limbs cross.
   const CheckFile file = regions_of(folder, {"--box", "0,-9,-9,9,9,9", "--triangles"});
   EXPECT_EQ(file.header["format"], "pelt-region");
   EXPECT_EQ(file.header["options"]["box"], json({0, -9, -9, 9, 9, 9}));

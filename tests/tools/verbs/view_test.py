@@ -22,8 +22,8 @@ PAGE = (f'<meta name="generator" content="Pelt {SAID.split()[-1]}">'
 SCENE = '{"models": {"a": {"creature": {"triangles": 1000}}}, "instances": [{"model": "a"}]}'
 PATIENCE = 20
 
-# Stands for a browser that runs until it is closed: leaves what it was told and which signals are
-# blocked for it.
+# Replaces a browser and runs until it is ended: records its arguments and the signals that are
+# blocked.
 BROWSER = """#!/bin/sh
 grep SigBlk /proc/self/status > "$LEFT.part"
 echo "$1 $$" >> "$LEFT.part"
@@ -241,7 +241,7 @@ def opens_browser(command, folder):
             assert int(blocked.split()[1], 16) == 0, blocked
             assert os.getpgid(int(browser)) != os.getpgid(running.pid)
             assert end(running) == 0
-            os.kill(int(browser), 0)  # still there
+            os.kill(int(browser), 0)  # still running
         finally:
             os.kill(int(browser), signal.SIGKILL)
 
