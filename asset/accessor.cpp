@@ -136,7 +136,7 @@ Result<std::vector<std::uint32_t>> AccessorReader::integers(std::uint32_t index,
 Result<AccessorReader::Bytes> AccessorReader::elements(std::uint32_t index,
                                                        const std::string& what) {
   const GltfAccessor& accessor = document_.accessors[index];
-  // Components of one byte grow to four.
+  // Components of one byte become four bytes.
   const Result<void> taken = budget_.take(accessor.count, 4 * component_count(accessor.type), what);
   if (!taken) return taken.error();
   Bytes out;

@@ -6,8 +6,8 @@
 
 namespace pelt::asset {
 
-// x - x^3/3! + x^5/5! ... to x^21/21!. The series alternates, so the error is below the first term
-// left out: (pi/2)^23 / 23! < 2e-18; what remains is rounding.
+// x - x^3/3! + x^5/5! ... to x^21/21!. The series alternates, so the error is below the first
+// omitted term: (pi/2)^23 / 23! < 2e-18. The rest is rounding.
 double sine(double x) {
   PELT_ASSERT(x >= -kPi / 2 - 1e-9 && x <= kPi / 2 + 1e-9);
   const double x2 = x * x;
@@ -26,8 +26,9 @@ double sine_of_turns(double turns) {
 
 double cosine_of_turns(double turns) { return sine_of_turns(turns + 0.25); }
 
-// Three times tan(a/2) = sin a / (1 + cos a) bring the angle below pi/16, where the alternating
-// series x - x^3/3 + x^5/5 ... to x^25/25 errs by less than tan(pi/16)^27 / 27 < 5e-21.
+// Three applications of tan(a/2) = sin a / (1 + cos a) reduce the angle below pi/16, where the
+// alternating series x - x^3/3 + x^5/5 ... to x^25/25 has an error below tan(pi/16)^27 / 27 <
+// 5e-21.
 double angle_of(double sine, double cosine) {
   PELT_ASSERT(sine >= 0 && cosine >= 0 && sine + cosine > 0);
   double x = sine / (cosine + std::sqrt(sine * sine + cosine * cosine));

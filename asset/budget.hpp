@@ -15,9 +15,9 @@ class Budget {
  public:
   static constexpr std::uint64_t kExpansion = 256;
   static constexpr std::uint64_t kStart = 16 << 20;  ///< additional allowance, for small files
-  /// Vertices and triangles take at least 12 bytes, so below this limit their numbers fit into 32
+  /// Vertices and triangles have at least 12 bytes, so below this limit their numbers fit into 32
   /// bits. On 32-bit platforms, 2 GB must suffice for everything: reading needs up to twice the
-  /// result, and the model that is built from it as much again.
+  /// result, and building the model needs as much again.
   static constexpr std::uint64_t kMost = std::uint64_t{sizeof(void*) == 8 ? 48 * 1024 : 256} << 20;
 
   /// Limit of the values in a JSON text, each of which may become a node of half a kilobyte.

@@ -57,7 +57,7 @@ Value cubic_spline(const Channel& channel, std::size_t key, double t, double int
   return result;
 }
 
-/// Where a time lies between keys: at `key` if `t` is 0.
+/// The position of a time between keys; exactly at `key` if `t` is 0.
 struct KeyTime {
   std::size_t key;
   double t, interval;

@@ -33,8 +33,8 @@ class ClipReader {
   const GltfDocument& document_;
   const NodeGraph& graph_;
   AccessorReader& reader_;
-  std::set<std::pair<std::uint32_t, GltfPath>> targets_;  ///< of the clip at hand
-  std::map<std::uint32_t, std::size_t> target_counts_;    ///< morph targets by place of the node
+  std::set<std::pair<std::uint32_t, GltfPath>> targets_;  ///< of the current clip
+  std::map<std::uint32_t, std::size_t> target_counts_;    ///< morph targets by position of the node
   std::size_t passed_over_ = 0;
 };
 

@@ -26,7 +26,7 @@ bool begins_like_object(std::string_view text) {
   return begin != text.npos && text[begin] == '{';
 }
 
-/// A .gltf.
+/// Reads a .gltf file.
 Result<Container> read_text(std::string_view text) {
   if (begins_like_object(text)) return Container{text, {}};
   if (text.empty()) return malformed("the file is empty: copy or export it again");

@@ -6,16 +6,16 @@ namespace pelt::asset {
 
 namespace {
 
-/// How many bytes a code point has that begins with `lead`; 0: none does.
+/// Number of bytes of a code point that starts with `lead`; 0 if none does.
 std::size_t length_by(unsigned char lead) {
   if (lead < 0x80) return 1;
-  if (lead < 0xC2) return 0;  // a later byte, or a longer form of an ASCII character
+  if (lead < 0xC2) return 0;  // a later byte, or an overlong ASCII character
   if (lead < 0xE0) return 2;
   if (lead < 0xF0) return 3;
   return lead < 0xF5 ? 4 : 0;
 }
 
-/// Refuses longer forms than needed, halves of surrogate pairs and what is beyond Unicode.
+/// Rejects overlong forms, surrogates and values beyond Unicode.
 bool is_valid(char32_t value, std::size_t bytes) {
   if (bytes == 3) return value >= 0x800 && (value < 0xD800 || value > 0xDFFF);
   return bytes != 4 || (value >= 0x10000 && value <= 0x10FFFF);

@@ -14,7 +14,7 @@ struct ReadGltf {
   std::vector<std::filesystem::path> files;  ///< external buffers that meshes and clips use
 };
 
-/// As `load_gltf`, and returns too which other files it has read.
+/// Like `load_gltf`, and also returns the other files that it has read.
 Result<ReadGltf> read_gltf(std::span<const std::byte> file, const std::filesystem::path& folder,
                            const GltfOptions& options);
 

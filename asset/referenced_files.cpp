@@ -23,7 +23,7 @@ std::string read_up_to(std::istream& stream, std::uintmax_t count) {
   return text;
 }
 
-/// The JSON text of a .gltf, or of a .glb's first chunk.
+/// The JSON text of a .gltf file, or of the first chunk of a .glb file.
 std::string read_json_text(const fs::path& path) {
   constexpr std::size_t kHeaders = 20;  // of the .glb and of its first chunk
   std::error_code error;

@@ -53,14 +53,14 @@ std::optional<std::vector<std::byte>> base64_decode(std::string_view text) {
     const int digit = base64_digit(text[i]);
     if (digit < 0) return std::nullopt;
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    // Characters 1, 2 and 3 of a group of four complete a byte each.
+    // Characters 1, 2 and 3 of a group of four complete one byte each.
     const std::size_t spare = 6 - 2 * (i % 4);
     if (i % 4 != 0) bytes.push_back(static_cast<std::byte>(bits >> spare & 0xFF));
   }
   return bytes;
 }
 
-/// A path that only goes down from the folder it is joined to, on every platform.
+/// Whether the path never leaves the folder that it is appended to, on every platform.
 bool stays_below(const std::string& path) {
   if (path.empty() || path.front() == '/') return false;
   if (path.find_first_of(std::string_view("\\:\0", 3)) != std::string::npos) return false;
@@ -68,7 +68,7 @@ bool stays_below(const std::string& path) {
   return std::find(parts.begin(), parts.end(), "..") == parts.end();
 }
 
-/// Whether `path`, links resolved, lies in `folder`, links resolved.
+/// Whether `path` is inside `folder` after links in both have been resolved.
 bool lies_in(const fs::path& path, const fs::path& folder) {
   std::error_code error;
   const fs::path inner = fs::weakly_canonical(path, error);

@@ -28,10 +28,11 @@ install(EXPORT pelt NAMESPACE pelt:: FILE pelt-targets.cmake DESTINATION ${packa
 install(FILES ${PROJECT_BINARY_DIR}/pelt-config.cmake ${PROJECT_BINARY_DIR}/pelt-config-version.cmake
         DESTINATION ${package_dir})
 
-# --- pkg-config: pelt, pelt-asset. Paths are relative to the file: `--prefix` may come at install.
+# --- pkg-config: pelt, pelt-asset. Paths are relative to the file, because `cmake --install` may
+# change the prefix.
 file(RELATIVE_PATH pc_to_include ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
      ${CMAKE_INSTALL_FULL_INCLUDEDIR})
-# What a static library needs to link, a shared one brings along.
+# Libraries that a static library needs to link; a shared library loads them itself.
 set(pc_meshoptimizer "")
 if(NOT BUILD_SHARED_LIBS)
   set(pc_meshoptimizer -lmeshoptimizer)
@@ -52,7 +53,7 @@ if(TARGET pelt_command)
   set_target_properties(pelt_command PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
   install(TARGETS pelt_command)
   install(FILES docs/pelt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-  # The page of `pelt view` and `pelt check --html`, where scripts/build-viewer has built it.
+  # The page of `pelt view` and `pelt check --html`, if scripts/build-viewer has built it.
   install(FILES viewer/dist/index.html DESTINATION ${CMAKE_INSTALL_DATADIR}/pelt
           RENAME viewer.html OPTIONAL)
 endif()

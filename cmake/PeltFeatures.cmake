@@ -3,8 +3,8 @@
 # A feature is ON, OFF or AUTO. AUTO builds the feature if its packages are installed, and prints one
 # line if they are not. ON stops the configuration instead.
 
-# pelt_find(PACKAGE): looks for what the Debian package PACKAGE brings, and sets FOUND_<PACKAGE>. A
-# macro, because the caller needs the variables that find_package sets.
+# pelt_find(PACKAGE): looks for the contents of the Debian package PACKAGE, and sets
+# FOUND_<PACKAGE>. A macro, because the caller needs the variables that find_package sets.
 macro(pelt_find package)
   set(FOUND_${package} FALSE)
   if("${package}" STREQUAL nlohmann-json3-dev)
@@ -94,8 +94,8 @@ macro(pelt_part feature description)
   endif()
 endmacro()
 
-# pelt_program(PROGRAM PACKAGE DESCRIPTION): prints a line if a program is missing that something calls
-# when it runs. PELT_PROGRAM_<PROGRAM> is where the program is.
+# pelt_program(PROGRAM PACKAGE DESCRIPTION): prints a line if a program is missing that is called at
+# run time. Sets PELT_PROGRAM_<PROGRAM> to the path of the program.
 function(pelt_program program package description)
   find_program(PELT_PROGRAM_${program} ${program})
   if(NOT PELT_PROGRAM_${program})

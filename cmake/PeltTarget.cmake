@@ -1,4 +1,4 @@
-# What every target of Pelt shares: language level, warnings, floating point that is the same on
+# Settings of every target of Pelt: language level, warnings, floating point that is the same on
 # every machine, sanitizers.
 function(pelt_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -6,14 +6,14 @@ function(pelt_target target)
   if(NOT EMSCRIPTEN)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   endif()
-  # A fused multiply-add rounds once where two operations round twice: it would give posed vertices
-  # other bits on machines that have it. Nobody reads errno after a square root; without it the
-  # instruction stands alone and can be vectorised.
+  # A fused multiply-add rounds once instead of twice, so it would give posed vertices other bits on
+  # machines that have it. Without errno, a square root is a single instruction that can be
+  # vectorised; no code reads errno after a square root.
   target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion)
   if(EMSCRIPTEN)
-    # The reader counts bytes in 64 bits; its budget keeps them within the 32 of an address.
+    # The reader counts bytes in 64 bits; its budget limits them to the 32 bits of an address.
     target_compile_options(${target} PRIVATE -msimd128 -Wno-shorten-64-to-32)
   endif()
   if(PELT_WERROR)
@@ -29,32 +29,32 @@ function(pelt_target target)
   endif()
 endfunction()
 
-# pelt_compiled_fast(TARGET): beside sanitizers what uses the library is not optimised, but the
-# library is: it then compiles in half the time.
+# pelt_compiled_fast(TARGET): with sanitizers, optimises the library but not the code that uses it,
+# which halves the compile time.
 function(pelt_compiled_fast target)
   if(PELT_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
   endif()
 endfunction()
 
-# pelt_precompiled(TARGET headers...): where PELT_PRECOMPILE is on, these are compiled once for all
-# files of TARGET. A compiler cache does better, but has to be told how to treat what is precompiled
-# (see scripts/test).
+# pelt_precompiled(TARGET headers...): with PELT_PRECOMPILE, compiles these headers once for all
+# files of TARGET. A compiler cache saves more, but needs a setting for precompiled headers (see
+# scripts/test).
 option(PELT_PRECOMPILE "Compile once what many files include: a first build is shorter" OFF)
 set(PELT_STANDARD_HEADERS <algorithm> <array> <cmath> <cstdint> <cstring> <functional> <memory>
                           <optional> <span> <string> <string_view> <utility> <vector>)
 function(pelt_precompiled target)
   if(PELT_PRECOMPILE)
-    # Where a file asks for other flags the headers are read as text, which is no fault.
+    # A file with other flags includes the headers as text, which is not an error.
     set_target_properties(${target} PROPERTIES PCH_WARN_INVALID OFF)
     target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
 endfunction()
 
-# pelt_compiled_together(TARGET [BY_FOLDER] [ALONE sources...]): where PELT_COMPILE_TOGETHER is on, the
-# files of TARGET are compiled eight at a time, or all files of a folder at once, because most of the
-# time goes into headers that they share. Files stay alone that use a name of another file for
-# something else.
+# pelt_compiled_together(TARGET [BY_FOLDER] [ALONE sources...]): with PELT_COMPILE_TOGETHER,
+# compiles the files of TARGET eight at a time, or all files of a folder at once, because most of
+# the time goes into headers that they share. ALONE lists files that define a name of another file
+# differently.
 option(PELT_COMPILE_TOGETHER "Compile many small files at once: a first build is shorter" OFF)
 function(pelt_compiled_together target)
   cmake_parse_arguments(ARG "BY_FOLDER" "" "ALONE" ${ARGN})

@@ -1,5 +1,5 @@
-# The targets that the hot code is compiled for (src/base/target.hpp), and their compiler flags.
-# A WebAssembly module has vector instructions or has not, so there is no choice: it has.
+# The targets of the hot code (src/base/target.hpp), and their compiler flags. A WebAssembly module
+# is compiled either with or without vector instructions; Pelt's always has them.
 set(PELT_WIDE_TARGETS scalar)
 if(EMSCRIPTEN)
   set(PELT_WIDE_TARGETS "")
@@ -15,8 +15,8 @@ if(NOT PELT_SCALAR)
   endif()
 endif()
 
-# pelt_wide_sources(LIBRARY sources...): adds to a library what is compiled for every target. The
-# library is told by PELT_HAS_SCALAR, PELT_HAS_SIMD128 and PELT_HAS_AVX2 which there are.
+# pelt_wide_sources(LIBRARY sources...): adds sources that are compiled for every target. Defines
+# PELT_HAS_SCALAR, PELT_HAS_SIMD128 and PELT_HAS_AVX2 for the targets that exist.
 function(pelt_wide_sources library)
   foreach(target IN LISTS PELT_WIDE_TARGETS)
     set(objects ${library}_${target})

@@ -31,7 +31,8 @@ Result<Character> read_character(const std::filesystem::path& path,
   if (!file) return file.error();
   if (is_prepared_model(*file))
     return asset::prefixed(path.string(), asset::unsupported(kPrepared));
-  // A path without a folder is beside the working directory, and "" would mean: no external files.
+  // A path without a folder is relative to the working directory; an empty folder would mean that
+  // there are no external files.
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   Result<asset::ReadGltf> read = asset::read_gltf(*file, folder, options);
   if (!read) return asset::prefixed(path.string(), read.error());

@@ -35,7 +35,7 @@ std::vector<Matrix4> clip_samples(const asset::Asset& asset,
   const std::size_t joints = asset.joints.size();
   std::vector<Matrix4> palettes(count * joints);
   asset::SampleScratch scratch;
-  const std::uint64_t parts = 2 * std::uint64_t{count};  // of a clip; samples lie at odd ones
+  const std::uint64_t parts = 2 * std::uint64_t{count};  // of a clip; samples are at odd ones
   for (std::uint64_t sample = 0; sample < count; ++sample) {
     const std::uint64_t place = (2 * sample + 1) * clips.size();
     const asset::Clip& clip = *clips[place / parts];

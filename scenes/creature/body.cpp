@@ -11,16 +11,15 @@
 namespace pelt::scenes {
 namespace {
 
-// Fine enough for fingers and, nearly always, the clefts between them.
+// Fine enough for fingers and, in most cases, the clefts between them.
 constexpr double kCoarsestSpacing = 0.016;
-constexpr double kTrianglesPerTriangle = 1.6;  // polygonised for one in the end
+constexpr double kTrianglesPerTriangle = 1.6;  // in the polygonised mesh, per final triangle
 
 bool is_like_a_ball(const RawMesh& mesh) {
   return mesh.positions.size() == mesh.triangles.size() / 2 + 2;
 }
 
-/// A lattice too coarse for the clefts between fingers makes bridges across them; a finer one does
-/// not.
+/// Uses a finer lattice if a coarse one makes bridges across the clefts between fingers.
 RawMesh polygonise_without_bridges(const Flesh& flesh, double spacing) {
   RawMesh raw = polygonise(flesh, spacing);
   for (int refinement = 0; refinement < 6 && !is_like_a_ball(raw); ++refinement) {
@@ -41,7 +40,7 @@ RawMesh make_surface(const Flesh& flesh, std::uint32_t triangle_count) {
   return remesh(flesh, std::move(raw), triangle_count);
 }
 
-/// Nodes for the kept joints, under a root node; returns the node of each plan joint.
+/// Adds nodes for the kept joints below a root node. Returns the node of each plan joint.
 std::vector<std::uint32_t> add_skeleton(const BodyPlan& plan,
                                         std::span<const std::uint32_t> stands_for,
                                         const std::string& name, asset::Asset& asset) {
@@ -80,7 +79,7 @@ void add_skin(const BodyPlan& plan, std::span<const std::uint32_t> stands_for,
     asset.rest_positions.push_back(to_float(position));
     const VertexWeights vertex = skin.at(position);
     for (std::uint32_t k = 0; k < kInfluences; ++k) {
-      // Joints stand in the order of their nodes, after the root node.
+      // Joints are in the order of their nodes, which follow the root node.
       asset.joint_indices.push_back(static_cast<std::uint16_t>(nodes[vertex.joints[k]] - 1));
       asset.weights.push_back(static_cast<float>(vertex.weights[k]));
     }

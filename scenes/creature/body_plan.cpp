@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHeight = 1.8;
 
-/// Writes down joints and muscles; coordinates are those of a creature of middle proportions.
+/// Records joints and muscles. Coordinates are those of a creature of medium proportions.
 class Sculptor {
  public:
   explicit Sculptor(const Proportions& proportions) : p_(proportions) {}
@@ -55,12 +55,12 @@ class Sculptor {
     cone(owner, centre, radius, centre, radius, blend);
   }
 
-  /// A blunt thorn on the back.
+  /// A blunt spike on the back.
   void spike(std::uint32_t owner, const Vec3d& root, const Vec3d& direction, double size) {
     cone(owner, root, size, root + 1.6 * size * direction, 0.35 * size, 0.03);
   }
 
-  /// A point of the side being sculpted: x counts away from the middle.
+  /// A point of the side being sculpted; x is the distance from the middle.
   Vec3d out(double x, double y, double z) const { return {side_ * x, y, z}; }
 
   Vec3d at(std::uint32_t joint) const { return plan_.joints[joint].position; }
@@ -287,7 +287,7 @@ void scale_to_height(BodyPlan& plan) {
   compute_bounds(plan.flesh);
 }
 
-/// For each joint whether `top` is one of its ancestors, or it is `top` itself.
+/// Whether each joint is `top` or has `top` as an ancestor.
 std::vector<bool> branch_of(const BodyPlan& plan, std::uint32_t top) {
   std::vector<bool> in_branch(plan.joints.size());
   for (std::uint32_t j = top; j < plan.joints.size(); ++j) {

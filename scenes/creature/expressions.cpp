@@ -8,18 +8,18 @@
 namespace pelt::scenes {
 namespace {
 
-/// 1 at 0, falling smoothly to 0 at 1.
+/// 1 at 0, decreasing smoothly to 0 at 1.
 double fade(double x) {
   const double t = std::min(1.0, x);
   return (1 - t) * (1 - t) * (1 + 2 * t);
 }
 
-/// The skin around `centre` pulled along `by`.
+/// Pulls the skin around `centre` along `by`.
 Vec3d pull(const Vec3d& point, const Vec3d& centre, double radius, const Vec3d& by) {
   return fade(length(point - centre) / radius) * by;
 }
 
-/// The same on either side.
+/// The same on both sides.
 Vec3d pull_both(const HeadFrame& head, const Vec3d& point, const Vec3d& centre, double radius,
                 const Vec3d& by) {
   Vec3d sum;
@@ -59,7 +59,8 @@ Vec3d Expressions::displacement(Expression expression, const Vec3d& point) const
   return {};
 }
 
-/// Turned about the jaw's joint, as far as a point is nearer to the jaw than to the rest.
+/// Rotates about the jaw's joint, in proportion to how much nearer a point is to the jaw than to
+/// the rest.
 Vec3d Expressions::open_jaw(const Vec3d& point) const {
   constexpr double kTurns = 0.07;
   double jaw = std::numeric_limits<double>::infinity(), rest = jaw;

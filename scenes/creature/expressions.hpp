@@ -21,19 +21,19 @@ enum Expression : std::size_t {
 inline constexpr std::array<const char*, kExpressions> kExpressionNames = {
     "jaw_open", "smile", "blink_l", "blink_r", "brows_up", "cheeks_puffed"};
 
-/// How the skin of a bust moves in an expression.
+/// Displacements of the skin of a bust in each expression.
 class Expressions {
  public:
   explicit Expressions(const BodyPlan& bust);
 
-  /// Of a point on the skin; exactly zero where the expression does not reach.
+  /// Displacement of a point on the skin; exactly zero beyond the reach of the expression.
   Vec3d displacement(Expression expression, const Vec3d& point) const;
 
  private:
   Vec3d open_jaw(const Vec3d& point) const;
 
   const BodyPlan& bust_;
-  std::uint32_t jaw_;  ///< the joint
+  std::uint32_t jaw_;  ///< index of the joint
 };
 
 }  // namespace pelt::scenes

@@ -12,9 +12,9 @@ constexpr double kSoleBlend = 0.02;
 constexpr int kProjectionSteps = 3;
 constexpr double kOnSurface = 1e-8;
 
-// Which ball of the cone is nearest: the minimum over t of |p - c(t)| - r(t), a convex function.
-// With u along the axis and v across it, the derivative vanishes where
-// (u - t l) / |p - c(t)| = (r_a - r_b) / l, the sine of the cone's slope.
+// The nearest ball of the cone: the minimum over t of |p - c(t)| - r(t), a convex function. With u
+// along the axis and v across it, the derivative vanishes where (u - t l) / |p - c(t)| = (r_a -
+// r_b) / l, the sine of the cone's slope.
 double nearest_ball(const RoundCone& cone, const Vec3d& point) {
   const Vec3d axis = cone.b - cone.a;
   const double l2 = squared_length(axis);
@@ -33,13 +33,14 @@ FleshSample sample_cone(const RoundCone& cone, const Vec3d& point) {
   const double radius = cone.radius_a + t * (cone.radius_b - cone.radius_a);
   const Vec3d way = point - mix(cone.a, cone.b, t);
   const double from_centre = length(way);
-  // At the centre of a ball every direction is downhill; nobody asks for that one.
+  // At the centre of a ball every direction is downhill; no caller needs the gradient there.
   const Vec3d gradient = from_centre > 0 ? (1 / from_centre) * way : Vec3d(0, 1, 0);
   return {from_centre - radius, gradient, radius};
 }
 
-// The smaller of two distances, with a fillet where they are nearer than `blend`. Cubic, so that
-// the surface has continuous curvature; a convex mixture of gradients, so that none grows above 1.
+// The smaller of two distances, with a fillet if they differ by less than `blend`. Cubic, so that
+// the surface has continuous curvature; a convex combination of gradients, so that none becomes
+// longer than 1.
 FleshSample smooth_union(const FleshSample& a, const FleshSample& b, double blend) {
   const FleshSample& near = a.distance <= b.distance ? a : b;
   const FleshSample& far = a.distance <= b.distance ? b : a;
@@ -74,7 +75,7 @@ FleshSample sample_limb(const Limb& limb, const Vec3d& point, double reach) {
   return sum;
 }
 
-/// The element whose bound is nearest, roughly.
+/// The element with the nearest bound, approximately.
 template <typename Bounded>
 const Bounded& likely_nearest(const std::vector<Bounded>& candidates, const Vec3d& point) {
   const Bounded* nearest = &candidates.front();
@@ -117,8 +118,8 @@ void compute_bounds(Flesh& flesh) {
   }
 }
 
-// Some muscle, by guess the nearest, tells how far the body is at most. No fillet reaches what is
-// further than that by more than the widest.
+// Any muscle, here probably the nearest, gives an upper bound of the distance. Muscles that are
+// farther than this by more than the widest fillet have no influence.
 FleshSample sample_flesh(const Flesh& flesh, const Vec3d& point) {
   const Limb& limb_near = likely_nearest(flesh.limbs, point);
   const Muscle& muscle_near = likely_nearest(limb_near.muscles, point);

@@ -7,7 +7,7 @@
 
 namespace pelt::scenes {
 
-/// The union of the balls whose centres run from `a` to `b` while their radii run from `radius_a`
+/// The union of balls whose centres move from `a` to `b` while their radii change from `radius_a`
 /// to `radius_b`. The radii differ by less than the length, or both ends are the same ball.
 struct RoundCone {
   Vec3d a;
@@ -21,7 +21,7 @@ struct Ball {
   double radius = 0;
 };
 
-/// A round cone that moves with a joint.
+/// A round cone that follows a joint.
 struct Muscle {
   std::uint32_t joint = 0;
   RoundCone shape;
@@ -29,15 +29,15 @@ struct Muscle {
   Ball bound;        ///< around the shape
 };
 
-/// Muscles that blend with one another first, then as a whole with the limbs before it: so fingers
-/// blend with their palm, not with each other.
+/// Muscles that blend with one another first, then together with the limbs before them. Fingers
+/// therefore blend with their palm, not with each other.
 struct Limb {
   std::vector<Muscle> muscles;
   double blend = 0;
   Ball bound;  ///< around the muscles
 };
 
-/// No `blend` is wider.
+/// The largest `blend`.
 inline constexpr double kLargestBlend = 0.12;
 
 /// The creature's body as an implicit surface. Its sole is flat: the body ends at y = 0.
@@ -45,21 +45,21 @@ struct Flesh {
   std::vector<Limb> limbs;
 };
 
-/// Fills in all bounds, from the shapes.
+/// Computes all bounds from the shapes.
 void compute_bounds(Flesh& flesh);
 
-/// The implicit surface at a point: distance (a lower bound of it, negative inside), its gradient,
-/// and how thick the body is thereabouts. Distance, gradient and thickness are smooth.
+/// The implicit surface at a point: a lower bound of the distance (negative inside), its gradient,
+/// and the thickness of the body there. All are smooth.
 struct FleshSample {
   double distance = 0;
   Vec3d gradient;
   double thickness = 0;
 };
 
-/// The distance changes by at most 1 per unit of way.
+/// The distance changes by at most 1 per unit of length.
 FleshSample sample_flesh(const Flesh& flesh, const Vec3d& point);
 
-/// Distance to one muscle alone.
+/// Distance to a single muscle.
 double muscle_distance(const Muscle& muscle, const Vec3d& point);
 
 /// Moves `point` along the gradient onto the surface and returns the sample there.

@@ -15,7 +15,7 @@ using asset::sine_of_turns;
 constexpr int kWalkKeys = 48;
 constexpr int kIdleKeys = 60;
 constexpr double kIdleSeconds = 4;
-constexpr double kStance = 0.6;  // share of the cycle in which a foot is on the ground
+constexpr double kStance = 0.6;  // fraction of the cycle in which a foot is on the ground
 
 Quaternion turn(const Vec3d& axis, double turns) {
   const double s = sine_of_turns(turns / 2);
@@ -44,7 +44,7 @@ class Puppet {
 
 struct Side {
   std::string suffix;
-  double sign;  ///< of x
+  double sign;  ///< sign of x
 };
 const Side kSides[] = {{"_l", 1}, {"_r", -1}};
 
@@ -60,7 +60,8 @@ void curl_hand(const Side& side, double turns, Puppet& puppet) {
   }
 }
 
-/// The arm hangs from the shoulder, swung forwards by `swing` turns, the elbow bent by `elbow`.
+/// Lets the arm hang from the shoulder, swung forwards by `swing` turns, with the elbow bent by
+/// `elbow`.
 void hang_arm(const Side& side, double swing, double elbow, Puppet& puppet) {
   puppet.set("clavicle" + side.suffix, turn(kZ, -side.sign * 0.012) * turn(kX, -0.15 * swing));
   puppet.set("upper_arm" + side.suffix, turn(kX, -0.85 * swing) * turn(kZ, -side.sign * 0.036));
@@ -78,7 +79,7 @@ void wave_tail(double phase, double amplitude, Puppet& puppet) {
   }
 }
 
-/// How far a walking foot is in its cycle: on the ground while `progress` < kStance.
+/// The target of a walking foot at a point of its cycle: on the ground while `progress` < kStance.
 FootTarget walking_foot(double progress, double stride) {
   FootTarget target;
   const double swing = (progress - kStance) / (1 - kStance);
@@ -88,7 +89,7 @@ FootTarget walking_foot(double progress, double stride) {
     const double push = std::max(0.0, (progress - 0.36) / (kStance - 0.36));
     target.pitch = 0.095 * smooth_step(push) - 0.045 * smooth_step(strike);
   } else {
-    // A cubic that leaves and meets the ground at the ground's own speed.
+    // A cubic that leaves and reaches the ground at the speed of the ground.
     const double slope = -(1 - kStance) / kStance, t = swing;
     const double way = -0.5 * (2 * t * t * t - 3 * t * t + 1) + 0.5 * (3 * t * t - 2 * t * t * t) +
                        slope * (t * t * t - 2 * t * t + t) + slope * (t * t * t - t * t);
@@ -157,7 +158,8 @@ Posture idle_posture(const BodyPlan& plan, double phase) {
   return puppet.posture();
 }
 
-/// Of `joint` relative to its nearest kept ancestor: the rotations on the way between them.
+/// The rotation of `joint` relative to its nearest kept ancestor: the product of the rotations
+/// between them.
 Quaternion reduced_rotation(const BodyPlan& plan, std::span<const std::uint32_t> stands_for,
                             const Posture& posture, std::uint32_t joint) {
   Quaternion rotation = posture.local[joint];

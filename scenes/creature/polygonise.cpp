@@ -43,12 +43,12 @@ Lattice lattice_around(const Flesh& flesh, double spacing) {
   return lattice;
 }
 
-/// Where the surface crosses an edge of the lattice. The key names the edge, so that all
-/// tetrahedra around it share the vertex.
+/// A point where the surface crosses an edge of the lattice. The key identifies the edge, so that
+/// all tetrahedra around it share the vertex.
 struct Crossing {
   std::uint64_t edge = 0;
   double t = 0;              ///< from the lower to the upper node
-  std::uint64_t corner = 0;  ///< which corner of the mesh: 3 * triangle + 0..2
+  std::uint64_t corner = 0;  ///< corner of the mesh: 3 * triangle + 0..2
 };
 
 class Polygoniser {
@@ -84,8 +84,8 @@ class Polygoniser {
   std::vector<Crossing> crossings_;
 };
 
-// The distance changes by at most 1 per unit of way, so a cube whose centre is further away than
-// its corners has no surface in it.
+// The distance changes by at most 1 per unit of length, so a cube whose centre is farther from the
+// surface than from its corners contains no surface.
 void Polygoniser::descend(const Cell& low, std::uint32_t size) {
   const double half = size / 2.0;
   const Vec3d centre = lattice_.position(low.x + half, low.y + half, low.z + half);
@@ -122,8 +122,8 @@ void Polygoniser::march_block(const Cell& low) {
   }
 }
 
-// The cell's six tetrahedra share its diagonal: one for each order in which the three axes can be
-// walked from corner 0 to corner 7, with positive volume.
+// The cell's six tetrahedra share its diagonal: one for each order of the three axes on a path from
+// corner 0 to corner 7, with positive volume.
 void Polygoniser::march_cell(const Cell& low, const std::array<double, 8>& values) {
   constexpr std::uint32_t kTets[6][4] = {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7},
                                          {0, 3, 2, 7}, {0, 6, 4, 7}, {0, 5, 1, 7}};
@@ -137,8 +137,8 @@ void Polygoniser::march_cell(const Cell& low, const std::array<double, 8>& value
   }
 }
 
-// Corners are reordered by an even permutation so that those inside come first; the surface then
-// crosses the edges from them to the others, and the order below faces outwards.
+// An even permutation moves the corners inside the surface to the front. The surface then crosses
+// the edges from these to the other corners, and the order below makes it face outwards.
 void Polygoniser::march_tet(const Cell& low, const Tet& tet) {
   constexpr std::uint32_t kOrder[16][4] = {{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 0, 3, 2}, {0, 1, 2, 3},
                                            {2, 0, 1, 3}, {0, 2, 3, 1}, {1, 2, 0, 3}, {3, 0, 2, 1},
@@ -162,14 +162,14 @@ void Polygoniser::march_tet(const Cell& low, const Tet& tet) {
   } else if (inside_count == 2) {
     triangle(a, c, a, d, b, d);
     triangle(a, c, b, d, b, c);
-  } else {  // `a` is the one outside
+  } else {  // `a` is outside
     triangle(d, a, c, a, b, a);
   }
 }
 
 void Polygoniser::emit(const Cell& low, const TetCorner& inside, const TetCorner& outside) {
   const std::uint32_t lower = inside.bits & outside.bits, direction = inside.bits ^ outside.bits;
-  // Kept away from the nodes: edges that meet in one would make needles of the triangles there.
+  // Keeps crossings away from the nodes: crossings close to one node would make needles.
   const double from_inside =
       std::clamp(inside.value / (inside.value - outside.value), kEndMargin, 1 - kEndMargin);
   const std::uint64_t x = low.x + (lower & 1), y = low.y + (lower >> 1 & 1),

@@ -14,8 +14,8 @@ struct RawMesh {
 };
 
 /// The surface as a closed, orientable 2-manifold, by marching tetrahedra on a cubic lattice of
-/// `spacing`: each tetrahedron is cut in one way only, and neighbours agree on their common face.
-/// Triangles are small, many and badly shaped. O(area / spacing^2).
+/// `spacing`. Each tetrahedron is cut in a unique way, and neighbours agree on their common face.
+/// Triangles are small, numerous and badly shaped. O(area / spacing^2).
 RawMesh polygonise(const Flesh& flesh, double spacing);
 
 }  // namespace pelt::scenes

@@ -10,14 +10,14 @@ struct Frame {
   Vec3d x, y, z;
 };
 
-/// x along `direction`, y as near to `pole` as that allows.
+/// x along `direction`, y as close to `pole` as possible.
 Frame frame_along(const Vec3d& direction, const Vec3d& pole) {
   const Vec3d x = unit(direction);
   const Vec3d y = unit(pole - dot(pole, x) * x);
   return {x, y, cross(x, y)};
 }
 
-/// The half turn between two frames' axes would need care; legs never turn that far.
+/// Not for frames that differ by half a turn; legs never rotate that far.
 Quaternion rotation_between(const Frame& from, const Frame& to) {
   const auto element = [&](auto row, auto column) {
     return row(to.x) * column(from.x) + row(to.y) * column(from.y) + row(to.z) * column(from.z);
@@ -43,8 +43,8 @@ Leg find_leg(const BodyPlan& plan, const std::string& side) {
           find_joint(plan, "foot" + side), find_joint(plan, "toes" + side)};
 }
 
-/// Where the ankle goes when the foot has turned about its ball, which the flat toes hold in place,
-/// or about the end of its heel on the ground.
+/// The position of the ankle after the foot has rotated about its ball, which the flat toes fix, or
+/// about the end of its heel on the ground.
 Vec3d ankle_place(const BodyPlan& plan, const Leg& leg, const FootTarget& target) {
   const Vec3d ankle = plan.joints[leg.foot].position;
   const Vec3d ball = plan.joints[leg.toes].position;
@@ -53,7 +53,7 @@ Vec3d ankle_place(const BodyPlan& plan, const Leg& leg, const FootTarget& target
   return pivot + rotate(about_x(target.pitch), ankle - pivot) + target.offset;
 }
 
-/// The third corner of a triangle over `from` - `to` with sides `near` and `far`, towards `pole`.
+/// The third vertex of a triangle over `from` - `to` with sides `near` and `far`, towards `pole`.
 Vec3d bend(const Vec3d& from, const Vec3d& to, double near, double far, const Vec3d& pole) {
   const double distance = std::min(length(to - from), 0.9995 * (near + far));
   const double along = (near * near - far * far + distance * distance) / (2 * distance);

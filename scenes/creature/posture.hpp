@@ -10,9 +10,9 @@ namespace pelt::scenes {
 
 using asset::Quaternion;
 
-/// Where a foot goes: it is turned about the x axis by `pitch` turns (toes down) about its heel or
-/// ball, whichever is then lower, and shifted by `offset` from its place at rest. The toes bend
-/// back by `toe_bend` turns.
+/// Target of a foot. The foot is rotated about the x axis by `pitch` turns (toes down), about its
+/// heel or ball, whichever is then lower, and translated by `offset` from its rest position. The
+/// toes bend back by `toe_bend` turns.
 struct FootTarget {
   Vec3d offset;
   double pitch = 0;
@@ -22,12 +22,12 @@ struct FootTarget {
 /// One pose of the whole plan.
 struct Posture {
   std::vector<Quaternion> local;  ///< [plan joints] relative to the parent
-  Vec3d hips_offset;              ///< from the place at rest
+  Vec3d hips_offset;              ///< from the rest position
 };
 
-/// Sets the rotations of the legs so that the feet (left, right) meet their targets, knees
-/// forwards; out of reach, the leg is stretched towards them. The hips' rotation and offset are
-/// taken as they are.
+/// Sets the rotations of the legs so that the feet (left, right) reach their targets, knees
+/// forwards. If a target is out of reach, the leg is stretched towards it. Uses the current
+/// rotation and offset of the hips.
 void place_feet(const BodyPlan& plan, const std::array<FootTarget, 2>& targets, Posture& posture);
 
 }  // namespace pelt::scenes

@@ -4,7 +4,7 @@
 
 namespace pelt::scenes {
 
-/// Numbers that look random and are the same everywhere (Steele, Lea & Flood, "Fast splittable
+/// Pseudorandom numbers that are the same on every platform (Steele, Lea & Flood, "Fast splittable
 /// pseudorandom number generators", OOPSLA 2014).
 class SplitMix64 {
  public:

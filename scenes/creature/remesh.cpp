@@ -12,13 +12,13 @@
 namespace pelt::scenes {
 namespace {
 
-constexpr double kWorstShape = 0.15;  // of triangles that collapses and flips may make
+constexpr double kWorstShape = 0.15;  // of triangles after collapses and flips
 constexpr double kLeastFacing = 0.3;  // cosine between a triangle and the surface under it
 constexpr double kLeastStrictness = 0.01;
-constexpr std::uint32_t kMaxValence = 9;  // of vertices that collapses make
+constexpr std::uint32_t kMaxValence = 9;  // of vertices after collapses
 constexpr int kRelaxations = 3;
 
-/// An edge in the queue. Stale when one of its ends has changed since.
+/// An edge in the queue. Stale if one of its ends has changed since.
 struct Candidate {
   double relative_length = 0;
   std::uint32_t half_edge = 0;
@@ -30,7 +30,7 @@ struct Candidate {
   }
 };
 
-/// What there is to know of a vertex.
+/// Position, normal and edge length of a vertex.
 struct Placement {
   Vec3d position, normal;
   double size = 0;
@@ -81,9 +81,9 @@ class Remesher {
   SurfaceMesh mesh_;
   std::vector<Vec3d> positions_;       // [vertices] on the surface
   std::vector<Vec3d> normals_;         // [vertices] of the surface
-  std::vector<double> sizes_;          // [vertices] edge lengths wanted, up to a common factor
-  std::vector<std::uint32_t> stamps_;  // [vertices] how often the vertex has changed
-  double strictness_ = 1;              // goodness asked of triangles; falls when nothing passes
+  std::vector<double> sizes_;          // [vertices] desired edge lengths, up to a common factor
+  std::vector<std::uint32_t> stamps_;  // [vertices] number of changes of the vertex
+  double strictness_ = 1;              // required goodness; lowered if no edge can be collapsed
 };
 
 /// 1 for an equilateral triangle, 0 for a collapsed one: 4 sqrt(3) area / sum of squared edges.
@@ -93,7 +93,7 @@ double shape(const std::array<Vec3d, 3>& c) {
   return squares > 0 ? 3.4641016151377544 * length(cross(u, v)) / squares : 0;
 }
 
-/// At least 1 for a triangle that is well shaped and faces along `normal`.
+/// At least 1 for a well-shaped triangle that faces along `normal`.
 double goodness(const std::array<Vec3d, 3>& c, const Vec3d& normal) {
   const Vec3d n = cross(c[1] - c[0], c[2] - c[0]);
   const double lengths = length(n) * length(normal);
@@ -107,8 +107,8 @@ double cotangent(const Vec3d& apex, const Vec3d& a, const Vec3d& b) {
   return dot(u, v) / std::max(1e-300, length(cross(u, v)));
 }
 
-// Edges grow with the square root of the thickness: fingers keep their shape on small budgets, and
-// the belly does not starve.
+// Edge lengths grow with the square root of the thickness: fingers keep their shape with few
+// triangles, and the belly still gets enough.
 Placement placed(const Vec3d& position, const FleshSample& sample) {
   return {position, unit(sample.gradient), std::sqrt(sample.thickness)};
 }
@@ -164,8 +164,7 @@ bool Remesher::try_collapse(std::uint32_t h) {
   return true;
 }
 
-/// Whether all triangles at `v` stay good, or become better, when it moves; those that have `other`
-/// excepted.
+/// Whether all triangles at `v`, except those with `other`, stay good or improve if it moves.
 bool Remesher::survives(std::uint32_t v, std::uint32_t other, const Placement& placement) const {
   bool good = true;
   mesh_.for_each_outgoing(v, [&](std::uint32_t h) {
@@ -190,8 +189,7 @@ void Remesher::flip_edges() {
   }
 }
 
-// The Delaunay rule: an edge whose opposite angles add up to more than half a turn is the worse
-// diagonal.
+// The Delaunay rule: flip an edge if its opposite angles sum to more than half a turn.
 bool Remesher::flip_improves(std::uint32_t h) const {
   const std::uint32_t g = mesh_.twin(h);
   const std::uint32_t a = mesh_.origin(h), b = mesh_.target(h);

@@ -7,8 +7,8 @@
 namespace pelt::scenes {
 namespace {
 
-/// Joints beyond the first twenty, in the order in which a richer skeleton gets them. The last
-/// stands alone, so that every count can be met.
+/// Joints beyond the first twenty, in the order in which larger skeletons add them. The last is
+/// added alone, so that every count is possible.
 struct Addition {
   const char* name;
   bool on_both_sides;

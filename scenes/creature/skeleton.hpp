@@ -9,9 +9,9 @@ namespace pelt::scenes {
 
 inline constexpr std::uint32_t kBaseJoints = 20;
 
-/// A skeleton of `count` joints: for every plan joint the plan joint that stands for it, itself or
-/// its nearest ancestor that was kept. Left and right keep the same joints.
-/// Precondition: kBaseJoints <= count <= kPlanJoints.
+/// A skeleton of `count` joints: for every plan joint, the plan joint that replaces it, which is
+/// itself or its nearest kept ancestor. Left and right keep the same joints. Precondition:
+/// kBaseJoints <= count <= kPlanJoints.
 std::vector<std::uint32_t> choose_joints(const BodyPlan& plan, std::uint32_t count);
 
 }  // namespace pelt::scenes

@@ -10,24 +10,24 @@ namespace {
 
 constexpr double kBlendPerThickness = 1.0;  // width of a joint's transition
 constexpr double kRounding = 0.5;           // of distances, per transition
-constexpr double kFar = 1e9;                // further than any muscle
-constexpr double kSiblingBlend = 0.35;      // of that between the children of a joint
+constexpr double kFar = 1e9;                // farther than any muscle
+constexpr double kSiblingBlend = 0.35;      // of the transition between the children of a joint
 
-/// The smaller one, rounded off where they are nearer than `width`: a kink here would show as a
-/// crease in the posed skin.
+/// The smaller of two numbers, rounded off if they differ by less than `width`. A kink would be
+/// visible as a crease in the posed skin.
 double smooth_min(double a, double b, double width) {
   const double overlap = std::max(0.0, 1 - std::abs(a - b) / width);
   return std::min(a, b) - overlap * overlap * overlap * width / 6;
 }
 
-/// 1 at 0, falling smoothly to 0 at `width`.
+/// 1 at 0, decreasing smoothly to 0 at `width`.
 double fade(double x, double width) {
   const double t = std::clamp(x / width, 0.0, 1.0);
   return (1 - t) * (1 - t) * (1 + 2 * t);
 }
 
-/// The four largest weights less the fifth, so that a joint enters and leaves the four at weight 0
-/// and the weights stay continuous over the skin.
+/// The four largest weights minus the fifth: a joint enters and leaves the four at weight 0, so
+/// weights are continuous over the skin.
 VertexWeights four_largest(std::span<const double> weights) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t j = 0; j < weights.size(); ++j) {

@@ -11,7 +11,7 @@ namespace pelt::scenes {
 
 inline constexpr std::uint32_t kInfluences = 4;
 
-/// A vertex's joints (plan joints, those of weight 0 being joint 0) and weights, which sum to 1.
+/// A vertex's joints (plan joints; joint 0 if the weight is 0) and weights, which sum to 1.
 struct VertexWeights {
   std::array<std::uint32_t, kInfluences> joints = {};
   std::array<double, kInfluences> weights = {};
@@ -35,12 +35,12 @@ class SkinWeights {
 
   const BodyPlan& plan_;
   std::vector<std::uint32_t> stands_for_;             // [plan joints]
-  std::vector<std::uint32_t> joints_;                 // kept ones, parents first
-  std::vector<std::vector<std::uint32_t>> children_;  // [plan joints] of the kept ones
-  std::vector<std::uint32_t> parent_;                 // [plan joints] of the kept ones
+  std::vector<std::uint32_t> joints_;                 // kept joints, parents first
+  std::vector<std::vector<std::uint32_t>> children_;  // [plan joints] of the kept joints
+  std::vector<std::uint32_t> parent_;                 // [plan joints] of the kept joints
   std::vector<double> own_;                           // [plan joints] distance to own muscles
-  std::vector<double> branch_;                        // [plan joints] to those of the whole branch
-  std::vector<double> reach_;                         // [plan joints] share that arrives at it
+  std::vector<double> branch_;                        // [plan joints] the same for the branch
+  std::vector<double> reach_;                         // [plan joints] share that reaches it
   std::vector<double> weight_;                        // [plan joints] share that stays with it
 };
 

@@ -8,7 +8,7 @@
 namespace pelt::scenes {
 namespace {
 
-/// A half-edge under the name of its undirected edge.
+/// A half-edge with the key of its undirected edge.
 struct NamedHalfEdge {
   std::uint64_t edge = 0;
   std::uint32_t half_edge = 0;

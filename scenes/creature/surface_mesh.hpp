@@ -15,7 +15,7 @@ namespace pelt::scenes {
 /// Collapsed vertices and triangles stay in their places, dead, until `live_triangles` skips them.
 class SurfaceMesh {
  public:
-  /// Precondition: closed 2-manifold, consistently oriented.
+  /// Precondition: the triangles form a consistently oriented, closed 2-manifold.
   SurfaceMesh(std::span<const Triangle> triangles, std::uint32_t vertex_count);
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(outgoing_.size()); }
@@ -43,14 +43,14 @@ class SurfaceMesh {
 
   std::uint32_t valence(std::uint32_t vertex) const;
 
-  /// Whether collapsing the edge leaves a closed 2-manifold: its ends have no common neighbours but
-  /// the two across the edge, and those keep at least three.
+  /// Whether collapsing the edge leaves a closed 2-manifold: the only common neighbours of its ends
+  /// are the two vertices opposite the edge, and each of these keeps at least three neighbours.
   bool can_collapse(std::uint32_t h) const;
 
-  /// Merges the half-edge's target into its origin; two triangles and the target die.
+  /// Merges the half-edge's target into its origin; the target and two triangles become dead.
   void collapse(std::uint32_t h);
 
-  /// Whether the other diagonal of the two triangles at the edge is not an edge yet, and the ends
+  /// Whether the other diagonal of the two triangles at the edge is not yet an edge, and the ends
   /// keep at least three neighbours.
   bool can_flip(std::uint32_t h) const;
 
@@ -68,7 +68,7 @@ class SurfaceMesh {
 
   std::vector<std::uint32_t> origin_;    // [half-edges]
   std::vector<std::uint32_t> twin_;      // [half-edges]
-  std::vector<std::uint32_t> outgoing_;  // [vertices] a half-edge that leaves it
+  std::vector<std::uint32_t> outgoing_;  // [vertices] one of the half-edges that leave it
   std::uint32_t live_triangles_ = 0;
 };
 

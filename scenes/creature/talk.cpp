@@ -22,12 +22,12 @@ Quaternion turn(const Vec3d& axis, double turns) {
   return {axis.x * s, axis.y * s, axis.z * s, cosine_of_turns(turns / 2)};
 }
 
-/// 1 at the phase `when`, 0 from 0.05 before to 0.05 after it.
+/// 1 at the phase `when`, 0 at 0.05 or more before and after it.
 double pulse(double phase, double when) {
   return std::max(0.0, 1 - std::fabs(phase - when) / 0.05);
 }
 
-/// The upper half of a wave, 0 for the other.
+/// The positive half of a wave; 0 in the negative half.
 double wave(double turns) { return std::max(0.0, sine_of_turns(turns)); }
 
 std::array<double, kExpressions> weights_at(double phase) {

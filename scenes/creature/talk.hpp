@@ -9,8 +9,8 @@
 
 namespace pelt::scenes {
 
-/// The clip "talk" of a bust whose plan joints have these nodes, kNone for those that were left
-/// out; node 0 has the morph targets.
+/// The clip "talk" of a bust whose plan joints have these nodes, kNone for omitted joints. Node 0
+/// has the morph targets.
 asset::Clip talk_clip(const BodyPlan& bust, std::span<const std::uint32_t> nodes);
 
 }  // namespace pelt::scenes

@@ -25,7 +25,7 @@ export function keepTheme(theme: Theme): void {
   try {
     if (theme !== 'system') localStorage.setItem(KEY, theme);
   } catch {
-    // Then the next visit begins as the system has it.
+    // Without storage, the next visit starts with the system's theme.
   }
 }
 

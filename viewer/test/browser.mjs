@@ -1,4 +1,4 @@
-// Chromium with the page in it, from disk or over HTTP, and what a test does with both.
+// Chromium with the page, from disk or over HTTP, and helpers for tests.
 
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';

@@ -1,4 +1,4 @@
-// The command's answer for a scene, to compare the page's with.
+// The command's answer for a scene, for comparison with the page's.
 
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

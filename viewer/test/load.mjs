@@ -1,4 +1,5 @@
-// Parts of the page in Node: `load('scene/turn.ts')` is the module, `root` the folder of package.json.
+// Loads parts of the page in Node: `load('scene/turn.ts')` returns the module; `root` is the folder
+// of package.json.
 
 import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';

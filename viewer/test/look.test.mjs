@@ -1,4 +1,4 @@
-// What the page looks like, by any light and without any picture.
+// The look of the page, in light and dark themes and without a picture.
 
 import assert from 'node:assert/strict';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-// What takes more memory than there is, as on a phone: the page says so and goes on.
+// Scenes that need more memory than available, as on a phone: the page reports it and continues.
 
 import assert from 'node:assert/strict';
 import path from 'node:path';

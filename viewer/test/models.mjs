@@ -1,4 +1,4 @@
-// Skinned and animated characters as files, in the forms in which artists have them.
+// Skinned and animated characters as files, in the forms that artists use.
 
 import { readFileSync } from 'node:fs';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-// Skinned, animated characters of all kinds are dropped, placed and changed, as the command has them.
+// Drops, places and edits skinned, animated characters of all kinds, and compares with the command.
 
 import assert from 'node:assert/strict';
 import path from 'node:path';

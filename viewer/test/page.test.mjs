@@ -1,4 +1,4 @@
-// The page in a real browser: what it shows is what the command finds.
+// The page in a real browser shows what the command finds.
 
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';

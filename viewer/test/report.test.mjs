@@ -1,4 +1,4 @@
-// What a report says of the check, and whether the page finds the same: parts, ignored pairs,
+// What a report says about the check, and whether the page finds the same: parts, ignored pairs,
 // baselines, ranges of frames.
 
 import assert from 'node:assert/strict';

@@ -1,4 +1,4 @@
-// Reports as the command leaves them, and a scene whose characters have parts.
+// Reports as the command writes them, and a scene whose characters have parts.
 
 import { spawn, spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// Where characters are placed, and under which names files are found; without a browser.
+// Default placements of characters, and the names under which files are found; without a browser.
 
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';

@@ -1,4 +1,4 @@
-// What the page does for each frame, counted: it has to stay as little as it is, whatever the machine.
+// Counts the work of the page per frame, which must not grow, whatever the machine.
 
 import assert from 'node:assert/strict';
 import path from 'node:path';

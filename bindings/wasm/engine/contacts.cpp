@@ -41,7 +41,7 @@ struct Columns {
   std::vector<std::uint16_t> joints;
   std::vector<float> points;          // of all curves
   std::vector<std::uint32_t> curves;  // [C][3] begin, end, whether it is closed
-  std::vector<double> regions;        // [R][12] as write_region has them
+  std::vector<double> regions;        // [R][12] in the order of write_region
 };
 
 ContactGeometry& geometry() {
@@ -121,7 +121,7 @@ PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
   return 1;
 }
 
-/// In the order of queries.mjs.
+/// Same order as in queries.mjs.
 enum class Column : std::uint32_t {
   segments,
   normals,

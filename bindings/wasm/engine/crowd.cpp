@@ -18,7 +18,7 @@ namespace {
 
 /// An instance of the crowd.
 struct Member {
-  std::uint32_t character = 0;  ///< among the crowd's
+  std::uint32_t character = 0;  ///< index into the crowd's characters
   std::uint32_t first_triangle = 0;
 };
 
@@ -27,7 +27,7 @@ struct CrowdHandle {
   std::vector<Member> members;
   std::vector<std::shared_ptr<Character>> characters;  ///< each once
   std::vector<scenes::NamePair> ignore;
-  std::optional<scenes::IgnoredPairs> ignored;  ///< of these characters; made when it is needed
+  std::optional<scenes::IgnoredPairs> ignored;  ///< of these characters; created on first use
   std::vector<float> input;                     ///< where JavaScript writes a palette or weights
   std::vector<CrowdContact> found;
 

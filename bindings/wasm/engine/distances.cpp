@@ -18,8 +18,8 @@ PELT_EXPORT std::uint32_t pelt_closest_point(PoseHandle* handle, float x, float 
   return closest ? 1 : 0;
 }
 
-/// The answer is the two points; the stats, the distance and what it is at least are its numbers 0
-/// to 7.
+/// The answer is the two points. Its numbers 0 to 7 are the stats, the distance and a lower bound
+/// of the distance.
 PELT_EXPORT std::uint32_t pelt_distance(PoseHandle* a, PoseHandle* b, double most,
                                         double tolerance) {
   Distance closest;

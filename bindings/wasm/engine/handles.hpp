@@ -18,7 +18,7 @@ namespace pelt::wasm {
 
 /// Options for preparing a character.
 struct Preparation {
-  std::vector<const asset::Clip*> clips;  ///< to take poses from
+  std::vector<const asset::Clip*> clips;  ///< sources of sample poses
   std::uint32_t samples = 6;
   bool renormalise = false;
 };
@@ -26,8 +26,8 @@ struct Preparation {
 /// A character, or one part of it, prepared for queries.
 struct Body {
   SkinnedModel model;
-  std::uint32_t first_triangle = 0;  ///< the character's number of the model's first one
-  std::optional<Surface> surface;    ///< made when it is first asked for
+  std::uint32_t first_triangle = 0;  ///< the first triangle's number in the character
+  std::optional<Surface> surface;    ///< created on first use
 
   const Surface& get_surface();
 };
@@ -40,13 +40,13 @@ struct Character {
   scenes::Character read;
   Preparation preparation;
   Body whole;
-  std::vector<std::unique_ptr<Body>> parts;  ///< these and the next are made when first asked for
+  std::vector<std::unique_ptr<Body>> parts;  ///< created on first use, like the next member
   std::vector<std::uint32_t> seams;          ///< see find_seams
 
   const asset::Asset& asset() const { return read.asset; }
   const std::vector<std::uint32_t>& get_seams();
 
-  /// The whole, or one of the asset's parts; refuses a part that has no triangles.
+  /// Returns the whole character or one part. Returns an error for a part without triangles.
   Result<Body*> body(std::uint32_t part);
 };
 
@@ -66,17 +66,17 @@ struct PoseHandle {
         morphs(character->asset().morph_targets.size()) {}
 
   std::shared_ptr<Character> character;
-  Body& body;  ///< the character's
+  Body& body;  ///< of the character
   Pose pose;
-  std::vector<Matrix4> palette;  ///< where JavaScript writes what is to be set
+  std::vector<Matrix4> palette;  ///< written by JavaScript before it is set
   std::vector<float> morphs;
-  std::vector<Vec3> vertices, normals;     ///< what JavaScript reads
+  std::vector<Vec3> vertices, normals;     ///< read by JavaScript
   std::optional<detail::ExactPose> eager;  ///< for collideEagerly
   std::optional<Pose> whole;               ///< all nodes opened, for nodeBoxes
-  bool has_vertices = false;               ///< those of the pose as it is now
-  bool is_refitted = false;                ///< so is `eager`
+  bool has_vertices = false;               ///< whether `vertices` is up to date
+  bool is_refitted = false;                ///< whether `eager` is up to date
 
-  /// Another palette, or other weights, have been set.
+  /// Call after the palette or the weights have changed.
   void moved() { has_vertices = is_refitted = false; }
 };
 

@@ -23,8 +23,8 @@ PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, flo
   return static_cast<std::uint32_t>(side);
 }
 
-/// The answer is the nearest point of b's surface; the stats, the vertex, its position and its
-/// depth are its numbers 0 to 10. The surface of b is closed.
+/// The answer is the nearest point of b's surface. Its numbers 0 to 10 are the stats, the vertex,
+/// its position and its depth. Precondition: the surface of b is closed.
 PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
   Penetration deepest;
   answer_stats(deepest_vertex(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(),

@@ -43,8 +43,8 @@ const char* name_of(MeshoptFilter filter) {
 
 }  // namespace
 
-// 0: there is no decoder. Otherwise `problem` is what the decoder (decoder.mjs) says has gone
-// wrong, or empty.
+// Returns 0 if there is no decoder. Otherwise `problem` is the decoder's error message
+// (decoder.mjs), or empty.
 EM_JS(int, call_meshopt_decode,
       (void* target, unsigned count, unsigned stride, const void* source, unsigned size,
        const char* mode, const char* filter, char* problem, unsigned room),

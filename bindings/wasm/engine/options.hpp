@@ -1,7 +1,7 @@
 #pragma once
 
-/// What JavaScript hands over as an object: JSON that pelt.mjs writes once options.mjs has checked
-/// it, so the keys that are there are known and have the right types.
+/// Options that JavaScript passes as JSON. pelt.mjs writes the JSON after options.mjs has validated
+/// it, so all keys are known and have the right types.
 
 #include "bindings/wasm/engine/handles.hpp"
 #include "scenes/face.hpp"
@@ -28,7 +28,7 @@ class Options {
   scenes::CreatureOptions creature() const;
   scenes::FaceOptions face() const;
 
-  /// Without clips.
+  /// The preparation without its clips.
   Preparation preparation() const;
 
  private:

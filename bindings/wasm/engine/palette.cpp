@@ -13,7 +13,7 @@ namespace {
 
 /// An instance, validated and written by JavaScript.
 struct PlacedNumbers {
-  double clip;  ///< its number; -1: none
+  double clip;  ///< index of the clip; -1: none
   double start, speed;
   std::array<double, 3> translation;
   std::array<double, 4> rotation;
@@ -70,7 +70,7 @@ const asset::Clip* clip_of(const asset::Asset& asset, std::int32_t clip) {
   return clip < 0 ? nullptr : &asset.clips[static_cast<std::size_t>(clip)];
 }
 
-/// Sets both or neither, by trying them on a copy first.
+/// Sets both or neither: tries them on a copy first.
 Result<void> take(PoseHandle& handle) {
   handle.moved();
   if (!handle.morphs.empty()) {

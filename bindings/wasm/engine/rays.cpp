@@ -8,10 +8,10 @@
 namespace pelt::wasm {
 namespace {
 
-/// Of a hit: triangle, t, the three weights, the normal.
+/// Numbers of a hit: triangle, t, the three weights, the normal.
 constexpr std::size_t kHitNumbers = 8;
 
-/// `first` is the number of the pose's first triangle.
+/// `first` is the number of the pose's first triangle in the character.
 void push(const RayHit& hit, std::uint32_t first, std::vector<double>& rows) {
   const auto& [u, v, w] = hit.weights;
   const auto& [x, y, z] = hit.normal;
@@ -36,7 +36,7 @@ PELT_EXPORT Ray* pelt_ray() {
   return &ray;
 }
 
-/// The first hit.
+/// Answers with the first hit.
 PELT_EXPORT std::uint32_t pelt_cast(PoseHandle* handle, Facing facing) {
   RayHit hit;
   (void)cast(handle->pose, *pelt_ray(), hit, {facing});

@@ -8,7 +8,7 @@
 namespace pelt::wasm {
 namespace {
 
-/// Numbered as in regions.mjs.
+/// Same numbers as in regions.mjs.
 enum class Kind : std::uint32_t {
   half_space,
   box,
@@ -27,7 +27,7 @@ std::vector<float>& region_numbers() {
   return numbers;
 }
 
-/// Reads these numbers one after the other.
+/// Reads the numbers of a region one after the other.
 class Reader {
  public:
   bool has_more() const { return next_ < region_numbers().size(); }
@@ -51,7 +51,7 @@ ConvexPolyhedron read_polyhedron(Reader& reader) {
   return ConvexPolyhedron(faces);
 }
 
-/// What the numbers stand for.
+/// Returns the region that the numbers describe.
 Region read_region(Kind kind) {
   Reader reader;
   switch (kind) {
@@ -93,8 +93,8 @@ PELT_EXPORT std::uint32_t pelt_intersects_region(PoseHandle* handle, Kind kind) 
   return intersects(handle->pose, read_region(kind), scratch()) ? 1 : 0;
 }
 
-/// The answer is the triangles that touch; returns where those inside lie, whose number is the
-/// answer's number 6.
+/// The answer is the triangles that touch. Returns the address of the triangles inside; their
+/// number is the answer's number 6.
 PELT_EXPORT const std::uint32_t* pelt_find_triangles(PoseHandle* handle, Kind kind) {
   static TrianglesInRegion found;
   found.intersecting.clear();

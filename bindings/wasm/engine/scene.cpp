@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// By numbers or names of targets, as the scene file has them.
+/// Uses indices or names of targets, like the scene file.
 json describe(const std::vector<scenes::MorphWeight>& weights) {
   json described = json::object();
   for (const scenes::MorphWeight& morph : weights) {

@@ -11,7 +11,7 @@ namespace pelt::wasm {
 std::vector<std::uint32_t> find_seams(const Surface& surface, std::span<const Triangle> triangles,
                                       std::uint32_t vertex_count) {
   constexpr std::uint32_t kNone = 0xFFFFFFFF;
-  std::vector<std::uint32_t> first(vertex_count, kNone);  // by the surface's number of a vertex
+  std::vector<std::uint32_t> first(vertex_count, kNone);  // by the surface's vertex number
   std::vector<std::uint32_t> seams(vertex_count);
   std::iota(seams.begin(), seams.end(), 0u);
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -12,8 +12,8 @@ class Surface;
 
 namespace pelt::wasm {
 
-/// For each vertex, one that stands for all that are alike in every bit but the number: exporters
-/// split vertices where a texture has a seam.
+/// Returns for each vertex the representative of all bit-identical vertices: exporters split
+/// vertices where a texture has a seam.
 std::vector<std::uint32_t> find_seams(const Surface& surface, std::span<const Triangle> triangles,
                                       std::uint32_t vertex_count);
 

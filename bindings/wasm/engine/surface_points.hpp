@@ -13,7 +13,8 @@ struct PointOfPose {
   const PoseHandle& pose;
 };
 
-/// The answer is these, seven numbers each: triangle, position, weights of its corners.
+/// The answer is these points, seven numbers each: triangle, position, weights of the triangle's
+/// vertices.
 void answer_points(std::initializer_list<PointOfPose> points);
 
 }  // namespace pelt::wasm

@@ -7,7 +7,7 @@ import { Pose } from './pose.mjs';
 
 /** Limit of numbers, as in scene files: far beyond any use, but small enough to keep arithmetic finite. */
 const kMostNumber = 1e12;
-const kMostFactor = 1e6; // of scales and frames a second; the least is its inverse
+const kMostFactor = 1e6; // largest scale and frame rate; the least is its inverse
 
 const number = (value, name) => check.number(value, name, -kMostNumber, kMostNumber);
 const factor = (value, name) => check.number(value, name, 1 / kMostFactor, kMostFactor);

@@ -24,13 +24,13 @@ int refuse(const Program& program, const std::string& message) {
   return code(ExitCode::bad_input);
 }
 
-/// No exit code of success where what was to be printed is lost.
+/// Lost output must not end in an exit code of success.
 int finish(const Program& program, ExitCode exit) {
   const Result<void> printed = output::flush_standard_output();
   return printed ? code(exit) : refuse(program, printed.error().message);
 }
 
-/// The option of the verb that was meant by one that it has not, or "".
+/// The option of the verb that was probably meant by an unknown one, or "".
 std::string meant_option(const CLI::App& verb, std::string_view option) {
   option.remove_prefix(std::min(option.find_first_not_of('-'), option.size()));
   std::vector<std::string_view> known;
@@ -40,7 +40,7 @@ std::string meant_option(const CLI::App& verb, std::string_view option) {
   return nearest ? "--" + std::string(*nearest) : "";
 }
 
-/// CLI11 says of what a verb does not know only that it "was not expected".
+/// For an argument that the verb does not know, CLI11 only says that it "was not expected".
 std::string words_for_unread(const CLI::App& verb, const std::string& argument) {
   if (!argument.starts_with('-')) return asset::quoted(argument) + " is an unexpected argument";
   const std::string option = argument.substr(0, argument.find('='));
@@ -49,7 +49,7 @@ std::string words_for_unread(const CLI::App& verb, const std::string& argument) 
   return meant.empty() ? problem : problem + ", did you mean " + asset::quoted(meant) + "?";
 }
 
-/// CLI11 says of a missing or unknown verb only that some "subcommand" is required.
+/// For a missing or unknown verb, CLI11 only says that some "subcommand" is required.
 std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
   if (!app.get_subcommands().empty()) {
     const CLI::App& verb = *app.get_subcommands()[0];

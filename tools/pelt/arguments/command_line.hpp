@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a program with verbs does from its arguments to its exit code: `pelt`, and `pelt-lab` too.
+/// Runs a program with verbs, from its arguments to its exit code: `pelt` and `pelt-lab`.
 
 #include "tools/pelt/arguments/exit_code.hpp"
 
@@ -14,11 +14,11 @@ struct Program {
   const char* name;
   const char* description;
   const char* footer;  ///< of --help
-  /// Adds the verbs. When the command line names one, `chosen` becomes what it asks for.
+  /// Adds the verbs. If the command line names a verb, sets `chosen` to its command.
   void (*add_verbs)(CLI::App& app, Command& chosen);
 };
 
-/// Reads the command line, runs the verb, and prints what went wrong. Returns the exit code of the
+/// Reads the command line, runs the verb, and prints its error. Returns the exit code of the
 /// process.
 int run_command_line(const Program& program, int argc, char** argv);
 

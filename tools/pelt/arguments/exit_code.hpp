@@ -9,7 +9,7 @@ namespace pelt::tools::arguments {
 /// Exit codes of the command.
 enum class ExitCode : int {
   success = 0,  ///< for `check`: no contact
-  contact = 1,  ///< only from `check`
+  contact = 1,  ///< only for `check`
   bad_input = 2,
   internal = 3,
 };

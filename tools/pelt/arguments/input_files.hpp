@@ -1,6 +1,6 @@
 #pragma once
 
-/// The files that a verb reads, which none of its outputs may replace.
+/// The files that a verb reads, which no output may replace.
 
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
@@ -10,7 +10,7 @@
 
 namespace pelt::tools::arguments {
 
-/// A model, and the buffers and images that it names, whether Pelt reads them or not.
+/// A model, and the buffers and images that it refers to, whether or not Pelt reads them.
 std::vector<output::InputFile> files_of_model(const std::string& path);
 
 /// The models of the scene, and its file if it has one.

@@ -13,12 +13,12 @@
 
 namespace pelt::tools::arguments {
 
-/// How models are read and built, on the command line of every verb that reads any.
+/// Options for reading and building models, of every verb that reads models.
 struct ModelArguments {
   bool no_unskinned = false;
   std::vector<std::string> exclude;
   bool renormalise = false;
-  std::uint32_t samples = 6;  ///< poses of the character's clips that its bounds are tried on
+  std::uint32_t samples = 6;  ///< sample poses for optimising the bounds
 
   asset::GltfOptions gltf_options() const;
 };
@@ -30,9 +30,9 @@ Result<scenes::Character> load_named_character(const std::string& path,
                                                const asset::GltfOptions& options,
                                                const char* kinds);
 
-/// build_model with words that fit the command: the message names `source`, and the remedy is an
-/// option of the command. Sample poses that the model cannot take are passed over: they are a
-/// clip's at times that nobody may ask for.
+/// build_model with messages for the command: the message names `source`, and the remedy is an
+/// option of the command. Skips sample poses that are not valid for the model, because a clip may
+/// be invalid at times that no frame uses.
 Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
                                        const ModelArguments& arguments,
                                        std::span<const Matrix4> sample_palettes = {});

@@ -8,7 +8,7 @@
 
 namespace pelt::tools::arguments {
 
-/// "x,y,z", each at most 1e12 from 0. The message of an error names `option`.
+/// Parses "x,y,z", each at most 1e12 from 0. Error messages name `option`.
 Result<std::array<double, 3>> parse_position(const std::string& option, const std::string& text);
 
 /// The same, rounded to float.

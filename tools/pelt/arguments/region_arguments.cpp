@@ -14,7 +14,7 @@ namespace {
 
 using detail::Vec3d;
 
-/// An option, what it is called in answers, and how many numbers it takes.
+/// An option, its name in answers, and its number of values.
 struct Kind {
   const char *option, *name, *example;
   std::size_t count;
@@ -41,7 +41,7 @@ Result<std::vector<float>> parse_numbers(const Kind& kind, const std::string& te
       std::string("give them as in ") + kind.option + " " + kind.example);
 }
 
-/// A radius, and the order of a box's corners.
+/// Validates a radius, and the order of a box's corners.
 Result<void> check_numbers(const Kind& kind, std::span<const float> n) {
   const bool has_radius = kind.count % 3 == 1;
   if (has_radius && n.back() < 0)

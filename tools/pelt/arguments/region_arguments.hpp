@@ -1,6 +1,6 @@
 #pragma once
 
-/// The region that the command line of `pelt region` names.
+/// The region on the command line of `pelt region`.
 
 #include <pelt/region.hpp>
 
@@ -14,18 +14,18 @@ namespace pelt::tools::arguments {
 
 struct RegionArguments {
   std::string box, sphere, capsule, camera;
-  std::optional<double> angle, aspect;  ///< of the camera's view
+  std::optional<double> angle, aspect;  ///< of the camera
 };
 
 void add_region_options(Verb& verb, RegionArguments& arguments);
 
-/// A region, with what the command line said of it.
+/// A region, with its values on the command line.
 class ChosenRegion {
  public:
   ChosenRegion(const std::string& kind, std::vector<float> numbers);
 
-  /// What a camera sees, however far: a pyramid without a base. `angle` is in turns, from the left
-  /// side to the right one.
+  /// The region that a camera sees, without a far plane: a pyramid without a base. `angle` is the
+  /// horizontal field of view in turns.
   static ChosenRegion seen_by_camera(std::vector<float> numbers, double angle, double aspect);
 
   Region region() const;
@@ -39,7 +39,7 @@ class ChosenRegion {
   std::vector<HalfSpace> faces_;
 };
 
-/// The message of an error names the option.
+/// Error messages name the option.
 Result<ChosenRegion> choose_region(const RegionArguments& arguments);
 
 }  // namespace pelt::tools::arguments

@@ -64,13 +64,13 @@ Result<void> check_for_models(const SceneArguments& arguments) {
   return {};
 }
 
-/// Around the y axis, which points up; positive turns +z towards +x.
+/// Rotates about the y axis, which points up; a positive angle rotates +z towards +x.
 std::array<double, 4> turned(double degrees) {
   const double half_turns = degrees / 720;
   return {0, asset::sine_of_turns(half_turns), 0, asset::cosine_of_turns(half_turns)};
 }
 
-/// Element `i`, or `otherwise` where the option was given fewer times.
+/// Element `i`, or `otherwise` if the option was given fewer times.
 template <typename T>
 T nth(const std::vector<T>& values, std::size_t i, const T& otherwise) {
   return i < values.size() ? values[i] : otherwise;
@@ -97,14 +97,14 @@ Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
   return instance;
 }
 
-/// One of several models may lack a name that another one has.
+/// With several models, a name need not exist in each of them.
 asset::GltfOptions one_of_several(const ModelArguments& models) {
   asset::GltfOptions options = models.gltf_options();
   options.excluded_must_exist = false;
   return options;
 }
 
-/// The character of a file, loaded once however many instances name it.
+/// Returns the character of a file. Loads each file once, even if several instances use it.
 Result<std::uint32_t> add_character(Scene& scene, const std::string& path,
                                     const asset::GltfOptions& options) {
   for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
@@ -130,7 +130,7 @@ Result<void> add_instance(Scene& scene, const SceneArguments& arguments, std::si
   return {};
 }
 
-/// All clips, or the longest clip of models that play one clip each.
+/// The frames of all clips, or of the longest clip of models that play one clip each.
 Result<void> choose_frame_count(Scene& scene) {
   if (const auto planned = scenes::plan_takes(scene); !planned)
     return asset::prefixed("--clip", planned.error());
@@ -138,7 +138,7 @@ Result<void> choose_frame_count(Scene& scene) {
   return {};
 }
 
-/// How many models could play a clip and were not told to, nor told to stand still.
+/// Number of models that have clips and were given neither a clip nor the default pose.
 std::size_t count_left_standing(const SceneArguments& arguments, const Scene& scene) {
   std::size_t count = 0;
   for (std::size_t i = arguments.clips.size(); i < scene.instances.size(); ++i)
@@ -146,7 +146,7 @@ std::size_t count_left_standing(const SceneArguments& arguments, const Scene& sc
   return count;
 }
 
-/// Two models without further options probably do not stand where the user expects them.
+/// Two models without further options probably are not where the user expects them.
 std::vector<std::string> placing_notes(const SceneArguments& arguments, const Scene& scene) {
   std::vector<std::string> notes;
   if (const std::size_t standing = count_left_standing(arguments, scene); standing > 0)

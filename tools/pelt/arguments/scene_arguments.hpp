@@ -1,6 +1,7 @@
 #pragma once
 
-/// Which characters, where, doing what and in which frames: a scene file, or models with options.
+/// Characters, placements, clips and frames from the command line: a scene file, or models with
+/// options.
 
 #include "scenes/scene.hpp"
 #include "tools/pelt/arguments/frame_range.hpp"
@@ -14,7 +15,7 @@ namespace pelt::tools::arguments {
 
 struct SceneArguments {
   std::vector<std::string> inputs;  ///< SCENE.json, or one glTF file for each instance
-  std::vector<std::string> clips;   ///< these five: one for each model, in order
+  std::vector<std::string> clips;   ///< one per model, in order, like the next four
   std::vector<double> starts, turns, scales;
   std::vector<std::string> positions;
   std::optional<double> fps;
@@ -29,13 +30,14 @@ void add_scene_options(Verb& verb, SceneArguments& arguments,
 /// Whether the only input is a scene file.
 bool asks_for_scene(const SceneArguments& arguments);
 
-/// Loads what the arguments name. A scene made of models lasts as long as its longest clip, and has
-/// notes where they stand still or in one place.
+/// Loads the inputs. A scene of models lasts as long as its longest clip. It has notes if models
+/// stand still or share a position.
 Result<scenes::Scene> open_scene(const SceneArguments& arguments);
 
-/// The frames that `text` (of --frames, "" where it was not given) asks for. Models on the command
-/// line have no end unless one plays all its clips: clips loop, and `scene.frame_count` follows.
-/// Notes in `scene` where all of several frames are alike.
+/// Returns the frames of `text` (the value of --frames; "" if absent). Clips of models on the
+/// command line loop, so the range may exceed `scene.frame_count`, which is then increased; this is
+/// an error if a model plays all its clips. Adds a note to `scene` if several frames would all be
+/// equal.
 Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& arguments,
                                  scenes::Scene& scene);
 

@@ -8,10 +8,10 @@
 
 namespace pelt::tools::arguments {
 
-/// Adds --simd, whose value goes to `name`.
+/// Adds --simd, which sets `name`.
 void add_simd_option(Verb& verb, std::string& name);
 
-/// Lets queries use the instructions of that name; "" leaves the choice to the library.
+/// Selects the instruction set of this name for queries; "" selects the library's default.
 Result<void> choose_simd(const std::string& name);
 
 }  // namespace pelt::tools::arguments

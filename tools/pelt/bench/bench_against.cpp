@@ -15,7 +15,7 @@ constexpr int kQuery = 7, kCache = 6, kMethod = 13, kThreads = 8, kNumber = 10, 
 
 enum class Better { higher, lower };
 
-/// A ratio, and the method that it is taken to.
+/// A ratio, and the method that it refers to.
 struct Column {
   const char* title;
   const char* yardstick;
@@ -27,15 +27,15 @@ constexpr Column kColumns[] = {{"vs paper", "paper", &Ratios::vs_paper, Better::
                                {"vs eager", "eager", &Ratios::vs_eager, Better::higher},
                                {"of rigid", "rigid", &Ratios::of_rigid, Better::lower}};
 
-/// Only a program that has a rigid method measures what a query costs rigid bodies.
+/// Only a program with the method rigid compares with rigid bodies.
 std::vector<Column> columns_of(const SceneFigures& scene) {
   std::vector<Column> columns(std::begin(kColumns), std::end(kColumns));
   if (!has_engine(scene, "rigid")) columns.pop_back();
   return columns;
 }
 
-/// A row of these would say once more what the others say of them, the wrong way round: worse where
-/// another method has become faster.
+/// These rows would repeat the other rows with the opposite meaning: worse if another method has
+/// become faster.
 bool is_yardstick_only(const Figures& figures) {
   return figures.engine == "paper" || figures.engine == "rigid";
 }
@@ -59,7 +59,7 @@ std::set<std::string> names_in(const SceneFigures& scene) {
   return names;
 }
 
-/// Another hash that `then` has of the question of `now`.
+/// Another hash of the same query in `then`; nullopt if all hashes equal that of `now`.
 std::optional<std::uint64_t> other_hash(const SceneFigures& then, const Figures& now) {
   for (const Figures& figures : then.figures)
     if (figures.variant.question == now.variant.question && figures.answer.hash != now.answer.hash)
@@ -67,7 +67,7 @@ std::optional<std::uint64_t> other_hash(const SceneFigures& then, const Figures&
   return std::nullopt;
 }
 
-/// Compares scenes with those of a baseline, and prints what it sees.
+/// Compares scenes with those of a baseline, and prints the result.
 class Comparer {
  public:
   Comparer(const Baseline& baseline, std::uint32_t margin_percent, std::ostream& out)
@@ -110,7 +110,7 @@ class Comparer {
         out_ << asset::printable(baseline_.path) << " has no " << asset::printable(name) << '\n';
   }
 
-  /// Other answers are other work.
+  /// Figures for different answers cannot be compared.
   std::set<Question> print_different_answers(const SceneFigures& then, const SceneFigures& now) {
     std::set<Question> different;
     for (const Figures& figures : now.figures) {

@@ -5,7 +5,7 @@
 namespace pelt::tools {
 namespace {
 
-/// Over who touches whom: which contact of a pair is found first is unspecified.
+/// Hashes which pairs touch, because the first contact of a pair is unspecified.
 class TouchHash {
  public:
   void add(std::uint32_t frame, std::size_t collider_count, const scene::FrameContacts& found) {
@@ -33,7 +33,7 @@ QueryStats difference(QueryStats after, const QueryStats& before) {
   return after;
 }
 
-/// An answer while frames are added.
+/// The answer of the frames added so far.
 struct AnswerSoFar {
   void add(std::uint32_t frame, std::size_t collider_count, const scene::FrameContacts& found) {
     contacts.add(frame, found);

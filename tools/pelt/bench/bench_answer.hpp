@@ -15,7 +15,7 @@ struct Answer {
   std::uint64_t contacts = 0;  ///< found in all frames
 };
 
-/// The answers [questions] of an engine, for comparing it with others: nothing is timed.
+/// The answers [questions] of an engine, for comparison with others. Times nothing.
 Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
                                    std::span<const Question> questions);
 

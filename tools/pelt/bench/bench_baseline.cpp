@@ -22,7 +22,7 @@ std::string required_text(const JsonObject& object, const char* key) {
   return text;
 }
 
-/// The value of two that is named.
+/// Returns the one of two values that has the name.
 template <typename T>
 T one_of(const JsonObject& object, const char* key, T a, T b) {
   const std::string name = required_text(object, key);
@@ -32,7 +32,7 @@ T one_of(const JsonObject& object, const char* key, T a, T b) {
   return b;
 }
 
-/// A time that can be divided by.
+/// Reads a time, which must be positive because it is a divisor.
 double positive(const JsonObject& object, const char* key) {
   const double number = static_cast<double>(object.number(key, 0));
   if (!(number > 0)) object.refuse(key, "must be a number above 0");

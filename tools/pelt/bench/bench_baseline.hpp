@@ -12,7 +12,7 @@ namespace pelt::tools {
 struct Baseline {
   std::string path;  ///< as given by the user
   Machine machine;
-  std::vector<SceneFigures> scenes;  ///< only what is compared: names, frames, hashes, means
+  std::vector<SceneFigures> scenes;  ///< only compared values: names, frames, hashes, means
 };
 
 /// `path` is for messages.

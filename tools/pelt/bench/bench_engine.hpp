@@ -1,9 +1,9 @@
 #pragma once
 
-/// What `pelt bench` compares: engines, and what they are asked about a scene. An engine is a
-/// method, asked pair by pair on one thread, or on_demand asked as a crowd, on any number of
-/// threads, which share palettes and pairs. What several threads take is wall time, and then so are
-/// the times of all engines beside them.
+/// The engines of `pelt bench` and their queries. An engine is a method that is queried pair by
+/// pair on one thread, or on_demand queried as a crowd on any number of threads, which share
+/// palettes and pairs. Times of several threads are wall times, and so are then the times of all
+/// engines of the run.
 
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
@@ -15,12 +15,12 @@ namespace pelt::tools {
 
 enum class Question {
   all,    ///< every contact
-  first,  ///< whether there is one
+  first,  ///< whether there is a contact
 };
 
 enum class Asked {
-  pairs,  ///< each pair of instances by itself
-  crowd,  ///< all at once
+  pairs,  ///< each pair of instances separately
+  crowd,  ///< all pairs at once
 };
 
 struct Engine {
@@ -32,10 +32,10 @@ struct Engine {
 
 Engine engine_of(methods::MethodKind method);
 
-/// On demand.
+/// The method on_demand as a crowd.
 Engine crowd_engine(std::uint32_t threads);
 
-/// Kind of times of engines that are measured together.
+/// Kind of time of engines that are measured together.
 Time time_of(std::span<const Engine> engines);
 
 /// What to run. Borrows its members.

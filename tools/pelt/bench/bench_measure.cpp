@@ -7,8 +7,8 @@
 namespace pelt::tools {
 namespace {
 
-/// Reads more memory than the caches hold, on as many threads at once as an engine has, since each
-/// core has caches of its own. The sum is kept so that nothing is optimised away.
+/// Reads more memory than the caches hold, on as many threads as the engine has, because each core
+/// has caches of its own. Stores the sum, so that the compiler does not remove the reads.
 class CacheFlush {
  public:
   void run(std::uint32_t threads) {
@@ -27,13 +27,13 @@ class CacheFlush {
   detail::Workers threads_;
 };
 
-/// The frame that an animation leaves when it comes to `frame`: scenes are taken to loop, so the
-/// last one stands before the first.
+/// The frame before `frame` in an animation. Scenes may loop, so the last frame comes before the
+/// first.
 std::uint32_t frame_before(std::uint32_t frame, const scenes::Scene& scene) {
   return frame == 0 ? scene.frame_count - 1 : frame - 1;
 }
 
-/// A frame and the one before it.
+/// A frame and the previous one.
 struct FramePair {
   scene::Palettes before, now;
 };

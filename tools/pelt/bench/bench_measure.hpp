@@ -28,23 +28,23 @@ struct Variant {
   Cache cache = Cache::hot;
 };
 
-/// Microseconds a frame.
+/// Times in microseconds per frame.
 struct Times {
   double mean_us = 0;          ///< over all frames ...
   double mean_contact_us = 0;  ///< ... over those in contact, 0 where there is none ...
-  double p95_us = 0;           ///< ... and what 95 % of all frames do not exceed
+  double p95_us = 0;           ///< ... and the 95th percentile of all frames
   double mean_update_us = 0;   ///< the share of mean_us before the queries: palettes, and for eager
                                ///< engines skinning and boxes
   std::size_t frames = 0, frames_in_contact = 0;
 };
 
-/// The median of fewer repetitions is a rough look, and `pelt bench` says so.
+/// With fewer repetitions, `pelt bench` says that the measurement is rough.
 inline constexpr std::uint32_t kEnoughRepetitions = 9;
 
 /// Largest number of frames measured with cold caches, evenly spaced.
 inline constexpr std::size_t kMostColdFrames = 30;
 
-/// The times [engines][variants]. `advance` is called after each frame of an engine.
+/// Returns the times [engines][variants]. Calls `advance` after each frame of an engine.
 Result<std::vector<std::vector<Times>>> measure(const Subject& subject,
                                                 std::span<const Engine> engines,
                                                 std::span<const Variant> variants,

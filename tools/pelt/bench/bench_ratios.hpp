@@ -1,7 +1,7 @@
 #pragma once
 
-/// What carries over from machine to machine: how an engine stands to the paper's method, to eager
-/// and to rigid.
+/// Ratios, which can be compared between machines: of an engine to the paper's method, to eager and
+/// to rigid.
 
 #include "tools/pelt/bench/bench_report.hpp"
 
@@ -9,15 +9,15 @@
 
 namespace pelt::tools {
 
-/// Nothing where the yardstick was not measured.
+/// Nullopt if the other method was not measured.
 struct Ratios {
-  std::optional<double> vs_paper, vs_eager;  ///< how many times faster
-  std::optional<double> of_rigid;            ///< how many times the cost
+  std::optional<double> vs_paper, vs_eager;  ///< speed-ups
+  std::optional<double> of_rigid;            ///< cost over that of rigid
 };
 
 bool is_same(const Variant& a, const Variant& b);
 
-/// An engine in a variant, or null.
+/// The figures of an engine in a variant, or null.
 const Figures* find_figures(const SceneFigures& scene, const std::string& engine,
                             std::uint32_t threads, const Variant& variant);
 
@@ -27,13 +27,13 @@ bool has_engine(const SceneFigures& scene, const std::string& engine);
 /// The mean time of an engine on one thread in a variant, or null.
 const double* mean_of(const SceneFigures& scene, const std::string& engine, const Variant& variant);
 
-/// Nothing where either is null.
+/// Nullopt if either is null.
 std::optional<double> ratio(const double* dividend, const double* divisor);
 
-/// `figures` is one of the scene's.
+/// Precondition: `figures` belongs to the scene.
 Ratios ratios_of(const SceneFigures& scene, const Figures& figures);
 
-/// With two decimals; "-" stands for nothing.
+/// With two decimals; "-" for nullopt.
 std::string in_words(const std::optional<double>& ratio);
 
 }  // namespace pelt::tools

@@ -18,7 +18,7 @@ void print_name(const std::string& name, std::ostream& out) {
   out << std::left << std::setw(kName) << name << std::right;
 }
 
-/// A line of a table; empty cells are left out.
+/// Prints a line of a table without empty cells.
 void print_cells(const std::string& name, const std::vector<std::string>& cells,
                  std::ostream& out) {
   print_name(name, out);
@@ -117,7 +117,7 @@ void print_work(const SceneFigures& scene, const Figures& figures, std::ostream&
   out << '\n';
 }
 
-/// Work does not depend on caches and threads, so each engine is shown once for each question.
+/// Work does not depend on caches and threads, so each engine is shown once per query.
 void print_all_work(const SceneFigures& scene, std::ostream& out) {
   print_name("work per frame", out);
   out << std::setw(8) << "query";

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The figures of `pelt bench` for people and for programs.
+/// The output of `pelt bench`, as text and as JSON.
 
 #include "tools/pelt/bench/bench_answer.hpp"
 #include "tools/pelt/bench/bench_measure.hpp"
@@ -36,7 +36,7 @@ struct SceneFigures {
   Time time = Time::thread;
   ModelFigures models;
   Skinning skinning;
-  std::vector<Figures> figures;  ///< not empty; the engines of a variant one after the other
+  std::vector<Figures> figures;  ///< not empty; grouped by variant
 };
 
 const char* name_of(Question question);

@@ -11,7 +11,7 @@
 namespace pelt::tools {
 namespace {
 
-/// Reference for the answers of the others; it shares no tree with the fast engines.
+/// The reference for all answers; shares no tree with the fast engines.
 constexpr methods::MethodKind kReference = methods::kPaper;
 
 Result<std::vector<std::uint32_t>> choose_frames(
@@ -47,7 +47,7 @@ Result<Prepared> prepare(const scenes::Scene& scene, const arguments::ModelArgum
 
 using Answers = std::vector<Answer>;  // [questions]
 
-/// Whether an engine answers as the reference does; says so if not.
+/// Whether an engine gives the answers of the reference. Prints a message if not.
 bool agrees(const scenes::Scene& scene, const std::string& engine, const Answers& answers,
             const Answers& reference, std::ostream& errors) {
   for (std::size_t q = 0; q < answers.size(); ++q) {
@@ -61,7 +61,7 @@ bool agrees(const scenes::Scene& scene, const std::string& engine, const Answers
   return true;
 }
 
-/// The answers [engines]; none where engines disagree.
+/// Returns the answers [engines], or an empty list if engines disagree.
 Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings& settings,
                                      std::ostream& errors) {
   const Engine reference = engine_of(kReference);

@@ -16,12 +16,12 @@ struct BenchSettings {
   std::vector<Question> questions;
   std::vector<Cache> caches;
   std::uint32_t repetitions = kEnoughRepetitions;
-  std::optional<arguments::FrameRange> frames;  ///< nothing: all of the scene
+  std::optional<arguments::FrameRange> frames;  ///< nullopt: all frames of the scene
   arguments::ModelArguments models;
 };
 
-/// Appends the scene's figures, unless an engine does not answer as the paper's does: then it is
-/// named on `errors`, no time is taken, and ExitCode::internal returned.
+/// Appends the scene's figures. If an engine's answers differ from the paper's, prints its name to
+/// `errors`, measures nothing, and returns ExitCode::internal.
 Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
                                         std::vector<SceneFigures>& figures, std::ostream& errors);
 

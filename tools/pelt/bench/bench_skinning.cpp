@@ -8,7 +8,7 @@
 namespace pelt::tools {
 namespace {
 
-/// An instance and where its posed vertices go.
+/// An instance and the memory for its posed vertices.
 struct Skinned {
   explicit Skinned(const scene::Collider& collider)
       : instance(collider.instance),

@@ -4,15 +4,16 @@
 
 namespace pelt::tools {
 
-/// The unit that engines are compared with: all vertices of all instances posed by the wide code.
+/// The time to pose all vertices of all instances with the wide code, as a unit for comparing
+/// engines.
 struct Skinning {
   std::uint64_t vertices = 0;  ///< of all instances
-  double mean_us = 0;          ///< a frame, all of them
+  double mean_us = 0;          ///< per frame
 
   double ns_per_vertex() const { return 1000 * mean_us / static_cast<double>(vertices); }
 };
 
-/// Per frame the median of the repetitions, then the mean over the frames.
+/// The mean over the frames of the medians of the repetitions.
 Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetitions);
 
 }  // namespace pelt::tools

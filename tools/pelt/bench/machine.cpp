@@ -11,7 +11,7 @@
 namespace pelt::tools {
 namespace {
 
-/// Known on Linux only; elsewhere "unknown".
+/// Only implemented for Linux; otherwise "unknown".
 std::string cpu_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
@@ -29,7 +29,7 @@ std::string compiler_name() {
 #endif
 }
 
-/// Zero where the system does not tell.
+/// Zero if the system does not provide it.
 double memory_gib() {
   const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
   if (pages < 0 || bytes < 0) return 0;

@@ -10,7 +10,7 @@ struct Machine {
   std::string target;  ///< instruction set of queries, see pelt/target.hpp
   unsigned cores = 0;
   std::string flags;   ///< compiler flags
-  std::string system;  ///< the operating system and its release; empty where it does not tell
+  std::string system;  ///< operating system and release; may be empty
   double memory_gib = 0;
 };
 

@@ -12,11 +12,11 @@ enum class Time {
   wall,    ///< elapsed time, for several threads
 };
 
-/// Measures what one thread does on a machine that others use too: time in which the system runs
-/// something else in its place is not counted. Two clocks run, wall time and the thread's processor
-/// time, and the lesser counts: the first has the pauses, the second the time that it takes to read
-/// it, which is more than some queries take. With several threads there is nothing but wall time,
-/// for one of them may wait while the others work.
+/// Measures the time of one thread on a machine that runs other programs too: excludes time in
+/// which the system runs something else instead. Two clocks run, wall time and the thread's
+/// processor time, and the lesser counts: wall time includes the pauses, and reading the processor
+/// time takes longer than some queries. With several threads, measures wall time only, because one
+/// thread may wait while the others work.
 class Stopwatch {
  public:
   explicit Stopwatch(Time time = Time::thread)
@@ -30,13 +30,13 @@ class Stopwatch {
     processor_us_ = processor_us() - processor_begin_;
   }
 
-  /// Both parts.
+  /// Time of both parts.
   double microseconds() const {
     const double wall = wall_us(end_);
     return time_ == Time::wall ? wall : std::min(wall, processor_us_);
   }
 
-  /// The first part.
+  /// Time of the first part.
   double lap_microseconds() const {
     const double all = wall_us(end_);
     return all > 0 ? microseconds() * (wall_us(lap_) / all) : 0;

@@ -60,7 +60,7 @@ Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
   return arguments.clearance;
 }
 
-/// "A,B": the last comma parts the names.
+/// Parses "A,B"; the last comma separates the names.
 Result<scenes::NamePair> parse_name_pair(const std::string& text) {
   const std::size_t comma = text.rfind(',');
   if (comma != std::string::npos && comma > 0 && comma + 1 < text.size())
@@ -69,7 +69,7 @@ Result<scenes::NamePair> parse_name_pair(const std::string& text) {
                               "give two parts or joints, as in --ignore cape,spine");
 }
 
-/// With --exclude or --no-unskinned, rules of a scene may match parts that are left out.
+/// Whether all parts are read. Otherwise, rules of a scene may match parts that are left out.
 bool is_read_whole(const arguments::ModelArguments& models) {
   return models.exclude.empty() && !models.no_unskinned;
 }
@@ -130,7 +130,7 @@ Result<FailOn> choose_fail_on(const CheckArguments& arguments) {
   return *fail_on;
 }
 
-/// Takes what is chosen up to the first refusal.
+/// Collects choices and stores the first error.
 class Choices {
  public:
   template <typename T>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The command line of `pelt check`: its options, and what they ask for.
+/// The command line of `pelt check`: options and settings.
 
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/check/check_settings.hpp"
@@ -14,7 +14,7 @@ namespace pelt::tools::check {
 
 struct CheckArguments {
   arguments::SceneArguments scene;
-  methods::MethodKinds known_methods;  ///< what --method can name
+  methods::MethodKinds known_methods;  ///< possible values of --method
   std::string frames, by = "instance", method = "on_demand";
   bool first = false, pairs = false, contacts = false, inside = false, allow_empty = false;
   std::optional<double> clearance;
@@ -26,8 +26,8 @@ struct CheckArguments {
 
 void add_check_options(arguments::Verb& verb, CheckArguments& arguments);
 
-/// Refuses what does not fit together or to the scene, before anything is computed or written.
-/// Reads the baseline.
+/// Returns an error for options that conflict with each other or with the scene, before anything is
+/// computed or written. Reads the baseline.
 Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::Scene& scene);
 
 }  // namespace pelt::tools::check

@@ -47,7 +47,7 @@ std::optional<std::string> read_clip(const JsonObject& object) {
   return object.text("clip");
 }
 
-/// Null where it is absent.
+/// Null if the key is absent.
 json value_of(const json& object, const char* key) {
   const auto found = object.find(key);
   return found == object.end() ? json() : *found;
@@ -57,7 +57,7 @@ Error incomparable(const std::string& difference, const std::string& remedy) {
   return {ErrorCode::invalid_argument, difference + ": " + remedy};
 }
 
-/// Refuses the options of another question.
+/// Returns an error for options that prevent a comparison.
 Result<void> compare_questions(const json& theirs, const json& ours) {
   for (const char* key : {"by", "clearance"}) {
     const json then = value_of(theirs, key);
@@ -101,7 +101,7 @@ std::vector<std::string> models_of(const scenes::Scene& scene) {
   return models;
 }
 
-/// The same of a header, which has an entry for each collider.
+/// The same for a header, which has one entry per collider.
 std::vector<std::string> models_of(const JsonObject& header) {
   constexpr std::size_t kAnyInstance = std::size_t{1} << 32;
   std::map<std::uint32_t, std::string> by_instance;
@@ -115,7 +115,7 @@ std::vector<std::string> models_of(const JsonObject& header) {
   return models;
 }
 
-/// Each once: "knight", "thief".
+/// Lists each name once: "knight", "thief".
 std::string listed(std::vector<std::string> names) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
   std::string text;
@@ -129,7 +129,7 @@ bool have_one_in_common(const std::vector<std::string>& a, const std::vector<std
   });
 }
 
-/// The same scene, perhaps in another version.
+/// Checks that the scenes share a model.
 Result<void> compare_models(const std::vector<std::string>& theirs,
                             const std::vector<std::string>& ours, std::vector<std::string>& notes) {
   if (theirs == ours) return {};
@@ -161,7 +161,7 @@ void require_check(const JsonObject& header) {
 
 }  // namespace
 
-/// The first line and the last one.
+/// `first` and `last` are the first and the last line.
 Result<CheckBaseline> CheckBaseline::compare(const json& first, const json& last,
                                              const CheckQuestion& question,
                                              const scenes::Scene& scene) {

@@ -19,7 +19,7 @@ namespace pelt::tools::check {
 
 class CheckBaseline {
  public:
-  /// Two places in order, because their order has no meaning, and the clip of their take.
+  /// Two places, sorted because their order has no meaning, and the clip of their take.
   struct TouchNames {
     TouchName first, second;
     std::optional<std::string> clip = {};
@@ -33,9 +33,9 @@ class CheckBaseline {
     friend auto operator<=>(const HeldNames&, const HeldNames&) = default;
   };
 
-  /// `text` is what `pelt check --jsonl` wrote; `path` is for messages. Refuses the answer to a
-  /// question that cannot be compared with `question`, one that a limit cut short, and one of a
-  /// scene that has no model in common with `scene`.
+  /// Parses the output of `pelt check --jsonl`; `path` is for messages. Returns an error for a
+  /// check that cannot be compared with `question`, for one that a limit cut short, and for a scene
+  /// without a model in common with `scene`.
   static Result<CheckBaseline> parse(const std::string& path, std::string_view text,
                                      const CheckQuestion& question, const scenes::Scene& scene);
 
@@ -48,7 +48,7 @@ class CheckBaseline {
 
   const std::set<HeldNames>& held() const { return held_; }
 
-  /// How that check differed from this one, in words; empty: in nothing but its files.
+  /// Differences of that check from this one, in words; empty if only the files differ.
   std::span<const std::string> notes() const { return notes_; }
 
  private:
@@ -62,7 +62,7 @@ class CheckBaseline {
   std::vector<std::string> notes_;
 };
 
-/// Returns a touch and a contained body as a baseline knows them.
+/// Returns the names of a touch and of a contained body in a baseline.
 CheckBaseline::TouchNames names_of(const scene::StagedScene& staged, const Touch& touch);
 CheckBaseline::HeldNames names_of(const scene::StagedScene& staged, const Held& held);
 

@@ -11,7 +11,7 @@
 namespace pelt::tools::check {
 namespace {
 
-/// Frames ascend, so those of a take follow each other.
+/// Frames ascend, so the frames of a take are consecutive.
 void count_in_take(std::uint32_t take, std::uint32_t frame, std::uint64_t contacts,
                    std::vector<TakeTotals>& takes) {
   if (takes.empty() || takes.back().take != take) takes.push_back({take});
@@ -40,7 +40,7 @@ void count_frame(const scenes::Scene& scene, std::uint32_t frame, const scene::F
   report.worst_frame = frame;
 }
 
-/// Whether this frame is the one to keep, as far as is known.
+/// Whether this frame is the one to keep, judging by the frames so far.
 bool is_to_be_kept(std::uint32_t frame, const CheckSettings& settings, const CheckReport& report) {
   if (settings.frame_to_keep) return frame == *settings.frame_to_keep;
   return frame == settings.frames.begin ||
@@ -60,7 +60,7 @@ class ExtraQueries {
     depths_.emplace(staged);
   }
 
-  /// `found` has all contacts, those to be ignored among them.
+  /// `found` has all contacts, including ignored ones.
   Result<void> ask_inside(std::uint32_t frame, const scene::Palettes& palettes,
                           const scene::FrameContacts& found) {
     if (!inside_) return {};
@@ -140,7 +140,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   return report;
 }
 
-/// Totals, which are known after the last frame.
+/// Sets the totals, which are known after the last frame.
 void conclude(const scene::StagedScene& staged, const CheckSettings& settings,
               const TouchTally& tally, CheckReport& report, JsonlWriter* jsonl) {
   const std::vector<Touch> touches = tally.touches();

@@ -31,11 +31,10 @@ struct CheckReport {
   std::uint64_t regions = 0;                  ///< number of regions of described contacts
   std::vector<DepthTally::Row> deepest;
   std::optional<InsideTally> inside;  ///< if requested
-  std::vector<double> frame_seconds;  ///< palettes taken and all pairs queried; not the sampling
+  std::vector<double> frame_seconds;  ///< setting palettes and querying pairs, without sampling
 };
 
-/// Runs through the frames. `jsonl` may be null. Writes no file itself and prints nothing but the
-/// progress bar.
+/// Runs through the frames. `jsonl` may be null. Writes no files, and prints only the progress bar.
 Result<CheckReport> run_check(const scene::StagedScene& staged, const CheckSettings& settings,
                               TouchTally& tally, JsonlWriter* jsonl);
 

@@ -12,7 +12,7 @@
 namespace pelt::tools::check {
 namespace {
 
-/// The outputs of a check, opened before long work: what cannot be written is refused at once.
+/// The outputs of a check. Opened before long work, so that errors appear at once.
 struct OutputFiles {
   output::OutputFile jsonl, glb, html;
 
@@ -33,7 +33,7 @@ Result<void> write_contacts_glb(output::OutputFile& file, const scene::StagedSce
       scene::contacts_glb(*posed, scene::touching_triangles(*posed, staged.colliders, kept.found)));
 }
 
-/// The first line of --jsonl and the last.
+/// The first and the last line of --jsonl.
 std::string outer_lines(const scene::StagedScene& staged, const CheckQuestion& question,
                         const CheckReport& report, const TouchTally& tally) {
   const std::vector<Touch> touches = tally.touches();

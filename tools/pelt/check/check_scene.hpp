@@ -1,7 +1,7 @@
 #pragma once
 
-/// `pelt check` after its arguments: colliders made, frames run through, files written, a summary
-/// printed. Also what `pelt demo` runs.
+/// Runs `pelt check` after its arguments: makes colliders, runs through the frames, writes the
+/// files and prints the summary. `pelt demo` uses it too.
 
 #include "tools/pelt/check/check_run.hpp"
 #include "tools/pelt/output/output.hpp"
@@ -18,7 +18,7 @@ struct CheckOutputs {
   std::string words;  ///< command line of the report
 };
 
-/// The summary goes to `words`.
+/// Prints the summary to `words`.
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
                                 const arguments::ModelArguments& models,
                                 const CheckOutputs& outputs, std::ostream& words);

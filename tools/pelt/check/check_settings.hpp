@@ -15,7 +15,7 @@ struct CheckSettings {
   methods::MethodKind method = methods::kOnDemand;
   scene::Granularity granularity = scene::Granularity::instance;
   std::optional<std::uint32_t> max_contacts;  ///< per pair of colliders and frame
-  /// Nothing: triangles that touch are found; else those that are at most so far apart.
+  /// Nullopt: find triangles that touch; otherwise triangles at most this far apart.
   std::optional<double> clearance;
   bool lists_triangles = false;     ///< all pairs of them, not only their number
   bool describes_contacts = false;  ///< describe the geometry of contacts
@@ -23,9 +23,9 @@ struct CheckSettings {
   std::vector<scenes::NamePair> ignore;
   std::optional<CheckBaseline> baseline;
   FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline
-  bool allows_empty = false;         ///< else comparing nothing fails
+  bool allows_empty = false;         ///< otherwise comparing nothing fails
   arguments::FrameRange frames;
-  std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nothing: the worst
+  std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nullopt: the worst
 };
 
 CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& scene,

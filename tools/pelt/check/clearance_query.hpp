@@ -1,7 +1,7 @@
 #pragma once
 
-/// One frame of a scene asked for all triangles that are within a distance: what
-/// `pelt check --clearance` does in place of a SceneQuery.
+/// Finds all pairs of triangles within a distance in one frame of a scene. `pelt check --clearance`
+/// uses it instead of a SceneQuery.
 
 #include <pelt/distance.hpp>
 
@@ -18,7 +18,7 @@ class ClearanceQuery {
   ClearanceQuery(std::span<const scene::Collider> colliders, double tolerance)
       : colliders_(colliders), posed_(colliders), tolerance_(tolerance) {}
 
-  /// The message of an error names the instance.
+  /// Error messages name the instance.
   Result<void> set_palettes(const scene::Palettes& palettes) {
     return posed_.set_palettes(palettes);
   }

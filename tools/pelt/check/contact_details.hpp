@@ -1,6 +1,6 @@
 #pragma once
 
-/// The geometry of the contacts of one frame: what `pelt check --contacts` adds to them.
+/// The geometry of the contacts of one frame, for `pelt check --contacts`.
 
 #include <pelt/contact.hpp>
 
@@ -17,20 +17,20 @@ class ContactDetails {
   /// Both arguments must outlive this.
   explicit ContactDetails(const scene::StagedScene& staged);
 
-  /// Replaces what is known by the geometry of contacts that were found in these palettes.
+  /// Replaces the geometry by that of contacts that were found with these palettes.
   Result<void> describe(const scene::Palettes& palettes, const scene::FrameContacts& found);
 
-  /// Of one of the pairs that were found, by its place among them; triangles have their numbers in
-  /// the colliders' own models.
+  /// The geometry of one of the found pairs, by its index. Triangle numbers are those of the
+  /// colliders' own models.
   const ContactGeometry& of_pair(std::size_t pair) const { return geometry_[pair]; }
 
  private:
   std::span<const scene::Collider> colliders_;
-  std::vector<Surface> surfaces_;  // of each collider; those of one model share
+  std::vector<Surface> surfaces_;  // of each collider; shared if the model is
   scene::ScenePoses posed_;
   Scratch scratch_;
   std::vector<Contact> contacts_;
-  std::vector<ContactGeometry> geometry_;  // of each pair; kept from frame to frame for its memory
+  std::vector<ContactGeometry> geometry_;  // of each pair; reused from frame to frame
 };
 
 }  // namespace pelt::tools::check

@@ -72,7 +72,7 @@ ordered_json curve_json(const ContactGeometry& geometry, const ContactCurve& cur
       {"closed", curve.is_closed}, {"traces", std::move(traces)}, {"points", std::move(points)}};
 }
 
-/// The part that most members of a region are in; of equal ones the first.
+/// The part with the most members of a region; among equal ones the first.
 template <typename TriangleOf>
 std::string part_of_most(const Side& side, std::span<const std::uint32_t> members,
                          const TriangleOf& triangle_of) {

@@ -9,8 +9,8 @@
 
 namespace pelt::tools::check {
 
-/// Takes the contacts out that do not count, and pairs of colliders that have no others; returns
-/// how many contacts that were. `ignored` was made of the scene's characters.
+/// Removes ignored contacts, and pairs of colliders without other contacts. Returns the number of
+/// removed contacts. Precondition: `ignored` was made from the scene's characters.
 std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored,
                                const scene::StagedScene& staged, scene::FrameContacts& found);
 

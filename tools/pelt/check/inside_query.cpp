@@ -71,7 +71,7 @@ void InsideQuery::ask_pair(std::uint32_t a, std::uint32_t b, bool touches) {
   if (is_inside || pair.a_in_b || pair.b_in_a) pairs_.push_back(pair);
 }
 
-/// Instances of a character have the same answers.
+/// Cached by character, because all instances of a character have the same answer.
 bool InsideQuery::is_ignored(std::uint32_t a, std::uint32_t b) {
   if (ignored_.is_empty()) return false;
   const Bodies bodies = {body_of(staged_, a), body_of(staged_, b)};

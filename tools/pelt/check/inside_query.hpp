@@ -17,18 +17,17 @@
 
 namespace pelt::tools::check {
 
-/// Two colliders of which one contains the other, or that penetrate each other.
+/// Two colliders that penetrate each other, or one of which contains the other.
 struct InsidePair {
   std::uint32_t a = 0, b = 0;
   Containment containment = Containment::none;
-  Penetration a_in_b = {},
-              b_in_a = {};  ///< of those that are closed; triangles as the model numbers them
+  Penetration a_in_b = {}, b_in_a = {};  ///< for closed surfaces; triangle numbers of the model
 };
 
 /// A collider that another one contains, in all frames or in those of a take.
 struct Held {
   std::uint32_t inner = 0, outer = 0;
-  std::uint32_t frames = 0, first_frame = 0;  ///< how many, and the first of them
+  std::uint32_t frames = 0, first_frame = 0;  ///< number of frames, and the first of them
   std::uint32_t take = 0;                     ///< index into the scene's takes, if it has any
 };
 
@@ -56,8 +55,8 @@ struct InsideTally {
 
 class InsideQuery {
  public:
-  /// Skips pairs of colliders of which `ignored` matches all triangles. What `staged` refers to and
-  /// `ignored` must outlive this.
+  /// Skips pairs of colliders whose triangles are all matched by one rule of `ignored`. The
+  /// objects that `staged` borrows, and `ignored`, must outlive this object.
   InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored);
 
   /// Replaces the results by those for these palettes. `found` has the contacts of the frame.

@@ -24,7 +24,7 @@ struct TakeTotals {
   std::uint32_t take = 0;  ///< index into Scene::takes
   std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
   std::uint64_t worst = 0;        ///< the most contacts of one frame
-  std::uint32_t worst_frame = 0;  ///< the first one with as many
+  std::uint32_t worst_frame = 0;  ///< the first frame with as many
 };
 
 struct CheckTotals {
@@ -32,7 +32,7 @@ struct CheckTotals {
   std::uint64_t ignored = 0;  ///< contacts that do not count
   QueryStats work;
   std::vector<TakeTotals> takes;      ///< of checked frames; empty if the scene has no takes
-  std::optional<std::uint64_t> hash;  ///< nothing where a limit on contacts was in force
+  std::optional<std::uint64_t> hash;  ///< nullopt if contacts were limited
 };
 
 /// Optional data of a frame in addition to its contacts; null if absent.

@@ -39,7 +39,7 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
                                 << '\n';
 }
 
-/// How many a list leaves out.
+/// Prints the number of rows that a list leaves out.
 void print_rest(std::size_t count, std::ostream& out) {
   if (count > kMostRows)
     out << std::right << std::setw(12) << "..."
@@ -131,7 +131,7 @@ void print_worse(const scene::StagedScene& staged, std::span<const Worse> worse,
   print_rest(worse.size(), out);
 }
 
-/// Prints what this check did not find of the baseline.
+/// Prints the touches of the baseline that this check did not find.
 void print_gone(const Comparison& comparison, std::ostream& out) {
   const std::size_t touches = comparison.gone.size(), held = comparison.no_longer_held.size();
   if (touches + held == 0) return;
@@ -223,7 +223,7 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
   if (!report.totals.takes.empty()) print_takes(staged.scene, report.totals.takes, out);
   if (report.totals.ignored > 0)
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
-  // What fails comes before what does not.
+  // Failures come first.
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   print_touching(staged.scene, report, tally, out);
   if (report.regions > 0) print_deepest(staged.scene, report, out);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The words for people after `pelt check`.
+/// The summary of `pelt check`.
 
 #include "tools/pelt/check/check_run.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"

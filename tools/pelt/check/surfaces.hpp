@@ -9,7 +9,7 @@
 
 namespace pelt::tools::check {
 
-/// The surface of each collider; those of one model share theirs.
+/// The surface of each collider; colliders of one model share it.
 std::vector<Surface> make_surfaces(const scene::StagedScene& staged);
 
 }  // namespace pelt::tools::check

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the command calls bodies and places on them, so that the next version of a scene has the
-/// same names: never by number, but for instances of one model, which only their order tells apart.
+/// Names of bodies and places in answers, chosen so that the next version of a scene has the same
+/// names. Uses numbers only for instances of one model, which differ only in their order.
 
 #include "tools/pelt/check/inside_query.hpp"
 #include "tools/pelt/check/touch_tally.hpp"
@@ -17,29 +17,29 @@
 
 namespace pelt::tools::check {
 
-/// An instance, or a part of one. Texts are as JSON holds them, which knows UTF-8 only.
+/// An instance, or a part of one. Texts are as stored in JSON, which must be UTF-8.
 struct BodyName {
   std::string model;
-  std::uint32_t copy = 0;  ///< which of the instances that have this model name, from 0
+  std::uint32_t copy = 0;  ///< index among the instances of this model name
   std::string part;        ///< "" for a whole instance
 
   friend auto operator<=>(const BodyName&, const BodyName&) = default;
 };
 
 struct TouchName {
-  BodyName body;  ///< with its part
+  BodyName body;  ///< includes the part
   std::string joint;
 
   friend auto operator<=>(const TouchName&, const TouchName&) = default;
 };
 
-/// The clip of a take, or nullopt if the scene has no takes. As JSON holds it.
+/// The clip of a take, as stored in JSON; nullopt if the scene has no takes.
 std::optional<std::string> clip_name(const scenes::Scene& scene, std::uint32_t take);
 
 BodyName body_name(const scene::StagedScene& staged, const scene::Collider& collider);
 TouchName touch_name(const scene::StagedScene& staged, const TouchPlace& place);
 
-/// "knight 0 Cape Spine", by the number of the instance in the scene; printable.
+/// "knight 0 Cape Spine", with the number of the instance in the scene; printable.
 std::string in_words(const scene::StagedScene& staged, const TouchPlace& place);
 
 /// As in `pelt check --jsonl`; `instance` is the number in the scene. With the clip if the scene
@@ -50,7 +50,7 @@ nlohmann::ordered_json held_json(const scene::StagedScene& staged, const Held& h
 /// An object with `clip`, or an empty one without a clip.
 nlohmann::ordered_json of_clip(const std::optional<std::string>& clip);
 
-/// Without the numbers of instances, for places that are no longer in the scene.
+/// Without numbers of instances, for places that are no longer in the scene.
 nlohmann::ordered_json name_json(const BodyName& name);
 nlohmann::ordered_json name_json(const TouchName& name);
 

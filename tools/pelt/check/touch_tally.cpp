@@ -12,7 +12,7 @@
 namespace pelt::tools::check {
 namespace {
 
-/// Replaces each index by the lowest that has the same name.
+/// Replaces each index by the lowest index with the same name.
 template <typename Index>
 void unite_equal_names(const std::vector<std::string>& names, std::vector<Index>& indices) {
   std::map<std::string_view, Index> by_name;

@@ -26,18 +26,19 @@ struct Touch {
   std::uint64_t contacts = 0;
   std::uint32_t frames = 0;       ///< with contacts
   std::uint64_t worst = 0;        ///< the most contacts of one frame
-  std::uint32_t worst_frame = 0;  ///< the first one with as many
+  std::uint32_t worst_frame = 0;  ///< the first frame with as many
   std::uint32_t take = 0;         ///< index into the scene's takes, if it has any
 };
 
-/// Parts of equal names count as one, the first of them, and so do joints: by names nobody could
-/// tell them apart.
+/// Counts contacts by places. Parts with equal names count as one, the first of them, and so do
+/// joints, because names cannot distinguish them.
 class TouchTally {
  public:
-  /// Both arguments must outlive the tally. Refuses what no model could be built of.
+  /// Both arguments must outlive the tally. Returns an error if no model can be built from the
+  /// assets.
   static Result<TouchTally> make(const scene::StagedScene& staged);
 
-  /// Adds the contacts of a frame, once for each frame.
+  /// Adds the contacts of a frame. Call once per frame.
   void add(std::uint32_t frame, const scene::FrameContacts& found);
 
   /// Sorted by number of contacts, descending.

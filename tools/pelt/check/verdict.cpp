@@ -40,7 +40,7 @@ bool fails(FailOn fail_on, const Findings& found, const std::optional<Comparison
   return false;
 }
 
-/// The parts that a scene's files have and this check was told to leave out.
+/// The parts that exist in a scene's files but that options leave out of this check.
 class LeftOutParts {
  public:
   explicit LeftOutParts(const scenes::Scene& scene) {
@@ -53,7 +53,7 @@ class LeftOutParts {
     }
   }
 
-  /// A part that is named after its node, or as "node:material".
+  /// Whether the part is named after its node, or as "node:material".
   bool contains(const BodyName& body) const {
     const auto model = models_.find(body.model);
     if (model == models_.end() || model->second.parts.count(body.part) > 0) return false;
@@ -69,7 +69,7 @@ class LeftOutParts {
   std::map<std::string, Names> models_;
 };
 
-/// What is new fails most checks, so it comes first.
+/// New touches come first, because they fail most checks.
 void sort_by_importance(std::vector<Worse>& worse) {
   std::stable_partition(worse.begin(), worse.end(),
                         [](const Worse& touch) { return touch.known == 0; });

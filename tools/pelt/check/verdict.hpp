@@ -1,6 +1,6 @@
 #pragma once
 
-/// Whether a check has failed: on what was found, or on what is worse than in an earlier check.
+/// Decides whether a check has failed, by its findings or by a comparison with an earlier check.
 
 #include "tools/pelt/check/check_baseline.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
@@ -14,13 +14,13 @@
 namespace pelt::tools::check {
 
 enum class FailOn {
-  contact,  ///< any contact, and any body that is held whole
+  contact,  ///< any contact and any contained body
   grown,    ///< new touches or bodies, and touches with more contacts in their worst frame
   newly,    ///< new touches or contained bodies
   never,
 };
 
-/// Nothing for an unknown name.
+/// Nullopt for an unknown name.
 std::optional<FailOn> find_fail_on(std::string_view name);
 const char* name_of(FailOn fail_on);
 
@@ -30,27 +30,27 @@ struct Findings {
   std::span<const Held> held;  ///< empty if not requested
 };
 
-/// A touch that is worse than it was.
+/// A touch that is worse than in the baseline.
 struct Worse {
   Touch touch;
-  std::uint64_t known = 0;  ///< contacts of its worst frame then; 0: it is new
+  std::uint64_t known = 0;  ///< contacts of its worst frame in the baseline; 0: new
 };
 
-/// A touch of the baseline that is none any more.
+/// A touch of the baseline that no longer exists.
 struct GoneTouch {
   CheckBaseline::TouchNames names;
-  std::uint64_t known = 0;  ///< contacts of its worst frame then
+  std::uint64_t known = 0;  ///< contacts of its worst frame in the baseline
 };
 
 /// Differences from a baseline.
 struct Comparison {
-  std::size_t known_touches = 0;  ///< how many the baseline has
-  std::vector<Worse> worse;       ///< new ones first, of each kind those with most contacts
+  std::size_t known_touches = 0;  ///< number of touches in the baseline
+  std::vector<Worse> worse;       ///< new ones first; then by number of contacts
   std::vector<GoneTouch> gone;
-  std::vector<GoneTouch> left_out;  ///< not asked: of parts that this check was told to leave out
+  std::vector<GoneTouch> left_out;  ///< of parts that options leave out of this check
   std::vector<Held> newly_held;
   std::vector<CheckBaseline::HeldNames> no_longer_held;
-  std::vector<std::string> notes;  ///< how the earlier check differed from this one
+  std::vector<std::string> notes;  ///< differences of the earlier check from this one
 };
 
 Comparison compare(const scene::StagedScene& staged, const Findings& found,
@@ -63,11 +63,11 @@ struct Verdict {
   std::optional<Comparison> comparison;  ///< with a baseline
 };
 
-/// What a check is judged by.
+/// Criteria of a verdict.
 struct Demand {
   FailOn fail_on = FailOn::contact;
-  bool allows_empty = false;                ///< else a check that compares nothing has failed
-  const CheckBaseline* baseline = nullptr;  ///< not null where `fail_on` asks for what was known
+  bool allows_empty = false;                ///< otherwise comparing nothing fails
+  const CheckBaseline* baseline = nullptr;  ///< not null if `fail_on` needs a baseline
 };
 
 Verdict judge(const scene::StagedScene& staged, const Findings& found, const Demand& demand);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A method made of bodies: a checked palette for each body, contacts sorted, work counted.
+/// A method made of bodies: validates a palette for each body, sorts contacts, counts work.
 
 #include "model/model.hpp"
 #include "model/unpack.hpp"

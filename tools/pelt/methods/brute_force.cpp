@@ -32,13 +32,13 @@ Box box_of(std::span<const Vec3> points) {
   return box;
 }
 
-/// Without branches: this is asked of all pairs.
+/// Without branches, because it runs for all pairs.
 bool boxes_meet(const Box& a, const Box& b) {
   return (a.low.x <= b.high.x) & (b.low.x <= a.high.x) & (a.low.y <= b.high.y) &
          (b.low.y <= a.high.y) & (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
 }
 
-/// The triangles whose boxes meet `where`: no other can touch anything that lies in it.
+/// The triangles whose boxes overlap `where`; no others can touch anything inside it.
 std::vector<PosedTriangle> triangles_in(const Box& where, std::span<const Triangle> triangles,
                                         std::span<const Vec3> positions) {
   std::vector<PosedTriangle> found;

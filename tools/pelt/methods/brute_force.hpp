@@ -1,8 +1,8 @@
 #pragma once
 
-/// The oracle: every triangle of one body against every triangle of the other, by the same exact
-/// predicate. Knows no tree; only what lies outside the other body's box, or whose own boxes do not
-/// meet, is passed over.
+/// The oracle: tests every triangle of one body against every triangle of the other with the exact
+/// predicate. Uses no tree; only skips triangles outside the other body's box, and pairs whose
+/// boxes do not overlap.
 
 #include "skin/palette.hpp"
 #include "skin/skinned_mesh.hpp"

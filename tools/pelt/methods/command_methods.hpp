@@ -14,19 +14,19 @@ std::unique_ptr<Method> make_brute();
 /// The public functions: wide tree, nodes opened on demand.
 inline constexpr MethodKind kOnDemand = {"on_demand", Skins::where_queried, make_on_demand};
 
-/// The same tree, wide code and query, but every new palette skins all vertices and takes all boxes
-/// bottom-up: the alternative to refit on demand, as good as we can make it. Its boxes are exact,
-/// so that its queries meet fewer pairs.
+/// The same tree, wide code and query, but every new palette skins all vertices and computes all
+/// boxes bottom-up: the best alternative to refitting on demand that we can make. Its boxes are
+/// exact, so its queries visit fewer pairs.
 inline constexpr MethodKind kEager = {"eager", Skins::with_boxes, make_eager};
 
-/// Kavan & Zara 2005, the system that this project set out to build: a sphere tree refitted on
-/// demand. The one method of the command that is not the product's own code.
+/// Kavan & Zara 2005, the system that this project started from: a sphere tree refitted on demand.
+/// The only method of the command that is not the product's own code.
 inline constexpr MethodKind kPaper = {"paper", Skins::where_queried, make_paper};
 
-/// Every triangle of one body against every triangle of the other.
+/// Tests every triangle of one body against every triangle of the other.
 inline constexpr MethodKind kBrute = {"brute", Skins::first, make_brute};
 
-/// What the command `pelt` offers.
+/// The methods of the command `pelt`.
 inline constexpr std::array kCommandMethods = {kOnDemand, kEager, kPaper, kBrute};
 
 }  // namespace pelt::methods

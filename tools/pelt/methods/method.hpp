@@ -1,7 +1,7 @@
 #pragma once
 
-/// The ways to answer a query, behind one interface: what --method and `pelt bench` choose from.
-/// All give the same contacts; they differ in the work that they do.
+/// The methods of --method and `pelt bench`, behind one interface. All find the same contacts; they
+/// differ in their work.
 
 #include <pelt/collide.hpp>
 
@@ -15,23 +15,23 @@
 
 namespace pelt::methods {
 
-/// Posed bodies that can be asked for their contacts. Bodies are numbered in the order of `add`.
+/// Posed bodies, and queries for their contacts. Bodies are numbered in the order of `add`.
 class Method {
  public:
   virtual ~Method() = default;
 
-  /// Adds a body. What depends on the model alone is prepared here, once for each model.
+  /// Adds a body. Prepares data that depends only on the model once per model.
   virtual void add(const SkinnedModel& model) = 0;
 
-  /// The weights of a body's morph targets, as Pose::set_morph_weights takes them, for the joint
-  /// palette that is set next: nothing is updated before that. Methods that know no morph targets
-  /// refuse weights other than zero.
+  /// Sets the weights of a body's morph targets, as Pose::set_morph_weights does, for the next
+  /// joint palette; nothing is updated before that. Methods without support for morph targets
+  /// reject weights other than zero.
   virtual Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) = 0;
 
-  /// Gives body `body` its joint palette, and does what the method does before it can answer.
+  /// Sets the joint palette of a body, and does the work that the method does before queries.
   virtual Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) = 0;
 
-  /// Whether set_palette is part of what the method costs. Not of those that stand for rigid
+  /// Whether set_palette is part of the method's cost. False for methods that represent rigid
   /// bodies, which have no palettes.
   virtual bool update_counts() const { return true; }
 
@@ -39,27 +39,27 @@ class Method {
   virtual QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                              const CollideOptions& options) = 0;
 
-  /// The work done in set_palette so far; the work of queries is what collide returns.
+  /// The work of set_palette so far; `collide` returns the work of queries.
   virtual QueryStats update_work() const = 0;
 };
 
-/// When a method skins.
+/// When a method skins vertices.
 enum class Skins {
-  first,          ///< all vertices, before anything else is done with a palette
-  with_boxes,     ///< all vertices, node by node as the boxes around them are taken
-  where_queried,  ///< those that a query comes to
+  first,          ///< all vertices, first of all
+  with_boxes,     ///< all vertices, node by node with their boxes
+  where_queried,  ///< vertices that a query visits
 };
 
-/// A method that can be chosen by its name.
+/// A method that can be selected by name.
 struct MethodKind {
-  std::string_view name;  ///< as the command line has it
+  std::string_view name;  ///< on the command line
   Skins skins;
   std::unique_ptr<Method> (*make)();
 
   constexpr bool operator==(const MethodKind& other) const { return name == other.name; }
 };
 
-/// The methods that a program offers. Names are unique.
+/// The methods of a program. Names are unique.
 using MethodKinds = std::span<const MethodKind>;
 
 /// The method with this name; nullopt if `kinds` has none.
@@ -68,7 +68,7 @@ std::optional<MethodKind> find_method(MethodKinds kinds, std::string_view name);
 /// In the order of `kinds`.
 std::vector<std::string_view> names_of(MethodKinds kinds);
 
-/// The names with commas between them, for --help.
+/// The names, separated by commas, for --help.
 std::string listed(MethodKinds kinds);
 
 }  // namespace pelt::methods

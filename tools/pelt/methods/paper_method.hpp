@@ -1,13 +1,13 @@
 #pragma once
 
-/// The paper's method. Here alone the product includes code of evaluation/paper.
+/// The paper's method. The only place where the product includes code of evaluation/paper.
 
 #include "evaluation/paper/on_demand.hpp"
 #include "tools/pelt/methods/body_method.hpp"
 
 namespace pelt::methods {
 
-/// Bodies of the paper that need their palette while they are queried.
+/// Bodies of the paper that need their palette during queries.
 template <typename Body_, typename Prepared_>
 struct OnDemandTraits {
   using Prepared = Prepared_;

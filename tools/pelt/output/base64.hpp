@@ -4,7 +4,7 @@
 
 namespace pelt::tools::output {
 
-/// Bytes as text (RFC 4648, section 4), to stand inside a page.
+/// Encodes bytes as text (RFC 4648, section 4), for embedding in a page.
 std::string base64(const std::string& bytes);
 
 }  // namespace pelt::tools::output

@@ -6,21 +6,21 @@
 
 namespace pelt::tools::output {
 
-/// The buffer of a stream that writes to a file descriptor and remembers why it could not.
+/// A stream buffer that writes to a file descriptor and stores the first error.
 class DescriptorBuffer : public std::streambuf {
  public:
   DescriptorBuffer() = default;
   DescriptorBuffer(const DescriptorBuffer&) = delete;
   DescriptorBuffer& operator=(const DescriptorBuffer&) = delete;
-  ~DescriptorBuffer() override;  ///< closes the descriptor; what is still in the buffer is lost
+  ~DescriptorBuffer() override;  ///< closes the descriptor; discards buffered bytes
 
-  /// Takes a descriptor over.
+  /// Takes ownership of a descriptor.
   void open(int descriptor);
 
-  /// Writes the rest and closes the descriptor. False if anything has been lost since `open`.
+  /// Writes the rest and closes the descriptor. Returns false if anything was lost since `open`.
   bool close();
 
-  /// The errno of the first failure; 0: there was none.
+  /// The errno of the first failure; 0 if there was none.
   int error() const { return error_; }
 
  protected:

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Writing of .glb files: meshes without skins or textures, each on a root node of its own.
+/// Writes .glb files: meshes without skins or textures, each on its own root node.
 
 #include <pelt/mesh.hpp>
 
@@ -30,7 +30,7 @@ struct GlbMesh {
   std::vector<GlbPrimitive> primitives;
 };
 
-/// A binary glTF 2.0 file; node i is mesh i, without a transform.
+/// Returns a binary glTF 2.0 file; node i has mesh i and no transform.
 std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
                                 std::span<const GlbMaterial> materials);
 

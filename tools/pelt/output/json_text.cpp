@@ -13,14 +13,15 @@ namespace {
 
 bool is_plain(char c) { return static_cast<unsigned char>(c) < 0x7F; }
 
-/// The escape of a code point of the basic plane, as all that steer terminals are.
+/// The escape of a code point of the basic plane, which contains all code points that control
+/// terminals.
 std::string escape(char32_t code_point) {
   char text[sizeof "\\u0000"];
   std::snprintf(text, sizeof text, "\\u%04x", static_cast<unsigned>(code_point));
   return text;
 }
 
-/// nlohmann::json has escaped all control characters below U+0020, and leaves the others.
+/// nlohmann::json escapes control characters below U+0020, but no others.
 std::string escape_steering(std::string_view json) {
   std::string text;
   while (!json.empty()) {

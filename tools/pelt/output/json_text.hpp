@@ -1,6 +1,6 @@
 #pragma once
 
-/// JSON as the command writes it, to files and to terminals.
+/// JSON text for files and terminals.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -8,8 +8,8 @@
 
 namespace pelt::tools::output {
 
-/// JSON text: on one line without `indent`, else indented by so many spaces a level. Replaces bytes
-/// that are not UTF-8, and escapes what a terminal would obey.
+/// JSON text, on one line without `indent`, otherwise indented by `indent` spaces per level.
+/// Replaces bytes that are not UTF-8, and escapes code points that control terminals.
 std::string json_text(const nlohmann::ordered_json& value, int indent = -1);
 
 }  // namespace pelt::tools::output

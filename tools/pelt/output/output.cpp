@@ -36,7 +36,7 @@ Result<void> flush_standard_output() {
 void reserve_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     const bool closed = fcntl(stream, F_GETFD) == -1;
-    if (closed) open("/dev/null", O_RDONLY);  // takes the lowest free number, which is this one
+    if (closed) open("/dev/null", O_RDONLY);  // gets the lowest free number, which is this one
   }
 }
 

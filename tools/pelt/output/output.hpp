@@ -9,19 +9,19 @@
 
 namespace pelt::tools::output {
 
-/// The refusal of an output that cannot be written. `name` as the user gave it: a path or
-/// kStandardOutput; `error` is the errno that says why, or 0.
+/// The error for an output that cannot be written. `name`: as given by the user, a path or
+/// kStandardOutput. `error`: the errno with the cause, or 0.
 Error unwritable(const std::string& name, int error = 0);
 
-/// Tells people of a file that was written; of standard output and of "", which is no file,
-/// nothing.
+/// Prints the name of a written file. Prints nothing for standard output and for "", which is no
+/// file.
 void print_written(const std::string& name, std::ostream& words);
 
-/// Fails where any of what went to std::cout since the start is lost.
+/// Returns an error if any output to std::cout since the start was lost.
 Result<void> flush_standard_output();
 
-/// Opens those of the three standard streams that are closed, without a way to write to them, so
-/// that no file opened later takes their place and receives what is printed.
+/// Opens closed standard streams in a mode that cannot be written, so that no file opened later
+/// gets their descriptor and receives printed text.
 void reserve_standard_streams();
 
 }  // namespace pelt::tools::output

@@ -17,10 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = OutputPlace::Kind;
 
-/// A file by what the system knows of it.
+/// Identifies a file in the system.
 using Inode = std::pair<dev_t, ino_t>;
 
-/// A file: its inode if it exists, its folder's if that exists, and its name in lower case.
+/// A file: its inode if it exists; otherwise the inode of its folder, if that exists, and its name
+/// in lower case.
 struct Identity {
   std::optional<Inode> file, folder;
   std::string name;
@@ -39,7 +40,7 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-/// Links followed.
+/// Follows links.
 Identity identity_of(const fs::path& path) {
   const fs::path place = find_output_place(path.string()).path;
   return {inode_of(place), inode_of(place.parent_path()), in_lower_case(place.filename().string())};
@@ -50,7 +51,7 @@ bool are_same(const Identity& a, const Identity& b) {
   return a.folder && a.folder == b.folder && a.name == b.name;
 }
 
-/// The file that standard output goes to, if that is a file.
+/// The file that standard output goes to; nullopt if it is not a file.
 std::optional<Identity> standard_output_file() {
   struct stat known = {};
   if (fstat(STDOUT_FILENO, &known) != 0 || !S_ISREG(known.st_mode)) return std::nullopt;
@@ -61,7 +62,7 @@ Error refusal(const NamedOutput& output, const std::string& what) {
   return bad_argument(output.option, output.name + " is " + what, "name another file");
 }
 
-/// Outputs and inputs, of which no output may be another one.
+/// Outputs and inputs; no output may be another file of these.
 class Conflicts {
  public:
   explicit Conflicts(std::span<const InputFile> inputs) {
@@ -69,7 +70,7 @@ class Conflicts {
     if (auto file = standard_output_file()) add(*std::move(file), "where standard output goes");
   }
 
-  /// What the output is already; nothing if it is only what it should be.
+  /// The other file that the output is; nullopt if there is none.
   std::optional<std::string> take(const NamedOutput& output) {
     const OutputPlace place = find_output_place(output.name);
     if (place.kind == Kind::standard_output) return take_standard_output(output.option);
@@ -94,7 +95,7 @@ class Conflicts {
   }
 
   std::vector<std::pair<Identity, std::string>> known_;
-  std::string standard_output_;  // the option that takes it
+  std::string standard_output_;  // the option that uses it
 };
 
 }  // namespace

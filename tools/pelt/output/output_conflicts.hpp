@@ -1,6 +1,6 @@
 #pragma once
 
-/// Refusal of outputs that would destroy an input or each other.
+/// Rejects outputs that would overwrite an input or each other.
 
 #include <pelt/result.hpp>
 
@@ -15,16 +15,16 @@ struct NamedOutput {
   std::string name;    ///< as for find_output_place, or "" for nothing
 };
 
-/// A file that the command reads, or that a file it reads names.
+/// A file that the command reads, or that such a file refers to.
 struct InputFile {
   std::filesystem::path path;
   std::string role;  ///< "the model knight.glb", for messages
 };
 
-/// Refuses an output that is one of the inputs, another output, or the file that standard output
-/// goes to. Follows links, symbolic and hard ones; names that differ only in the case of ASCII
-/// letters are the same, as some file systems have it. To be asked before anything is written.
-/// O((outputs + inputs)^2 string compares) at worst.
+/// Returns an error for an output that is an input, another output, or the file that standard
+/// output goes to. Follows symbolic and hard links. Names that differ only in the case of ASCII
+/// letters count as equal, as in some file systems. Call before anything is written. O((outputs +
+/// inputs)^2 string comparisons) in the worst case.
 Result<void> check_outputs(std::span<const NamedOutput> outputs, std::span<const InputFile> inputs);
 
 }  // namespace pelt::tools::output

@@ -18,15 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name that nothing else in the folder has. It ends as the file does, by which programs know a
-/// file's kind.
+/// An unused name in the folder. Has the extension of the file, because programs recognise kinds of
+/// files by it.
 fs::path temporary_beside(const fs::path& path) {
   std::random_device random;
   const std::uint64_t number = std::uint64_t{random()} << 32 | random();
   return path.parent_path() / (".pelt-" + hex16(number) + ".partial" + path.extension().string());
 }
 
-/// Whether the file at `path` may be replaced; `known` describes it unless it is new.
+/// Whether the file at `path` may be replaced. `known` describes the file unless it is new.
 bool is_replaceable(const fs::path& path, struct stat& known, bool& is_new) {
   is_new = stat(path.c_str(), &known) != 0 && errno == ENOENT;
   if (is_new) return path.has_filename();
@@ -34,8 +34,8 @@ bool is_replaceable(const fs::path& path, struct stat& known, bool& is_new) {
   return !S_ISDIR(known.st_mode) && access(path.c_str(), W_OK) == 0;
 }
 
-/// Owner and permissions of the file that `descriptor` is going to replace. Only the superuser can
-/// give files away, so failing to is no error.
+/// Copies owner and permissions of the file that `descriptor` will replace. Only the superuser can
+/// change owners, so a failure is not an error.
 void take_over(int descriptor, const struct stat& known) {
   if (fchown(descriptor, known.st_uid, known.st_gid) != 0) errno = 0;
   fchmod(descriptor, known.st_mode & 07777);

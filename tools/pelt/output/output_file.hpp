@@ -16,31 +16,33 @@
 
 namespace pelt::tools::output {
 
-/// A file that a verb writes, standard output, or nothing. A file is complete, or as it was before:
-/// it is written to a temporary file of its own in the same folder, which replaces it in `close`.
-/// Standard output, pipes and devices are written in place.
+/// A file that a verb writes, standard output, or nothing. A file is either complete or unchanged:
+/// the content goes to a temporary file in the same folder, which replaces the file in `close`.
+/// Standard output, pipes and devices are written directly.
 class OutputFile {
  public:
   OutputFile() = default;
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Without a successful `close`, removes the temporary file.
+  /// Removes the temporary file unless `close` succeeded.
   ~OutputFile();
 
-  /// `name` as for find_output_place, or "" for nothing. Fails if a file cannot be replaced.
+  /// `name`: as for find_output_place, or "" for nothing. Returns an error if the file cannot be
+  /// replaced.
   Result<void> open(const std::string& name);
 
-  /// Null where there is nothing to write to.
+  /// Null if there is no output.
   std::ostream* stream() { return stream_; }
 
-  /// The temporary file, for a program that writes it by its name; "" for what is written in place.
+  /// The path of the temporary file, for programs that write it; "" for outputs that are written
+  /// directly.
   const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Fails if anything has been lost; a file is then as it was before.
+  /// Returns an error if anything was lost; the file is then unchanged.
   Result<void> close();
 
-  /// Writes all that the output is to hold. Fails where there is nothing to write to.
+  /// Writes the whole output. Returns an error if there is no output.
   Result<void> write_and_close(std::span<const std::byte> bytes);
 
  private:
@@ -60,8 +62,7 @@ class OutputFile {
 /// Opens an output, writes it and closes it.
 Result<void> write_file(const std::string& name, std::span<const std::byte> bytes);
 
-/// The stream for summaries and other words: standard error if any of the outputs is standard
-/// output.
+/// The stream for summaries: standard error if any of the outputs is standard output.
 std::ostream& words_beside(std::initializer_list<std::string> outputs);
 
 }  // namespace pelt::tools::output

@@ -11,14 +11,14 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = OutputPlace::Kind;
 
-/// The same file in a folder whose links are followed; as it was where there is no such folder.
+/// The same file with the links of its folder resolved; unchanged if the folder does not exist.
 fs::path in_real_folder(const fs::path& path) {
   std::error_code error;
   const fs::path folder = fs::canonical(path.has_parent_path() ? path.parent_path() : ".", error);
   return error ? path : folder / path.filename();
 }
 
-/// The number of an open descriptor, which links like /dev/stdout lead to.
+/// The number of an open descriptor, which links like /dev/stdout refer to.
 std::optional<int> descriptor_at(const fs::path& path) {
   std::error_code error;
   const fs::path open_descriptors = fs::canonical("/dev/fd", error);

@@ -5,16 +5,16 @@
 
 namespace pelt::tools::output {
 
-/// Names standard output where a file is asked for.
+/// The name of standard output as a file argument.
 inline constexpr const char* kStandardOutput = "-";
 
-/// Where an output goes, links followed.
+/// The destination of an output, with links resolved.
 struct OutputPlace {
   enum class Kind {
     standard_output,
-    descriptor,  ///< another one that the command was started with, such as /dev/stderr
-    device,      ///< a device or a pipe, written in place
-    file,        ///< a file to be replaced, or one that is not there yet
+    descriptor,  ///< another inherited descriptor, such as /dev/stderr
+    device,      ///< a device or a pipe, written directly
+    file,        ///< a file to replace or to create
   };
 
   Kind kind = Kind::file;
@@ -22,11 +22,11 @@ struct OutputPlace {
   int descriptor = -1;
 };
 
-/// `name` as the user gave it: a path, which may lead to an open descriptor (/dev/stdout,
-/// /dev/fd/3), or kStandardOutput.
+/// `name`: as given by the user, a path (which may refer to an open descriptor: /dev/stdout,
+/// /dev/fd/3) or kStandardOutput.
 OutputPlace find_output_place(const std::string& name);
 
-/// Whether `name` leads to standard output.
+/// Whether `name` refers to standard output.
 bool is_standard_output(const std::string& name);
 
 }  // namespace pelt::tools::output

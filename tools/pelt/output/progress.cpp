@@ -14,7 +14,7 @@ constexpr std::size_t kWidth = 40;
 
 }  // namespace
 
-/// The first drawing waits too, so that a short run shows no bar at all.
+/// Delays the first drawing too, so that a short run shows no bar.
 Progress::Progress(std::size_t total)
     : visible_(isatty(STDERR_FILENO) != 0),
       total_(std::max<std::size_t>(total, 1)),

@@ -5,13 +5,13 @@
 
 namespace pelt::tools::output {
 
-/// A bar on standard error while something long runs; silent where that is no terminal.
+/// A progress bar on standard error; silent if standard error is not a terminal.
 class Progress {
  public:
   explicit Progress(std::size_t total);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  ~Progress();  ///< wipes the bar away
+  ~Progress();  ///< erases the bar
 
   void advance();
 

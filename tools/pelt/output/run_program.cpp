@@ -32,7 +32,7 @@ class Silence {
   posix_spawn_file_actions_t actions_;
 };
 
-/// Which signals reach a program.
+/// The signals that reach a program.
 class Signals {
  public:
   explicit Signals(CtrlC ctrl_c) {

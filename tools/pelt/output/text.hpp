@@ -1,6 +1,6 @@
 #pragma once
 
-/// Small pieces of text: numbers read and shown, and the words of an error.
+/// Parses and formats numbers, and formats error messages.
 
 #include <pelt/result.hpp>
 
@@ -19,7 +19,7 @@ inline Error bad_argument(const std::string& argument, const std::string& proble
 
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// Whether all of `text` is one number, which is then in `value`; else `value` is as it was.
+/// Whether all of `text` is one number. Sets `value` to the number, or leaves it unchanged.
 bool parse_whole(std::string_view text, std::uint32_t& value);
 bool parse_number(std::string_view text, double& value);
 
@@ -32,7 +32,7 @@ std::string fixed(double value, int decimals);
 /// "0123456789abcdef"
 std::string hex16(std::uint64_t value);
 
-/// Whether `text` is what hex16 makes of a number, which is then in `value`.
+/// Whether `text` is a result of hex16. Sets `value` to the number if so.
 bool parse_hex16(std::string_view text, std::uint64_t& value);
 
 /// "1 frame", "2 frames"

@@ -12,19 +12,19 @@
 namespace pelt::tools::output {
 namespace {
 
-/// A handler of signals may neither allocate nor lock, so paths lie in memory of fixed size.
+/// A signal handler must not allocate or lock, so paths are stored in memory of fixed size.
 struct Slot {
   std::atomic<bool> used = false;
   std::array<char, PATH_MAX> path;
 };
 
-/// No verb writes so many files at a time; a file beyond them is not removed on a signal.
+/// No verb writes as many files at a time; further files would not be removed on a signal.
 constexpr std::size_t kSlots = 16;
 std::array<Slot, kSlots> slots;
 
 constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 
-/// The signal's default action has been restored before this is called.
+/// Precondition: the signal's default action has been restored.
 void remove_and_end(int signal) {
   for (const Slot& slot : slots) {
     if (slot.used.load(std::memory_order_acquire)) unlink(slot.path.data());

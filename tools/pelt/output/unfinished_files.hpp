@@ -1,18 +1,18 @@
 #pragma once
 
-/// Files that are being written, and are worth nothing before they are complete.
+/// Files that are being written, and are useless before they are complete.
 
 #include <filesystem>
 
 namespace pelt::tools::output {
 
 /// Removes all unfinished files when a signal ends the command (SIGINT, SIGTERM, SIGHUP, SIGQUIT or
-/// SIGPIPE), which then ends as it would have. A signal that the caller of the command ignores
-/// stays ignored. Also makes a write beyond the limit of file sizes fail, instead of ending the
-/// command. To be called once, before there are threads.
+/// SIGPIPE). The command then ends as the signal would have ended it. Signals that the caller of
+/// the command ignores remain ignored. Also makes a write beyond the limit of file sizes fail
+/// instead of ending the command. Call once, before threads start.
 void remove_unfinished_files_on_signals();
 
-/// Registers a file as unfinished while it lives. Registers and releases files on one thread only.
+/// Registers a file as unfinished during the object's lifetime. Use on one thread only.
 class UnfinishedFile {
  public:
   /// Registers a file, which need not exist yet.

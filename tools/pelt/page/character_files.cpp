@@ -12,13 +12,13 @@ namespace fs = std::filesystem;
 
 bool is_utf8(const std::string& text) { return asset::as_utf8(text) == text; }
 
-/// A page is text, and paths in it are too.
+/// The page is text, and so are the paths in it.
 std::string name_in_page(const fs::path& path) {
   const std::string name = path.filename().string();
   return is_utf8(name) ? name : "model" + path.extension().string();
 }
 
-/// Another process may have written it meanwhile.
+/// Another process may have changed the file since it was read.
 Result<void> check_unchanged(const scenes::Character& character, std::span<const std::byte> bytes) {
   detail::Fnv1a64 hash;
   hash.add_bytes(bytes);
@@ -34,7 +34,7 @@ Result<void> add_file(const fs::path& path, const std::string& name, CharacterFi
   return {};
 }
 
-/// The buffers by the names that the model has for them, which the reader in the page looks for.
+/// Adds the buffers under the names that the model uses, which the page's reader looks up.
 Result<void> add_buffers(const scenes::Character& character, const fs::path& beside,
                          const std::string& folder, CharacterFiles& files) {
   for (const fs::path& file : character.buffer_files) {

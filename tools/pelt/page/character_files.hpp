@@ -1,6 +1,6 @@
 #pragma once
 
-/// The files of characters, to be taken elsewhere: of a scene's models only what reading them
+/// The files of a scene's characters, for embedding: of each model, only the files that reading it
 /// needs.
 
 #include "scenes/scene.hpp"
@@ -16,9 +16,9 @@ struct CharacterFiles {
   std::vector<std::string> paths;                       ///< of each character; "" if generated
 };
 
-/// Each character's files lie in a folder of its own, named by its number: "0/knight.glb", with the
-/// buffers that its meshes and clips use, but no images. Refuses a file that has changed since the
-/// scene was read.
+/// The files of each character are in a folder named by its number: "0/knight.glb", with the
+/// buffers that its meshes and clips use, without images. Returns an error for a file that has
+/// changed since the scene was read.
 Result<CharacterFiles> read_character_files(const scenes::Scene& scene);
 
 }  // namespace pelt::tools::page

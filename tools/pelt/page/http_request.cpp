@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view kLineEnd = "\r\n";
 
-/// Cuts the text before `separator`, and the separator, off `rest`; nothing if there is none.
+/// Removes the text before `separator`, and the separator, from `rest`; nullopt if there is none.
 std::optional<std::string_view> cut(std::string_view& rest, std::string_view separator) {
   const std::size_t at = rest.find(separator);
   if (at == rest.npos) return std::nullopt;
@@ -38,7 +38,7 @@ bool parse_request_line(std::string_view line, HttpRequest& request) {
   return line == "HTTP/1.1" || line == "HTTP/1.0";
 }
 
-/// A second Host header makes the first one worth nothing.
+/// A second Host header invalidates the request.
 bool parse_header(std::string_view line, bool& has_host, HttpRequest& request) {
   const auto name = cut(line, ":");
   if (!name || name->empty() || name->find_first_of(" \t") != name->npos) return false;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The head of an HTTP request, as much of it as a server of one page needs.
+/// The head of an HTTP request, as far as a server of one page needs it.
 
 #include <optional>
 #include <string>
@@ -14,10 +14,10 @@ struct HttpRequest {
   bool has_body = false;
 };
 
-/// Where a request's head ends, its empty line included; npos if `text` has no whole head.
+/// The end of a request's head, including its empty line; npos if `text` has no complete head.
 std::size_t end_of_head(std::string_view text);
 
-/// Parses a whole head (RFC 9112, sections 3 and 5); nothing if it is malformed.
+/// Parses a complete head (RFC 9112, sections 3 and 5); nullopt if it is malformed.
 std::optional<HttpRequest> parse_request(std::string_view head);
 
 }  // namespace pelt::tools::page

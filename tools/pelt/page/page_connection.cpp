@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::seconds;
 
-/// A browser's request has about 1 KB.
+/// Browsers send requests of about 1 KB.
 constexpr std::size_t kLongestRequest = 16 << 10;
 constexpr seconds kRequestTime(10);
 
@@ -22,14 +22,16 @@ constexpr seconds kRequestTime(10);
 constexpr seconds kAnswerTime(30);
 constexpr std::size_t kBytesPerSecond = 16 << 10;
 
-/// For the last bytes of the answer to be read: closing a socket with unread input loses them.
+/// Time for reading the last bytes of the answer: closing a socket with unread input would lose
+/// them.
 constexpr seconds kDrainTime(1);
 
 constexpr const char* kPlain = "Content-Type: text/plain\r\n";
 constexpr const char* kHtml =
     "Content-Type: text/html; charset=utf-8\r\nCache-Control: no-store\r\n";
 
-/// Names of other hosts that lead here would let their pages read the scene (DNS rebinding).
+/// Other host names that resolve to this machine would let their pages read the scene (DNS
+/// rebinding).
 bool is_own_name(std::string_view host, int port) {
   const std::string number = std::to_string(port);
   return host == "127.0.0.1:" + number || host == "localhost:" + number;
@@ -78,7 +80,7 @@ void PageConnection::answer(std::string_view head) {
     return begin_answer("405 Method Not Allowed", "only GET and HEAD\n",
                         "Content-Type: text/plain\r\nAllow: GET, HEAD\r\n");
   if (!is_page(request->target)) return begin_answer("404 Not Found", "no such page\n", kPlain);
-  // A Range header is passed over, which every server may do (RFC 9110, section 14.2).
+  // Ignores Range headers, as every server may (RFC 9110, section 14.2).
   begin_answer("200 OK", site_.page, kHtml);
   if (request->method == "HEAD") body_ = {};
 }

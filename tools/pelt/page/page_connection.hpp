@@ -1,7 +1,7 @@
 #pragma once
 
-/// One browser that asks for the page: reads a request, answers it, and closes the connection.
-/// Never waits, and takes a bounded share of memory and time.
+/// A connection of a browser: reads a request, answers it, and closes the connection. Never blocks,
+/// and uses bounded memory and time.
 
 #include <chrono>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace pelt::tools::page {
 
-/// What the server serves, and under which names.
+/// The served page and the names of the server.
 struct Site {
   std::string_view page;
   int port = 0;
@@ -20,7 +20,7 @@ class PageConnection {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Takes over a connected socket that does not block. The page must outlive the connection.
+  /// Takes ownership of a connected, non-blocking socket. The page must outlive the connection.
   PageConnection(int socket, const Site& site);
   PageConnection(const PageConnection&) = delete;
   PageConnection& operator=(const PageConnection&) = delete;
@@ -28,13 +28,14 @@ class PageConnection {
 
   int socket() const { return socket_; }
 
-  /// What `poll` should wait for.
+  /// The events to poll for.
   short events() const;
 
-  /// When the connection is closed unless it gets on.
+  /// The time at which the connection is closed if nothing happens.
   Clock::time_point deadline() const { return deadline_; }
 
-  /// Reads or writes what is possible at once. False: the connection is over.
+  /// Reads or writes as much as possible without blocking. Returns false when the connection has
+  /// ended.
   bool advance();
 
  private:

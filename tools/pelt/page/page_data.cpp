@@ -32,7 +32,7 @@ std::string as_text(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Otherwise it was made of models on the command line.
+/// Otherwise, the scene consists of models on the command line.
 bool has_file(const scenes::Scene& scene) { return fs::path(scene.name).extension() == ".json"; }
 
 std::string scene_path(const scenes::Scene& scene) {

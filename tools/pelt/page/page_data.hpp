@@ -17,16 +17,17 @@ namespace pelt::tools::page {
 /// Results of `pelt check`, which the page compares with its own.
 struct PageAnswer {
   std::vector<std::uint64_t> counts;  ///< contacts of each frame
-  std::string lines;                  ///< the first line of --jsonl and the last
+  std::string lines;                  ///< the first and the last line of --jsonl
 };
 
 struct PageData {
-  std::string command;               ///< the words that it was made by
+  std::string command;               ///< the command line of the check
   std::optional<PageAnswer> answer;  ///< nullopt: the page runs the queries itself
 };
 
-/// The data as JSON: the scene with all its files, how it is to be read, and what was found. Reads
-/// the files again, and refuses those that have changed since the scene was read.
+/// The data as JSON: the scene with all its files, the options for reading it, and the results.
+/// Reads the files again, and returns an error for files that have changed since the scene was
+/// read.
 Result<std::string> page_data(const scenes::Scene& scene, const arguments::ModelArguments& models,
                               const PageData& data);
 

@@ -26,10 +26,10 @@ using Clock = PageConnection::Clock;
 
 constexpr const char* kLoopback = "127.0.0.1";
 
-/// More wait until one of these ends.
+/// Further connections wait until one of these ends.
 constexpr std::size_t kMostConnections = 32;
 
-/// A file descriptor, closed at the end. No program that is started inherits it.
+/// Owns a file descriptor. Child processes do not inherit it.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) { fcntl(number_, F_SETFD, FD_CLOEXEC); }
@@ -53,9 +53,9 @@ sockaddr_in loopback(std::uint16_t port) {
   return address;
 }
 
-/// Whether the socket now listens at the port, and accepts without waiting.
+/// Binds the socket to the port; returns whether it now listens. Accepting does not block.
 bool listen_at(int socket, std::uint16_t port) {
-  const int yes = 1;  // for a port that was in use a moment ago
+  const int yes = 1;  // for a recently used port
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   const sockaddr_in address = loopback(port);
   return bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
@@ -86,10 +86,10 @@ Result<Descriptor> open_listener(std::uint16_t port) {
   return listener;
 }
 
-/// The connections of a listening socket, served in turns by one thread until it is told to stop.
+/// The connections of a listening socket, served in turns by one thread until it is stopped.
 class PageServer {
  public:
-  /// Serves until `stop` can be read from.
+  /// Serves until `stop` becomes readable.
   PageServer(int listener, int stop, const Site& site)
       : listener_(listener), stop_(stop), site_(site) {}
 
@@ -115,7 +115,7 @@ class PageServer {
     return Clock::now() >= connection.deadline();
   }
 
-  /// Waits until something can be done: `stop` first, then the listener, then each connection.
+  /// Waits until something can be done. Order: `stop`, the listener, each connection.
   std::vector<pollfd> wait() const {
     const short accepting = connections_.size() < kMostConnections ? POLLIN : 0;
     std::vector<pollfd> waiting = {{stop_, POLLIN, 0}, {listener_, accepting, 0}};
@@ -132,7 +132,7 @@ class PageServer {
   void accept_one() {
     const int socket = accept(listener_, nullptr, nullptr);
     if (socket < 0) {
-      // Without a free descriptor, say: the connection stays in the queue.
+      // For example, without a free descriptor: the connection stays in the queue.
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       return;
     }
@@ -146,7 +146,7 @@ class PageServer {
   std::vector<Connection> connections_;
 };
 
-/// Signals that end the server, kept from all threads but the one that waits for them.
+/// Blocks the signals that end the server in all threads except the one that waits for them.
 sigset_t block_ending_signals() {
   sigset_t signals;
   sigemptyset(&signals);

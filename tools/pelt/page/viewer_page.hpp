@@ -1,6 +1,6 @@
 #pragma once
 
-/// The viewer: one HTML file with engine and page, into which data of a scene can be put.
+/// The viewer: an HTML file with engine and page, into which the data of a scene can be inserted.
 
 #include "tools/pelt/page/page_data.hpp"
 
@@ -12,12 +12,12 @@ namespace pelt::tools::page {
 /// Possible locations of the page, the most specific first.
 std::vector<std::filesystem::path> viewer_places();
 
-/// The page as it was built: it opens with generated characters. Where the environment's
-/// PELT_VIEWER says, and nowhere else if it says anything; else beside the command's installation
-/// (share/pelt/viewer.html), or where the build left it. Refuses the page of another version.
+/// The page as built, which opens with generated characters. Looks only at PELT_VIEWER if the
+/// environment defines it, otherwise beside the installed command (share/pelt/viewer.html) and in
+/// the build folder. Returns an error for the page of another version.
 Result<std::string> read_viewer();
 
-/// The page that opens with this scene: self-contained, files and all.
+/// The page with this scene: self-contained, including all files.
 Result<std::string> page_of_scene(const scenes::Scene& scene,
                                   const arguments::ModelArguments& models, const PageData& data);
 

@@ -21,7 +21,7 @@ std::string vectors(const char* kind, std::span<const Vec3> values, int digits) 
   return text + "}\n";
 }
 
-/// A face without a number of a texture has that of the whole mesh.
+/// A face without a texture number has the texture of the mesh.
 std::string faces(std::span<const Triangle> triangles, const std::vector<bool>& touching) {
   std::string text = "  face_indices {" + std::to_string(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {

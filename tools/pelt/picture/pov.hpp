@@ -1,6 +1,6 @@
 #pragma once
 
-/// The words of the ray tracer POV-Ray that describe posed characters, whatever the stage.
+/// Describes posed characters for the ray tracer POV-Ray, for any stage.
 
 #include "base/vec3.hpp"
 #include "tools/pelt/scene/posed_instances.hpp"
@@ -11,7 +11,7 @@
 
 namespace pelt::tools::picture {
 
-/// POV-Ray's axes are left-handed: z is turned round wherever a point or direction is written.
+/// POV-Ray's axes are left-handed: negates z of points and directions.
 std::string pov_vector(const detail::Vec3d& v);
 
 /// Formats a linear colour.
@@ -28,8 +28,8 @@ std::string pov_camera(const PovCamera& camera);
 /// Shading of a mesh: smooth or flat.
 enum class Shading { smooth, flat };
 
-/// A mesh in the texture `skin`. Triangles in contact have the texture Glow, which is the
-/// stage's to declare.
+/// A mesh with the texture `skin`. Triangles in contact have the texture Glow, which the stage must
+/// declare.
 std::string pov_mesh(const scene::PosedInstance& instance, const std::vector<bool>& touching,
                      const std::string& skin, Shading shading = Shading::smooth);
 

@@ -24,7 +24,8 @@ Vec3d middle(const StillFrame& still) {
   return 0.5 * (Vec3d(least) + Vec3d(most));
 }
 
-/// Contacts light their surroundings: one small light in each cell of a grid that has any.
+/// Contacts light their surroundings: one small light in each cell of a grid that contains
+/// contacts.
 std::string glow_lights(const StillFrame& still) {
   constexpr double kCell = 0.09;
   struct Sum {

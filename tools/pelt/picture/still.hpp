@@ -1,6 +1,6 @@
 #pragma once
 
-/// A still picture of characters that collide, described for the ray tracer POV-Ray.
+/// Describes a still picture of colliding characters for the ray tracer POV-Ray.
 
 #include "tools/pelt/picture/still_frame.hpp"
 
@@ -8,8 +8,8 @@
 
 namespace pelt::tools::picture {
 
-/// Smooth skins on a dark ground under soft light, with the triangles in contact glowing; the
-/// camera looks along -x at the middle of the instances. Precondition: there is an instance.
+/// Smooth skins on a dark ground in soft light, with the triangles in contact glowing. The camera
+/// looks along -x at the middle of the instances. Precondition: there is an instance.
 std::string describe_still(const StillFrame& still);
 
 }  // namespace pelt::tools::picture

@@ -10,7 +10,7 @@ namespace pelt::tools::picture {
 
 struct StillFrame {
   std::vector<scene::PosedInstance> instances;
-  std::vector<std::vector<bool>> touching;  ///< for each instance, whether each triangle is
+  std::vector<std::vector<bool>> touching;  ///< by instance and triangle
 };
 
 /// `scene` must outlive the result.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Files that `pelt prepare` wrote.
+/// Files of `pelt prepare`.
 
 #include <pelt/model.hpp>
 #include <pelt/result.hpp>
@@ -12,10 +12,10 @@
 
 namespace pelt::tools::prepared {
 
-/// load_model; the message of an error begins with `name`.
+/// Calls load_model. Error messages start with `name`.
 Result<SkinnedModel> load_named_model(const std::string& name, std::span<const std::byte> file);
 
-/// Whether there is such a file and begins like a prepared model.
+/// Whether the file exists and starts like a prepared model.
 bool is_prepared_file(const std::filesystem::path& path);
 
 }  // namespace pelt::tools::prepared

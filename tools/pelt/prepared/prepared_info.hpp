@@ -8,7 +8,7 @@ namespace pelt::tools::prepared {
 
 enum class InfoStyle { text, json };
 
-/// Tells on standard output what a prepared model holds.
+/// Prints the contents of a prepared model to standard output.
 Result<void> print_prepared_info(const std::string& path, InfoStyle style);
 
 }  // namespace pelt::tools::prepared

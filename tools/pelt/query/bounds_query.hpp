@@ -32,7 +32,7 @@ constexpr Box empty_box() {
   return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 }
 
-/// Something that has bounds: a collider, or what one of its joints moves.
+/// Something with bounds: a collider, or the vertices of one of its joints.
 struct Bounded {
   std::uint32_t collider = 0;
   std::optional<std::uint32_t> joint = std::nullopt;

@@ -57,8 +57,8 @@ void DistanceQuery::found(const PairDistance& pair) {
   if (lists_ == Lists::all) found_now_.push_back(pair);
 }
 
-/// It is enough to add the nearest pairs of each frame: a pair that is among the nearest of all
-/// frames is among the nearest of the frame of its least distance.
+/// Adding the nearest pairs of each frame suffices: a pair that is among the nearest of all frames
+/// is among the nearest in the frame of its least distance.
 void DistanceQuery::keep(std::uint32_t frame) {
   const auto in_this_frame = [&](PairDistance pair) {
     pair.frame = frame;

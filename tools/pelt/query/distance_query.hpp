@@ -44,7 +44,7 @@ class DistanceQuery final : public FrameQuery {
   DistanceSettings settings_;
   Lists lists_;
   Scratch scratch_;
-  std::vector<Distance> hints_;  // of the first pairs, from the frame before
+  std::vector<Distance> hints_;  // of the first pairs, from the previous frame
   LeastDistances nearest_now_, nearest_;
   std::vector<PairDistance> found_now_;  // if all are listed
   std::map<std::pair<std::uint32_t, std::uint32_t>, PairDistance> least_;

@@ -49,8 +49,8 @@ struct QueryOutputs {
   std::ostream& words;  ///< the summary
 };
 
-/// Runs `query` through the frames: writes the header, a line for each frame and the totals, then
-/// prints the summary. The message of an error names the scene, the frame and the instance.
+/// Runs `query` through the frames: writes the header, a line per frame and the totals, then prints
+/// the summary. Error messages name the scene, the frame and the instance.
 Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::FrameRange& frames,
                              FrameQuery& query, const QueryOutputs& outputs);
 

@@ -21,7 +21,7 @@ Vec3 point_of(const Ray& ray, float t) {
           at(ray.origin.z, ray.direction.z)};
 }
 
-/// Hits in words and as JSON, by the names of the scene.
+/// Formats hits as text and JSON, with the names of the scene.
 class HitNames {
  public:
   HitNames(const scene::StagedScene& staged) : staged_(staged) {}

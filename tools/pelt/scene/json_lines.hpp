@@ -28,8 +28,8 @@ nlohmann::ordered_json vector_json(const Vec3& v);
 
 nlohmann::ordered_json counters_json(const QueryStats& work);
 
-/// What a reader of `write_line`'s lines finds in place of it: names of files may be no UTF-8, and
-/// JSON must be.
+/// The value that a reader of `write_line`'s output gets: names from files may be invalid UTF-8,
+/// which JSON cannot contain.
 nlohmann::json as_json_holds(const nlohmann::ordered_json& value);
 std::string as_json_holds(const std::string& text);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The posed characters of one frame, to be written to files and pictures.
+/// The posed characters of one frame, for writing to files and pictures.
 
 #include <pelt/model.hpp>
 
@@ -15,15 +15,16 @@ namespace pelt::tools::scene {
 
 struct PosedInstance {
   std::string name;                     ///< "knight 0"
-  std::vector<Vec3> positions;          ///< the very float32 positions that queries collide
+  std::vector<Vec3> positions;          ///< exactly the positions that queries use
   std::span<const Triangle> triangles;  ///< borrowed from the scene's asset
 };
 
-/// `scene` must outlive the result. Refuses what no .glb could hold.
+/// `scene` must outlive the result. Returns an error for instances that are too large for a .glb
+/// file.
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
                                                   const arguments::ModelArguments& arguments);
 
-/// Smooth normals, which vertices at the same place share.
+/// Smooth normals; vertices at the same position share them.
 std::vector<Vec3> normals_of(const PosedInstance& instance);
 
 }  // namespace pelt::tools::scene

@@ -16,13 +16,13 @@ struct QueryArguments {
 
 void add_query_options(arguments::Verb& verb, QueryArguments& arguments);
 
-/// The scene and which frames of it.
+/// The scene and the selected frames.
 struct QueryInput {
   scenes::Scene scene;
   arguments::FrameRange frames;
 };
 
-/// Loads what the arguments name and chooses the instructions to be used.
+/// Loads the scene and selects the instruction set.
 Result<QueryInput> open_query(const QueryArguments& arguments);
 
 /// Parses --by.

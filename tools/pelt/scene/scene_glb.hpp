@@ -1,6 +1,6 @@
 #pragma once
 
-/// The pictures that can be turned in any glTF viewer.
+/// The output of `--glb` and `pelt pose`, for any glTF viewer.
 
 #include "tools/pelt/scene/colliders.hpp"
 #include "tools/pelt/scene/posed_instances.hpp"
@@ -10,8 +10,8 @@
 
 namespace pelt::tools::scene {
 
-/// The instances as they were collided: one root node each in order, one mesh, one primitive, all
-/// vertices bit for bit, all triangles as numbered in the answers.
+/// The instances as the queries pose them: one root node each in order, one mesh, one primitive,
+/// with bit-exact vertices and the triangle numbers of the answers.
 std::vector<std::byte> posed_glb(std::span<const PosedInstance> instances);
 
 /// Whether each triangle of each instance is in contact.
@@ -19,11 +19,11 @@ std::vector<std::vector<bool>> touching_triangles(std::span<const PosedInstance>
                                                   std::span<const Collider> colliders,
                                                   const FrameContacts& found);
 
-/// The same characters, smooth, with the triangles in contact in a glowing colour.
+/// The same characters with smooth normals; the triangles in contact have a glowing colour.
 std::vector<std::byte> contacts_glb(std::span<const PosedInstance> instances,
                                     const std::vector<std::vector<bool>>& touching);
 
-/// Linear colours that tell neighbours apart; they repeat.
+/// Linear colours that distinguish neighbours; they repeat.
 std::array<float, 3> skin_colour(std::size_t instance);
 
 }  // namespace pelt::tools::scene

@@ -21,7 +21,7 @@ class ScenePoses {
   /// `colliders` must outlive the poses.
   explicit ScenePoses(std::span<const Collider> colliders);
 
-  /// The message of an error names the instance.
+  /// Error messages name the instance.
   Result<void> set_palettes(const Palettes& palettes);
 
   std::span<Pose> poses() { return poses_; }

@@ -9,7 +9,7 @@
 namespace pelt::tools::scene {
 namespace {
 
-/// Fewer palettes than this are set before a thread has woken up.
+/// Setting fewer palettes than this takes less time than waking a thread.
 constexpr std::size_t kPalettesWorthAThread = 64;
 
 }  // namespace
@@ -67,7 +67,7 @@ Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
   return {};
 }
 
-/// False if there are too few palettes for that, or if one has been refused.
+/// Returns false if there are too few palettes, or if one was rejected.
 bool SceneQuery::set_on_threads(const Palettes& palettes) {
   const auto count = static_cast<std::uint32_t>(
       std::min<std::size_t>(thread_count_, colliders_.size() / kPalettesWorthAThread));

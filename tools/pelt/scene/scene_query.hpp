@@ -47,18 +47,18 @@ struct FrameContacts {
 
 class SceneQuery {
  public:
-  /// `colliders` must outlive the query. On demand they are asked as a crowd, on all cores, and by
+  /// `colliders` must outlive the query. The method on_demand queries them as a crowd on all cores,
   /// other methods pair by pair.
   SceneQuery(std::span<const Collider> colliders, const methods::MethodKind& method);
 
-  /// Pair by pair.
+  /// Queries pair by pair.
   SceneQuery(std::span<const Collider> colliders, std::unique_ptr<methods::Method> method);
 
   /// Queries as a crowd on this number of threads; 0 means all cores.
   static SceneQuery as_crowd(std::span<const Collider> colliders, std::uint32_t threads);
 
-  /// Poses all colliders, those of a crowd on its threads where there are enough of them. The
-  /// message of an error names the instance.
+  /// Poses all colliders; a crowd uses its threads if there are enough colliders. Error messages
+  /// name the instance.
   Result<void> set_palettes(const Palettes& palettes);
 
   /// See methods::Method::update_counts.
@@ -81,7 +81,7 @@ class SceneQuery {
                     FrameContacts& found);
 
   std::span<const Collider> colliders_;
-  std::optional<Crowd> crowd_;  // with all that follows up to its contacts, or else a method
+  std::optional<Crowd> crowd_;  // with the members up to its contacts; otherwise `method_`
   std::uint32_t thread_count_ = 1;
   std::unique_ptr<detail::Workers> threads_;
   detail::WorkShares shares_;  // of the palettes

@@ -12,7 +12,7 @@
 
 namespace pelt::tools::scene {
 
-/// Borrows scene and colliders: they must outlive it. Copies share the names.
+/// Borrows scene and colliders, which must outlive it. Copies share the names.
 struct StagedScene {
   StagedScene(const scenes::Scene& of, std::span<const Collider> made)
       : scene(of), colliders(made), names(std::make_shared<const SceneNames>(of)) {}

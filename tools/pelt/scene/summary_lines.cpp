@@ -19,7 +19,7 @@ std::uint64_t triangle_count(std::span<const Collider> colliders) {
 
 constexpr std::size_t kLongestList = 200;
 
-/// Cuts a list at a comma.
+/// Truncates a list at a comma.
 std::string shortened(const std::string& text) {
   if (text.size() <= kLongestList) return text;
   return text.substr(0, text.rfind(',', kLongestList)) + ", ...";

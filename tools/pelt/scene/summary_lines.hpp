@@ -1,6 +1,6 @@
 #pragma once
 
-/// Lines that the summaries of several verbs have in common.
+/// Shared lines of the summaries of several verbs.
 
 #include <pelt/math.hpp>
 #include <pelt/query.hpp>
@@ -16,11 +16,11 @@
 
 namespace pelt::tools::scene {
 
-/// The first column: what the line is about.
+/// The first column: the subject of the line.
 std::ostream& label(std::ostream& out, const char* name);
 
-/// The scene, its instances and, where colliders are that, parts; triangles; the clips of the
-/// scene's takes; its notes.
+/// Prints the scene, its instances and, if colliders are parts, its parts; triangles; the clips of
+/// the scene's takes; its notes.
 void print_scene(const StagedScene& staged, std::ostream& out);
 
 bool has_many_parts(const scenes::Scene& scene);
@@ -31,17 +31,17 @@ std::string clip_words(const scenes::Scene& scene, std::uint32_t frame);
 /// "frame 12", followed by `clip_words`.
 std::string frame_words(const scenes::Scene& scene, std::uint32_t frame);
 
-/// Says that there is nothing to touch: whoever forgot the other model should not read "none" as
-/// good news.
+/// Says that nothing was tested, so that users who forgot the other model do not read "none" as a
+/// clean result.
 void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ostream& out);
 
-/// "3-5, 9, 12-40": runs of ascending frames, where `stride` apart is next to each other.
+/// "3-5, 9, 12-40": runs of ascending frames; frames `stride` apart are consecutive.
 std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stride);
 
 /// Three columns.
 std::string coordinates(const Vec3& v);
 
-/// Time a frame and work of all frames.
+/// Prints the time per frame and the work of all frames.
 void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out);
 
 }  // namespace pelt::tools::scene

@@ -10,7 +10,7 @@
 namespace pelt::tools::scene {
 namespace {
 
-/// The joint that a point of a triangle follows most; of equal ones the lowest.
+/// The joint with the largest weight at a point of a triangle; among equal ones the lowest.
 std::uint32_t dominant_joint(const asset::Asset& asset, const Triangle& triangle,
                              const std::array<float, 3>& barycentrics) {
   std::map<std::uint32_t, double> shares;

@@ -1,5 +1,5 @@
-/// `pelt bench`: what each method costs on a scene. No time is shown before all methods have given
-/// the same answer.
+/// `pelt bench`: the cost of each method on a scene. Prints no time unless all methods give the
+/// same answer.
 
 #include "asset/message.hpp"
 #include "scenes/nearest_name.hpp"
@@ -76,7 +76,7 @@ constexpr std::uint32_t kMostThreads = 256;
 constexpr std::array kQuestions = {Question::all, Question::first};
 constexpr std::array kCaches = {Cache::hot, Cache::cold};
 
-/// The values that a list like "hot,cold" names; `names` has those of all `values`.
+/// Parses a list like "hot,cold" into values; `names` has the names of all `values`.
 template <typename T>
 Result<std::vector<T>> parse_list(const char* option, const std::string& text,
                                   std::span<const T> values,
@@ -177,7 +177,7 @@ Result<arguments::ExitCode> bench_file(const std::string& path, const BenchSetti
   return exit;
 }
 
-/// Nothing where no file is named to compare with.
+/// Nullopt without --against.
 Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments) {
   if (arguments.against.empty() && arguments.margin)
     return output::bad_argument("--margin", "there is no --against",
@@ -201,7 +201,8 @@ arguments::ExitCode compare(const Baseline& baseline, const Arguments& arguments
   return arguments::ExitCode::internal;
 }
 
-/// Reads the scenes once more than measuring them does: their models must be known before.
+/// Loads the scenes a second time, because the check needs the names of their models before they
+/// are measured.
 Result<void> check_output(const Arguments& arguments, const BenchSettings& settings) {
   if (arguments.json.empty()) return {};
   std::vector<output::InputFile> inputs;

@@ -1,4 +1,4 @@
-/// `pelt bounds`: how large posed characters are, frame by frame.
+/// `pelt bounds`: the size of posed characters, frame by frame.
 
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"

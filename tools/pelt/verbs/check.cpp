@@ -43,7 +43,7 @@ fails with exit code 2, unless --allow-empty is given.
 Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside also a contained
 body), 2 bad input or arguments, or nothing compared, 3 internal error.)";
 
-/// The page counts contacts itself: it can show no answer to a question that it cannot ask.
+/// The page runs its own query, so it cannot show results of options that it does not support.
 Result<void> check_for_page(const check::CheckArguments& arguments, const scenes::Scene& scene) {
   if (arguments.html.empty()) return {};
   const auto refused = [](const char* option) {
@@ -72,7 +72,7 @@ Result<void> check_outputs(const check::CheckArguments& arguments, const scenes:
   return output::check_outputs(outputs, inputs);
 }
 
-/// Whoever forgot a model should not read "no contact" as good news.
+/// Users who forgot a model must not read "no contact" as a clean result.
 Error nothing_compared() {
   return output::bad_argument(
       "INPUT", "nothing was compared, because nothing is tested against itself",
@@ -87,7 +87,7 @@ Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
   if (const auto checked = check_for_page(arguments, *scene); !checked) return checked.error();
   const Result<check::CheckSettings> settings = check::choose_settings(arguments, *scene);
   if (!settings) return settings.error();
-  scene->ignore = settings->ignore;  // so that the page has it too
+  scene->ignore = settings->ignore;  // for the page
   check::CheckOutputs outputs;
   outputs.jsonl = arguments.jsonl;
   outputs.glb = arguments.glb;

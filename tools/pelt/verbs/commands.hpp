@@ -1,8 +1,8 @@
 #pragma once
 
-/// The verbs of the command, each in a file of its own. `check` and `bench` get the methods that
-/// the program offers. Every function below adds its verb to `app`; when the command line names the
-/// verb, `chosen` becomes what it asks for.
+/// The verbs of the command, each in a file of its own. Each function adds its verb to `app`; if
+/// the command line names the verb, sets `chosen` to its command. `check` and `bench` get the
+/// methods of the program.
 
 #include "tools/pelt/arguments/exit_code.hpp"
 #include "tools/pelt/methods/method.hpp"
@@ -17,9 +17,9 @@ namespace pelt::tools::verbs {
 
 /// The methods of a `bench`.
 struct BenchMethods {
-  methods::MethodKinds known;  ///< what --methods can name; must outlive the command
-  const char* measured;        ///< by default: names with commas between them
-  std::string notes;           ///< to --help, below all that holds for any methods
+  methods::MethodKinds known;  ///< possible values of --methods; must outlive the command
+  const char* measured;        ///< default of --methods, separated by commas
+  std::string notes;           ///< added to --help after the text for all methods
 };
 
 void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);

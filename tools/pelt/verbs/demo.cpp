@@ -1,4 +1,4 @@
-/// `pelt demo`: two generated characters walk into each other; nothing has to be at hand.
+/// `pelt demo`: two generated characters walk into each other. Needs no input files.
 
 #include "asset/printable.hpp"
 #include "scenes/character_glb.hpp"
@@ -91,7 +91,7 @@ Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
   return {};
 }
 
-/// Runs POV-Ray, which tells a picture's format by the end of its name.
+/// Runs POV-Ray, which derives a picture's format from the end of its name.
 output::ProgramEnd render(const fs::path& description, const fs::path& picture) {
   const std::vector<std::string> command = {"povray",
                                             "+I" + description.string(),
@@ -105,7 +105,7 @@ output::ProgramEnd render(const fs::path& description, const fs::path& picture) 
   return output::run_program(command);
 }
 
-/// A missing ray tracer is no failure of the demo: all but the picture is there.
+/// A missing ray tracer does not fail the demo, which writes everything except the picture.
 void say_why_not(output::ProgramEnd end, const fs::path& description) {
   if (end == output::ProgramEnd::not_found) {
     std::cout << "no picture: POV-Ray is not installed. Run `apt-get install povray`, then "
@@ -117,7 +117,7 @@ void say_why_not(output::ProgramEnd end, const fs::path& description) {
             << "` to see why\n";
 }
 
-/// The picture's description stays only if the picture cannot be made of it.
+/// Keeps the picture's description only if rendering fails.
 Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
   const Result<picture::StillFrame> still = picture::take_still(scene, kStillFrame);
   if (!still) return still.error();
@@ -139,8 +139,8 @@ Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
   return {};
 }
 
-/// Refuses a folder in which links make two of the demo's files one, or one of them the viewer's
-/// page.
+/// Returns an error for a folder in which links make two of the demo's files the same, or one of
+/// them the viewer's page.
 Result<void> check_folder(const fs::path& folder) {
   std::vector<output::NamedOutput> outputs;
   for (const char* name : {"scene.json", "azure.glb", "sand.glb", "contacts.jsonl", "contacts.glb",
@@ -159,7 +159,7 @@ Result<arguments::ExitCode> demo(const Arguments& arguments) {
   const Result<scenes::Scene> scene = write_scene(folder);
   if (!scene) return scene.error();
   if (const auto written = write_characters(*scene, folder); !written) return written.error();
-  // A missing viewer is no failure of the demo either.
+  // A missing viewer does not fail the demo either.
   const Result<std::string> viewer = page::read_viewer();
   if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
   if (!viewer) std::cout << "no report: " << asset::printable(viewer.error().message) << '\n';

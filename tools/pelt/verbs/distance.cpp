@@ -1,4 +1,4 @@
-/// `pelt distance`: how far characters are from each other, frame by frame.
+/// `pelt distance`: the distances of characters, frame by frame.
 
 #include "asset/message.hpp"
 #include "tools/pelt/arguments/position_argument.hpp"

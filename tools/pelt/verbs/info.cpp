@@ -1,4 +1,4 @@
-/// `pelt info`: what a model file holds.
+/// `pelt info`: the contents of a model file.
 
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
@@ -42,7 +42,7 @@ std::size_t distinct_positions(const asset::Asset& asset) {
   return places.size();
 }
 
-/// The most joints of positive weight that one vertex has.
+/// The largest number of joints with positive weight of a vertex.
 std::uint32_t most_influences(const asset::Asset& asset) {
   const std::uint32_t slots = asset.influences_per_vertex;
   std::ptrdiff_t most = 0;
@@ -162,7 +162,7 @@ void print_parts(const asset::Asset& asset) {
   }
 }
 
-/// As --ignore and baselines name them, as many on a line as fit.
+/// Prints the names as --ignore and baselines use them, as many per line as fit.
 void print_joints(const asset::Asset& asset) {
   constexpr std::size_t kWidth = 100;
   print_line("joints", output::with_commas(asset.joints.size()));

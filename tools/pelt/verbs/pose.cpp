@@ -1,4 +1,4 @@
-/// `pelt pose`: the characters of one frame, as they were collided, as a .glb file.
+/// `pelt pose`: writes the characters of one frame, as queries pose them, to a .glb file.
 
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"

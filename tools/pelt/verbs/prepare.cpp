@@ -1,4 +1,4 @@
-/// `pelt prepare`: builds a model once and for all, into a file that loads much faster.
+/// `pelt prepare`: builds a model and writes it to a file that loads much faster.
 
 #include <pelt/prepared.hpp>
 
@@ -45,8 +45,8 @@ double milliseconds(const Work& work) {
       .count();
 }
 
-/// A program loads many models, so the first load, which has to ask the system for memory, does not
-/// count alone.
+/// The least of several times: programs load many models, and only the first load has to allocate
+/// from the system.
 double loading_milliseconds(std::span<const std::byte> file) {
   constexpr int kRepeats = 9;
   double least = milliseconds([&] { static_cast<void>(load_model(file)); });

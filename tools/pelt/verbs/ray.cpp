@@ -1,4 +1,4 @@
-/// `pelt ray`: what rays hit first, frame by frame.
+/// `pelt ray`: the first hits of rays, frame by frame.
 
 #include "asset/message.hpp"
 #include "tools/pelt/arguments/position_argument.hpp"

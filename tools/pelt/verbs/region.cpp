@@ -1,4 +1,4 @@
-/// `pelt region`: which characters are in a region of space, frame by frame.
+/// `pelt region`: the characters in a region of space, frame by frame.
 
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"

@@ -9,7 +9,7 @@ const LONGEST_STEP_SECONDS = 0.25;
 
 export function startClock(store: Store<State>): void {
   let last = performance.now();
-  let rest = 0; // of a frame that has not come yet
+  let rest = 0; // fraction of the next frame
 
   const tick = (now: number) => {
     const seconds = Math.min((now - last) / 1000, LONGEST_STEP_SECONDS);

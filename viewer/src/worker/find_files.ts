@@ -27,7 +27,7 @@ export function filesOfScene(path: string, files: readonly NamedFile[]): SceneFi
   const found = new Map([[folder + nameOf(path), scene.bytes]]);
   for (const name of named) {
     const model = find(files, folderOf(path) + name);
-    if (!model) continue; // the engine says what is missing
+    if (!model) continue; // the engine reports missing models
     const place = joined(folder, name);
     found.set(place, model.bytes);
     for (const [uri, bytes] of buffersOf(model, files))
