@@ -5,7 +5,8 @@
 
 namespace pelt::detail {
 
-/// Disjoint sets of the numbers below a count, in borrowed memory. Its least member names a set.
+/// Disjoint sets of the numbers below a count, in borrowed memory. A set is named by its least
+/// member.
 class DisjointSets {
  public:
   /// Makes a set of each number.

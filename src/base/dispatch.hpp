@@ -16,7 +16,7 @@
 
 #include "base/target.hpp"
 
-/// A target that the build does not have declares nothing and is null.
+/// For a target that the build does not have, declares nothing, and the pointer is null.
 #ifdef PELT_HAS_SCALAR
 #define PELT_SCALAR_VERSION(function) scalar::function
 #define PELT_DECLARE_SCALAR(function)           \

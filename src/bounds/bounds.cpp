@@ -13,8 +13,8 @@
 namespace pelt {
 namespace {
 
-/// The radius of a sphere about `centre` that has the box in it. Sums and the root are a few 2^-53
-/// off, and rounding up to a float makes it larger by up to 2^-23.
+/// The radius of a sphere about `centre` that encloses the box. Sums and the root have an error of
+/// a few 2^-53, and rounding up to a float makes the radius larger by up to 2^-23.
 float radius_of(const Box& box, const Vec3& centre) {
   const auto reach = [](float low, float high, float c) {
     return std::max(static_cast<double>(high) - static_cast<double>(c),

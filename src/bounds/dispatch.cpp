@@ -1,4 +1,4 @@
-/// The functions of this folder that exist once for each target.
+/// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
 #include "bounds/bounding_box.hpp"

@@ -9,8 +9,8 @@
 namespace pelt::detail {
 namespace {
 
-/// Calls `visit(triangle, place)` for each corner of each triangle. A vertex that lies in several
-/// pools has the same place in all triangles.
+/// Calls `visit(triangle, place)` for each corner of each triangle. A vertex in several pools has
+/// the same place in all triangles.
 template <typename Visit>
 void each_corner(const Tree& tree, const Visit& visit) {
   const SkinnedMesh mesh = unpack_mesh(tree);

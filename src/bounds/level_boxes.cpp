@@ -44,7 +44,7 @@ class Descent {
         {boxes.high[0][slot], boxes.high[1][slot], boxes.high[2][slot]}, state);
   }
 
-  /// `level` is that of the node's slots.
+  /// `level` is the level of the node's slots.
   void descend(std::uint32_t n, std::uint32_t level) {
     const Node& node = tree_.nodes[n];
     const OpenedNode& boxes = *whole_.opened[n];

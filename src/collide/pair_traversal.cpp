@@ -14,7 +14,7 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// Overlapping clusters have their triangles tested, until there are enough contacts.
+/// Tests the triangles of overlapping clusters until there are enough contacts.
 class IntersectingTriangles : public BoxOverlap {
  public:
   IntersectingTriangles(const Tree& a, const Tree& b, const ContactSink& sink, QueryStats& work)

@@ -13,8 +13,8 @@ namespace pelt::detail {
 std::array<std::uint32_t, 6> key_of(const CrossingEnd& end, const Contact& contact,
                                     const Surface& a, const Surface& b);
 
-/// Chains the segments of `geometry` to curves. The links hold the ends of all segments: `owner` is
-/// twice the number of the trace, and one more for the end `to`.
+/// Chains the segments of `geometry` into curves. The links contain the ends of all segments:
+/// `owner` is twice the index of the trace, plus one for the end `to`.
 void chain_curves(ContactLinks& work, ContactGeometry& geometry);
 
 }  // namespace pelt::detail

@@ -5,7 +5,7 @@
 
 namespace pelt::detail {
 
-/// Gathers the traces of `geometry` to regions.
+/// Groups the traces of `geometry` into regions.
 void gather_regions(const Surface& a, const Surface& b, ContactLinks& work,
                     ContactGeometry& geometry);
 

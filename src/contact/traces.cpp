@@ -27,7 +27,7 @@ Vec3d leaving_direction(const TriangleCorners& a, const TriangleCorners& b) {
   return squared_length(between) > 0 ? between : normal_b;
 }
 
-/// How far b reaches along a direction beyond the start of a.
+/// The distance by which b extends beyond the start of a along a direction.
 double depth_along(const Vec3d& direction, const TriangleCorners& a, const TriangleCorners& b) {
   const auto at = [&](const Vec3& p) { return dot(direction, Vec3d(p)); };
   return std::max({at(b[0]), at(b[1]), at(b[2])}) - std::min({at(a[0]), at(a[1]), at(a[2])});

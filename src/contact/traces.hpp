@@ -15,12 +15,12 @@ struct PosedSurface {
   Pose& pose;
   const Surface& surface;
 
-  /// The corners of a triangle by the caller's number. Opens the triangle's node if it is not open,
-  /// which is counted in `work`.
+  /// Returns the corners of a triangle, given by the caller's number. Opens the triangle's node if
+  /// it is closed, and counts that in `work`.
   TriangleCorners corners(std::uint32_t triangle, QueryStats& work) const;
 };
 
-/// The crossing of a contact's triangles, as `ContactTrace` has it; counted in `work`.
+/// Returns the crossing of a contact's triangles as a `ContactTrace`, and counts the work.
 ContactTrace trace_of(const Contact& contact, const PosedSurface& a, const PosedSurface& b,
                       Crossing& crossing, QueryStats& work);
 

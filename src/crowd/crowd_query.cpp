@@ -54,7 +54,7 @@ CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& option
   return stats;
 }
 
-/// Closes them too: a query that ended for want of memory may have left some open.
+/// Also closes the nodes, because a query that ran out of memory may have left some open.
 void CrowdQuery::box_instances(CrowdInstances& instances) {
   sweep_.clear();
   for (std::uint32_t number = 0; number < instances.end(); ++number) {

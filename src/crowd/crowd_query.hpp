@@ -71,12 +71,12 @@ class CrowdQuery {
   void even_out();
 
   Sweep sweep_;
-  std::uint64_t moved_ = 0;                  // instances since the last query that ended well
+  std::uint64_t moved_ = 0;                  // instances since the last successful query
   std::vector<CrowdPair> pairs_;             // pairs to test
-  PairGroups groups_;                        // of them
+  PairGroups groups_;                        // of the pairs to test
   std::vector<CrowdPair> shared_pairs_;      // of the large groups
   std::vector<std::uint32_t> small_groups_;  // all other groups
-  WorkShares pair_shares_, group_shares_;    // of those two
+  WorkShares pair_shares_, group_shares_;    // of shared pairs and of small groups
   std::vector<Worker> workers_;
   std::uint32_t worker_count_ = 1;  // of this query
   std::vector<TouchingPair> touching_;

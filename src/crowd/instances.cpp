@@ -23,8 +23,8 @@ Result<void> set_palette_of(CrowdInstance& instance, std::span<const Element> pa
 
 }  // namespace
 
-/// A number is taken from the free ones only when its instance stands, so that want of memory
-/// anywhere leaves all as it was.
+/// A free number is used only after its instance exists, so that an allocation failure changes
+/// nothing.
 std::uint32_t CrowdInstances::add(const SkinnedModel& model, const CrowdGroups& groups) {
   if (free_.empty()) add_slot();
   const std::uint32_t number = free_.back();
@@ -34,7 +34,7 @@ std::uint32_t CrowdInstances::add(const SkinnedModel& model, const CrowdGroups& 
   return number;
 }
 
-/// Makes room first for all numbers to be free at once: `remove` then never allocates.
+/// Reserves memory for all numbers to be free at once, so that `remove` never allocates.
 void CrowdInstances::add_slot() {
   if (free_.capacity() == slots_.size()) free_.reserve(2 * slots_.size() + 1);
   slots_.emplace_back();

@@ -46,11 +46,10 @@ class CrowdInstances {
 
   bool has(std::uint32_t number) const { return slots_[number].has_value(); }
 
-  /// Precondition: the crowd has that instance.
+  /// Precondition: the instance exists.
   CrowdInstance& operator[](std::uint32_t number);
 
-  /// In any of the forms that Palette::set takes. May be called by several threads for different
-  /// instances.
+  /// Accepts any of the forms of Palette::set. Several threads may call it for different instances.
   Result<void> set_palette(std::uint32_t number, std::span<const float> palette);
   Result<void> set_palette(std::uint32_t number, std::span<const Matrix3x4> palette);
   Result<void> set_palette(std::uint32_t number, std::span<const double> palette);

@@ -27,7 +27,7 @@ class PairGroups {
  private:
   std::vector<std::uint32_t> leaders_;       // memory of the sets of instances
   std::vector<std::uint32_t> group_of_;      // of each leader
-  std::vector<std::uint32_t> begins_ = {0};  // into pairs_, one more than there are groups
+  std::vector<std::uint32_t> begins_ = {0};  // into pairs_; then the end
   std::vector<CrowdPair> pairs_;
 };
 

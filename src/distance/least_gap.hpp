@@ -1,6 +1,6 @@
 #pragma once
 
-/// Comparison of pairs of triangles by distance, the goal of all searches for the least distance.
+/// Compares pairs of triangles by distance, for all searches for the least distance.
 
 #include "distance/pair_search.hpp"
 

@@ -35,7 +35,7 @@ class NearTriangles {
 
   const Reach& reach() const { return reach_; }
 
-  /// Offers, or keeps for later, the pairs of two clusters' triangles.
+  /// Adds the pairs of two clusters' triangles: passes them to the goal, or stores them.
   void add(const PosedCluster& a, const PosedCluster& b, const Places& places) {
     const Vec3 origin = low_corner(a);
     const float error = gap_error(a, b, origin);
@@ -60,7 +60,7 @@ class NearTriangles {
     if (!has_way_ || !goal_.keeps_best()) flush();
   }
 
-  /// Offers what was kept, the nearest first.
+  /// Passes the stored pairs to the goal, nearest first.
   void flush() {
     if (waiting_.count() == 0) return;
     double squared[kBatch];

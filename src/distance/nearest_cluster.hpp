@@ -1,7 +1,7 @@
 #pragma once
 
-/// A place that is not far from the nearest: the cluster whose box is nearest to a point. It takes
-/// no triangle, and opens only nodes whose boxes are nearer than that.
+/// Finds a place near the nearest one: the cluster whose box is nearest to a point. Tests no
+/// triangles, and opens only nodes whose boxes are nearer than the best cluster so far.
 
 #include "pose/open_node.hpp"
 #include "query/push_nearest_last.hpp"
@@ -43,7 +43,7 @@ inline TreePart nearest_cluster(const PosedTree& posed, const Vec3& point, Stack
   return {nearest.node, nearest.slot};
 }
 
-/// The point of a cluster's box that is nearest to another.
+/// Returns the point of a cluster's box that is nearest to a given point.
 inline Vec3 nearest_of_box(const PosedTree& posed, const TreePart& cluster, const Vec3& point) {
   const OpenedNode& opened = *posed.opened[cluster.node];
   const auto nearest = [&](int axis, float x) {

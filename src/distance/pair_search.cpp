@@ -1,7 +1,7 @@
-/// The descent of two trees that looks for what is near. Of a pair of parts the larger is replaced
-/// by its slots, eight of them compared with the other part at once, and the nearest goes first:
-/// so a good pair is known early, and what is beyond it is never opened. A stack is enough for
-/// that, of at most eight parts a level.
+/// Nearest-first descent of two trees. The larger part of a pair is replaced by its slots, and
+/// eight slots are compared with the other part at once. The nearest pair is visited first, so a
+/// near pair is known early, and nodes beyond it are never opened. A stack of at most eight parts
+/// per level suffices.
 
 #include "distance/pair_search.hpp"
 
@@ -17,7 +17,7 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// All pairs up to a distance, beside those that touch.
+/// Collects all pairs within a distance, in addition to the touching ones.
 class AllWithin {
  public:
   AllWithin(double distance, std::uint32_t max_pairs, Stack<Contact>& pairs)
@@ -39,7 +39,7 @@ class AllWithin {
  private:
   double distance_;
   std::uint32_t max_pairs_;
-  bool any_touch_;  ///< and are known: only then need pairs be asked whether they do
+  bool any_touch_;  ///< whether any pair touches; touching pairs are known
   Stack<Contact>& pairs_;
 };
 
@@ -83,16 +83,17 @@ class PairSearch {
   }
 
  private:
-  /// Whether the roots' boxes are within reach.
+  /// Whether the boxes of the roots are within reach.
   bool is_near() {
     ++work_.node_pairs;
     const RootBox &a = root_box(a_, work_), &b = root_box(b_, work_);
     return is_within_reach(point_box(a.low, a.high), point_box(b.low, b.high));
   }
 
-  /// Two clusters that are not much further apart than the nearest: where `b` is nearest to the
-  /// middle of `a`, and where `a` is nearest to that. They cost a few opened nodes, most of which
-  /// are needed anyway, and spare all that is compared as long as nothing near is known.
+  /// Finds two clusters that are not much farther apart than the nearest ones: the cluster of `b`
+  /// that is nearest to the middle of `a`, and the cluster of `a` that is nearest to that. This
+  /// opens a few nodes, most of which are needed anyway, and saves the comparisons that would be
+  /// made before anything near is known.
   Places guess() {
     const RootBox& box = a_.root_box;
     const auto middle = [&](int axis) { return box.low[axis] / 2 + box.high[axis] / 2; };
@@ -113,7 +114,7 @@ class PairSearch {
     has_begun_ = true;
   }
 
-  /// Whether they have been compared already.
+  /// Whether these clusters have already been compared.
   bool were_first(const TreePart& a, const TreePart& b) const {
     return a.node == first_a_.node && a.slot == first_a_.slot && b.node == first_b_.node &&
            b.slot == first_b_.slot;
@@ -135,8 +136,8 @@ class PairSearch {
     }
   }
 
-  /// Whether a part of the first tree is to be replaced before one of the second: if it is open,
-  /// so that the other may never have to be; else if it is larger.
+  /// Whether to replace a part of the first tree before one of the second: if the part is open,
+  /// because the other may then never be opened; otherwise if it is larger.
   bool goes_first(const TreePart& a, const Box8& box_a, const TreePart& b,
                   const Box8& box_b) const {
     const bool a_is_open = a_.opened[node_of(a_, a)], b_is_open = b_.opened[node_of(b_, b)];
@@ -148,7 +149,7 @@ class PairSearch {
     return ((squared_gap(a, b) <= most).bits() & 1) != 0;
   }
 
-  /// The descent has come to two clusters. Before the first ones it looks at what may be nearer.
+  /// Compares two clusters. Before the first comparison, compares clusters that may be nearer.
   void arrive(const TreePart& a, const TreePart& b) {
     if (!has_begun_ && goal_.keeps_best()) look_first(guess());
     if (!were_first(a, b)) compare(a, b);
@@ -172,10 +173,10 @@ class PairSearch {
 
   const PosedTree &a_, &b_;
   Stack<NearPart>& near_point_;
-  Stack<NearParts>& parts_;  // the one on top is next
+  Stack<NearParts>& parts_;  // the top is visited next
   Goal& goal_;
   bool has_begun_ = false;
-  TreePart first_a_, first_b_;  // what it has begun with; wholes if it has not
+  TreePart first_a_, first_b_;  // the first compared clusters; whole trees before that
   QueryStats work_;
   NearTriangles<Goal> triangles_;
 };

@@ -8,7 +8,7 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// The triangle nearest to a point; of equally near ones the lowest.
+/// Finds the triangle nearest to a point; among equally near ones the lowest.
 class NearestToPoint {
  public:
   NearestToPoint(const Vec3& point, double max_distance, PointGap& best)
@@ -44,7 +44,7 @@ class NearestToPoint {
 
   const Vec3 point_;
   const Box8 box_;  // around the point
-  double reach_;    // the maximum, and then the distance of the best
+  double reach_;    // the maximum; later the least distance so far
   PointGap& best_;
 };
 

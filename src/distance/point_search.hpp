@@ -19,8 +19,8 @@ struct PointGap {
 
 inline namespace PELT_TARGET {
 
-/// Finds it as `pelt::closest_point` says; its distance is infinite if nothing is within
-/// `max_distance`.
+/// Finds the triangle as defined by `pelt::closest_point`. The distance is infinite if nothing is
+/// within `max_distance`.
 QueryStats nearest_to_point(const PosedTree& posed, const Vec3& point, Scratch& scratch,
                             double max_distance, PointGap& nearest);
 

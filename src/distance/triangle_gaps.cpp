@@ -6,7 +6,7 @@ namespace pelt::detail {
 inline namespace PELT_TARGET {
 namespace {
 
-/// One corner of the eight triangles from `first` on.
+/// Returns one corner of each of the eight triangles starting at `first`.
 Points8 corner8(const PosedCluster& cluster, std::uint32_t first, std::size_t corner) {
   const auto* corners = cluster.posed.tree.corners.data() + cluster.cluster().first_triangle;
   const std::uint32_t last = cluster.cluster().triangle_count - 1u;
@@ -23,7 +23,7 @@ Float8 place(const Points8& p, const Vec3& direction, const Vec3& origin) {
          (p.z - Float8(origin.z)) * Float8(direction.z);
 }
 
-/// `choose` of the places of each triangle's corners.
+/// Applies `choose` to the values of each triangle's corners.
 template <typename Choose>
 TriangleValues places(const PosedCluster& cluster, const Vec3& direction, const Vec3& origin,
                       const Choose& choose) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How far the triangles of two clusters are apart along a direction.
+/// Distances of the triangles of two clusters along a direction.
 
 #include "base/vec3.hpp"
 #include "geometry/triangle_pair.hpp"
@@ -13,20 +13,20 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// A value for each triangle of a cluster, side by side.
+/// One value for each triangle of a cluster.
 struct alignas(32) TriangleValues {
   float of[kMaxClusterTriangles];
 };
 
-/// Where triangles reach along a direction of length one, up to rounding of float.
+/// Positions of triangles along a direction of length one, up to rounding of float.
 class Along {
  public:
-  /// Positions are taken relative to `origin`, so that where the world's origin lies costs no
+  /// Computes positions relative to `origin`, so that the position of the world's origin costs no
   /// precision.
   Along(const Vec3& direction, const Vec3& origin) : direction_(direction), origin_(origin) {}
 
-  /// The least and the largest of each triangle's corners. Lanes beyond the last triangle repeat
-  /// it.
+  /// Returns the least (or largest) position of each triangle's corners. Lanes beyond the last
+  /// triangle repeat it.
   TriangleValues lowest(const PosedCluster& cluster) const;
   TriangleValues highest(const PosedCluster& cluster) const;
 
@@ -34,14 +34,14 @@ class Along {
   Vec3 direction_, origin_;
 };
 
-/// The triangle with the least value, and that with the largest.
+/// Returns the triangle with the least (or largest) value.
 std::uint32_t lowest_of(const TriangleValues& values);
 std::uint32_t highest_of(const TriangleValues& values);
 
-/// Those with values of at most `most`, a bit each.
+/// Returns the triangles with values of at most `most`, one bit each.
 unsigned up_to(const TriangleValues& values, float most);
 
-/// The corners of a triangle of the cluster; `place` is into Tree::corners.
+/// Returns the corners of a triangle of the cluster; `place` is an index into Tree::corners.
 TriangleCorners corners_of(const PosedCluster& cluster, std::uint32_t place);
 
 /// How much gaps along a direction may be wrong, between points of two clusters.
@@ -52,13 +52,13 @@ TriangleCorners corners_of(const PosedCluster& cluster, std::uint32_t place);
 /// 44 e M.
 float gap_error(const PosedCluster& a, const PosedCluster& b, const Vec3& origin);
 
-/// A corner of the cluster's box.
+/// Returns the low corner of the cluster's box.
 Vec3 low_corner(const PosedCluster& cluster);
 
-/// The same way with length one; 0 if it is 0.
+/// Normalises a vector; zero stays zero.
 Vec3 direction_of(const Vec3d& way);
 
-/// From the middle of the box of `a` to that of `b`, with length one; 0 if both are the same.
+/// Returns the unit direction from the middle of the box of `a` to that of `b`; 0 if they coincide.
 Vec3 direction_between(const PosedCluster& a, const PosedCluster& b);
 
 }  // namespace PELT_TARGET

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The descent of a tree that looks for the triangle nearest to one thing, a point or a solid: as
-/// that of two trees (pair_search.cpp), with the thing instead of the second.
+/// Nearest-first descent of a tree for the triangle nearest to a point or a solid. Like the descent
+/// of two trees (pair_search.cpp), with the point or solid instead of the second tree.
 
 #include "distance/triangle_gaps.hpp"
 #include "pose/open_node.hpp"
@@ -59,7 +59,7 @@ class TriangleSearch {
                       });
   }
 
-  /// The triangle with the nearest box goes first.
+  /// Tests the triangle with the nearest box first.
   void compare(const PosedCluster& cluster) {
     const TriangleBoxes& boxes =
         triangle_boxes(cluster.posed, cluster.node, cluster.opened, cluster.slot);
@@ -82,7 +82,7 @@ class TriangleSearch {
   }
 
   const PosedTree& posed_;
-  Stack<NearPart>& parts_;  // the one on top is next
+  Stack<NearPart>& parts_;  // the top is visited next
   Goal& goal_;
   QueryStats work_;
   Reach reach_;

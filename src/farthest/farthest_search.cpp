@@ -51,7 +51,7 @@ class FarthestSearch {
     }
   }
 
-  /// No less than how far each slot reaches along the direction.
+  /// Upper bounds of the slots' positions along the direction.
   Float8 bound(const OpenedNode& opened) const {
     const float d[3] = {scaled_.x, scaled_.y, scaled_.z};
     Float8 sum(0.0f), size(0.0f);
@@ -97,7 +97,7 @@ class FarthestSearch {
   const Vec3 scaled_;
   QueryStats work_;
   FarthestVertex& best_;
-  float reached_ = -HUGE_VALF;  // no more than how far the best vertex is
+  float reached_ = -HUGE_VALF;  // lower bound of the best vertex's position
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ int compare_along(const Vec3& direction, const Vec3& p, const Vec3& q);
 
 inline namespace PELT_TARGET {
 
-/// Leaves the vertex of a triangle that is farthest along `direction` in `farthest`.
+/// Finds the vertex of a triangle that is farthest along `direction`, and stores it in `farthest`.
 QueryStats find_farthest(const PosedTree& posed, const Vec3& direction, FarthestVertex& farthest);
 
 }  // namespace PELT_TARGET

@@ -23,7 +23,7 @@ struct Span {
   bool is_empty() const { return !(first <= last); }
 };
 
-/// Leaves what a ray with this origin and direction has between `low` and `high` on an axis.
+/// Clips `span` to the part of the ray between `low` and `high` on an axis.
 void clip(double origin, double direction, double low, double high, Span& span) {
   if (direction == 0) {
     if (!(low <= origin && origin <= high)) span.last = -HUGE_VAL;
@@ -35,7 +35,7 @@ void clip(double origin, double direction, double low, double high, Span& span) 
   span.last = std::min(span.last, far + std::abs(far) * 0x1p-50);
 }
 
-/// `t` as a float, moved by more than what rounding to float may have moved it.
+/// Returns `t`, moved in the direction of `sign` by more than the error of rounding it to float.
 double moved(float t, double sign) {
   return double{t} + sign * (std::abs(double{t}) * 0x1p-23 + 0x1p-149);
 }
@@ -74,7 +74,7 @@ class FieldCast {
   /// A field has less than 2^32 cells a side, and a visit leaves at most three blocks more.
   static constexpr std::size_t kMostEntered = 32 * 3 + 1;
 
-  /// Where the ray enters cells from one vertex to another, between two heights.
+  /// The interval in which the ray is above a rectangle of cells and between two heights.
   Span span_in(std::uint32_t column, std::uint32_t last_column, std::uint32_t row,
                std::uint32_t last_row, const HeightRange& heights) const {
     Span span = span_;
@@ -86,7 +86,7 @@ class FieldCast {
     return span;
   }
 
-  /// Keeps the blocks from `first` on sorted, the nearest last, if the ray enters this one.
+  /// Inserts the block if the ray enters it. Blocks from `first` on stay sorted, nearest last.
   void add(const Block& block, std::size_t first = 0) {
     const FieldLevel& level = field_.levels[block.level];
     if (block.column >= level.columns || block.row >= level.rows) return;
@@ -163,7 +163,7 @@ class FieldCast {
   RayLine line_;
   Facing facing_;
   QueryStats& work_;
-  Span span_;  ///< where a hit may still count
+  Span span_;  ///< hits outside do not count
   RayHit hit_;
   RayCrossing crossing_;
   std::size_t size_ = 0;

@@ -6,7 +6,8 @@
 
 namespace pelt::detail {
 
-/// What a ray hits first of a field. Precondition: its numbers are finite, but for its ends.
+/// Finds the first hit of a ray on a field. Precondition: all numbers of the ray except its ends
+/// are finite.
 RayHit cast_at_field(const HeightField& field, const Ray& ray, Facing facing, QueryStats& work);
 
 }  // namespace pelt::detail

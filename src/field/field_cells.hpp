@@ -1,6 +1,6 @@
 #pragma once
 
-/// What of a height field is under or above a box.
+/// The cells of a height field below or above a box.
 
 #include "base/target.hpp"
 #include "field/height_field.hpp"
@@ -11,12 +11,12 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// A box in the frame of the field; closed.
+/// A closed box in the frame of the field.
 struct FieldBox {
   float low[3], high[3];
 };
 
-/// Cells, or vertices or blocks, the last ones included.
+/// A rectangle of cells, vertices or blocks, including the last ones.
 struct FieldRect {
   std::uint32_t first_column, last_column, first_row, last_row;
 };

@@ -112,7 +112,7 @@ class FieldDescent {
 
   const PosedTree& posed_;
   const HeightField& field_;
-  Stack<std::uint32_t>& nodes_;  // the one on top is next
+  Stack<std::uint32_t>& nodes_;  // the top is visited next
   ContactSink sink_;
   QueryStats work_;
   FieldPairs pairs_;

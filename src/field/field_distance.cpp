@@ -31,7 +31,7 @@ struct alignas(32) FieldBoxes {
   }
 };
 
-/// A block by its level and its number on it.
+/// A block, by its level and its number on the level.
 struct Block {
   std::uint32_t level, number;
 };
@@ -117,7 +117,7 @@ class FieldSearch {
             {Float8(box.high[0]), Float8(box.high[1]), Float8(box.high[2])}};
   }
 
-  /// The vertices of a block: of its first column to its last, likewise of rows.
+  /// The vertices of a block, from the first column and row to the last.
   FieldRect vertices_of(const Block& block) const {
     const std::uint32_t columns = field_.levels.data()[block.level].columns;
     const std::uint32_t shift = kBlockShift + block.level;
@@ -260,7 +260,7 @@ class FieldSearch {
 
   const PosedTree& posed_;
   const HeightField& field_;
-  Stack<NearParts>& parts_;  // the one on top is next
+  Stack<NearParts>& parts_;  // the top is visited next
   const SearchLimits& limits_;
   LeastGap goal_;
   Block top_;

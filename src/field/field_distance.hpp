@@ -6,9 +6,8 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// The least distance of a pose and a field that touch nowhere, as `nearest_triangles` has it of
-/// two poses. Of the places the first two are the cluster, the third is a block of the lowest
-/// level.
+/// Finds the least distance of a pose and a field that do not touch, like `nearest_triangles` for
+/// two poses. The first two places are the cluster, the third is a block of the lowest level.
 QueryStats nearest_field_triangle(const PosedTree& posed, const HeightField& field,
                                   Scratch& scratch, const SearchLimits& limits,
                                   TriangleGap& nearest);

@@ -15,7 +15,7 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// A posed triangle where it lies.
+/// A posed triangle, by pointers to its corners.
 struct PosedTriangle {
   std::uint32_t number;     ///< the caller's number
   const float* corners[3];  ///< four floats each

@@ -25,7 +25,7 @@ QueryStats find_contacts(const PosedTree& posed, const HeightField& field, Scrat
   return detail::collide_field(posed, field.detail(), scratch.detail(), max_contacts);
 }
 
-/// The lowest pair of those that touch.
+/// Returns the lowest touching pair.
 Distance touching(const PosedTree& posed, const HeightField& field, const Contact& contact,
                   QueryStats& work) {
   const detail::FoundTriangle found = detail::find_triangle(posed, contact.triangle_a, work);

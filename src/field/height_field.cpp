@@ -35,7 +35,7 @@ Problem check_spacing(const char* name, float spacing) {
   return problem("%s is %g, expected a positive number", name, static_cast<double>(spacing));
 }
 
-/// `place` is a coordinate of all vertices of column or row `index`.
+/// `place` is the coordinate of all vertices of column or row `index`.
 Problem check_place(const char* name, std::size_t index, float place) {
   if (std::fabs(place) <= kMaxCoordinate) return {};
   return problem("%s %zu of the height field is at %g, expected finite and within 2^60", name,

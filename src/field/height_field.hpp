@@ -13,7 +13,7 @@
 
 namespace pelt::detail {
 
-/// Blocks of level n have 2^(kBlockShift + n) cells a side.
+/// Blocks of level n have 2^(kBlockShift + n) cells per side.
 inline constexpr std::uint32_t kBlockShift = 2;
 
 struct HeightRange {
@@ -29,12 +29,12 @@ struct HeightField {
   std::vector<float> x, z;  // of columns and rows, strictly ascending
   std::vector<float> y;     // [rows][columns]; NaN: a hole
   std::vector<FieldLevel> levels;
-  float columns_per_x, rows_per_z;  // about
+  float columns_per_x, rows_per_z;  // approximate
 
   std::uint32_t columns() const { return static_cast<std::uint32_t>(x.size()); }
   std::uint32_t rows() const { return static_cast<std::uint32_t>(z.size()); }
 
-  /// As `pelt::HeightField::triangle`.
+  /// Like `pelt::HeightField::triangle`.
   std::array<Vec3, 3> triangle(std::uint32_t number) const;
 };
 

@@ -56,7 +56,7 @@ class CapsuleTest {
     return are_near(p, a_) || (a_ != b_ && (are_near(p, b_) || is_near_inside(p, a_, b_)));
   }
 
-  /// Whether a point is near an inner point of an edge or of the face.
+  /// Whether a point is near the interior of an edge or of the face.
   bool is_end_near(const Vec3& end) const {
     return is_near_inside(end, t_[0], t_[1]) || is_near_inside(end, t_[1], t_[2]) ||
            is_near_inside(end, t_[2], t_[0]) || is_near_face(end);
@@ -78,7 +78,7 @@ class CapsuleTest {
            }) <= 0;
   }
 
-  /// Whether the point of the edge pq that is nearest to `c` is inside the edge, and near.
+  /// Whether the point of the edge pq nearest to `c` is inside the edge, and within the radius.
   bool is_near_inside(const Vec3& c, const Vec3& p, const Vec3& q) const {
     const auto along = [&]<typename Number>(const Number&) {
       return dot(from_to<Number>(p, c), from_to<Number>(p, q));
@@ -94,7 +94,8 @@ class CapsuleTest {
     return exact_sign(along) > 0 && exact_sign(left) > 0 && exact_sign(distance) <= 0;
   }
 
-  /// Whether the point of the triangle's plane that is nearest to `c` is in the triangle, and near.
+  /// Whether the point of the triangle's plane nearest to `c` is in the triangle, and within the
+  /// radius.
   bool is_near_face(const Vec3& c) const {
     const auto normal = [&]<typename Number>(const Number&) {
       return cross(from_to<Number>(t_[0], t_[1]), from_to<Number>(t_[0], t_[2]));
@@ -115,7 +116,8 @@ class CapsuleTest {
     return exact_sign(distance) <= 0;
   }
 
-  /// Whether the capsule's segment and the edge pq are nearest to each other inside, and near.
+  /// Whether the nearest points of the capsule's segment and the edge pq are inside both, and
+  /// within the radius.
   bool are_near_inside(const Vec3& p, const Vec3& q) const {
     const auto squared_normal = [&]<typename Number>(const Number&) {
       return squared_length(normal_of<Number>(p, q));

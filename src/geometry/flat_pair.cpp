@@ -67,7 +67,7 @@ bool has_collapsed(const TriangleCorners& triangle) {
 
 bool flat_triangles_intersect(const TriangleCorners& a, const TriangleCorners& b) {
   const Ends ends_a(a), ends_b(b);
-  // Only two segments can be here without a common plane.
+  // Without a common plane, both triangles must be segments here.
   if (orient3d(ends_a.first, ends_a.last, ends_b.first, ends_b.last) != 0) return false;
   return !disjoint_in_plane(a, b);
 }
@@ -75,8 +75,8 @@ bool flat_triangles_intersect(const TriangleCorners& a, const TriangleCorners& b
 bool segment_meets_triangle(const TriangleCorners& collapsed, const TriangleCorners& triangle) {
   const auto& [a, b, c] = triangle;
   const Ends ends(collapsed);
-  // The line of the segment pierces the plane in one point, which is inside where it passes no two
-  // edges on different sides.
+  // The line of the segment pierces the plane in one point. The point is inside unless the line
+  // passes two edges on different sides.
   const int ab = orient3d(ends.first, ends.last, a, b);
   const int bc = orient3d(ends.first, ends.last, b, c);
   const int ca = orient3d(ends.first, ends.last, c, a);

@@ -7,8 +7,8 @@
 
 namespace pelt::detail {
 
-/// On which side of another triangle's plane each corner of a triangle is: 1 in front, -1 behind.
-/// All are on the plane of a triangle that has collapsed.
+/// The side of another triangle's plane for each corner of a triangle: 1 in front, -1 behind. If
+/// the other triangle has collapsed, all corners are on its plane.
 using PlaneSides = std::array<int, 3>;
 
 inline PlaneSides sides_of(const TriangleCorners& corners, const TriangleCorners& plane) {

@@ -32,7 +32,7 @@ inline namespace PELT_TARGET {
 
 /// A line, prepared for many triangles.
 struct ShearedLine {
-  int x, y, z;  ///< the axes, z the one along which the direction is longest
+  int x, y, z;  ///< z: the axis of the largest component of the direction
   float origin_x, origin_y, origin_z, slope_x, slope_y;
   bool is_backward;  ///< against z: the determinants have the other sign
 };
@@ -57,12 +57,13 @@ inline ShearedLine shear(const Vec3& origin, const Vec3& direction) {
           d[z] < 0};
 }
 
-/// The corners of eight triangles as a sheared line sees them, and their distances from its origin.
+/// The corners of eight triangles in the coordinates of a sheared line, and their distances from
+/// its origin.
 struct SeenCorners {
   Float8 x, y, distance;
 };
 
-/// The axes are looked up: to guess them, as a branch would, is to be wrong often.
+/// Looks up the axes, because a branch would often be mispredicted.
 [[gnu::always_inline]] inline SeenCorners see(const ShearedLine& line, const Points8& corners) {
   const Float8 axes[] = {corners.x, corners.y, corners.z};
   const Float8 x = axes[line.x] - Float8(line.origin_x), y = axes[line.y] - Float8(line.origin_y);
@@ -75,13 +76,13 @@ struct SeenCorners {
   return p.x * q.y - p.y * q.x;
 }
 
-/// What is certain about eight triangles, a bit each; one in no set is undecided. Those met are met
-/// from the front where the determinants are negative.
+/// Decisions about eight triangles, one bit each; a triangle in neither set is undecided. A
+/// triangle is hit from the front if the determinants are negative.
 struct RayTriage {
   unsigned missed, met_from_front, met_from_back;
 };
 
-/// `corner(k)` has the corners k of all.
+/// `corner(k)` returns the corners k of all triangles.
 template <typename Corner>
 [[gnu::always_inline]] inline RayTriage triage(const ShearedLine& line, const Corner& corner) {
   const SeenCorners a = see(line, corner(0)), b = see(line, corner(1)), c = see(line, corner(2));

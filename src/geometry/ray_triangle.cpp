@@ -24,7 +24,7 @@ namespace {
 constexpr double kRoundingUnit = 0x1p-53;
 constexpr double kDeterminantError = 56 * kRoundingUnit;
 
-/// Room for three determinants of floats, or four: two terms for each of six products.
+/// Capacity for four determinants of floats, with two terms for each of six products.
 using Sum3d = ExactSum<48>;
 
 double max_abs(const Vec3d& v) {
@@ -43,7 +43,7 @@ Sum3d exact_edge(const RayLine& line, const Vec3& q, const Vec3& r) {
   return sum;
 }
 
-/// The three determinants of edges, that opposite to each corner, exactly.
+/// The exact determinants of the three edges; element k belongs to the edge opposite to corner k.
 std::array<Sum3d, 3> exact_edges(const RayLine& line, const TriangleCorners& t) {
   return {exact_edge(line, t[1], t[2]), exact_edge(line, t[2], t[0]), exact_edge(line, t[0], t[1])};
 }
@@ -69,16 +69,16 @@ Sum3d exact_height(const RayLine& line, const TriangleCorners& t) {
   return sum;
 }
 
-/// On which side of the line each edge passes, by the corner opposite to it.
+/// The side of the line on which each edge passes, by the corner opposite to the edge.
 using Sides = std::array<int, 3>;
 
-/// Whether some edges pass on either side.
+/// Whether two edges pass on different sides.
 bool on_both_sides(const Sides& sides) {
   return std::min({sides[0], sides[1], sides[2]}) < 0 &&
          std::max({sides[0], sides[1], sides[2]}) > 0;
 }
 
-/// The sides that double arithmetic is sure of, 0 for others, and whether it is of all.
+/// The sides that double arithmetic decides, 0 for undecided ones, and whether all are decided.
 struct CertainSides {
   Sides sides;
   bool all;
@@ -98,7 +98,7 @@ CertainSides certain_sides(const RayLine& line, const TriangleCorners& t) {
   return certain;
 }
 
-/// All sides. Precondition: those of `certain` that are not 0 are right.
+/// Returns all sides. Precondition: the nonzero sides of `certain` are right.
 Sides exact_sides(const RayLine& line, const TriangleCorners& t, const Sides& certain) {
   Sides sides = certain;
   for (std::size_t i = 0; i < 3; ++i)
@@ -152,7 +152,7 @@ float nearest_t(const RayLine& line, const TriangleCorners& t) {
   return exact_quotient(exact_height(line, t), exact_slope(line, t));
 }
 
-/// The three numbers over their sum, those opposite to an edge that is met left out.
+/// Divides the three numbers by their sum, without those opposite to an edge that is hit.
 std::array<float, 3> shares(const std::array<double, 3>& w, const RayCrossing& crossing) {
   const double per_sum = 1 / (w[0] + w[1] + w[2]);
   std::array<float, 3> weights;

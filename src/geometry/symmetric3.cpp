@@ -6,8 +6,8 @@
 namespace pelt::detail {
 namespace {
 
-/// One rotation of Jacobi's method (Golub & Van Loan, Matrix Computations, 8.5): makes
-/// m[p][q] zero and turns the axes p and q alike.
+/// One rotation of Jacobi's method (Golub & Van Loan, Matrix Computations, 8.5): makes m[p][q] zero
+/// and rotates the axes p and q in the same way.
 void rotate(double (&m)[3][3], std::array<Vec3d, 3>& axes, int p, int q) {
   if (m[p][q] == 0) return;
   const double slope = (m[q][q] - m[p][p]) / (2 * m[p][q]);

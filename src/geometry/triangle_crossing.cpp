@@ -25,13 +25,14 @@
 namespace pelt::detail {
 namespace {
 
-/// An end of a triangle's interval, on a line from the front of the other's plane to its back.
+/// An end of a triangle's interval, on a directed line that goes from the front of the other's
+/// plane to its back.
 struct IntervalEnd {
   Feature feature = Feature::face;
   const Vec3 *front = nullptr, *back = nullptr;
 };
 
-/// The end in a corner that lies on the plane; `other` does not.
+/// The end at a corner on the plane; the corner `other` is not on the plane.
 IntervalEnd end_in_corner(const TriangleCorners& t, const PlaneSides& s, std::size_t corner,
                           std::size_t other) {
   const bool in_front = s[other] > 0;
@@ -39,11 +40,11 @@ IntervalEnd end_in_corner(const TriangleCorners& t, const PlaneSides& s, std::si
           in_front ? &t[corner] : &t[other]};
 }
 
-/// Where a triangle cuts the line of both planes.
+/// The interval in which a triangle cuts the line of both planes.
 struct Interval {
   IntervalEnd to_front,
       to_back;  ///< where the outline comes to the front, and where it goes behind
-  Feature within = Feature::face;  ///< between them
+  Feature within = Feature::face;  ///< the feature between them
 };
 
 /// Precondition: the corners are not all on the plane, nor all on one open side of it.
@@ -78,7 +79,7 @@ CrossingEnd both(const IntervalEnd& a, const IntervalEnd& b) { return {a.feature
 
 Crossing point(const CrossingEnd& end) { return {CrossingKind::point, {end, end}}; }
 
-/// Precondition: both intervals are there.
+/// Precondition: both intervals exist.
 Crossing cross_intervals(const Interval& a, const Interval& b) {
   const IntervalEnd &begin_a = a.to_front, &end_a = a.to_back;
   const IntervalEnd &begin_b = b.to_back, &end_b = b.to_front;
@@ -104,7 +105,7 @@ struct Edge {
   Vec3 from, to;
 };
 
-/// The end with the lesser coordinates first, so that both triangles that have the edge agree.
+/// Puts the end with the lesser coordinates first, so that both triangles with the edge agree.
 Edge edge_of(const TriangleCorners& t, Feature edge) {
   const std::size_t i = static_cast<std::size_t>(edge) - 3;
   const Vec3 &p = t[i], &q = t[(i + 1) % 3];
@@ -117,8 +118,7 @@ double max_abs(const TriangleCorners& t) {
   return std::max({max_abs(Vec3d(t[0])), max_abs(Vec3d(t[1])), max_abs(Vec3d(t[2]))});
 }
 
-/// The place that divides an edge where a function linear along it is zero, which has these values
-/// at its ends.
+/// The point of an edge where a linear function with these values at its ends is zero.
 Vec3 divided(const Edge& edge, double at_from, double at_to) {
   const double share = std::clamp(at_from / (at_from - at_to), 0.0, 1.0);
   return to_float(Vec3d(edge.from) + share * (Vec3d(edge.to) - Vec3d(edge.from)));
@@ -131,8 +131,8 @@ double value_of(const ExactSum<kCapacity>& sum) {
   return value;
 }
 
-/// det(b - a, c - a, d - a), but for the last rounding: det(b, c, d) - det(a, c, d) + det(a, b, d)
-/// - det(a, b, c), exactly.
+/// det(b - a, c - a, d - a), rounded once: det(b, c, d) - det(a, c, d) + det(a, b, d) - det(a, b,
+/// c), exactly.
 double exact_orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   ExactSum<96> sum;
   add_determinant(sum, b, c, d);
@@ -142,9 +142,9 @@ double exact_orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const V
   return value_of(sum);
 }
 
-/// Where an edge goes through the face of a triangle. The determinants of its ends are those of
-/// `OrientedPlane::side`, whose errors are known; where they would move the place too far, they are
-/// computed exactly.
+/// The point where an edge passes through the face of a triangle. The determinants of its ends are
+/// those of `OrientedPlane::side`, with known errors. If the errors would move the point too far,
+/// computes the determinants exactly.
 Vec3 edge_through_face(const Edge& edge, const TriangleCorners& face) {
   const Vec3d origin(face[0]), u = Vec3d(face[1]) - origin, v = Vec3d(face[2]) - origin;
   const Vec3d normal = cross(u, v), from = Vec3d(edge.from) - origin, to = Vec3d(edge.to) - origin;
@@ -161,7 +161,7 @@ Vec3 edge_through_face(const Edge& edge, const TriangleCorners& face) {
                  exact_orientation(a, b, c, Vec3d(edge.to)));
 }
 
-/// det(q - p, r - p) of two of the coordinates, but for the last rounding.
+/// det(q - p, r - p) of two of the coordinates, rounded once.
 double exact_turn(const Vec2d& p, const Vec2d& q, const Vec2d& r) {
   ExactSum<6> sum;  // products of floats are exact
   for (const double term : {q.x * r.y, -r.x * q.y, r.x * p.y, -p.x * r.y, p.x * q.y, -q.x * p.y})
@@ -169,7 +169,7 @@ double exact_turn(const Vec2d& p, const Vec2d& q, const Vec2d& r) {
   return value_of(sum);
 }
 
-/// Two edges of one plane that cross, in a view of the plane along an axis in which they still do.
+/// The crossing of two coplanar edges, projected along an axis that preserves the crossing.
 Vec3 edge_through_edge(const Edge& a, const Edge& b) {
   for (int axis = 0; axis < 3; ++axis) {
     const Vec2d p = without(b.from, axis), q = without(b.to, axis);
@@ -190,7 +190,7 @@ Crossing cross_triangles(const TriangleCorners& a, const TriangleCorners& b) {
   if (a_on_plane && b_on_plane)
     return {has_collapsed(a) || has_collapsed(b) ? CrossingKind::collapsed : CrossingKind::coplanar,
             {}};
-  // A collapsed triangle has no plane, so that all are on it.
+  // A collapsed triangle has no plane; all corners count as on it.
   if (a_on_plane || b_on_plane) return {CrossingKind::collapsed, {}};
   return cross_intervals(interval_of(a, sides_a), interval_of(b, sides_b));
 }

@@ -23,13 +23,13 @@
 namespace pelt::detail {
 namespace {
 
-/// `dividend` / `divisor` moved into [0, 1]; 0 if the divisor is 0.
+/// `dividend` / `divisor`, clamped to [0, 1]; 0 if the divisor is 0.
 double share(double dividend, double divisor) {
   if (!(dividend > 0)) return 0;
   return dividend < divisor ? dividend / divisor : divisor > 0 ? 1 : 0;
 }
 
-/// A triangle with all that is asked of it more than once.
+/// A triangle with precomputed values.
 struct Face {
   explicit Face(const TriangleCorners& t) : corner{Vec3d(t[0]), Vec3d(t[1]), Vec3d(t[2])} {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -58,7 +58,7 @@ Barycentrics on_edge(std::size_t edge, double s) {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The point of a face right across from a point; infinitely far if that is not inside.
+/// The projection of a point onto a face; infinitely far if the projection is outside the face.
 NearestOnTriangle nearest_inside(const Vec3d& point, const Face& face) {
   constexpr NearestOnTriangle kNone = {kInfinity, {1, 0, 0}};
   const Vec3d w = point - face.corner[0], &u = face.edge[0], &v = face.side;
@@ -91,8 +91,8 @@ Barycentrics at_corner(std::size_t corner) {
 
 /// The nearest points of two faces so far.
 ///
-/// Where the lines of two edges, or a corner and the plane of a face, are no nearer than what has
-/// been found, no points on them need be computed: that is most of the work.
+/// If the lines of two edges, or a corner and the plane of a face, are no nearer than the best
+/// points so far, their points need not be computed. This saves most of the work.
 class NearestOfFaces {
  public:
   NearestOfFaces(const Face& a, const Face& b) : a_(a), b_(b) {
@@ -110,7 +110,7 @@ class NearestOfFaces {
       for (std::size_t j = 0; j < 3; ++j) try_edges(i, j);
   }
 
-  /// Where edges of one pierce the other.
+  /// Tries the points where edges of one face pierce the other.
   void try_piercings() {
     for (std::size_t i = 0; i < 3; ++i) {
       if (const double s = piercing(a_, i, b_); s >= 0)
@@ -131,7 +131,7 @@ class NearestOfFaces {
     if (a.squared_distance < nearest_.squared_distance) nearest_ = {a.squared_distance, a.at, b};
   }
 
-  /// Corner i of the first face, edge j of the second.
+  /// Tries corner i of the first face with edge j of the second.
   void try_corner_of_a(std::size_t i, std::size_t j) {
     const Vec3d& w = way_[i][j];
     const double s = share(-dot(w, b_.edge[j]), b_.squared_edge[j]);
@@ -139,7 +139,7 @@ class NearestOfFaces {
     if (squared < nearest_.squared_distance) nearest_ = {squared, at_corner(i), on_edge(j, s)};
   }
 
-  /// Edge i of the first face, corner j of the second.
+  /// Tries edge i of the first face with corner j of the second.
   void try_corner_of_b(std::size_t i, std::size_t j) {
     const Vec3d& w = way_[i][j];
     const double s = share(dot(w, a_.edge[i]), a_.squared_edge[i]);
@@ -147,7 +147,8 @@ class NearestOfFaces {
     if (squared < nearest_.squared_distance) nearest_ = {squared, on_edge(i, s), at_corner(j)};
   }
 
-  /// Whether a face's plane is nearer than what was found; `way` leads from or to the plane.
+  /// Whether a face's plane is nearer than the best points so far; `way` leads from or to the
+  /// plane.
   bool is_nearer(const Face& face, const Vec3d& way) const {
     return is_nearer(face.normal, face.squared_normal, way);
   }
@@ -157,7 +158,7 @@ class NearestOfFaces {
     return along * along < nearest_.squared_distance * squared_normal;
   }
 
-  /// Both points inside their edges; those at an end have been tried.
+  /// Tries points inside both edges; points at ends have been tried before.
   void try_edges(std::size_t i, std::size_t j) {
     const Vec3d &w = way_[i][j], &u = a_.edge[i], &v = b_.edge[j];
     const Vec3d n = cross(u, v);
@@ -174,7 +175,8 @@ class NearestOfFaces {
     if (squared < nearest_.squared_distance) nearest_ = {squared, on_edge(i, s), on_edge(j, t)};
   }
 
-  /// Where along an edge the other's plane is; negative if both ends are on one side of it.
+  /// The position on an edge where it crosses the other's plane; negative if both ends are on one
+  /// side.
   static double piercing(const Face& of, std::size_t edge, const Face& face) {
     const double begin = dot(face.normal, of.corner[edge] - face.corner[0]);
     const double end = dot(face.normal, of.corner[(edge + 1) % 3] - face.corner[0]);

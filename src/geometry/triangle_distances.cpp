@@ -1,5 +1,5 @@
-/// The arithmetic of triangle_distance.cpp, operation by operation, for four pairs of triangles
-/// side by side: what is a branch there is a choice here. Barycentrics are left to it.
+/// The arithmetic of triangle_distance.cpp, operation by operation, for four pairs of triangles in
+/// parallel, with selections instead of branches. Does not compute barycentrics.
 
 #include "geometry/triangle_distances.hpp"
 
@@ -27,7 +27,7 @@ Vec3d4 cross(const Vec3d4& a, const Vec3d4& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The quotient moved into [0, 1].
+/// The quotient, clamped to [0, 1].
 Double4 share(const Double4& dividend, const Double4& divisor) {
   return max(min(dividend / divisor, Double4(1.0)), Double4(0.0));
 }

@@ -40,8 +40,8 @@ bool disjoint_boxes(const TriangleCorners& a, const TriangleCorners& b) {
          disjoint_range(a[0].z, a[1].z, a[2].z, b[0].z, b[1].z, b[2].z);
 }
 
-/// The corner whose side is less than those of both others, or greater than both. Precondition: not
-/// all are equal.
+/// The corner whose side is less than the sides of both others, or greater than both. Precondition:
+/// the sides are not all equal.
 std::size_t apex_index(const PlaneSides& s) {
   if (s[1] == s[2]) return 0;
   if (s[2] == s[0]) return 1;
@@ -49,7 +49,7 @@ std::size_t apex_index(const PlaneSides& s) {
   return s[0] > 0 ? 0 : s[1] > 0 ? 1 : 2;
 }
 
-/// The corners of a triangle in their order, from the apex on.
+/// The corners of a triangle in order, starting at the apex.
 struct Turned {
   const Vec3 &p, *q, *r;
   bool apex_behind;  ///< p is behind the other's plane, or the others in front
@@ -67,7 +67,7 @@ bool intervals_overlap(const TriangleCorners& corners_a, const PlaneSides& sides
                        const TriangleCorners& corners_b, const PlaneSides& sides_b) {
   Turned a(corners_a, sides_a, apex_index(sides_a));
   Turned b(corners_b, sides_b, apex_index(sides_b));
-  if (a.apex_behind) std::swap(b.q, b.r);  // turns b's plane round
+  if (a.apex_behind) std::swap(b.q, b.r);  // flips b's plane
   if (b.apex_behind) std::swap(a.q, a.r);
   return orient3d(a.p, *a.q, b.p, *b.q) <= 0 && orient3d(a.p, *a.r, b.p, *b.r) >= 0;
 }

@@ -62,7 +62,7 @@ Float8 largest(const Float8& u, const Float8& v, const Float8& w0, const Float8&
   return max(max(max(abs(u), abs(v)), max(abs(w0), abs(w1))), abs(w2));
 }
 
-/// Tells which signs are certain, of a determinant or a sum of up to four.
+/// Determines which signs are certain, of a determinant or of a sum of up to four.
 class Certainty {
  public:
   Certainty(const Points8& u, const Points8& v, const Points8 (&w)[3]) {

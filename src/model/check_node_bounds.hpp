@@ -7,11 +7,11 @@
 
 namespace pelt::detail {
 
-/// The first rule that bounds break which the boxes of nodes rely on, naming the array and the
-/// index; empty when there is none: evaluating the bounds then stays inside the arrays, takes time
-/// in proportion to their size and gives finite boxes on every palette. The bounds may come from a
-/// hostile file; whether they enclose anything is not asked. Precondition: `check_structure` finds
-/// nothing wrong with `tree`. O(size of the arrays).
+/// Validates the bounds of nodes, which may come from a hostile file. Returns the first problem,
+/// with array and index, or an empty Problem. Evaluating valid bounds then stays inside the arrays,
+/// takes time in proportion to their size, and gives finite boxes on every palette. Does not check
+/// that bounds enclose anything. Precondition: `check_structure` finds no problem. O(size of the
+/// arrays).
 Problem check_node_bounds(const NodeBounds& bounds, const Tree& tree);
 
 /// Whether an affine bound is finite on every palette, if its shape lies within 4 R of the origin

@@ -157,8 +157,8 @@ struct NodeBounds {
 /// The bounds hold in any pose. O(P log P) for P vertices in pools.
 NodeBounds fit_node_bounds(const Tree& tree, std::span<const Palette> samples);
 
-/// The same for any sets of vertices, named by their places in the pools, a node for each. The
-/// bound of no vertices is the box around nothing.
+/// The same for arbitrary sets of vertices, given by their positions in the pools, with one node
+/// per set. The bound of an empty set is the empty box.
 NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uint32_t>> sets,
                           std::span<const Palette> samples);
 

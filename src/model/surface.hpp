@@ -4,7 +4,7 @@
 
 namespace pelt::detail {
 
-/// Which triangles of a model are adjacent. Arrays [T] are by the caller's number of a triangle.
+/// Adjacency of the triangles of a model. Arrays [T] are indexed by the caller's triangle numbers.
 struct Surface {
   explicit Surface(const SkinnedModel& model);
 

@@ -12,8 +12,8 @@ void index_triangles(Tree& tree) {
     tree.triangle_places[tree.triangle_ids[place]] = place;
 }
 
-/// Clusters, and so their triangles, are numbered node after node. Of nodes that begin with the
-/// same cluster only the last has clusters.
+/// Clusters, and therefore their triangles, are numbered node by node. Of nodes with the same first
+/// cluster, only the last has clusters.
 std::uint32_t node_of_triangle(const Tree& tree, std::uint32_t place) {
   PELT_ASSERT(place < tree.triangle_count());
   const auto begins_after = [&](std::uint32_t triangle, const Node& node) {

@@ -23,7 +23,7 @@ struct Pose {
     return {data.tree, data.bounds, palette, root_box, opened, arena};
   }
 
-  /// In any of the forms that Palette::set takes.
+  /// Accepts any of the forms of Palette::set.
   template <typename Element>
   Result<void> set_palette(std::span<const Element> elements) {
     Result<void> set = palette.set(elements);

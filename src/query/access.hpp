@@ -8,7 +8,7 @@
 
 namespace pelt::detail {
 
-/// What is private to Pelt in public types.
+/// Gives Pelt access to private members of public types.
 struct Access {
   template <std::size_t kNumbers>
   static TreeLocation<kNumbers> location(const std::array<std::uint32_t, kNumbers>& numbers) {

@@ -17,7 +17,7 @@ inline bool boxes_overlap(const float* low_a, const float* high_a, const float* 
   return ((below & above).bits() & 7) == 7;
 }
 
-/// The first part of a Rule: what is near overlaps.
+/// The part of a Rule that decides which nodes and slots are near: those whose boxes overlap.
 struct BoxOverlap {
   static bool overlaps(const OpenedNode& a, const OpenedNode& b) {
     return boxes_overlap(a.all_low, a.all_high, b.all_low, b.all_high);
@@ -31,7 +31,8 @@ struct BoxOverlap {
     return slots_in(of, lane_box(other.low, other.high, slot));
   }
 
-  /// How far one would have to be moved along an axis to part a slot's box from the other node.
+  /// The least distance along an axis by which a slot's box would have to move to leave the other
+  /// node's box.
   static float depth(const OpenedNode& a, unsigned slot, const OpenedNode& b) {
     float least = HUGE_VALF;
     for (int axis = 0; axis < 3; ++axis) {

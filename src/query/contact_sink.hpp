@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a search puts the contacts that it finds, up to a limit.
+/// Collects the contacts of a search, up to a limit.
 
 #include <pelt/collide.hpp>
 
@@ -21,8 +21,8 @@ class ContactSink {
 
   bool is_full() const { return contacts_.size() >= max_contacts_; }
 
-  /// Whether so few contacts are wanted that it pays to visit likely pairs first, and to test
-  /// candidates at once instead of collecting eight.
+  /// Whether so few contacts are missing that visiting likely pairs first, and testing candidates
+  /// at once instead of collecting eight, saves work.
   bool is_impatient() const { return max_contacts_ - contacts_.size() < 8; }
 
   /// Removes contacts beyond the limit. Returns whether some are missing or may be: `is_unfinished`

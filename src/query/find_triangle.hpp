@@ -9,7 +9,7 @@
 
 namespace pelt::detail {
 
-/// Where a triangle is in an opened tree.
+/// The location of a triangle in an opened tree.
 struct FoundTriangle {
   TriangleCorners corners;
   std::uint32_t node, slot;  ///< its cluster

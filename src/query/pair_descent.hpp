@@ -59,7 +59,7 @@ class PairDescent {
   const OpenedNode& open_a(std::uint32_t node) { return open_node(a_, node, work_); }
   const OpenedNode& open_b(std::uint32_t node) { return open_node(b_, node, work_); }
 
-  /// Sorts the pairs from `first` on by depth: the next one to be popped is the deepest.
+  /// Sorts the pairs from `first` on by depth, so that the deepest is popped next.
   void put_deepest_last(std::size_t first) {
     SlotPair* const begin = pairs_.begin() + first;
     for (SlotPair* pair = begin; pair < pairs_.end(); ++pair) {
@@ -70,7 +70,7 @@ class PairDescent {
     }
   }
 
-  /// The slots of two nodes against each other.
+  /// Compares the slots of two nodes.
   void compare(const SlotPair& pair) {
     ++work_.node_pairs;
     const OpenedNode &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
@@ -99,8 +99,8 @@ class PairDescent {
                      rule_.depth(opened_b, slot, opened_a)});
   }
 
-  /// A child of a's node against those slots of b's node that its bound overlaps: now that it is
-  /// opened, fewer may be left.
+  /// Pushes a child of a's node with the slots of b's node that its box overlaps. After opening,
+  /// these may be fewer.
   void descend_b(const SlotPair& pair) {
     const OpenedNode &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
     const Node& node_b = b_.tree.nodes[pair.node_b];
@@ -114,14 +114,14 @@ class PairDescent {
   }
 
   const PosedTree &a_, &b_;
-  Stack<SlotPair>& pairs_;  // the one on top is next
+  Stack<SlotPair>& pairs_;  // the top is visited next
   Rule& rule_;
   QueryStats& work_;
   bool is_unfinished_ = false;  // a visit ended early
 };
 
-/// Pushes the pairs of a node's slots with its later slots: for a tree against itself, where those
-/// of all nodes together have each pair of different clusters below them exactly once.
+/// Pushes the pairs of a node's slots with its later slots. Used for a tree against itself: all
+/// nodes together then cover each pair of different clusters exactly once.
 inline void push_pairs_within(const PosedTree& posed, std::uint32_t node, Stack<SlotPair>& pairs) {
   for (SetBits slot(slots_of(posed.tree.nodes.data()[node])); slot; ++slot) {
     const unsigned later = kAllSlots & ~((2u << *slot) - 1);

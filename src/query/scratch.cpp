@@ -1,8 +1,8 @@
 /// Upper bounds of the memory of queries.
 ///
-/// A descent takes one step for each level of the second tree, and at most two for each of the
-/// first: to a child, and on from there with the same node of the second. A step replaces a pair by
-/// at most as many as the two nodes have slots.
+/// A descent of two trees takes one step per level of the second tree, and at most two per level of
+/// the first: one to a child, and one from there with the same node of the second tree. A step
+/// replaces a pair by at most as many pairs as the two nodes have slots.
 
 #include "query/scratch.hpp"
 
@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t kMostSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;
 
-/// For one tree: a step replaces a node by its children.
+/// For one tree, a step replaces a node by its children.
 constexpr std::size_t kMostNodes = detail::kMaxClusterTreeDepth * detail::kMaxSlots;
 
-/// A search for what is nearest replaces one part by its slots.
+/// A nearest-first search replaces one part by its slots.
 constexpr std::size_t kMostNearParts = (detail::kMaxClusterTreeDepth + 1) * detail::kMaxSlots;
 
 /// A query with a limit checks its count between pairs of clusters, and up to seven pairs of

@@ -11,12 +11,11 @@
 
 namespace pelt::detail {
 
-/// Two nodes whose boxes overlap as far as is known, with the slots of each that are not yet
-/// compared with those of the other.
+/// Two nodes whose boxes may overlap, with the slots of each that have not been compared yet.
 struct SlotPair {
   std::uint32_t node_a, slots_a, node_b, slots_b;
   bool b_is_parent = false;  // a was replaced by a child; b is still to be replaced
-  float depth = 0;           // how far the boxes overlap
+  float depth = 0;           // depth by which the boxes overlap
 };
 
 /// A part of a tree that may contain the nearest point, with the distance of its box.
@@ -25,13 +24,13 @@ struct NearPart {
   std::uint32_t node, slot;
 };
 
-/// The same of two trees.
+/// The same for two trees.
 struct NearParts {
   float squared_gap;
   std::uint32_t node_a, slot_a, node_b, slot_b;
 };
 
-/// Working memory of describing contacts (src/contact): keys that neighbours share, sorted, and
+/// Working memory of describing contacts (src/contact): sorted keys that neighbours share, and
 /// numbers for each trace or end.
 struct ContactLinks {
   struct Link {

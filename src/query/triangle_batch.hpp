@@ -15,7 +15,7 @@ inline namespace PELT_TARGET {
 
 inline constexpr std::uint32_t kBatch = 8;
 
-/// Up to eight items that wait. The owner tests them when the batch is full, and at the end.
+/// Up to eight waiting items. The owner tests them when the batch is full, and at the end.
 template <typename Item>
 class Batch8 {
  public:
@@ -26,7 +26,7 @@ class Batch8 {
   bool is_full() const { return count_ == kBatch; }
   const Item& operator[](std::uint32_t i) const { return items_[i]; }
 
-  /// Fills the lanes in which nothing waits with the first item. Precondition: one waits.
+  /// Fills the unused lanes with the first item. Precondition: the batch is not empty.
   void pad() {
     for (std::uint32_t i = count_; i < kBatch; ++i) items_[i] = items_[0];
   }
@@ -54,7 +54,7 @@ template <typename Corner>
   return corners;
 }
 
-/// Those of the lanes `kept` that the float test leaves undecided and that intersect by the exact
+/// Returns the lanes of `kept` that the float test leaves undecided and that intersect by the exact
 /// predicate. `corners_a(lane)` and `corners_b(lane)` return the corners of a lane's triangles.
 template <typename CornersA, typename CornersB>
 [[gnu::always_inline]] inline unsigned decide_exactly(const Triage& verdict, unsigned kept,

@@ -14,7 +14,7 @@ namespace {
 using detail::Node;
 using detail::Tree;
 
-/// Adds to the shares from `begin` on.
+/// Adds `share` to the joint's entry among the shares from `begin` on.
 void add_share(std::uint32_t joint, float share, std::size_t begin,
                std::vector<JointShare>& shares) {
   const auto known = std::find_if(shares.begin() + static_cast<std::ptrdiff_t>(begin), shares.end(),

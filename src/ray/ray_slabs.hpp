@@ -50,7 +50,7 @@ class RaySlabs {
   /// Ignores everything beyond `t` from now on.
   void end_at(float t) { last_ = scaled(t, 1); }
 
-  /// Whether something entered at `entry` may still count.
+  /// Whether a box entered at `entry` may still contain a hit that counts.
   bool reaches(float entry) const { return entry <= last_; }
 
   /// Whether the ray enters the box around all vertices.

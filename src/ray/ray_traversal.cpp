@@ -33,7 +33,7 @@ RayHit complete(const Tree& tree, const RayLine& line, const Found& found) {
   return hit;
 }
 
-/// Stores the hit with the least t; of equal hits, that of the lowest triangle.
+/// Stores the hit with the least t; among equal ones, the hit of the lowest triangle.
 class FirstHit {
  public:
   explicit FirstHit(const Tree& tree) : tree_(tree) {}

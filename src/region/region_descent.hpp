@@ -17,7 +17,7 @@ struct RegionAnswer {
 enum class RegionWish {
   placement,  ///< whether the surface touches it and leaves it
   touch,      ///< whether the surface touches it
-  triangles,  ///< all triangles that do, and those inside
+  triangles,  ///< all triangles that touch it, and those inside
 };
 
 inline namespace PELT_TARGET {

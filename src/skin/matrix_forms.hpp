@@ -1,6 +1,6 @@
 #pragma once
 
-/// Joint matrices in the forms that callers have, as the one form that Pelt uses.
+/// Converts joint matrices from the forms of the interface to Pelt's own.
 
 #include <pelt/math.hpp>
 
@@ -18,7 +18,7 @@ inline Matrix4 to_matrix(const Matrix3x4& rows) {
   return matrix;
 }
 
-/// Rounds each element to the nearest float; what is beyond the largest float becomes infinite.
+/// Rounds each element to the nearest float; elements beyond the largest float become infinite.
 inline Matrix4 to_matrix(std::span<const double, 16> numbers) {
   Matrix4 matrix;
   for (std::size_t i = 0; i < 16; ++i) matrix.m[i] = static_cast<float>(numbers[i]);

@@ -87,8 +87,8 @@ Result<void> Palette::set(std::span<const double> numbers) {
       [&](std::size_t joint) { return to_matrix(numbers.subspan(16 * joint).first<16>()); });
 }
 
-/// Converts twice, first to validate all joints and then to store them, because a refusal leaves
-/// the palette as it was and nothing may be allocated.
+/// Converts twice, first to validate all joints and then to store them: an error must leave the
+/// palette unchanged, and the function must not allocate.
 template <typename MatrixOf>
 Result<void> Palette::set_by(const MatrixOf& matrix_of) {
   PaletteScan all;

@@ -40,11 +40,11 @@ class Palette {
   Result<void> set(std::span<const float> floats);
   Result<void> set(std::span<const Matrix4> matrices) { return set(floats_of(matrices)); }
 
-  /// The same from other forms, which `to_matrix` of matrix_forms.hpp describes.
+  /// The same for other forms; see `to_matrix` in matrix_forms.hpp.
   Result<void> set(std::span<const Matrix3x4> matrices);
   Result<void> set(std::span<const double> numbers);
 
-  /// Copies the weights of the morph targets, likewise.
+  /// Copies the weights of the morph targets, in the same way.
   Result<void> set_morph_weights(std::span<const float> weights);
 
   std::span<const Matrix4> joints() const { return joints_; }

@@ -18,7 +18,7 @@ Region region_of(const Solid& solid) {
   return std::visit([](const auto& shape) { return Region(shape); }, solid);
 }
 
-/// Leaves the triangles that touch in `scratch.touching`.
+/// Writes the touching triangles to `scratch.touching`.
 QueryStats find_touching(const PosedTree& posed, const PreparedRegion& region, Scratch& scratch) {
   return (region.is_capsule
               ? descend_in_capsule(posed, region.capsule, scratch, RegionWish::triangles)
@@ -28,7 +28,7 @@ QueryStats find_touching(const PosedTree& posed, const PreparedRegion& region, S
 
 SolidDistance touching(const PosedTree& posed, const Solid& solid, std::uint32_t triangle,
                        QueryStats& work) {
-  make_table(posed);  // what is wholly inside has not been opened
+  make_table(posed);  // bodies wholly inside have not been opened
   const TriangleCorners corners = find_triangle(posed, triangle, work).corners;
   SolidDistance closest;
   closest.distance = 0;
