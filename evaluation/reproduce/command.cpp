@@ -50,7 +50,7 @@ Result<std::vector<Experiment>> all_experiments(bool has_peers) {
   const Experiment* const peers = reproduce::peers_experiment();
   if (peers == nullptr)
     return output::bad_argument(
-        "--peers", "this pelt-lab was built without other libraries",
+        "--peers", "pelt-lab was built without adapters to other libraries",
         "build it with -DPELT_BENCH_PEERS=ON, see evaluation/peers/README.md");
   all.push_back(*peers);
   return all;
@@ -114,8 +114,8 @@ Result<arguments::ExitCode> reproduce_all(const Arguments& arguments) {
   const auto chosen = chosen_experiments(*all, arguments.only);
   if (!chosen) return chosen.error();
   if (!arguments.models.empty() && !std::filesystem::is_directory(arguments.models))
-    return output::bad_argument("--models", arguments.models + " is no folder",
-                                "name one that holds .glb files");
+    return output::bad_argument("--models", arguments.models + " is not a folder",
+                                "give a folder with .glb files");
   if (const auto made = reproduce::make_folders(arguments.folder); !made) return made.error();
   Report report;
   report.provenance = provenance(arguments);
@@ -141,8 +141,8 @@ void add_reproduce(CLI::App& app, arguments::Command& chosen) {
   arguments::Verb verb(app, "reproduce", "Run the experiments of the paper again", kFooter);
   const auto arguments = std::make_shared<Arguments>();
   verb.option("-o,--output", arguments->folder, "Folder for the report", {.type = "DIR"});
-  verb.flag("--quick", arguments->is_quick, "Few frames, repetitions and sizes");
-  verb.option("--models", arguments->models, "A folder of characters (.glb) to look at as well",
+  verb.flag("--quick", arguments->is_quick, "Use fewer frames, repetitions and sizes");
+  verb.option("--models", arguments->models, "Folder with further characters (.glb)",
               {.type = "DIR"});
   verb.option("--only", arguments->only, "Only these experiments, separated by commas",
               {.type = "LIST"});

@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"bench", "scene.json", "--threads", "1,two"}, {"--threads", "\"two\""}},
         Refusal{{"bench", "scene.json", "--threads", "257"}, {"--threads", "\"257\""}},
         Refusal{{"bench", "scene.json", "--threads", "2", "--methods", "paper"},
-                {"--threads", "on_demand among --methods"}},
+                {"--threads", "add on_demand to --methods"}},
         Refusal{{"bench", "scene.json", "--frames", "0:13"}, {"--frames", "has frames 0:12"}}));
 
 INSTANTIATE_TEST_SUITE_P(

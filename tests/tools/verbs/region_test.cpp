@@ -91,10 +91,10 @@ TEST(RegionVerb, RefusesWhatIsNoRegion) {
     return run.err;
   };
   EXPECT_EQ(refusal({}),
-            "pelt: error: --box: no region is given: give one by --box, --sphere, --capsule or "
+            "pelt: error: --box: no region was given: give one with --box, --sphere, --capsule or "
             "--camera\n");
   EXPECT_EQ(refusal({"--sphere", "1,2,3"}),
-            "pelt: error: --sphere: \"1,2,3\" is not 4 numbers: give them as in --sphere "
+            "pelt: error: --sphere: \"1,2,3\" is not 4 numbers: give numbers as in --sphere "
             "0,1,0,0.5\n");
   EXPECT_EQ(refusal({"--sphere", "1,2,3,-4"}),
             "pelt: error: --sphere: the radius is negative: give 0 or more\n");

@@ -47,10 +47,11 @@ void add_model_options(Verb& verb, ModelArguments& arguments) {
               {.type = "NAME"});
   verb.flag("--renormalise", arguments.renormalise,
             "Accept weights that do not sum to 1, and divide them by their sum, as renderers do");
-  verb.option("--samples", arguments.samples,
-              "Number of sample poses of the clips that a character is optimised for; 0: faster "
-              "builds, slower queries",
-              {.type = "N", .most = 1000});
+  verb.option(
+      "--samples", arguments.samples,
+      "Number of sample poses, taken from clips, that a character is optimised for; 0 makes "
+      "building faster and queries slower",
+      {.type = "N", .most = 1000});
 }
 
 Result<scenes::Character> load_named_character(const std::string& path,

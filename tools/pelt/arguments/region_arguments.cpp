@@ -38,7 +38,7 @@ Result<std::vector<float>> parse_numbers(const Kind& kind, const std::string& te
   if (numbers.size() == kind.count && output::split(text, ',').size() == kind.count) return numbers;
   return output::bad_argument(
       kind.option, asset::quoted(text) + " is not " + std::to_string(kind.count) + " numbers",
-      std::string("give them as in ") + kind.option + " " + kind.example);
+      std::string("give numbers as in ") + kind.option + " " + kind.example);
 }
 
 /// Validates a radius, and the order of a box's corners.
@@ -117,8 +117,8 @@ Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
     chosen = &kind;
   }
   if (chosen == nullptr)
-    return output::bad_argument("--box", "no region is given",
-                                "give one by --box, --sphere, --capsule or --camera");
+    return output::bad_argument("--box", "no region was given",
+                                "give one with --box, --sphere, --capsule or --camera");
   Result<std::vector<float>> numbers = parse_numbers(*chosen, arguments.*chosen->text);
   if (!numbers) return numbers.error();
   if (const auto checked = check_numbers(*chosen, *numbers); !checked) return checked.error();

@@ -42,7 +42,7 @@ Result<void> check_for_scene(const SceneArguments& arguments) {
     if (option.count == 0) continue;
     return output::bad_argument(option.name,
                                 "applies to models on the command line, not to a scene file",
-                                "edit " + arguments.inputs[0]);
+                                "edit " + arguments.inputs[0] + " instead");
   }
   return {};
 }
@@ -57,7 +57,7 @@ Result<void> check_for_models(const SceneArguments& arguments) {
   for (const PlacingOption& option : placing_options(arguments)) {
     if (option.count <= models) continue;
     return output::bad_argument(option.name,
-                                "is given " + output::counted(option.count, "time") + " for " +
+                                "was given " + output::counted(option.count, "time") + " for " +
                                     output::counted(models, "model"),
                                 "give it at most once per model, in the order of the models");
   }
@@ -199,7 +199,7 @@ void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded neede
               {.is_required = needed == InputsNeeded::one});
   placing("--clip", arguments.clips, "NAME",
           "Animation clip, played in a loop; \"\": the unnamed clip; -: the default pose; '*': all "
-          "clips of the model, one after the other, for which the other models start anew");
+          "clips of the model, one after the other; the other models start anew with each clip");
   placing("--start", arguments.starts, "SECONDS", "Time in the clip at frame 0");
   placing("--at", arguments.positions, "X,Y,Z", "Position");
   placing("--turn", arguments.turns, "DEGREES", "Rotation about the y axis, which points up");

@@ -37,7 +37,7 @@ Result<void> choose_simd(const std::string& name) {
   if (is_known && set_active_target(*target)) return {};
   return output::bad_argument("--simd",
                               is_known ? name + " is not supported by this processor"
-                                       : "there is no " + asset::quoted(name),
+                                       : "unknown value " + asset::quoted(name),
                               "give " + available_names());
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 Result<methods::MethodKind> choose_method(const std::string& name, methods::MethodKinds known) {
   if (const auto method = methods::find_method(known, name)) return *method;
-  return Error{ErrorCode::invalid_argument, "--method: there is no " + asset::quoted(name) +
+  return Error{ErrorCode::invalid_argument, "--method: unknown method " + asset::quoted(name) +
                                                 scenes::suggestion(name, methods::names_of(known))};
 }
 
@@ -35,7 +35,7 @@ Result<std::optional<std::uint32_t>> choose_glb_frame(const CheckArguments& argu
                                                       const arguments::FrameRange& frames) {
   if (!arguments.glb_frame) return arguments.glb_frame;
   if (arguments.glb.empty()) {
-    return output::bad_argument("--glb-frame", "needs --glb", "name the output with --glb FILE");
+    return output::bad_argument("--glb-frame", "requires --glb", "name the output with --glb FILE");
   }
   if (contains(frames, *arguments.glb_frame)) return arguments.glb_frame;
   return output::bad_argument("--glb-frame",
@@ -121,7 +121,7 @@ Result<FailOn> choose_fail_on(const CheckArguments& arguments) {
     return arguments.baseline.empty() ? FailOn::contact : FailOn::grown;
   const auto fail_on = find_fail_on(arguments.fail_on);
   if (!fail_on)
-    return output::bad_argument("--fail-on", "there is no " + asset::quoted(arguments.fail_on),
+    return output::bad_argument("--fail-on", "unknown value " + asset::quoted(arguments.fail_on),
                                 "give contact, grown, new or never");
   const bool needs_baseline = *fail_on == FailOn::grown || *fail_on == FailOn::newly;
   if (needs_baseline && arguments.baseline.empty())
@@ -170,10 +170,11 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
               {.type = "N", .excludes = "--first"});
   verb.option("--ignore", arguments.ignore,
               "Do not count contacts between two parts or joints (repeatable)", {.type = "A,B"});
-  verb.option("--baseline", arguments.baseline,
-              "Compare with the --jsonl of an earlier check; fail only if parts and joints touch "
-              "that did not, or have more contacts in their worst frame",
-              {.type = "FILE"});
+  verb.option(
+      "--baseline", arguments.baseline,
+      "Compare with the --jsonl output of an earlier check; fail only if parts or joints touch "
+      "that did not touch before, or have more contacts in their worst frame than before",
+      {.type = "FILE"});
   verb.option("--fail-on", arguments.fail_on,
               "What sets the exit code to 1 (default: contact; with --baseline: grown)",
               {.type = "contact|grown|new|never"});

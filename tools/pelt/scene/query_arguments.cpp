@@ -40,7 +40,7 @@ Result<QueryInput> open_query(const QueryArguments& arguments) {
 Result<Granularity> choose_granularity(const std::string& name) {
   if (name == "instance") return Granularity::instance;
   if (name == "part") return Granularity::part;
-  return output::bad_argument("--by", "there is no " + asset::quoted(name),
+  return output::bad_argument("--by", "unknown value " + asset::quoted(name),
                               "give instance or part");
 }
 

@@ -53,12 +53,12 @@ of threads. The threads share the pairs of instances and, from 64 palettes per t
 All times of that run are wall times. "vs 1 thread" is the speed-up over a crowd on one thread.
 
 --against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
-method over paper and eager, then, now, and as now/then; "worse" marks
-ratios that are worse by more than --margin. These ratios differ little between machines, but they
-have noise: on a loaded machine, 1 in 14 ratios of the same build was marked at 15 %, so repeat a
-measurement that looks worse. If only one ratio of a method is worse, the method that it is compared
-with has become faster. The output names what is missing from FILE. A slower method is not a failure;
-an answer that differs from FILE is, with exit code 3.
+method over paper and eager: then (in FILE), now, and the ratio now/then. "worse" marks a speed-up that
+has lost more than --margin. Speed-ups differ little between machines, but they are noisy: on a loaded
+machine, 1 in 14 speed-ups of an unchanged build was marked at 15 %, so repeat a measurement that looks
+worse. If a method has lost speed-up over only one of paper and eager, that one has become faster. The
+output lists what is missing from FILE. A slower method is not a failure. An answer that differs from
+FILE is a failure, with exit code 3.
 
 --json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
   machine    cpu, cores, target (instruction set), compiler, build, flags, pelt (version)
@@ -85,7 +85,7 @@ Result<std::vector<T>> parse_list(const char* option, const std::string& text,
   for (const std::string_view name : output::split(text, ',')) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-      return Error{ErrorCode::invalid_argument, std::string(option) + ": there is no " +
+      return Error{ErrorCode::invalid_argument, std::string(option) + ": unknown value " +
                                                     asset::quoted(name) +
                                                     scenes::suggestion(name, names)};
     }
@@ -137,8 +137,8 @@ Result<std::vector<Engine>> choose_engines(const Arguments& arguments) {
       for (const std::uint32_t count : *threads) engines.push_back(crowd_engine(count));
   }
   if (!threads->empty() && time_of(engines) == Time::thread) {
-    return output::bad_argument("--threads", "only on_demand works on several",
-                                "put on_demand among --methods, or leave the threads out");
+    return output::bad_argument("--threads", "only the method on_demand supports several threads",
+                                "add on_demand to --methods, or leave out --threads");
   }
   return engines;
 }
@@ -155,7 +155,7 @@ Result<BenchSettings> choose(const Arguments& arguments) {
   if (!caches) return caches.error();
   settings.caches = *caches;
   if (arguments.repetitions == 0) {
-    return output::bad_argument("--repeat", "0 repetitions measure nothing", "give 1 or more");
+    return output::bad_argument("--repeat", "must not be 0", "give 1 or more");
   }
   settings.repetitions = arguments.repetitions;
   settings.models = arguments.models;
@@ -180,7 +180,7 @@ Result<arguments::ExitCode> bench_file(const std::string& path, const BenchSetti
 /// Nullopt without --against.
 Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments) {
   if (arguments.against.empty() && arguments.margin)
-    return output::bad_argument("--margin", "there is no --against",
+    return output::bad_argument("--margin", "requires --against",
                                 "name the file with --against FILE");
   if (arguments.against.empty()) return std::optional<Baseline>();
   auto baseline = read_baseline(arguments.against);
@@ -263,7 +263,7 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
   verb.option("--against", arguments.against, "Compare with figures that --json has written",
               {.type = "FILE"});
   verb.option("--margin", arguments.margin,
-              "How much worse a ratio may become before it is marked, in per cent (default: " +
+              "Loss of a ratio, in per cent, from which it is marked as worse (default: " +
                   std::to_string(kNoisePercent) + ")",
               {.type = "PERCENT", .most = 1000});
   arguments::add_simd_option(verb, arguments.simd);

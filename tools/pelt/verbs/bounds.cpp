@@ -33,7 +33,7 @@ Result<query::BoundsBy> choose_by(const std::string& name) {
   if (name == "instance") return query::BoundsBy::instance;
   if (name == "part") return query::BoundsBy::part;
   if (name == "joint") return query::BoundsBy::joint;
-  return output::bad_argument("--by", "there is no " + asset::quoted(name),
+  return output::bad_argument("--by", "unknown value " + asset::quoted(name),
                               "give instance, part or joint");
 }
 

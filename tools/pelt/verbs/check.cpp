@@ -35,11 +35,11 @@ Examples:
 Answers are exact on the float32 positions that `pelt pose` writes. Triangles are closed sets, so
 touching counts. All methods give the same contacts and the same hash; they differ in their work.
 With --by part, a and b are indices of the header's "instances", which has one entry per part.
---ignore takes names of parts or joints; knight/hand_r restricts a name to one model, and * matches
-any characters. --baseline takes the --jsonl of an earlier check; then only contacts that are new or
-have grown fail.
-No instance and no part is tested against itself. A check of only one of them compares nothing and
-fails with exit code 2, unless --allow-empty is given.
+--ignore takes two names of parts or joints. A name like knight/hand_r applies to one model only, and
+* matches any characters. With --baseline, the --jsonl output of an earlier check, only contacts that
+are new or have grown fail the check.
+No instance and no part is tested against itself. A check of a single instance or part compares nothing
+and fails with exit code 2, unless --allow-empty is given.
 Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside also a contained
 body), 2 bad input or arguments, or nothing compared, 3 internal error.)";
 
@@ -76,7 +76,8 @@ Result<void> check_outputs(const check::CheckArguments& arguments, const scenes:
 Error nothing_compared() {
   return output::bad_argument(
       "INPUT", "nothing was compared, because nothing is tested against itself",
-      "give another model, or --by part for a model of several, or --allow-empty if that is meant");
+      "give another model, or use --by part if the model has several parts, or accept this with "
+      "--allow-empty");
 }
 
 Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {

@@ -100,7 +100,8 @@ void add_distance(CLI::App& app, arguments::Command& chosen) {
   scene::add_query_options(verb, arguments->query);
   verb.option(
       "--by", arguments->by,
-      "Between what: every two instances, or every two parts, including those of one instance",
+      "Compute distances between every two instances, or every two parts, including parts of the "
+      "same instance",
       {.type = "instance|part"});
   verb.option("--within", arguments->within, "Leave out pairs that are further apart (faster)",
               {.type = "DISTANCE"});

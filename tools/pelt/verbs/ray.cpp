@@ -34,7 +34,7 @@ Result<Facing> choose_facing(const std::string& name) {
   if (name == "both") return Facing::both;
   if (name == "front") return Facing::front;
   if (name == "back") return Facing::back;
-  return output::bad_argument("--facing", "there is no " + asset::quoted(name),
+  return output::bad_argument("--facing", "unknown value " + asset::quoted(name),
                               "give both, front or back");
 }
 
@@ -55,7 +55,7 @@ Result<Ray> parse_ray(const std::string& from, const std::string& to, bool beyon
 Result<std::vector<Ray>> parse_rays(const Arguments& arguments) {
   if (arguments.from.size() != arguments.to.size()) {
     return output::bad_argument("--to",
-                                "is given " + output::counted(arguments.to.size(), "time") +
+                                "was given " + output::counted(arguments.to.size(), "time") +
                                     " and --from " + output::counted(arguments.from.size(), "time"),
                                 "give both options for each ray");
   }
