@@ -1,12 +1,12 @@
 #pragma once
 
-/// Kavan & Zara 2005, section 4.2: "the standard algorithm". Two sphere trees are descended
-/// together; where two spheres overlap, the children of the larger one are tested against the
+/// Kavan & Zara 2005, section 4.2: "the standard algorithm". Descends two sphere trees
+/// simultaneously. If two spheres overlap, the children of the larger one are tested against the
 /// other, down to pairs of leaves, whose triangles are tested exactly.
 ///
-/// A side answers three questions: `tree()`, `sphere(node)` and `corners(leaf)`. `refresh(first,
-/// end)` tells it which nodes' spheres are asked for next: there the paper's method refits, that
-/// is, just prior to the sphere test; its rivals have done so before.
+/// A side provides `tree()`, `sphere(node)` and `corners(leaf)`. The descent calls `refresh(first,
+/// end)` before it uses the spheres of these nodes. The paper's method refits there, that is, just
+/// prior to the sphere test; its rivals have refitted before.
 
 #include "evaluation/paper/ball.hpp"
 #include "evaluation/paper/scratch.hpp"

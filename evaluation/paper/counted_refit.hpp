@@ -1,13 +1,13 @@
 #pragma once
 
-/// The refit of section 4.2 of Kavan & Zara 2005 written down once more, step by step and with
-/// numbers that count what is done with them, to be held against the total that the paper states,
+/// The refit of section 4.2 of Kavan & Zara 2005, written a second time, step by step, with numbers
+/// that count their operations, for comparison with the total in the paper,
 ///
 ///     sum_i (18 p_i + 11 m_i + 8 p_i m_i - 2).
 ///
-/// One sphere is put around the corners of all k joint sets together, so the "- 2", of m - 1
-/// comparisons and as many selections, is there once and not k times: a refit takes 2 (k - 1) flops
-/// more than the formula.
+/// One sphere encloses the corners of all k joint sets together, so the "- 2", of m - 1 comparisons
+/// and as many selections, occurs once and not k times: a refit takes 2 (k - 1) flops more than the
+/// formula.
 
 #include "evaluation/paper/refit.hpp"
 

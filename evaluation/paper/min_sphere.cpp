@@ -1,12 +1,13 @@
 /// The minimal enclosing sphere by pivoting on the farthest point (Gaertner, "Fast and robust
-/// smallest enclosing balls", ESA 1999). It is the minimal sphere of at most four of the points,
-/// its support; while a point is outside the current sphere, the farthest one joins the support,
-/// and of these at most five points the minimal sphere is found again, with a larger radius.
+/// smallest enclosing balls", ESA 1999). The sphere is the minimal sphere of at most four of the
+/// points, its support. While a point is outside the current sphere, the farthest such point joins
+/// the support, and the minimal sphere of these at most five points, which has a larger radius,
+/// replaces the current one.
 ///
-/// The small problem is solved by trying the circumcentre of every subset that has the new point.
-/// The centre sought is the one whose distance to its farthest point is least, so candidates are
-/// compared by just that: no tolerance is needed, and a circumcentre that is far off because its
-/// points are nearly dependent merely loses.
+/// The small problem is solved by trying the circumcentre of every subset with the new point. The
+/// centre is the candidate with the least distance to its farthest point, so candidates are
+/// compared by this distance. No tolerance is needed: a circumcentre that is far off because its
+/// points are nearly dependent loses the comparison.
 #include "evaluation/paper/min_sphere.hpp"
 
 #include "base/assert.hpp"

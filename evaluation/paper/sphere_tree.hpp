@@ -2,10 +2,10 @@
 
 /// Kavan & Zara 2005, section 3.1: the sphere tree over the rest pose.
 ///
-/// First pass: top-down, binary, split by Quinlan's heuristic, the minimal enclosing sphere of the
-/// vertices in each node, down to one triangle in a leaf. Second pass: a node whose sphere is
-/// nearly as large as its parent's tells little, so it is taken out and its children go to the
-/// parent.
+/// First pass: builds a binary tree top-down, split by Quinlan's heuristic, with the minimal
+/// enclosing sphere of the vertices in each node, down to one triangle per leaf. Second pass: if a
+/// node's sphere is nearly as large as its parent's, the node is useless, so it is deleted and its
+/// children move to the parent.
 
 #include "evaluation/paper/sphere.hpp"
 #include "skin/skinned_mesh.hpp"

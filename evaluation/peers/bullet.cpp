@@ -1,15 +1,15 @@
-/// Bullet's GImpact: a binary tree of boxes in 16 bits a coordinate, refitted.
+/// Bullet's GImpact: a binary tree of boxes with 16 bits per coordinate, refitted.
 ///
-/// The box set is used as GImpact's mesh shapes use it, but reads posed vertices where they are. A
-/// refit keeps the range that the coordinates were quantised to when the tree was built, and what
-/// has left it collides no longer, without a word. So each body lives in a frame that follows the
-/// middle of its posed box, the tree is built over the mesh at twice its size, and built again if
-/// the body ever outgrows that. Rounding to 16 bits may shrink boxes: they get a margin of one
-/// step, which also covers the rounding of the frame.
+/// The box set is used like in GImpact's mesh shapes, but reads posed vertices directly. A refit
+/// keeps the coordinate range of the build; triangles that leave this range no longer collide,
+/// without any error. Each body therefore has a frame that follows the middle of its posed box. The
+/// tree is built over the mesh at twice its size, and is built again if the body outgrows this.
+/// Rounding to 16 bits may shrink boxes, so they are enlarged by a margin of one step, which also
+/// covers the rounding of the frame.
 ///
-/// Its candidates are tested by Pelt's exact predicate, or, as a peer of its own, by Bullet's
-/// triangle test, which takes what is within a margin of contact. Neither can be stopped before
-/// all candidates are found.
+/// Its candidates are tested by Pelt's exact predicate or, as a separate peer, by Bullet's triangle
+/// test, which also accepts pairs within a margin. Neither can be stopped before all candidates are
+/// found.
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"
 

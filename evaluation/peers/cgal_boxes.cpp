@@ -1,10 +1,10 @@
-/// CGAL's box_intersection_d: two sets of boxes sorted and streamed through a segment tree, with
-/// nothing kept from one query to the next.
+/// CGAL's box_intersection_d: sorts two sets of boxes and streams them through a segment tree.
+/// Nothing is reused from one query to the next.
 ///
-/// The update takes the boxes of all triangles. Of these a query hands over the ones that meet the
-/// other body's box, for the algorithm looks at all that it is given and half the time would be
-/// spent on what cannot touch. The narrow phase is ours. It is ended early by an exception from its
-/// callback, as CGAL's own does_self_intersect ends it.
+/// The update computes the boxes of all triangles. A query passes only the boxes that overlap the
+/// other body's box, because the algorithm visits its whole input and would spend half of the time
+/// on boxes that cannot touch. The narrow phase is ours. An exception from the callback ends a
+/// query early, as in CGAL's own does_self_intersect.
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"
 

@@ -1,10 +1,10 @@
-/// Embree's user geometry: a tree of four or eight boxes a node, refitted.
+/// Embree's user geometry: a tree with four or eight boxes per node, refitted.
 ///
-/// A geometry of quality REFIT is refitted in a scene of quality LOW only; in any other scene it is
-/// silently built again, 30 times as slowly. `rtcCollide` takes user geometries alone, supplies
-/// pairs of primitives from leaves that meet, and cannot be stopped: once there are enough
-/// contacts, what it still supplies is passed over. The narrow phase is ours. One thread, as
-/// everything that it is compared with.
+/// A geometry of quality REFIT is refitted only in a scene of quality LOW; in any other scene it is
+/// silently built again, which takes 30 times as long. `rtcCollide` accepts only user geometries,
+/// reports pairs of primitives from overlapping leaves, and cannot be stopped: once there are
+/// enough contacts, further pairs are ignored. The narrow phase is ours. One thread, like all
+/// methods in the comparison.
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"
 

@@ -1,11 +1,11 @@
 /// FCL, the Flexible Collision Library: a binary tree of boxes, refitted bottom-up.
 ///
-/// AABB is its fastest kind of bounding volume here: oriented boxes take 8 to 30 times as long to
-/// refit. In single precision its queries take a third less than in double, and answered no pair
-/// differently. `beginReplaceModel` refits; `beginUpdateModel` would bound the motion between two
-/// frames. The narrow phase is FCL's own, for its traversal lets nobody in. That traversal is
-/// called directly: `fcl::collide` copies both meshes with their trees first. Contact points are
-/// not asked for, and it stops at the number of contacts that it is told.
+/// AABB is the fastest kind of bounding volume here: refitting oriented boxes takes 8 to 30 times
+/// as long. In single precision, queries take a third less time than in double, and give the same
+/// answers. `beginReplaceModel` refits; `beginUpdateModel` would bound the motion between two
+/// frames. The narrow phase is FCL's own, because its traversal accepts no other. The traversal is
+/// called directly, because `fcl::collide` first copies both meshes with their trees. Contact
+/// points are not requested, and the traversal stops at the given number of contacts.
 #include "evaluation/peers/adapters.hpp"
 
 #include <fcl/config.h>

@@ -1,11 +1,11 @@
 /// ODE's trimesh: OPCODE's binary tree of boxes, refitted by dGeomTriMeshDataUpdate.
 ///
-/// The narrow phase is ODE's own, and finds points for a solver, not pairs of triangles. Points
-/// that fall together are merged, and of a merged one ODE knows no triangles, unless a callback
-/// gives it a number to keep in their place. Here that stands for a group of triangles, and each
-/// triangle of one group is taken to touch each of the other's: without that a third of the pairs
-/// would be missing, with it 1 to 7 in a hundred are, and a few are too many. OPCODE finds all
-/// pairs before the first point is made, so that asking for few saves little.
+/// The narrow phase is ODE's own, and finds points for a solver instead of pairs of triangles.
+/// Coinciding points are merged. ODE does not report the triangles of a merged point unless a
+/// callback provides a number for them. Here, this number represents a group of triangles, and each
+/// triangle of one group is assumed to touch each of the other's. Without this, a third of the
+/// pairs would be missing; with it, 1 to 7 % are missing, and a few are wrong. OPCODE finds all
+/// pairs before the first point is computed, so a small limit saves little.
 #include "evaluation/peers/adapters.hpp"
 
 #include <ode/ode.h>

@@ -1,10 +1,10 @@
-/// What queries about one or two posed characters cost, the poses included: on demand, with the
-/// same trees skinned and opened whole, and by what else answers the same question: Embree where it
-/// was built in, a height field as a static mesh.
+/// Measures queries of one or two posed characters, including posing: on demand, with the same
+/// trees skinned and opened completely, and by other means of answering the same query (Embree if
+/// it is built in, a height field as a static mesh).
 ///
-/// Each frame is asked in all ways in turn; medians over the frames count, each the best of several
-/// runs. Where the answers of two ways differ nothing is printed of that question, but for Embree,
-/// which is not exact: there it is counted how often it is wrong by more than a 10,000th.
+/// Each frame is queried in all ways in turn. Times are medians over the frames; each frame's time
+/// is the best of several runs. Nothing is printed for a query if two ways give different answers,
+/// except for Embree, which is not exact: the program counts its errors above a 10,000th.
 
 #include "evaluation/programs/measure_each.hpp"
 #include "evaluation/programs/microseconds.hpp"

@@ -1,10 +1,10 @@
-/// What a pick and a thousand rays at a posed character cost, the pose included: on demand, by the
-/// same tree skinned and opened whole, and by Embree on skinned vertices where it was built in.
+/// Measures a pick, and a thousand rays at a posed character, including posing: on demand, with the
+/// same tree skinned and opened completely, and by Embree on skinned vertices if it is built in.
 ///
-/// Each pose of a clip is set, made ready as the method needs it, and asked; medians over the poses
-/// count, each the best of several runs. Rays come from all around: most are aimed at triangles,
-/// the others graze the body or miss it. Says nothing unless the two trees answer alike; how often
-/// Embree differs, which is not exact, is counted.
+/// Each pose of a clip is set, prepared as the method requires, and queried. Times are medians over
+/// the poses; each pose's time is the best of several runs. Rays come from all around: most are
+/// aimed at triangles, the others graze the body or miss it. Prints nothing if the two trees give
+/// different answers. Counts the differences of Embree, which is not exact.
 
 #include "evaluation/programs/measure_each.hpp"
 #include "evaluation/programs/microseconds.hpp"

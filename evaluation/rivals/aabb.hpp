@@ -3,13 +3,13 @@
 /// Trees of axis-aligned boxes over posed vertices.
 ///
 /// AabbRefit: van den Bergen 1997, "Efficient collision detection of complex deformable models
-/// using AABB trees", section 4: the tree of the rest positions, its boxes taken anew from the
-/// leaves to the root. What collision libraries do for meshes that deform.
-/// AabbRebuild: the same tree built afresh, which is tighter and dearer.
+/// using AABB trees", section 4: the tree of the rest positions, with its boxes recomputed from the
+/// leaves to the root. Collision libraries use this for deforming meshes. AabbRebuild: the same
+/// tree, built again, which is tighter and more expensive.
 ///
-/// Strengthened: built by the surface area heuristic where the source cuts at medians; several
-/// triangles in a leaf; leaves are refitted around lists of their vertices, in which none is twice,
-/// and in the order in which they lie in memory; both trees are descended at once.
+/// Strengthened: built by the surface area heuristic, while the source cuts at medians; several
+/// triangles per leaf; leaves are refitted from lists of their distinct vertices in memory order;
+/// both trees are descended simultaneously.
 
 #include "evaluation/rivals/posed_mesh_method.hpp"
 

@@ -1,10 +1,10 @@
 #pragma once
 
-/// Two trees of boxes are descended together, both at once: four children of two nodes are tested
-/// together, down to pairs of leaves, where the boxes of the triangles are compared.
+/// Descends two trees of boxes simultaneously: four children of two nodes are tested together, down
+/// to pairs of leaves, where the boxes of triangles are compared.
 ///
-/// A side answers `node(n)`, `triangle(i)` and `id(i)` of the i-th triangle in the tree's order,
-/// and `points()`. `open(n)` tells it that the boxes of the node's children are asked for next.
+/// A side provides `node(n)`, `triangle(i)` and `id(i)` of the i-th triangle in the tree's order,
+/// and `points()`. The descent calls `open(n)` before it uses the boxes of the node's children.
 
 #include "evaluation/rivals/box_tree.hpp"
 #include "evaluation/rivals/pair_tests.hpp"

@@ -1,12 +1,11 @@
 #pragma once
 
 /// Larsson & Akenine-Moller 2001, "Collision detection for continuously deforming bodies": a tree
-/// of boxes whose upper half of the levels is refitted bottom-up at every update, whereas the boxes
-/// below are computed top-down, each from the vertices below it, where queries open their parents
-/// and at most once for each update.
+/// of boxes. Every update refits the upper half of the levels bottom-up. Each box below is computed
+/// from the vertices below it when a query opens its parent, at most once per update.
 ///
-/// Strengthened as aabb.hpp; and the boxes at the cut, which cost most, are taken around lists of
-/// vertices in which none is twice.
+/// Strengthened like aabb.hpp. In addition, the boxes at the cut, which cost most, are computed
+/// from lists of distinct vertices.
 
 #include "evaluation/rivals/aabb.hpp"
 

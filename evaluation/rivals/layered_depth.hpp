@@ -1,22 +1,21 @@
 #pragma once
 
 /// Heidelberger, Teschner & Gross 2004, "Detection of collisions and self-collisions using
-/// image-space techniques": yes or no for two bodies from pictures of them. Where the bodies' boxes
-/// intersect, both are drawn by parallel rays along one axis into layered depth images: for each
-/// pixel the depths of all surfaces on its ray, in order. Odd layers are entries and even ones
-/// exits, so that a pixel knows where its ray is inside a body; bodies are in contact if some ray
-/// is inside both at once.
+/// image-space techniques": decides from images whether two bodies touch. In the intersection of
+/// the bodies' boxes, both are drawn by parallel rays along one axis into layered depth images,
+/// which have the depths of all surfaces on the ray of each pixel, in order. Odd layers are entries
+/// and even layers exits, so each pixel has the intervals in which its ray is inside a body. Bodies
+/// are in contact if some ray is inside both at once.
 ///
-/// This is an approximation. It misses what passes between the rays. It asks for closed surfaces:
-/// of an open one, a ray that finds an odd number of layers drops the last, and layers pair up
-/// wrongly behind a hole, so that bodies are missed there or seen where they are not. Where a body
-/// overlaps itself, parity takes the overlap for outside. In return a body wholly inside another is
-/// seen, which has no pair of triangles to report.
+/// This is an approximation. It misses contacts between the rays. It requires closed surfaces: if a
+/// ray finds an odd number of layers, the last is dropped, and behind a hole layers pair up
+/// wrongly, so bodies are missed there or found where they are not. Where a body overlaps itself,
+/// parity treats the overlap as outside. On the other hand, it finds a body wholly inside another,
+/// which has no intersecting triangles.
 ///
-/// Strengthened: only triangles whose boxes reach the picture are drawn; the rays go along the
+/// Strengthened: only triangles whose boxes reach the image are drawn; the rays are parallel to the
 /// shortest edge of the intersection, which two bodies that push into each other share; edges are
-/// drawn in whole numbers and by a fill rule, so that no ray passes between two triangles or meets
-/// both.
+/// drawn with integers and a fill rule, so no ray passes between two triangles or hits both.
 
 #include "evaluation/rivals/box.hpp"
 

@@ -1,10 +1,11 @@
 #pragma once
 
-/// Triangles to the pixels whose centres they cover, seen along an axis.
+/// Finds the pixels whose centres a triangle covers, seen along an axis.
 ///
-/// Corners are brought to multiples of 1/256 of a pixel and the sides of edges decided in whole
-/// numbers. Centres on an edge belong to one of the two triangles that share it (the top-left rule
-/// of graphics hardware). So a closed surface is crossed an even number of times by every ray.
+/// Vertices are rounded to multiples of 1/256 of a pixel, and the sides of edges are decided in
+/// integers. A centre on an edge belongs to exactly one of the two triangles that share the edge
+/// (the top-left rule of graphics hardware). Every ray therefore crosses a closed surface an even
+/// number of times.
 
 #include "evaluation/rivals/box.hpp"
 

@@ -17,11 +17,12 @@ struct VertexWeights {
   std::array<double, kInfluences> weights = {};
 };
 
-/// Weights of points on the skin for a skeleton as `choose_joints` returns it.
+/// Weights of points on the skin, for a skeleton of `choose_joints`.
 ///
-/// Each joint shares the points that reach it between its own muscles and the branches of its
-/// children, by their distances; the shares multiply down the skeleton. So weights change smoothly
-/// along a limb, and a finger never follows its neighbour, however near: only their common parent.
+/// Each joint divides its share of a point between its own muscles and the branches of its
+/// children, by their distances; the shares multiply down the skeleton. Weights therefore change
+/// smoothly along a limb, and a finger never follows a neighbouring finger, however near, only
+/// their common parent.
 class SkinWeights {
  public:
   SkinWeights(const BodyPlan& plan, std::span<const std::uint32_t> stands_for);

@@ -8,11 +8,11 @@
 
 namespace pelt::scenes {
 
-/// The connectivity of a closed triangle mesh, kept up to date under edge collapses and flips.
+/// The connectivity of a closed triangle mesh under edge collapses and flips.
 ///
-/// Triangle t has the half-edges 3t, 3t + 1, 3t + 2, each running from its origin to the origin of
-/// the next one; the twin of a half-edge runs the other way in the triangle across the edge.
-/// Collapsed vertices and triangles stay in their places, dead, until `live_triangles` skips them.
+/// Triangle t has the half-edges 3t, 3t + 1, 3t + 2, each from its origin to the origin of the next
+/// one. The twin of a half-edge has the opposite direction in the adjacent triangle. Collapsed
+/// vertices and triangles remain in the arrays as dead elements, which `live_triangles` skips.
 class SurfaceMesh {
  public:
   /// Precondition: the triangles form a consistently oriented, closed 2-manifold.

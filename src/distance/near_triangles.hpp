@@ -1,17 +1,17 @@
 #pragma once
 
-/// The triangles of two clusters that may be within reach. Two lower bounds are at hand for all
-/// pairs: their boxes' gap, and their gap along one direction, that of the best pair so far: most
-/// pairs that are as near lie in nearly the same. What is left waits until there are eight pairs,
-/// which are measured at once (triangle_distances.hpp).
+/// The triangles of two clusters that may be within reach. Two lower bounds are computed for all
+/// pairs: the gap of their boxes, and their gap along the direction of the best pair so far,
+/// because most pairs that are equally near have nearly this direction. The remaining pairs wait
+/// until there are eight, whose distances are computed at once (triangle_distances.hpp).
 ///
-/// A goal says what is looked for:
-///   double reach() const      how far apart triangles may be to matter; it may only become less
-///   bool keeps_best() const   whether it wants one pair, the best, and where that is nearest,
-///                             rather than all
-///   bool wants(gap) const     whether it does, of a pair whose nearest points are not known yet
-///   void take(gap)            takes a pair that it wants
-///   bool is_done() const      nothing more is wanted
+/// A goal decides which pairs are needed:
+///   double reach() const      the distance beyond which pairs are useless; it may only decrease
+///   bool keeps_best() const   whether it needs a single pair, the best, with its nearest points,
+///                             instead of all pairs
+///   bool wants(gap) const     whether it needs a pair whose nearest points are not yet known
+///   void take(gap)            adds a pair that it needs
+///   bool is_done() const      no further pairs are needed
 
 #include "distance/pair_search.hpp"
 #include "distance/triangle_gaps.hpp"

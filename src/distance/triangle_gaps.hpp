@@ -44,12 +44,12 @@ unsigned up_to(const TriangleValues& values, float most);
 /// Returns the corners of a triangle of the cluster; `place` is an index into Tree::corners.
 TriangleCorners corners_of(const PosedCluster& cluster, std::uint32_t place);
 
-/// How much gaps along a direction may be wrong, between points of two clusters.
+/// Error of gaps along a direction, between points of two clusters.
 ///
-/// Rounding. With e = 2^-24 and M the largest coordinate relative to the origin, a point's place is
-/// a sum of three products that gathers six relative errors e at most, and the direction is longer
-/// than one by less than 4 e: together off by less than 20 e M, a difference of two by less than
-/// 44 e M.
+/// Rounding. With e = 2^-24 and M the largest coordinate relative to the origin, the position of a
+/// point is a sum of three products with at most six relative errors e, and the direction is longer
+/// than one by less than 4 e. Together, the error is less than 20 e M, and that of a difference of
+/// two positions less than 44 e M.
 float gap_error(const PosedCluster& a, const PosedCluster& b, const Vec3& origin);
 
 /// Returns the low corner of the cluster's box.

@@ -13,12 +13,12 @@
 namespace pelt::detail {
 inline namespace PELT_TARGET {
 
-/// `Goal` has the best triangle so far, and tells
-///   double extent(const RootBox&) const: no less than any difference of two coordinates;
-///   Float8 squared_gaps(const Boxes8&) const: lower bounds for eight boxes, of which `Reach` says
-///     what they may be wrong by;
-///   bool takes(triangle, corners): whether that triangle is better, and now the best;
-///   double reach() const: how near a better one has to be.
+/// `Goal` stores the best triangle so far, and provides
+///   double extent(const RootBox&) const: an upper bound of any difference of two coordinates;
+///   Float8 squared_gaps(const Boxes8&) const: lower bounds for eight boxes, with the error that
+///     `Reach` assumes;
+///   bool takes(triangle, corners): stores the triangle if it is better; returns whether it is;
+///   double reach() const: the distance below which a triangle is better.
 template <typename Goal>
 class TriangleSearch {
  public:

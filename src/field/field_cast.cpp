@@ -1,10 +1,10 @@
-/// A ray against the blocks of a height field, the one that it enters first before the others, and
-/// exactly against the triangles of the cells that are left.
+/// Tests a ray against the blocks of a height field, in the order in which the ray enters them, and
+/// exactly against the triangles of the remaining cells.
 ///
-/// Rounding. A block spans t from (low - o) / d to (high - o) / d; in double each gathers two
-/// relative errors of 2^-53, and no operation on floats overflows or underflows. They are moved
-/// apart by 2^-50 of themselves. A hit's t is rounded to float, so that what ends beyond it by a
-/// 2^-23rd may still be as near.
+/// Rounding. A block spans t from (low - o) / d to (high - o) / d. In double, each has at most two
+/// relative errors of 2^-53, and no operation on floats overflows or underflows. Both ends are
+/// moved outwards by 2^-50 of their values. A hit's t is rounded to float, so a block that ends
+/// beyond it by a 2^-23rd may still contain an equally near hit.
 
 #include "field/field_cast.hpp"
 

@@ -13,13 +13,13 @@ using IntegerPoint = std::array<Integer, 3>;
 template <typename Integer>
 using IntegerTriangle = std::array<IntegerPoint<Integer>, 3>;
 
-/// An answer to "do the hulls of these two triples of points intersect?" that shares no idea with
-/// the triangle pair test: linear algebra over the integers instead of orientations.
+/// Decides whether the hulls of two triples of points intersect, by a method independent of the
+/// triangle pair test: linear algebra over the integers instead of orientations.
 ///
-/// The hulls intersect if and only if some sum c_i p_i = 0 with sum c_i = 0, not all zero, has
-/// c_i >= 0 on one triple and c_i <= 0 on the other; then there is one of minimal support, at most
-/// five points, and it is the only dependency of its points up to a factor. So it is enough to look
-/// at the subsets of at most five points that have exactly one dependency.
+/// The hulls intersect if and only if some sum c_i p_i = 0 with sum c_i = 0, not all zero, has c_i
+/// >= 0 on one triple and c_i <= 0 on the other. Then there is one of minimal support, at most five
+/// points, which is the only dependency of its points up to a factor. It therefore suffices to test
+/// the subsets of at most five points that have exactly one dependency.
 template <typename Integer>
 class HullsMeet {
  public:

@@ -23,12 +23,12 @@ class FailingAllocation {
   bool has_failed() const;
 };
 
-/// Calls `operation` again and again, with its first allocation failing, then its second and so on,
-/// until one call needs no more than were granted. Calls `check_after_failure` after each
-/// `std::bad_alloc`. Returns how many calls failed.
+/// Calls `operation` repeatedly, with its first allocation failing, then its second and so on,
+/// until a call needs no more allocations than were granted. Calls `check_after_failure` after each
+/// `std::bad_alloc`. Returns the number of failed calls.
 ///
-/// An operation may also report want of memory otherwise, or do without the memory: what it says
-/// then is its own concern.
+/// An operation may also report the failure in another way, or continue without the memory; its
+/// result is then not checked.
 template <typename Operation, typename Check>
 std::size_t fail_each_allocation(const Operation& operation, const Check& check_after_failure,
                                  bool for_ever = false) {

@@ -1,14 +1,14 @@
 #pragma once
 
-/// How `pelt bench` measures engines on one scene.
+/// Measures engines on one scene for `pelt bench`.
 ///
-/// Each repetition of a frame first poses and queries the frame before it, untimed, so that the
-/// timed part meets the state that an animation leaves, not its own; then the timed part takes the
-/// new palettes and queries all pairs. Scenes are taken to loop: the last frame stands before the
-/// first, and where there is one frame only, it stands before itself. The median of the repetitions
-/// stands for the frame. Sampling of the clips is not timed, nor are the palettes of engines whose
-/// update does not count. Engines take turns at every frame, so that all meet the same moods of the
-/// machine, and time in which the system runs other programs is not counted (stopwatch.hpp).
+/// Each repetition of a frame first poses and queries the previous frame, untimed, so that the
+/// timed part starts from the state that an animation leaves. The timed part then sets the new
+/// palettes and queries all pairs. Scenes may loop, so the last frame comes before the first; a
+/// single frame comes before itself. The time of the frame is the median of the repetitions.
+/// Sampling the clips is not timed, nor are the palettes of engines whose update does not count.
+/// Engines take turns at every frame, so that changes in the load of the machine affect all alike.
+/// Time in which the system runs other programs is not counted (stopwatch.hpp).
 
 #include "tools/pelt/bench/bench_engine.hpp"
 
