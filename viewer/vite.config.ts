@@ -11,7 +11,7 @@ const folder =
   process.env.PELT_WASM ?? fileURLToPath(new URL('../build/wasm/package', import.meta.url));
 const engine = `${folder}/pelt.mjs`;
 
-/** For the page to say of itself; the command looks for it. */
+/** The version that the page shows; the command looks for it. */
 process.env.VITE_PELT_VERSION = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8')).version;
 
 export default defineConfig({

@@ -62,7 +62,7 @@ class Run {
     });
   }
 
-  /** Calls `found(a, b, pairs)` for each two. */
+  /** Calls `found(a, b, pairs)` for every two instances. */
   ask(frame, found = () => {}) {
     this.pose(frame);
     this.poses.forEach((a, i) => {
@@ -101,7 +101,7 @@ function measureHere(file) {
   return { name: `WebAssembly, Node ${process.version}`, hash: hash.value, ask, skin };
 }
 
-/** What `pelt bench` measures with one target's instructions; null where the machine has them not. */
+/** The times of `pelt bench` with one instruction set; null if the machine does not support it. */
 function measureNatively(file, target) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-'));
   const json = path.join(folder, 'figures.json');

@@ -34,7 +34,7 @@ function paletteOf(mesh) {
   return palette;
 }
 
-/** What three.js draws, in world space. */
+/** The vertices that three.js draws, in world space. */
 function drawnBy(mesh) {
   const drawn = [];
   for (let v = 0; v < mesh.geometry.attributes.position.count; ++v) {
@@ -49,7 +49,7 @@ function assertNear(ours, theirs) {
   ours.forEach((x, i) => assert.ok(Math.abs(x - theirs[i]) < 1e-5, `${i}: ${x}, not ${theirs[i]}`));
 }
 
-/** The same placement by hand, which must tell the rule from others. */
+/** The same placement by hand, chosen so that a wrong rule gives another result. */
 function place(scene, mesh) {
   scene.position.set(7, -3, 2);
   scene.rotation.set(0.3, 0.9, -0.2);

@@ -1,4 +1,4 @@
-/** What is handed over wrongly is refused by its name, and nothing has changed after that. */
+/** Wrong arguments are refused with their names, and change nothing. */
 
 import assert from 'node:assert/strict';
 import test from 'node:test';

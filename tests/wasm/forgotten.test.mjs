@@ -1,4 +1,4 @@
-/** What is forgotten without `delete` is given back when the garbage collector finds it. */
+/** Objects that are forgotten without `delete` are freed by the garbage collector. */
 
 import assert from 'node:assert/strict';
 import test from 'node:test';

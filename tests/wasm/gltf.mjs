@@ -33,7 +33,7 @@ export function rock(change = () => {}) {
   return encode(gltf);
 }
 
-/** One whose vertices follow a joint, that stands at `translation`, with this weight. */
+/** A rock whose vertices follow a joint at `translation` with this weight. */
 export function skinnedRock({ weight = 1, translation = [0, 0, 0] } = {}) {
   const weights = Float32Array.from({ length: 16 }, (_, i) => (i % 4 === 0 ? weight : 0));
   const uri = `data:application/octet-stream;base64,${Buffer.from(weights.buffer).toString('base64')}`;
@@ -52,7 +52,7 @@ export function skinnedRock({ weight = 1, translation = [0, 0, 0] } = {}) {
   });
 }
 
-/** A file that is `bytes` long, and asks for so many vertices and triangles, which are all zeros. */
+/** A file of `bytes` bytes that declares these numbers of vertices and triangles, all zero. */
 export function zeros({ bytes, vertices, triangles }) {
   return encode({
     asset: { version: '2.0' },

@@ -1,4 +1,4 @@
-/** Where memory ends: what can be refused is, and what cannot ends the engine, which says so. */
+/** Limits of memory: some requests are refused; others end the engine, with a message. */
 
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
@@ -10,7 +10,7 @@ import { kGenerated, loadPelt, pelt } from './support.mjs';
 const kPage = 65536;
 const { grow } = WebAssembly.Memory.prototype;
 
-/** Calls `use()` while the system gives no engine more than so many bytes, as a phone would. */
+/** Calls `use()` while the system limits the engine's memory to `bytes`, as on a phone. */
 function withLittleMemory(bytes, use) {
   WebAssembly.Memory.prototype.grow = function (pages) {
     if (this.buffer.byteLength + pages * kPage > bytes) throw new RangeError('no more memory');
@@ -44,7 +44,7 @@ test('a file that does not fit is refused, and the engine goes on', () => {
   works(pelt);
 });
 
-/** Of the 256 MiB that a file may ask for, each vertex takes 58 bytes (asset/budget.hpp). */
+/** A file may need 256 MiB, and each vertex takes 58 bytes (asset/budget.hpp). */
 test('a small file that asks for hardly less than is allowed is read, and one that asks for more is not', async () => {
   const engine = await loadPelt();
   const read = (vertices) =>

@@ -1,4 +1,4 @@
-/** What is deleted, or refused, leaves nothing behind. */
+/** Deleted and refused objects leave no memory allocated. */
 
 import assert from 'node:assert/strict';
 import test from 'node:test';

@@ -19,7 +19,7 @@ function run(folder, program, ...args) {
   return ended.stdout;
 }
 
-/** A folder of somebody who has installed the package, and what npm has put into it. */
+/** A user's folder in which npm has installed the package. */
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-user-'));
 test.after(() => fs.rmSync(folder, { recursive: true }));
 const [packed] = JSON.parse(run(kPackage, 'npm', 'pack', '--json', '--pack-destination', folder));

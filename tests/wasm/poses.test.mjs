@@ -1,4 +1,4 @@
-/** What can be asked of poses. */
+/** Queries of poses. */
 
 import assert from 'node:assert/strict';
 import test from 'node:test';

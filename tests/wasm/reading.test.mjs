@@ -1,4 +1,4 @@
-/** What may be said when a character is read, and what it changes. */
+/** The options for reading a character, and their effects. */
 
 import assert from 'node:assert/strict';
 import fs from 'node:fs';

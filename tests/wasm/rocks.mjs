@@ -1,4 +1,4 @@
-/** A character made by hand: stones that ride on nodes of their own, and roll. */
+/** A handmade character: stones that are attached to nodes of their own and roll. */
 
 const kCorners = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
 const kTriangles = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];

@@ -1,4 +1,4 @@
-/** What the tests of the npm package share: the package itself, the command, and files. */
+/** Shared by the tests of the npm package: the package itself, the command, and files. */
 
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -28,7 +28,7 @@ export function runCommand(...args) {
   return { status: ended.status, out: ended.stdout, err: ended.stderr };
 }
 
-/** The lines that a command which asks a scene answers. */
+/** The lines that a verb of the command prints with --jsonl. */
 export function jsonLines(...args) {
   const { out, err } = runCommand(...args, '--jsonl', '-');
   if (out === '') throw new Error(err);
@@ -40,7 +40,7 @@ export function jsonLines(...args) {
 
 const inCamelCase = (name) => name.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
 
-/** Contacts, hash and work as `pelt check` tells them of all frames. */
+/** Contacts, hash and work of all frames, from `pelt check`. */
 export function nativeTotals(scene, frames) {
   const { totals, hash, counters } = jsonLines('check', scene, '--frames', frames).at(-1);
   const work = Object.entries(counters).map(([name, count]) => [inCamelCase(name), count]);

@@ -35,7 +35,7 @@ export function oneFile(notices: string): Plugin {
   };
 }
 
-/** At the end of the page, since scripts in it run at once. */
+/** Adds the script at the end of the page, because scripts run at once. */
 function withScript(html: string, code: string): string {
   const safe = code.replaceAll('</script', '<\\/script');
   return html

@@ -52,7 +52,7 @@ export async function counted(page) {
   await page.waitForSelector('[data-fact=total]');
 }
 
-/** What the page says: the text of `data-fact`. */
+/** The text of `data-fact` on the page. */
 export const fact = (page, name) => page.locator(`[data-fact=${name}]`).innerText();
 
 export const number = async (page, name) => Number((await fact(page, name)).replaceAll(',', ''));
@@ -83,7 +83,7 @@ export async function dropFiles(page, files, { shiftKey = false } = {}) {
   await page.evaluate(drop, { sent, shiftKey });
 }
 
-/** Until the worst frames have been photographed, and the camera is where they are seen from. */
+/** Waits until the worst frames have been photographed and the camera has moved to them. */
 export async function photographed(page) {
   await page.getByRole('button', { name: 'whole clip' }).click();
   await page.waitForSelector('.stills img');
@@ -105,8 +105,10 @@ export const BLUE = { least: [20, 80, 190], most: [90, 150, 255] };
 export const RED = { least: [90, 20, 20], most: [255, 90, 90] };
 export const RED_HANDLE = { least: [209, 64, 75], most: [219, 74, 85] };
 
-/** How many pixels of the picture have such a colour, where on the page their middle is, and how
- * many different colours there are in all: a black page has one. */
+/**
+ * Counts the pixels of the picture with such a colour. Also returns the middle of these pixels on
+ * the page, and the number of different colours in the picture, which is one for a black page.
+ */
 export async function pixels(page, wanted = GLOWING, picture = page.locator('#view')) {
   const bytes = await picture.screenshot();
   const found = await page.evaluate(countPixels, { base64: bytes.toString('base64'), wanted });

@@ -14,7 +14,7 @@ export function temporaryFolder(test) {
   return folder;
 }
 
-/** What the command prints. */
+/** Output of the command. */
 function run(words, folder = '.') {
   const { status, stdout, stderr } = spawnSync(path.resolve(command), words, {
     cwd: folder,

@@ -13,7 +13,7 @@ let browser, still;
 before(async () => (browser = await browsing.launch()));
 after(() => browser.close());
 
-/** How bright the middle of the page's picture and its panels are, from 0 to 255. */
+/** Brightness of the page's picture and panels, from 0 to 255. */
 function brightness(page) {
   return page.evaluate(() => {
     const [r, g, b] = getComputedStyle(document.body).color.match(/\d+/g).map(Number);

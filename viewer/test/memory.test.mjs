@@ -36,7 +36,7 @@ function limitWorkers(most) {
     make(blob.type.includes('javascript') ? new Blob([limit, blob], { type: blob.type }) : blob);
 }
 
-/** A small file of so many vertices, which are all zero. */
+/** A small file that declares `vertices` vertices, all zero. */
 function zeros(vertices) {
   return Buffer.from(
     JSON.stringify({

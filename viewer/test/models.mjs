@@ -42,7 +42,7 @@ export function inTwoFiles(glb, name) {
   ];
 }
 
-/** The same character, compressed as `gltfpack -c` does it. */
+/** The same character, compressed like the output of `gltfpack -c`. */
 export async function compressed(glb) {
   await MeshoptEncoder.ready;
   const { json, bin } = split(glb);
@@ -68,7 +68,7 @@ export async function compressed(glb) {
 const SIZES = { 5123: 2, 5125: 4, 5126: 4 };
 const WIDTHS = { SCALAR: 1, VEC3: 3, VEC4: 4, MAT4: 16 };
 
-/** Of what a view holds: one accessor, or triangles. */
+/** Layout of a view: of one accessor, or of triangles. */
 function layoutOf(json, view, index) {
   const { componentType, type } = json.accessors.find(({ bufferView }) => bufferView === index);
   const stride = SIZES[componentType] * WIDTHS[type];

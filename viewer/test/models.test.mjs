@@ -27,7 +27,7 @@ async function drop(dropped) {
   await counted(page);
 }
 
-/** Counts the changes after which the page says so, until the answer is asked for. */
+/** Counts the changes after which the page shows these words, until the result is requested. */
 async function watchFor(words) {
   await page.evaluate((words) => {
     window.timesSaid = 0;

@@ -22,11 +22,11 @@ const {
 const built = path.resolve(process.env.PELT_PAGE ?? 'dist/index.html');
 const pictures = process.env.PELT_PICTURES;
 
-/** Of the walkers: the first has no contact, the second many. */
+/** Frames of the walkers: the first has no contact, the second has many. */
 const APART = 0;
 const TOGETHER = 90;
 
-/** What is worth a picture. */
+/** A frame that shows much. */
 const MEETING = 80;
 const PICTURE = { width: 1280, height: 760 };
 

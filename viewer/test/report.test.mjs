@@ -19,7 +19,7 @@ let browser;
 before(async () => (browser = await browsing.launch()));
 after(() => browser.close());
 
-/** For the length of a test, and standing still: pages that play take each other's time. */
+/** Opens a page for the duration of a test, without motion: playing pages slow each other down. */
 async function open(t, url, motion = 'reduce') {
   const page = await browsing.openPage(browser, url, { reducedMotion: motion });
   t.after(() => page.context().close());

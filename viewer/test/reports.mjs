@@ -46,7 +46,7 @@ export class Workshop {
     return JSON.parse(readFileSync(this.at('answer.jsonl'), 'utf8').trim().split('\n').at(-1));
   }
 
-  /** Changes what stands in the report. */
+  /** Changes the data of the report. */
   edit(change) {
     const [head, rest] = readFileSync(this.at('report.html'), 'utf8').split(PLACE);
     const end = rest.indexOf('</script>');

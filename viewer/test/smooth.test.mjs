@@ -8,14 +8,14 @@ import * as browsing from './browser.mjs';
 const { answered, goToFrame, number } = browsing;
 const built = path.resolve(process.env.PELT_PAGE ?? 'dist/index.html');
 
-/** Of the walkers: all of them in contact. */
+/** Frames of the walkers, all in contact. */
 const FIRST = 80;
 const FRAMES = 6;
 
-/** What is counted does not depend on it. */
+/** The counts do not depend on the size of the window. */
 const SMALL = { viewport: { width: 800, height: 420 } };
 
-/** Of bytes, and of corners: only the characters have so many. */
+/** Sizes, in bytes and in vertices, that only the characters reach. */
 const LARGE = { upload: 100_000, draw: 10_000 };
 
 /** Runs in the page before its own scripts: counts what they do. */
@@ -77,7 +77,7 @@ describe('while the scene goes on', () => {
   });
   after(() => browser.close());
 
-  /** The work of so many steps, after those that come first. */
+  /** The work of `count` steps, after the first ones. */
   async function workOfSteps(key) {
     await page.keyboard.press(key);
     await settled();
@@ -91,7 +91,7 @@ describe('while the scene goes on', () => {
     return page.evaluate(() => window.takeWork());
   }
 
-  /** Until what has been asked is drawn. */
+  /** Waits until the requested frame is drawn. */
   const settled = () =>
     page.evaluate(
       () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),

@@ -47,7 +47,7 @@ describe("a report's files", () => {
 });
 
 describe('the tally of touches', () => {
-  /** Of 4 triangles, in two parts that follow two joints. */
+  /** A character of 4 triangles, in two parts that follow two joints. */
   const character = {
     parts: [{ name: 'coat' }, { name: 'arm' }],
     jointNames: ['hip', 'hand'],
@@ -265,7 +265,7 @@ describe('costs', () => {
     eager: { microseconds: 2 * microseconds },
   });
 
-  /** A state that costs are measured for, and what was asked; `reply` answers a question. */
+  /** A state for measuring costs, with the requests made so far; `reply` answers a request. */
   async function meterOf(state, reply) {
     const { Meter } = await load('flow/meter.ts');
     const { Store } = await load('state/store.ts');

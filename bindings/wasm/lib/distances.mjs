@@ -16,7 +16,7 @@ const length = (value, name) => check.number(value, name, 0, Infinity);
 const kClosestRules = { maxDistance: length };
 const kDistanceRules = { maxDistance: length, tolerance: length };
 
-/** In the layout of surface_points.cpp. */
+/** Uses the layout of surface_points.cpp. */
 function readPoints(memory) {
   const rows = memory.data(Float64Array, 1);
   const points = [];

@@ -1,6 +1,6 @@
 /**
- * The engine's memory as JavaScript sees it: numbers, arrays and texts in and out. The engine may
- * move its memory whenever it takes more, so views of it are taken anew each time and never kept.
+ * Access to the engine's memory from JavaScript: numbers, arrays and texts. The engine may move its
+ * memory when the memory grows, so views of it are created for each access and never stored.
  */
 
 import * as check from './checks.mjs';

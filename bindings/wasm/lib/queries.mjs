@@ -45,7 +45,7 @@ export function isWithin(memory, a, b, tolerance) {
   return memory.module._pelt_is_within(...handles, tolerance) !== 0;
 }
 
-/** In the order of contacts.cpp. */
+/** Same order as in contacts.cpp. */
 const kColumns = [
   ['segments', Float32Array],
   ['normals', Float32Array],

@@ -140,7 +140,7 @@ export class Scene {
   }
 }
 
-/** In the order of PlacedNumbers (palette.cpp). */
+/** Same order as PlacedNumbers (palette.cpp). */
 function numbersOf({ start, speed, translation, rotation, scale, velocity }, clip) {
   return [clip, start, speed, ...translation, ...rotation, scale, ...velocity];
 }

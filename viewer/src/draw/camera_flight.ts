@@ -50,7 +50,7 @@ function awayOf({ position, target }: Sight): Spherical {
   return new Spherical().setFromVector3(position.clone().sub(target));
 }
 
-/** The same turn, by at most half of a whole one. */
+/** The same angle, in the range of half a turn in either direction. */
 function shorter(angle: number): number {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }

@@ -22,8 +22,10 @@ const STYLES = [
   { colour: OPENED, opacity: 1 },
 ];
 
-/** Of a box whose corners have a bit for each axis, set on the high side. Edges join corners that
- * differ in one bit. */
+/**
+ * Edges of a box. A corner has one bit per axis, set on the high side; edges join corners that
+ * differ in one bit.
+ */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7];
 
 const VERTEX = `

@@ -122,7 +122,7 @@ export class Studio {
     this.fly(center.clone().addScaledVector(this.side, this.distance), center.clone());
   }
 
-  /** The whole is seen from that side from now on: at once, if nobody has moved the camera. */
+  /** Shows the whole scene from this side; immediately if the user has not moved the camera. */
   turnTo(side: Side): void {
     this.side.set(...side);
     if (!this.isUntouched) return;
@@ -146,7 +146,7 @@ export class Studio {
     this.putCamera(new Vector3().setFromSpherical(away.makeSafe()));
   }
 
-  /** To or from what the camera looks at. */
+  /** Moves towards or away from the point that the camera looks at. */
   zoom(factor: number): void {
     this.putCamera(this.camera.position.clone().sub(this.orbit.target).divideScalar(factor));
   }

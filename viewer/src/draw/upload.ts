@@ -2,8 +2,7 @@
 
 import { BufferAttribute, DynamicDrawUsage, type BufferGeometry } from 'three';
 
-/** Nothing is copied on this side: the array is handed on as it is. Arrays as long as the one before
- * go to the same place. */
+/** Uploads the array without copying it here. Arrays of the same length reuse the same buffer. */
 export function upload(geometry: BufferGeometry, name: string, values: Float32Array): void {
   const present = geometry.getAttribute(name) as BufferAttribute | undefined;
   if (present?.array.length === values.length) {

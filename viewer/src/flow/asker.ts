@@ -1,4 +1,4 @@
-/** Asks the worker, and lets the state know of its answer, or of what went wrong. */
+/** Sends requests to the worker, and changes the state by its answers or errors. */
 
 import * as changes from '../state/changes';
 import type { State } from '../state/state';
@@ -12,7 +12,7 @@ export class Asker {
     private readonly client: Client,
   ) {}
 
-  /** The answer, once the state has changed by it; nothing if there is none. */
+  /** Returns the answer, after the state has been changed by it; nothing if there is none. */
   async ask<K extends Kind>(
     kind: K,
     question: Questions[K],

@@ -21,7 +21,7 @@ export class Client {
     this.worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
   }
 
-  /** Arrays that the page is done with, or has no use for, change hands instead of being copied. */
+  /** Transfers arrays that the page no longer needs, instead of copying them. */
   ask<K extends Kind>(kind: K, question: Questions[K]): Promise<Answers[K]> {
     const id = ++this.lastId;
     this.worker.postMessage({ id, kind, question }, buffersOf(question));

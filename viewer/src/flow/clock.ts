@@ -4,7 +4,7 @@ import * as changes from '../state/changes';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 
-/** After a pause, of a hidden tab for instance, it goes on where it was. */
+/** After a pause, for example of a hidden tab, the clock continues where it stopped. */
 const LONGEST_STEP_SECONDS = 0.25;
 
 export function startClock(store: Store<State>): void {

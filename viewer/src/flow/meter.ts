@@ -6,7 +6,7 @@ import type { Cost, Costs, Shot } from '../worker/protocol';
 import type { Asker } from './asker';
 import { isSameQuery } from '../state/shots';
 
-/** Between two measurements. */
+/** Time between two measurements. */
 const PAUSE_MILLISECONDS = { playing: 600, still: 200 };
 
 /** Number of repetitions whose minimum counts as undisturbed. */

@@ -118,8 +118,10 @@ function pathsOf(files: readonly Pick<DroppedFile, 'path'>[]): string {
   return files.map(({ path }) => path).join(', ');
 }
 
-/** By the names of the report, and of the files that it was made of: a scene that is saved names
- * these. */
+/**
+ * Names the characters as in the report. A saved scene names the files that the report was made
+ * from.
+ */
 function asReported(opened: Opened, report: Report): Opened {
   const characters = opened.characters.map((facts) =>
     typeof facts.source === 'string'

@@ -15,7 +15,7 @@ export class Pointing {
     private readonly asker: Asker,
   ) {}
 
-  /** Takes the character that the ray meets, by mouse or by touch. */
+  /** Selects the character that the ray hits, by mouse or by touch. */
   async select(ray: Ray): Promise<void> {
     const surface = await this.asker.ask('cast', ray);
     this.store.update(changes.select(surface?.instance ?? null));

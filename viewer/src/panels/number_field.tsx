@@ -17,8 +17,10 @@ const MOST = 1e6;
 /** More than what is shown leaves out of a number. */
 const TOLERANCE = 1e-3;
 
-/** What is being typed stays as it is typed, as long as it means the value. What is no number, or
- * out of range, is not taken. */
+/**
+ * Does not change a text while it is typed, as long as it represents the value. Ignores texts that
+ * are not numbers or are out of range.
+ */
 export function NumberField(props: NumberFieldProps) {
   const { label, unit, title, step, value, least = -MOST, most = MOST, onChange } = props;
   const typed = useRef<{ text: string; value: number } | null>(null);

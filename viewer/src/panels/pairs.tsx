@@ -3,7 +3,7 @@ import type { Touch } from '../worker/protocol';
 import { withCommas } from '../words';
 import { Badge } from './badge';
 
-/** Which instances touch, where these may be others than the first two. */
+/** Lists the touching instances if they may be others than the first two. */
 export function Pairs({ state, touches }: { state: State; touches: readonly Touch[] }) {
   const pairs = contactsOfPairs(touches);
   if (pairs.length === 0 || (pairs.length === 1 && state.scene?.instances.length === 2))

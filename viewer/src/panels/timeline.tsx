@@ -58,7 +58,7 @@ interface ButtonProps {
   sign: string;
   change: Change;
   isLarge?: boolean;
-  /** There is nowhere to go. */
+  /** There is no other frame. */
   isIdle: boolean;
   update: Update;
 }

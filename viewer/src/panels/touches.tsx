@@ -57,7 +57,7 @@ function moveFocus(event: KeyboardEvent): void {
 
 interface RowProps extends PanelProps {
   touch: Touch;
-  /** Instances whose parts have to be told apart. */
+  /** Instances whose parts have to be distinguished. */
   several: ReadonlySet<number>;
   isFirst: boolean;
   isOpen: boolean;
@@ -84,7 +84,7 @@ function Row({ touch, several, isFirst, isOpen, state, update }: RowProps) {
   );
 }
 
-/** Which triangles they are, and where there are more of them. */
+/** Lists the triangles, and the frames with more of them. */
 function Details({ touch: { a, b }, state, update }: Pick<RowProps, 'touch' | keyof PanelProps>) {
   const { answer, sweep } = state;
   if (!answer || !isAt(answer.shot.spot, { a, b })) return null;

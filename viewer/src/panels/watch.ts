@@ -6,8 +6,8 @@ interface Watching {
 }
 
 /**
- * A panel that is rendered anew only when something has changed that it has ever read of the state:
- * frames follow each other sixty times a second, and most panels say nothing of them.
+ * A panel that is rendered only after a change of state that it has read: frames change sixty times
+ * per second, and most panels do not show them.
  */
 export function watch<Props extends Watching>(panel: FunctionComponent<Props>) {
   return class extends Component<Props> {

@@ -27,8 +27,10 @@ export function comparisonOf({ verdict, touches }: ReportAnswer): Comparison | n
   };
 }
 
-/** What a baseline says of a touch that is worse than it was; nothing of others, without a baseline,
- * and of another scene than it was compared with. */
+/**
+ * Describes a touch that is worse than in the baseline. Returns nothing for other touches, without
+ * a baseline, and for another scene than the compared one.
+ */
 export function worseTouch({ a, b }: Pick<Touch, 'a' | 'b'>, state: Asked): WorseTouch | null {
   const worse = state.report?.answer?.verdict.worse;
   if (!worse || !isAsItCame(state)) return null;

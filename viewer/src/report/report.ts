@@ -11,7 +11,7 @@ export interface Report {
   version: 1;
   /** Version of the command. */
   pelt: string;
-  /** When it was made: "2026-11-22T14:05:09Z". */
+  /** Time of the check: "2026-11-22T14:05:09Z". */
   made: string;
   /** The words by which it was made. */
   command: string;
@@ -64,7 +64,7 @@ export interface ReportAnswer {
     gone: unknown[] | null;
     /** Bodies that another one holds whole, with --inside. */
     newly_held: unknown[] | null;
-    /** How the earlier check differed from this one. */
+    /** Differences of the earlier check from this one. */
     notes: string[] | null;
   };
 }
@@ -88,7 +88,10 @@ export interface KnownPlace {
   joint: string;
 }
 
-/** Nothing where the page is no report; throws what is wrong with one that the page cannot show. */
+/**
+ * Returns nothing if the page is not a report. Throws an error for a report that the page cannot
+ * show.
+ */
 export function findReport(page: Document): Report | null {
   const text = page.getElementById('pelt-data')?.textContent?.trim();
   if (!text) return null;

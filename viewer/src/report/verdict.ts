@@ -11,7 +11,7 @@ function framesOf([first, end, step]: FrameRange): number[] {
 
 export type Finding = 'agrees' | 'differs';
 
-/** Nothing until the page has counted everything, of the scene that came with the report. */
+/** Returns nothing until the page has counted all frames of the scene in the report. */
 export function findingOf(state: State): Finding | null {
   const answer = state.report?.answer;
   if (!answer || !state.sweep.total || !isAsItCame(state)) return null;

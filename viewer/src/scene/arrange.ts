@@ -124,7 +124,7 @@ function walkingIn(scene: Scene, characters: readonly CharacterFacts[]): Scene {
   };
 }
 
-/** Their height, or length from front to back. */
+/** Height, or length from front to back. */
 function sizeOf({ extent: { low, high } }: CharacterFacts): number {
   return Math.max(high[1] - low[1], high[2] - low[2]) || 1;
 }

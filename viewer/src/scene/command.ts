@@ -15,7 +15,7 @@ export interface Asking {
 
 export interface CheckCommand {
   words: string;
-  /** It names the scene as `Save scene` writes it. */
+  /** Whether the command names the scene file that `Save scene` writes. */
   needsFile: boolean;
 }
 
@@ -28,7 +28,7 @@ export function checkCommand(asking: Asking): CheckCommand {
   };
 }
 
-/** Whether the command places the models by themselves as they stand here, and for as long. */
+/** Whether the command alone gives the models this placement and this number of frames. */
 function isOfCommandLine({ scene, characters }: Asking): boolean {
   return (
     scene.instances.every((instance) => isBare(instance, characters)) &&

@@ -16,13 +16,13 @@ export interface Scene {
   name: string;
   frameCount: number;
   fps: number;
-  /** Their `character` is an index into `State.characters`. */
+  /** `character` of an instance is an index into `State.characters`. */
   instances: Instance[];
   /** Names of parts or joints whose contacts with each other do not count. */
   ignore: NamePair[];
 }
 
-/** More are neither counted in reasonable time nor told apart in a chart. */
+/** More frames could not be counted in reasonable time, nor distinguished in a chart. */
 export const MOST_FRAMES = 100_000;
 
 /** Number of frames of `pelt check A.glb B.glb --clip ...`. */
@@ -61,7 +61,7 @@ export function withInstance(scene: Scene, index: number, change: Partial<Instan
   return { ...scene, instances };
 }
 
-/** The same seconds in other steps. */
+/** The same duration with another frame rate. */
 export function withFps(scene: Scene, fps: number): Scene {
   const frameCount = Math.round((scene.frameCount * fps) / scene.fps);
   return { ...scene, fps, frameCount: Math.min(Math.max(1, frameCount), MOST_FRAMES) };

@@ -24,7 +24,7 @@ function keptWeights(weights: Instance['morphWeights']) {
   return { morph_weights: areNumbers ? Object.values(weights) : weights };
 }
 
-/** Names that two have are told apart by numbers. */
+/** Makes equal names distinct by numbers. */
 function distinct(names: readonly string[]): string[] {
   const taken = new Set<string>();
   return names.map((name) => {

@@ -19,8 +19,10 @@ function turned(degrees: number): Vector3 {
 /** Factor by which more must be visible from another side for it to be chosen. */
 const WORTH_TURNING = 2;
 
-/** Where to look from, who looks from `present`: from there, unless much more is seen from another
- * side. `seen` is how much there is from each. */
+/**
+ * The side to look from when looking from `present`: `present`, unless much more is visible from
+ * another side. `seen` has the visible amount for each side.
+ */
 export function betterSide(seen: readonly number[], present: Vector3 = SIDES[0]): Vector3 {
   const near = indexOfLargest(SIDES.map((side) => dot(side, present)));
   const best = indexOfLargest(seen);

@@ -1,4 +1,4 @@
-/** How the state may change, one function for each thing that one can do. */
+/** All changes of the state, one function for each action of the user. */
 
 import { findingOf } from '../report/verdict';
 import { arrange, join, USUAL_ARRANGEMENT } from '../scene/arrange';
@@ -36,7 +36,7 @@ export function step(frames: number): Change {
   return (state) => pauseAt(state.frame + frames)(state);
 }
 
-/** To the first frame in contact of the next stretch of them, or the last before. */
+/** Jumps to the nearest start of a range of frames in contact, forwards or backwards. */
 export function jumpToContact(direction: 1 | -1): Change {
   return (state) => {
     const frame = nextContact(state.sweep.counts, state.frame, direction);
@@ -141,7 +141,7 @@ export function rearrange(arrangement: State['arrangement']): Change {
   });
 }
 
-/** How the stage begins. */
+/** Initial state of the stage. */
 export interface Beginning {
   frame: number;
   plays: boolean;

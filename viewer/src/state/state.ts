@@ -20,10 +20,10 @@ export interface State {
   scene: Scene | null;
   /** The scene as opened, if it had its own placements. */
   opened: Scene | null;
-  /** How everyone was placed last. */
+  /** The most recent placement of all characters. */
   arrangement: Arrangement | 'opened';
   characters: CharacterFacts[];
-  /** How their files were read. */
+  /** Options with which the files were read. */
   readingOptions: ReadingOptions;
   /** Names of the files being read, or null. */
   reading: string | null;
@@ -42,7 +42,7 @@ export interface State {
   lastBoxLevel: number;
   /** The contacts that are listed. */
   listing: 'frame' | 'clip';
-  /** Those that are looked at more closely; each time that they are chosen it is another object. */
+  /** The selected contact; every selection creates a new object. */
   spot: Spot | null;
   /** The side from which the characters are seen at first, once that is known. */
   side: Vector3 | null;
@@ -83,8 +83,10 @@ export interface AnsweredShot extends FrameAnswer {
 
 export interface MeasuredShot extends Costs {
   shot: Shot;
-  /** How many times as long refitting everything takes: while the scene plays, a mean of the last
-   * frames, as single ones leap. */
+  /**
+   * How many times as long refitting everything takes. While the scene plays, a mean of the last
+   * frames, because single frames vary much.
+   */
   ratio: number;
 }
 

@@ -9,7 +9,7 @@ export interface Body {
   part: number | null;
 }
 
-/** In the order of the command, without parts that have no triangles. */
+/** Same order as in the command, without parts that have no triangles. */
 export function bodiesOf({ instances, characters }: EngineScene, by: By): Body[] {
   if (by === 'instance') return instances.map((_, instance) => ({ instance, part: null }));
   return instances.flatMap(({ character }, instance) =>

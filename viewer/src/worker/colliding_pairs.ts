@@ -1,6 +1,6 @@
 import type { Bounds, Pose } from 'pelt';
 
-/** The pairs of poses that could touch, as far as boxes around them tell. */
+/** The pairs of poses whose boxes overlap. */
 export function collidingPairs(poses: readonly Pose[]): [Pose, Pose][] {
   const boxes = poses.map((pose) => pose.bounds().box);
   return poses.flatMap((a, i) =>

@@ -1,6 +1,6 @@
 /**
- * What a frame's query costs, and what refitting everything first costs: measured in steps, so that
- * a frame that is wanted meanwhile need not wait.
+ * Measures the cost of a frame's query, and of refitting everything first. Measures in steps, so
+ * that a requested frame need not wait.
  */
 
 import type { Pelt, Pose, Scene as EngineScene } from 'pelt';
@@ -26,7 +26,7 @@ export class CostMeter {
     this.stage = new Stage(pelt);
   }
 
-  /** Works for a few milliseconds; null: ask again, there is more to do. */
+  /** Works for a few milliseconds. Returns null if there is more to do. */
   advance({ id, shot }: Questions['measure'], scene: EngineScene): Costs | null {
     if (id !== this.id || !this.steps) this.steps = this.measure(scene, shot);
     this.id = id;
@@ -51,7 +51,7 @@ export class CostMeter {
     return { onDemand, eager, ...this.countNodes(firstContact) };
   }
 
-  /** Twice as many rounds each time, until a clock can tell how long they take. */
+  /** Doubles the number of rounds until the clock can measure their time. */
   private *cost(round: () => Steps<number>): Steps<Cost> {
     for (let rounds = 1; ; rounds *= 2) {
       let trianglePairs = 0;

@@ -22,7 +22,7 @@ import { Sweep } from './sweep';
 
 export class Desk {
   private cast: Cast = { characters: [], sources: [], scene: null, refused: [] };
-  /** As the page shows them, and the same again for what is asked apart from that. */
+  /** The displayed stage, and a second one for requests that are not displayed. */
   private readonly shown: Stage;
   private readonly apart: Stage;
   private readonly meter: CostMeter;

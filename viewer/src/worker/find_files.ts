@@ -94,7 +94,7 @@ function decoded(uri: string): string {
   }
 }
 
-/** Nothing where it is no JSON: the engine says so. */
+/** Returns nothing for invalid JSON; the engine reports the error. */
 function jsonIn(bytes: Uint8Array): unknown {
   try {
     return JSON.parse(new TextDecoder().decode(bytes));

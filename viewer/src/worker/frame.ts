@@ -79,7 +79,7 @@ function drawn(pose: Pose, spare: Spare | undefined): Spare {
   };
 }
 
-/** After the queries, which pose only what they need: the boxes tell what these have opened. */
+/** Call after the queries: the boxes show which nodes they have opened. */
 function boxesOf(
   poses: readonly Pose[],
   level: number | null,

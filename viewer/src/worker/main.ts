@@ -10,7 +10,7 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
   postMessage(reply, { transfer: buffersOf(reply) });
 };
 
-/** The large arrays of a frame change hands instead of being copied. */
+/** Transfers the large arrays of a frame instead of copying them. */
 function buffersOf(reply: Reply): Transferable[] {
   if (!('answer' in reply) || !reply.answer || !('instances' in reply.answer)) return [];
   const { instances, glow } = reply.answer;

@@ -1,6 +1,6 @@
 /**
- * What the page and its worker say to each other. The worker holds the characters and knows no
- * state of the page: a request carries all that its answer depends on.
+ * The messages between the page and its worker. The worker has the characters but not the state of
+ * the page, so a request contains everything that its answer depends on.
  */
 
 import type { Box, Clip } from 'pelt';
@@ -25,7 +25,7 @@ export interface ReadingOptions {
   samples?: number;
 }
 
-/** What is tested: instances against each other, or parts, including those of one instance. */
+/** What is tested: instances against each other, or parts, including parts of the same instance. */
 export type By = 'instance' | 'part';
 
 export type FrameRange = [first: number, end: number, step: number];
@@ -59,7 +59,7 @@ export interface Questions {
   still: Shot;
   /** Bit by bit: the same again until there is an answer. Each measurement has its own number. */
   measure: { id: number; shot: Shot };
-  /** Which triangle a ray meets first, in the poses of the last `pose`. */
+  /** Finds the triangle that a ray hits first, in the poses of the last `pose`. */
   cast: { origin: number[]; direction: number[] };
   /** Count the contacts of every frame in the background, and forget the sweep before. Answered when
    * that is done, or given up. */
@@ -145,7 +145,7 @@ export interface Touch extends Spot {
   worst: { frame: number; contacts: number };
 }
 
-/** How much a query did, as the command counts it, and how much refitting everything does. */
+/** The work of a query, counted as by the command, and the work of refitting everything. */
 export interface Work {
   refits: number;
   allRefits: number;
@@ -179,7 +179,7 @@ export interface Glow {
 
 /** A frame to be photographed. */
 export interface StillAnswer extends FrameAnswer {
-  /** How much of its contacts is seen from each of `SIDES`. */
+  /** How many of its contacts are visible from each of `SIDES`. */
   seen: number[];
 }
 
@@ -188,7 +188,7 @@ export interface SpotAnswer {
   /** [N][2] triangles of its first and its second place. */
   pairs: Uint32Array;
   glow: Glow;
-  /** How much of them is seen from each of `SIDES`. */
+  /** How many of them are visible from each of `SIDES`. */
   seen: number[];
 }
 
@@ -229,7 +229,7 @@ export interface SweepProgress {
 export interface SweepTotal {
   /** Hash as in `pelt check`; null if queries stop at the first contact. */
   hash: string | null;
-  /** The same of the frames that a report is about. */
+  /** The same for the frames of a report. */
   reportHash: string | null;
   /** Contacts that do not count. */
   ignored: number;

@@ -1,12 +1,14 @@
-/** What of a scene collides, as a crowd, which is what the command asks: the same work, the same
- * answer. */
+/**
+ * The colliding bodies of a scene as a crowd. The command uses the same query, with the same work
+ * and the same answer.
+ */
 
 import type { Character, Crowd, CrowdContacts, Pelt, Scene as EngineScene } from 'pelt';
 import { bodiesOf, type Body } from './bodies';
 import type { By } from './protocol';
 
 export interface SceneContacts extends CrowdContacts {
-  /** As `contacts`, which have numbers of instances, but with those of bodies: for the hash. */
+  /** Like `contacts`, with numbers of bodies instead of instances, for the hash. */
   ofBodies: Uint32Array;
 }
 
@@ -35,7 +37,7 @@ export class SceneCrowd {
     this.ignored = JSON.stringify(scene.ignore);
   }
 
-  /** Whether it can take frames of that scene, too: the same characters, wherever they stand. */
+  /** Whether it can be reused for that scene: the same characters, wherever they are placed. */
   fits({ instances, characters, ignore }: EngineScene, by: By): boolean {
     return (
       by === this.by &&

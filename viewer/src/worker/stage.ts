@@ -1,4 +1,4 @@
-/** A scene at one of its frames: what collides as a crowd, which queries ask, and as poses. */
+/** A scene at one of its frames: a crowd for queries, and poses for drawing. */
 
 import type { Character, Pelt, Pose, Scene as EngineScene } from 'pelt';
 import { Poses } from './poses';

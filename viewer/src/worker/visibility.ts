@@ -1,4 +1,6 @@
-/** From which sides contacts are seen: rays from a few of them, which nothing stands in the way of. */
+/**
+ * Finds the sides from which contacts are visible, by rays from some of them that nothing blocks.
+ */
 
 import type { Pose } from 'pelt';
 import type { Vector3 } from '../scene/scene';
@@ -16,7 +18,7 @@ export function seenFromSides(poses: readonly Pose[], glow: Glow): number[] {
 
 interface Place {
   centre: Vector3;
-  /** Of the triangle there, which crosses the surface that it touches. */
+  /** Radius of the triangle, which crosses the surface that it touches. */
   radius: number;
 }
 

@@ -1,4 +1,7 @@
-/** What refitting everything is, for an instance of a character or a part: the same in every pose. */
+/**
+ * The work of refitting everything for an instance of a character or a part; the same in every
+ * pose.
+ */
 
 import type { Character, Pose } from 'pelt';
 
