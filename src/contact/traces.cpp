@@ -4,7 +4,6 @@
 #include "base/vec3.hpp"
 #include "geometry/ray_triangle.hpp"
 #include "model/model.hpp"
-#include "query/find_triangle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,17 +51,9 @@ ContactKind kind_of(const Crossing& crossing) {
 
 }  // namespace
 
-TriangleCorners PosedSurface::corners(std::uint32_t triangle, QueryStats& work) const {
-  const PosedTree posed = pose.posed_tree();
-  make_table(posed);
-  return find_triangle(posed, triangle, work).corners;
-}
-
-ContactTrace trace_of(const Contact& contact, const PosedSurface& a, const PosedSurface& b,
-                      Crossing& crossing, QueryStats& work) {
-  const TriangleCorners corners_a = a.corners(contact.triangle_a, work);
-  const TriangleCorners corners_b = b.corners(contact.triangle_b, work);
-  ++work.triangle_pairs;
+ContactTrace trace_of(const Contact& contact, const ContactCorners& corners, const Surface& a,
+                      const Surface& b, Crossing& crossing) {
+  const auto& [corners_a, corners_b] = corners;
   crossing = cross_triangles(corners_a, corners_b);
   ContactTrace trace;
   trace.contact = contact;
@@ -76,8 +67,8 @@ ContactTrace trace_of(const Contact& contact, const PosedSurface& a, const Posed
   const Vec3d normal = leaving_direction(corners_a, corners_b);
   trace.normal = to_float(normal);
   trace.depth = static_cast<float>(depth_along(normal, corners_a, corners_b));
-  trace.joint_a = a.surface.joints[contact.triangle_a];
-  trace.joint_b = b.surface.joints[contact.triangle_b];
+  trace.joint_a = a.joints[contact.triangle_a];
+  trace.joint_b = b.joints[contact.triangle_b];
   return trace;
 }
 

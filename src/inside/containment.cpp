@@ -1,7 +1,9 @@
 #include <pelt/inside.hpp>
 
 #include "base/require.hpp"
-#include "contact/traces.hpp"
+#include "model/surface.hpp"
+#include "pose/pose.hpp"
+#include "query/find_triangle.hpp"
 
 namespace pelt {
 namespace {
@@ -16,9 +18,9 @@ struct Body {
 /// of a component are on the same side.
 bool holds(const Body& outer, const Body& inner, Scratch& scratch, QueryStats& work) {
   if (!outer.surface.is_closed()) return false;
-  const detail::PosedSurface posed = {inner.pose.detail(), inner.surface.detail()};
-  for (const std::uint32_t triangle : posed.surface.components) {
-    const Vec3 corner = posed.corners(triangle, work)[0];
+  detail::TriangleReader triangles(inner.pose.detail().posed_tree());
+  for (const std::uint32_t triangle : inner.surface.detail().components) {
+    const Vec3 corner = triangles.corners(triangle, work)[0];
     PointSide side = PointSide::outside;
     work += side_of(outer.pose, outer.surface, corner, scratch, side);
     if (side != PointSide::inside) return false;

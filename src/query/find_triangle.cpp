@@ -5,18 +5,44 @@
 #include "pose/open_node.hpp"
 
 namespace pelt::detail {
+namespace {
+
+TriangleCorners corners_at(const Tree& tree, std::uint32_t place, const OpenedNode& opened) {
+  TriangleCorners corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float* p = opened.positions + tree.corners[place][k];
+    corners[k] = {p[0], p[1], p[2]};
+  }
+  return corners;
+}
+
+}  // namespace
 
 FoundTriangle find_triangle(const PosedTree& posed, std::uint32_t id, QueryStats& work) {
   const Tree& tree = posed.tree;
   PELT_ASSERT(id < tree.triangle_count());
   const std::uint32_t place = tree.triangle_places[id], node = node_of_triangle(tree, place);
-  const float* positions = open_node(posed, node, work).positions;
-  FoundTriangle found = {{}, node, slot_of_triangle(tree, tree.nodes[node], place)};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const float* p = positions + tree.corners[place][k];
-    found.corners[k] = {p[0], p[1], p[2]};
-  }
-  return found;
+  return {corners_at(tree, place, open_node(posed, node, work)), node,
+          slot_of_triangle(tree, tree.nodes[node], place)};
+}
+
+TriangleReader::TriangleReader(const PosedTree& posed) : posed_(posed) { make_table(posed); }
+
+TriangleCorners TriangleReader::corners(std::uint32_t id, QueryStats& work) {
+  PELT_ASSERT(id < posed_.tree.triangle_count());
+  const std::uint32_t place = posed_.tree.triangle_places[id];
+  if (place < first_place_ || place >= end_place_) move_to_node_of(place);
+  return corners_at(posed_.tree, place, open_node(posed_, node_, work));
+}
+
+void TriangleReader::move_to_node_of(std::uint32_t place) {
+  const Tree& tree = posed_.tree;
+  node_ = node_of_triangle(tree, place);
+  const Node& node = tree.nodes[node_];
+  const Cluster* clusters = tree.clusters.data() + node.first_cluster;
+  const Cluster& last = clusters[node.cluster_count - 1];
+  first_place_ = clusters[0].first_triangle;
+  end_place_ = last.first_triangle + last.triangle_count;
 }
 
 }  // namespace pelt::detail

@@ -20,4 +20,23 @@ struct FoundTriangle {
 /// opened nodes.
 FoundTriangle find_triangle(const PosedTree& posed, std::uint32_t id, QueryStats& work);
 
+/// Reads the corners of triangles. Cost: O(1) for a triangle in the node of the triangle before,
+/// otherwise O(log N).
+class TriangleReader {
+ public:
+  /// Makes the table of opened nodes if there is none.
+  explicit TriangleReader(const PosedTree& posed);
+
+  /// The corners of the triangle with the caller's number `id`. Opens its node if it is not open,
+  /// which is counted in `work`.
+  TriangleCorners corners(std::uint32_t id, QueryStats& work);
+
+ private:
+  void move_to_node_of(std::uint32_t place);
+
+  PosedTree posed_;
+  std::uint32_t node_ = 0;
+  std::uint32_t first_place_ = 0, end_place_ = 0;  ///< of the triangles of `node_`
+};
+
 }  // namespace pelt::detail
