@@ -29,7 +29,7 @@ void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
 
 int main(int argc, char** argv) {
   return pelt::tools::arguments::run_command_line(
-      {"pelt-lab", "Pelt beside the methods of the literature, for comparison.", kFooter,
+      {"pelt-lab", "Compares Pelt with methods from other papers.", kFooter,
        add_verbs},
       argc, argv);
 }

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Wide code defines nothing that the linker could take for another target's.
+"""Checks that wide code defines no symbols that the linker could merge with another target's.
 
-    check_wide_symbols.py NM TARGET OBJECTS...     names the offenders, exits with 1 if there are any
+    check_wide_symbols.py NM TARGET OBJECTS...     prints such symbols, exits with 1 if there are any
     check_wide_symbols.py --skip REASON            exits with 77
 
-A function that is not inlined and does not stand in the target's namespace (of std::vector, say) is
-a symbol of which the linker keeps one copy for the whole program: perhaps the one with instructions
-that the machine does not have.
+If a function outside of the target's namespace (of std::vector, for example) is not inlined, the
+linker keeps one copy of it for the whole program, perhaps one with instructions that the machine does
+not support.
 """
 
 import subprocess
@@ -14,7 +14,7 @@ import sys
 
 
 def shared_symbols(nm, target, file):
-    """The symbols visible outside the object file that do not name the target's namespace."""
+    """Returns the external symbols of the object file that are not in the target's namespace."""
     command = [nm, "--demangle", "--defined-only", file]
     listing = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     for line in listing.splitlines():

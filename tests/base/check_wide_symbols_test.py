@@ -1,4 +1,4 @@
-"""check_wide_symbols.py names what an object file would share, whatever nm finds in it."""
+"""check_wide_symbols.py prints the shared symbols of an object file, for any output of nm."""
 
 import pathlib
 import subprocess

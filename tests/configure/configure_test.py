@@ -1,4 +1,4 @@
-"""Pelt configures with whatever is installed: configure_test.py SOURCE CMAKE COMPILER.
+"""Pelt configures with any set of installed packages: configure_test.py SOURCE CMAKE COMPILER.
 
 Each test hides packages from CMake, configures in a scratch folder, and looks at the targets that
 exist and at the lines that name what was left out.
@@ -62,7 +62,7 @@ class Configure(unittest.TestCase):
         return configured
 
     def assert_left_out(self, configured, *packages):
-        """One line each names the package that brings what was left out."""
+        """For each part that is left out, one line names the package to install."""
         for package in packages:
             naming = [line for line in configured.lines if f"install {package}" in line]
             self.assertEqual(len(naming), 1, (package, configured.lines))

@@ -1,7 +1,7 @@
 """Writes reed.gltf: a ribbon of three rungs in the plane x = 0, two joints, two clips.
 
-Joint `root` holds the lowest rung, `tip` the highest, both the middle one. Clip `lean` moves the tip
-by 1 along x within 4 seconds; `stand` keeps it where it is.
+The lowest rung follows joint `root`, the highest joint `tip`, and the middle one both. Clip `lean`
+moves the tip by 1 along x within 4 seconds; clip `stand` does not move it.
 """
 
 import base64
@@ -15,7 +15,7 @@ buffer, views, accessors = bytearray(), [], []
 
 
 def accessor(kind, component, letter, rows, **bounds):
-    """Appends an array of rows to the buffer and returns the number of its accessor."""
+    """Appends an array of rows to the buffer. Returns the index of its accessor."""
     data = b"".join(struct.pack(f"<{len(row)}{letter}", *row) for row in rows)
     views.append({"buffer": 0, "byteOffset": len(buffer), "byteLength": len(data)})
     buffer.extend(data + b"\0" * (-len(data) % 4))

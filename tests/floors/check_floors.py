@@ -4,11 +4,11 @@
     tests/floors/check_floors.py [ROOT]     prints each violation as file:line, exits with 1 if there
                                             is any
 
-The product stands on floors: a file includes files of its own floor or of lower ones. Beyond that
-public headers include public headers only; the library stands on the standard library alone; the
-glTF reader knows the core by its public headers; examples are written as a user would write them.
-The product includes nothing of evaluation/, apart from one method of the command. Each folder of
-evaluation/ includes the library and what is listed for it below. Tests include anything.
+The product has floors: a file may include files of its own floor and of lower ones. In addition,
+public headers include only public headers; the library includes only the standard library; the glTF
+reader includes only public headers of the core; examples include only what users can include. The
+product includes nothing of evaluation/, except one method of the command. Each folder of evaluation/
+may include the library and the folders listed for it below. Tests may include anything.
 """
 
 import pathlib
@@ -53,12 +53,12 @@ INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def folder_of(path):
-    """The folder of the rules in which a file stands, or None."""
+    """Returns the folder of the rules that contains a file, or None."""
     return next((f for f in FOLDERS if path.startswith(f + "/")), None)
 
 
 def resolve(root, file, name):
-    """The included file, relative to the root, or None if it is none of ours."""
+    """Returns the included file, relative to the root, or None if it is not a file of Pelt."""
     if name.startswith("pelt/"):
         return "include/" + name
     for folder in (root, root / "src", root / "tests", file.parent):
@@ -68,7 +68,7 @@ def resolve(root, file, name):
 
 
 def may_include(path, folder, theirs):
-    """Whether a file in one folder of the rules may include one in another."""
+    """Returns whether a file in one folder of the rules may include a file in another."""
     if folder == theirs or folder == "tests":
         return True
     if theirs == "evaluation/paper" and path == MAY_INCLUDE_PAPER:
@@ -81,7 +81,7 @@ def may_include(path, folder, theirs):
 
 
 def violation(path, folder, bracket, name, target):
-    """What is wrong with one include, or None."""
+    """Returns the error of an include, or None."""
     if target is None:
         if bracket == '"':
             return f'"{name}" is no file of this project'

@@ -1,4 +1,4 @@
-"""check_floors.py finds each kind of wrong include in a small tree made for the purpose."""
+"""check_floors.py finds each kind of wrong include in a small test tree."""
 
 import pathlib
 import subprocess
@@ -10,7 +10,7 @@ CHECKER = pathlib.Path(sys.argv.pop())
 
 
 def check(files):
-    """Exit status and output of the checker on a tree of {path: text}."""
+    """Returns exit status and output of the checker for a tree of {path: text}."""
     with tempfile.TemporaryDirectory() as folder:
         for path, text in files.items():
             file = pathlib.Path(folder, path)

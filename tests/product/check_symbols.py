@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Checks that the product links no method of the literature and no other library's adapter.
+"""Checks that the product links no rival method and no adapter to another library.
 
-    check_symbols.py NM FILES...         names the symbols of evaluation/ in programs, archives and
-                                         objects; exits with 1 if there are any, or none of Pelt at all
-    check_symbols.py --wasm NM FOLDER    the same for all that the npm package's engine is linked from,
+    check_symbols.py NM FILES...         prints the symbols of evaluation/ in programs, archives and
+                                         objects; exits with 1 if there are any, or no symbols of Pelt
+    check_symbols.py --wasm NM FOLDER    the same for the objects of the npm package's engine,
                                          if FOLDER has been built; exits with 77 otherwise
 
-The paper's own method is part of the command, and so is not looked for there.
+The paper's method is part of the command and therefore allowed there.
 """
 
 import pathlib
@@ -20,7 +20,7 @@ EVALUATION_AND_PAPER = re.compile(r"\bpelt::(rivals|peers|reproduce|programs|pap
 
 
 def symbols_of(nm, files):
-    """The demangled names that the files define or use."""
+    """Returns the demangled names that the files define or use."""
     listing = subprocess.run([nm, "--demangle", *files], capture_output=True, text=True, check=True)
     for line in listing.stdout.splitlines():
         if match := re.match(r"[0-9a-f]* +[A-Za-z] (.*)", line):
@@ -35,7 +35,7 @@ def check(nm, files, forbidden):
 
 
 def linked_from(folder):
-    """The objects and archives of the engine, as Ninja knows them."""
+    """Returns the objects and archives of the engine, from Ninja."""
     inputs = subprocess.run(["ninja", "-C", folder, "-t", "inputs", "package/engine.mjs"],
                             capture_output=True, text=True, check=True).stdout
     return [folder / line for line in inputs.splitlines() if line.endswith((".o", ".a"))]

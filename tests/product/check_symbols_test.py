@@ -1,4 +1,4 @@
-"""check_symbols.py finds the rivals in a program that has them, and refuses one without names.
+"""check_symbols.py finds rivals in a program that links them, and rejects a stripped program.
 
     check_symbols_test.py CHECKER NM PROGRAM_WITH_RIVALS
 """

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Checks that what README.md shows is true.
+"""Checks the programs and commands that README.md shows.
 
     check_readme.py programs README EXAMPLES_FOLDER
     check_readme.py commands README BIN_FOLDER [SECONDS]
 
-programs: each ```cpp block is, to the letter, one of docs/examples/*.cpp, and each of those is shown.
+programs: each ```cpp block must equal one of docs/examples/*.cpp, and each of these must be shown.
 
 commands: runs the ```sh blocks that follow a line `<!-- run -->`, in order, in one empty folder,
 with BIN_FOLDER first on the PATH; each must end with status 0, or with N after `<!-- run: N -->`.
-A ```text block after `<!-- output -->` is what the last one printed, standard error included, where
-`...` stands for any text, across lines too.
+A ```text block after `<!-- output -->` must equal the output of the last block, including standard
+error; `...` matches any text, also across lines.
 """
 
 import pathlib
@@ -23,7 +23,7 @@ BLOCK = re.compile(r"(?:^<!-- *(?P<mark>[^\n]*?) *-->\n+)?^```(?P<language>\w+)\
 
 
 def blocks(readme, language):
-    """(line, mark, text) of each fenced block of a language, or of all of them for None."""
+    """Yields (line, mark, text) of each fenced block of a language, or of all blocks for None."""
     text = pathlib.Path(readme).read_text()
     for match in BLOCK.finditer(text):
         if language in (None, match["language"]):
@@ -41,7 +41,7 @@ def check_programs(readme, folder):
 
 
 def matches(expected, output):
-    """Whether the output is the expected text, `...` standing for anything."""
+    """Returns whether the output matches the expected text, in which `...` matches anything."""
     pattern = ".*".join(map(re.escape, expected.strip().split("...")))
     return re.fullmatch(pattern, output.strip(), re.DOTALL)
 

@@ -1,4 +1,4 @@
-"""check_readme.py accepts a true README and refuses each kind of untruth."""
+"""check_readme.py accepts a correct README and rejects each kind of error."""
 
 import pathlib
 import tempfile

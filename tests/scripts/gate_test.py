@@ -1,4 +1,4 @@
-"""scripts/test runs the gate, and fails if a part of it fails: gate_test.py SCRIPTS_FOLDER."""
+"""scripts/test runs the gate, and fails if any part fails: gate_test.py SCRIPTS_FOLDER."""
 
 import os
 import pathlib

@@ -1,4 +1,4 @@
-"""scripts/reproduce passes on what it is asked for: reproduce_test.py SCRIPT."""
+"""scripts/reproduce passes its options on: reproduce_test.py SCRIPT."""
 
 import os
 import pathlib
@@ -38,7 +38,7 @@ class Reproduce(unittest.TestCase):
         return done.returncode, done.stdout, notes.read_text().split() if notes.exists() else []
 
     def command(self, *words):
-        """What the command was called with."""
+        """Returns the arguments of the command."""
         status, _, ran = self.run_script(*words)
         self.assertEqual(status, 0)
         return ran[ran.index("pelt-lab"):]

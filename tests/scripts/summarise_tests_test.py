@@ -1,4 +1,4 @@
-"""scripts/summarise-tests reads what ctest writes: counts, reasons, exit status."""
+"""scripts/summarise-tests reads the output of ctest: counts, reasons, exit status."""
 
 import pathlib
 import subprocess

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Checks that what docs/algorithm.md names exists.
+"""Checks that the files and functions that docs/algorithm.md names exist.
 
     check_algorithm.py ROOT
 
-Every `path/of/a.file` and linked picture exists; in a table row, every `name` after a path stands as
-a whole word in that file, and of `Type::name` both parts; elsewhere a `name` stands in one of the
-files that the page names.
+Every `path/of/a.file` and linked picture must exist. In a table row, every `name` after a path must
+occur as a whole word in that file; of `Type::name`, both parts must. Elsewhere, a `name` must occur in
+one of the files that the page names.
 """
 
 import pathlib
@@ -21,13 +21,13 @@ def is_path(span):
 
 
 def missing_names(span, texts):
-    """Parts of `Type::name` that are in none of the texts."""
+    """Returns the parts of `Type::name` that do not occur in the texts."""
     return [part for part in span.split("::")
             if not any(re.search(rf"\b{re.escape(part)}\b", text) for text in texts)]
 
 
 def check_line(number, line, files):
-    """Faults of one line; `files` maps each path that the page names to its text."""
+    """Returns the errors of one line; `files` maps each path that the page names to its text."""
     spans = CODE.findall(line)
     paths = [span for span in spans if is_path(span) and not span.endswith("/")]
     in_table = line.startswith("|")

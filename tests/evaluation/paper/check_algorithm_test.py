@@ -1,4 +1,4 @@
-"""check_algorithm.py finds each kind of fault in a page made for the purpose."""
+"""check_algorithm.py finds each kind of error in a test page."""
 
 import pathlib
 import subprocess
@@ -10,7 +10,7 @@ CHECKER = pathlib.Path(__file__).with_name("check_algorithm.py")
 
 
 def check(page):
-    """Exit status and output of the checker on a tree with this page and two files of code."""
+    """Returns exit status and output of the checker for a tree with this page and two files of code."""
     files = {"docs/algorithm.md": page, "paper/a.cpp": "void Alpha::walk_on() {}",
              "paper/b.cpp": "int beta;", "docs/figures/a.svg": "<svg/>"}
     with tempfile.TemporaryDirectory() as folder:

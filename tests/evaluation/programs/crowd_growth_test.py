@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""crowd_growth_test.py CROWD_SCALING PLOT: measures small crowds and has their growth drawn.
+"""crowd_growth_test.py CROWD_SCALING PLOT: measures small crowds and plots their growth.
 
-Exits with 77, as PLOT does, where gnuplot is missing and all else was as it should be.
+Exits with 77, like PLOT, if gnuplot is missing and everything else passes.
 """
 
 import csv

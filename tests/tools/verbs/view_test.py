@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Asks `pelt view` for its page as a browser does.
+"""Requests the page of `pelt view` like a browser.
 
     view_test.py COMMAND
 """
@@ -90,7 +90,7 @@ def refuses_other_names(command, folder):
 
 
 def ends_at_once(command, folder):
-    """Ctrl+C as early as it can come."""
+    """Ctrl+C as early as possible."""
     with start(command, folder, "--no-browser") as running:
         address_of(running)
         assert end(running) == 0
@@ -113,7 +113,7 @@ def connect(address):
 
 
 def reply(connection):
-    """All that the server sends until it closes."""
+    """Returns all that the server sends until it closes the connection."""
     parts = []
     while part := connection.recv(1 << 16):
         parts.append(part)
@@ -127,7 +127,7 @@ def ask(address, request):
 
 
 def peak_memory(running):
-    """In MiB."""
+    """Returns MiB."""
     for line in pathlib.Path(f"/proc/{running.pid}/status").read_text().splitlines():
         if line.startswith("VmHWM:"):
             return int(line.split()[1]) / 1024
@@ -135,7 +135,7 @@ def peak_memory(running):
 
 
 def answers_ranges_whole(command, folder):
-    """A thousand ranges of a large page are no thousand copies of it."""
+    """A request for a thousand ranges of a large page does not copy the page a thousand times."""
     large = PAGE + "x" * (4 << 20)
     (folder / "large.html").write_text(large)
     with start(command, folder, "--no-browser", PELT_VIEWER=str(folder / "large.html")) as running:
@@ -183,7 +183,7 @@ def open_descriptors(running):
 
 
 def outlasts_silent_connections(command, folder):
-    """More than the server takes at once say nothing, or too little; a browser is still answered."""
+    """More clients than the server accepts send nothing, or too little; a browser is still answered."""
     with start(command, folder, "--no-browser") as running:
         address = address_of(running)
         with contextlib.ExitStack() as stack:
@@ -217,7 +217,7 @@ def answers_bytes_that_come_slowly(command, folder):
 
 
 def path_with(folder, opener):
-    """A PATH on which `xdg-open` is that script."""
+    """Returns a PATH on which `xdg-open` is that script."""
     programs = folder / "programs"
     programs.mkdir(exist_ok=True)
     (programs / "xdg-open").write_text(opener)
@@ -226,7 +226,7 @@ def path_with(folder, opener):
 
 
 def opens_browser(command, folder):
-    """One that has no signal blocked, is not waited for, and is not ended by our Ctrl+C."""
+    """The browser has no blocked signals, is not waited for, and is not ended by our Ctrl+C."""
     left = folder / "left"
     path = path_with(folder, BROWSER)
     with start(command, folder, PATH=path, LEFT=str(left)) as running:
