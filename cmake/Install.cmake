@@ -4,13 +4,15 @@ include(CMakePackageConfigHelpers)
 set(pelt_libraries pelt)
 if(TARGET pelt_asset)
   list(APPEND pelt_libraries pelt_asset)
-  set_target_properties(pelt_asset PROPERTIES EXPORT_NAME asset)
 endif()
-# Before 1.0 a minor version may change the interface.
-set_target_properties(${pelt_libraries} PROPERTIES
-  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-
-install(TARGETS ${pelt_libraries} EXPORT pelt)
+set(installed ${pelt_libraries})
+if(BUILD_SHARED_LIBS)
+  list(TRANSFORM installed APPEND _shared)
+  # Before 1.0 a minor version may change the interface.
+  set_target_properties(${installed} PROPERTIES
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+endif()
+install(TARGETS ${installed} EXPORT pelt)
 set(not_built "")
 if(NOT TARGET pelt_asset)
   set(not_built PATTERN asset.hpp EXCLUDE)
@@ -37,6 +39,10 @@ set(pc_meshoptimizer "")
 if(NOT BUILD_SHARED_LIBS)
   set(pc_meshoptimizer -lmeshoptimizer)
 endif()
+set(pc_define "")
+if(BUILD_SHARED_LIBS)
+  set(pc_define -DPELT_SHARED)
+endif()
 set(pc_sanitize "")
 if(PELT_SANITIZE)
   set(pc_sanitize -fsanitize=${PELT_SANITIZE})
@@ -49,8 +55,6 @@ endforeach()
 
 # --- the command
 if(TARGET pelt_command)
-  file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-  set_target_properties(pelt_command PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
   install(TARGETS pelt_command)
   install(FILES docs/pelt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   # The page of `pelt view` and `pelt check --html`, if scripts/build-viewer has built it.

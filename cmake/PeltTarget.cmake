@@ -1,3 +1,9 @@
+# Whether Pelt is compiled for an x86 processor. Emscripten calls its own processor x86.
+set(PELT_X86 FALSE)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|x86|i[3-6]86)$" AND NOT EMSCRIPTEN)
+  set(PELT_X86 TRUE)
+endif()
+
 # Settings of every target of Pelt: language level, warnings, floating point that is the same on
 # every machine, sanitizers.
 function(pelt_target target)
@@ -10,6 +16,10 @@ function(pelt_target target)
   # machines that have it. Without errno, a square root is a single instruction that can be
   # vectorised; no code reads errno after a square root.
   target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno)
+  # 32-bit x86 otherwise computes in registers of 80 bits, which round differently.
+  if(PELT_X86 AND CMAKE_SIZEOF_VOID_P EQUAL 4)
+    target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
+  endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion)
   if(EMSCRIPTEN)
@@ -27,6 +37,14 @@ function(pelt_target target)
                                              -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${PELT_SANITIZE})
   endif()
+endfunction()
+
+# pelt_library_target(TARGET): pelt_target for a library that is installed. What PELT_API does not mark
+# is hidden, in a shared library and in programs.
+function(pelt_library_target target)
+  pelt_target(${target})
+  set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden
+                                             VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
 # pelt_compiled_fast(TARGET): with sanitizers, optimises the library but not the code that uses it,
