@@ -4,9 +4,11 @@
 /// each instance, set its joint palette every frame, and query two poses for contacts.
 ///
 /// Failure: functions that validate outside input return a `Result`, which holds an error if the
-/// input is invalid. If memory runs out, functions throw std::bad_alloc; Pelt itself throws no
-/// other exception. After std::bad_alloc, models, poses, crowds and scratch are still usable,
-/// nothing has leaked, and lists to which results are appended are unchanged.
+/// input is invalid. If memory runs out, functions throw std::bad_alloc (or, on 32-bit platforms,
+/// std::length_error); Pelt itself throws no other exception. After that, models, poses, crowds and
+/// scratch are still usable, nothing has leaked, and lists to which results are appended are
+/// unchanged. If Pelt is compiled with -fno-exceptions, running out of memory must end the program,
+/// because such code cannot release what it holds: do not catch exceptions of Pelt then.
 ///
 /// A violated precondition aborts the program where Pelt checks it. Comments name preconditions
 /// that are checked in every build; builds without NDEBUG check more.

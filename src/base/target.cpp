@@ -20,7 +20,7 @@ constexpr Built kBuilt[] = {
     {Target::scalar, [] { return true; }},
 #endif
 #ifdef PELT_HAS_SIMD128
-#ifdef __x86_64__
+#if defined(__x86_64__) || defined(__i386__)
     {Target::simd128, [] { return __builtin_cpu_supports("sse4.1") != 0; }},
 #else
     {Target::simd128, [] { return true; }},

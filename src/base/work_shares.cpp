@@ -10,9 +10,9 @@ std::uint64_t pack(std::uint64_t begin, std::uint64_t end) { return begin << 32 
 void WorkShares::deal(std::uint32_t count, std::uint32_t workers) {
   if (shares_.size() < workers) shares_ = std::vector<Share>(workers);
   worker_count_ = workers;
-  for (std::uint64_t w = 0; w < workers; ++w)
-    shares_[w].run.store(pack(count * w / workers, count * (w + 1) / workers),
-                         std::memory_order_relaxed);
+  const auto begin_of = [&](std::uint64_t worker) { return count * worker / workers; };
+  for (std::uint32_t w = 0; w < workers; ++w)
+    shares_[w].run.store(pack(begin_of(w), begin_of(w + 1)), std::memory_order_relaxed);
 }
 
 std::optional<std::uint32_t> WorkShares::take(std::uint32_t worker) {

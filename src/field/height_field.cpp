@@ -25,8 +25,8 @@ Problem check_sizes(const HeightGrid& grid) {
                    grid.columns, grid.rows);
   const std::uint64_t expected = std::uint64_t{grid.columns} * grid.rows;
   if (grid.heights.size() != expected)
-    return problem("heights has %zu elements, expected %zu (rows x columns)", grid.heights.size(),
-                   static_cast<std::size_t>(expected));
+    return problem("heights has %zu elements, expected %llu (rows x columns)", grid.heights.size(),
+                   static_cast<unsigned long long>(expected));
   return {};
 }
 

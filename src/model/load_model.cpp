@@ -72,7 +72,7 @@ detail::Model read_model(std::span<const std::byte> file, const PreparedHeader& 
   std::size_t next = 0, end = sizeof header;
   detail::each_array(model, [&]<typename T>(std::vector<T>& array) {
     array.resize(header.counts[next++]);
-    const std::size_t begin = detail::next_array(end);
+    const auto begin = static_cast<std::size_t>(detail::next_array(end));
     end = begin + array.size() * sizeof(T);
     if (!array.empty()) std::memcpy(array.data(), &file[begin], end - begin);
   });

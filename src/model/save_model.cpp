@@ -30,11 +30,11 @@ void put(const PreparedHeader& header, std::vector<std::byte>& file) {
 
 std::vector<std::byte> save_model(const SkinnedModel& model) {
   PreparedHeader header = header_of(model.detail());
-  std::vector<std::byte> file(header.file_size);
+  std::vector<std::byte> file(static_cast<std::size_t>(header.file_size));
   put(header, file);
   std::size_t end = sizeof header;
   detail::each_array(model.detail(), [&]<typename T>(const std::vector<T>& array) {
-    const std::size_t begin = detail::next_array(end);
+    const auto begin = static_cast<std::size_t>(detail::next_array(end));
     end = begin + array.size() * sizeof(T);
     if (!array.empty()) std::memcpy(&file[begin], array.data(), end - begin);
   });

@@ -3,11 +3,14 @@
 #include <pelt/pelt.hpp>
 
 #include "support/failing_allocation.hpp"
+#include "support/sanitizers.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
+#include <new>
 #include <optional>
 #include <vector>
 
@@ -143,6 +146,13 @@ TEST(Memory, EndsWhileContactsAreDescribed) {
     describe_contacts(a, surface, b, surface, contacts, scratch, geometry);
     EXPECT_EQ(geometry.members, expected.members);
   });
+}
+
+TEST(Memory, EndsWhereTheBytesToReserveExceedAnAddress) {
+  if (kHasSanitizer) GTEST_SKIP() << "sanitizers abort";
+  Scratch scratch;
+  for (const std::size_t contacts : {SIZE_MAX / 4, SIZE_MAX / 8 + 1, SIZE_MAX})
+    EXPECT_THROW(scratch.reserve(contacts), std::bad_alloc) << contacts;
 }
 
 TEST(Memory, EndsWhileVerticesAreInside) {
