@@ -3,20 +3,20 @@
 /// Kavan & Zara 2005, section 4.2, run-time part: a node's sphere for the current joint palette,
 /// computed from the node's rest sphere, joint sets and corners alone, in any order of nodes.
 ///
-/// The paper's joints only rotate. Here a joint may be any affine map C x = A x + t: it turns the
-/// rest ball B(c, r) into an ellipsoid inside B(C c, s r), s >= |A|_2, and for every w in W'
+/// The paper's joints only rotate. Here a joint may be any affine map C x = A x + t. It maps the
+/// rest ball B(c, r) to an ellipsoid inside B(C c, s r), s >= |A|_2, and for every w in W'
 ///
 ///     |v' - x| <= max_a ( |R_a - x| + r sum_j r_aj s_j ),     R_a = sum_j r_aj C_j c,
 ///
-/// because the left side, bounded by |sum_j w_j C_j c - x| + r sum_j w_j s_j, is convex in w and so
-/// largest at a corner. For rotations s = 1 and this is the paper's refit to the letter. (The code
-/// takes the largest distance and the largest stretch apart, which is the same where all joints
-/// stretch alike and saves a square root for each corner.)
+/// because the left side, bounded by |sum_j w_j C_j c - x| + r sum_j w_j s_j, is convex in w and
+/// therefore largest at a corner. For rotations, s = 1, and this is exactly the paper's refit. (The
+/// code maximises the distance and the stretch separately, which is the same if all joints stretch
+/// equally, and saves one square root per corner.)
 ///
-/// Rounding. With u = 2^-24, n influences at most and G the palette's reach, a posed vertex is off
-/// its real position by (n + 4) u G at most, a corner's centre by (n + 4) u G, the stored corner
-/// weights by u G, and weights that sum to 1 only up to n u by n u G. The margin of (4n + 32) u G
-/// is larger than their sum; make_ball covers the norms and sums of the last lines.
+/// Rounding. With u = 2^-24, at most n influences, and G the palette's reach, the errors are (n +
+/// 4) u G for a posed vertex, (n + 4) u G for a corner's centre, u G for the stored corner weights,
+/// and n u G because weights sum to 1 only up to n u. The margin of (4n + 32) u G is larger than
+/// their sum; make_ball covers the norms and sums of the last lines.
 
 #include "evaluation/paper/ball.hpp"
 #include "evaluation/paper/refit_records.hpp"

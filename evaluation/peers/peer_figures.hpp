@@ -16,7 +16,7 @@
 
 namespace pelt::tools {
 
-/// One method; times are microseconds a frame.
+/// One method; times are in microseconds per frame.
 struct PeerFigures {
   std::string method, version, update, narrow_phase;
   double skinning_us = 0;             ///< skinning all vertices; 0 for Pelt, which skins later

@@ -16,7 +16,7 @@ struct NodeFacts {
   double vertices = 0;  ///< below it, each once
 };
 
-/// By node.
+/// Facts about all nodes.
 std::vector<NodeFacts> facts_of(const paper::SphereModel& model, const detail::SkinnedMesh& mesh);
 
 /// Nodes with a similar value of one fact, and the means of their facts.

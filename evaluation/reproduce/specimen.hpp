@@ -20,7 +20,7 @@ struct Specimen {
 Result<Specimen> make_specimen(asset::Asset asset);
 Result<Specimen> make_specimen(const scenes::CreatureOptions& options);
 
-/// Of the clip "walk".
+/// The palette of the clip "walk" at a time.
 detail::Palette walking_palette(const Specimen& specimen, float seconds);
 
 }  // namespace pelt::reproduce

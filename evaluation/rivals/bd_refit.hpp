@@ -2,13 +2,13 @@
 
 /// The spheres of a BD-tree (bd_records.hpp) for one joint palette, in any order of nodes.
 ///
-/// Rounding. With u = 2^-24, m terms in the node, n influences of a vertex at most, M the palette's
-/// extent and G = sqrt(3) M its reach: mean weights sum to at most 1, so that the sum of the terms
-/// never exceeds 6 M; its 2 m additions are off by 12 m u M at most, its terms by 32 u M in all,
-/// p_0 by 4 u M; each |p_j - p_0| by 9 u G, times a weight; a posed vertex by (n + 4) u G, and
-/// weights that sum to 1 only up to n u by n u G. The margin (24 m + 4 n + 48) u G is larger than
-/// their sum; the radius is a sum of 2 m + 2 products, all positive, of which a factor 1 + 2^-22 (m
-/// + 4) takes care, and make_ball of what it says.
+/// Rounding. Let u = 2^-24, m the number of terms in the node, n the largest number of influences
+/// of a vertex, M the palette's extent and G = sqrt(3) M its reach. Mean weights sum to at most 1,
+/// so the sum of the terms never exceeds 6 M. The errors are at most 12 m u M for the 2 m additions
+/// of the sum, 32 u M for all of its terms, 4 u M for p_0, 9 u G, times a weight, for each |p_j -
+/// p_0|, (n + 4) u G for a posed vertex, and n u G because weights sum to 1 only up to n u. The
+/// margin (24 m + 4 n + 48) u G is larger than their sum. The radius is a sum of 2 m + 2 products,
+/// all positive; a factor 1 + 2^-22 (m + 4) covers its rounding, in addition to make_ball.
 
 #include "evaluation/paper/ball.hpp"
 #include "evaluation/rivals/bd_records.hpp"

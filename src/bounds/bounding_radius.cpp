@@ -1,12 +1,13 @@
-/// A posed vertex is a convex combination of its images under single joints, and each image lies in
-/// its joint's moved rest box; so it is no further from a point than the furthest corner of these
-/// boxes (node_bounds.hpp has the box's rounding). The corner of a box with centre p and half
-/// extents h that is furthest from c has the distances |p - c| + h along the axes.
+/// A posed vertex is a convex combination of its images under single joints, and each image is in
+/// the moved rest box of its joint. Its distance from a point is therefore at most that of the
+/// furthest vertex of these boxes (node_bounds.hpp has the rounding of the boxes). The vertex of a
+/// box with centre p and half extents h that is furthest from c has the distances |p - c| + h along
+/// the axes.
 ///
-/// Rounding. Six roundings on each axis, the margin's own included, five for squares and sums, one
-/// for the root: 13 u of the radius at most, where u = 2^-24, and it grows by 16 u. A square that
-/// underflows is wrong by 2^-149 at most, far below 2^-100. One that overflows makes the radius
-/// infinite, which is true.
+/// Rounding. With six roundings on each axis, including that of the margin, five for squares and
+/// sums, and one for the root, the error is at most 13 u of the radius, where u = 2^-24; the radius
+/// is increased by 16 u. A square that underflows has an error of at most 2^-149, far below 2^-100.
+/// A square that overflows makes the radius infinite, which is still a bound.
 
 #include "bounds/bounding_radius.hpp"
 

@@ -6,11 +6,11 @@
 /// for it, the workers share its pairs.
 ///
 /// Answers and stats do not depend on the number of threads. A descent depends only on the two
-/// palettes: every thread opens a node to the same bits, and the thread that publishes it counts
-/// it. The results of the descents are sorted at the end.
+/// palettes: every thread opens a node to the same bits, and the thread that publishes the node
+/// counts it. The results of the descents are sorted at the end.
 ///
-/// Memory may end in any pass and on any thread. The exception then leaves `run`; every pass of the
-/// next query begins anew from the palettes, so nothing that was left unfinished is seen.
+/// An allocation may fail in any pass and on any thread. The exception then leaves `run`. Every
+/// pass of the next query starts again from the palettes, so unfinished data is never used.
 
 #include <pelt/crowd.hpp>
 

@@ -2,10 +2,10 @@
 /// max(d_a l_a, d_a h_a) over the axes a. Boxes below the best vertex so far are skipped, and the
 /// slot with the greatest bound is visited first.
 ///
-/// Rounding. d is the direction times a power of two, so that its largest component is in [1, 2);
-/// a component that underflows loses less than 2^-149, times 2^60 of a coordinate. Values along d
-/// gather four roundings of 2^-24 on terms whose sum is at most `size`, so they are within 2^-21
-/// size + 2^-80 of the exact ones. Vertices that this leaves undecided are compared exactly.
+/// Rounding. d is the direction times a power of two, so that its largest component is in [1, 2). A
+/// component that underflows has an error below 2^-149, times 2^60 for a coordinate. Values along d
+/// have four roundings of 2^-24 on terms whose sum is at most `size`, so their error is at most
+/// 2^-21 size + 2^-80. Vertices that this does not distinguish are compared exactly.
 
 #include "farthest/farthest_search.hpp"
 

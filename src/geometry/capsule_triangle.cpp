@@ -1,16 +1,16 @@
 /// A triangle touches a capsule if it intersects the capsule's segment or is within the radius of
-/// it. The distance between a triangle and a disjoint segment is attained between two features, in
-/// the interior of each: a corner or end against a corner, end, edge or face, or edge against
-/// segment (Ericson 2005, 5.1.9 and 5.1.10). Each pair is tested without division. With w from one
-/// to the other and the radius r, the nearest points are within r if
+/// the segment. The distance between a triangle and a disjoint segment is attained between two
+/// features, in the interior of each: a vertex or end against a vertex, end, edge or face, or an
+/// edge against the segment (Ericson 2005, 5.1.9 and 5.1.10). Each pair is tested without division.
+/// With w from one feature to the other and the radius r, the nearest points are within r if
 ///
-///   corners         (w . w) <= r^2
+///   vertices        (w . w) <= r^2
 ///   along an edge e, at t = (w . e) / (e . e) in [0, 1]: (w . w - r^2) (e . e) <= (w . e)^2
-///   on a face with the normal n, where a foot is inside: (w . n)^2 <= r^2 (n . n)
+///   on a face with the normal n, if the projection is inside: (w . n)^2 <= r^2 (n . n)
 ///   of two edges d and e, n = d x e, at (w x e . n) / (n . n) and (w x d . n) / (n . n) in [0, 1]:
 ///                   (w . n)^2 <= r^2 (n . n)
 ///
-/// The degree of these polynomials is at most six. The triangle is inside if its corners are
+/// The degree of these polynomials is at most six. The triangle is inside if its vertices are
 /// inside, because a capsule is convex.
 
 #include "geometry/capsule_triangle.hpp"

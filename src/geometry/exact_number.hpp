@@ -4,10 +4,10 @@
 /// a type of numbers. It is evaluated with `Rounded` and, if that does not decide the sign, with
 /// `Exact`.
 ///
-/// Range, for degrees up to six. A float is a multiple of 2^-149 below 2^128, so a polynomial of
-/// degree d has values that are multiples of 2^(-149 d), below 2^(128 d) times its number of
-/// monomials; rounding to a double keeps a multiple one. At degree six: from 2^-894 to a little
-/// over 2^768, so nothing here overflows or underflows, Dekker's splitting included.
+/// Range, for degrees up to six. A float is a multiple of 2^-149 below 2^128, so the values of a
+/// polynomial of degree d are multiples of 2^(-149 d), below 2^(128 d) times its number of
+/// monomials; rounding to a double preserves this. At degree six, the values range from 2^-894 to
+/// slightly above 2^768, so nothing here overflows or underflows, including Dekker's splitting.
 
 #include "geometry/exact_determinant.hpp"
 #include "geometry/predicates.hpp"
@@ -82,7 +82,8 @@ class Exact {
   int sign() const { return sum_.sign(); }
 
  private:
-  /// Terms do not overlap, so there are no more than bits between the least and the largest number.
+  /// Terms do not overlap, so their number is at most the number of bits between the least and the
+  /// largest number.
   static constexpr std::size_t kCapacity = 1728;
 
   void add(const Exact& other) {

@@ -1,19 +1,21 @@
-/// Let s_i(k) = normal_i . (corner_k - origin_i) - offset_i, positive outside face i. By Farkas's
-/// lemma the triangle and the polyhedron have no point in common if and only if some combination
-/// sum y_i s_i, y_i >= 0, is positive at all three corners: a combination of half-spaces that
-/// contains the polyhedron and leaves out the triangle. The vectors (s_i(0), s_i(1), s_i(2)) and
-/// the negative unit vectors then have e = (1, 1, 1) in their cone, so by Caratheodory three
-/// linearly independent ones do. If these are faces alone, there are
+/// Let s_i(k) = normal_i . (corner_k - origin_i) - offset_i, which is positive outside face i. By
+/// Farkas's lemma, the triangle and the polyhedron have no common point if and only if some
+/// combination sum y_i s_i, y_i >= 0, is positive at all three vertices: a combination of
+/// half-spaces that contains the polyhedron and excludes the triangle. The vectors (s_i(0), s_i(1),
+/// s_i(2)) and the negative unit vectors then have e = (1, 1, 1) in their cone and, by
+/// Caratheodory, so have three linearly independent ones of them. If these are faces alone, there
+/// are
 ///
-///   one       that all corners are outside of,
-///   two       i and j: sought is a ratio r > 0 with s_i + r s_j > 0 at each corner, where s_i < 0
-///             < s_j bounds it from below by -s_i / s_j, and s_j < 0 < s_i from above; so bounds
-///             are compared, which are 2 x 2 determinants,
-///   three     and e = y_i s_i + y_j s_j + y_k s_k is solved by Cramer's rule: no y is negative if
-///             no determinant with e in a row's place has the sign opposite to that of the rows;
+///   one       face with all vertices outside;
+///   two       faces i and j with a ratio r > 0 such that s_i + r s_j > 0 at each vertex. A vertex
+///             with s_i < 0 < s_j bounds r from below by -s_i / s_j, one with s_j < 0 < s_i from
+///             above. The bounds are compared by 2 x 2 determinants;
+///   three     faces, and e = y_i s_i + y_j s_j + y_k s_k is solved by Cramer's rule: no y is
+///             negative if no determinant with e in place of a row has the opposite sign of the
+///             determinant of the rows.
 ///
-/// and with negative unit vectors among them fewer faces do, which these conditions cover. Faces
-/// that no corner is outside of add nothing positive and are left away.
+/// With negative unit vectors among the three, fewer faces suffice, which these conditions cover.
+/// Faces without a vertex outside contribute nothing positive and are skipped.
 
 #include "geometry/faces_triangle.hpp"
 

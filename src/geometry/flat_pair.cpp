@@ -43,10 +43,10 @@ bool edge_separates(const Triangle2& t, const Triangle2& other) {
 
 /// Whether two triangles in one plane are disjoint, given that their boxes are not.
 ///
-/// On one line, disjoint ranges have disjoint boxes, so there is nothing left to find. Otherwise
+/// On one line, disjoint ranges would have disjoint boxes, so the triangles intersect. Otherwise,
 /// disjoint convex polygons are separated by the line of an edge of one of them. A separating line
-/// in any projection along an axis is proof; one of the three projections keeps the plane a plane,
-/// so there it is also found.
+/// in any projection along an axis proves disjointness. At least one of the three projections does
+/// not collapse the plane, and a separating line is also found there.
 bool disjoint_in_plane(const TriangleCorners& a, const TriangleCorners& b) {
   for (int axis = 0; axis < 3; ++axis) {
     const Triangle2 flat_a = project(a, axis), flat_b = project(b, axis);

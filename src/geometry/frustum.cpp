@@ -25,7 +25,7 @@ struct Row {
   }
 };
 
-/// Where the function is not negative.
+/// Returns the half-space in which the function is not negative.
 HalfSpace where_positive(const Row& row) {
   return {{static_cast<float>(-row.x), static_cast<float>(-row.y), static_cast<float>(-row.z)},
           static_cast<float>(row.w)};

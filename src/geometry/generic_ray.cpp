@@ -14,8 +14,8 @@ int side_of_turned_ray(const Vec3& origin, const Vec3& q, const Vec3& r) {
 }  // namespace
 
 /// The line meets the plane in front of the origin, and not behind it, if and only if it enters the
-/// triangle from the side on which the origin lies. That is asked of exact signs: the crossing's t
-/// is rounded, and becomes 0 on either side of the origin.
+/// triangle from the side of the origin. Exact signs decide this, because the crossing's t is
+/// rounded and may become 0 on either side of the origin.
 int pierce_from_back(const Vec3& origin, const TriangleCorners& triangle,
                      const RayCrossing& crossing) {
   const int height = orient3d(triangle[0], triangle[1], triangle[2], origin);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A ray in general position from any point: it meets no edge of any triangle, however many
-/// triangles there are and wherever they lie.
+/// A ray in general position from any point: it meets no edge of any triangle, for any number and
+/// any positions of triangles.
 ///
 /// The ray has the direction d(e) = k0 + e k1 + e^2 k2 for all small enough e > 0, where k0, k1, k2
 /// are linearly independent (`kGenericDirection`). An edge from q to r passes the ray on the side
@@ -9,17 +9,17 @@
 ///
 ///     det(d(e), q - o, r - o) = det(k0, ..) + e det(k1, ..) + e^2 det(k2, ..),
 ///
-/// whose sign is that of the first term that is not zero. All three are zero only if
-/// (q - o) x (r - o) = 0, that is if o, q and r lie on one line. So for a triangle whose plane does
-/// not contain o, every edge passes on a definite side, and the ray either pierces the triangle
-/// away from its edges or misses it (simulation of simplicity, Edelsbrunner & Muecke 1990). No
-/// second ray is ever needed.
+/// whose sign is the sign of the first nonzero term. All three terms are zero only if (q - o) x (r
+/// - o) = 0, that is, if o, q and r are on one line. For a triangle whose plane does not contain o,
+/// every edge therefore passes on a definite side, and the ray either pierces the triangle away
+/// from its edges or misses it (simulation of simplicity, Edelsbrunner & Muecke 1990). A second ray
+/// is never needed.
 ///
-/// The ray along k0 itself meets, as closed sets, every triangle that the generic ray pierces: the
-/// points pierced converge to a point of the triangle and of the ray as e goes to zero. A search
-/// along k0 that finds all closed triangles that are not parallel to k0 therefore finds all that
-/// can be pierced, except those parallel to k0; these contain o in their planes and are pierced by
-/// no ray from o that misses o.
+/// The ray along k0 itself meets, as closed sets, every triangle that the generic ray pierces: as e
+/// goes to zero, the pierced points converge to a point of the triangle and of the ray. A search
+/// along k0 that finds all closed triangles that are not parallel to k0 therefore finds all
+/// triangles that can be pierced, except those parallel to k0. The planes of these contain o, so no
+/// ray from o that misses o pierces them.
 
 #include "geometry/ray_triangle.hpp"
 

@@ -1,25 +1,27 @@
 #pragma once
 
-/// Eight triangles at once in float32, decided where rounding cannot have changed a sign.
+/// Tests eight triangles at once in float32. Decides a triangle only if rounding cannot have
+/// changed a sign.
 ///
-/// Let z be the axis along which the direction is longest, and s the two slopes d_x / d_z and
-/// d_y / d_z, no larger than 1. Sheared by them the line is parallel to z, so a corner p is seen at
-///     X = (p_x - o_x) - s_x (p_z - o_z),  Y likewise,
+/// Let z be the axis of the largest component of the direction, and s the two slopes d_x / d_z and
+/// d_y / d_z, which are at most 1. A shear by s makes the line parallel to z. A vertex p then has
+/// the coordinates
+///     X = (p_x - o_x) - s_x (p_z - o_z),  and Y likewise,
 /// and an edge from p to q passes the line on the side of X_p Y_q - Y_p X_q, which is the
 /// determinant of ray_triangle.cpp over d_z (Woop, Benthin & Wald 2013, "Watertight ray/triangle
-/// intersection"; exactness comes from the other file). Where two edges certainly pass on different
-/// sides, the line misses the triangle; where all certainly pass on one side, it meets the triangle
-/// away from its edges.
+/// intersection"; exactness comes from ray_triangle.cpp). If two edges certainly pass on different
+/// sides, the line misses the triangle. If all edges certainly pass on one side, the line hits the
+/// triangle away from its edges.
 ///
 /// Rounding, with u = 2^-24. Let L be the largest computed |p - o| on any axis and W the largest
-/// |X| or |Y|. X gathers 2 u L of the first difference and its own rounding, and 4 u L of the
-/// second, of the slope, the product and the sum: 6 u L. The two products of an edge carry that
-/// twice each, so with roundings of 4 u W^2, W <= 2 L and terms of second order the edge is wrong
-/// by at most
+/// |X| or |Y|. The error of X is 6 u L: 2 u L from the first difference and the rounding of X
+/// itself, and 4 u L from the second difference, the slope, the product and the sum. The two
+/// products of an edge have this error twice each. With roundings of 4 u W^2, W <= 2 L and terms of
+/// second order, the error of the edge is at most
 ///     24.1 u L W + 73 u^2 L^2 + 4.1 u W^2 <= 40 u L (W + 4 u L).
-/// What underflows adds 2^-150 to X or to an edge: beside L of 2^-120 or more that is nothing, and
-/// 2^-84 covers it elsewhere. Products are at most 2 L W; where 40 L W overflows, before it is
-/// multiplied by u, the bound is infinite or NaN and nothing is certain.
+/// Underflow adds 2^-150 to X or to an edge. This is negligible if L is 2^-120 or more; otherwise
+/// 2^-84 covers it. Products are at most 2 L W. If 40 L W overflows before it is multiplied by u,
+/// the bound is infinite or NaN, and nothing is certain.
 
 #include "base/float8.hpp"
 

@@ -1,16 +1,17 @@
-/// With the corners seen from the origin o, a' = a - o and so on, and the direction d, the line
+/// Let a' = a - o and so on be the vertices relative to the origin o, and d the direction. The line
 /// passes the three edges on the sides given by the signs of
 ///     w_a = det(d, b', c'),  w_b = det(d, c', a'),  w_c = det(d, a', b'),
 /// which sum to d.n for the normal n = (b - a) x (c - a). If no two have different signs and not
-/// all are zero, the line is not parallel to the plane and meets the triangle, where each corner
-/// has the share w / d.n; if all are zero, it runs in the plane or the triangle has collapsed. The
-/// point met is that with t = a'.n / d.n. Both determinants of an edge that two triangles share are
-/// the same numbers up to sign, so exact signs let no ray through between them.
+/// all are zero, the line is not parallel to the plane and hits the triangle at t = a'.n / d.n,
+/// where each vertex has the weight w / d.n. If all are zero, the line is in the plane or the
+/// triangle has collapsed. For an edge that two triangles share, both determinants are the same
+/// numbers up to sign, so with exact signs no ray passes between the triangles.
 ///
-/// Rounding, with e = 2^-53. A determinant of three vectors is a sum of six products. Of their
-/// factors two are at most differences, with an error e each, or three; two multiplications and
-/// three sums add five. So it is wrong by at most 6 * 8 e |p||q||r| in the largest components, and
-/// 56 e covers terms of second order and the rounding of the bound, as in predicates.hpp.
+/// Rounding, with e = 2^-53. A determinant of three vectors is a sum of six products. Of the
+/// factors of a product, at most three are differences, with an error e each; two multiplications
+/// and three sums add five. The error is therefore at most 6 * 8 e |p||q||r| in the largest
+/// components, and 56 e covers terms of second order and the rounding of the bound, as in
+/// predicates.hpp.
 #include "geometry/ray_triangle.hpp"
 
 #include "geometry/exact_determinant.hpp"
@@ -185,11 +186,11 @@ bool line_pierces_triangle(const RayLine& line, const TriangleCorners& triangle,
   return std::isfinite(crossing.t);
 }
 
-/// The determinants are the same from any point of the line. From one near the triangle, that of
-/// the rounded t, they cancel little: t * d is exact in double, so a corner is seen from there with
-/// errors of e times its distances from the origin, at most `reach`, and from there, at most
-/// `size`. The six products then are wrong by 2 e (reach + size) size each, beside their own 8 e
-/// size^2.
+/// The determinants are the same for any origin on the line. With an origin near the triangle, the
+/// point of the rounded t, little cancels. t * d is exact in double, so a vertex relative to the
+/// new origin has an error of e times its distances from the old origin, at most `reach`, and from
+/// the new one, at most `size`. The errors of the six products are then 2 e (reach + size) size
+/// each, in addition to their own 8 e size^2.
 std::array<float, 3> crossing_weights(const RayLine& line, const TriangleCorners& triangle,
                                       const RayCrossing& crossing) {
   const Vec3d d(line.direction), o(line.origin);

@@ -1,13 +1,13 @@
 /// The intersection of two triangles as a segment between features. As in triangle_pair.cpp, two
-/// triangles whose planes cross in a line L cut it in two intervals, and L has the direction
-/// D = n_a x n_b. Their ends are told apart by how a triangle's outline, walked in the order of its
-/// corners, goes through the other's plane: with w for the direction of walking, the triangle lies
-/// on the side n x w of it, and
+/// triangles whose planes cross in a line L cut L in two intervals, and L has the direction D = n_a
+/// x n_b. The two ends of an interval are distinguished by the direction in which the triangle's
+/// outline, in the order of its vertices, passes the other's plane. If the outline passes in the
+/// direction w, the triangle is on the side n x w of the end, and
 ///   (n_a x w) . D = |n_a|^2 (w . n_b),   (n_b x w) . D = -|n_b|^2 (w . n_a),
-/// so a's interval begins where its outline comes to the front of b's plane, and b's where its
-/// outline goes behind a's. Which of two ends, one of each, comes first along L is the orientation
-/// of two lines through them that go from the front of the other's plane to its back
-/// (triangle_pair.cpp has the proof).
+/// so a's interval begins where its outline comes to the front of b's plane, and b's interval where
+/// its outline goes behind a's plane. The order of two ends along L, one of each triangle, is the
+/// orientation of two lines through the ends that go from the front of the other's plane to its
+/// back (proof in triangle_pair.cpp).
 
 #include "geometry/triangle_crossing.hpp"
 

@@ -1,20 +1,22 @@
-/// Two triangles that do not touch are nearest each other at a corner of one, or inside an edge of
-/// each. So the least is taken over corners against edges and faces, and edges against edges.
+/// The nearest points of two triangles that do not touch include a vertex of one, or are inside an
+/// edge of each. The distance is therefore the least over vertices against edges and faces, and
+/// edges against edges.
 ///
 /// Rounding. Let e = 2^-53 and S as in the header. Candidates are points of the triangles, written
-/// as a difference w - s u - t v of vectors with |s|, |t| <= 1, so what is measured of a candidate
-/// is off by a few e S. What remains is that a candidate may be some way from where it should be.
-///   Corner against edge: a step along the edge is off by a few e S; at the nearest point that
-/// changes the distance to second order only.
-///   Edge against edge, u and v at an angle x. With n = u x v the place s = (w x v).n / n.n is off
-/// by a few e S / (|u| x), and as the point on v is then the nearest to that on u, it leaves the
-/// nearest by x |u| times that: a few e S. (s from the normal equations is off by a factor 1/x
-/// more, which is why the cross products are there.)
-///   Corner against face. Of w = s u + t v + (normal part), t from cross products and then s by
-/// projection onto u puts the candidate as near, as long as n has a direction: with h the height
-/// over u and d the distance, n is off by an angle e S / h, the candidate by d e S / h. That makes
-/// d longer by at most d (e S / h)^2 / 2. But an edge is never further than h from the right place
-/// and makes d longer by at most h^2 / 2 d. The smaller of both is at most e S / 2.
+/// as a difference w - s u - t v of vectors with |s|, |t| <= 1, so the distance of a candidate has
+/// an error of a few e S. It remains to bound how far a candidate is from the nearest point.
+///   Vertex against edge: the position along the edge has an error of a few e S; at the nearest
+/// point this changes the distance to second order only.
+///   Edge against edge, u and v at an angle x: with n = u x v, s = (w x v).n / n.n has an error of
+/// a few e S / (|u| x). The point on v is then the nearest to the point on u, so its distance from
+/// the nearest point is x |u| times that: a few e S. (With the normal equations, the error of s
+/// would be larger by a factor 1/x; this is why cross products are used.)
+///   Vertex against face: in w = s u + t v + (normal part), t is computed from cross products and s
+/// then by projection onto u. The candidate has the same accuracy as long as n has a direction:
+/// with h the height over u and d the distance, n has an error of an angle e S / h, and the
+/// candidate an error of d e S / h, which increases d by at most d (e S / h)^2 / 2. But an edge is
+/// never farther than h from the nearest point, and increases d by at most h^2 / 2 d. The smaller
+/// of both is at most e S / 2.
 #include "geometry/triangle_distance.hpp"
 
 #include <cstddef>

@@ -1,18 +1,20 @@
 /// The exact triangle pair test (Guigue & Devillers, "Fast and robust triangle-triangle overlap
-/// test using orientation predicates", 2003): every decision is the sign of an orientation
-/// determinant, so exact signs make an exact test.
+/// test using orientation predicates", 2003). Every decision is the sign of an orientation
+/// determinant, so exact signs make the test exact.
 ///
 /// Two triangles whose planes cross in a line L intersect if the intervals in which they cut L
-/// overlap. Turn each triangle so that its first corner p, the apex, is further in front of the
-/// other's plane than q and r, and these are not in front of it: the interval then reaches from
-/// where the edge pq crosses L to where pr does. Which of two such ends comes first along L is an
-/// orientation again. Let i on p1q1 and k on p2q2 be ends, n1 and n2 the normals, D = n1 x n2 the
-/// direction of L, u = q1 - p1 and w = q2 - p2. Sliding the four points along their lines,
+/// overlap. Rotate the vertices of each triangle so that its first vertex p, the apex, is further
+/// in front of the other's plane than q and r, and these are not in front of it. The interval then
+/// extends from the point where the edge pq crosses L to the point where pr does. The order of two
+/// such ends along L is again an orientation. Let i on p1q1 and k on p2q2 be ends, n1 and n2 the
+/// normals, D = n1 x n2 the direction of L, u = q1 - p1 and w = q2 - p2. If the four points slide
+/// along their lines,
 ///   orient3d(p1, q1, p2, q2) = sign of -(u x w) . (k - i),
 ///   (u x w) . D = (u . n1)(w . n2) - (u . n2)(w . n1) = 0 - (< 0)(< 0) < 0,
-/// so it is positive if k comes after i in the direction D. In that direction the first triangle's
-/// interval begins at p1r1, the second's at p2q2: they overlap if the end at p2q2 does not come
-/// after that at p1q1, nor the end at p2r2 before that at p1r1.
+/// so orient3d is positive if k comes after i in the direction D. In this direction, the first
+/// triangle's interval begins at p1r1, and the second's at p2q2. The intervals overlap if the end
+/// at p2q2 does not come after the end at p1q1, and the end at p2r2 does not come before the end at
+/// p1r1.
 #include "geometry/triangle_pair.hpp"
 
 #include "geometry/flat_pair.hpp"

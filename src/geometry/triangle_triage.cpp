@@ -1,35 +1,38 @@
-/// Eight triangle pairs at once in float32, decided only where rounding cannot have changed a sign.
+/// Tests eight pairs of triangles at once in float32. Decides a pair only if rounding cannot have
+/// changed a sign.
 ///
-/// Ten determinants. With the origin in corner a0 a pair is five vectors: u = a1 - a0, v = a0 - a2
-/// and w_j = b_j - a0. All that the exact test asks (triangle_pair.cpp) are sums of the ten
-/// determinants of three of these. With m_j = w_j x w_{j+1}, indices modulo 3,
+/// Ten determinants. With the origin in vertex a0, a pair is given by five vectors: u = a1 - a0, v
+/// = a0 - a2 and w_j = b_j - a0. All signs of the exact test (triangle_pair.cpp) are signs of sums
+/// of the ten determinants of three of these vectors. With m_j = w_j x w_{j+1}, indices modulo 3,
 ///   b_j over a's plane:  h_j = (v x u) . w_j,
 ///   a0 over b's plane:   o = -w_0 . m_1,
 ///   a1 and a2:           o + sum_j u . m_j  and  o - sum_j v . m_j,  as b's normal is sum_j m_j,
 ///   orient3d of an edge of a and edge j of b, b_j to b_{j+1}:  u . m_j for a0 to a1, v . m_j for
-///   a2 to a0 and, since the three edges of a add up to h_{j+1} - h_j, that less both for a1 to a2.
+///   a2 to a0, and h_{j+1} - h_j minus these two for a1 to a2, because the three edges of a sum to
+///   h_{j+1} - h_j.
 ///
-/// Intervals. Let no corner be on the other's plane and neither triangle in front of it or behind
-/// it. Then going round either one, one edge leads down through the other's plane, from its front
-/// to its back, and one up. Seen against n1 with n2 pointing up, D = n1 x n2 points left, and a
-/// triangle that turns counter-clockwise goes down on its left: along D the first triangle's
-/// interval on the planes' common line ends at its down edge and, by n2 x n1 = -D, the second's
-/// begins at its down edge. orient3d of two down edges, or two up edges, is positive if the
-/// second's crossing comes after the first's (proof in triangle_pair.cpp). So they intersect if it
-/// is negative for the down edges and positive for the up edges, and are apart if either is
-/// certainly the other way.
+/// Intervals. Assume that no vertex is on the other's plane, and that neither triangle is wholly in
+/// front of the other's plane or behind it. Then each triangle has one edge that goes down through
+/// the other's plane, from its front to its back, and one that goes up. Seen against n1 with n2
+/// pointing up, D = n1 x n2 points left, and a counter-clockwise triangle goes down on its left.
+/// Along D, the first triangle's interval on the planes' common line therefore ends at its down
+/// edge and, by n2 x n1 = -D, the second's begins at its down edge. orient3d of two down edges, or
+/// of two up edges, is positive if the second's crossing comes after the first's (proof in
+/// triangle_pair.cpp). The triangles therefore intersect if orient3d is negative for the down edges
+/// and positive for the up edges, and they are disjoint if either sign is certainly the opposite.
 ///
 /// Rounding. Let e = 2^-24, and X, Y, Z the largest computed |x|, |y|, |z| of the five vectors.
-/// Each determinant is a sum of six products, each at most V = XYZ. A product gathers at most 8
-/// relative errors e: three differences, two multiplications, three sums; so the determinant is
-/// wrong by at most 6 * 8.1 e V < 49 e V. Of four determinants, none above 6.1 V, the three partial
-/// sums are below 13 V, 19 V and 25 V, which makes 4 * 49 e V + 57 e V = 253 e V at most; 256 e V =
-/// 2^-16 V covers that and the rounding of V itself.
-///   Underflow: sums have none. A product is wrong by at most 2^-150 more, and that is at most
-/// multiplied by one difference, which is below 2^61.1. Of the nine products of a determinant six
-/// are so multiplied: less than 7 * 2^-89, and four determinants less than 2^-84.
-///   Overflow: cross products are below 2^124. Where 64 V is finite no other value exceeds 25 V;
-/// where it is not, the bound is infinite or NaN, no comparison with it holds, and the lane remains
+/// Each determinant is a sum of six products, each at most V = XYZ. A product has at most 8
+/// relative errors e: three differences, two multiplications, three sums. The error of the
+/// determinant is therefore at most 6 * 8.1 e V < 49 e V. For four determinants, none above 6.1 V,
+/// the three partial sums are below 13 V, 19 V and 25 V, which gives at most 4 * 49 e V + 57 e V =
+/// 253 e V; 256 e V = 2^-16 V covers this and the rounding of V itself.
+///   Underflow: sums do not underflow. A product has an additional error of at most 2^-150, which
+/// is multiplied by at most one difference, and differences are below 2^61.1. Six of the nine
+/// products of a determinant are multiplied: less than 7 * 2^-89, and less than 2^-84 for four
+/// determinants.
+///   Overflow: cross products are below 2^124. If 64 V is finite, no other value exceeds 25 V.
+/// Otherwise the bound is infinite or NaN, no comparison with it holds, and the lane remains
 /// undecided.
 #include "geometry/triangle_triage.hpp"
 

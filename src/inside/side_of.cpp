@@ -1,15 +1,16 @@
-/// A point is on the surface if it lies in the convex hull of the three posed corners of some
-/// triangle, whether that is a triangle, a segment or a point. Elsewhere the surface winds around
-/// it a definite number of times, and it is inside if that number is not zero.
+/// A point is on the surface if it is in the convex hull of the three posed vertices of some
+/// triangle, which may be a triangle, a segment or a point. For any other point, the surface has a
+/// definite winding number, and the point is inside if this number is not zero.
 ///
-/// The number is the sum of the signs with which a ray from the point pierces triangles, if the ray
-/// meets no edge and no triangle that has collapsed. (The posed surface is a closed cycle, since
-/// its edges cancel in pairs; its degree around the point is the number of signed preimages of any
-/// direction whose preimages all lie within triangles that have not collapsed.) The ray of
-/// geometry/generic_ray.hpp meets neither: all of them lie in finitely many planes through the
-/// point, or lines, which it avoids. A triangle that has collapsed adds nothing, since it lies in
-/// such a plane, and none that has the point in its plane is pierced. So one ray decides, every
-/// triangle that it may pierce is decided by exact signs, and there is nothing to try again.
+/// The winding number is the sum of the signs with which a ray from the point pierces triangles, if
+/// the ray meets no edge and no collapsed triangle. (The posed surface is a closed cycle, because
+/// its edges cancel in pairs. Its degree around the point is the number of signed preimages of any
+/// direction whose preimages are all inside triangles that have not collapsed.) The ray of
+/// geometry/generic_ray.hpp meets neither: edges and collapsed triangles are in finitely many
+/// planes or lines through the point, which the ray avoids. A collapsed triangle contributes
+/// nothing, because it is in such a plane, and no triangle whose plane contains the point is
+/// pierced. A single ray therefore decides, exact signs decide every triangle that it may pierce,
+/// and no second attempt is needed.
 
 #include <pelt/inside.hpp>
 #include <pelt/region.hpp>

@@ -1,20 +1,20 @@
 #pragma once
 
 /// Conservative test of a ray against eight boxes at a time: a box is entered if any point of the
-/// ray within the box of all vertices might lie in it.
+/// ray within the box of all vertices might be inside it.
 ///
 /// The direction is divided by a power of two so that its largest component is at least 1 and below
-/// 2; t here is the ray's times that power. On an axis with direction d > 0 the box spans t from
-/// (low - o) / d to (high - o) / d. With o moved by a margin m, up for the one and down for the
-/// other, three roundings and those of o + m change the first no further than to (low - o) / d if
+/// 2; here, t is the ray's t times this power. On an axis with direction d > 0, the box spans t
+/// from (low - o) / d to (high - o) / d. Move o by a margin m, up for the first and down for the
+/// second. Three roundings and those of o + m then increase the first to at most (low - o) / d if
 ///     m >= 4.1 2^-24 (|low| + |o| + m).
-/// A point of the ray that counts has a coordinate of magnitude at most B, the box of all vertices'
-/// bound; and the quotient, rounded as it is, grows with `low`: so |low| counts no more than B.
-/// That makes m = 2^-21 (B + |o|). Where |d| is below 2^-126 or zero, the reciprocal 2^126 stands
-/// for it, as if the direction were turned by 2^-126: t is at most T = max B + max |o| over the
-/// axes, so the ray moves by less than 2^-125 T, and in the box a t of T is reached within 2^-126
-/// T. 2^-60 T, added to m, covers both, and 2^-140 what underflows. Nothing becomes NaN:
-/// reciprocals are finite and not zero, and o is finite.
+/// The coordinates of a point of the ray that counts are at most B, the bound of the box of all
+/// vertices, and the rounded quotient increases with `low`, so |low| counts at most as B. This
+/// gives m = 2^-21 (B + |o|). If |d| is below 2^-126 or zero, the reciprocal 2^126 replaces it, as
+/// if the direction were changed by 2^-126: t is at most T = max B + max |o| over the axes, so the
+/// ray moves by less than 2^-125 T, and in the box a t of T is reached within 2^-126 T. 2^-60 T,
+/// added to m, covers both, and 2^-140 covers underflow. Nothing becomes NaN: reciprocals are
+/// finite and not zero, and o is finite.
 
 #include <pelt/ray.hpp>
 

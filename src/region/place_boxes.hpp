@@ -4,19 +4,20 @@
 /// which certainly inside. All others are undecided, including those that overflow, because
 /// comparisons with NaN are false.
 ///
-/// Faces. The corner of a box that is furthest along the normal n decides whether the box is
-/// inside, and the opposite corner whether it is outside. Of n . (p - o) - d each term gathers six
-/// roundings at most, so with u = 2^-24 the error is below 7 u (sum |n_a| (|p_a| + |o_a|) + |d|); 8
-/// u cover that sum's own. A normal that was scaled may have lost 2^-150 of an element, times 2^62
-/// at most.
+/// Faces. The vertex of a box that is furthest along the normal n decides whether the box is
+/// inside, and the opposite vertex whether it is outside. Each term of n . (p - o) - d has at most
+/// six roundings, so with u = 2^-24 the error is below 7 u (sum |n_a| (|p_a| + |o_a|) + |d|); 8 u
+/// covers the error of this sum. Scaling a normal may lose 2^-150 of an element, times 2^62 at
+/// most.
 ///
-/// Capsule from a to a + e. Along any direction d no point of the box has less than d . m - |d| .
-/// h, where m is its middle and h its half extents, and no point of the segment more than d . a +
-/// max(0, d . e); if the difference is g > 0, their distance is g / |d| or more. As d serves the
-/// way from the segment's point q nearest to m. If no corner of the box is further than r from q,
-/// it is inside. m and q are wrong by a few u of the coordinates' sum, and 16 u of that, along d,
-/// is taken off; squares and products then are wrong by less than 2^-20 of themselves, or by less
-/// than the amounts that are added for what underflows.
+/// Capsule from a to a + e. For any direction d, every point p of the box has d . p >= d . m - |d|
+/// . h, where m is its middle and h its half extents, and every point p of the segment has d . p <=
+/// d . a + max(0, d . e). If the difference g of these bounds is positive, the distance is at least
+/// g / |d|. The test uses the direction d from q to m, where q is the point of the segment nearest
+/// to m. If no vertex of the box is further than r from q, the box is inside. m and q have an error
+/// of a few u of the sum of the coordinates, and 16 u of that sum, along d, is subtracted. Squares
+/// and products then have a relative error below 2^-20, or an error below the amounts that are
+/// added for underflow.
 
 #include "base/float8.hpp"
 #include "query/lanes.hpp"

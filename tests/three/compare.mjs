@@ -1,7 +1,9 @@
-// compare.mjs POSED_CORNERS FILE_OR_FOLDER...: Pelt and three.js must pose every model alike.
+// compare.mjs POSED_CORNERS FILE_OR_FOLDER...: checks that Pelt and three.js pose every model in
+// the same way.
 //
-// POSED_CORNERS is the test program that asks Pelt. Triangles are matched by their number, corners
-// up to turning the triangle, since three.js begins the triangles of strips elsewhere.
+// POSED_CORNERS is the test program that poses with Pelt. Triangles are matched by their number,
+// and their vertices up to rotation, because three.js starts the triangles of strips at another
+// vertex.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs';

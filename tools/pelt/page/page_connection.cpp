@@ -18,7 +18,8 @@ using std::chrono::seconds;
 constexpr std::size_t kLongestRequest = 16 << 10;
 constexpr seconds kRequestTime(10);
 
-/// Whoever reads the answer more slowly than this is cut off; a page of 3 MB may take 4 minutes.
+/// Clients that read the answer more slowly than this are disconnected; a page of 3 MB may take 4
+/// minutes.
 constexpr seconds kAnswerTime(30);
 constexpr std::size_t kBytesPerSecond = 16 << 10;
 
