@@ -16,9 +16,28 @@ void write_huge(const TestFolder& folder, const std::string& name) {
   std::filesystem::resize_file(folder / name, std::uintmax_t{1} << 36);
 }
 
-Ended run_limited(const TestFolder& folder, const std::string& arguments) {
-  return run_program(folder.path(),
-                     {"sh", "-c", "ulimit -v 4000000; '" PELT_COMMAND "' " + arguments});
+Ended run_limited(const TestFolder& folder, const std::string& arguments,
+                  std::uint32_t megabytes = 4000) {
+  return run_program(folder.path(), {"sh", "-c",
+                                     "ulimit -v " + std::to_string(1000 * megabytes) +
+                                         "; '" PELT_COMMAND "' " + arguments});
+}
+
+/// Unskinned parts of one triangle in a row, three units apart, each with a joint of its own.
+void write_dust(const TestFolder& folder, const std::string& name, std::uint32_t parts) {
+  std::string numbers, nodes;
+  for (std::uint32_t p = 0; p < parts; ++p) {
+    numbers += (p > 0 ? "," : "") + std::to_string(p);
+    nodes += (p > 0 ? R"(,{"mesh":0,"translation":[)" : R"({"mesh":0,"translation":[)") +
+             std::to_string(3 * p) + ",0,0]}";
+  }
+  std::ofstream(folder / name)
+      << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" << numbers
+      << R"(]}],"nodes":[)" << nodes
+      << R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+      << R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+      << R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":)"
+      << R"("data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 }
 
 class MemoryLimit : public ::testing::Test {
@@ -57,6 +76,17 @@ TEST_F(MemoryLimit, NamesAHugeBuffer) {
       << R"("bufferViews":[{"buffer":0,"byteLength":36}],)"
       << R"("buffers":[{"byteLength":36,"uri":"body.bin"}]})";
   expect_named("info body.gltf", "body.bin");
+}
+
+/// A palette of all joints for each part would take 4.1 GB.
+TEST_F(MemoryLimit, SufficesForParts) {
+  write_dust(folder_, "dust.gltf", 8000);
+  for (const char* verb : {"check dust.gltf --by part", "check dust.gltf --by part --clearance 0.5",
+                           "bounds dust.gltf --by part"}) {
+    const Ended run = run_limited(folder_, verb, 800);
+    EXPECT_EQ(run.exit_code, 0) << verb << ": " << run.err;
+    EXPECT_NE(run.out.find("8,000 parts"), std::string::npos) << run.out;
+  }
 }
 
 }  // namespace

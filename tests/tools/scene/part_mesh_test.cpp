@@ -41,7 +41,7 @@ TEST(PartMesh, HasTheVerticesThatItsTrianglesUse) {
   EXPECT_TRUE(build_model(view));
 }
 
-TEST(PartMesh, HasTheirDisplacementsInEveryMorphTarget) {
+TEST(PartMesh, HasTheMorphTargetsThatDisplaceItsVertices) {
   const std::vector<Vec3> positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 1, 0}};
   const std::vector<Triangle> triangles = {{0, 1, 2}, {4, 1, 3}};
   const std::vector<std::uint16_t> joints(5, 0);
@@ -56,12 +56,30 @@ TEST(PartMesh, HasTheirDisplacementsInEveryMorphTarget) {
   const PartMesh mesh(whole, part);
   const MorphTargetsView morphs = mesh.view().morph_targets;
   EXPECT_EQ(std::vector<std::uint32_t>(morphs.begin.begin(), morphs.begin.end()),
-            (std::vector<std::uint32_t>{0, 2, 2, 3}));
+            (std::vector<std::uint32_t>{0, 2, 3}));
+  EXPECT_EQ(mesh.morph_targets(), (std::vector<std::uint32_t>{0, 2}));
   EXPECT_EQ(std::vector<std::uint32_t>(morphs.vertices.begin(), morphs.vertices.end()),
             (std::vector<std::uint32_t>{0, 1, 2}));
   EXPECT_EQ(morphs.displacements[0], (Vec3{2, 0, 0}));
   EXPECT_EQ(morphs.displacements[1], (Vec3{3, 0, 0}));
   EXPECT_EQ(morphs.displacements[2], (Vec3{5, 0, 0}));
+}
+
+TEST(PartMesh, HasTheJointsThatItsVerticesFollow) {
+  const std::vector<Vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<Triangle> triangles = {{0, 1, 3}, {1, 2, 3}};
+  const std::vector<std::uint16_t> joints = {5, 0, 2, 4, 7, 2, 4, 6};
+  const std::vector<float> weights = {1, 0, 0.5f, 0.5f, 1, 0, 0.25f, 0.75f};
+  asset::Part part;
+  part.first_triangle = 1;
+  part.triangle_count = 1;
+  const PartMesh mesh({positions, triangles, 2, joints, weights, 8}, part);
+  EXPECT_EQ(mesh.joints(), (std::vector<std::uint16_t>{2, 4, 6, 7}));
+  EXPECT_EQ(mesh.view().joint_count, 4u);
+  const std::span<const std::uint16_t> numbers = mesh.view().joints;
+  EXPECT_EQ(std::vector<std::uint16_t>(numbers.begin(), numbers.end()),
+            (std::vector<std::uint16_t>{0, 1, 3, 0, 1, 2}));
+  EXPECT_TRUE(build_model(mesh.view()));
 }
 
 TEST(PartMesh, MakesCollidersWhoseMemoryDoesNotGrowWithTheOtherParts) {

@@ -79,12 +79,13 @@ Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedM
   return named_error(source, model.error());
 }
 
-Result<void> check_named_mesh(const std::string& source, const SkinnedMeshView& mesh,
-                              const ModelArguments& arguments) {
+Result<detail::Palette> make_named_palette(const std::string& source, const SkinnedMeshView& mesh,
+                                           const ModelArguments& arguments) {
   BuildReport report;
   const auto checked = asset::within_memory(
       source, [&] { return detail::make_skinned_mesh(mesh, options_of(arguments), report); });
-  if (checked) return {};
+  if (checked)
+    return detail::Palette(checked->joint_count, checked->rest_extent, checked->morph_extents);
   if (checked.error().code == ErrorCode::unreadable_file) return checked.error();
   return named_error(source, checked.error());
 }

@@ -4,6 +4,7 @@
 #include <pelt/model.hpp>
 
 #include "scenes/scene.hpp"
+#include "skin/palette.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 
 #include <cstdint>
@@ -37,8 +38,9 @@ Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedM
                                        const ModelArguments& arguments,
                                        std::span<const Matrix4> sample_palettes = {});
 
-/// Returns the errors that build_named_model returns for a mesh, without building a model.
-Result<void> check_named_mesh(const std::string& source, const SkinnedMeshView& mesh,
-                              const ModelArguments& arguments);
+/// Validates a mesh without building a model, and returns its palette in the rest pose. Returns the
+/// errors of build_named_model.
+Result<detail::Palette> make_named_palette(const std::string& source, const SkinnedMeshView& mesh,
+                                           const ModelArguments& arguments);
 
 }  // namespace pelt::tools::arguments

@@ -7,6 +7,7 @@
 
 #include "tools/pelt/scene/near_pairs.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 
 #include <span>
 

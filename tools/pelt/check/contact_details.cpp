@@ -3,6 +3,21 @@
 #include "tools/pelt/check/surfaces.hpp"
 
 namespace pelt::tools::check {
+namespace {
+
+/// Models of parts number only the joints that the part follows.
+void number_joints_in_assets(ContactGeometry& geometry, const scene::Collider& a,
+                             const scene::Collider& b) {
+  const auto renumber = [&](auto& described) {
+    described.joint_a = a.joint_in_asset(described.joint_a);
+    described.joint_b = b.joint_in_asset(described.joint_b);
+  };
+  for (ContactTrace& trace : geometry.traces) renumber(trace);
+  for (ContactRegion& region : geometry.regions) renumber(region);
+}
+
+}  // namespace
+
 ContactDetails::ContactDetails(const scene::StagedScene& staged)
     : colliders_(staged.colliders), surfaces_(make_surfaces(staged)), posed_(staged.colliders) {}
 
@@ -19,6 +34,7 @@ Result<void> ContactDetails::describe(const scene::Palettes& palettes,
     }
     describe_contacts(posed_.poses()[a], surfaces_[a], posed_.poses()[b], surfaces_[b], contacts_,
                       scratch_, geometry_[i]);
+    number_joints_in_assets(geometry_[i], colliders_[a], colliders_[b]);
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include <pelt/contact.hpp>
 
 #include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <span>
@@ -20,8 +21,8 @@ class ContactDetails {
   /// Replaces the geometry by that of contacts that were found with these palettes.
   Result<void> describe(const scene::Palettes& palettes, const scene::FrameContacts& found);
 
-  /// The geometry of one of the found pairs, by its index. Triangle numbers are those of the
-  /// colliders' own models.
+  /// Returns the geometry of a pair, given by its index in `found.pairs`. Triangles are numbered as
+  /// in the colliders' own models, and joints as in the assets.
   const ContactGeometry& of_pair(std::size_t pair) const { return geometry_[pair]; }
 
  private:

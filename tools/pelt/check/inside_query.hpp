@@ -7,6 +7,7 @@
 #include "scenes/ignored_pairs.hpp"
 #include "tools/pelt/scene/near_pairs.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <map>

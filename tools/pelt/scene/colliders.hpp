@@ -6,9 +6,11 @@
 #include <pelt/model.hpp>
 
 #include "scenes/scene.hpp"
+#include "skin/palette.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,11 +21,26 @@ enum class Granularity {
   part,      ///< every part of every instance is a collider; those of one instance collide too
 };
 
+/// The joints and morph targets of a character that one of its parts follows.
+struct PartRig {
+  std::vector<std::uint16_t> joints;         ///< numbers in the asset, ascending
+  std::vector<std::uint32_t> morph_targets;  ///< likewise
+
+  /// Rest pose of the whole character, shared by its parts.
+  std::shared_ptr<const detail::Palette> palette_of_whole;
+};
+
 struct Collider {
   std::uint32_t instance = 0;
   std::optional<std::uint32_t> part;  ///< index into the asset's parts
   std::uint32_t first_triangle = 0;   ///< added to the model's triangle numbers in answers
   SkinnedModel model;
+  std::shared_ptr<const PartRig> rig;  ///< of a part; its model has only these joints
+
+  /// Converts the number of a joint of `model` to its number in the asset.
+  std::uint16_t joint_in_asset(std::uint16_t joint) const {
+    return rig ? rig->joints[joint] : joint;
+  }
 
   /// Converts a triangle number of `model` to its number in the whole asset, and back.
   std::uint32_t number_in_asset(std::uint32_t triangle) const { return triangle + first_triangle; }

@@ -2,9 +2,8 @@
 
 #include <pelt/pose.hpp>
 
-#include "asset/message.hpp"
 #include "scenes/smooth_normals.hpp"
-#include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/collider_palettes.hpp"
 
 #include <array>
 #include <map>
@@ -39,11 +38,9 @@ Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
   return models;
 }
 
-Result<std::vector<Vec3>> pose_vertices(const SkinnedModel& model, std::span<const Matrix4> palette,
-                                        std::span<const float> morph_weights) {
+Result<std::vector<Vec3>> pose_vertices(const SkinnedModel& model, const PoseInputs& inputs) {
   Pose pose(model);
-  if (const auto morphed = pose.set_morph_weights(morph_weights); !morphed) return morphed.error();
-  if (const auto posed = pose.set_palette(palette); !posed) return posed.error();
+  if (const auto posed = set_pose(inputs, pose); !posed) return posed.error();
   std::vector<Vec3> positions(model.vertex_count());
   posed_vertices(pose, positions);
   return positions;
@@ -71,13 +68,11 @@ Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, st
   Palettes palettes;
   sample_palettes(scene, frame, scratch, palettes);
   std::vector<PosedInstance> posed;
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const std::uint32_t c = scene.instances[i].character;
     Result<std::vector<Vec3>> positions =
-        pose_vertices((*models)[c], palettes[i], palettes.morphs[i]);
-    if (!positions) {
-      return asset::prefixed("instances[" + std::to_string(i) + "]", positions.error());
-    }
+        pose_vertices((*models)[c], inputs_of_instance(palettes, i));
+    if (!positions) return in_instance(i, positions.error());
     posed.push_back({scene.characters[c].name + " " + std::to_string(i), std::move(*positions),
                      scene.characters[c].asset.triangles});
   }

@@ -7,28 +7,17 @@
 #include <chrono>
 
 namespace pelt::tools::scene {
-namespace {
 
-Result<void> set_pose(Pose& pose, const Palettes& palettes, std::uint32_t instance) {
-  const std::span<const float> morphs = palettes.morphs[instance];
-  if (!morphs.empty()) {
-    if (Result<void> taken = pose.set_morph_weights(morphs); !taken) return taken;
-  }
-  return pose.set_palette(palettes.joints[instance]);
-}
-
-}  // namespace
-
-ScenePoses::ScenePoses(std::span<const Collider> colliders) : colliders_(colliders) {
+ScenePoses::ScenePoses(std::span<const Collider> colliders)
+    : colliders_(colliders), parted_(colliders) {
   for (const Collider& collider : colliders) poses_.emplace_back(collider.model);
 }
 
 Result<void> ScenePoses::set_palettes(const Palettes& palettes) {
+  if (Result<void> checked = parted_.check(palettes); !checked) return checked;
   for (std::size_t c = 0; c < colliders_.size(); ++c) {
-    const std::uint32_t instance = colliders_[c].instance;
-    const Result<void> taken = set_pose(poses_[c], palettes, instance);
-    if (!taken)
-      return asset::prefixed("instances[" + std::to_string(instance) + "]", taken.error());
+    const auto posed = set_pose(selection_.select(palettes, colliders_[c]), poses_[c]);
+    if (!posed) return in_instance(colliders_[c].instance, posed.error());
   }
   return {};
 }

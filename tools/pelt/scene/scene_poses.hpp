@@ -6,7 +6,7 @@
 #include <pelt/query.hpp>
 
 #include "tools/pelt/arguments/frame_range.hpp"
-#include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <functional>
@@ -28,6 +28,8 @@ class ScenePoses {
 
  private:
   std::span<const Collider> colliders_;
+  PartedInstances parted_;
+  InputSelection selection_;
   std::vector<Pose> poses_;
 };
 

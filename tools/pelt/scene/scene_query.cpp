@@ -1,6 +1,5 @@
 #include "tools/pelt/scene/scene_query.hpp"
 
-#include "asset/message.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 
 #include <algorithm>
@@ -14,21 +13,8 @@ constexpr std::size_t kPalettesWorthAThread = 64;
 
 }  // namespace
 
-void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
-                     Palettes& palettes) {
-  palettes.joints.resize(scene.instances.size());
-  palettes.morphs.resize(scene.instances.size());
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    const asset::Asset& asset = scene.characters[scene.instances[i].character].asset;
-    palettes.joints[i].resize(asset.joints.size());
-    palettes.morphs[i].resize(asset.morph_targets.size());
-    scenes::instance_palette(scene, i, frame, scratch, palettes.joints[i]);
-    scenes::instance_morph_weights(scene, i, frame, palettes.morphs[i]);
-  }
-}
-
 SceneQuery::SceneQuery(std::span<const Collider> colliders, const methods::MethodKind& method)
-    : colliders_(colliders) {
+    : SceneQuery(colliders) {
   if (method == methods::kOnDemand) {
     make_crowd(0);
   } else {
@@ -38,7 +24,8 @@ SceneQuery::SceneQuery(std::span<const Collider> colliders, const methods::Metho
 }
 
 SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<methods::Method> method)
-    : colliders_(colliders), method_(std::move(method)) {
+    : SceneQuery(colliders) {
+  method_ = std::move(method);
   for (const Collider& collider : colliders_) method_->add(collider.model);
 }
 
@@ -56,13 +43,12 @@ void SceneQuery::make_crowd(std::uint32_t threads) {
 }
 
 Result<void> SceneQuery::set_palettes(const Palettes& palettes) {
+  if (Result<void> checked = parted_.check(palettes); !checked) return checked;
   if (crowd_ && set_on_threads(palettes)) return {};
+  InputSelection selection;
   for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
-    const std::uint32_t instance = colliders_[c].instance;
-    const Result<void> posed = set_pose(c, palettes);
-    if (!posed) {
-      return asset::prefixed("instances[" + std::to_string(instance) + "]", posed.error());
-    }
+    const auto posed = set_pose_of(c, selection.select(palettes, colliders_[c]));
+    if (!posed) return in_instance(colliders_[c].instance, posed.error());
   }
   return {};
 }
@@ -75,22 +61,15 @@ bool SceneQuery::set_on_threads(const Palettes& palettes) {
   std::atomic<bool> all_taken = true;
   shares_.deal(static_cast<std::uint32_t>(colliders_.size()), count);
   threads_->run(count, [&](std::uint32_t thread) {
+    InputSelection selection;
     while (const auto c = shares_.take(thread))
-      if (!set_pose(*c, palettes)) all_taken = false;
+      if (!set_pose_of(*c, selection.select(palettes, colliders_[*c]))) all_taken = false;
   });
   return all_taken;
 }
 
-Result<void> SceneQuery::set_pose(std::uint32_t collider, const Palettes& palettes) {
-  const std::uint32_t instance = colliders_[collider].instance;
-  const std::span<const Matrix4> joints = palettes.joints[instance];
-  const std::span<const float> morphs = palettes.morphs[instance];
-  if (!morphs.empty()) {
-    Result<void> taken = crowd_ ? crowd_->set_morph_weights(collider, morphs)
-                                : method_->set_morph_weights(collider, morphs);
-    if (!taken) return taken;
-  }
-  return crowd_ ? crowd_->set_palette(collider, joints) : method_->set_palette(collider, joints);
+Result<void> SceneQuery::set_pose_of(std::uint32_t collider, const PoseInputs& inputs) {
+  return crowd_ ? set_pose(inputs, *crowd_, collider) : set_pose(inputs, *method_, collider);
 }
 
 void SceneQuery::collide(const CollideOptions& options, FrameContacts& found) {

@@ -8,7 +8,9 @@
 #include "base/work_shares.hpp"
 #include "base/workers.hpp"
 #include "tools/pelt/methods/method.hpp"
+#include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/scene/palettes.hpp"
 
 #include <memory>
 #include <optional>
@@ -16,18 +18,6 @@
 #include <vector>
 
 namespace pelt::tools::scene {
-
-/// The joint palette of every instance at one frame.
-struct Palettes {
-  std::vector<std::vector<Matrix4>> joints;
-  std::vector<std::vector<float>> morphs;  ///< weights of the morph targets
-
-  const std::vector<Matrix4>& operator[](std::size_t instance) const { return joints[instance]; }
-};
-
-/// Resizes `palettes` as needed.
-void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
-                     Palettes& palettes);
 
 /// The contacts of one frame, pair after pair.
 struct FrameContacts {
@@ -71,16 +61,18 @@ class SceneQuery {
   QueryStats work() const;
 
  private:
-  explicit SceneQuery(std::span<const Collider> colliders) : colliders_(colliders) {}
+  explicit SceneQuery(std::span<const Collider> colliders)
+      : colliders_(colliders), parted_(colliders) {}
 
   void make_crowd(std::uint32_t threads);
   bool set_on_threads(const Palettes& palettes);
-  Result<void> set_pose(std::uint32_t collider, const Palettes& palettes);
+  Result<void> set_pose_of(std::uint32_t collider, const PoseInputs& inputs);
   void collide_crowd(const CollideOptions& options, FrameContacts& found);
   void collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
                     FrameContacts& found);
 
   std::span<const Collider> colliders_;
+  PartedInstances parted_;
   std::optional<Crowd> crowd_;  // with the members up to its contacts; otherwise `method_`
   std::uint32_t thread_count_ = 1;
   std::unique_ptr<detail::Workers> threads_;

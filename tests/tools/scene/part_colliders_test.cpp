@@ -1,0 +1,138 @@
+/// Parts have only the joints and morph targets that they follow, and the same contacts, joints and
+/// messages as whole instances.
+
+#include "tools/pelt/check/contact_details.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace pelt::tools::scene {
+namespace {
+
+constexpr std::uint32_t kParts = 12;
+
+/// Two faces, cut into parts, that talk inside each other.
+scenes::Scene talkers() {
+  scenes::Scene scene;
+  scene.characters.push_back(*scenes::generate_character(scenes::FaceOptions{2000, 1}));
+  asset::Asset& asset = scene.characters[0].asset;
+  const auto count = static_cast<std::uint32_t>(asset.triangles.size());
+  asset.parts.assign(kParts, {});
+  for (std::uint32_t p = 0; p < kParts; ++p) {
+    asset.parts[p].first_triangle = count * p / kParts;
+    asset.parts[p].triangle_count = count * (p + 1) / kParts - count * p / kParts;
+  }
+  scene.fps = 6;
+  scene.frame_count = 12;
+  scene.instances.resize(2);
+  scene.instances[0].clip = scene.instances[1].clip = "talk";
+  scene.instances[1].translation = {0.05, 0.02, 0.01};
+  scene.instances[1].start = 0.4;
+  return scene;
+}
+
+Palettes palettes_of(const scenes::Scene& scene, std::uint32_t frame) {
+  asset::SampleScratch scratch;
+  Palettes palettes;
+  sample_palettes(scene, frame, scratch, palettes);
+  return palettes;
+}
+
+std::vector<Collider> colliders_of(const scenes::Scene& scene, Granularity granularity) {
+  auto colliders = make_colliders(scene, granularity, {});
+  EXPECT_TRUE(colliders) << colliders.error().message;
+  return std::move(*colliders);
+}
+
+/// Triangle numbers of a contact of two instances, and its joints.
+using Described = std::tuple<std::uint32_t, std::uint32_t, std::uint16_t, std::uint16_t>;
+
+/// Contacts of different instances, ascending.
+std::vector<Described> contacts_of(const scenes::Scene& scene, std::span<const Collider> colliders,
+                                   const Palettes& palettes) {
+  SceneQuery query(colliders, methods::kOnDemand);
+  EXPECT_TRUE(query.set_palettes(palettes));
+  FrameContacts found;
+  query.collide({}, found);
+  const StagedScene staged(scene, colliders);
+  check::ContactDetails details(staged);
+  EXPECT_TRUE(details.describe(palettes, found));
+  std::vector<Described> contacts;
+  for (std::size_t i = 0; i < found.pairs.size(); ++i) {
+    const Collider& a = colliders[found.pairs[i].a];
+    const Collider& b = colliders[found.pairs[i].b];
+    if (a.instance == b.instance) continue;
+    for (const ContactTrace& trace : details.of_pair(i).traces) {
+      const Contact contact = numbered_in_assets(trace.contact, a, b);
+      contacts.push_back({contact.triangle_a, contact.triangle_b, trace.joint_a, trace.joint_b});
+    }
+  }
+  std::sort(contacts.begin(), contacts.end());
+  return contacts;
+}
+
+TEST(PartColliders, TouchWhereWholeInstancesTouchAndNameTheSameJoints) {
+  const scenes::Scene scene = talkers();
+  const std::vector<Collider> whole = colliders_of(scene, Granularity::instance);
+  const std::vector<Collider> parts = colliders_of(scene, Granularity::part);
+  ASSERT_EQ(parts.size(), 2 * kParts);
+  std::size_t contacts = 0, displaced = 0;
+  for (std::uint32_t frame = 0; frame < scene.frame_count; frame += 3) {
+    const Palettes palettes = palettes_of(scene, frame);
+    const std::vector<Described> expected = contacts_of(scene, whole, palettes);
+    EXPECT_EQ(contacts_of(scene, parts, palettes), expected) << "frame " << frame;
+    contacts += expected.size();
+    const auto& morphs = palettes.morphs[0];
+    displaced += std::count_if(morphs.begin(), morphs.end(), [](float w) { return w != 0; }) > 0;
+  }
+  EXPECT_GT(contacts, 100u);
+  EXPECT_GT(displaced, 0u);
+}
+
+TEST(PartColliders, HaveOnlyTheJointsAndMorphTargetsThatTheyFollow) {
+  const scenes::Scene scene = talkers();
+  const asset::Asset& asset = scene.characters[0].asset;
+  std::size_t fewer_joints = 0, fewer_targets = 0, renumbered = 0;
+  for (const Collider& part : colliders_of(scene, Granularity::part)) {
+    EXPECT_EQ(part.model.joint_count(), part.rig->joints.size());
+    EXPECT_EQ(part.model.morph_target_count(), part.rig->morph_targets.size());
+    fewer_joints += part.model.joint_count() < asset.joints.size();
+    fewer_targets += part.model.morph_target_count() < asset.morph_targets.size();
+    renumbered += part.joint_in_asset(0) != 0;
+  }
+  EXPECT_GT(fewer_joints, 0u);
+  EXPECT_GT(fewer_targets, 0u);
+  EXPECT_GT(renumbered, 0u);
+}
+
+TEST(PartColliders, RefuseWhatWholeInstancesRefuseInTheSameWords) {
+  const scenes::Scene scene = talkers();
+  const std::vector<Collider> whole = colliders_of(scene, Granularity::instance);
+  const std::vector<Collider> parts = colliders_of(scene, Granularity::part);
+  const auto message_of = [](std::span<const Collider> colliders, const Palettes& palettes) {
+    ScenePoses poses(colliders);
+    const Result<void> set = poses.set_palettes(palettes);
+    EXPECT_FALSE(set);
+    SceneQuery query(colliders, methods::kOnDemand);
+    EXPECT_EQ(query.set_palettes(palettes).error().message, set.error().message);
+    return set.error().message;
+  };
+  Palettes palettes = palettes_of(scene, 3);
+  palettes.joints[1].back().m[4] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(message_of(parts, palettes), message_of(whole, palettes));
+  EXPECT_EQ(message_of(parts, palettes).rfind("instances[1]: palette[6] has the element inf", 0),
+            0u)
+      << message_of(parts, palettes);
+  palettes = palettes_of(scene, 3);
+  palettes.morphs[0].back() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(message_of(parts, palettes), message_of(whole, palettes));
+  EXPECT_EQ(message_of(parts, palettes), "instances[0]: morph_weights[5] is nan");
+}
+
+}  // namespace
+}  // namespace pelt::tools::scene

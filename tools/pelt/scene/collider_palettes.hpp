@@ -1,0 +1,74 @@
+#pragma once
+
+/// Palettes of colliders, selected from the palettes of their instances.
+
+#include <pelt/result.hpp>
+
+#include "skin/palette.hpp"
+#include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/scene/palettes.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pelt::tools::scene {
+
+/// Joint palette and morph weights for one pose.
+struct PoseInputs {
+  std::span<const Matrix4> joints;
+  std::span<const float> morphs;
+};
+
+/// Returns the inputs of an instance that is not divided into parts.
+inline PoseInputs inputs_of_instance(const Palettes& palettes, std::uint32_t instance) {
+  return {palettes.joints[instance], palettes.morphs[instance]};
+}
+
+/// Selects the inputs of colliders. Each thread needs its own selection.
+class InputSelection {
+ public:
+  /// Valid until the next call. Cost: O(1) for a whole instance; for a part, linear in the joints
+  /// and morph targets that it follows.
+  PoseInputs select(const Palettes& palettes, const Collider& collider);
+
+ private:
+  std::vector<Matrix4> joints_;
+  std::vector<float> morphs_;
+};
+
+/// Sets the pose of `poser`, which is a Pose; or, with the number of an instance or a body as
+/// `number`, a Crowd or a methods::Method.
+template <typename Poser, typename... Number>
+Result<void> set_pose(const PoseInputs& inputs, Poser& poser, Number... number) {
+  if (!inputs.morphs.empty()) {
+    if (Result<void> taken = poser.set_morph_weights(number..., inputs.morphs); !taken)
+      return taken;
+  }
+  return poser.set_palette(number..., inputs.joints);
+}
+
+/// Prefixes the message of an error with the instance.
+Error in_instance(std::uint32_t instance, const Error& error);
+
+/// Validates the inputs of instances that are divided into parts as those of whole instances, so
+/// that messages number joints and morph targets as the asset does, and so that also those are
+/// checked that no part follows.
+class PartedInstances {
+ public:
+  explicit PartedInstances(std::span<const Collider> colliders);
+
+  /// The message of an error names the instance. If there is no error, all parts accept what
+  /// InputSelection selects for them.
+  Result<void> check(const Palettes& palettes);
+
+ private:
+  struct Parted {
+    std::uint32_t instance;
+    detail::Palette palette;
+  };
+
+  std::vector<Parted> parted_;
+};
+
+}  // namespace pelt::tools::scene
