@@ -99,23 +99,27 @@ ordered_json BoundsQuery::options_json() const {
           {"exact", settings_.kind == BoundsKind::exact}};
 }
 
-ordered_json BoundsQuery::frame_json() const {
-  ordered_json bounds = ordered_json::array();
+void BoundsQuery::write_frame(scene::JsonLine& line) const {
+  line.begin_list("bounds");
   for (const Bounded& b : bounded_) {
-    ordered_json& entry = bounds.emplace_back(named_json(b));
+    ordered_json entry = named_json(b);
     entry["box"] = box_json(b.box);
-    if (!b.sphere) continue;
-    entry["sphere"] = {{"centre", scene::vector_json(b.sphere->centre)},
-                       {"radius", b.sphere->radius}};
+    if (b.sphere)
+      entry["sphere"] = {{"centre", scene::vector_json(b.sphere->centre)},
+                         {"radius", b.sphere->radius}};
+    line.item(entry);
   }
-  return {{"bounds", std::move(bounds)}};
+  line.end_list();
 }
 
-ordered_json BoundsQuery::totals_json() const {
-  ordered_json bounds = ordered_json::array();
-  for (const Bounded& b : bounded_)
-    bounds.emplace_back(named_json(b))["box"] = box_json(b.all_frames);
-  return {{"bounds", std::move(bounds)}};
+void BoundsQuery::write_totals(scene::JsonLine& line) const {
+  line.begin_list("bounds");
+  for (const Bounded& b : bounded_) {
+    ordered_json entry = named_json(b);
+    entry["box"] = box_json(b.all_frames);
+    line.item(entry);
+  }
+  line.end_list();
 }
 
 void BoundsQuery::print(std::size_t frames, std::ostream& words) const {

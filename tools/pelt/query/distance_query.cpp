@@ -9,67 +9,81 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <tuple>
 
 namespace pelt::tools::query {
 namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kMostRows = 10;
-
 /// Later pairs have no hint. A hint saves time and does not change the answer.
-constexpr std::uint64_t kMostHints = 1 << 18;
+constexpr std::size_t kMostHints = 1 << 18;
+
+bool is_before(const PairDistance& x, const PairDistance& y) {
+  return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+}
+
+/// Replaces distances in `least` by shorter ones of `found`, and adds the pairs that are new. Both
+/// are in order of pairs.
+void keep_least(std::span<const PairDistance> found, std::vector<PairDistance>& least) {
+  const auto known_end = static_cast<std::ptrdiff_t>(least.size());
+  std::size_t known = 0;
+  for (const PairDistance& pair : found) {
+    const auto end = static_cast<std::size_t>(known_end);
+    while (known < end && is_before(least[known], pair)) ++known;
+    if (known == end || is_before(pair, least[known]))
+      least.push_back(pair);
+    else if (pair.distance.distance < least[known].distance.distance)
+      least[known] = pair;
+  }
+  std::inplace_merge(least.begin(), least.begin() + known_end, least.end(), is_before);
+}
 
 }  // namespace
 
-DistanceQuery::DistanceQuery(const scene::StagedScene& staged, const DistanceSettings& settings,
-                             Lists lists)
-    : staged_(staged),
-      settings_(settings),
-      lists_(lists),
-      nearest_now_(kMostRows),
-      nearest_(kMostRows) {
-  const std::uint64_t n = staged.colliders.size();
-  hints_.resize(std::min(n > 0 ? n * (n - 1) / 2 : 0, kMostHints));
-}
-
 QueryStats DistanceQuery::ask(std::span<Pose> poses) {
-  QueryStats work;
   nearest_now_.clear();
-  found_now_.clear();
-  std::size_t next_hint = 0;
+  found_.clear();
+  next_hint_ = 0;
+  QueryStats work;
+  if (settings_.within < DistanceSettings().within) {
+    for (const auto& [a, b] : near_pairs_.find(poses, settings_.within))
+      work += ask_pair(poses, a, b);
+    return work;
+  }
   for (std::uint32_t a = 0; a < poses.size(); ++a)
-    for (std::uint32_t b = a + 1; b < poses.size(); ++b) {
-      Distance* const hint = next_hint < hints_.size() ? &hints_[next_hint++] : nullptr;
-      DistanceOptions options;
-      options.max_distance = settings_.within;
-      if (hint != nullptr && *hint) options.hint = hint;
-      PairDistance pair = {.a = a, .b = b};
-      work += pelt::distance(poses[a], poses[b], scratch_, pair.distance, options);
-      if (hint != nullptr) *hint = pair.distance;
-      if (pair.distance) found(pair);
-    }
+    for (std::uint32_t b = a + 1; b < poses.size(); ++b) work += ask_pair(poses, a, b);
   return work;
 }
 
-void DistanceQuery::found(const PairDistance& pair) {
+QueryStats DistanceQuery::ask_pair(std::span<Pose> poses, std::uint32_t a, std::uint32_t b) {
+  PairDistance pair = {.a = a, .b = b};
+  const DistanceOptions options = {.max_distance = settings_.within, .hint = find_hint(pair)};
+  const QueryStats work = pelt::distance(poses[a], poses[b], scratch_, pair.distance, options);
+  if (!pair.distance) return work;
   nearest_now_.add(pair);
-  if (lists_ == Lists::all) found_now_.push_back(pair);
+  if (lists_ == Lists::all || found_.size() < kMostHints) found_.push_back(pair);
+  return work;
+}
+
+/// Pairs ascend, so hints of earlier pairs are not needed any more.
+const Distance* DistanceQuery::find_hint(const PairDistance& pair) {
+  while (next_hint_ < hints_.size() && is_before(hints_[next_hint_], pair)) ++next_hint_;
+  const bool is_known = next_hint_ < hints_.size() && !is_before(pair, hints_[next_hint_]);
+  return is_known ? &hints_[next_hint_].distance : nullptr;
 }
 
 /// Adding the nearest pairs of each frame suffices: a pair that is among the nearest of all frames
 /// is among the nearest in the frame of its least distance.
 void DistanceQuery::keep(std::uint32_t frame) {
-  const auto in_this_frame = [&](PairDistance pair) {
+  for (PairDistance pair : nearest_now_.pairs()) {
     pair.frame = frame;
-    return pair;
-  };
-  for (const PairDistance& pair : nearest_now_.pairs()) nearest_.add(in_this_frame(pair));
-  for (const PairDistance& pair : found_now_) {
-    const auto [least, is_new] = least_.try_emplace({pair.a, pair.b}, in_this_frame(pair));
-    if (!is_new && pair.distance.distance < least->second.distance.distance)
-      least->second = in_this_frame(pair);
+    nearest_.add(pair);
   }
+  for (PairDistance& pair : found_) pair.frame = frame;
+  if (lists_ == Lists::all) keep_least(found_, least_);
+  hints_.assign(found_.begin(),
+                found_.begin() + static_cast<std::ptrdiff_t>(std::min(found_.size(), kMostHints)));
 }
 
 ordered_json DistanceQuery::options_json() const {
@@ -77,19 +91,20 @@ ordered_json DistanceQuery::options_json() const {
           {"within", settings_.within}};  // infinity is written as null
 }
 
-ordered_json DistanceQuery::frame_json() const {
-  ordered_json found = ordered_json::array();
-  for (const PairDistance& pair : found_now_) found.push_back(pair_json(pair));
-  return {{"pairs", std::move(found)}};
+void DistanceQuery::write_frame(scene::JsonLine& line) const {
+  line.begin_list("pairs");
+  for (const PairDistance& pair : found_) line.item(pair_json(pair));
+  line.end_list();
 }
 
-ordered_json DistanceQuery::totals_json() const {
-  ordered_json list = ordered_json::array();
-  for (const auto& [names, pair] : least_) {
-    ordered_json& entry = list.emplace_back(pair_json(pair));
+void DistanceQuery::write_totals(scene::JsonLine& line) const {
+  line.begin_list("least");
+  for (const PairDistance& pair : least_) {
+    ordered_json entry = pair_json(pair);
     entry["frame"] = pair.frame;
+    line.item(entry);
   }
-  return {{"least", std::move(list)}};
+  line.end_list();
 }
 
 ordered_json DistanceQuery::pair_json(const PairDistance& pair) const {

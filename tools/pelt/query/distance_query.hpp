@@ -6,10 +6,9 @@
 
 #include "tools/pelt/query/frame_query.hpp"
 #include "tools/pelt/query/least_distances.hpp"
+#include "tools/pelt/scene/near_pairs.hpp"
 
 #include <limits>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace pelt::tools::query {
@@ -19,35 +18,44 @@ struct DistanceSettings {
   double within = std::numeric_limits<double>::infinity();  ///< longer distances are skipped
 };
 
-/// Distances of all pairs of colliders. Memory: O(n) for n colliders, plus a bounded number of
-/// pairs; with Lists::all also the pairs that were found.
+/// Distances of all pairs of colliders, or, if `within` is given, of those that are near each
+/// other. Memory: O(n) for n colliders, plus the pairs that NearPairs finds and a bounded number of
+/// others; with Lists::all also the pairs that are within the distance in any frame, once for their
+/// least distance and once for the current frame.
 class DistanceQuery final : public FrameQuery {
  public:
-  enum class Lists { nearest, all };  ///< `all`: for `frame_json` and `totals_json`
+  enum class Lists { nearest, all };  ///< `all`: for `write_frame` and `write_totals`
 
-  DistanceQuery(const scene::StagedScene& staged, const DistanceSettings& settings, Lists lists);
+  DistanceQuery(const scene::StagedScene& staged, const DistanceSettings& settings, Lists lists)
+      : staged_(staged), settings_(settings), lists_(lists) {}
 
   QueryStats ask(std::span<Pose> poses) override;
   void keep(std::uint32_t frame) override;
 
   const char* format() const override { return "pelt-distance"; }
   nlohmann::ordered_json options_json() const override;
-  nlohmann::ordered_json frame_json() const override;
-  nlohmann::ordered_json totals_json() const override;
+  void write_frame(scene::JsonLine& line) const override;
+  void write_totals(scene::JsonLine& line) const override;
   void print(std::size_t frames, std::ostream& words) const override;
 
  private:
-  void found(const PairDistance& pair);
+  static constexpr std::size_t kMostRows = 10;
+
+  QueryStats ask_pair(std::span<Pose> poses, std::uint32_t a, std::uint32_t b);
+  const Distance* find_hint(const PairDistance& pair);
   nlohmann::ordered_json pair_json(const PairDistance& pair) const;
 
   scene::StagedScene staged_;
   DistanceSettings settings_;
   Lists lists_;
   Scratch scratch_;
-  std::vector<Distance> hints_;  // of the first pairs, from the previous frame
-  LeastDistances nearest_now_, nearest_;
-  std::vector<PairDistance> found_now_;  // if all are listed
-  std::map<std::pair<std::uint32_t, std::uint32_t>, PairDistance> least_;
+  scene::NearPairs near_pairs_;
+  std::vector<PairDistance> hints_;  // the first pairs of the frame before
+  std::size_t next_hint_ = 0;
+  LeastDistances nearest_now_ = LeastDistances(kMostRows), nearest_ = LeastDistances(kMostRows);
+  std::vector<PairDistance>
+      found_;  // in this frame; if not all are listed, those of the next hints
+  std::vector<PairDistance> least_;  // of all frames, if all are listed
 };
 
 }  // namespace pelt::tools::query

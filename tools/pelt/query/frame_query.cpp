@@ -3,7 +3,6 @@
 #include "asset/message.hpp"
 #include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -30,17 +29,21 @@ class QueryLines {
 
   void frame(std::uint32_t frame) {
     if (out_ == nullptr) return;
-    ordered_json line = scene::frame_json(staged_.scene, frame);
-    line.update(query_.frame_json());
-    scene::write_line(line, *out_);
+    scene::JsonLine line(*out_);
+    line.members(scene::frame_json(staged_.scene, frame));
+    query_.write_frame(line);
+    line.end();
   }
 
   void totals(const scene::FrameCosts& costs) {
     if (out_ == nullptr) return;
-    ordered_json totals = {{"frames", costs.seconds.size()}};
-    totals.update(query_.totals_json());
-    scene::write_line(
-        {{"totals", std::move(totals)}, {"counters", scene::counters_json(costs.work)}}, *out_);
+    scene::JsonLine line(*out_);
+    line.begin_object("totals");
+    line.members({{"frames", costs.seconds.size()}});
+    query_.write_totals(line);
+    line.end_object();
+    line.members({{"counters", scene::counters_json(costs.work)}});
+    line.end();
   }
 
  private:

@@ -2,6 +2,7 @@
 
 /// Frame loop shared by the verbs that query scenes.
 
+#include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
@@ -32,11 +33,11 @@ class FrameQuery {
   /// `options` of the header, without `frames` and `fps`.
   virtual nlohmann::ordered_json options_json() const = 0;
 
-  /// Members of the current frame's line, without `frame` and `time`.
-  virtual nlohmann::ordered_json frame_json() const = 0;
+  /// Writes the members of the current frame's line, except `frame` and `time`.
+  virtual void write_frame(scene::JsonLine& line) const = 0;
 
-  /// Members of `totals`, without `frames`.
-  virtual nlohmann::ordered_json totals_json() const = 0;
+  /// Writes the members of `totals`, except `frames`.
+  virtual void write_totals(scene::JsonLine& line) const = 0;
 
   /// Prints the summary, which stands between the scene's lines and the costs. `frames` is the
   /// number of frames.

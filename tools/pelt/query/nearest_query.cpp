@@ -61,26 +61,27 @@ ordered_json NearestQuery::options_json() const {
           {"within", settings_.within}};  // infinity is written as null
 }
 
-ordered_json NearestQuery::frame_json() const {
-  ordered_json points = ordered_json::array();
+void NearestQuery::write_frame(scene::JsonLine& line) const {
+  line.begin_list("points");
   for (std::size_t p = 0; p < points_.size(); ++p) {
     ordered_json places = ordered_json::array();
     for (const Nearest& nearest : of_point(p))
       if (nearest.closest) places.push_back(place_json(nearest));
-    points.push_back({{"point", p}, {"places", std::move(places)}});
+    line.item({{"point", p}, {"places", std::move(places)}});
   }
-  return {{"points", std::move(points)}};
+  line.end_list();
 }
 
-ordered_json NearestQuery::totals_json() const {
-  ordered_json least = ordered_json::array();
+void NearestQuery::write_totals(scene::JsonLine& line) const {
+  line.begin_list("least");
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (!least_[p].closest) continue;
-    ordered_json& entry = least.emplace_back(place_json(least_[p]));
+    ordered_json entry = place_json(least_[p]);
     entry["point"] = p;
     entry["frame"] = least_frame_[p];
+    line.item(entry);
   }
-  return {{"least", std::move(least)}};
+  line.end_list();
 }
 
 ordered_json NearestQuery::place_json(const Nearest& nearest) const {

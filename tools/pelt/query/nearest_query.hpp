@@ -25,8 +25,8 @@ class NearestQuery final : public FrameQuery {
 
   const char* format() const override { return "pelt-distance"; }
   nlohmann::ordered_json options_json() const override;
-  nlohmann::ordered_json frame_json() const override;
-  nlohmann::ordered_json totals_json() const override;
+  void write_frame(scene::JsonLine& line) const override;
+  void write_totals(scene::JsonLine& line) const override;
   void print(std::size_t frames, std::ostream& words) const override;
 
  private:

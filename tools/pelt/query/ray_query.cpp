@@ -129,18 +129,18 @@ ordered_json RayQuery::options_json() const {
           {"facing", kFacings[static_cast<int>(settings_.facing)]}};
 }
 
-ordered_json RayQuery::frame_json() const {
+void RayQuery::write_frame(scene::JsonLine& line) const {
   const HitNames names(staged_);
-  ordered_json rays = ordered_json::array();
+  line.begin_list("rays");
   for (std::size_t r = 0; r < hits_.ray_count(); ++r)
-    rays.push_back(ray_json(names, settings_.rays[r], r, hits_));
-  return {{"rays", std::move(rays)}};
+    line.item(ray_json(names, settings_.rays[r], r, hits_));
+  line.end_list();
 }
 
-ordered_json RayQuery::totals_json() const {
-  ordered_json frames_hit = ordered_json::array();
-  for (const RayTally& tally : tallies_) frames_hit.push_back(tally.frames.size());
-  return {{"frames_hit", std::move(frames_hit)}};
+void RayQuery::write_totals(scene::JsonLine& line) const {
+  line.begin_list("frames_hit");
+  for (const RayTally& tally : tallies_) line.item(tally.frames.size());
+  line.end_list();
 }
 
 void RayQuery::print(std::size_t frames, std::ostream& words) const {

@@ -50,29 +50,29 @@ ordered_json RegionQuery::options_json() const {
           {"triangles", settings_.finds_triangles}};
 }
 
-ordered_json RegionQuery::frame_json() const {
-  ordered_json placements = ordered_json::array();
+void RegionQuery::write_frame(scene::JsonLine& line) const {
+  line.begin_list("placements");
   for (std::size_t c = 0; c < placed_.size(); ++c) {
-    ordered_json& entry = placements.emplace_back();
-    entry["index"] = c;
-    entry["placement"] = name_of(placed_[c].placement);
-    if (!settings_.finds_triangles) continue;
-    const TrianglesInRegion& triangles = placed_[c].triangles;
-    entry["touching"] = whole_model_numbers(staged_.colliders[c], triangles.intersecting);
-    entry["inside"] = whole_model_numbers(staged_.colliders[c], triangles.inside);
+    ordered_json entry = {{"index", c}, {"placement", name_of(placed_[c].placement)}};
+    if (settings_.finds_triangles) {
+      const TrianglesInRegion& triangles = placed_[c].triangles;
+      entry["touching"] = whole_model_numbers(staged_.colliders[c], triangles.intersecting);
+      entry["inside"] = whole_model_numbers(staged_.colliders[c], triangles.inside);
+    }
+    line.item(entry);
   }
-  return {{"placements", std::move(placements)}};
+  line.end_list();
 }
 
-ordered_json RegionQuery::totals_json() const {
-  ordered_json placements = ordered_json::array();
+void RegionQuery::write_totals(scene::JsonLine& line) const {
+  line.begin_list("placements");
   for (std::size_t c = 0; c < placed_.size(); ++c) {
-    ordered_json& entry = placements.emplace_back();
-    entry["index"] = c;
+    ordered_json entry = {{"index", c}};
     for (const Placement p : {Placement::outside, Placement::partly, Placement::inside})
       entry[name_of(p)] = placed_[c].frames[static_cast<std::size_t>(p)];
+    line.item(entry);
   }
-  return {{"placements", std::move(placements)}};
+  line.end_list();
 }
 
 void RegionQuery::print(std::size_t, std::ostream& out) const {

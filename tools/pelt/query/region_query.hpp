@@ -37,8 +37,8 @@ class RegionQuery final : public FrameQuery {
 
   const char* format() const override { return "pelt-region"; }
   nlohmann::ordered_json options_json() const override;
-  nlohmann::ordered_json frame_json() const override;
-  nlohmann::ordered_json totals_json() const override;
+  void write_frame(scene::JsonLine& line) const override;
+  void write_totals(scene::JsonLine& line) const override;
   void print(std::size_t frames, std::ostream& words) const override;
 
  private:

@@ -77,4 +77,46 @@ void write_line(const ordered_json& value, std::ostream& out) {
   out << output::json_text(value) << '\n';
 }
 
+JsonLine::JsonLine(std::ostream& out) : out_(out) { out_ << '{'; }
+
+void JsonLine::members(const ordered_json& object) {
+  for (const auto& [name, value] : object.items()) {
+    key(name);
+    out_ << output::json_text(value);
+  }
+}
+
+void JsonLine::begin_object(const char* name) { open(name, '{'); }
+void JsonLine::end_object() { close('}'); }
+void JsonLine::begin_list(const char* name) { open(name, '['); }
+void JsonLine::end_list() { close(']'); }
+
+void JsonLine::item(const ordered_json& value) {
+  separate();
+  out_ << output::json_text(value);
+}
+
+void JsonLine::end() { out_ << "}\n"; }
+
+void JsonLine::separate() {
+  if (!is_first_) out_ << ',';
+  is_first_ = false;
+}
+
+void JsonLine::key(const std::string& name) {
+  separate();
+  out_ << output::json_text(name) << ':';
+}
+
+void JsonLine::open(const char* name, char bracket) {
+  key(name);
+  out_ << bracket;
+  is_first_ = true;
+}
+
+void JsonLine::close(char bracket) {
+  out_ << bracket;
+  is_first_ = false;
+}
+
 }  // namespace pelt::tools::scene

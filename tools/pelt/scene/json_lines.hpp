@@ -35,4 +35,34 @@ std::string as_json_holds(const std::string& text);
 
 void write_line(const nlohmann::ordered_json& value, std::ostream& out);
 
+/// A line of JSON that is written piece by piece, so that a long list is never in memory as a
+/// whole. The text is that of `write_line` for the whole value.
+class JsonLine {
+ public:
+  /// Begins an object. `out` must outlive this.
+  explicit JsonLine(std::ostream& out);
+
+  /// Adds the members of an object to the object that is open.
+  void members(const nlohmann::ordered_json& object);
+
+  void begin_object(const char* key);
+  void end_object();
+
+  void begin_list(const char* key);
+  void item(const nlohmann::ordered_json& value);
+  void end_list();
+
+  /// Ends the object and the line.
+  void end();
+
+ private:
+  void separate();
+  void key(const std::string& name);
+  void open(const char* name, char bracket);
+  void close(char bracket);
+
+  std::ostream& out_;
+  bool is_first_ = true;  // of the object or the list that is open
+};
+
 }  // namespace pelt::tools::scene
