@@ -14,8 +14,8 @@ input or arguments, 3 internal error.)";
 
 constexpr const char* kBenchNotes = R"(
 
-rigid and paper_rigid stand for what the same query costs rigid bodies: the building of their trees
-is not timed. "of rigid": how many times the cost of rigid.)";
+rigid and paper_rigid show the cost of the same query between rigid bodies: building their trees is
+not timed. The column "of rigid" is the cost over that of rigid.)";
 
 void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
   using namespace pelt::tools::verbs;
@@ -29,7 +29,6 @@ void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
 
 int main(int argc, char** argv) {
   return pelt::tools::arguments::run_command_line(
-      {"pelt-lab", "Compares Pelt with methods from other papers.", kFooter,
-       add_verbs},
-      argc, argv);
+      {"pelt-lab", "Compares Pelt with methods from other papers.", kFooter, add_verbs}, argc,
+      argv);
 }

@@ -43,7 +43,8 @@ void add_real(const std::filesystem::path& folder, Section& section) {
   for (const std::filesystem::path& file : model_files(folder)) {
     const Result<scenes::Character> character = scenes::load_character(file);
     if (!character) {
-      section.text.push_back("Left out: " + file.filename().string() + ", which Pelt refuses.");
+      section.text.push_back("Left out: " + file.filename().string() +
+                             ", which Pelt does not accept.");
       continue;
     }
     table.rows.push_back(row(file.filename().string(), character->asset));

@@ -37,11 +37,11 @@ Examples:
   pelt-lab reproduce --quick -o report
   pelt-lab reproduce --models characters --only characters,tightness
 
-Runs the experiments of Kavan & Zara 2005 and those that it left open, on characters that Pelt
-generates and, with --models, on those of a folder of .glb files. Writes report.html, a page that
-needs nothing beside it; results.json and csv/*.csv with every figure; charts/*.svg (by gnuplot) and
-pictures/*.png (by POV-Ray). All of it takes about 20 minutes on two cores, --quick about 2; leave
-the machine alone meanwhile, for times are measured.)";
+Runs the experiments of Kavan & Zara 2005, and the comparison that the paper left open, on generated
+characters and, with --models, on the .glb files of a folder. Writes report.html, a self-contained
+page; results.json and csv/*.csv with every figure; charts/*.svg (by gnuplot) and pictures/*.png (by
+POV-Ray). This takes about 20 minutes on two cores, or about 2 with --quick. Keep the machine idle
+meanwhile, because times are measured.)";
 
 Result<std::vector<Experiment>> all_experiments(bool has_peers) {
   const auto most = reproduce::experiments();

@@ -34,10 +34,10 @@ Result<Section> comparison(const Conditions& conditions) {
   Section section;
   if (const auto done = measure_all(*creature, conditions, section); !done) return done.error();
   section.text = {
-      "Every method gets the same joint palettes, gives the same contacts (compared before any "
-      "time is measured), and pays for the skinning that it needs. All use the same exact test of "
-      "triangles, eight at a time, so the comparison is about finding pairs. All times are for one "
-      "thread."};
+      "Every method gets the same joint palettes and finds the same contacts, which are compared "
+      "before any time is measured. The skinning that a method needs counts as its time. All use "
+      "the same exact test of triangles, eight at a time, so the comparison is about finding "
+      "pairs. All times are for one thread."};
   for (std::string& answer : answers_of(section)) section.text.push_back(std::move(answer));
   return section;
 }

@@ -81,12 +81,12 @@ Result<Table> agreement(const scenes::Character& creature, const Conditions& con
   }
   Table table = {
       "agreement",
-      "How the contacts of each method differ from those of brute force",
+      "Differences between the contacts of each method and those of brute force",
       {{"method", "method"}, {"contacts", "contacts"}, {"missing", "missing"}, {"extra", "extra"}},
       {},
-      "Of two creatures, in the sum over " + std::to_string(distances.size()) +
-          " distances. Every other table is refused, too, where two methods answer "
-          "differently."};
+      "For two creatures; sums over " + std::to_string(distances.size()) +
+          " distances. The other tables are not written either if two methods give different "
+          "answers."};
   for (const Asked& asked : methods)
     table.rows.push_back({asked.title, contacts, asked.missing, asked.extra});
   return table;

@@ -162,10 +162,10 @@ std::string trees_on_demand(const Evidence& of) {
   const Sweep& all = of.all;
   const std::size_t apart = all.row_at(kApart), touching = all.row_at(kTouching),
                     deep = all.row_at(kDeep), last = all.row_count() - 1;
-  return "Trees on demand pay only for what is near. Apart (" + all.place(apart) +
-         "): " + all.told(apart, kFamily) + ". Hands that meet (" + size(kTouching) +
+  return "Trees on demand cost only where bodies are near each other. Apart (" + all.place(apart) +
+         "): " + all.told(apart, kFamily) + ". Hands that touch (" + size(kTouching) +
          "): " + all.told(touching, kFamily) + ". Deep (" + size(kDeep) +
-         "): " + all.told(deep, kFamily) + ". In one place: " + all.told(last, kFamily) +
+         "): " + all.told(deep, kFamily) + ". At the same position: " + all.told(last, kFamily) +
          ". All contacts: " + all.duel(methods::kOnDemand, methods::kEager) + "; " +
          all.duel(methods::kPaper, methods::kBdTree) +
          ". First contact: " + of.first.duel(methods::kOnDemand, methods::kEager) + ".";
@@ -176,10 +176,10 @@ std::string eager_trees(const Evidence& of) {
                                   methods::kPaperEager, methods::kAabbRebuild};
   const Sweep& all = of.all;
   return "Eager trees pay for skinning and boxes even if nothing is near: " +
-         all.told(all.row_at(kApart), kFamily) + " for two who are apart, " +
+         all.told(all.row_at(kApart), kFamily) + " if the two are apart, " +
          all.told(all.row_at(kDeep), kFamily) +
-         " deep. All contacts: " + all.duel(methods::kPaper, methods::kAabbRefit) + "; " +
-         all.duel(methods::kHybrid, methods::kAabbRefit) + "; " +
+         " in deep contact. All contacts: " + all.duel(methods::kPaper, methods::kAabbRefit) +
+         "; " + all.duel(methods::kHybrid, methods::kAabbRefit) + "; " +
          all.duel(methods::kEager, methods::kAabbRefit) +
          ". Over the triangles: " + of.resolution.duel(methods::kOnDemand, methods::kEager) + "; " +
          of.resolution.duel(methods::kOnDemand, methods::kAabbRefit) + ".";
@@ -188,8 +188,8 @@ std::string eager_trees(const Evidence& of) {
 std::string hashing(const Evidence& of) {
   constexpr std::array kFamily = {methods::kHash, methods::kHashOverlap};
   const Sweep& all = of.all;
-  return "Hashing: apart " + all.told(all.row_at(kApart), kFamily) + ", deep " +
-         all.told(all.row_at(kDeep), kFamily) +
+  return "Hashing: if the two are apart, " + all.told(all.row_at(kApart), kFamily) +
+         ", in deep contact " + all.told(all.row_at(kDeep), kFamily) +
          ". All contacts: " + all.duel(methods::kOnDemand, methods::kHashOverlap) + "; " +
          all.duel(methods::kPaper, methods::kHashOverlap) + "; " +
          all.duel(methods::kPaper, methods::kHash) + "; " +
@@ -204,9 +204,9 @@ std::string crowds(const Evidence& of) {
   const std::size_t last = table.rows.size() - 1;
   const auto time = [&](const std::string& key) { return figure_at(table, last, key); };
   const double crowd = time("crowd_us"), grid = time("hash_crowd_us");
-  return "Many: " + shown(figure_at(table, last, "instances")) + " walkers take Pelt as a crowd " +
-         us(crowd) + " a frame, on one thread, hashing all in one grid " + us(grid) + " (" +
-         times(grid / crowd) + " as long); pair by pair Pelt takes " +
+  return "Crowds: " + shown(figure_at(table, last, "instances")) + " walkers take " + us(crowd) +
+         " per frame with Pelt as a crowd on one thread; hashing all in one grid takes " +
+         us(grid) + " (" + times(grid / crowd) + " as long). Pair by pair, Pelt takes " +
          us(time(time_key(methods::kOnDemand))) + ", " + title_of(methods::kEager) + " " +
          us(time(time_key(methods::kEager))) + ", " + title_of(methods::kHash) + " " +
          us(time(time_key(methods::kHash))) + ", " + title_of(methods::kHashOverlap) + " " +
@@ -230,9 +230,9 @@ std::string image_space(const Evidence& of) {
     others.push_back(rivals.rows[row][0].name + " " + us(figure_at(rivals, row, "all_us")));
   return "Image space methods only answer yes or no. At " +
          shown(figure_at(images, 0, "resolution")) + " pixels per side they miss " +
-         brief(figure_at(images, 0, "missed_percent"), 1) + " % of the cases that touch, at " +
+         brief(figure_at(images, 0, "missed_percent"), 1) + " % of the cases in contact, at " +
          shown(figure_at(images, enough, "resolution")) + " " +
-         brief(figure_at(images, enough, "missed_percent"), 1) + " %, and there they take " +
+         brief(figure_at(images, enough, "missed_percent"), 1) + " %, where they take " +
          us(taken) + " with skinning, " + times(taken / pelt) +
          " as long as Pelt, whose answer is exact. The exact methods take: " + listed(others) + ".";
 }
@@ -248,10 +248,11 @@ std::string where_pelt_loses(const Evidence& of) {
   }
   return "Pelt is the fastest in " + std::to_string(rows - lost) + " of " + std::to_string(rows) +
          " rows of the tables of distance and of triangles." +
-         (lost > 0 ? " It loses if refitting everything is not wasted, because nearly everything "
-                     "is needed." +
-                         text
-                   : "");
+         (lost > 0
+              ? " It is slower if nearly everything is needed, so that refitting everything wastes "
+                "no work." +
+                    text
+              : "");
 }
 
 }  // namespace

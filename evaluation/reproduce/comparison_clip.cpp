@@ -84,13 +84,13 @@ std::string note_of(const tools::SceneFigures& figures, const Conditions& condit
   return how_measured(tools::output::counted(figures.frames, "frame") + ", " +
                           std::to_string(figures.figures[0].answer.frames_in_contact) +
                           " of them in contact; all contacts. Cold: 64 MB are read before every "
-                          "frame, which "
-                          "leaves nothing in the caches.",
+                          "frame, which empties the caches.",
                       conditions) +
-         " Memory is what a method has allocated after frame " + std::to_string(kMiddle) +
-         ", as four instances hold it and two; the model of Pelt, " +
+         " Memory: allocated by a method after frame " + std::to_string(kMiddle) +
+         ", computed from four instances and from two. The model of Pelt, " +
          shown(static_cast<double>(figures.models.bytes) / 1024) +
-         " KiB, which all start from, is left out, and is all that Pelt shares.";
+         " KiB, from which all methods start, is excluded; with Pelt, instances share nothing "
+         "else.";
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ std::vector<tools::Engine> engines() {
 Table empty_table(const scenes::Character& creature, const Conditions& conditions) {
   Table table = {
       "instances",
-      "All contacts of walkers, over their number",
+      "All contacts of a crowd of walkers, over their number",
       {{"instances", "instances"}, {"contacts", "contacts"}},
       {},
       how_measured("Creatures of " + tools::output::with_commas(creature.asset.triangles.size()) +
@@ -94,7 +94,7 @@ Result<void> add_instances(const scenes::Character& creature, const Conditions& 
     row.push_back(time(kOneGrid));
     table.rows.push_back(std::move(row));
   }
-  Chart chart = {table.id, table.title, table.id, "instances", {}, "a frame [us]"};
+  Chart chart = {table.id, table.title, table.id, "instances", {}, "per frame [us]"};
   for (std::size_t c = 2; c < table.columns.size(); ++c) chart.y.push_back(table.columns[c].key);
   section.charts.push_back(std::move(chart));
   section.tables.push_back(std::move(table));

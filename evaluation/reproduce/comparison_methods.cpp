@@ -28,7 +28,7 @@ Chart chart_of(const Table& table, const char* family, const char* title,
   chart.id = table.id + "_" + family;
   chart.title = table.title + ": " + title;
   chart.table = table.id;
-  chart.y_title = "a frame [us]";
+  chart.y_title = "per frame [us]";
   for (const MethodKind method : methods) chart.y.push_back(time_key(method));
   return chart;
 }
@@ -62,7 +62,7 @@ void append_times(const tools::SceneFigures& figures, tools::Question question,
 std::string how_measured(const std::string& mean_of, const Conditions& conditions) {
   return mean_of + (mean_of.empty() ? "" : " ") + "Medians of " +
          std::to_string(conditions.is_quick ? 3 : 9) +
-         " repetitions; one thread, hot caches; skinning is counted.";
+         " repetitions; one thread, hot caches; skinning is included.";
 }
 
 void add_with_charts(Table table, const std::string& x, Axes axes, std::optional<double> x_end,

@@ -87,10 +87,10 @@ Result<void> add_separation(const scenes::Character& creature, const Conditions&
 
 Result<void> add_resolution(const Conditions& conditions, Section& section) {
   Table table = times_table(
-      "resolution", "Two creatures whose hands meet, over their triangles",
+      "resolution", "Two creatures whose hands touch, over their numbers of triangles",
       {{"triangles", "triangles of one"}, {"contacts", "contacts"}}, kCompared,
       how_measured("One phase of the walk, " + shown(kTouching) + " units apart; all contacts. " +
-                       title_of(methods::kAabbRebuild) + " is not asked beyond 100,000.",
+                       title_of(methods::kAabbRebuild) + " is not measured beyond 100,000.",
                    conditions));
   std::vector<std::uint32_t> sizes = {1000, 3000, 10000, 30000, 100000, 300000, 1000000};
   if (conditions.is_quick) sizes.resize(3);
@@ -115,7 +115,7 @@ Result<Table> time_split(const scenes::Character& creature, const Conditions& co
   if (!figures) return figures.error();
   Table table = {
       "time_split",
-      "Two creatures deep in each other, " + shown(kDeep) + " units apart: where the time goes",
+      "Two creatures deep in each other, " + shown(kDeep) + " units apart: how the time splits",
       {{"method", "method"},
        {"skinning_us", "skinning [us]"},
        {"update_us", "structure [us]"},
@@ -124,10 +124,10 @@ Result<Table> time_split(const scenes::Character& creature, const Conditions& co
        {"triangle_pairs", "triangle pairs tested"}},
       {},
       how_measured(mean_over_phases(conditions), conditions) +
-          " All contacts. Skinning is what all vertices at once take, measured beside; where "
-          "vertices are skinned as boxes are taken or as the query comes to them, it cannot be "
-          "told apart. Hashing builds its grid in the query: it takes the triangles of those "
-          "bodies only whose boxes meet."};
+          " All contacts. Skinning is the time to skin all vertices at once, measured separately. "
+          "If a method skins vertices while it computes boxes or runs the query, this time cannot "
+          "be separated. Hashing builds its grid in the query, from the triangles of bodies whose "
+          "boxes overlap."};
   for (const MethodKind method : kCompared) {
     const tools::Figures& of = figures_of(*figures, method.name, Question::all);
     const double update = of.times.mean_update_us;

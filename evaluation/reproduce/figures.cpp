@@ -167,12 +167,12 @@ Result<Picture> dwarves_picture(const scenes::Scene& apart, const scenes::Scene&
   const std::string objects = white_floor() + moved(facets(stills[0], kEdge, all), left) +
                               moved(facets(stills[1], kEdge, all), right) + lens(1.35, stills[1]) +
                               lens(2.46, stills[2]) + word("apart", kFloorWord + left, camera) +
-                              word("in each other", kFloorWord + right, camera) +
+                              word("intersecting", kFloorWord + right, camera) +
                               word("not subdivided", view.seen_at(1.35, -0.56, 6), camera) +
                               word("subdivided twice", view.seen_at(2.46, -0.56, 6), camera);
   return make_picture({"figure_7",
-                       "Figure 7. The dwarves, apart and in each other, and where they touch: as "
-                       "they are, and subdivided twice. Triangles in contact glow."},
+                       "Figure 7. The dwarves, apart and intersecting, with a close-up of the "
+                       "contact: not subdivided, and subdivided twice. Triangles in contact glow."},
                       camera, objects, conditions);
 }
 

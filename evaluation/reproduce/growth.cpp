@@ -71,25 +71,27 @@ std::string text_of(const Growth& growth) {
 std::string text_of_crowd(const Growth& instances) {
   const GrowingMethod& crowd = kGrowingMethods.back();
   const auto points = points_of(instances, crowd.column().key);
-  return "The crowd asked as a whole: " + rise_of(instances, crowd) + " for " +
+  return "The crowd queried as a whole: " + rise_of(instances, crowd) + " for " +
          shown(points.front().size) + " to " + shown(points.back().size) +
-         " instances. From the first with contacts on, " +
+         " instances. From the first size with contacts, " +
          shown(points_in_contact(instances, crowd.column().key).front().size) +
-         ", it goes with the power " + shown(exponent_of(instances, crowd.column().key)) +
-         " of their number, their contacts with " + shown(exponent_of(instances, "contacts")) +
-         ". Methods that are asked pair by pair stop at " +
+         " instances, its time grows with the power " +
+         shown(exponent_of(instances, crowd.column().key)) +
+         " of the number of instances, and the contacts with " +
+         shown(exponent_of(instances, "contacts")) +
+         ". Methods that are queried pair by pair stop at " +
          shown(points_of(instances, kGrowingMethods[0].column().key).back().size) +
-         ", for they ask all pairs.";
+         ", because they query all pairs.";
 }
 
 /// The conclusions from the exponents of the first growth.
 std::string text_of_exponents(const Growth& triangles) {
   const auto power = [&](const std::string& key) { return shown(exponent_of(triangles, key)); };
-  return "Two surfaces cut each other in curves, so that contacts go with the power " +
-         power("contacts") + " of the triangles. Pelt's time goes with the power " +
-         power("on_demand_us") + ", that of the paper on demand with " + power("paper_us") +
-         "; of those that skin and refit everything first, Pelt eager goes with " +
-         power("eager_us") + " and the paper bottom-up with " + power("paper_eager_us") + '.';
+  return "Two surfaces intersect in curves, so the number of contacts grows with the power " +
+         power("contacts") + " of the number of triangles. The time of Pelt grows with the power " +
+         power("on_demand_us") + ", and that of the paper on demand with " + power("paper_us") +
+         ". Of the methods that skin and refit everything first, Pelt eager has the power " +
+         power("eager_us") + " and the paper bottom-up the power " + power("paper_eager_us") + '.';
 }
 
 /// From apart to the same position.
@@ -98,8 +100,8 @@ std::string text_of_depth(const Table& depth) {
     const auto time = [&](const char* key) { return shown(row[column_of(depth, key)]) + " us"; };
     return "Pelt takes " + time("on_demand_us") + " and Pelt eager " + time("eager_us");
   };
-  return "Refit on demand saves the less the deeper bodies are in each other: apart " +
-         times(depth.rows.front()) + ", in one place " + times(depth.rows.back()) + '.';
+  return "Refitting on demand saves less, the deeper bodies intersect. Apart, " +
+         times(depth.rows.front()) + "; at the same position, " + times(depth.rows.back()) + '.';
 }
 
 Chart chart_of(const Growth& growth) {
@@ -120,17 +122,17 @@ Chart chart_of(const Growth& growth) {
 Table exponents_of(std::span<const Growth> growths) {
   Table table = {
       "growth_exponents",
-      "Times as powers of what grows",
+      "Times as powers of the growing number",
       {{"what", "what grows"},
        {"from", "from"},
        {"to", "to"},
        {"sizes", "sizes"},
        {"contacts", "contacts"}},
       {},
-      "The b of a x^b, by least squares of the logarithms over the sizes at which a "
-      "method was measured and bodies are in contact; \"from\", \"to\" and \"sizes\" are "
-      "those of the contacts. Over the joints, times hardly grow, and their exponents "
-      "say little."};
+      "The exponent b of a x^b, by least squares of the logarithms over the sizes at which a "
+      "method was measured and bodies are in contact; \"from\", \"to\" and \"sizes\" "
+      "belong to the contacts. Times hardly grow with the number of joints, so these exponents "
+      "mean little."};
   for (const GrowingMethod& method : kGrowingMethods)
     table.columns.push_back({method.key, method.name});
   for (const Growth& growth : growths) {

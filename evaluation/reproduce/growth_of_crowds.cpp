@@ -36,8 +36,8 @@ Result<void> append_pairwise(const programs::CrowdJob& job, const programs::Crow
     if (timing.contacts != crowd.contacts)
       return Error{ErrorCode::invalid_argument,
                    std::string(method.name) + " finds " + std::to_string(timing.contacts) +
-                       " contacts of " + std::to_string(job.models.size()) +
-                       " walkers, their crowd " + std::to_string(crowd.contacts) +
+                       " contacts between " + std::to_string(job.models.size()) +
+                       " walkers, but the crowd query finds " + std::to_string(crowd.contacts) +
                        ": please report this"};
     row.push_back(timing.frame_us);
   }
@@ -74,15 +74,15 @@ Result<Table> growth_by_instances(std::span<const std::uint32_t> instances,
   if (!walkers) return walkers.error();
   Table table = {
       "growth_instances",
-      "A frame by instances",
+      "Time per frame, by number of instances",
       {{"instances", "instances"},
        {"contacts", "contacts"},
        {"touching_pairs", "pairs in contact"}},
       {},
       "Creatures of " + tools::output::with_commas(walkers->model.triangle_count()) +
-          " triangles who walk about on a plain, 0.5 to 1.4 units from "
-          "their neighbours; palettes set and all contacts found, on one thread. Contacts are "
-          "those of the last frame timed."};
+          " triangles that walk on a plain, 0.5 to 1.4 units from their neighbours. The time is "
+          "that of setting palettes and finding all contacts on one thread. Contacts are those of "
+          "the last timed frame."};
   for (const GrowingMethod& method : kGrowingMethods) table.columns.push_back(method.column());
   for (const std::uint32_t count : instances) {
     auto row = crowd_row(*walkers, count, count <= most_by_pairs, conditions);

@@ -50,9 +50,9 @@ std::string interfering_pair(std::size_t count, const char* things) {
 
 Result<Table> growth_by_triangles(std::span<const std::uint32_t> triangles,
                                   const Conditions& conditions) {
-  Table table =
-      empty_table("growth_triangles", "A query by triangles", {"triangles", "triangles of each"},
-                  interfering_pair(scenes::kCreature.joints, "joints"));
+  Table table = empty_table("growth_triangles", "Time of a query, by number of triangles",
+                            {"triangles", "triangles of each"},
+                            interfering_pair(scenes::kCreature.joints, "joints"));
   for (const std::uint32_t count : triangles) {
     scenes::CreatureOptions options = scenes::kCreature;
     options.triangles = count;
@@ -64,7 +64,8 @@ Result<Table> growth_by_triangles(std::span<const std::uint32_t> triangles,
 
 Result<Table> growth_by_joints(std::span<const std::uint32_t> joints,
                                const Conditions& conditions) {
-  Table table = empty_table("growth_joints", "A query by joints", {"joints", "joints of each"}, "");
+  Table table = empty_table("growth_joints", "Time of a query, by number of joints",
+                            {"joints", "joints of each"}, "");
   for (const std::uint32_t count : joints) {
     scenes::CreatureOptions options = scenes::kCreature;
     options.joints = count;
@@ -81,9 +82,10 @@ Result<Table> growth_by_depth(std::uint32_t triangles, std::span<const double> d
   options.triangles = triangles;
   const auto character = scenes::generate_character(options);
   if (!character) return character.error();
-  Table table = empty_table("growth_depth", "A query by depth", {"distance", "distance [units]"},
-                            "Two creatures 1.8 units tall who face each other, from apart to one "
-                            "place; all contacts.");
+  Table table =
+      empty_table("growth_depth", "Time of a query, by depth", {"distance", "distance [units]"},
+                  "Two creatures 1.8 units tall that face each other, from apart to the "
+                  "same position; all contacts.");
   for (const double distance : distances) {
     const auto done = append_row(distance, *character, distance, conditions, table);
     if (!done) return done.error();

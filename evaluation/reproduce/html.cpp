@@ -61,10 +61,10 @@ constexpr const char* kHead = R"(<!doctype html>
 </head>
 <body>
 <h1>Kavan &amp; Zara 2005, reproduced</h1>
-<p>Every table and figure of <i>Fast Collision Detection for Skeletally Deformable Models</i> again, on
-generated characters of the paper's sizes, and the comparison that it left open; real characters where
-there are some. Times are those of this machine; the paper's are of a 2.5&nbsp;GHz Athlon, so only
-ratios compare.</p>
+<p>Reproduces every table and figure of <i>Fast Collision Detection for Skeletally Deformable
+Models</i> with generated characters of the paper's sizes and, if given, with real characters. Adds the
+comparison that the paper left open. Times were measured on this machine, and the paper's on a
+2.5&nbsp;GHz Athlon, so only ratios can be compared.</p>
 )";
 
 std::string escaped(const std::string& text) {

@@ -105,8 +105,8 @@ Result<Answers> ask_all(const tools::Subject& subject, const Conditions& conditi
 Table image_table(const Answers& answers, const std::string& note) {
   Table table = {"image_space",
                  "Layered depth images: do two creatures touch?",
-                 {{"resolution", "pixels a side"},
-                  {"images_us", "drawing and comparing [us], skinning not included"},
+                 {{"resolution", "pixels per side"},
+                  {"images_us", "drawing and comparing [us], without skinning"},
                   {"all_us", "with skinning [us]"},
                   {"asked", "cases"},
                   {"touching", "cases that touch"},
@@ -129,7 +129,7 @@ Table image_table(const Answers& answers, const std::string& note) {
 
 Table rival_table(const Answers& answers, const std::string& note) {
   Table table = {"image_space_rivals",
-                 "The same cases, asked of methods that know: first contact only",
+                 "The same cases with exact methods: first contact only",
                  {{"method", "method"},
                   {"all_us", "with skinning [us]"},
                   {"missed", "contacts missed [cases]"},
@@ -145,10 +145,10 @@ Table rival_table(const Answers& answers, const std::string& note) {
 }
 
 void add_charts(Section& section) {
-  Chart time = {"image_space",           "Layered depth images: time of a yes or no",
+  Chart time = {"image_space",           "Layered depth images: time of an answer",
                 "image_space",           "resolution",
                 {"images_us", "all_us"}, "a case [us]"};
-  Chart missed = {"image_space_missed", "Layered depth images: what they miss",
+  Chart missed = {"image_space_missed", "Layered depth images: missed contacts",
                   "image_space",        "resolution",
                   {"missed_percent"},   "contacts missed [% of cases that touch]"};
   missed.axes = Axes::logarithmic_x;
@@ -175,8 +175,8 @@ Result<void> add_image_space(const scenes::Character& character, const Condition
           ".",
       conditions);
   section.tables.push_back(image_table(
-      *answers, note + " Images are drawn where the boxes of the two meet, so that nearer pairs "
-                       "are seen through larger pixels; Pelt's answer is the exact one."));
+      *answers, note + " Images cover the intersection of the two boxes, so pixels are larger for "
+                       "nearer pairs. The answer of Pelt is exact."));
   section.tables.push_back(rival_table(*answers, note));
   add_charts(section);
   return {};

@@ -14,36 +14,35 @@ struct Words {
 
 constexpr Words kWords[] = {
     {methods::kOnDemand, "Pelt",
-     "Pelt's engine: a tree of boxes eight wide, vertices skinned and boxes computed only where "
-     "the "
-     "query comes"},
+     "the library: a tree of boxes with up to eight slots per node; vertices are skinned and boxes "
+     "computed only in nodes that a query visits"},
     {methods::kEager, "Pelt eager",
-     "the same tree and query after all vertices have been skinned and all boxes taken bottom-up: "
-     "the strongest rival that refits everything"},
+     "the same tree and query, with all vertices skinned and all boxes computed bottom-up first: "
+     "our fastest method that refits everything"},
     {methods::kRigid, "Pelt rigid",
-     "the same tree and query built afresh over the posed mesh, which is not counted: what a rigid "
-     "body would cost"},
+     "the same tree and query, with the tree built over the posed mesh, which is not timed: the "
+     "cost of a query between rigid bodies"},
     {methods::kPaper, "paper on demand",
-     "Kavan & Zara 2005: a tree of spheres refitted on demand by the optimised bound"},
+     "Kavan & Zara 2005: a tree of spheres, refitted on demand with the optimised bound"},
     {methods::kPaperEq2, "paper eq. 2", "the same with the bound of their equation 2"},
     {methods::kPaperEager, "paper bottom-up",
-     "the paper's rival: all vertices skinned, the same tree of spheres refitted bottom-up"},
+     "the method that the paper compares with: all vertices skinned, the same tree refitted "
+     "bottom-up"},
     {methods::kPaperRigid, "paper rigid",
-     "a tree of spheres built afresh over the posed mesh, which is not counted"},
+     "a tree of spheres built over the posed mesh, which is not timed"},
     {methods::kAabbRefit, "AABB refit",
      "van den Bergen 1997: all vertices skinned, a binary tree of boxes refitted bottom-up"},
-    {methods::kAabbRebuild, "AABB rebuild", "the same tree built anew for every pose"},
+    {methods::kAabbRebuild, "AABB rebuild", "the same tree, built again for every pose"},
     {methods::kHybrid, "AABB hybrid",
-     "Larsson & Akenine-Moller 2001: all vertices skinned, that tree refitted in its upper half, "
-     "below only where the query comes"},
+     "Larsson & Akenine-Moller 2001: all vertices skinned, the upper half of that tree "
+     "refitted, the lower half only where a query visits it"},
     {methods::kHash, "hash",
      "Teschner et al. 2003: all vertices skinned, all triangles hashed into the cells of a grid"},
     {methods::kHashOverlap, "hash in overlap",
-     "the same with only the triangles in the overlap of the two bodies' boxes, cells sorted"},
+     "the same, only for triangles in the overlap of the two bodies' boxes, with sorted cells"},
     {methods::kBdTree, "BD-tree",
-     "James & Pai 2004: spheres refitted on demand from the entries of the joint matrices, taken "
-     "as "
-     "a reduced model"},
+     "James & Pai 2004: spheres refitted on demand from the entries of the joint "
+     "matrices, as a reduced model"},
     {methods::kBrute, "brute force", "every triangle of one against every triangle of the other"},
 };
 

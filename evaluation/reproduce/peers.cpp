@@ -40,10 +40,9 @@ Table table_of(const std::string& id, const std::string& title, const tools::Sce
                      tools::output::with_commas(scene.contacts) + " contacts in all. Medians of " +
                      std::to_string(scene.repetitions) +
                      " repetitions, means over the frames; one thread, hot caches. Skinning is "
-                     "measured as a method that "
-                     "does nothing else; " +
-                     title_of(methods::kOnDemand) + " skins in its query, " +
-                     title_of(methods::kEager) + " in its structure."};
+                     "measured as a separate method; " +
+                     title_of(methods::kOnDemand) + " skins during its query, " +
+                     title_of(methods::kEager) + " while it updates its structure."};
   for (const tools::PeerFigures& of : scene.methods)
     table.rows.push_back({shown_name(of.method), of.version, of.update, of.narrow_phase,
                           of.skinning_us > 0 ? Cell(of.skinning_us) : Cell(), of.update_us,
@@ -80,13 +79,11 @@ Result<Table> measure_peer_walk(const PeerWalk& walk, const Conditions& conditio
 Result<Section> peers(const Conditions& conditions) {
   Section section;
   section.text = {
-      "Every library gets the vertices from our fastest skinning code, whose time counts, and runs "
-      "with the best settings for deforming meshes that we know. Its answer is compared with the "
-      "exact "
-      "one as a set of pairs of triangles: missing pairs touch but are not reported, extra pairs "
-      "are "
-      "reported but do not touch. If the narrow phase is ours, the library only finds candidate "
-      "pairs, which are tested like in Pelt."};
+      "Every library gets the vertices from our fastest skinning code, whose time is included, and "
+      "runs with the best settings for deforming meshes that we know. Its answer is compared with "
+      "the exact one as a set of pairs of triangles: missing pairs touch but are not reported; "
+      "extra pairs are reported but do not touch. If the narrow phase is ours, the library only "
+      "finds candidate pairs, which are tested as in Pelt."};
   for (const PeerWalk& walk : {PeerWalk{"peers_two_men", "Two men", approaching_scene(), 6},
                                PeerWalk{"peers_worst_case", "Two creatures through each other",
                                         passing_through_scene(), 12},

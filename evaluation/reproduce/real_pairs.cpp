@@ -70,16 +70,17 @@ Result<std::vector<Cell>> row_of(const scenes::Character& character, const Condi
 }
 
 Table empty_table() {
-  Table table = {"real_pairs",
-                 "Two of each real character, in each other",
-                 {{"character", "character"},
-                  {"triangles", "triangles"},
-                  {"joints", "joints"},
-                  {"contacts", "contacts a frame"}},
-                 {},
-                 "The second stands 0.6 widths beside the first; both play the first clip, half a "
-                 "second apart. All contacts, at most 12 frames over two seconds, means over the "
-                 "frames."};
+  Table table = {
+      "real_pairs",
+      "Two intersecting instances of each real character",
+      {{"character", "character"},
+       {"triangles", "triangles"},
+       {"joints", "joints"},
+       {"contacts", "contacts per frame"}},
+      {},
+      "The second instance is 0.6 widths beside the first; both play the first clip, half a "
+      "second apart. All contacts, at most 12 frames over two seconds, means over the "
+      "frames."};
   for (const MethodKind method : kMethods)
     table.columns.push_back({std::string(method.name) + "_us", title_of(method) + " [us]"});
   table.columns.push_back({"paper_speed_up", "speed-up, paper on demand against bottom-up"});
@@ -116,11 +117,11 @@ Result<Section> real_pairs(const Conditions& conditions) {
     if (row)
       table.rows.push_back(std::move(*row));
     else
-      left_out.push_back("Left out: " + file.filename().string() + ", which Pelt refuses.");
+      left_out.push_back("Left out: " + file.filename().string() + ", which Pelt does not accept.");
   }
   if (!table.rows.empty()) {
-    section.text = {"Of these pairs, the paper's refit on demand is " +
-                    range(table, "paper_speed_up") + " times as fast as bottom-up, and Pelt " +
+    section.text = {"For these pairs, refitting on demand with the paper's method is " +
+                    range(table, "paper_speed_up") + " times as fast as bottom-up, and Pelt is " +
                     range(table, "speed_up") + " times as fast as Pelt eager."};
     section.tables = {std::move(table)};
   }

@@ -50,9 +50,10 @@ std::vector<Table> class_tables(const Specimen& creature, const Conditions& cond
   const auto classes = [&](double NodeFacts::*fact) {
     return time_classes(model, palette, facts, fact, repetitions_of(conditions));
   };
-  return {class_table("refit_joints", "A refit of the creature's spheres, by joints",
-                      classes(&NodeFacts::joints)),
-          class_table("refit_corners", "The same by corners", classes(&NodeFacts::corners))};
+  return {
+      class_table("refit_joints", "Time of a refit of the creature's spheres, by number of joints",
+                  classes(&NodeFacts::joints)),
+      class_table("refit_corners", "The same by corners", classes(&NodeFacts::corners))};
 }
 
 std::vector<NodeClass> classes_by_vertices(const detail::SkinnedMesh& mesh, const Palette& palette,
@@ -65,7 +66,7 @@ std::vector<NodeClass> classes_by_vertices(const detail::SkinnedMesh& mesh, cons
 /// "The time complexity does not depend on the geometry that S encloses."
 Result<Table> vertices_table(const Conditions& conditions) {
   Table table = {"refit_vertices",
-                 "A refit by the vertices below the node",
+                 "Time of a refit, by number of vertices below the node",
                  {{"vertices", "vertices below the node"},
                   {"spheres", "spheres"},
                   {"same_joints_ns", "all follow the same two joints [ns]"},
@@ -108,13 +109,13 @@ std::string range(const Table& table, const char* key) {
 
 std::string text_of_classes(const Table& joints, const Table& vertices) {
   const std::size_t last = joints.rows.size() - 1;
-  return "A refit of the paper's takes " + shown(figure(joints, 0, "refit_ns")) +
-         " ns where the vertices have " + shown(figure(joints, 0, "joints")) + " joint and " +
+  return "One refit of the paper's method takes " + shown(figure(joints, 0, "refit_ns")) +
+         " ns if the vertices have " + shown(figure(joints, 0, "joints")) + " joint and " +
          shown(figure(joints, last, "refit_ns")) + " ns with " +
          shown(figure(joints, last, "joints")) +
-         " joints in all joint sets. The geometry does not count: where all vertices follow the "
-         "same two joints, it takes " +
-         range(vertices, "same_joints_ns") + " ns, over " + range(vertices, "vertices") +
+         " joints in all joint sets. The geometry does not matter: if all vertices follow the "
+         "same two joints, a refit takes " +
+         range(vertices, "same_joints_ns") + " ns for " + range(vertices, "vertices") +
          " vertices. Large spheres of the creature take longer because their vertices have more "
          "joints.";
 }
@@ -123,15 +124,16 @@ std::string text_of_all(const Table& all) {
   return "All spheres of two men take " + shown(figure(all, 0, "on_demand_ms")) +
          " ms on demand and " + shown(figure(all, 0, "bottom_up_ms")) +
          " ms bottom-up, in the paper " + shown(figure(all, 1, "on_demand_ms")) + " and " +
-         shown(figure(all, 1, "bottom_up_ms")) + " ms: one sphere on demand gained " +
-         shown(figure(all, 2, "on_demand_ns")) + " times since, all of them bottom-up " +
+         shown(figure(all, 1, "bottom_up_ms")) +
+         " ms. Since then, one sphere on demand has become faster by a factor of " +
+         shown(figure(all, 2, "on_demand_ns")) + ", and all spheres bottom-up by a factor of " +
          shown(figure(all, 2, "bottom_up_ms")) +
-         " times, presumably because it accesses memory in order and needs no weights.";
+         ", presumably because bottom-up refitting accesses memory in order and needs no weights.";
 }
 
 std::string text_of_rebuild(const Table& rebuild) {
   const std::size_t creature = rebuild.rows.size() - 1;
-  return "A tree of the creature built anew costs " +
+  return "Building a tree of the creature costs " +
          shown(figure(rebuild, creature, "paper_over_bottom_up")) +
          " times as much as its spheres refitted bottom-up (about " +
          shown(figure(rebuild, creature, "printed_over_bottom_up")) +

@@ -51,12 +51,12 @@ Result<Table> flops_table() {
                   {"corners", "corners"},
                   {"counted_flops", "flops, counted"},
                   {"stated_flops", "flops, by the formula"},
-                  {"unexplained", "spheres that differ otherwise"}},
+                  {"unexplained", "spheres with other differences"}},
                  {},
                  "The formula is the sum of 18 p + 11 m + 8 p m - 2 over the joint sets, of p "
                  "joints and m corners each. One sphere is put around the corners of all sets, "
-                 "which takes 2 flops more for each set after the first; spheres whose counts "
-                 "differ otherwise would be told in the last column."};
+                 "which takes 2 flops more for each set after the first; the last column "
+                 "counts spheres with any other difference."};
   for (const PaperCharacter& character : kPaperCharacters) {
     const Result<Specimen> specimen = make_specimen(character.options);
     if (!specimen) return specimen.error();

@@ -37,15 +37,14 @@ std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
 std::string summary(const SceneFigures& scene) {
   return tools::output::counted(scene.frames, "frame") + ", " +
          std::to_string(scene.figures[0].answer.frames_in_contact) + " of them in contact, with " +
-         shown(contact_count(scene)) + " contacts a frame in the mean; " +
-         tools::output::with_commas(scene.triangles) +
-         " triangles. All vertices skinned once take " + shown(scene.skinning.mean_us) +
-         " us a frame. Medians of " + std::to_string(scene.repetitions) +
+         shown(contact_count(scene)) + " contacts per frame on average; " +
+         tools::output::with_commas(scene.triangles) + " triangles. Skinning all vertices takes " +
+         shown(scene.skinning.mean_us) + " us per frame. Medians of " +
+         std::to_string(scene.repetitions) +
          " repetitions, means over the frames, one thread, caches hot; all methods give the same "
          "contacts. \"Update\" is the part before the queries; rigid methods have none. Pelt's "
-         "trees store "
-         "a vertex once for each node that needs it, so Pelt eager skins more vertices than the "
-         "models have.";
+         "trees store a vertex once for each node that needs it, so Pelt eager skins more vertices "
+         "than the models have.";
 }
 
 /// At most `most` frames, evenly spaced.
@@ -179,9 +178,9 @@ Table comparison_table(const std::string& id, const std::string& title, const Sc
        {"paper_ms", "method, in the paper [ms]"},
        {"paper_against_ms", "the other, in the paper [ms]"}},
       {},
-      "Speed-up: the time of the method under \"against\" divided by that of the first; below "
-      "1 the first is slower. The paper does not say in how many of its frames there "
-      "was contact."};
+      "Speed-up: the time of the method under \"against\" divided by that of the first method; "
+      "below 1, the first method is slower. The paper does not say how many of its frames have "
+      "contacts."};
   for (const Comparison& c : comparisons) table.rows.push_back(comparison_row(figures, c));
   return table;
 }

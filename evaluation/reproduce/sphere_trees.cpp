@@ -164,18 +164,19 @@ std::vector<DescentCost> descent_costs(const Specimen& specimen,
 
 Table sweep_table(const Specimen& specimen) {
   constexpr std::array kRatios = {0.3, 0.4, 0.5, kPaperCollapseRatio, 0.7, 0.8, 0.9, 1.0};
-  Table table = {"collapse_sweep",
-                 "The constant C: two creatures at sixteen depths in each other",
-                 {{"ratio", "C"},
-                  {"spheres", "spheres"},
-                  {"levels", "levels"},
-                  {"most_children", "most children"},
-                  {"sphere_pairs", "sphere tests a query"},
-                  {"refits", "refits a query"},
-                  {"query_us", "query [us]"}},
-                 {},
-                 "Means over the depths; the least of five times each. C = 1 takes out no sphere "
-                 "but those that are as large as their parents."};
+  Table table = {
+      "collapse_sweep",
+      "The constant C: two creatures at sixteen depths of intersection",
+      {{"ratio", "C"},
+       {"spheres", "spheres"},
+       {"levels", "levels"},
+       {"most_children", "most children"},
+       {"sphere_pairs", "sphere tests per query"},
+       {"refits", "refits per query"},
+       {"query_us", "query [us]"}},
+      {},
+      "Means over the depths of the least of five times. C = 1 deletes only spheres that "
+      "are as large as their parents."};
   std::vector<paper::SphereModel> models;
   for (const double ratio : kRatios)
     models.push_back(paper::build_sphere_model(specimen.mesh, paper::BoundKind::optimised,
@@ -226,20 +227,21 @@ std::vector<Cell> production_row(const char* name, const Specimen& specimen, dou
 }
 
 Result<Table> production_table() {
-  Table table = {"pelt_trees",
-                 "Pelt's own trees",
-                 {{"character", "character"},
-                  {"triangles", "triangles"},
-                  {"nodes", "nodes"},
-                  {"clusters", "clusters"},
-                  {"levels", "levels"},
-                  {"triangles_a_cluster", "triangles a cluster"},
-                  {"slots_a_node", "slots a node"},
-                  {"copies_a_vertex", "copies of a vertex"},
-                  {"bytes_a_triangle", "bytes a triangle"},
-                  {"build_ms", "build [ms]"}},
-                 {},
-                 "Bytes with vertices, influences and triangle numbers. Without sample poses."};
+  Table table = {
+      "pelt_trees",
+      "Pelt's own trees",
+      {{"character", "character"},
+       {"triangles", "triangles"},
+       {"nodes", "nodes"},
+       {"clusters", "clusters"},
+       {"levels", "levels"},
+       {"triangles_a_cluster", "triangles per cluster"},
+       {"slots_a_node", "slots per node"},
+       {"copies_a_vertex", "copies per vertex"},
+       {"bytes_a_triangle", "bytes per triangle"},
+       {"build_ms", "build [ms]"}},
+      {},
+      "Bytes include vertices, influences and triangle numbers. Built without sample poses."};
   for (const PaperCharacter& of : kPaperCharacters) {
     const Result<Specimen> specimen = make_specimen(of.options);
     if (!specimen) return specimen.error();
@@ -302,7 +304,7 @@ Table production_level_table(const Specimen& creature) {
                   {"radius_percent", "mean radius [% of the root's]"}},
                  {},
                  "A slot is a cluster of up to 16 triangles or a child node. Radius: half the "
-                 "diagonal of the box around what is below, in the rest pose."};
+                 "diagonal of the box of everything below, in the rest pose."};
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const Level& level = levels[i];
     table.rows.push_back({static_cast<double>(i + 1), level.nodes, level.clusters,
@@ -322,9 +324,9 @@ std::string text_of_sweep(const Table& sweep) {
   const auto& papers = *std::find_if(sweep.rows.begin(), sweep.rows.end(), [&](const auto& row) {
     return row[ratio].figure == kPaperCollapseRatio;
   });
-  return "Of the constants C the paper takes " + shown(papers[ratio]) +
-         ", with which a query takes " + shown(papers[query]) + " us here; the fastest is " +
-         shown(best[ratio]) + " with " + shown(best[query]) + " us.";
+  return "The paper uses the constant C = " + shown(papers[ratio]) + ", with which a query takes " +
+         shown(papers[query]) + " us here. The fastest is C = " + shown(best[ratio]) + " with " +
+         shown(best[query]) + " us.";
 }
 
 std::string text_of_trees(const Table& trees) {

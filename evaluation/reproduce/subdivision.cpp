@@ -160,13 +160,14 @@ Table printed_table(std::size_t levels) {
 }
 
 Table drift_table(const std::vector<scenes::Character>& dwarves) {
-  Table table = {"drift",
-                 "Drift of posed vertices under subdivision",
-                 {{"subdivisions", "subdivisions"}, {"drift_percent", "drift [% of the height]"}},
-                 {},
-                 "For the interfering pose: the largest distance of a new vertex from the middle "
-                 "of its edge, summed over the subdivisions, so no vertex is further from the "
-                 "first mesh."};
+  Table table = {
+      "drift",
+      "Drift of posed vertices under subdivision",
+      {{"subdivisions", "subdivisions"}, {"drift_percent", "drift [% of the height]"}},
+      {},
+      "For the interfering pose: the largest distance of a new vertex from the middle "
+      "of its edge, summed over the subdivisions. No vertex is further than this from the "
+      "first mesh."};
   double drifted = 0;
   for (std::size_t level = 0; level < dwarves.size(); ++level) {
     drifted = drift(dwarves, level, drifted);
@@ -241,9 +242,9 @@ std::string text_of(const Table& table, const char* where) {
          figure(last, "paper_speed_up") + " times as fast as bottom-up (" +
          figure(0, "printed_speed_up") + " to " + figure(last, "printed_speed_up") +
          " in the paper): its time grows from " + figure(0, "paper_us") + " to " +
-         figure(last, "paper_us") + " us, though it makes " + figure(0, "paper_refits") + " and " +
-         figure(last, "paper_refits") + " refits. Pelt is " + figure(0, "speed_up") + " to " +
-         figure(last, "speed_up") + " times as fast as Pelt eager, and takes " +
+         figure(last, "paper_us") + " us, although it needs " + figure(0, "paper_refits") +
+         " and " + figure(last, "paper_refits") + " refits. Pelt is " + figure(0, "speed_up") +
+         " to " + figure(last, "speed_up") + " times as fast as Pelt eager, and takes " +
          figure(0, "on_demand_us") + " to " + figure(last, "on_demand_us") + " us.";
 }
 
@@ -253,17 +254,17 @@ std::string text_of_joints(const Table& table) {
     return shown(table.rows[row][column_of(table, "paper_joints")]);
   };
   return "A new vertex follows the joints of both ends of its edge, so large spheres gain joint "
-         "sets, and a refit takes time in proportion to the joints in these, not to the vertices: "
-         "that of the root has " +
+         "sets. The time of a refit is proportional to the number of joints in these sets, not to "
+         "the number of vertices: the root has " +
          joints(0) + " before and " + joints(table.rows.size() - 1) +
-         " after the last subdivision. Apart, that is why finer dwarves take longer with fewer "
-         "refits.";
+         " after the last subdivision. This is why finer dwarves that are apart take longer with "
+         "fewer refits.";
 }
 
 std::string text_of_drift(const Table& table) {
   return "Each triangle is cut into four at the middles of its edges. A new vertex has the mean of "
-         "the weights of its edge's ends, as many joints as these have together; its pose is then "
-         "near the middle of the posed edge, at most " +
+         "the weights of its edge's ends, and all of their joints. Posed, it is near the middle of "
+         "the posed edge, at most " +
          shown(table.rows.back()[column_of(table, "drift_percent")]) +
          " % of the height from the shape of the first mesh.";
 }
@@ -276,7 +277,7 @@ Result<Section> subdivision(const Conditions& conditions) {
   const Position apart = {"dwarves_apart", "Dwarves apart (Figure 7, left)", kApart,
                           kPaperApartSpeedUps};
   const Position interfering = {"dwarves_interfering",
-                                "Dwarves in each other (Table 3, Figure 7, right)", kInterfering,
+                                "Intersecting dwarves (Table 3, Figure 7, right)", kInterfering,
                                 kPaperDwarvesSpeedUps};
   Section section;
   for (const Position& position : {apart, interfering}) {
@@ -293,7 +294,7 @@ Result<Section> subdivision(const Conditions& conditions) {
   auto rigid = rigid_table(dwarves->front(), conditions);
   if (!rigid) return rigid.error();
   const Table drift = drift_table(*dwarves);
-  section.text = {text_of(section.tables[0], "Apart"), text_of(section.tables[1], "In each other"),
+  section.text = {text_of(section.tables[0], "Apart"), text_of(section.tables[1], "Intersecting"),
                   text_of_joints(section.tables[0]), text_of_drift(drift)};
   section.tables.push_back(printed_table(dwarves->size()));
   section.tables.push_back(std::move(*rigid));

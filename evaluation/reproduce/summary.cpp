@@ -18,7 +18,7 @@ constexpr std::array kMethods = {methods::kOnDemand, methods::kEager,       meth
 Table method_table() {
   Table table = {
       "methods",
-      "The methods, as this report names them",
+      "The methods, by their names in this report",
       {{"method", "method"}, {"what", "what it does"}},
       {},
       "All methods use the same exact test of triangles and give the same contacts. \"Rigid\" "
@@ -60,10 +60,10 @@ constexpr Claim dwarves_claim(const char* what, const char* table) {
 constexpr Claim kClaims[] = {
     scene_claim("two men who walk towards each other", "two_men_ratios", 0),
     scene_claim("two creatures through each other", "worst_case_ratios", 0),
-    scene_claim("the same, first contact alone", "worst_case_ratios", 5),
+    scene_claim("the same, first contact only", "worst_case_ratios", 5),
     scene_claim("a crowd of fifty", "crowd_ratios", 0),
     dwarves_claim("dwarves apart, after the last subdivision", "dwarves_apart"),
-    dwarves_claim("dwarves in each other, after the last subdivision", "dwarves_interfering")};
+    dwarves_claim("intersecting dwarves, after the last subdivision", "dwarves_interfering")};
 
 const Table* find_table(std::span<const Section> sections, std::string_view id) {
   for (const Section& section : sections)

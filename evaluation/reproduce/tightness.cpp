@@ -261,7 +261,7 @@ Table box_table(const Specimen& specimen, const Palette& palette) {
        {"ratio", "bound / exact"}},
       {},
       "A bound is a box from the joint matrices alone: the union of a box for each joint, "
-      "or, where it is tighter, an affine map of the rest box with a margin. Clusters "
+      "or, if it is tighter, an affine map of the rest box with a margin. Clusters "
       "are below; their boxes are exact."};
   const std::vector<BoxLevel> levels = box_levels(specimen, palette);
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -290,27 +290,25 @@ std::string text_of_bottom_up(const Table& ratios) {
   const auto last = [&](const char* key) {
     return shown(ratios.rows.back()[column_of(ratios, key)]);
   };
-  return "On demand the paper has tighter spheres than bottom-up on " +
+  return "In the paper, refitting on demand gives tighter spheres than bottom-up on " +
          levels_in_words(levels_won(ratios, "paper_on_demand", "paper_bottom_up"), ratios) +
-         ", here it has on " +
-         levels_in_words(levels_won(ratios, "on_demand", "bottom_up"), ratios) +
+         ", here on " + levels_in_words(levels_won(ratios, "on_demand", "bottom_up"), ratios) +
          ": our bottom-up refit puts the smallest sphere around each posed triangle, so on the "
-         "last "
-         "level it is " +
-         last("bottom_up") + " of the best, the paper's " + last("paper_bottom_up") +
-         ". On demand both are near the best, and nearer on deeper levels.";
+         "last level its radius is " +
+         last("bottom_up") + " times the best, and the paper's " + last("paper_bottom_up") +
+         ". On demand, both are near the best, and nearer on deeper levels.";
 }
 
 std::string text_of_bounds(const Table& ratios) {
   const auto first = [&](const char* key) {
     return shown(ratios.rows.front()[column_of(ratios, key)]);
   };
-  return "The optimised bound is tighter than that of equation 2 on " +
+  return "The optimised bound is tighter than the bound of equation 2 on " +
          levels_in_words(levels_won(ratios, "on_demand", "eq2"), ratios) +
-         "; where it is not, as at the root (" + first("on_demand") + " and " + first("eq2") +
-         " of the best), it is because its centre is the mean of the corners' (equation 5), not "
-         "the best one. The exact ball around the corners' balls comes to " +
-         first("exact_corners") + " there.";
+         ". On other levels, such as the root (" + first("on_demand") + " and " + first("eq2") +
+         " times the best), it is looser because its centre is the mean of the corners' centres "
+         "(equation 5), not the best one. The exact ball around the corners' balls has " +
+         first("exact_corners") + " times the best radius there.";
 }
 
 }  // namespace

@@ -43,10 +43,10 @@ std::string microseconds(double us) { return shown(us) + " us"; }
 std::string text_of_claim(const tools::SceneFigures& figures, const PrintedTimes& printed) {
   const double speed_up = mean_us(figures, methods::kPaperEager, Question::all) /
                           mean_us(figures, methods::kPaper, Question::all);
-  return "The paper finds refit on demand " + shown(printed.slower_ms / printed.faster_ms) +
-         " times as fast as bottom-up. Here its method takes " +
-         microseconds(mean_us(figures, methods::kPaper, Question::all)) + " a frame and is " +
-         shown(speed_up) + " times as fast as bottom-up refit of the same spheres, which takes " +
+  return "In the paper, refitting on demand is " + shown(printed.slower_ms / printed.faster_ms) +
+         " times as fast as refitting bottom-up. Here, the paper's method takes " +
+         microseconds(mean_us(figures, methods::kPaper, Question::all)) + " per frame and is " +
+         shown(speed_up) + " times as fast as refitting the same spheres bottom-up, which takes " +
          microseconds(mean_us(figures, methods::kPaperEager, Question::all)) + ".";
 }
 
@@ -62,22 +62,22 @@ std::string text_of_cause(const tools::SceneFigures& figures) {
     return microseconds(of.times.mean_us - of.times.mean_update_us);
   };
   return "Bottom-up spends " + microseconds(bottom_up.times.mean_update_us) +
-         " on its update, most of what it takes where bodies are apart; refit on demand spares "
-         "that, but its query takes " +
-         query(on_demand) + " instead of " + query(bottom_up) + ", for it has " +
+         " on its update, which is most of its time if bodies are apart. Refitting on demand saves "
+         "this time, but its query takes " +
+         query(on_demand) + " instead of " + query(bottom_up) + ", because it contains " +
          shown(static_cast<double>(on_demand.answer.work.refits) / frames) +
-         " refits in it, and its spheres leave " + pairs(on_demand) +
-         " pairs of triangles instead of " + pairs(bottom_up) +
-         ". Since 2005 bottom-up refit has gained more than refit on demand (the section on the "
-         "cost of a refit has both), so its share shrank.";
+         " refits, and its spheres leave " + pairs(on_demand) + " pairs of triangles instead of " +
+         pairs(bottom_up) +
+         ". Since 2005, bottom-up refitting has become faster by a larger factor than refitting on "
+         "demand (see the section on the cost of a refit), so its share has shrunk.";
 }
 
 std::string text_of_ours(const tools::SceneFigures& figures) {
   const double ours = mean_us(figures, methods::kOnDemand, Question::all);
   const double eager = mean_us(figures, methods::kEager, Question::all);
   return "Pelt takes " + microseconds(ours) + ", and " + microseconds(eager) +
-         " where it refits everything first: on demand it is " + shown(eager / ours) +
-         " times as fast. To the first contact it takes " +
+         " if it refits everything first: on demand, it is " + shown(eager / ours) +
+         " times as fast. Finding the first contact takes " +
          microseconds(mean_us(figures, methods::kOnDemand, Question::first)) + ".";
 }
 
@@ -104,7 +104,7 @@ Result<Section> measure_walk(const Walk& walk, const Conditions& conditions) {
   section.tables = {
       comparison_table(id + "_ratios", title + ": speed-ups", *figures, comparisons(walk.printed)),
       method_table(id, title + ": a frame", *figures),
-      eager_split_table(id + "_split", title + ": where the time of a frame goes", *figures,
+      eager_split_table(id + "_split", title + ": how the time of a frame splits", *figures,
                         kEager)};
   return section;
 }
