@@ -65,7 +65,7 @@ int run(const Arguments& arguments) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("What other libraries take for a scene, and what they find, beside Pelt");
+  CLI::App app("Compare times and answers of other libraries with those of Pelt on scenes");
   Arguments arguments;
   app.add_option("SCENE", arguments.scenes, "Scene files (.json)")->required();
   app.add_option("--frames", arguments.frames, "A:B or A:B:STEP; all frames");

@@ -204,11 +204,11 @@ bool measure(const std::string& path, int runs) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Bounds and culling of posed skins, on demand and by skinning everything");
+  CLI::App app("Measure bounds and culling of posed skins, on demand and with everything skinned");
   std::vector<std::string> models;
   int runs = 20;
   app.add_option("MODELS", models, "Characters with clips (.glb)")->required();
-  app.add_option("--runs", runs, "Runs of which the best counts")->capture_default_str();
+  app.add_option("--runs", runs, "Number of runs, of which the best counts")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   std::cout << "model,question,on_demand_us,eager_us,ratio\n";
   for (const std::string& path : models)

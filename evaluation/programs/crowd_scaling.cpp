@@ -154,12 +154,13 @@ int run(const Arguments& arguments) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("How the time of a frame grows with a crowd, on one thread and on two");
+  CLI::App app("Measure how the time of a frame grows with a crowd, on one thread and on two");
   Arguments arguments;
-  app.add_option("INPUT", arguments.input,
-                 "A character (.glb) that walks, or a scene (.json); the generated character");
-  app.add_option("--metre", arguments.metre, "A metre in units of the character");
-  app.add_option("--most", arguments.most, "The most instances")->capture_default_str();
+  app.add_option(
+      "INPUT", arguments.input,
+      "A character (.glb) that walks, or a scene (.json; default: the generated character)");
+  app.add_option("--metre", arguments.metre, "Length of a metre in units of the character");
+  app.add_option("--most", arguments.most, "Largest number of instances")->capture_default_str();
   app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
   app.add_option("--csv", arguments.csv, "Write the table")->type_name("FILE");
   CLI11_PARSE(app, argc, argv);

@@ -162,11 +162,11 @@ int run(const Arguments& arguments) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("What the distance of two walkers costs, on demand and eagerly");
+  CLI::App app("Measure the distance of two walkers, on demand and eagerly");
   Arguments arguments;
   app.add_option("INPUT", arguments.input, "A character (.glb) that walks")->required();
-  app.add_option("--metre", arguments.metre, "A metre in units of the character");
-  app.add_option("--rounds", arguments.rounds, "How often the clip is walked through");
+  app.add_option("--metre", arguments.metre, "Length of a metre in units of the character");
+  app.add_option("--rounds", arguments.rounds, "Number of passes over the clip");
   CLI11_PARSE(app, argc, argv);
   return run(arguments);
 }

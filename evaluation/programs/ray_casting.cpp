@@ -193,8 +193,9 @@ void print_differences(std::span<const RayHit> ours, std::span<const RayHit> the
     if (!ours[i] || !theirs[i]) continue;
     ++(std::abs(ours[i].t - theirs[i].t) <= 1e-5f * ours[i].t ? ties : elsewhere);
   }
-  std::printf("  Embree differs: %zu hits lost, %zu made up, %zu elsewhere, %zu on edges, of %zu\n",
-              lost, made_up, elsewhere, ties, ours.size());
+  std::printf(
+      "  Embree differs: %zu hits missing, %zu extra, %zu elsewhere, %zu on edges, of %zu\n", lost,
+      made_up, elsewhere, ties, ours.size());
 }
 
 void measure_embree(const Job& job, const Arguments& arguments, const Times& ours,
@@ -254,10 +255,10 @@ Result<void> measure_model(const std::string& path, const Arguments& arguments) 
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("What rays at a posed character cost, the pose included");
+  CLI::App app("Measure rays at a posed character, including posing");
   Arguments arguments;
-  app.add_option("MODELS", arguments.models, "Characters (.glb); the generated one");
-  app.add_option("--rays", arguments.rays, "Rays of a batch")->capture_default_str();
+  app.add_option("MODELS", arguments.models, "Characters (.glb; default: the generated one)");
+  app.add_option("--rays", arguments.rays, "Number of rays of a batch")->capture_default_str();
   app.add_option("--poses", arguments.poses, "Poses along the first clip")->capture_default_str();
   app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
