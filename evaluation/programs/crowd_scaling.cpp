@@ -158,7 +158,7 @@ int parse_and_run(int argc, char** argv) {
   Arguments arguments;
   app.add_option(
       "INPUT", arguments.input,
-      "A character (.glb) that walks, or a scene (.json; default: the generated character)");
+      "A character (.glb) that walks, or a scene (.json); default: the generated character");
   app.add_option("--metre", arguments.metre, "Length of a metre in units of the character");
   app.add_option("--most", arguments.most, "Largest number of instances")->capture_default_str();
   app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();

@@ -286,7 +286,7 @@ Result<void> measure_model(const std::string& path, const Arguments& arguments) 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Measure queries of posed characters, including posing");
   Arguments arguments;
-  app.add_option("MODELS", arguments.models, "Characters (.glb; default: the generated one)");
+  app.add_option("MODELS", arguments.models, "Characters (.glb); default: the generated one");
   app.add_option("--frames", arguments.frames, "Frames along the first clip")
       ->capture_default_str();
   app.add_option("--points", arguments.points, "Points of a batch")->capture_default_str();

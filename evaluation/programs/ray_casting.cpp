@@ -257,7 +257,7 @@ Result<void> measure_model(const std::string& path, const Arguments& arguments) 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Measure rays at a posed character, including posing");
   Arguments arguments;
-  app.add_option("MODELS", arguments.models, "Characters (.glb; default: the generated one)");
+  app.add_option("MODELS", arguments.models, "Characters (.glb); default: the generated one");
   app.add_option("--rays", arguments.rays, "Number of rays of a batch")->capture_default_str();
   app.add_option("--poses", arguments.poses, "Poses along the first clip")->capture_default_str();
   app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
