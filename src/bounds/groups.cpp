@@ -94,7 +94,8 @@ Groups group_by_joint(const SkinnedModel& model) {
 }
 
 QueryStats group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group, Box& result) {
-  require(is_pose_of(pose, groups), "group_bounds: the groups are of another model than the pose");
+  require(is_pose_of(pose, groups),
+          "group_bounds: the groups belong to another model than the pose");
   require(group < groups.count(), "group_bounds: no group has that number; see count()");
   const detail::BoxFound found =
       detail::bound_of_set(groups.detail().bounds, group, pose.detail().palette);
@@ -105,7 +106,7 @@ QueryStats group_bounds(const Pose& pose, const Groups& groups, std::uint32_t gr
 QueryStats exact_group_bounds(const Pose& pose, const Groups& groups, std::uint32_t group,
                               Box& result) {
   require(is_pose_of(pose, groups),
-          "exact_group_bounds: the groups are of another model than the pose");
+          "exact_group_bounds: the groups belong to another model than the pose");
   require(group < groups.count(), "exact_group_bounds: no group has that number; see count()");
   const detail::BoxFound found = detail::box_places(
       pose.model().detail().tree, pose.detail().palette, groups.detail().places_of(group));

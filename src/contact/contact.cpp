@@ -53,7 +53,7 @@ QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const S
                              std::span<const Contact> contacts, Scratch& scratch,
                              ContactGeometry& geometry) {
   detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
-                  "describe_contacts: a surface is of another model than its pose");
+                  "describe_contacts: a surface belongs to another model than its pose");
   PELT_ASSERT(std::is_sorted(contacts.begin(), contacts.end()));
   ContactLinks& links = scratch.detail().contact_links;
   const QueryStats work = trace_contacts(

@@ -34,7 +34,7 @@ QueryStats containment(Pose& a, const Surface& surface_a, Pose& b, const Surface
                        Scratch& scratch, Containment& result) {
   detail::require(&a != &b, "containment: `a` and `b` are the same pose; give two poses");
   detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
-                  "containment: a surface is of another model than its pose");
+                  "containment: a surface belongs to another model than its pose");
   const Body body_a = {a, surface_a}, body_b = {b, surface_b};
   result = Containment::none;
   const YesNo touch = intersects(a, b, scratch);

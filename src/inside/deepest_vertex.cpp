@@ -126,7 +126,7 @@ QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b, const Surf
                           Scratch& scratch, Penetration& result) {
   detail::require(&a != &b, "deepest_vertex: `a` and `b` are the same pose; give two poses");
   detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
-                  "deepest_vertex: a surface is of another model than its pose");
+                  "deepest_vertex: a surface belongs to another model than its pose");
   detail::require(surface_b.is_closed(), "deepest_vertex: the surface of `b` is not closed");
   return DeepestVertex(a, surface_a, b, surface_b, scratch).run(result);
 }

@@ -34,7 +34,7 @@ bool is_far(const detail::RootBox& root, const Vec3& p) {
 QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                    PointSide& result) {
   detail::require(detail::is_surface_of(surface, pose),
-                  "side_of: the surface is of another model than the pose");
+                  "side_of: the surface belongs to another model than the pose");
   detail::require(surface.is_closed(), "side_of: the surface is not closed");
   const detail::PosedTree posed = pose.detail().posed_tree();
   QueryStats work;

@@ -32,7 +32,7 @@ void influences_at(const SkinnedModel& model, const RayHit& hit, std::vector<Joi
   const Tree& tree = model.detail().tree;
   const std::uint32_t place = detail::Access::numbers(hit.location)[0];
   detail::require(place < tree.triangle_count() && tree.triangle_ids[place] == hit.triangle,
-                  "influences_at: the hit is on another model, or on none");
+                  "influences_at: the hit belongs to another model, or to none");
   const Node& node = tree.nodes[node_of_triangle(tree, place)];
   const std::size_t begin = shares.size();
   for (std::size_t k = 0; k < 3; ++k) {

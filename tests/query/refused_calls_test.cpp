@@ -34,7 +34,7 @@ TEST_F(RefusedCalls, OnePoseTwice) {
 }
 
 TEST_F(RefusedCalls, ASurfaceOfAnotherModel) {
-  const char* message = "of another model";
+  const char* message = "to another model";
   ContactGeometry geometry;
   PointSide side = PointSide::outside;
   Containment containing = Containment::none;

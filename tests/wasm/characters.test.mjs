@@ -117,7 +117,7 @@ test('what a decoder does wrong is told, and not laid on the file alone', () => 
   refused(() => { throw notReady; }, /accessor \d+ .*not ready; it says: no exports yet$/, notReady);
   refused(async () => {}, /it returned a promise/);
   refused(MeshoptDecoder, /^meshoptDecode: expected a function, found an object$/i);
-  refused(() => pelt.generateCreature(), /the engine is busy: meshoptDecode may not call it/);
+  refused(() => pelt.generateCreature(), /the engine is busy: meshoptDecode must not call it/);
   refused(() => read(generated[0], { files: {} }), /the engine is busy/);
   read(file).delete();
 });

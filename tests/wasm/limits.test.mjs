@@ -103,7 +103,7 @@ test('an engine that has run out of memory says so, and so do its objects', asyn
     () => scene.setPose(a, 0, 0),
   ];
   for (const call of calls) {
-    refused(call, 'engine_ended', /^the engine has ended, for it ran out of memory: load a new one/);
+    refused(call, 'engine_ended', /^the engine has ended because it ran out of memory: load a new one/);
   }
   assert.deepEqual(character.triangles, triangles);
   for (const made of [hash, crowd, a, b, scene, character]) made.delete();

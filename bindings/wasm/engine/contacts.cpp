@@ -27,10 +27,10 @@ const char* problem_of(std::span<const Contact> contacts, const SkinnedModel& a,
     return contact.triangle_a < a.triangle_count() && contact.triangle_b < b.triangle_count();
   };
   if (!std::all_of(contacts.begin(), contacts.end(), in_range))
-    return "pairs: a triangle is none of the characters'";
+    return "pairs: a triangle number is out of range";
   const auto not_less = [](const Contact& x, const Contact& y) { return !(x < y); };
   if (std::adjacent_find(contacts.begin(), contacts.end(), not_less) != contacts.end())
-    return "pairs: they are not those of collide, which ascend";
+    return "pairs: expected the pairs of collide, in ascending order";
   return nullptr;
 }
 

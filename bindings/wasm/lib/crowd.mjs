@@ -50,7 +50,9 @@ export class Crowd {
   collide(options = undefined) {
     const most = mostContacts(this.#memory, options);
     if (this.#ignores && most !== check.kMostCount) {
-      throw invalid('a limit: the contacts found first may be those to ignore');
+      throw invalid(
+        'a limit: cannot be combined with ignored pairs, because the first contacts may be ignored',
+      );
     }
     this.#memory.accepted(this.#memory.module._pelt_collide_crowd(this.#handle, most));
     const contacts = this.#memory.data(Uint32Array, 4);

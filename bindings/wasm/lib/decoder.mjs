@@ -10,7 +10,7 @@ export function withDecoder(memory, decode, use) {
   const decodeOrTell = (...values) => {
     try {
       if (typeof decode(...values)?.then !== 'function') return '';
-      throw new TypeError('it returned a promise: a decoder has to be done when it returns');
+      throw new TypeError('it returned a promise: a decoder must be synchronous');
     } catch (error) {
       cause = error;
       return error instanceof Error ? error.message : String(error);

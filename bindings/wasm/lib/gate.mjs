@@ -33,9 +33,9 @@ export class Gate {
 
   /** Throws if a call would throw. */
   requireOpen() {
-    if (this.#state === kInside) throw invalid('the engine is busy: meshoptDecode may not call it');
+    if (this.#state === kInside) throw invalid('the engine is busy: meshoptDecode must not call it');
     if (this.#state === kEnded) {
-      throw new PeltError('engine_ended', `the engine has ended, for it ${this.#reason}: ${kRemedy}`);
+      throw new PeltError('engine_ended', `the engine has ended because it ${this.#reason}: ${kRemedy}`);
     }
   }
 

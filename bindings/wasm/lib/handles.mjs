@@ -32,7 +32,7 @@ export class Handles {
     if (!(object instanceof type)) {
       throw invalid(`${argument}: expected a ${type.name}, found ${kindOf(object)}`);
     }
-    if (!this.#held.has(object)) throw invalid(`${argument}: it is of another engine`);
+    if (!this.#held.has(object)) throw invalid(`${argument}: it belongs to another engine`);
     return this.of(object);
   }
 

@@ -113,7 +113,7 @@ export class Scene {
     const given = handles.given(pose, Pose, 'pose');
     const { character, seconds } = this.#hand(instance, frame);
     if (character !== pose.character) {
-      throw invalid(`pose: it is of ${pose.character.name}, and not of the instance's character`);
+      throw invalid(`pose: it belongs to ${pose.character.name}, not to the instance's character`);
     }
     this.#memory.accepted(module._pelt_pose_instance(given, seconds));
   }

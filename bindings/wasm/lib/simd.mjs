@@ -8,12 +8,12 @@ const kUsesSimd = Uint8Array.of(
   ...[0x0a, 0x08, 0x01, 0x06, 0x00, 0x41, 0x00, 0xfd, 0x0f, 0x0b],
 );
 
-/** Throws a readable error where compiling the engine would fail without SIMD. */
+/** Throws a readable error if SIMD is missing; otherwise compiling the engine would fail. */
 export function requireSimd() {
   if (globalThis.WebAssembly?.validate(kUsesSimd)) return;
   throw new PeltError(
     'unsupported',
-    'Pelt needs WebAssembly with SIMD, which this browser or Node has not: Chrome or Edge 91, ' +
-      'Firefox 89, Safari 16.4, Node 18 and later ones have it',
+    'this browser or Node does not support WebAssembly with SIMD: use Chrome or Edge 91, ' +
+      'Firefox 89, Safari 16.4, Node 18, or newer',
   );
 }
