@@ -59,7 +59,7 @@ struct NamePair {
 };
 
 /// Consecutive frames in which the instances that play all clips play one clip of their characters.
-/// Time starts anew with each take.
+/// Time starts again with each take.
 struct Take {
   std::string clip;
   std::uint32_t first_frame = 0, frame_count = 0;

@@ -199,7 +199,7 @@ void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded neede
               {.is_required = needed == InputsNeeded::one});
   placing("--clip", arguments.clips, "NAME",
           "Animation clip, played in a loop; \"\": the unnamed clip; -: the default pose; '*': all "
-          "clips of the model, one after the other; the other models start anew with each clip");
+          "clips of the model, one after the other; the other models start again with each clip");
   placing("--start", arguments.starts, "SECONDS", "Time in the clip at frame 0");
   placing("--at", arguments.positions, "X,Y,Z", "Position");
   placing("--turn", arguments.turns, "DEGREES", "Rotation about the y axis, which points up");
