@@ -55,6 +55,15 @@ function(pelt_compiled_fast target)
   endif()
 endfunction()
 
+# pelt_compiled_quickly(TARGET): with PELT_QUICK_BUILD, compiles TARGET with -O1, in two thirds of the
+# time. The library and the methods that `pelt bench` measures are always fully optimised.
+option(PELT_QUICK_BUILD "Compile reader, scenes and command with -O1: a first build is shorter" OFF)
+function(pelt_compiled_quickly target)
+  if(PELT_QUICK_BUILD)
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()
+
 # pelt_precompiled(TARGET headers...): with PELT_PRECOMPILE, compiles these headers once for all
 # files of TARGET. A compiler cache saves more, but needs a setting for precompiled headers (see
 # scripts/test).
