@@ -1,6 +1,6 @@
 # Whether Pelt is compiled for an x86 processor. Emscripten calls its own processor x86.
 set(PELT_X86 FALSE)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|x86|i[3-6]86)$" AND NOT EMSCRIPTEN)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|x86|i[3-6]86)$" AND NOT EMSCRIPTEN)
   set(PELT_X86 TRUE)
 endif()
 

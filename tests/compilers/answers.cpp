@@ -1,6 +1,8 @@
 /// Prints what queries answer on random bodies, as hashes: one line for each instruction set and
 /// query. Two builds of Pelt that promise the same bits print the same lines for the instruction
-/// sets that both have. The bodies need no sines, which are not the same in all standard libraries.
+/// sets that both have. Both must be built by one compiler, because the random bodies depend on the
+/// order in which a compiler evaluates arguments. The bodies need no sines, which are not the same
+/// in all standard libraries.
 
 #include <pelt/pelt.hpp>
 #include <pelt/target.hpp>
