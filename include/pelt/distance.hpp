@@ -6,8 +6,9 @@
 /// They do not depend on earlier queries or on the machine. The distance of two triangles is 0 if
 /// and only if they intersect as in `collide`, which is decided exactly. Otherwise it is computed
 /// in double and is positive. Its error is less than 2^-46 times the longest side of the
-/// axis-aligned box around both triangles. Of equally distant triangles, those with the lowest
-/// indices are reported.
+/// axis-aligned box around both triangles. It is also not more than a 2^-20th less than the
+/// distance of the axis-aligned boxes of the two triangles, if that is at least 2^-48. Of equally distant triangles, those with the
+/// lowest indices are reported.
 ///
 /// A surface is not a solid: a body inside another one that it does not touch has a positive
 /// distance. For a rigid or static mesh, build a model with one joint.

@@ -190,6 +190,32 @@ class NearestOfFaces {
   NearestPoints nearest_ = {kInfinity, {1, 0, 0}, {1, 0, 0}};
 };
 
+struct Interval {
+  float low, high;
+};
+
+Interval interval(float a, float b, float c) {
+  const float low = a < b ? a : b, high = a < b ? b : a;
+  return {c < low ? c : low, high < c ? c : high};
+}
+
+float gap(const Interval& a, const Interval& b) {
+  const float above = a.low - b.high, below = b.low - a.high;
+  const float most = above > below ? above : below;
+  return most > 0 ? most : 0;
+}
+
+/// Corners of solids can be so far that the square overflows.
+double least_squared_distance(const TriangleCorners& a, const TriangleCorners& b) {
+  const float x = gap(interval(a[0].x, a[1].x, a[2].x), interval(b[0].x, b[1].x, b[2].x));
+  const float y = gap(interval(a[0].y, a[1].y, a[2].y), interval(b[0].y, b[1].y, b[2].y));
+  const float z = gap(interval(a[0].z, a[1].z, a[2].z), interval(b[0].z, b[1].z, b[2].z));
+  const float least = (x * x + y * y + z * z) * kBoxGapShare - kBoxGapUnderflow;
+  constexpr double kLeast = std::numeric_limits<double>::min();
+  constexpr float kMost = std::numeric_limits<float>::max();
+  return least > 0 ? double{least < kMost ? least : kMost} : kLeast;
+}
+
 }  // namespace
 
 NearestOnTriangle nearest_on_triangle(const Vec3d& point, const TriangleCorners& triangle) {
@@ -198,8 +224,8 @@ NearestOnTriangle nearest_on_triangle(const Vec3d& point, const TriangleCorners&
 
 NearestPoints nearest_points(const TriangleCorners& a, const TriangleCorners& b) {
   NearestPoints nearest = NearestOfFaces(Face(a), Face(b)).result();
-  constexpr double kLeast = std::numeric_limits<double>::min();
-  if (nearest.squared_distance < kLeast) nearest.squared_distance = kLeast;
+  const double least = least_squared_distance(a, b);
+  if (nearest.squared_distance < least) nearest.squared_distance = least;
   return nearest;
 }
 

@@ -4,6 +4,7 @@
 #include "geometry/triangle_distances.hpp"
 
 #include "base/double4.hpp"
+#include "geometry/triangle_distance.hpp"
 
 #include <cfloat>
 #include <cmath>
@@ -66,7 +67,7 @@ class LeastOfFaces {
       for (int j = 0; j < 3; ++j) try_edges(i, j);
   }
 
-  Double4 squared() const { return max(squared_, Double4(DBL_MIN)); }
+  Double4 squared() const { return squared_; }
 
  private:
   void keep(const Double4& squared) { squared_ = min(squared, squared_); }
@@ -127,20 +128,42 @@ Face4 face4(const Points8 (&corners)[3], const Half& half) {
   return Face4(t);
 }
 
+struct Interval8 {
+  Float8 low, high;
+};
+
+Interval8 interval(const Float8& a, const Float8& b, const Float8& c) {
+  return {min(min(a, b), c), max(max(a, b), c)};
+}
+
+Float8 gap(const Interval8& a, const Interval8& b) {
+  return max(max(a.low - b.high, b.low - a.high), Float8(0.0f));
+}
+
+Float8 least_squared_distances(const Points8 (&a)[3], const Points8 (&b)[3]) {
+  const Float8 x = gap(interval(a[0].x, a[1].x, a[2].x), interval(b[0].x, b[1].x, b[2].x));
+  const Float8 y = gap(interval(a[0].y, a[1].y, a[2].y), interval(b[0].y, b[1].y, b[2].y));
+  const Float8 z = gap(interval(a[0].z, a[1].z, a[2].z), interval(b[0].z, b[1].z, b[2].z));
+  return (x * x + y * y + z * z) * Float8(kBoxGapShare) - Float8(kBoxGapUnderflow);
+}
+
+/// `least`: of all eight pairs.
 template <typename Half>
-void measure(const TrianglePairs8& pairs, const Half& half, double* squared) {
+void measure(const TrianglePairs8& pairs, const Float8& least, const Half& half, double* squared) {
   const Face4 a = face4(pairs.a, half), b = face4(pairs.b, half);
-  LeastOfFaces(a, b).squared().store(squared);
+  const Double4 most = max(LeastOfFaces(a, b).squared(), Double4(half(least)));
+  max(most, Double4(DBL_MIN)).store(squared);
 }
 
 }  // namespace
 
 void squared_distances(const TrianglePairs8& pairs, std::uint32_t count, double (&squared)[8]) {
+  const Float8 least = least_squared_distances(pairs.a, pairs.b);
   measure(
-      pairs, [](const Float8& v) { return v.low(); }, squared);
+      pairs, least, [](const Float8& v) { return v.low(); }, squared);
   if (count > 4)
     measure(
-        pairs, [](const Float8& v) { return v.high(); }, squared + 4);
+        pairs, least, [](const Float8& v) { return v.high(); }, squared + 4);
 }
 
 }  // namespace PELT_TARGET

@@ -3,10 +3,12 @@
 /// Lower bounds of the squared distances of boxes from a region, eight at a time, from the bounds
 /// of place_boxes.hpp. Roots and quotients have a relative error below 2^-20, which is subtracted.
 /// Underflow amounts to less than 2^-50, which is also subtracted. A NaN bound becomes 0, because
-/// `max` of NaN and a number returns its second argument.
+/// `max` of NaN and a number returns its second argument. Bounds that overflow become FLT_MAX,
+/// which `Reach` never exceeds.
 
 #include "region/place_boxes.hpp"
 
+#include <cfloat>
 #include <cmath>
 
 namespace pelt::detail {
@@ -14,7 +16,7 @@ inline namespace PELT_TARGET {
 
 inline Float8 squared_gap_of(const Float8& distance) {
   const Float8 gap = max(distance * Float8(1 - 0x1p-18f) - Float8(0x1p-50f), Float8(0.0f));
-  return gap * gap;
+  return min(gap * gap, Float8(FLT_MAX));
 }
 
 class FacesGaps {

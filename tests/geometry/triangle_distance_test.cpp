@@ -133,6 +133,52 @@ TEST(TriangleDistance, ShearedGrid) { EXPECT_GT(check_many(sheared_grid, 55, 200
 TEST(TriangleDistance, Slivers) { EXPECT_GT(check_many(slivers, 56, 2000).apart, 500); }
 TEST(TriangleDistance, Collapsed) { EXPECT_GT(check_many(collapsed, 57, 2000).apart, 500); }
 
+/// The gap of two boxes on an axis.
+double axis_gap(const TriangleCorners& a, const TriangleCorners& b, float Vec3::*axis) {
+  const auto [low_a, high_a] = std::minmax({a[0].*axis, a[1].*axis, a[2].*axis});
+  const auto [low_b, high_b] = std::minmax({b[0].*axis, b[1].*axis, b[2].*axis});
+  return std::max({double{low_a} - high_b, double{low_b} - high_a, 0.0});
+}
+
+double squared_box_gap(const TriangleCorners& a, const TriangleCorners& b) {
+  const double x = axis_gap(a, b, &Vec3::x), y = axis_gap(a, b, &Vec3::y);
+  const double z = axis_gap(a, b, &Vec3::z);
+  return x * x + y * y + z * z;
+}
+
+/// The rounding errors of far corners are larger than the distance.
+TEST(TriangleDistance, IsNeverLessThanThatOfTheBoxes) {
+  const TriangleCorners from = {Vec3{-2, 0x1p58f, -3}, Vec3{-2, 0x1p29f, -0x1p58f},
+                                Vec3{-0x1p58f, 0x1p58f, -0x1p58f}};
+  const TriangleCorners to = {Vec3{0x1p29f, -0x1p58f, -0x1p58f}, Vec3{0, 0x1p29f, 1},
+                              Vec3{2, 0x1p58f, 0}};
+  EXPECT_NEAR(nearest_points(from, to).squared_distance, 4, 1e-5);  // 2^-1022 without that limit
+
+  Random random(60);
+  const auto corner = [&] {
+    constexpr float kFar[] = {0x1p58f, -0x1p58f, 0x1p29f};
+    const auto coordinate = [&] {
+      const std::uint32_t kind = static_cast<std::uint32_t>(random() % 6);
+      return kind < 3 ? kFar[kind] : static_cast<float>(random() % 7) - 3;
+    };
+    const float x = coordinate(), y = coordinate(), z = coordinate();
+    return Vec3{x, y, z};
+  };
+  Tally tally;
+  int limited = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const TriangleCorners a = {corner(), corner(), corner()}, b = {corner(), corner(), corner()};
+    const double gap = squared_box_gap(a, b);
+    if (gap == 0) continue;
+    const double squared = nearest_points(a, b).squared_distance;
+    ASSERT_GE(squared, gap * (1 - 0x1p-19)) << to_text(a) << to_text(b);
+    limited += squared < gap * (1 - 0x1p-21);
+    check(a, b, tally);
+  }
+  std::cout << limited << " as far as their boxes\n";
+  EXPECT_GT(limited, 20);
+}
+
 TEST(TriangleDistance, PointsFromTriangles) {
   Random random(58);
   double worst = 0;

@@ -131,6 +131,17 @@ TEST(SolidDistance, WhatIsInsideTouchesWithoutBeingOpened) {
   EXPECT_GT(asked.expect_as_brute_force(Sphere{{1e6f, 0, 0}, 1}), 9e5);
 }
 
+/// The square of the distance overflows a float.
+TEST(SolidDistance, OfASolidThatIsVeryFarIsFound) {
+  const Shape limb = test::make_limb(20, 8, 4);
+  Pose pose(*build_model(limb.view()));
+  Asked asked(limb.triangles, pose);
+  EXPECT_EQ(asked.expect_as_brute_force(HalfSpace{{0, 0x1p-75f, 0}, -2}), 0x1p76);
+  EXPECT_EQ(asked.expect_as_brute_force(HalfSpace{{0, 0x1p-100f, 0}, -0x1p20f}), 0x1p120);
+  EXPECT_EQ(asked.expect_as_brute_force(Box{{0x1p127f, 0, 0}, {0x1p127f, 1, 1}}), 0x1p127);
+  EXPECT_EQ(asked.expect_as_brute_force(Sphere{{0, 0, -0x1p126f}, 1}), 0x1p126);
+}
+
 TEST(SolidDistance, DoesNotAllocateOnceReserved) {
   Random random(743);
   const Shape limb = test::make_limb(40, 12, 5);
