@@ -30,6 +30,8 @@ class PELT_API Surface {
 
   /// Whether each edge has exactly two triangles that traverse it in opposite directions, so that
   /// the posed surface separates inside from outside. Bit-identical vertices count as one.
+  /// Triangles with a repeated vertex are ignored; without other triangles, the surface is not
+  /// closed.
   bool is_closed() const;
 
   const SkinnedModel& model() const;

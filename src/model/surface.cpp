@@ -31,18 +31,23 @@ std::vector<std::uint32_t> find_components(const std::vector<Triangle>& triangle
   return firsts;
 }
 
-/// Whether each directed edge and its opposite occur exactly once.
+bool has_repeated_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+/// Whether each directed edge and its opposite occur exactly once. Ignores triangles with a
+/// repeated vertex: they have no area in any pose, and their edges cancel each other.
 bool edges_pair_up(const std::vector<Triangle>& triangles) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> forward, backward;
-  for (const Triangle& t : triangles)
+  for (const Triangle& t : triangles) {
+    if (has_repeated_vertex(t)) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       forward.emplace_back(t[i], t[(i + 1) % 3]);
       backward.emplace_back(t[(i + 1) % 3], t[i]);
     }
+  }
   std::sort(forward.begin(), forward.end());
   std::sort(backward.begin(), backward.end());
   const bool is_once = std::adjacent_find(forward.begin(), forward.end()) == forward.end();
-  return is_once && forward == backward;
+  return is_once && !forward.empty() && forward == backward;
 }
 
 }  // namespace

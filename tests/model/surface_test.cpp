@@ -43,6 +43,23 @@ TEST(Surface, IsClosedAcrossSeams) {
   EXPECT_TRUE(Surface(model_of(split)).is_closed());
 }
 
+TEST(Surface, OfATriangleWithARepeatedVertexIsNotClosed) {
+  Shape shape = make_limb(12, 9, 3);
+  for (const Triangle& triangle : {Triangle{3, 3, 7}, {3, 7, 3}, {7, 3, 3}, {5, 5, 5}}) {
+    shape.triangles = {triangle};
+    EXPECT_FALSE(Surface(model_of(shape)).is_closed());
+  }
+}
+
+/// As at the poles of a sphere made of quads.
+TEST(Surface, StaysClosedWithTrianglesThatRepeatAVertex) {
+  Shape limb = make_limb(12, 9, 3);
+  const auto [a, b, c] = limb.triangles[5];
+  limb.triangles.push_back({a, b, b});
+  limb.triangles.push_back({c, c, c});
+  EXPECT_TRUE(Surface(model_of(limb)).is_closed());
+}
+
 TEST(Surface, NamesTheJointThatATriangleFollowsMost) {
   Shape shape;
   shape.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
