@@ -9,7 +9,9 @@
 
 #include "base/hash.hpp"
 #include "support/pinned_shapes.hpp"
+#include "support/prepared_file.hpp"
 #include "support/skinned_shapes.hpp"
+#include "support/use_model.hpp"
 
 #include <cstdio>
 #include <cstring>
@@ -108,6 +110,25 @@ void add_model(const SkinnedModel& model, const Pose& pose, Answers& answers) {
   for (const Vec3& position : positions) answers.add("posed", position);
 }
 
+/// Loads files with one damaged number, in the header every other time.
+void add_damaged(Random& random, const SkinnedModel& model, Answers& answers) {
+  const test::Bytes saved = save_model(model);
+  const std::size_t numbers[] = {sizeof(detail::PreparedHeader) / 4, saved.size() / 4};
+  for (std::size_t i = 0; i < 100; ++i) {
+    test::Bytes file = saved;
+    const std::uint32_t values[] = {0, 0x7FFFFFFF, 0xFFFFFFFF, 1u << random.index(32)};
+    const std::uint32_t value = values[random.index(4)];
+    const auto place = 4 * random.index(static_cast<std::uint32_t>(numbers[i % 2]));
+    std::memcpy(&file[place], &value, sizeof value);
+    test::mend(file);
+    const Result<SkinnedModel> loaded = load_model(file);
+    answers.found(!loaded);
+    answers.add("damaged", loaded && test::use_model(*loaded));
+    if (loaded) continue;
+    for (const char letter : loaded.error().message) answers.add("damaged", letter);
+  }
+}
+
 void add_bounds(Pose& pose, Answers& answers) {
   for (const std::uint32_t levels : {0u, 2u}) {
     Bounds box;
@@ -190,6 +211,7 @@ void add_round(std::uint64_t seed, Answers& answers) {
     }
     Pose a = pose_of(first, *model_a), b = pose_of(second, *model_b);
     add_model(*model_a, a, answers);
+    add_damaged(random, *model_a, answers);
     add_bounds(a, answers);
     add_contacts(a, b, scratch, answers);
     add_distances(a, b, scratch, answers);

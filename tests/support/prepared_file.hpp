@@ -38,7 +38,7 @@ inline std::vector<std::size_t> array_places(const detail::Model& model) {
   std::vector<std::size_t> places;
   std::size_t end = sizeof(detail::PreparedHeader);
   detail::each_array(model, [&]<typename T>(const std::vector<T>& array) {
-    places.push_back(detail::next_array(end));
+    places.push_back(static_cast<std::size_t>(detail::next_array(end)));
     end = places.back() + array.size() * sizeof(T);
   });
   places.push_back(end);
