@@ -64,6 +64,14 @@ function(pelt_compiled_quickly target)
   endif()
 endfunction()
 
+# pelt_compiled_small(TARGET): for WebAssembly, which is downloaded, prefers size to speed. For code
+# that runs once per character or scene.
+function(pelt_compiled_small target)
+  if(EMSCRIPTEN)
+    target_compile_options(${target} PRIVATE -Os)
+  endif()
+endfunction()
+
 # pelt_precompiled(TARGET headers...): with PELT_PRECOMPILE, compiles these headers once for all
 # files of TARGET. A compiler cache saves more, but needs a setting for precompiled headers (see
 # scripts/test).
