@@ -81,6 +81,20 @@ TEST(RegionVerb, TakesEveryKindOfRegion) {
       << "from 9 units away, less than half a unit of the limb";
 }
 
+TEST(RegionVerb, WritesTheFieldOfViewOfACamera) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const CheckFile given =
+      regions_of(folder, {"--camera", "-0.5,0.5,9,-0.5,0.5,0", "--angle", "3", "--aspect", "1.25"});
+  EXPECT_EQ(given.header["options"]["camera"], json({-0.5, 0.5, 9, -0.5, 0.5, 0}));
+  EXPECT_EQ(given.header["options"]["angle"], 3);
+  EXPECT_EQ(given.header["options"]["aspect"], 1.25);
+  const CheckFile plain = regions_of(folder, {"--camera", "-0.5,0.5,9,-0.5,0.5,0"});
+  EXPECT_EQ(plain.header["options"]["angle"], 60) << "the default";
+  const CheckFile ball = regions_of(folder, {"--sphere", "0,0.5,0,9"});
+  EXPECT_FALSE(ball.header["options"].contains("angle"));
+}
+
 TEST(RegionVerb, RefusesWhatIsNoRegion) {
   const TestFolder folder;
   write_limbs(folder);

@@ -69,16 +69,18 @@ HalfSpace face_through(const Vec3d& place, const Vec3d& normal) {
 ChosenRegion::ChosenRegion(const std::string& kind, std::vector<float> numbers)
     : kind_(kind), numbers_(std::move(numbers)) {}
 
-ChosenRegion ChosenRegion::seen_by_camera(std::vector<float> numbers, double angle, double aspect) {
+ChosenRegion ChosenRegion::seen_by_camera(std::vector<float> numbers, const FieldOfView& view) {
   const Vec3d eye(Vec3{numbers[0], numbers[1], numbers[2]});
   const Vec3d ahead = unit(Vec3d(Vec3{numbers[3], numbers[4], numbers[5]}) - eye);
   const Vec3d pole = std::fabs(ahead.y) < 0.999 ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
   const Vec3d right = unit(cross(ahead, pole)), up = cross(right, ahead);
-  const double sine = asset::sine_of_turns(angle / 2), cosine = asset::cosine_of_turns(angle / 2);
+  const double half = view.degrees / 360 / 2;  // in turns
+  const double sine = asset::sine_of_turns(half), cosine = asset::cosine_of_turns(half);
   ChosenRegion chosen("camera", std::move(numbers));
+  chosen.view_ = view;
   for (const double side : {1.0, -1.0}) {
     chosen.faces_.push_back(face_through(eye, side * cosine * right - sine * ahead));
-    chosen.faces_.push_back(face_through(eye, side * aspect * cosine * up - sine * ahead));
+    chosen.faces_.push_back(face_through(eye, side * view.aspect * cosine * up - sine * ahead));
   }
   return chosen;
 }
@@ -130,7 +132,7 @@ Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
   if (!(aspect > 0 && aspect <= 1e6))
     return output::bad_argument("--aspect", "is out of range",
                                 "give a ratio up to 1e6, as in 1.78");
-  return ChosenRegion::seen_by_camera(std::move(*numbers), angle / 360, aspect);
+  return ChosenRegion::seen_by_camera(std::move(*numbers), {angle, aspect});
 }
 
 }  // namespace pelt::tools::arguments

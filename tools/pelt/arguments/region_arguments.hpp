@@ -19,23 +19,30 @@ struct RegionArguments {
 
 void add_region_options(Verb& verb, RegionArguments& arguments);
 
+/// The picture of a camera.
+struct FieldOfView {
+  double degrees;  ///< horizontal
+  double aspect;   ///< width over height
+};
+
 /// A region, with its values on the command line.
 class ChosenRegion {
  public:
   ChosenRegion(const std::string& kind, std::vector<float> numbers);
 
-  /// The region that a camera sees, without a far plane: a pyramid without a base. `angle` is the
-  /// horizontal field of view in turns.
-  static ChosenRegion seen_by_camera(std::vector<float> numbers, double angle, double aspect);
+  /// The region that a camera sees, without a far plane: a pyramid without a base.
+  static ChosenRegion seen_by_camera(std::vector<float> numbers, const FieldOfView& view);
 
   Region region() const;
 
-  const std::string& kind() const { return kind_; }               ///< "box"
-  const std::vector<float>& numbers() const { return numbers_; }  ///< as given
+  const std::string& kind() const { return kind_; }                 ///< "box"
+  const std::vector<float>& numbers() const { return numbers_; }    ///< as given
+  const std::optional<FieldOfView>& view() const { return view_; }  ///< of a camera
 
  private:
   std::string kind_;
   std::vector<float> numbers_;
+  std::optional<FieldOfView> view_;
   std::vector<HalfSpace> faces_;
 };
 

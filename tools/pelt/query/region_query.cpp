@@ -45,9 +45,14 @@ void RegionQuery::keep(std::uint32_t frame) {
 }
 
 ordered_json RegionQuery::options_json() const {
-  return {{settings_.region.kind(), settings_.region.numbers()},
-          {"by", settings_.granularity == scene::Granularity::part ? "part" : "instance"},
-          {"triangles", settings_.finds_triangles}};
+  ordered_json options = {{settings_.region.kind(), settings_.region.numbers()}};
+  if (const auto& view = settings_.region.view()) {
+    options["angle"] = view->degrees;
+    options["aspect"] = view->aspect;
+  }
+  options["by"] = settings_.granularity == scene::Granularity::part ? "part" : "instance";
+  options["triangles"] = settings_.finds_triangles;
+  return options;
 }
 
 void RegionQuery::write_frame(scene::JsonLine& line) const {
