@@ -1,11 +1,12 @@
 #include "tools/pelt/check/check_run.hpp"
 
+#include "scenes/ignored_pairs.hpp"
 #include "scenes/takes.hpp"
 #include "tools/pelt/check/clearance_query.hpp"
-#include "tools/pelt/check/ignored_contacts.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace pelt::tools::check {
@@ -45,6 +46,28 @@ bool is_to_be_kept(std::uint32_t frame, const CheckSettings& settings, const Che
   if (settings.frame_to_keep) return frame == *settings.frame_to_keep;
   return frame == settings.frames.begin ||
          (report.worst_contacts > 0 && frame == report.worst_frame);
+}
+
+/// Removes ignored contacts, and pairs of colliders without other contacts. Returns the number of
+/// removed contacts.
+std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored,
+                               const scene::StagedScene& staged, scene::FrameContacts& found) {
+  if (ignored.is_empty()) return 0;
+  const std::size_t before = found.contacts.size();
+  std::size_t end = 0;
+  for (scene::FrameContacts::Pair& pair : found.pairs) {
+    const std::span<Contact> contacts =
+        std::span(found.contacts).subspan(pair.begin, pair.end - pair.begin);
+    const std::size_t counted =
+        ignored.keep_counted(staged.character_of(pair.a), staged.character_of(pair.b), contacts);
+    std::copy_n(contacts.begin(), counted,
+                found.contacts.begin() + static_cast<std::ptrdiff_t>(end));
+    pair.begin = end;
+    pair.end = end += counted;
+  }
+  found.contacts.resize(end);
+  std::erase_if(found.pairs, [](const scene::FrameContacts::Pair& p) { return p.begin == p.end; });
+  return before - end;
 }
 
 /// Optional queries of a frame in addition to its contacts.
@@ -104,7 +127,7 @@ class ExtraQueries {
 template <typename Query>
 Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
                               const CheckSettings& settings, TouchTally& tally,
-                              JsonlWriter* jsonl) {
+                              JsonlWriter& jsonl) {
   const auto ignored =
       scenes::IgnoredPairs::make(scenes::characters_of(staged.scene), settings.ignore);
   if (!ignored) return ignored.error();
@@ -127,7 +150,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
     tally.add(frame, found);
     hash.add(frame, found);
     if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked;
-    if (jsonl != nullptr) jsonl->frame(frame, found, extras.of_frame());
+    jsonl.frame(frame, found, extras.of_frame());
     if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
     return {};
   };
@@ -142,17 +165,17 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
 
 /// Sets the totals, which are known after the last frame.
 void conclude(const scene::StagedScene& staged, const CheckSettings& settings,
-              const TouchTally& tally, CheckReport& report, JsonlWriter* jsonl) {
+              const TouchTally& tally, CheckReport& report, JsonlWriter& jsonl) {
   const std::vector<Touch> touches = tally.touches();
   Findings found = {touches, {}};
   if (report.inside) found.held = report.inside->held;
   const CheckBaseline* const baseline = settings.baseline ? &*settings.baseline : nullptr;
   report.verdict = judge(staged, found, {settings.fail_on, settings.allows_empty, baseline});
-  if (jsonl != nullptr) jsonl->totals(report.totals, found, report.verdict);
+  jsonl.totals(report.totals, found, report.verdict);
 }
 
 Result<CheckReport> run_chosen(const scene::StagedScene& staged, const CheckSettings& settings,
-                               TouchTally& tally, JsonlWriter* jsonl) {
+                               TouchTally& tally, JsonlWriter& jsonl) {
   if (settings.clearance) {
     ClearanceQuery query(staged.colliders, *settings.clearance);
     return run_query(query, staged, settings, tally, jsonl);
@@ -164,7 +187,7 @@ Result<CheckReport> run_chosen(const scene::StagedScene& staged, const CheckSett
 }  // namespace
 
 Result<CheckReport> run_check(const scene::StagedScene& staged, const CheckSettings& settings,
-                              TouchTally& tally, JsonlWriter* jsonl) {
+                              TouchTally& tally, JsonlWriter& jsonl) {
   Result<CheckReport> report = run_chosen(staged, settings, tally, jsonl);
   if (report) conclude(staged, settings, tally, *report, jsonl);
   return report;

@@ -34,8 +34,9 @@ struct CheckReport {
   std::vector<double> frame_seconds;  ///< setting palettes and querying pairs, without sampling
 };
 
-/// Runs through the frames. `jsonl` may be null. Writes no files, and prints only the progress bar.
+/// Runs through the frames. Writes lines to `jsonl`, and prints only the progress
+/// bar.
 Result<CheckReport> run_check(const scene::StagedScene& staged, const CheckSettings& settings,
-                              TouchTally& tally, JsonlWriter* jsonl);
+                              TouchTally& tally, JsonlWriter& jsonl);
 
 }  // namespace pelt::tools::check

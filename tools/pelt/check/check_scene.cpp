@@ -40,7 +40,7 @@ std::string outer_lines(const scene::StagedScene& staged, const CheckQuestion& q
   Findings found = {touches, {}};
   if (report.inside) found.held = report.inside->held;
   std::ostringstream lines;
-  JsonlWriter writer(lines, question, staged);
+  JsonlWriter writer(&lines, question, staged);
   writer.header();
   writer.totals(report.totals, found, report.verdict);
   return lines.str();
@@ -65,12 +65,10 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
   const scene::StagedScene staged = {scene, *colliders};
   Result<TouchTally> tally = TouchTally::make(staged);
   if (!tally) return tally.error();
-  std::optional<JsonlWriter> jsonl;
   const CheckQuestion question = question_of(settings, scene, models);
-  if (files.jsonl.stream() != nullptr) jsonl.emplace(*files.jsonl.stream(), question, staged);
-  if (jsonl) jsonl->header();
-  JsonlWriter* const writer = jsonl ? &*jsonl : nullptr;
-  Result<CheckReport> report = run_check(staged, settings, *tally, writer);
+  JsonlWriter jsonl(files.jsonl.stream(), question, staged);
+  jsonl.header();
+  Result<CheckReport> report = run_check(staged, settings, *tally, jsonl);
   if (!report) return asset::prefixed(scene.name, report.error());
   if (const auto closed = files.jsonl.close(); !closed) return closed.error();
   const auto drawn = write_contacts_glb(files.glb, staged, report->kept, models);

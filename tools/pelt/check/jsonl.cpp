@@ -53,18 +53,18 @@ ordered_json takes_json(const scenes::Scene& scene, std::span<const TakeTotals> 
 }  // namespace
 
 void JsonlWriter::header() {
-  ordered_json header = scene::header_json("pelt-check", staged_);
-  header["options"] = question_json(question_);
-  scene::write_line(header, out_);
+  if (out_ == nullptr) return;
+  scene::write_header("pelt-check", staged_, question_json(question_), *out_);
 }
 
 void JsonlWriter::frame(std::uint32_t frame, const scene::FrameContacts& found,
                         const FrameExtras& extras) {
+  if (out_ == nullptr) return;
   ordered_json line = scene::frame_json(staged_.scene, frame);
   line["contacts"] = found.contacts.size();
   line["pairs"] = pairs_json(found, extras.details);
   if (extras.inside != nullptr) line["inside"] = inside_json(*extras.inside);
-  scene::write_line(line, out_);
+  scene::write_line(line, *out_);
 }
 
 ordered_json JsonlWriter::pairs_json(const scene::FrameContacts& found,
@@ -132,6 +132,7 @@ ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
 }
 
 void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict) {
+  if (out_ == nullptr) return;
   ordered_json last = {{"totals",
                         {{"frames", totals.frames},
                          {"frames_in_contact", totals.frames_in_contact},
@@ -149,7 +150,7 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
   for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(staged_, touch));
   if (question_.inside) last["held"] = held_list(found.held);
   last["verdict"] = verdict_json(verdict);
-  scene::write_line(last, out_);
+  scene::write_line(last, *out_);
 }
 
 }  // namespace pelt::tools::check

@@ -41,10 +41,11 @@ struct FrameExtras {
   const InsideQuery* inside = nullptr;
 };
 
+/// Writes the lines of a check, or nothing if there is no stream.
 class JsonlWriter {
  public:
   /// All arguments must outlive the writer.
-  JsonlWriter(std::ostream& out, const CheckQuestion& question, const scene::StagedScene& staged)
+  JsonlWriter(std::ostream* out, const CheckQuestion& question, const scene::StagedScene& staged)
       : out_(out), question_(question), staged_(staged) {}
 
   void header();
@@ -60,7 +61,7 @@ class JsonlWriter {
   nlohmann::ordered_json held_list(std::span<const Held> held) const;
   nlohmann::ordered_json verdict_json(const Verdict& verdict) const;
 
-  std::ostream& out_;
+  std::ostream* out_;
   const CheckQuestion& question_;
   scene::StagedScene staged_;
 };

@@ -20,11 +20,10 @@ class QueryLines {
 
   void header(const arguments::FrameRange& frames) {
     if (out_ == nullptr) return;
-    ordered_json header = scene::header_json(query_.format(), staged_);
-    ordered_json& options = header["options"] = query_.options_json();
+    ordered_json options = query_.options_json();
     options["frames"] = {frames.begin, frames.end, frames.stride};
     options["fps"] = staged_.scene.fps;
-    scene::write_line(header, *out_);
+    scene::write_header(query_.format(), staged_, options, *out_);
   }
 
   void frame(std::uint32_t frame) {

@@ -40,12 +40,15 @@ ordered_json colliders_json(const StagedScene& staged) {
 
 }  // namespace
 
-ordered_json header_json(const char* format, const StagedScene& staged) {
-  return {{"format", format},
-          {"version", 1},
-          {"pelt", PELT_VERSION},
-          {"inputs", inputs_json(staged.scene)},
-          {"instances", colliders_json(staged)}};
+void write_header(const char* format, const StagedScene& staged, const ordered_json& options,
+                  std::ostream& out) {
+  write_line({{"format", format},
+              {"version", 1},
+              {"pelt", PELT_VERSION},
+              {"inputs", inputs_json(staged.scene)},
+              {"instances", colliders_json(staged)},
+              {"options", options}},
+             out);
 }
 
 ordered_json frame_json(const scenes::Scene& scene, std::uint32_t frame) {

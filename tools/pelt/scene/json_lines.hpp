@@ -18,8 +18,9 @@
 
 namespace pelt::tools::scene {
 
-/// The header without the options: `format`, `version`, `pelt`, `inputs`, `instances`.
-nlohmann::ordered_json header_json(const char* format, const StagedScene& staged);
+/// Writes the header of an answer: `format`, `version`, `pelt`, `inputs`, `instances`, `options`.
+void write_header(const char* format, const StagedScene& staged,
+                  const nlohmann::ordered_json& options, std::ostream& out);
 
 /// The start of a frame's line: `frame`, `clip` if the scene has takes, `time`.
 nlohmann::ordered_json frame_json(const scenes::Scene& scene, std::uint32_t frame);
