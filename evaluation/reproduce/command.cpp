@@ -6,11 +6,14 @@
 #include "evaluation/reproduce/command.hpp"
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/files.hpp"
+#include "evaluation/reproduce/real_models.hpp"
 #include "evaluation/reproduce/summary.hpp"
 #include "scenes/nearest_name.hpp"
+#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/machine.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
@@ -108,6 +111,20 @@ Result<Section> run_experiment(const Experiment& experiment,
   return section;
 }
 
+/// Returns an error if a file that the report may replace is a model, or a file that a model refers
+/// to.
+Result<void> check_folder(const Arguments& arguments) {
+  if (arguments.models.empty()) return {};
+  std::vector<output::InputFile> inputs;
+  for (const std::filesystem::path& model : reproduce::model_files(arguments.models))
+    for (output::InputFile& file : arguments::files_of_model(model.string()))
+      inputs.push_back(std::move(file));
+  std::vector<output::NamedOutput> outputs;
+  for (const std::filesystem::path& file : reproduce::replaced_files(arguments.folder))
+    outputs.push_back({"-o", file.string(), "choose another folder"});
+  return output::check_outputs(outputs, inputs);
+}
+
 Result<arguments::ExitCode> reproduce_all(const Arguments& arguments) {
   const auto all = all_experiments(arguments.has_peers);
   if (!all) return all.error();
@@ -116,6 +133,7 @@ Result<arguments::ExitCode> reproduce_all(const Arguments& arguments) {
   if (!arguments.models.empty() && !std::filesystem::is_directory(arguments.models))
     return output::bad_argument("--models", arguments.models + " is not a folder",
                                 "give a folder with .glb files");
+  if (const auto checked = check_folder(arguments); !checked) return checked.error();
   if (const auto made = reproduce::make_folders(arguments.folder); !made) return made.error();
   Report report;
   report.provenance = provenance(arguments);

@@ -20,6 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
+constexpr const char* kSubfolders[] = {"csv", "charts", "pictures"};
+
 /// RFC 4180: a field with a comma or a quote is quoted.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n") == text.npos) return text;
@@ -110,7 +112,7 @@ class Images {
 }  // namespace
 
 Result<void> make_folders(const fs::path& folder) {
-  for (const char* name : {"csv", "charts", "pictures"}) {
+  for (const char* name : kSubfolders) {
     std::error_code error;
     fs::create_directories(folder / name, error);
     if (error)
@@ -119,6 +121,16 @@ Result<void> make_folders(const fs::path& folder) {
                        ": is not a folder and cannot be created: choose another folder with -o"};
   }
   return {};
+}
+
+std::vector<fs::path> replaced_files(const fs::path& folder) {
+  std::vector<fs::path> files = {folder / "report.html", folder / "results.json"};
+  for (const char* name : kSubfolders) {
+    std::error_code error;  // a folder that does not exist has no files
+    for (const auto& entry : fs::directory_iterator(folder / name, error))
+      files.push_back(entry.path());
+  }
+  return files;
 }
 
 std::string csv_of(const Table& table) {

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <vector>
 
 namespace pelt::reproduce {
 
@@ -23,6 +24,9 @@ std::string json_of(const Report& report);
 /// Creates the folder and its subfolders. Called before the experiments, so that an error costs no
 /// minutes of work.
 Result<void> make_folders(const std::filesystem::path& folder);
+
+/// Returns the files of an earlier report in `folder`, and other files that a report may replace.
+std::vector<std::filesystem::path> replaced_files(const std::filesystem::path& folder);
 
 /// Writes all files into `folder`. Leaves out charts and pictures whose program is missing;
 /// `messages` then says what to install. Precondition: make_folders has succeeded.

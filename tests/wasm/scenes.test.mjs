@@ -200,6 +200,10 @@ test('broken scenes are refused as the command refuses them', () => {
     { models: { a: creature }, instances: [{ model: 'a', clip: 'walks' }] },
     /has no clip "walks".*walk/,
   );
+  refused(
+    { models: { a: creature }, instances: [{ model: 'a', clip: '*' }] },
+    /^scene\.json: only the command can play all clips with "\*": name one clip$/,
+  );
   refused({ models: { a: creature }, instances: [], extra: 1 }, /unknown key "extra"/);
   assert.throws(
     () => pelt.readScene('scene.json', { 'scene.json': new Uint8Array([0x7b, 0x22]) }),

@@ -1,5 +1,6 @@
 #include "evaluation/reproduce/experiment.hpp"
 #include "tools/run_program.hpp"
+#include "tools/test_scenes.hpp"
 
 namespace pelt::test {
 namespace {
@@ -46,6 +47,32 @@ TEST(Reproduce, RefusesAFolderThatIsAFile) {
   const Ended run = run_pelt(folder, {"reproduce", "--only", "characters", "-o", "/dev/null"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("/dev/null"), std::string::npos) << run.err;
+}
+
+/// Also through links, and before any experiment runs.
+TEST(Reproduce, ReplacesNoModelAndNoFileOfAModel) {
+  const TestFolder folder;
+  GltfBuilder builder = build_limb(12);
+  builder.document["images"] = {{{"uri", "skin.png"}}};
+  std::filesystem::create_directory(folder / "models");
+  write_bytes(folder / "models/limb.glb", builder.glb());
+  write_text(folder / "models/skin.png", "picture");
+  for (const char* file : {"report.html", "results.json", "csv/characters.csv"}) {
+    for (const char* input : {"limb.glb", "skin.png"}) {
+      std::filesystem::remove_all(folder / "r");
+      std::filesystem::create_directories(folder / "r/csv");
+      const std::string original = folder / (std::string("models/") + input);
+      std::filesystem::create_symlink(original, folder / (std::string("r/") + file));
+      const std::string before = read_text(original);
+      const Ended run = run_pelt(folder, {"reproduce", "--quick", "--only", "characters",
+                                          "--models", "models", "-o", "r"});
+      EXPECT_EQ(run.exit_code, 2);
+      EXPECT_EQ(run.out, "");
+      EXPECT_NE(run.err.find(std::string("-o: r/") + file + " is "), std::string::npos) << run.err;
+      EXPECT_NE(run.err.find("choose another folder"), std::string::npos) << run.err;
+      EXPECT_EQ(read_text(original), before);
+    }
+  }
 }
 
 TEST(Reproduce, RefusesModelsThatAreNoFolder) {

@@ -161,6 +161,10 @@ TEST(CheckAllClips, AreRefusedWithARemedy) {
                        "--html: the page cannot play all clips with '*'"));
   EXPECT_TRUE(contains(refusal({"view", strip, "--clip", "*", "--no-browser"}),
                        "--clip: the page cannot play all clips with '*'"));
+  write_text(folder / "all.json",
+             R"({"models": {"a": "strip.glb"}, "instances": [{"model": "a", "clip": "*"}]})");
+  EXPECT_EQ(refusal({"view", "all.json", "--no-browser"}),
+            "pelt: error: all.json: the page cannot play all clips with '*': name one clip\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.html"));
 }
 

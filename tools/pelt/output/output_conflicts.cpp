@@ -59,7 +59,7 @@ std::optional<Identity> standard_output_file() {
 }
 
 Error refusal(const NamedOutput& output, const std::string& what) {
-  return bad_argument(output.option, output.name + " is " + what, "name another file");
+  return bad_argument(output.option, output.name + " is " + what, output.remedy);
 }
 
 /// Outputs and inputs; no output may be another file of these.

@@ -13,6 +13,7 @@ namespace pelt::tools::output {
 struct NamedOutput {
   std::string option;  ///< "--jsonl", for messages
   std::string name;    ///< as for find_output_place, or "" for nothing
+  std::string remedy = "name another file";
 };
 
 /// A file that the command reads, or that such a file refers to.
