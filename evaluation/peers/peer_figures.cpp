@@ -9,6 +9,15 @@
 namespace pelt::tools {
 namespace {
 
+using bench::Cache;
+using bench::Engine;
+using bench::engine_of;
+using bench::in_frame;
+using bench::Question;
+using bench::Runner;
+using bench::Subject;
+using bench::Times;
+using bench::Variant;
 using methods::MethodKind;
 using peers::Peer;
 using scene::Collider;
@@ -131,7 +140,7 @@ Result<ScenePeers> measure_peers(const Subject& subject, std::uint32_t repetitio
   scene.methods = all_methods();
   if (const auto compared = compare_all(subject, advance, scene); !compared)
     return compared.error();
-  const auto times = measure(subject, all_engines(), kVariants, repetitions, advance);
+  const auto times = bench::measure(subject, all_engines(), kVariants, repetitions, advance);
   if (!times) return times.error();
   const double skinning_us = (*times)[0][0].mean_update_us;
   for (std::size_t m = 0; m < scene.methods.size(); ++m)

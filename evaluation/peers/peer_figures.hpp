@@ -41,7 +41,7 @@ struct ScenePeers {
 std::size_t peer_steps(std::size_t frames);
 
 /// Precondition: `subject` has at least one frame.
-Result<ScenePeers> measure_peers(const Subject& subject, std::uint32_t repetitions,
+Result<ScenePeers> measure_peers(const bench::Subject& subject, std::uint32_t repetitions,
                                  const std::function<void()>& advance);
 
 void print_peers(const ScenePeers& scene, std::ostream& out);

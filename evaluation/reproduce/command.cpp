@@ -87,7 +87,7 @@ std::string today() {
 }
 
 std::vector<std::string> provenance(const Arguments& arguments) {
-  const Machine machine = this_machine();
+  const bench::Machine machine = bench::this_machine();
   std::vector<std::string> lines = {
       "Measured on " + today() + ": " + machine.cpu + ", " + std::to_string(machine.cores) +
           " cores, " + output::fixed(machine.memory_gib, 0) + " GiB of memory, " + machine.system +

@@ -15,33 +15,37 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Cache;
-using tools::Question;
+using tools::bench::Cache;
+using tools::bench::Question;
 
 constexpr std::uint32_t kFrames = 30;
 
 /// In the middle of the clip, two creatures intersect deeply.
 constexpr std::uint32_t kMiddle = 60;
 
-Result<tools::SceneFigures> measure_clip(const scenes::Scene& scene, const Conditions& conditions) {
-  tools::BenchSettings settings;
-  for (const MethodKind method : kCompared) settings.engines.push_back(tools::engine_of(method));
+Result<tools::bench::SceneFigures> measure_clip(const scenes::Scene& scene,
+                                                const Conditions& conditions) {
+  tools::bench::BenchSettings settings;
+  settings.program = "pelt-lab";
+  for (const MethodKind method : kCompared)
+    settings.engines.push_back(tools::bench::engine_of(method));
   settings.questions = {Question::all};
   settings.caches = {Cache::hot, Cache::cold};
   settings.repetitions = conditions.is_quick ? 3 : 9;
   const std::uint32_t frames = conditions.is_quick ? kFrames / 5 : kFrames;
   settings.frames = tools::arguments::FrameRange{0, scene.frame_count, scene.frame_count / frames};
-  std::vector<tools::SceneFigures> figures;
+  std::vector<tools::bench::SceneFigures> figures;
   std::ostringstream errors;
-  const auto exit = tools::bench_scene(scene, settings, figures, errors);
+  const auto exit = tools::bench::bench_scene(scene, settings, figures, errors);
   if (!exit) return exit.error();
   if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
   return std::move(figures[0]);
 }
 
-const tools::Times& times_of(const tools::SceneFigures& figures, MethodKind method, Cache cache) {
+const tools::bench::Times& times_of(const tools::bench::SceneFigures& figures, MethodKind method,
+                                    Cache cache) {
   return std::find_if(figures.figures.begin(), figures.figures.end(),
-                      [&](const tools::Figures& of) {
+                      [&](const tools::bench::Figures& of) {
                         return of.engine == method.name && of.variant.cache == cache;
                       })
       ->times;
@@ -80,7 +84,7 @@ Memory memory_of(MethodKind method, const SkinnedModel& model,
   return {each / 1024, std::max(*two - 2 * each, 0.0) / 1024};
 }
 
-std::string note_of(const tools::SceneFigures& figures, const Conditions& conditions) {
+std::string note_of(const tools::bench::SceneFigures& figures, const Conditions& conditions) {
   return how_measured(tools::output::counted(figures.frames, "frame") + ", " +
                           std::to_string(figures.figures[0].answer.frames_in_contact) +
                           " of them in contact; all contacts. Cold: 64 MB are read before every "
@@ -117,7 +121,7 @@ Result<Table> clip_table(const Conditions& conditions) {
                  {},
                  note_of(*figures, conditions)};
   for (const MethodKind method : kCompared) {
-    const tools::Times& hot = times_of(*figures, method, Cache::hot);
+    const tools::bench::Times& hot = times_of(*figures, method, Cache::hot);
     const Memory memory = memory_of(method, (*colliders)[0].model, palettes.joints);
     table.rows.push_back({title_of(method), hot.mean_us, hot.p95_us,
                           times_of(*figures, method, Cache::cold).mean_us, memory.instance,

@@ -14,7 +14,7 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Question;
+using tools::bench::Question;
 
 constexpr std::array kByPairs = {methods::kOnDemand,   methods::kEager,      methods::kPaper,
                                  methods::kPaperEager, methods::kHybrid,     methods::kAabbRefit,
@@ -51,10 +51,10 @@ scenes::Scene walkers(const scenes::Character& creature, std::uint32_t count) {
   return scene;
 }
 
-std::vector<tools::Engine> engines() {
-  std::vector<tools::Engine> all = {tools::crowd_engine(1)};
+std::vector<tools::bench::Engine> engines() {
+  std::vector<tools::bench::Engine> all = {tools::bench::crowd_engine(1)};
   all[0].name = kCrowd;
-  for (const MethodKind method : kByPairs) all.push_back(tools::engine_of(method));
+  for (const MethodKind method : kByPairs) all.push_back(tools::bench::engine_of(method));
   all.push_back(rival_engine(kOneGrid, [] { return rivals::make_hash_crowd(); }));
   return all;
 }

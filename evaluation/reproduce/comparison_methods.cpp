@@ -17,9 +17,9 @@ constexpr std::array kSkinningAll = {methods::kOnDemand,   methods::kPaperEager,
                                      methods::kAabbRefit,  methods::kAabbRebuild, methods::kHash,
                                      methods::kHashOverlap};
 
-bool is_measured(const tools::SceneFigures& figures, MethodKind method) {
+bool is_measured(const tools::bench::SceneFigures& figures, MethodKind method) {
   return std::any_of(figures.figures.begin(), figures.figures.end(),
-                     [&](const tools::Figures& of) { return of.engine == method.name; });
+                     [&](const tools::bench::Figures& of) { return of.engine == method.name; });
 }
 
 Chart chart_of(const Table& table, const char* family, const char* title,
@@ -47,7 +47,7 @@ Table times_table(const std::string& id, const std::string& title, std::vector<C
   return table;
 }
 
-void append_times(const tools::SceneFigures& figures, tools::Question question,
+void append_times(const tools::bench::SceneFigures& figures, tools::bench::Question question,
                   std::span<const MethodKind> methods, std::vector<Cell>& row) {
   std::optional<MethodKind> fastest;
   for (const MethodKind method : methods) {
@@ -77,7 +77,7 @@ void add_with_charts(Table table, const std::string& x, Axes axes, std::optional
   section.tables.push_back(std::move(table));
 }
 
-tools::Engine rival_engine(const std::string& name, const MakeRival& make) {
+tools::bench::Engine rival_engine(const std::string& name, const MakeRival& make) {
   return {name, [make](std::span<const tools::scene::Collider> colliders) {
             return tools::scene::SceneQuery(colliders, methods::adapt(make()));
           }};

@@ -34,7 +34,7 @@ Table times_table(const std::string& id, const std::string& title, std::vector<C
                   std::span<const methods::MethodKind> methods, const std::string& note);
 
 /// Adds the times and the fastest method to a row. Leaves methods empty that were not measured.
-void append_times(const tools::SceneFigures& figures, tools::Question question,
+void append_times(const tools::bench::SceneFigures& figures, tools::bench::Question question,
                   std::span<const methods::MethodKind> methods, std::vector<Cell>& row);
 
 /// "Medians of 9 repetitions, one thread, hot caches.", preceded by what a row is the mean of.
@@ -48,7 +48,7 @@ void add_with_charts(Table table, const std::string& x, Axes axes, std::optional
 using MakeRival = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
 
 /// A rival that is not a method of the command.
-tools::Engine rival_engine(const std::string& name, const MakeRival& make);
+tools::bench::Engine rival_engine(const std::string& name, const MakeRival& make);
 
 /// The figure of a row and a column. Precondition: the cell has a figure.
 double figure_at(const Table& table, std::size_t row, const std::string& key);

@@ -12,8 +12,8 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Question;
-using tools::SceneFigures;
+using tools::bench::Question;
+using tools::bench::SceneFigures;
 
 /// From apart to two in the same position.
 constexpr std::array kDistances = {3.0, kApart, 0.9, 0.8, kTouching, 0.6, 0.45, kDeep, 0.15, 0.0};
@@ -129,7 +129,7 @@ Result<Table> time_split(const scenes::Character& creature, const Conditions& co
           "be separated. Hashing builds its grid in the query, from the triangles of bodies whose "
           "boxes overlap."};
   for (const MethodKind method : kCompared) {
-    const tools::Figures& of = figures_of(*figures, method.name, Question::all);
+    const tools::bench::Figures& of = figures_of(*figures, method.name, Question::all);
     const double update = of.times.mean_update_us;
     auto [skinning, structure] = update_split(method, update, figures->skinning.mean_us);
     const double pairs =

@@ -13,7 +13,7 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Question;
+using tools::bench::Question;
 
 /// A method for each value of a parameter.
 struct Tuned {
@@ -37,11 +37,11 @@ std::string engine_name(MethodKind method, double value) {
 }
 
 /// Measures all values in turn, so that changes in the load of the machine affect all alike.
-Result<tools::SceneFigures> measure_values(const scenes::Character& creature, double distance,
-                                           std::span<const Tuned> tuned,
-                                           std::span<const double> values,
-                                           const Conditions& conditions) {
-  std::vector<tools::Engine> engines;
+Result<tools::bench::SceneFigures> measure_values(const scenes::Character& creature,
+                                                  double distance, std::span<const Tuned> tuned,
+                                                  std::span<const double> values,
+                                                  const Conditions& conditions) {
+  std::vector<tools::bench::Engine> engines;
   for (const double value : values)
     for (const Tuned& one : tuned)
       engines.push_back(

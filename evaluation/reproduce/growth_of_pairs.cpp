@@ -25,7 +25,7 @@ Result<void> append_row(double size, const scenes::Character& character, double 
   if (!figures) return figures.error();
   std::vector<Cell> row = {size, contact_count(*figures)};
   for (const methods::MethodKind method : kPairMethods)
-    row.push_back(mean_us(*figures, method, tools::Question::all));
+    row.push_back(mean_us(*figures, method, tools::bench::Question::all));
   table.rows.push_back(std::move(row));
   return {};
 }

@@ -13,7 +13,7 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Question;
+using tools::bench::Question;
 
 constexpr std::array kResolutions = {8u, 16u, 32u, 64u, 128u, 256u};
 constexpr std::array kExact = {methods::kOnDemand,   methods::kEager,     methods::kPaper,
@@ -47,25 +47,26 @@ class Images final : public rivals::PosedMeshMethod {
 };
 
 /// The images by resolution, then the exact methods.
-std::vector<tools::Engine> engines() {
-  std::vector<tools::Engine> all;
+std::vector<tools::bench::Engine> engines() {
+  std::vector<tools::bench::Engine> all;
   for (const std::uint32_t resolution : kResolutions)
     all.push_back(rival_engine("images " + std::to_string(resolution),
                                [resolution] { return std::make_unique<Images>(resolution); }));
-  for (const MethodKind method : kExact) all.push_back(tools::engine_of(method));
+  for (const MethodKind method : kExact) all.push_back(tools::bench::engine_of(method));
   return all;
 }
 
 /// Whether the two bodies touch, frame by frame.
-Result<std::vector<bool>> ask(const tools::Subject& subject, const tools::Engine& engine) {
-  tools::Runner runner(subject.colliders, engine);
+Result<std::vector<bool>> ask(const tools::bench::Subject& subject,
+                              const tools::bench::Engine& engine) {
+  tools::bench::Runner runner(subject.colliders, engine);
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   std::vector<bool> touching;
   for (const std::uint32_t frame : subject.frames) {
     tools::scene::sample_palettes(subject.scene, frame, scratch, palettes);
     if (const auto posed = runner.pose(palettes); !posed)
-      return tools::in_frame(frame, posed.error());
+      return tools::bench::in_frame(frame, posed.error());
     runner.ask(Question::first);
     touching.push_back(!runner.found().contacts.empty());
   }
@@ -81,20 +82,20 @@ double count_only(const std::vector<bool>& first, const std::vector<bool>& secon
 /// Answer and time of every engine in every frame.
 struct Answers {
   std::vector<std::vector<bool>> touching;  // [engines][frames]
-  std::vector<std::vector<tools::Times>> times;
+  std::vector<std::vector<tools::bench::Times>> times;
 
   const std::vector<bool>& exact() const { return touching[kResolutions.size()]; }
   double missed(std::size_t engine) const { return count_only(exact(), touching[engine]); }
   double invented(std::size_t engine) const { return count_only(touching[engine], exact()); }
 };
 
-Result<Answers> ask_all(const tools::Subject& subject, const Conditions& conditions) {
-  const std::vector<tools::Engine> all = engines();
-  constexpr std::array kFirst = {tools::Variant{Question::first, tools::Cache::hot}};
-  auto times = tools::measure(subject, all, kFirst, conditions.is_quick ? 3 : 9, [] {});
+Result<Answers> ask_all(const tools::bench::Subject& subject, const Conditions& conditions) {
+  const std::vector<tools::bench::Engine> all = engines();
+  constexpr std::array kFirst = {tools::bench::Variant{Question::first, tools::bench::Cache::hot}};
+  auto times = tools::bench::measure(subject, all, kFirst, conditions.is_quick ? 3 : 9, [] {});
   if (!times) return times.error();
   Answers answers = {{}, std::move(*times)};
-  for (const tools::Engine& engine : all) {
+  for (const tools::bench::Engine& engine : all) {
     auto touching = ask(subject, engine);
     if (!touching) return touching.error();
     answers.touching.push_back(std::move(*touching));
@@ -118,7 +119,7 @@ Table image_table(const Answers& answers, const std::string& note) {
   const auto& exact = answers.exact();
   const auto touching = static_cast<double>(std::count(exact.begin(), exact.end(), true));
   for (std::size_t i = 0; i < kResolutions.size(); ++i) {
-    const tools::Times& times = answers.times[i][0];
+    const tools::bench::Times& times = answers.times[i][0];
     table.rows.push_back({static_cast<double>(kResolutions[i]),
                           times.mean_us - times.mean_update_us, times.mean_us,
                           static_cast<double>(exact.size()), touching, answers.missed(i),

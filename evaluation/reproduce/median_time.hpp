@@ -13,7 +13,7 @@ template <typename Work>
 double median_us(std::uint32_t repetitions, const Work& work) {
   std::vector<double> times;
   for (std::uint32_t r = 0; r < repetitions; ++r) {
-    tools::Stopwatch watch;
+    tools::bench::Stopwatch watch;
     work();
     watch.stop();
     times.push_back(watch.microseconds());

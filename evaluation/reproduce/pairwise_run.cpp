@@ -16,7 +16,7 @@ PairwiseTiming PairwiseRun::run() {
   for (std::uint32_t frame = 0; frame < job_.frame_count; ++frame) {
     job_.pose(frame, palettes_);
     contacts_.clear();
-    tools::Stopwatch watch;
+    tools::bench::Stopwatch watch;
     set_palettes();
     collide_pairs();
     watch.stop();

@@ -14,7 +14,7 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Question;
+using tools::bench::Question;
 
 constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
                                  methods::kOnDemand};

@@ -66,7 +66,7 @@ void time_in_turn(const SphereModel& model, const Palette& palette, std::uint32_
     for (Sample& sample : samples) {
       refit.invalidate();
       refit.refit(0, palette);  // the first refit after a change visits all joints
-      tools::Stopwatch watch;
+      tools::bench::Stopwatch watch;
       for (const std::uint32_t node : sample.nodes) refit.refit(node, palette);
       watch.stop();
       sample.microseconds.push_back(watch.microseconds());

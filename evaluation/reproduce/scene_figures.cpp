@@ -12,9 +12,9 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Figures;
-using tools::Question;
-using tools::SceneFigures;
+using tools::bench::Figures;
+using tools::bench::Question;
+using tools::bench::SceneFigures;
 
 std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
   const Figures& first = figures_of(scene, all.engine, Question::first);
@@ -65,23 +65,25 @@ const Figures& figures_of(const SceneFigures& scene, std::string_view method, Qu
 
 Result<SceneFigures> measure_scene(const scenes::Scene& scene, std::span<const MethodKind> methods,
                                    std::uint32_t most_frames, const Conditions& conditions) {
-  std::vector<tools::Engine> engines;
-  for (const MethodKind method : methods) engines.push_back(tools::engine_of(method));
+  std::vector<tools::bench::Engine> engines;
+  for (const MethodKind method : methods) engines.push_back(tools::bench::engine_of(method));
   return measure_scene(scene, std::move(engines), most_frames, conditions);
 }
 
-Result<SceneFigures> measure_scene(const scenes::Scene& scene, std::vector<tools::Engine> engines,
+Result<SceneFigures> measure_scene(const scenes::Scene& scene,
+                                   std::vector<tools::bench::Engine> engines,
                                    std::uint32_t most_frames, const Conditions& conditions) {
-  tools::BenchSettings settings;
+  tools::bench::BenchSettings settings;
+  settings.program = "pelt-lab";
   settings.engines = std::move(engines);
   settings.questions = {Question::all, Question::first};
-  settings.caches = {tools::Cache::hot};
+  settings.caches = {tools::bench::Cache::hot};
   settings.repetitions = conditions.is_quick ? 3 : 9;
   settings.frames =
       frames_of(scene, conditions.is_quick ? std::max(most_frames / 4, 1u) : most_frames);
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
-  const auto exit = tools::bench_scene(scene, settings, figures, errors);
+  const auto exit = tools::bench::bench_scene(scene, settings, figures, errors);
   if (!exit) return exit.error();
   if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
   return std::move(figures[0]);
@@ -134,7 +136,7 @@ Table eager_split_table(const std::string& id, const std::string& title,
       "update."};
   const double skinning = figures.skinning.mean_us;
   for (const MethodKind method : methods) {
-    const tools::Times& times = figures_of(figures, method.name, Question::all).times;
+    const tools::bench::Times& times = figures_of(figures, method.name, Question::all).times;
     const double refit = times.mean_update_us - skinning;
     const double query = times.mean_us - times.mean_update_us, percent = 100 / times.mean_us;
     table.rows.push_back({title_of(method), skinning, refit, query, times.mean_us,
@@ -146,8 +148,8 @@ Table eager_split_table(const std::string& id, const std::string& title,
 namespace {
 
 std::vector<Cell> comparison_row(const SceneFigures& figures, const Comparison& c) {
-  const tools::Times& slower = figures_of(figures, c.slower.name, c.question).times;
-  const tools::Times& faster = figures_of(figures, c.faster.name, c.question).times;
+  const tools::bench::Times& slower = figures_of(figures, c.slower.name, c.question).times;
+  const tools::bench::Times& faster = figures_of(figures, c.faster.name, c.question).times;
   std::vector<Cell> row = {title_of(c.faster), title_of(c.slower),
                            c.question == Question::all ? "all contacts" : "first contact",
                            slower.mean_us / faster.mean_us,

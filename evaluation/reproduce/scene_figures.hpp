@@ -13,34 +13,36 @@ namespace pelt::reproduce {
 
 /// Measures all contacts and the first one, with hot caches, on at most `most_frames` evenly spaced
 /// frames (in a quick run a fourth of that). Fails if methods give different answers.
-Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
-                                          std::span<const methods::MethodKind> methods,
-                                          std::uint32_t most_frames, const Conditions& conditions);
+Result<tools::bench::SceneFigures> measure_scene(const scenes::Scene& scene,
+                                                 std::span<const methods::MethodKind> methods,
+                                                 std::uint32_t most_frames,
+                                                 const Conditions& conditions);
 
 /// The same for engines that are not methods of the command.
-Result<tools::SceneFigures> measure_scene(const scenes::Scene& scene,
-                                          std::vector<tools::Engine> engines,
-                                          std::uint32_t most_frames, const Conditions& conditions);
+Result<tools::bench::SceneFigures> measure_scene(const scenes::Scene& scene,
+                                                 std::vector<tools::bench::Engine> engines,
+                                                 std::uint32_t most_frames,
+                                                 const Conditions& conditions);
 
 /// The figures of one engine. Precondition: the engine was measured.
-const tools::Figures& figures_of(const tools::SceneFigures& scene, std::string_view engine,
-                                 tools::Question question);
+const tools::bench::Figures& figures_of(const tools::bench::SceneFigures& scene,
+                                        std::string_view engine, tools::bench::Question question);
 
 /// Time of one method in microseconds per frame. Precondition: the method was measured.
-double mean_us(const tools::SceneFigures& figures, methods::MethodKind method,
-               tools::Question question);
+double mean_us(const tools::bench::SceneFigures& figures, methods::MethodKind method,
+               tools::bench::Question question);
 
 /// Mean number of contacts per frame.
-double contact_count(const tools::SceneFigures& figures);
+double contact_count(const tools::bench::SceneFigures& figures);
 
 /// Times and work of every method, one row each.
 Table method_table(const std::string& id, const std::string& title,
-                   const tools::SceneFigures& figures);
+                   const tools::bench::SceneFigures& figures);
 
 /// How the time splits for methods that skin and refit everything before their query. Precondition:
 /// they were measured.
 Table eager_split_table(const std::string& id, const std::string& title,
-                        const tools::SceneFigures& figures,
+                        const tools::bench::SceneFigures& figures,
                         std::span<const methods::MethodKind> methods);
 
 /// Times per frame that the paper prints, in milliseconds.
@@ -51,12 +53,13 @@ struct PrintedTimes {
 /// A comparison of two methods, and the paper's figure for it.
 struct Comparison {
   methods::MethodKind slower, faster;
-  tools::Question question;
+  tools::bench::Question question;
   std::optional<PrintedTimes> printed;
 };
 
 /// The factor by which the second method of each comparison is faster than the first.
 Table comparison_table(const std::string& id, const std::string& title,
-                       const tools::SceneFigures& figures, std::span<const Comparison> comparisons);
+                       const tools::bench::SceneFigures& figures,
+                       std::span<const Comparison> comparisons);
 
 }  // namespace pelt::reproduce

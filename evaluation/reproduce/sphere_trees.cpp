@@ -134,7 +134,7 @@ void add_frame(const detail::Palette& palette_a, const detail::Palette& palette_
     pair.b.invalidate();
     contacts.clear();
     const std::uint64_t before = pair.a.refits() + pair.b.refits();
-    tools::Stopwatch watch;
+    tools::bench::Stopwatch watch;
     const QueryStats work = collide(pair.a, palette_a, pair.b, palette_b, scratch, contacts, ~0u);
     watch.stop();
     least = std::min(least, watch.microseconds());

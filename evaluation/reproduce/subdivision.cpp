@@ -20,7 +20,7 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Question;
+using tools::bench::Question;
 
 /// Distances of the two: bounds overlap; hands touch.
 constexpr double kApart = 0.85, kInterfering = 0.73;
@@ -57,7 +57,7 @@ double sphere_count(const scenes::Character& dwarf) {
       paper::build_sphere_tree(asset.rest_positions, asset.triangles).nodes.size());
 }
 
-const QueryStats& work_of(const tools::SceneFigures& figures, MethodKind method) {
+const QueryStats& work_of(const tools::bench::SceneFigures& figures, MethodKind method) {
   return figures_of(figures, method.name, Question::all).answer.work;
 }
 
@@ -187,7 +187,7 @@ Result<double> rigid_build_us(const scenes::Scene& scene) {
   tools::scene::sample_palettes(scene, 0, scratch, palettes);
   std::vector<double> times;
   for (int repetition = 0; repetition < 5; ++repetition) {
-    tools::Stopwatch watch;
+    tools::bench::Stopwatch watch;
     if (const auto set = query.set_palettes(palettes); !set) return set.error();
     watch.stop();
     times.push_back(watch.microseconds());

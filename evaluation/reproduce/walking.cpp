@@ -10,7 +10,7 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::Question;
+using tools::bench::Question;
 
 constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
                                  methods::kOnDemand, methods::kRigid};
@@ -40,7 +40,7 @@ std::vector<Comparison> comparisons(const Printed& printed) {
 std::string microseconds(double us) { return shown(us) + " us"; }
 
 /// The paper's claim, compared with our figures, all of which are in the tables.
-std::string text_of_claim(const tools::SceneFigures& figures, const PrintedTimes& printed) {
+std::string text_of_claim(const tools::bench::SceneFigures& figures, const PrintedTimes& printed) {
   const double speed_up = mean_us(figures, methods::kPaperEager, Question::all) /
                           mean_us(figures, methods::kPaper, Question::all);
   return "In the paper, refitting on demand is " + shown(printed.slower_ms / printed.faster_ms) +
@@ -51,14 +51,14 @@ std::string text_of_claim(const tools::SceneFigures& figures, const PrintedTimes
 }
 
 /// Why the paper's speed-up is not reached: the time of both methods before and in their queries.
-std::string text_of_cause(const tools::SceneFigures& figures) {
-  const tools::Figures& on_demand = figures_of(figures, "paper", Question::all);
-  const tools::Figures& bottom_up = figures_of(figures, "paper_eager", Question::all);
+std::string text_of_cause(const tools::bench::SceneFigures& figures) {
+  const tools::bench::Figures& on_demand = figures_of(figures, "paper", Question::all);
+  const tools::bench::Figures& bottom_up = figures_of(figures, "paper_eager", Question::all);
   const auto frames = static_cast<double>(figures.frames);
-  const auto pairs = [&](const tools::Figures& of) {
+  const auto pairs = [&](const tools::bench::Figures& of) {
     return shown(static_cast<double>(of.answer.work.triangle_pairs) / frames);
   };
-  const auto query = [](const tools::Figures& of) {
+  const auto query = [](const tools::bench::Figures& of) {
     return microseconds(of.times.mean_us - of.times.mean_update_us);
   };
   return "Bottom-up spends " + microseconds(bottom_up.times.mean_update_us) +
@@ -72,7 +72,7 @@ std::string text_of_cause(const tools::SceneFigures& figures) {
          "demand (see the section on the cost of a refit), so its share has shrunk.";
 }
 
-std::string text_of_ours(const tools::SceneFigures& figures) {
+std::string text_of_ours(const tools::bench::SceneFigures& figures) {
   const double ours = mean_us(figures, methods::kOnDemand, Question::all);
   const double eager = mean_us(figures, methods::kEager, Question::all);
   return "Pelt takes " + microseconds(ours) + ", and " + microseconds(eager) +

@@ -62,6 +62,21 @@ TEST(Lab, BenchesFiveMethodsUnlessTold) {
             (std::vector<std::string>{"paper", "paper_eager", "eager", "on_demand", "rigid"}));
 }
 
+TEST(Lab, NamesItselfWhereAnAnswerDiffersFromTheFile) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const std::vector<std::string> options = {"--methods", "on_demand", "--queries", "all",
+                                            "--caches",  "hot",       "--frames",  "4:7"};
+  json file = bench(folder, options);
+  file["scenes"][0]["engines"][0]["hash"] = "0123456789abcdef";
+  write_text(folder / "a.json", file.dump());
+  std::vector<std::string> words = {"bench", "scene.json", "--repeat", "1", "--against", "a.json"};
+  words.insert(words.end(), options.begin(), options.end());
+  const Ended run = run_pelt(folder, words);
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.err.find("pelt-lab: error: 1 answer different from a.json"), 0u) << run.err;
+}
+
 TEST(Lab, BenchesEveryMethodBesideRigid) {
   const TestFolder folder;
   write_limbs(folder);

@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 Figures figures_of(const std::string& engine, double mean_us, Variant variant = {}) {
@@ -180,4 +180,4 @@ TEST(BenchAgainst, SaysWhereTimesAreOfAnotherKind) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

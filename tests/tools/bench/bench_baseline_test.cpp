@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 using nlohmann::json;
@@ -122,4 +122,4 @@ TEST(BenchBaseline, MustExist) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

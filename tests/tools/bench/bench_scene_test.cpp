@@ -8,7 +8,7 @@
 
 #include <sstream>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 /// A method that omits the last contact of every tenth query with several contacts, or of every
@@ -76,13 +76,13 @@ TEST(BenchScene, RefusesAnEngineThatForgetsOneContact) {
   for (const int every : {1, 10}) {
     std::vector<SceneFigures> figures;
     std::ostringstream errors;
-    const Result<arguments::ExitCode> exit =
-        bench_scene(walkers(), settings_with({engine_of(methods::kOnDemand), forgetful(every)}),
-                    figures, errors);
+    BenchSettings settings = settings_with({engine_of(methods::kOnDemand), forgetful(every)});
+    settings.program = "pelt-lab";
+    const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
     ASSERT_TRUE(exit);
     EXPECT_EQ(*exit, arguments::ExitCode::internal);
     EXPECT_TRUE(figures.empty());
-    EXPECT_EQ(errors.str().find("pelt: internal error: walkers: forgetful gives the hash "), 0u)
+    EXPECT_EQ(errors.str().find("pelt-lab: internal error: walkers: forgetful gives the hash "), 0u)
         << errors.str();
   }
 }
@@ -201,4 +201,4 @@ TEST(BenchScene, UpdatesOfRigidBodiesCostNothing) {
 }
 
 }  // namespace
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

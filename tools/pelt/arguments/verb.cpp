@@ -38,7 +38,7 @@ std::string words_of(const CLI::App& verb) {
       if (!is_flag) (option->nonpositional() ? options : arguments).push_back(shell_word(result));
     }
   }
-  std::string words = "pelt " + verb.get_name();
+  std::string words = verb.get_parent()->get_name() + " " + verb.get_name();
   for (const auto* list : {&arguments, &options}) {
     for (const std::string& word : *list) words.append(" ").append(word);
   }
@@ -51,6 +51,8 @@ Verb::Verb(CLI::App& app, const char* name, const char* description, const char*
     : verb_(*app.add_subcommand(name, description)) {
   verb_.footer(footer);
 }
+
+std::string Verb::program() const { return verb_.get_parent()->get_name(); }
 
 template <typename T>
 void Verb::option(const char* name, T& value, const std::string& help, const OptionSyntax& syntax) {

@@ -26,6 +26,9 @@ class Verb {
  public:
   Verb(CLI::App& app, const char* name, const char* description, const char* footer);
 
+  /// Name of the program that the verb belongs to: "pelt" or "pelt-lab".
+  std::string program() const;
+
   /// Adds an option that sets `value`, whose current value is the default. A name without dashes is
   /// a positional argument. A list gets one value for each use of the option. Defined for the types
   /// in verb.cpp.

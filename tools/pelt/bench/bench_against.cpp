@@ -8,7 +8,7 @@
 #include <iomanip>
 #include <set>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 constexpr int kQuery = 7, kCache = 6, kMethod = 13, kThreads = 8, kNumber = 10, kMark = 7;
@@ -190,4 +190,4 @@ BenchComparison print_comparison(const Baseline& then, std::span<const SceneFigu
   return result;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <span>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 /// Per cent by which a ratio may be worse without a mark, because of noise: beside other programs,
 /// 9 of 128 ratios of an unchanged build were marked, and a smaller margin would mark more.
@@ -25,4 +25,4 @@ struct BenchComparison {
 BenchComparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
                                  std::uint32_t margin_percent, std::ostream& out);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -2,7 +2,7 @@
 
 #include "tools/pelt/scene/contact_hash.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 /// Hashes which pairs touch, because the first contact of a pair is unspecified.
@@ -76,4 +76,4 @@ Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
   return result;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

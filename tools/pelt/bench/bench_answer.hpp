@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 /// Answers of an engine to one query, with each frame queried once.
 struct Answer {
@@ -19,4 +19,4 @@ struct Answer {
 Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
                                    std::span<const Question> questions);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

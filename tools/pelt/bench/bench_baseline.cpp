@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 using asset::FirstError;
@@ -111,4 +111,4 @@ Result<Baseline> read_baseline(const std::string& path) {
   return parse_baseline(path, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

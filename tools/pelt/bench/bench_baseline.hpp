@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 struct Baseline {
   std::string path;  ///< as given by the user
@@ -20,4 +20,4 @@ Result<Baseline> parse_baseline(const std::string& path, std::string_view text);
 
 Result<Baseline> read_baseline(const std::string& path);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 Engine engine_of(methods::MethodKind method) {
   return {std::string(method.name), [method](std::span<const scene::Collider> colliders) {
@@ -37,4 +37,4 @@ Error in_frame(std::uint32_t frame, const Error& error) {
   return asset::prefixed("frame " + std::to_string(frame), error);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

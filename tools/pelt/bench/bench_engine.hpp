@@ -11,7 +11,7 @@
 #include <functional>
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 enum class Question {
   all,    ///< every contact
@@ -71,4 +71,4 @@ class Runner {
 /// Prefixes an error with its frame.
 Error in_frame(std::uint32_t frame, const Error& error);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

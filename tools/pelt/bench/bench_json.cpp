@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 using nlohmann::ordered_json;
@@ -71,4 +71,4 @@ std::string figures_json(const std::vector<SceneFigures>& scenes) {
   return output::json_text(figures, 2) + "\n";
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

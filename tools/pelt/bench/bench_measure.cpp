@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 /// Reads more memory than the caches hold, on as many threads as the engine has, because each core
@@ -176,4 +176,4 @@ Result<std::vector<std::vector<Times>>> measure(const Subject& subject,
   return measurement.times();
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

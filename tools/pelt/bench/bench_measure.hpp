@@ -15,7 +15,7 @@
 #include <functional>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 enum class Cache {
   hot,   ///< as left by the untimed part
@@ -51,4 +51,4 @@ Result<std::vector<std::vector<Times>>> measure(const Subject& subject,
                                                 std::uint32_t repetitions,
                                                 const std::function<void()>& advance);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

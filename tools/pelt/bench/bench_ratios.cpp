@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 bool is_same(const Variant& a, const Variant& b) {
   return a.question == b.question && a.cache == b.cache;
@@ -45,4 +45,4 @@ std::string in_words(const std::optional<double>& ratio) {
   return ratio ? output::fixed(*ratio, 2) : "-";
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

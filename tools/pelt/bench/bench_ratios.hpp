@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 /// Nullopt if the other method was not measured.
 struct Ratios {
@@ -36,4 +36,4 @@ Ratios ratios_of(const SceneFigures& scene, const Figures& figures);
 /// With two decimals; "-" for nullopt.
 std::string in_words(const std::optional<double>& ratio);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -9,7 +9,7 @@
 #include <iomanip>
 #include <set>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 constexpr int kName = 12, kColumn = 12, kWorkColumn = 16;
@@ -151,4 +151,4 @@ void print_figures(const SceneFigures& scene, std::ostream& out) {
   print_all_work(scene, out);
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 /// Figures of one variant of one engine.
 struct Figures {
@@ -52,4 +52,4 @@ void print_figures(const SceneFigures& scene, std::ostream& out);
 /// Returns the figures as JSON.
 std::string figures_json(const std::vector<SceneFigures>& scenes);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

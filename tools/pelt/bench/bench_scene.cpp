@@ -8,7 +8,7 @@
 
 #include <set>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 /// The reference for all answers; shares no tree with the fast engines.
@@ -48,13 +48,12 @@ Result<Prepared> prepare(const scenes::Scene& scene, const arguments::ModelArgum
 using Answers = std::vector<Answer>;  // [questions]
 
 /// Whether an engine gives the answers of the reference. Prints a message if not.
-bool agrees(const scenes::Scene& scene, const std::string& engine, const Answers& answers,
+bool agrees(const std::string& where, const std::string& engine, const Answers& answers,
             const Answers& reference, std::ostream& errors) {
   for (std::size_t q = 0; q < answers.size(); ++q) {
     if (answers[q].hash == reference[q].hash) continue;
-    errors << "pelt: internal error: " << asset::printable(scene.name) << ": " << engine
-           << " gives the hash " << output::hex16(answers[q].hash) << ", " << kReference.name
-           << " gives " << output::hex16(reference[q].hash)
+    errors << where << ": " << engine << " gives the hash " << output::hex16(answers[q].hash)
+           << ", " << kReference.name << " gives " << output::hex16(reference[q].hash)
            << ": please report this with the scene\n";
     return false;
   }
@@ -65,6 +64,8 @@ bool agrees(const scenes::Scene& scene, const std::string& engine, const Answers
 Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings& settings,
                                      std::ostream& errors) {
   const Engine reference = engine_of(kReference);
+  const std::string where =
+      settings.program + ": internal error: " + asset::printable(subject.scene.name);
   const Result<Answers> expected = answer(subject, reference, settings.questions);
   if (!expected) return expected.error();
   std::vector<Answers> all;
@@ -72,7 +73,7 @@ Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings
     const Result<Answers> answers =
         engine.name == reference.name ? expected : answer(subject, engine, settings.questions);
     if (!answers) return answers.error();
-    if (!agrees(subject.scene, engine.name, *answers, *expected, errors)) {
+    if (!agrees(where, engine.name, *answers, *expected, errors)) {
       return std::vector<Answers>();
     }
     all.push_back(*answers);
@@ -130,4 +131,4 @@ Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchS
   return arguments::ExitCode::success;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -8,10 +8,12 @@
 #include "tools/pelt/bench/bench_report.hpp"
 
 #include <optional>
+#include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 struct BenchSettings {
+  std::string program = "pelt";  ///< for messages
   std::vector<Engine> engines;
   std::vector<Question> questions;
   std::vector<Cache> caches;
@@ -25,4 +27,4 @@ struct BenchSettings {
 Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
                                         std::vector<SceneFigures>& figures, std::ostream& errors);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

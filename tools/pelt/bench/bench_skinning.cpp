@@ -5,7 +5,7 @@
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/output/statistics.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 /// An instance and the memory for its posed vertices.
@@ -52,4 +52,4 @@ Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetiti
   return skinning;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

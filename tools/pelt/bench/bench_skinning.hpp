@@ -2,7 +2,7 @@
 
 #include "tools/pelt/bench/bench_engine.hpp"
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 /// The time to pose all vertices of all instances with the wide code, as a unit for comparing
 /// engines.
@@ -16,4 +16,4 @@ struct Skinning {
 /// The mean over the frames of the medians of the repetitions.
 Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetitions);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <thread>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 namespace {
 
 /// Only implemented for Linux; otherwise "unknown".
@@ -65,4 +65,4 @@ std::string in_words(const Machine& machine) {
   return machine.cpu + ", " + machine.target + ", " + machine.compiler + ", " + machine.build;
 }
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 /// Machine and build of a measurement.
 struct Machine {
@@ -19,4 +19,4 @@ Machine this_machine();
 /// "AMD EPYC, avx2, GCC 12.2.0, no asserts"
 std::string in_words(const Machine& machine);
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

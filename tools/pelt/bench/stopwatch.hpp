@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace pelt::tools {
+namespace pelt::tools::bench {
 
 /// Kind of time that a stopwatch measures.
 enum class Time {
@@ -60,4 +60,4 @@ class Stopwatch {
   Clock::time_point begin_, lap_, end_;
 };
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::bench

@@ -21,13 +21,14 @@ namespace pelt::tools::verbs {
 namespace {
 
 struct Arguments {
+  std::string program;
   std::vector<std::string> scenes;
   methods::MethodKinds known_methods;
   std::string methods;
   std::string queries = "all,first", caches = "hot,cold";
   std::string threads, json, against, frames, simd;
   std::optional<std::uint32_t> margin;
-  std::uint32_t repetitions = kEnoughRepetitions;
+  std::uint32_t repetitions = bench::kEnoughRepetitions;
   arguments::ModelArguments models;
 };
 
@@ -73,8 +74,8 @@ Names that end in _us are microseconds per frame. pelt(1) describes each field, 
 /// A larger number is probably a typing error.
 constexpr std::uint32_t kMostThreads = 256;
 
-constexpr std::array kQuestions = {Question::all, Question::first};
-constexpr std::array kCaches = {Cache::hot, Cache::cold};
+constexpr std::array kQuestions = {bench::Question::all, bench::Question::first};
+constexpr std::array kCaches = {bench::Cache::hot, bench::Cache::cold};
 
 /// Parses a list like "hot,cold" into values; `names` has the names of all `values`.
 template <typename T>
@@ -124,27 +125,27 @@ Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
   return counts;
 }
 
-Result<std::vector<Engine>> choose_engines(const Arguments& arguments) {
+Result<std::vector<bench::Engine>> choose_engines(const Arguments& arguments) {
   const auto methods = parse_methods(arguments);
   if (!methods) return methods.error();
   const auto threads = parse_threads(arguments.threads);
   if (!threads) return threads.error();
-  std::vector<Engine> engines;
+  std::vector<bench::Engine> engines;
   for (const methods::MethodKind& method : *methods) {
     if (method != methods::kOnDemand || threads->empty())
-      engines.push_back(engine_of(method));
+      engines.push_back(bench::engine_of(method));
     else
-      for (const std::uint32_t count : *threads) engines.push_back(crowd_engine(count));
+      for (const std::uint32_t count : *threads) engines.push_back(bench::crowd_engine(count));
   }
-  if (!threads->empty() && time_of(engines) == Time::thread) {
+  if (!threads->empty() && bench::time_of(engines) == bench::Time::thread) {
     return output::bad_argument("--threads", "only the method on_demand supports several threads",
                                 "add on_demand to --methods, or leave out --threads");
   }
   return engines;
 }
 
-Result<BenchSettings> choose(const Arguments& arguments) {
-  BenchSettings settings;
+Result<bench::BenchSettings> choose(const Arguments& arguments) {
+  bench::BenchSettings settings;
   const auto engines = choose_engines(arguments);
   if (!engines) return engines.error();
   settings.engines = *engines;
@@ -159,6 +160,7 @@ Result<BenchSettings> choose(const Arguments& arguments) {
   }
   settings.repetitions = arguments.repetitions;
   settings.models = arguments.models;
+  settings.program = arguments.program;
   if (arguments.frames.empty()) return settings;
   const auto frames = arguments::parse_frame_range(arguments.frames);
   if (!frames) return frames.error();
@@ -166,35 +168,37 @@ Result<BenchSettings> choose(const Arguments& arguments) {
   return settings;
 }
 
-Result<arguments::ExitCode> bench_file(const std::string& path, const BenchSettings& settings,
-                                       std::vector<SceneFigures>& figures, std::ostream& words) {
+Result<arguments::ExitCode> bench_file(const std::string& path,
+                                       const bench::BenchSettings& settings,
+                                       std::vector<bench::SceneFigures>& figures,
+                                       std::ostream& words) {
   const auto scene = scenes::load_scene(path, settings.models.gltf_options());
   if (!scene) return scene.error();
-  const Result<arguments::ExitCode> exit = bench_scene(*scene, settings, figures, std::cerr);
+  const Result<arguments::ExitCode> exit = bench::bench_scene(*scene, settings, figures, std::cerr);
   if (!exit || *exit != arguments::ExitCode::success) return exit;
-  if (figures.size() == 1) print_machine(words);
-  print_figures(figures.back(), words);
+  if (figures.size() == 1) bench::print_machine(words);
+  bench::print_figures(figures.back(), words);
   return exit;
 }
 
 /// Nullopt without --against.
-Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments) {
+Result<std::optional<bench::Baseline>> choose_baseline(const Arguments& arguments) {
   if (arguments.against.empty() && arguments.margin)
     return output::bad_argument("--margin", "requires --against",
                                 "name the file with --against FILE");
-  if (arguments.against.empty()) return std::optional<Baseline>();
-  auto baseline = read_baseline(arguments.against);
+  if (arguments.against.empty()) return std::optional<bench::Baseline>();
+  auto baseline = bench::read_baseline(arguments.against);
   if (!baseline) return baseline.error();
-  return std::optional<Baseline>(std::move(*baseline));
+  return std::optional<bench::Baseline>(std::move(*baseline));
 }
 
-arguments::ExitCode compare(const Baseline& baseline, const Arguments& arguments,
-                            std::span<const SceneFigures> figures, std::ostream& words) {
-  const BenchComparison comparison =
-      print_comparison(baseline, figures, arguments.margin.value_or(kNoisePercent), words);
+arguments::ExitCode compare(const bench::Baseline& baseline, const Arguments& arguments,
+                            std::span<const bench::SceneFigures> figures, std::ostream& words) {
+  const bench::BenchComparison comparison = bench::print_comparison(
+      baseline, figures, arguments.margin.value_or(bench::kNoisePercent), words);
   if (comparison.different_answers == 0) return arguments::ExitCode::success;
   std::cerr
-      << "pelt: error: " << output::counted(comparison.different_answers, "answer")
+      << arguments.program << ": error: " << output::counted(comparison.different_answers, "answer")
       << " different from " << baseline.path
       << ": if scenes, characters and options are the same, please report this; if the answers "
          "should differ, write a new file with --json\n";
@@ -203,7 +207,7 @@ arguments::ExitCode compare(const Baseline& baseline, const Arguments& arguments
 
 /// Loads the scenes a second time, because the check needs the names of their models before they
 /// are measured.
-Result<void> check_output(const Arguments& arguments, const BenchSettings& settings) {
+Result<void> check_output(const Arguments& arguments, const bench::BenchSettings& settings) {
   if (arguments.json.empty()) return {};
   std::vector<output::InputFile> inputs;
   if (!arguments.against.empty())
@@ -222,7 +226,7 @@ Result<void> check_output(const Arguments& arguments, const BenchSettings& setti
 
 Result<arguments::ExitCode> bench_scenes(const Arguments& arguments) {
   if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
-  const Result<BenchSettings> settings = choose(arguments);
+  const Result<bench::BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
   const auto baseline = choose_baseline(arguments);
   if (!baseline) return baseline.error();
@@ -230,13 +234,13 @@ Result<arguments::ExitCode> bench_scenes(const Arguments& arguments) {
   output::OutputFile json;
   if (const auto opened = json.open(arguments.json); !opened) return opened.error();
   std::ostream& words = output::words_beside({arguments.json});
-  std::vector<SceneFigures> figures;
+  std::vector<bench::SceneFigures> figures;
   for (const std::string& path : arguments.scenes) {
     const Result<arguments::ExitCode> exit = bench_file(path, *settings, figures, words);
     if (!exit || *exit != arguments::ExitCode::success) return exit;
   }
   if (!arguments.json.empty()) {
-    const std::string text = figures_json(figures);
+    const std::string text = bench::figures_json(figures);
     const auto written = json.write_and_close(std::as_bytes(std::span(text)));
     if (!written) return written.error();
     output::print_written(arguments.json, words);
@@ -264,7 +268,7 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
               {.type = "FILE"});
   verb.option("--margin", arguments.margin,
               "Loss of a ratio, in per cent, from which it is marked as worse (default: " +
-                  std::to_string(kNoisePercent) + ")",
+                  std::to_string(bench::kNoisePercent) + ")",
               {.type = "PERCENT", .most = 1000});
   arguments::add_simd_option(verb, arguments.simd);
   arguments::add_model_options(verb, arguments.models);
@@ -276,6 +280,7 @@ void add_bench(CLI::App& app, arguments::Command& chosen, const BenchMethods& me
   arguments::Verb verb(app, "bench", "Measure the speed of methods on scenes",
                        (kFooter + methods.notes).c_str());
   const auto arguments = std::make_shared<Arguments>();
+  arguments->program = verb.program();
   arguments->known_methods = methods.known;
   arguments->methods = methods.measured;
   add_options(verb, *arguments);
