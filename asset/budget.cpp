@@ -6,7 +6,7 @@
 namespace pelt::asset {
 
 void Budget::grant(std::uint64_t bytes) {
-  const std::uint64_t room = (kMost - granted_) / kExpansion;
+  const std::uint64_t room = (kMax - granted_) / kExpansion;
   const std::uint64_t more = std::min(bytes, room) * kExpansion;
   granted_ += more;
   left_ += more;
@@ -14,9 +14,9 @@ void Budget::grant(std::uint64_t bytes) {
 
 Result<void> Budget::take(std::uint64_t count, std::uint64_t size, const std::string& what) {
   if (count > left_ / size) {
-    const std::string most = granted_ < kMost - kExpansion
+    const std::string most = granted_ < kMax - kExpansion
                                  ? std::to_string(kExpansion) + " times its size in memory"
-                                 : std::to_string(kMost >> 20) + " MiB of memory";
+                                 : std::to_string(kMax >> 20) + " MiB of memory";
     return malformed(what + ": " + std::to_string(count) +
                      " elements are out of proportion: the file would take more than " + most);
   }

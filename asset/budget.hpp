@@ -18,10 +18,10 @@ class Budget {
   /// Vertices and triangles have at least 12 bytes, so below this limit their numbers fit into 32
   /// bits. On 32-bit platforms, 2 GB must suffice for everything: reading needs up to twice the
   /// result, and building the model needs as much again.
-  static constexpr std::uint64_t kMost = std::uint64_t{sizeof(void*) == 8 ? 48 * 1024 : 256} << 20;
+  static constexpr std::uint64_t kMax = std::uint64_t{sizeof(void*) == 8 ? 48 * 1024 : 256} << 20;
 
   /// Limit of the values in a JSON text, each of which may become a node of half a kilobyte.
-  static constexpr std::uint64_t kMostValues =
+  static constexpr std::uint64_t kMaxValues =
       sizeof(void*) == 8 ? std::uint64_t{1} << 48 : 2'000'000;
 
   /// Increases the known size of the file by `bytes`.

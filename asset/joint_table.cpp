@@ -32,13 +32,13 @@ Result<const std::vector<std::uint16_t>*> JointTable::add_skin(std::uint32_t ski
 Result<std::uint16_t> JointTable::add_node(std::uint32_t node) { return add(node, Matrix4{}); }
 
 Result<std::uint16_t> JointTable::add(std::uint32_t node, const Matrix4& inverse_bind) {
-  constexpr std::size_t kMost = 65535;
+  constexpr std::size_t kMax = 65535;
   const auto key = std::make_pair(node, detail::bits_as<Bits>(inverse_bind.m));
   const auto known = known_.find(key);
   if (known != known_.end()) return known->second;
-  if (joints_.size() == kMost) {
+  if (joints_.size() == kMax) {
     return unsupported(node_label(document_, node) + ": the file needs more than " +
-                       std::to_string(kMost) + " joints: export its characters to several files");
+                       std::to_string(kMax) + " joints: export its characters to several files");
   }
   const auto number = static_cast<std::uint16_t>(joints_.size());
   joints_.push_back({graph_.position[node], inverse_bind});

@@ -268,8 +268,8 @@ Result<json> parse_json(std::string_view text) {
   if (size.depth > kDeepest) {
     return malformed("the JSON text is nested more than " + std::to_string(kDeepest) + " deep");
   }
-  if (size.values > Budget::kMostValues) {
-    return malformed("the JSON text has more than " + std::to_string(Budget::kMostValues) +
+  if (size.values > Budget::kMaxValues) {
+    return malformed("the JSON text has more than " + std::to_string(Budget::kMaxValues) +
                      " values");
   }
   try {

@@ -10,14 +10,14 @@ namespace {
 
 /// Returns the names of the first few mesh nodes of the scene, for a message.
 std::string mesh_node_names(const GltfDocument& document, const NodeGraph& graph) {
-  constexpr std::size_t kMost = 20;
+  constexpr std::size_t kMax = 20;
   std::string names;
   std::size_t count = 0;
-  for (std::uint32_t i = 0; i < graph.scene_count && count < kMost; ++i) {
+  for (std::uint32_t i = 0; i < graph.scene_count && count < kMax; ++i) {
     const GltfNode& node = document.nodes[graph.order[i]];
     if (node.mesh) names += (count++ == 0 ? "" : ", ") + asset::quoted(node.name);
   }
-  return count < kMost ? names : names + ", ...";
+  return count < kMax ? names : names + ", ...";
 }
 
 /// Returns for each node of the scene whether the node or an ancestor has one of the names.

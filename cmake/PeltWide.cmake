@@ -1,33 +1,33 @@
-# The targets of the hot code (src/base/target.hpp), and their compiler flags. A WebAssembly module
+# The instruction sets of the hot code (src/base/instruction_set.hpp), and their compiler flags. A WebAssembly module
 # is compiled either with or without vector instructions; Pelt's always has them.
-set(PELT_WIDE_TARGETS scalar)
+set(PELT_INSTRUCTION_SETS scalar)
 if(EMSCRIPTEN)
-  set(PELT_WIDE_TARGETS "")
+  set(PELT_INSTRUCTION_SETS "")
 endif()
-set(PELT_WIDE_FLAGS_scalar -DPELT_TARGET=scalar -DPELT_SCALAR)
+set(PELT_WIDE_FLAGS_scalar -DPELT_INSTRUCTION_SET=scalar -DPELT_SCALAR)
 if(NOT PELT_SCALAR)
-  list(APPEND PELT_WIDE_TARGETS simd128)
-  set(PELT_WIDE_FLAGS_simd128 -DPELT_TARGET=simd128)
+  list(APPEND PELT_INSTRUCTION_SETS simd128)
+  set(PELT_WIDE_FLAGS_simd128 -DPELT_INSTRUCTION_SET=simd128)
   if(PELT_X86)
     list(APPEND PELT_WIDE_FLAGS_simd128 -msse4.1)
-    list(APPEND PELT_WIDE_TARGETS avx2)
-    set(PELT_WIDE_FLAGS_avx2 -DPELT_TARGET=avx2 -DPELT_TARGET_AVX2 -mavx2)
+    list(APPEND PELT_INSTRUCTION_SETS avx2)
+    set(PELT_WIDE_FLAGS_avx2 -DPELT_INSTRUCTION_SET=avx2 -DPELT_INSTRUCTION_SET_AVX2 -mavx2)
   endif()
 endif()
 
-# pelt_wide_sources(LIBRARY sources...): adds sources that are compiled for every target. Defines
-# PELT_HAS_SCALAR, PELT_HAS_SIMD128 and PELT_HAS_AVX2 for the targets that exist.
+# pelt_wide_sources(LIBRARY sources...): adds sources that are compiled for every instruction set. Defines
+# PELT_HAS_SCALAR, PELT_HAS_SIMD128 and PELT_HAS_AVX2 for those that exist.
 function(pelt_wide_sources library)
-  foreach(target IN LISTS PELT_WIDE_TARGETS)
-    set(objects ${library}_${target})
+  foreach(set IN LISTS PELT_INSTRUCTION_SETS)
+    set(objects ${library}_${set})
     add_library(${objects} OBJECT ${ARGN})
     pelt_library_target(${objects})
     pelt_compiled_together(${objects} BY_FOLDER)
-    target_compile_options(${objects} PRIVATE ${PELT_WIDE_FLAGS_${target}})
+    target_compile_options(${objects} PRIVATE ${PELT_WIDE_FLAGS_${set}})
     target_include_directories(${objects}
       PRIVATE $<TARGET_PROPERTY:${library},INCLUDE_DIRECTORIES>)
     target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
-    string(TOUPPER ${target} name)
+    string(TOUPPER ${set} name)
     target_compile_definitions(${library} PRIVATE PELT_HAS_${name})
   endforeach()
 endfunction()

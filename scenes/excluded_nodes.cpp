@@ -1,7 +1,7 @@
 #include "scenes/excluded_nodes.hpp"
 
 #include "asset/message.hpp"
-#include "scenes/nearest_name.hpp"
+#include "scenes/closest_name.hpp"
 
 #include <algorithm>
 #include <set>

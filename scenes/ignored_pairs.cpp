@@ -1,9 +1,9 @@
 #include "scenes/ignored_pairs.hpp"
 
 #include "asset/message.hpp"
+#include "scenes/closest_name.hpp"
 #include "scenes/name_pattern.hpp"
 #include "scenes/names.hpp"
-#include "scenes/nearest_name.hpp"
 
 #include <algorithm>
 #include <string>

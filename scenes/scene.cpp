@@ -6,8 +6,8 @@
 #include "asset/file_bytes.hpp"
 #include "asset/message.hpp"
 #include "base/assert.hpp"
+#include "scenes/closest_name.hpp"
 #include "scenes/excluded_nodes.hpp"
-#include "scenes/nearest_name.hpp"
 #include "scenes/scene_file.hpp"
 #include "scenes/takes.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "asset/json_object.hpp"
 #include "asset/message.hpp"
-#include "scenes/nearest_name.hpp"
+#include "scenes/closest_name.hpp"
 #include "scenes/scene_keys.hpp"
 #include "scenes/strict_object.hpp"
 #include "scenes/takes.hpp"

@@ -1,7 +1,7 @@
 #include "scenes/strict_object.hpp"
 
 #include "asset/message.hpp"
-#include "scenes/nearest_name.hpp"
+#include "scenes/closest_name.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -10,7 +10,7 @@ namespace pelt::scenes {
 
 /// Joint and part of each triangle of a character, as numbered in the asset.
 struct TriangleLabels {
-  std::vector<std::uint16_t> joint;  ///< [T] the joint of largest weight, as in ContactRegion
+  std::vector<std::uint16_t> joint;  ///< [T] the joint of largest weight, as in ContactPatch
   std::vector<std::uint32_t> part;   ///< [T] the part with the triangle
 };
 

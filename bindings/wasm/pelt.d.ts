@@ -33,7 +33,7 @@ import type { Pose } from './types/pose.js';
 import type { ContactHash, Crowd, Scene, SceneParts } from './types/scene.js';
 export * from './types/character.js';
 export * from './types/pose.js';
-export * from './types/regions.js';
+export * from './types/solids.js';
 export * from './types/contacts.js';
 export * from './types/distances.js';
 export * from './types/scene.js';
@@ -108,15 +108,15 @@ export interface Pelt {
 
   /**
    * Finds the same contacts like an engine without refitting on demand: skins all vertices, computes
-   * the exact boxes of all nodes bottom-up, and runs the same descent. Calls `Pose.refitAll` for a pose
+   * the exact boxes of all nodes bottom-up, and runs the same descent. Calls `Pose.openAll` for a pose
    * whose palette was set after the last call of it, and counts that as work of this query. Nodes opened
    * by queries on demand stay open.
    */
   collideEagerly(a: Pose, b: Pose, options?: CollideOptions): Contacts;
 
   /**
-   * Describes where and how the triangles of the contacts intersect, chained into curves and grouped
-   * into regions. Precondition: `pairs` is the result of `collide` for the current poses.
+   * Describes where and how the triangles of the contacts intersect, chained into curves and gathered
+   * into patches. Precondition: `pairs` is the result of `collide` for the current poses.
    */
   describeContacts(a: Pose, b: Pose, pairs: Uint32Array): ContactGeometry;
 
@@ -133,7 +133,7 @@ export interface Pelt {
   isWithin(a: Pose, b: Pose, tolerance: number): boolean;
 
   /**
-   * Returns the vertex of `a` that lies inside `b` and is furthest from its surface, or null if no
+   * Returns the vertex of `a` that lies inside `b` and is farthest from its surface, or null if no
    * vertex lies inside. Precondition: `b` is closed (see `Pose.isClosed`).
    */
   deepestVertex(a: Pose, b: Pose): Penetration | null;

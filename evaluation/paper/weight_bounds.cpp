@@ -95,11 +95,11 @@ class Builder {
   /// Whether the corners of the current node fit into memory. Real characters need a twentieth of
   /// the limit; a file made to need more gets the bound of eq. 2, which needs no corners.
   bool corners_fit() const {
-    constexpr std::size_t kMostCornersOfFewJoints = 280;
+    constexpr std::size_t kMaxCornersOfFewJoints = 280;
     std::size_t most = 0;
     for (const std::uint32_t set : sets_of_node_) {
       const std::size_t n = intervals_[set].size();
-      most += n * (n > kMaxEnumeratedJoints ? n : kMostCornersOfFewJoints);
+      most += n * (n > kMaxEnumeratedJoints ? n : kMaxCornersOfFewJoints);
     }
     return bounds_.corners.size() + most <= most_corner_weights_;
   }

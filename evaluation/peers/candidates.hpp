@@ -37,7 +37,7 @@ class Candidates {
     work_.cut_short = wanted_ == 0;
   }
 
-  /// False once the limit is reached; further candidates are ignored.
+  /// False once the limit is reached; other candidates are ignored.
   bool wants_more() const { return wanted_ > 0; }
 
   void add(std::uint32_t triangle_a, std::uint32_t triangle_b) {

@@ -3,7 +3,7 @@
 /// A geometry of quality REFIT is refitted only in a scene of quality LOW; in any other scene it is
 /// silently built again, which takes 30 times as long. `rtcCollide` accepts only user geometries,
 /// reports pairs of primitives from overlapping leaves, and cannot be stopped: once there are
-/// enough contacts, further pairs are ignored. The narrow phase is ours. One thread, like all
+/// enough contacts, other pairs are ignored. The narrow phase is ours. One thread, like all
 /// methods in the comparison.
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"

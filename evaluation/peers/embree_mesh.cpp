@@ -96,8 +96,8 @@ void cast_stream(RTCScene scene, std::span<const Ray> rays, std::span<RayHit> hi
   });
 }
 
-/// The state of a search for the nearest triangle.
-struct NearestSoFar {
+/// The state of a search for the closest triangle.
+struct ClosestSoFar {
   std::span<const Triangle> triangles;
   std::span<const Vec3> positions;
   double squared_distance = std::numeric_limits<double>::infinity();
@@ -107,11 +107,11 @@ struct NearestSoFar {
 /// Embree's callback for each triangle of a leaf within the radius. Returns whether the radius
 /// shrank.
 bool look_at_triangle(RTCPointQueryFunctionArguments* arguments) {
-  auto& best = *static_cast<NearestSoFar*>(arguments->userPtr);
+  auto& best = *static_cast<ClosestSoFar*>(arguments->userPtr);
   const auto [a, b, c] = best.triangles[arguments->primID];
   const RTCPointQuery& query = *arguments->query;
   const double squared =
-      detail::nearest_on_triangle(detail::Vec3d(query.x, query.y, query.z),
+      detail::closest_on_triangle(detail::Vec3d(query.x, query.y, query.z),
                                   {best.positions[a], best.positions[b], best.positions[c]})
           .squared_distance;
   if (squared >= best.squared_distance) return false;
@@ -180,16 +180,16 @@ void EmbreeMesh::cast(std::span<const Ray> rays, std::span<RayHit> hits, RayCall
   }
 }
 
-void EmbreeMesh::find_nearest(std::span<const Vec3> points, std::span<ClosestPoint> nearest) {
+void EmbreeMesh::find_closest(std::span<const Vec3> points, std::span<ClosestPoint> closest) {
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3& p = points[i];
-    NearestSoFar best = {scene_->triangles, scene_->positions};
+    ClosestSoFar best = {scene_->triangles, scene_->positions};
     RTCPointQuery query = {p.x, p.y, p.z, 0, std::numeric_limits<float>::infinity()};
     rtcPointQuery(scene_->scene, &query, &context, look_at_triangle, &best);
-    nearest[i].distance = std::sqrt(best.squared_distance);
-    nearest[i].point.triangle = best.triangle;
+    closest[i].distance = std::sqrt(best.squared_distance);
+    closest[i].point.triangle = best.triangle;
   }
 }
 

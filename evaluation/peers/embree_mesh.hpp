@@ -1,6 +1,6 @@
 #pragma once
 
-/// Embree's rays and nearest points on a posed mesh: a tree of triangles that is refitted, robust
+/// Embree's rays and closest points on a posed mesh: a tree of triangles that is refitted, robust
 /// traversal.
 
 #include <pelt/distance.hpp>
@@ -33,9 +33,9 @@ class EmbreeMesh {
   /// Finds the first hit of each ray. Sets only `triangle` and `t`.
   void cast(std::span<const Ray> rays, std::span<RayHit> hits, RayCalls calls);
 
-  /// Finds the triangle nearest to each point. Sets only `distance` and `point.triangle`. Uses
+  /// Finds the triangle closest to each point. Sets only `distance` and `point.triangle`. Uses
   /// Pelt's function for a single triangle, so that only the trees differ.
-  void find_nearest(std::span<const Vec3> points, std::span<ClosestPoint> nearest);
+  void find_closest(std::span<const Vec3> points, std::span<ClosestPoint> closest);
 
  private:
   struct Scene;

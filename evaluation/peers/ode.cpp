@@ -17,7 +17,7 @@ namespace pelt::peers {
 namespace {
 
 /// ODE counts contact points in 16 bits.
-constexpr std::uint32_t kMostPoints = 0xffff;
+constexpr std::uint32_t kMaxPoints = 0xffff;
 
 /// Numbers, starting at the number of triangles, that each represent two others.
 class TriangleGroups {
@@ -112,10 +112,10 @@ class OdeMethod final : public rivals::PosedMeshMethod {
     QueryStats work;
     work.cut_short = max_contacts == 0;
     if (work.cut_short) return work;
-    std::uint32_t most = std::min(max_contacts, kMostPoints);
+    std::uint32_t most = std::min(max_contacts, kMaxPoints);
     while (find(*bodies_[a], *bodies_[b], most) && pairs_.size() < max_contacts &&
-           most < kMostPoints)
-      most = std::min(2 * most, kMostPoints);
+           most < kMaxPoints)
+      most = std::min(2 * most, kMaxPoints);
     work.cut_short = pairs_.size() >= max_contacts;
     pairs_.resize(std::min<std::size_t>(pairs_.size(), max_contacts));
     contacts.insert(contacts.end(), pairs_.begin(), pairs_.end());
@@ -148,7 +148,7 @@ class OdeMethod final : public rivals::PosedMeshMethod {
 
   Library library_;
   std::vector<std::unique_ptr<Body>> bodies_;
-  std::vector<dContactGeom> points_ = std::vector<dContactGeom>(kMostPoints);
+  std::vector<dContactGeom> points_ = std::vector<dContactGeom>(kMaxPoints);
   std::vector<Contact> pairs_;
   std::vector<std::uint32_t> group_a_, group_b_;
 };

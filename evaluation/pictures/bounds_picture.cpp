@@ -6,7 +6,7 @@
 #include "evaluation/pictures/pictures.hpp"
 
 #include <pelt/bounds.hpp>
-#include <pelt/groups.hpp>
+#include <pelt/vertex_groups.hpp>
 
 namespace pelt::pictures {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::string_view kScene = R"({
   ]})";
 
 std::string boxes_of_joints(const Actor& actor) {
-  const Groups groups = group_by_joint(actor.pose.model());
+  const VertexGroups groups = group_by_joint(actor.pose.model());
   std::string text;
   for (std::uint32_t g = 0; g < groups.count(); ++g)
     if (groups.vertex_count(g) > 0) {

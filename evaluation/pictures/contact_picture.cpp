@@ -1,4 +1,4 @@
-/// The curves in which two creatures intersect, and the normal of each region.
+/// The curves in which two creatures intersect, and the normal of each patch.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"
@@ -42,8 +42,8 @@ Picture contact_picture() {
                     scratch, geometry);
   std::string objects = unshadowed(painted(a, glass({0.26F, 0.40F, 0.55F}, 0.45), {})) +
                         painted(b, 1) + curves(geometry);
-  for (const ContactRegion& region : geometry.regions)
-    objects += arrow(Vec3d(region.point), Vec3d(region.point) + 0.35 * Vec3d(region.normal), 0.011,
+  for (const ContactPatch& patch : geometry.patches)
+    objects += arrow(Vec3d(patch.point), Vec3d(patch.point) + 0.35 * Vec3d(patch.normal), 0.011,
                      Tone::question);
   return framed("contact", {{-4.3, 1.45, -0.9}, {0, 0.87, 0}, 44, 16. / 9}, objects);
 }

@@ -4,7 +4,7 @@
 #include "evaluation/pictures/marks.hpp"
 #include "evaluation/pictures/pictures.hpp"
 
-#include <pelt/region.hpp>
+#include <pelt/solid.hpp>
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-/// Two creatures with the segment between their nearest points, and a point with its closest
+/// Two creatures with the segment between their closest points, and a point with its closest
 /// surface point.
 
 #include "evaluation/pictures/frame.hpp"
@@ -31,14 +31,14 @@ Picture distance_picture() {
   Cast cast(kScene, 0);
   Actor &a = cast.actors[0], &b = cast.actors[1];
   Scratch scratch;
-  Distance nearest;
-  distance(a.pose, b.pose, scratch, nearest);
+  Distance between_them;
+  distance(a.pose, b.pose, scratch, between_them);
   const Vec3 point = {-0.1f, 1.35f, 1.3f};
   ClosestPoint closest;
   closest_point(b.pose, point, scratch, closest);
   const std::string objects =
       painted(a, 0) + painted(b, 1) +
-      between(Vec3d(nearest.a.position), Vec3d(nearest.b.position)) +
+      between(Vec3d(between_them.a.position), Vec3d(between_them.b.position)) +
       line(Vec3d(point), Vec3d(closest.point.position), 0.007, Tone::question) +
       dot_at(Vec3d(point), 0.032, Tone::question) +
       dot_at(Vec3d(closest.point.position), 0.02, Tone::answer);

@@ -66,9 +66,9 @@ Picture terrain_picture() {
     of_field[contact.triangle_b] = true;
   }
   const Capsule pillar = {{0, 0.2f, 1.2f}, {0, 1.3f, 1.2f}, 0.16f};
-  SolidDistance nearest;
-  distance(actor.pose, pillar, scratch, nearest);
-  const Vec3d from(nearest.surface.position), to(nearest.solid);
+  SolidDistance closest;
+  distance(actor.pose, pillar, scratch, closest);
+  const Vec3d from(closest.surface.position), to(closest.solid);
   const std::string stone = "sphere_sweep {linear_spline 2, " +
                             tools::picture::pov_vector(Vec3d(pillar.a)) + ", 0.16, " +
                             tools::picture::pov_vector(Vec3d(pillar.b)) + ", 0.16 texture {" +

@@ -9,7 +9,7 @@
 
 #include <pelt/asset.hpp>
 #include <pelt/bounds.hpp>
-#include <pelt/region.hpp>
+#include <pelt/solid.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -55,7 +55,7 @@ Box skin_all(Pose& pose, std::vector<Vec3>& positions) {
 void open_all(Pose& pose) {
   const detail::PosedTree posed = pose.detail().posed_tree();
   make_table(posed);
-  detail::open_all_exactly(posed);
+  detail::open_all(posed);
 }
 
 Bounds bounds_of(Pose& pose, const BoundsOptions& options = {}) {

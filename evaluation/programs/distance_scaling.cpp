@@ -62,12 +62,12 @@ struct Walkers {
     (void)b.set_palette(palette_b);
   }
 
-  /// The nearest triangles of the exact poses. Preconditions: all nodes are open in both, and the
+  /// The closest triangles of the exact poses. Preconditions: all nodes are open in both, and the
   /// surfaces do not touch.
-  QueryStats nearest_eagerly(detail::TriangleGap& nearest) {
+  QueryStats closest_eagerly(detail::TriangleGap& closest) {
     const detail::SearchLimits no_limits = {std::numeric_limits<double>::infinity(), 0, nullptr};
-    return detail::nearest_triangles(exact_a.posed_tree(), exact_b.posed_tree(), scratch.detail(),
-                                     no_limits, nearest);
+    return detail::closest_triangles(exact_a.posed_tree(), exact_b.posed_tree(), scratch.detail(),
+                                     no_limits, closest);
   }
 
   SkinnedModel model;
@@ -98,7 +98,7 @@ bool ask(Walkers& walkers, const Palette& palette_a, const Palette& palette_b, D
     walkers.exact_a.open_all();
     walkers.exact_b.open_all();
   }));
-  samples.eager_query.push_back(microseconds([&] { stats = walkers.nearest_eagerly(exact); }));
+  samples.eager_query.push_back(microseconds([&] { stats = walkers.closest_eagerly(exact); }));
   samples.exact_node_pairs.push_back(as_sample(stats.node_pairs));
 
   walkers.pose(palette_a, palette_b);
@@ -108,7 +108,7 @@ bool ask(Walkers& walkers, const Palette& palette_a, const Palette& palette_b, D
   samples.distance.push_back(plain.distance);
   last = plain;
   return hinted.distance == plain.distance &&
-         (plain.distance == 0 || std::sqrt(exact.nearest.squared_distance) == plain.distance);
+         (plain.distance == 0 || std::sqrt(exact.closest.squared_distance) == plain.distance);
 }
 
 void print(double shift, double metre, const Samples& s) {

@@ -140,7 +140,7 @@ class Costs {
     if (!opens_all) return;
     const detail::PosedTree posed = pose.detail().posed_tree();
     make_table(posed);
-    detail::open_all_exactly(posed);
+    detail::open_all(posed);
   }
 
   void measure(const Question& question) { programs::measure(question, stage_, arguments_.runs); }
@@ -150,9 +150,9 @@ class Costs {
       Question question =
           about_one(std::to_string(count) + " closest point(s)",
                     [=, this](const QueryFrame& f, Answer& answer) {
-                      nearest_.resize(count);
-                      closest_points(a_, std::span(f.points).first(count), scratch_, nearest_);
-                      for (const ClosestPoint& n : nearest_) answer.push_back(n.distance);
+                      closest_.resize(count);
+                      closest_points(a_, std::span(f.points).first(count), scratch_, closest_);
+                      for (const ClosestPoint& n : closest_) answer.push_back(n.distance);
                     });
       add_embree(question, count);
       measure(question);
@@ -167,9 +167,9 @@ class Costs {
       (void)a_.set_palette(frame.a);
       posed_vertices(a_, mesh->positions());
       mesh->refit();
-      nearest_.resize(count);
-      mesh->find_nearest(std::span(frame.points).first(count), nearest_);
-      for (const ClosestPoint& n : nearest_) answer.push_back(n.distance);
+      closest_.resize(count);
+      mesh->find_closest(std::span(frame.points).first(count), closest_);
+      for (const ClosestPoint& n : closest_) answer.push_back(n.distance);
     };
     question.ways.push_back({"Embree", ask, false});
   }
@@ -198,8 +198,8 @@ class Costs {
                   [this](const QueryFrame&, Answer& answer) {
                     find_contacts(answer);
                     describe_contacts(a_, surface_, b_, surface_, contacts_, scratch_, geometry_);
-                    for (const ContactRegion& region : geometry_.regions)
-                      answer.insert(answer.end(), {region.length, region.depth, region.point.x});
+                    for (const ContactPatch& patch : geometry_.patches)
+                      answer.insert(answer.end(), {patch.length, patch.depth, patch.point.x});
                     answer.push_back(static_cast<double>(geometry_.curves.size()));
                   }));
   }
@@ -264,7 +264,7 @@ class Costs {
   Surface surface_;
   Pose a_, b_;
   Scratch scratch_;
-  std::vector<ClosestPoint> nearest_;
+  std::vector<ClosestPoint> closest_;
   std::vector<Contact> contacts_;
   std::vector<NearPair> near_;
   ContactGeometry geometry_;

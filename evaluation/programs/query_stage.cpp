@@ -43,10 +43,10 @@ class Neighbours {
     double shift = double{box_a.high.x} - double{box_b.low.x} + 2 * gap;
     for (int step = 0; step < 100; ++step) {
       (void)b_.set_palette(moved(b, shift));
-      Distance nearest;
-      distance(a_, b_, scratch_, nearest);
-      if (nearest.distance < 1.05 * gap) break;
-      shift -= nearest.distance - gap;
+      Distance closest;
+      distance(a_, b_, scratch_, closest);
+      if (closest.distance < 1.05 * gap) break;
+      shift -= closest.distance - gap;
     }
     return shift;
   }

@@ -177,7 +177,7 @@ Way eager(Pose& pose) {
             (void)pose.set_palette(palette);
             const detail::PosedTree posed = pose.detail().posed_tree();
             make_table(posed);
-            detail::open_all_exactly(posed);
+            detail::open_all(posed);
           },
           [&](std::span<const Ray> rays, std::span<RayHit> hits) { cast(pose, rays, hits); }};
 }

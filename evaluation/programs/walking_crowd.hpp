@@ -32,7 +32,7 @@ class WalkPhases {
 };
 
 /// Instances in rows, with as many rows as a row has walkers. They walk on the spot in different
-/// directions, one phase further in each frame, so the crowd stays as sparse as at the start.
+/// directions, one phase later in each frame, so the crowd stays as sparse as at the start.
 class WalkingCrowd {
  public:
   /// `metre` is in units of the character. `phases` must outlive the crowd.

@@ -9,7 +9,7 @@ namespace pelt::reproduce {
 namespace {
 
 constexpr int kSignificant = 3;
-constexpr int kMostDecimals = 6;
+constexpr int kMaxDecimals = 6;
 
 /// Number of digits before the decimal point, minus one, of the figure rounded to three digits: 0
 /// for 1 to 9.99.
@@ -22,13 +22,13 @@ bool has_decimals(double figure, int decimals) {
 
 int decimals_of(double figure) {
   int decimals = 0;
-  while (decimals < kMostDecimals && !has_decimals(figure, decimals)) ++decimals;
+  while (decimals < kMaxDecimals && !has_decimals(figure, decimals)) ++decimals;
   return decimals;
 }
 
 /// Decimals for three significant digits.
 int significant_decimals(double figure) {
-  return std::clamp(kSignificant - 1 - magnitude(figure), 0, kMostDecimals);
+  return std::clamp(kSignificant - 1 - magnitude(figure), 0, kMaxDecimals);
 }
 
 /// "-1,234.50"

@@ -8,7 +8,7 @@
 #include "evaluation/reproduce/files.hpp"
 #include "evaluation/reproduce/real_models.hpp"
 #include "evaluation/reproduce/summary.hpp"
-#include "scenes/nearest_name.hpp"
+#include "scenes/closest_name.hpp"
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/machine.hpp"
@@ -160,8 +160,7 @@ void add_reproduce(CLI::App& app, arguments::Command& chosen) {
   const auto arguments = std::make_shared<Arguments>();
   verb.option("-o,--output", arguments->folder, "Folder for the report", {.type = "DIR"});
   verb.flag("--quick", arguments->is_quick, "Use fewer frames, repetitions and sizes");
-  verb.option("--models", arguments->models, "Folder with further characters (.glb)",
-              {.type = "DIR"});
+  verb.option("--models", arguments->models, "Folder with more characters (.glb)", {.type = "DIR"});
   verb.option("--only", arguments->only, "Only these experiments, separated by commas",
               {.type = "LIST"});
   verb.flag("--peers", arguments->has_peers,

@@ -19,7 +19,7 @@ using tools::bench::SceneFigures;
 constexpr std::array kDistances = {3.0, kApart, 0.9, 0.8, kTouching, 0.6, 0.45, kDeep, 0.15, 0.0};
 
 /// For larger meshes, building a tree in each frame takes seconds.
-constexpr std::uint32_t kMostRebuilt = 100000;
+constexpr std::uint32_t kMaxRebuilt = 100000;
 
 double height_of(const scenes::Character& character) {
   float low = HUGE_VALF, high = -HUGE_VALF;
@@ -37,7 +37,7 @@ std::string mean_over_phases(const Conditions& conditions) {
 
 std::vector<MethodKind> methods_for(std::uint32_t triangles) {
   std::vector<MethodKind> methods(kCompared.begin(), kCompared.end());
-  if (triangles > kMostRebuilt)
+  if (triangles > kMaxRebuilt)
     methods.erase(std::find(methods.begin(), methods.end(), methods::kAabbRebuild));
   return methods;
 }

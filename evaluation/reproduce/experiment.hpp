@@ -1,6 +1,6 @@
 #pragma once
 
-/// The experiments of Kavan & Zara 2005, section 5, and further ones, each in a file of its own.
+/// The experiments of Kavan & Zara 2005, section 5, and additional ones, each in a file of its own.
 
 #include <pelt/result.hpp>
 

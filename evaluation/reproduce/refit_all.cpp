@@ -9,7 +9,7 @@
 #include "evaluation/reproduce/median_time.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
 #include "evaluation/reproduce/specimen.hpp"
-#include "pose/open_fully.hpp"
+#include "pose/all_bounds.hpp"
 #include "pose/pose.hpp"
 
 namespace pelt::reproduce {
@@ -67,14 +67,14 @@ double update_us(MethodKind kind, const Specimen& specimen, const Palette& palet
 }
 
 /// Computes all boxes of Pelt's tree from the bounds that queries use.
-double open_fully_us(const Specimen& specimen, const Palette& palette, std::uint32_t repetitions) {
+double all_bounds_us(const Specimen& specimen, const Palette& palette, std::uint32_t repetitions) {
   Pose pose(specimen.model);
   return median_us(repetitions, [&] {
     const Result<void> taken = pose.set_palette(palette.joints());
     PELT_ASSERT(taken);
     const detail::PosedTree tree = pose.detail().posed_tree();
     make_table(tree);
-    detail::open_fully(tree);
+    detail::compute_all_bounds(tree);
   });
 }
 
@@ -92,7 +92,7 @@ std::vector<Cell> rebuild_row(const char* name, const Specimen& specimen,
   const std::uint32_t builds = conditions.is_quick ? 1 : 5;
   const AllSpheres all = refit_all(specimen, palette, repetitions);
   const double rebuild = update_us(methods::kPaperRigid, specimen, palette, builds);
-  const double opened = open_fully_us(specimen, palette, repetitions);
+  const double opened = all_bounds_us(specimen, palette, repetitions);
   const double build = build_us(specimen, builds);
   return {name,
           static_cast<double>(specimen.mesh.triangle_count()),

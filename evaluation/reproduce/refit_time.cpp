@@ -17,8 +17,8 @@ using detail::Palette;
 using paper::SphereModel;
 
 /// Limits of the nodes of a class. At least kFewest, because the clock is read once for all of
-/// them. Times at most kMost, so that they stay in the caches.
-constexpr std::size_t kFewest = 8, kMost = 256;
+/// them. Times at most kMax, so that they stay in the caches.
+constexpr std::size_t kFewest = 8, kMax = 256;
 
 /// Counts the vertices of nodes, each once.
 class VertexCounter {
@@ -46,9 +46,9 @@ double class_of(double fact) {
 }
 
 std::vector<std::uint32_t> evenly_chosen(const std::vector<std::uint32_t>& nodes) {
-  if (nodes.size() <= kMost) return nodes;
+  if (nodes.size() <= kMax) return nodes;
   std::vector<std::uint32_t> chosen;
-  for (std::size_t i = 0; i < kMost; ++i) chosen.push_back(nodes[i * nodes.size() / kMost]);
+  for (std::size_t i = 0; i < kMax; ++i) chosen.push_back(nodes[i * nodes.size() / kMax]);
   return chosen;
 }
 

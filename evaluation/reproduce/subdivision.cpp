@@ -166,7 +166,7 @@ Table drift_table(const std::vector<scenes::Character>& dwarves) {
       {{"subdivisions", "subdivisions"}, {"drift_percent", "drift [% of the height]"}},
       {},
       "For the interfering pose: the largest distance of a new vertex from the middle "
-      "of its edge, summed over the subdivisions. No vertex is further than this from the "
+      "of its edge, summed over the subdivisions. No vertex is farther than this from the "
       "first mesh."};
   double drifted = 0;
   for (std::size_t level = 0; level < dwarves.size(); ++level) {

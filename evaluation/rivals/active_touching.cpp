@@ -1,6 +1,6 @@
 #include "evaluation/rivals/touching.hpp"
 
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 namespace pelt::rivals {
 
@@ -16,10 +16,10 @@ Touching touching;
 
 Touching* active_touching() {
 #ifdef PELT_HAS_AVX2
-  if (active_target() == Target::avx2) return avx2::touching;
+  if (active_instruction_set() == InstructionSet::avx2) return avx2::touching;
 #endif
 #ifdef PELT_HAS_SIMD128
-  if (active_target() == Target::simd128) return simd128::touching;
+  if (active_instruction_set() == InstructionSet::simd128) return simd128::touching;
 #endif
   return scalar::touching;
 }

@@ -76,8 +76,8 @@ class BoxDescent {
 
   /// The triangles of a leaf whose boxes overlap the other leaf's box.
   struct LeafBoxes {
-    Box4 box[kMostLeafTriangles];
-    std::uint32_t id[kMostLeafTriangles];
+    Box4 box[kMaxLeafTriangles];
+    std::uint32_t id[kMaxLeafTriangles];
     std::uint32_t count = 0;
 
     template <class Side>

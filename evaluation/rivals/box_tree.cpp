@@ -7,7 +7,7 @@
 namespace pelt::rivals {
 namespace {
 
-constexpr int kMostBins = 12;
+constexpr int kMaxBins = 12;
 
 /// A triangle's box; `first` is the triangle's number.
 using Item = NumberedBox;
@@ -44,7 +44,7 @@ struct Cut {
 };
 
 void improve(Cut& best, int axis, std::span<const Bin> bins) {
-  std::array<double, kMostBins> right_cost;
+  std::array<double, kMaxBins> right_cost;
   Bin right, left;
   for (std::size_t i = bins.size(); --i > 0;) {
     right = {unite(right.box, bins[i].box), right.count + bins[i].count};
@@ -104,12 +104,12 @@ class Builder {
       middles = {min(middles.low, m), max(middles.high, m)};
     }
     // Evaluating many bins for few boxes would cost more than it gains.
-    const int bin_count = std::clamp(static_cast<int>(items.size() / 2), 4, kMostBins);
+    const int bin_count = std::clamp(static_cast<int>(items.size() / 2), 4, kMaxBins);
     Cut best;
     for (int axis = 0; axis < 3; ++axis) {
       const Binning binning(middles.low[axis], middles.high[axis], bin_count);
       if (!binning.is_sound()) continue;
-      std::array<Bin, kMostBins> bins;
+      std::array<Bin, kMaxBins> bins;
       for (const Item& item : items) {
         Bin& bin = bins[binning.bin_of(middle(item, axis))];
         bin = {unite(bin.box, item.box()), bin.count + 1};

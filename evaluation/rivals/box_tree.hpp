@@ -14,7 +14,7 @@ namespace pelt::rivals {
 /// count is 0 and the children are first and first + 1.
 using BoxNode = NumberedBox;
 
-inline constexpr std::uint32_t kMostLeafTriangles = 32;
+inline constexpr std::uint32_t kMaxLeafTriangles = 32;
 
 /// Breadth-first: the root is node 0, children follow their parents, and siblings are adjacent.
 struct BoxTree {
@@ -24,7 +24,7 @@ struct BoxTree {
 
 /// Builds a tree whose leaves have at most `leaf_triangles`. O(T log T), except for boxes that are
 /// made to prevent it. Precondition: there is at least one triangle, and 1 <= leaf_triangles <=
-/// kMostLeafTriangles.
+/// kMaxLeafTriangles.
 BoxTree build_box_tree(std::span<const Triangle> triangles, const Points& points,
                        std::uint32_t leaf_triangles);
 

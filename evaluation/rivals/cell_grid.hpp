@@ -32,13 +32,13 @@ struct CellRange {
 
 /// A box that touches more cells is entered in none, and is compared with everything. This bounds
 /// memory and time if a triangle is much larger than a cell.
-inline constexpr std::uint64_t kMostCells = 64;
+inline constexpr std::uint64_t kMaxCells = 64;
 
 class CellGrid {
  public:
   /// The largest number of cells along an axis, so that the three numbers of a cell fit into 60
   /// bits.
-  static constexpr std::uint32_t kMostOnAxis = 1u << 20;
+  static constexpr std::uint32_t kMaxOnAxis = 1u << 20;
 
   CellGrid() = default;
 
@@ -70,7 +70,7 @@ class CellGrid {
 
 /// Cells of edge `edge` from the corner `low`, up to the largest cell number.
 inline CellGrid endless_grid(const Float4& low, float edge) {
-  constexpr std::uint32_t kLast = CellGrid::kMostOnAxis - 1;
+  constexpr std::uint32_t kLast = CellGrid::kMaxOnAxis - 1;
   return {low, edge, {kLast, kLast, kLast}};
 }
 

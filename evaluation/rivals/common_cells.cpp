@@ -5,11 +5,11 @@
 namespace pelt::rivals {
 namespace {
 
-constexpr double kMostInRow = 64;
+constexpr double kMaxInRow = 64;
 
 /// With this limit, the rows take at most 128 KiB per set: they are cleared in every query and stay
 /// in the cache.
-constexpr double kMostRows = 0x1p14;
+constexpr double kMaxRows = 0x1p14;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void CommonCells::choose_cells(const Box4& where, float edge) {
   edge = std::max(edge, std::numeric_limits<float>::min());
   constexpr float kALittle = 1.125f;
   const auto cells_on = [&](int axis) { return std::floor(double{extent[axis] / edge}) + 1; };
-  while (cells_on(0) > kMostInRow || cells_on(1) * cells_on(2) > kMostRows) edge *= kALittle;
+  while (cells_on(0) > kMaxInRow || cells_on(1) * cells_on(2) > kMaxRows) edge *= kALittle;
   for (int axis = 0; axis < 3; ++axis) sizes_[axis] = static_cast<std::uint32_t>(cells_on(axis));
   grid_ = CellGrid(where.low, edge, {sizes_[0] - 1, sizes_[1] - 1, sizes_[2] - 1});
 }

@@ -37,7 +37,7 @@ class CommonCells {
  private:
   using Rows = std::vector<std::uint64_t>;
 
-  static bool is_large(const CellRange& cells) { return cells.count() > kMostCells; }
+  static bool is_large(const CellRange& cells) { return cells.count() > kMaxCells; }
 
   template <typename Visit>
   static void visit_if_overlapping(std::span<const NumberedBox> boxes, const Box4& box,

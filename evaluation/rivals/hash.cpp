@@ -49,7 +49,7 @@ class HashedBody {
 
   void enter(std::uint32_t t) {
     const CellRange cells = grid_.cells_of(boxes_[t]);
-    if (cells.count() > kMostCells)
+    if (cells.count() > kMaxCells)
       large_.push_back(t);
     else
       cells.visit([&](const Cell& cell) { table_.add(cell, t); });
@@ -57,7 +57,7 @@ class HashedBody {
 
   void look_up(const Box4& box, std::uint32_t other, PairTests& tests) const {
     const CellRange cells = grid_.cells_of(box);
-    if (cells.count() > kMostCells) {
+    if (cells.count() > kMaxCells) {
       for (std::uint32_t t = 0; t < boxes_.size(); ++t) add_if_overlapping(t, box, other, tests);
       return;
     }

@@ -114,7 +114,7 @@ class HashCrowd final : public PosedMeshMethod {
 
   void enter(std::uint32_t item) {
     const CellRange cells = grid_.cells_of(items_[item].box);
-    if (cells.count() > kMostCells)
+    if (cells.count() > kMaxCells)
       large_.push_back(item);
     else
       cells.visit([&](const Cell& cell) { table_->add(cell, item); });
@@ -124,7 +124,7 @@ class HashCrowd final : public PosedMeshMethod {
   void look_up(std::uint32_t item) {
     const Box4& box = items_[item].box;
     const CellRange cells = grid_.cells_of(box);
-    if (cells.count() > kMostCells) {
+    if (cells.count() > kMaxCells) {
       for (std::uint32_t i = 0; i < bodies_[items_[item].body].first_item; ++i) compare(i, item);
       return;
     }

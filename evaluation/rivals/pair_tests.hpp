@@ -20,7 +20,7 @@ class PairTests {
     if (count_ == kPairsAtOnce) test();
   }
 
-  /// Whether the limit on contacts is reached; further pairs are ignored.
+  /// Whether the limit on contacts is reached; other pairs are ignored.
   bool full() const { return left_ == 0; }
 
   /// Tests the pending pairs.

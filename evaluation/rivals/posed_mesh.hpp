@@ -5,7 +5,7 @@
 
 namespace pelt::rivals {
 
-/// A posed body as plain pointers, for code that is compiled for each target.
+/// A posed body as plain pointers, for code that is compiled for each instruction set.
 struct PosedMesh {
   const Triangle* triangles = nullptr;
   const Vec3* positions = nullptr;

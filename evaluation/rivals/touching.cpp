@@ -1,12 +1,12 @@
-/// Compiled once for each target.
+/// Compiled once for each instruction set.
 #include "evaluation/rivals/touching.hpp"
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "geometry/triangle_pair.hpp"
 #include "geometry/triangle_triage.hpp"
 
 namespace pelt::rivals {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 using detail::Float4;
@@ -52,5 +52,5 @@ unsigned touching(const PosedMesh& a, const PosedMesh& b, const Contact* pairs,
   return found & ((1u << count) - 1);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::rivals

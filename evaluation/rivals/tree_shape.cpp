@@ -47,12 +47,12 @@ TreeShape::TreeShape(std::span<const Triangle> triangles, std::span<const Vec3> 
 void make_vertex_list(std::vector<std::uint32_t>& vertices) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  while (vertices.size() % kVertexGroup != 0) vertices.push_back(vertices.back());
+  while (vertices.size() % kVertexPadding != 0) vertices.push_back(vertices.back());
 }
 
 Box4 box_of(std::span<const std::uint32_t> vertices, const Points& points) {
   Box4 box = detail::empty_box();
-  for (std::size_t i = 0; i < vertices.size(); i += kVertexGroup) {
+  for (std::size_t i = 0; i < vertices.size(); i += kVertexPadding) {
     const Float4 a = points[vertices[i]], b = points[vertices[i + 1]];
     const Float4 c = points[vertices[i + 2]], d = points[vertices[i + 3]];
     box = unite(box, {min(min(a, b), min(c, d)), max(max(a, b), max(c, d))});

@@ -7,7 +7,7 @@ namespace pelt::rivals {
 /// Lists of vertices contain each vertex once, in ascending order. The last vertex is repeated
 /// until the length is a multiple of this, so that loops over the lists have few different lengths,
 /// which branch predictors learn.
-inline constexpr std::uint32_t kVertexGroup = 4;
+inline constexpr std::uint32_t kVertexPadding = 4;
 
 /// The constants of a tree of boxes while its triangles move.
 struct TreeShape {
@@ -30,7 +30,7 @@ struct TreeShape {
 /// Turns a set of vertices into a list.
 void make_vertex_list(std::vector<std::uint32_t>& vertices);
 
-/// Precondition: the length is a multiple of kVertexGroup.
+/// Precondition: the length is a multiple of kVertexPadding.
 Box4 box_of(std::span<const std::uint32_t> vertices, const Points& points);
 
 /// Computes the boxes of all nodes, children before parents.

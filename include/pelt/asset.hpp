@@ -150,7 +150,7 @@ struct GltfOptions {
 /// 32-bit platforms, the limits are 256 MiB and two million values in the JSON.
 ///
 /// Returns an error that names the accessor, node or extension. Rotations whose squared length is
-/// further than 1/16 from 1 are an error.
+/// farther than 1/16 from 1 are an error.
 PELT_API Result<Asset> load_gltf(const std::filesystem::path& path,
                                  const GltfOptions& options = {});
 

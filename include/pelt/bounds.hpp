@@ -33,8 +33,8 @@ struct BoundsOptions {
 /// `posed_vertices`) of all triangles.
 ///
 /// Cost: O(J) with `levels` 0, without posing or opening anything. The box then costs about as much
-/// as `set_palette`, and the sphere one and a half times that. Each further level costs the opening
-/// of a few nodes.
+/// as `set_palette`, and the sphere one and a half times that. Each additional level costs the
+/// opening of a few nodes.
 ///
 /// Accuracy: for a human in motion, the box of `levels` 0 is a few per cent to 25 % larger than the
 /// exact one; three levels leave less than 10 %. The box of `levels` 0 encloses a posed box per

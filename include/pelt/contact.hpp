@@ -1,7 +1,7 @@
 #pragma once
 
-/// Geometry of contacts: where two skins intersect, as segments chained into curves and grouped
-/// into connected sets, with positions, normals and joints for solvers, reports and pictures. Call
+/// Geometry of contacts: where two skins intersect, as segments chained into curves and gathered
+/// into patches, with positions, normals and joints for solvers, reports and pictures. Call
 /// `describe_contacts` after `collide`.
 
 #include <pelt/cxx20.hpp>
@@ -93,7 +93,7 @@ struct ContactCurve {
 
 /// A connected set of contacts. Two contacts are neighbours if they share one triangle and their
 /// other triangles share a vertex.
-struct ContactRegion {
+struct ContactPatch {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::members
   float length = 0;                    ///< sum of the lengths of all segments
   Vec3 point;                          ///< mean of the traces' midpoints, weighted by length
@@ -108,8 +108,8 @@ struct ContactGeometry {
   std::vector<ContactTrace> traces;    ///< one per contact, in the order of the contacts
   std::vector<CurveStep> steps;        ///< steps of all curves, curve by curve
   std::vector<ContactCurve> curves;    ///< all segments, each in one curve
-  std::vector<std::uint32_t> members;  ///< indices into `traces`, ascending within each set
-  std::vector<ContactRegion> regions;  ///< the one with the most contacts first
+  std::vector<std::uint32_t> members;  ///< indices into `traces`, ascending within each patch
+  std::vector<ContactPatch> patches;   ///< the one with the most contacts first
 };
 
 /// Replaces the content of `geometry` with the geometry of contacts that `collide(a, b, ...)` has

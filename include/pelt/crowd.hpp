@@ -19,11 +19,11 @@ namespace detail {
 struct Crowd;
 }
 
-/// Selects the pairs of instances that are tested. Instances a and b are tested if a is a member of
-/// a group that b collides with, and b is a member of a group that a collides with.
-struct CrowdGroups {
-  std::uint32_t member_of = 1;               ///< one bit per group
-  std::uint32_t collides_with = 0xFFFFFFFF;  ///< one bit per group
+/// Selects the pairs of instances that are tested, by layers. Instances a and b are tested if a is
+/// a member of a layer that b collides with, and b is a member of a layer that a collides with.
+struct CollisionMask {
+  std::uint32_t member_of = 1;               ///< one bit per layer
+  std::uint32_t collides_with = 0xFFFFFFFF;  ///< one bit per layer
 };
 
 /// Two intersecting instances, a < b.
@@ -49,10 +49,11 @@ struct CrowdOptions {
   /// Stop each pair of instances after this number of contacts; see CollideOptions.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 
-  /// Called for pairs a < b whose bounds overlap and whose groups match; return false to skip the
-  /// pair. Empty: no pair is skipped. Runs on the caller's thread before any other work, so it may
-  /// read any data of the caller. (A std::function is fast enough here, because it is called once
-  /// per pair of instances. It allocates nothing for a lambda that captures by reference.)
+  /// Called for pairs a < b whose bounds overlap and whose collision masks match; return false to
+  /// skip the pair. Empty: no pair is skipped. Runs on the caller's thread before any other work,
+  /// so it may read any data of the caller. (A std::function is fast enough here, because it is
+  /// called once per pair of instances. It allocates nothing for a lambda that captures by
+  /// reference.)
   std::function<bool(std::uint32_t instance_a, std::uint32_t instance_b)> filter = nullptr;
 };
 
@@ -64,8 +65,8 @@ struct CrowdStats : QueryStats {
 
 /// Up to tens of thousands of instances of a few models, which are queried together. An instance
 /// stores its joint palette and a few words. Queries store opened nodes in memory that all
-/// instances share. They recycle this memory after each connected group of pairs, that is, pairs
-/// linked by common instances.
+/// instances share. They recycle this memory after each island. An island is a set of pairs that
+/// are linked by common instances.
 ///
 /// In each frame, call `set_palette` for the instances that have moved, then a query. Instances are
 /// numbered from 0. Functions without a stated cost take O(1).
@@ -82,7 +83,7 @@ class PELT_API Crowd {
   /// the lowest number never used.
   ///
   /// Cost: O(J). Allocates. If memory runs out, throws std::bad_alloc and the crowd is unchanged.
-  std::uint32_t add(const SkinnedModel& model, const CrowdGroups& groups = {});
+  std::uint32_t add(const SkinnedModel& model, const CollisionMask& mask = {});
 
   /// Removes an instance. Precondition of this function and of all functions below: `instance` was
   /// returned by `add` and has not been removed since.
@@ -93,7 +94,7 @@ class PELT_API Crowd {
 
   const SkinnedModel& model(std::uint32_t instance) const;
 
-  void set_groups(std::uint32_t instance, const CrowdGroups& groups);
+  void set_collision_mask(std::uint32_t instance, const CollisionMask& mask);
 
   /// Copies the joint palette of an instance, or returns an error, like Pose::set_palette. Also
   /// computes the box of the instance. Several threads may set palettes of different instances at

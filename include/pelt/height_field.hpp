@@ -1,7 +1,6 @@
 #pragma once
 
-/// Terrain: a grid of heights as the second operand of `collide` and `distance`, and as a target of
-/// rays.
+/// Terrain: a grid of heights as the second operand of `collide` and `distance`, and for rays.
 
 #include <pelt/cxx20.hpp>
 

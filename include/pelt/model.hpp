@@ -17,7 +17,7 @@ namespace detail {
 struct Model;
 }
 
-/// Policy for vertices whose weights sum to a value further than 2^-7 from 1. Smaller errors are
+/// Policy for vertices whose weights sum to a value farther than 2^-7 from 1. Smaller errors are
 /// rounding of the exporter, and such weights are always renormalised.
 enum class OffWeights {
   refuse,       ///< `build_model` returns an error with the vertex and its sum

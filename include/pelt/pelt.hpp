@@ -17,6 +17,11 @@
 /// stored in the leaves of a tree. To open a node of this tree means to compute its posed vertices
 /// and the boxes of its children. Queries open nodes on demand. In a pose, opened nodes stay open
 /// for later queries until the joint palette or the morph weights change.
+///
+/// Headers: queries of poses, and of a pose and points, are in the header that is named after their
+/// subject: bounds, collide, contact, distance, farthest, inside. Queries with any other operand
+/// are in the header that defines this operand: ray, solid, height_field, vertex_groups, crowd.
+/// Rays against a solid or a height field are in the header of the solid or the height field.
 
 #include <pelt/cxx20.hpp>
 
@@ -27,7 +32,6 @@
 #include <pelt/crowd.hpp>
 #include <pelt/distance.hpp>
 #include <pelt/farthest.hpp>
-#include <pelt/groups.hpp>
 #include <pelt/height_field.hpp>
 #include <pelt/inside.hpp>
 #include <pelt/math.hpp>
@@ -37,8 +41,8 @@
 #include <pelt/prepared.hpp>
 #include <pelt/query.hpp>
 #include <pelt/ray.hpp>
-#include <pelt/region.hpp>
 #include <pelt/result.hpp>
 #include <pelt/shapes.hpp>
 #include <pelt/solid.hpp>
 #include <pelt/version.hpp>
+#include <pelt/vertex_groups.hpp>

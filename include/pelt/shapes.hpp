@@ -1,8 +1,8 @@
 #pragma once
 
-/// Simple shapes in the frame of the joint palette. All are closed sets. Queries of regions
-/// (pelt/region.hpp) use their numbers without rounding and are exact. Queries of solids
-/// (pelt/solid.hpp) have errors, which are stated there.
+/// Simple shapes in the frame of the joint palette. All are closed sets. Queries are
+/// in pelt/solid.hpp. Queries of a `Region` use these numbers without rounding and are exact.
+/// Queries of a `Solid` have errors, which are stated there.
 
 #include <pelt/cxx20.hpp>
 

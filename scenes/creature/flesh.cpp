@@ -118,7 +118,7 @@ void compute_bounds(Flesh& flesh) {
   }
 }
 
-// Any muscle, here probably the nearest, gives an upper bound of the distance. Muscles that are
+// Any muscle, here probably the closest, gives an upper bound of the distance. Muscles that are
 // farther than this by more than the widest fillet have no influence.
 FleshSample sample_flesh(const Flesh& flesh, const Vec3d& point) {
   const Limb& limb_near = likely_nearest(flesh.limbs, point);

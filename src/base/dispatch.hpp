@@ -1,22 +1,23 @@
 #pragma once
 
-/// Chooses at run time which target's version of a function to call. A file that is compiled for
-/// each target defines `f` in the inline namespace PELT_TARGET. `dispatch.cpp` in the same folder
-/// is compiled once, for the baseline, and defines the `f` that all other baseline files call:
+/// Chooses at run time which version of a function to call. A file that is compiled for each
+/// instruction set defines `f` in the inline namespace PELT_INSTRUCTION_SET. `dispatch.cpp` in the
+/// same folder is compiled once, for the baseline, and defines the `f` that all other baseline
+/// files call:
 ///
-///     PELT_DECLARE_TARGETS(f)
+///     PELT_DECLARE_VERSIONS(f)
 ///
-///     inline namespace PELT_TARGET {
+///     inline namespace PELT_INSTRUCTION_SET {
 ///     int f(int argument) { return PELT_CHOOSE(f)(argument); }
 ///     }
 ///
-/// A build with one target, such as WebAssembly, calls that target's `f` directly.
+/// A build with one instruction set, such as WebAssembly, calls the only version directly.
 
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 
-/// For a target that the build does not have, declares nothing, and the pointer is null.
+/// For an instruction set that the build does not have, declares nothing, and the pointer is null.
 #ifdef PELT_HAS_SCALAR
 #define PELT_SCALAR_VERSION(function) scalar::function
 #define PELT_DECLARE_SCALAR(function)           \
@@ -50,31 +51,31 @@
 #define PELT_DECLARE_AVX2(function)
 #endif
 
-/// Declares the version of `function` of each target. Precondition: a header declares `function` in
-/// the surrounding namespace for the baseline, and it is not overloaded.
-#define PELT_DECLARE_TARGETS(function) \
-  PELT_DECLARE_SCALAR(function)        \
-  PELT_DECLARE_SIMD128(function)       \
+/// Declares the version of `function` of each instruction set. Precondition: a header declares
+/// `function` in the surrounding namespace for the baseline, and it is not overloaded.
+#define PELT_DECLARE_VERSIONS(function) \
+  PELT_DECLARE_SCALAR(function)         \
+  PELT_DECLARE_SIMD128(function)        \
   PELT_DECLARE_AVX2(function)
 
-/// Points to the version of `function` of the active target.
+/// Points to the version of `function` of the active instruction set.
 #define PELT_CHOOSE(function)                           \
   ::pelt::detail::choose<decltype(baseline::function)>( \
       PELT_SCALAR_VERSION(function), PELT_SIMD128_VERSION(function), PELT_AVX2_VERSION(function))
 
 namespace pelt::detail {
 
-/// Returns the version of the active target. At least one is not null.
+/// Returns the version of the active instruction set. At least one is not null.
 template <typename Function>
 inline Function* choose(Function* scalar, Function* simd128, Function* avx2) {
   if (!simd128 && !avx2) return scalar;
   if (!scalar && !avx2) return simd128;
-  switch (active_target()) {
-    case Target::scalar:
+  switch (active_instruction_set()) {
+    case InstructionSet::scalar:
       return scalar;
-    case Target::simd128:
+    case InstructionSet::simd128:
       return simd128;
-    case Target::avx2:
+    case InstructionSet::avx2:
       return avx2;
   }
   return scalar;

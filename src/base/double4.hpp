@@ -7,12 +7,12 @@
 
 #include <cstring>
 
-#if defined(PELT_TARGET_AVX2)
+#if defined(PELT_INSTRUCTION_SET_AVX2)
 #include <immintrin.h>
 #endif
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Two named halves: compilers keep them in registers, whereas they keep arrays in memory.
 template <typename Half>
@@ -49,7 +49,7 @@ inline bool both(bool a, bool b) { return a && b; }
 inline bool is_any(bool yes) { return yes; }
 inline double choose(bool mask, double yes, double no) { return mask ? yes : no; }
 
-#if defined(PELT_TARGET_AVX2)
+#if defined(PELT_INSTRUCTION_SET_AVX2)
 using DoubleLanes = double __attribute__((vector_size(32)));
 using DoubleYes = decltype(DoubleLanes() < DoubleLanes());
 
@@ -132,5 +132,5 @@ inline Double4 select(const MaskDouble4& mask, const Double4& yes, const Double4
 inline Double4 min(const Double4& a, const Double4& b) { return select(a < b, a, b); }
 inline Double4 max(const Double4& a, const Double4& b) { return select(b < a, a, b); }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

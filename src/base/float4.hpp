@@ -3,7 +3,7 @@
 /// Four floats processed in parallel. The scalar twin (PELT_SCALAR) performs the same operations in
 /// the same order, so both give the same bits.
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -15,7 +15,7 @@
 #endif
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 #ifdef PELT_SCALAR
 
@@ -184,5 +184,5 @@ inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   a = x, b = y, c = z, d = w;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -5,16 +5,16 @@
 /// an addition, so all give the same bits.
 
 #include "base/float4.hpp"
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 
-#if defined(PELT_TARGET_AVX2)
+#if defined(PELT_INSTRUCTION_SET_AVX2)
 #include <immintrin.h>
 #endif
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
-#if defined(PELT_TARGET_AVX2)
+#if defined(PELT_INSTRUCTION_SET_AVX2)
 
 struct Float8 {
   __m256 lanes;
@@ -131,7 +131,7 @@ struct ColumnFactors {
 };
 
 inline ColumnFactors column_factors(const float* v) {
-#if defined(PELT_TARGET_AVX2)
+#if defined(PELT_INSTRUCTION_SET_AVX2)
   const __m256 twice = Float8(load4(v), load4(v)).lanes;
   return {Float8(_mm256_permutevar_ps(twice, _mm256_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1))),
           Float8(_mm256_permutevar_ps(twice, _mm256_setr_epi32(2, 2, 2, 2, 3, 3, 3, 3)))};
@@ -150,7 +150,7 @@ struct Points8 {
 
 inline Points8 transpose8(const Float4& p0, const Float4& p1, const Float4& p2, const Float4& p3,
                           const Float4& p4, const Float4& p5, const Float4& p6, const Float4& p7) {
-#if defined(PELT_TARGET_AVX2)
+#if defined(PELT_INSTRUCTION_SET_AVX2)
   const __m256 a = Float8(p0, p4).lanes, b = Float8(p1, p5).lanes;
   const __m256 c = Float8(p2, p6).lanes, d = Float8(p3, p7).lanes;
   const __m256 ab_xy = _mm256_unpacklo_ps(a, b), cd_xy = _mm256_unpacklo_ps(c, d);
@@ -166,5 +166,5 @@ inline Points8 transpose8(const Float4& p0, const Float4& p1, const Float4& p2, 
 #endif
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,5 +1,5 @@
 /// The box of the whole skin takes six descents, one per side. Each visits the child that reaches
-/// furthest first, and other children only if they reach beyond the result so far. Nodes that one
+/// farthest first, and other children only if they reach beyond the result so far. Nodes that one
 /// descent opens stay open for the next.
 
 #include "bounds/bounding_box.hpp"
@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 enum class Side { low, high };
@@ -20,20 +20,20 @@ enum class Side { low, high };
 using Reach = float[kMaxSlots];
 
 /// Slots of a node, in descending order of reach.
-class FurthestFirst {
+class FarthestFirst {
  public:
-  FurthestFirst(const Reach& reach, unsigned slots) : reach_(reach), left_(slots) {}
+  FarthestFirst(const Reach& reach, unsigned slots) : reach_(reach), left_(slots) {}
 
   explicit operator bool() const { return left_ != 0; }
 
   /// Returns the next slot. Precondition: there is one.
   unsigned next() {
     SetBits slot(left_);
-    unsigned furthest = *slot;
+    unsigned farthest = *slot;
     for (++slot; slot; ++slot)
-      if (reach_[*slot] > reach_[furthest]) furthest = *slot;
-    left_ &= ~(1u << furthest);
-    return furthest;
+      if (reach_[*slot] > reach_[farthest]) farthest = *slot;
+    left_ &= ~(1u << farthest);
+    return farthest;
   }
 
  private:
@@ -49,21 +49,21 @@ class BoundingBox {
   Box4 run(std::uint32_t levels) {
     float low[4] = {}, high[4] = {};
     for (axis_ = 0; axis_ < 3; ++axis_) {
-      high[axis_] = furthest<Side::high>(levels);
-      low[axis_] = -furthest<Side::low>(levels);
+      high[axis_] = farthest<Side::high>(levels);
+      low[axis_] = -farthest<Side::low>(levels);
     }
     return {load4(low), load4(high)};
   }
 
  private:
   template <Side kSide>
-  float furthest(std::uint32_t levels) {
-    furthest_ = -HUGE_VALF;
+  float farthest(std::uint32_t levels) {
+    farthest_ = -HUGE_VALF;
     descend<kSide>(0, levels);
-    return furthest_;
+    return farthest_;
   }
 
-  /// Moves `furthest_` to the reach of the vertices below a node, or to its bound after the given
+  /// Moves `farthest_` to the reach of the vertices below a node, or to its bound after the given
   /// number of levels.
   template <Side kSide>
   void descend(std::uint32_t index, std::uint32_t levels) {
@@ -72,15 +72,15 @@ class BoundingBox {
     const Node& node = posed_.tree.nodes[index];
     const Float8 sides =
         kSide == Side::high ? load8(opened.high[axis_]) : Float8(0.0f) - load8(opened.low[axis_]);
-    const unsigned beyond = (Float8(furthest_) < sides).bits();
+    const unsigned beyond = (Float8(farthest_) < sides).bits();
     const unsigned known = levels > 1 ? clusters_of(node) : kAllSlots;
     Reach reach;
     sides.store(reach);
     for (SetBits slot(beyond & known); slot; ++slot)
-      furthest_ = reach[*slot] > furthest_ ? reach[*slot] : furthest_;
-    for (FurthestFirst slots(reach, beyond & ~known); slots;) {
+      farthest_ = reach[*slot] > farthest_ ? reach[*slot] : farthest_;
+    for (FarthestFirst slots(reach, beyond & ~known); slots;) {
       const unsigned slot = slots.next();
-      if (reach[slot] <= furthest_) return;
+      if (reach[slot] <= farthest_) return;
       descend<kSide>(child(node, slot), levels - 1);
     }
   }
@@ -88,7 +88,7 @@ class BoundingBox {
   const PosedTree& posed_;
   QueryStats& work_;
   int axis_ = 0;
-  float furthest_ = 0;
+  float farthest_ = 0;
 };
 
 /// Makes zeros positive.
@@ -122,11 +122,13 @@ BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette
 
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places) {
-  BoxFound found = store(box_vertices(tree, palette, places));
+  std::uint64_t displacements = 0;
+  BoxFound found = store(box_vertices(tree, palette, places, displacements));
   found.work.refits = 1;
+  found.work.displacements = displacements;
   found.work.posed_vertices = places.size();
   return found;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -2,7 +2,7 @@
 
 #include <pelt/query.hpp>
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "pose/posed_tree.hpp"
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct BoxFound {
   QueryStats work;
 };
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Returns a box of all vertices of triangles, after opening the given number of levels. The box is
 /// exact if the tree has no more levels.
@@ -29,5 +29,5 @@ BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places);
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,7 +1,7 @@
 /// A posed vertex is a convex combination of its images under single joints, and each image is in
 /// the moved rest box of its joint. Its distance from a point is therefore at most that of the
-/// furthest vertex of these boxes (node_bounds.hpp has the rounding of the boxes). The vertex of a
-/// box with centre p and half extents h that is furthest from c has the distances |p - c| + h along
+/// farthest vertex of these boxes (node_bounds.hpp has the rounding of the boxes). The vertex of a
+/// box with centre p and half extents h that is farthest from c has the distances |p - c| + h along
 /// the axes.
 ///
 /// Rounding. With six roundings on each axis, including that of the margin, five for squares and
@@ -16,7 +16,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 float bounding_radius(const NodeBounds& bounds, const Palette& palette, const float* centre) {
   const NodeBound& root = bounds.nodes[0];
@@ -24,7 +24,7 @@ float bounding_radius(const NodeBounds& bounds, const Palette& palette, const fl
   const std::uint16_t* joint = bounds.joints.data() + root.first_joint;
   const JointBox* box = bounds.joint_boxes.data() + root.first_record;
   const Float4 from = load4(centre), margin(root.margin * palette.extent() + 0x1p-120f);
-  float furthest = 0;
+  float farthest = 0;
   const bool morphed = palette.morphs().any();
   for (std::uint32_t i = 0; i < root.joint_count; ++i, ++joint, ++box) {
     const ColumnPairs c = load_columns(palette[*joint]);
@@ -36,10 +36,10 @@ float bounding_radius(const NodeBounds& bounds, const Palette& palette, const fl
     const Float4 reach = morphed ? half + margin + moved.margin : half + margin;
     const Float4 away = abs(middle - from) + reach, squares = away * away;
     const float distance = squares[0] + squares[1] + squares[2];
-    furthest = distance > furthest ? distance : furthest;
+    farthest = distance > farthest ? distance : farthest;
   }
-  return std::sqrt(furthest + 0x1p-100f) * (1 + 0x1p-20f);
+  return std::sqrt(farthest + 0x1p-100f) * (1 + 0x1p-20f);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

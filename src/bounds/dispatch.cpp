@@ -6,12 +6,12 @@
 
 namespace pelt::detail {
 
-PELT_DECLARE_TARGETS(bounding_box)
-PELT_DECLARE_TARGETS(bounding_radius)
-PELT_DECLARE_TARGETS(bound_of_set)
-PELT_DECLARE_TARGETS(box_places)
+PELT_DECLARE_VERSIONS(bounding_box)
+PELT_DECLARE_VERSIONS(bounding_radius)
+PELT_DECLARE_VERSIONS(bound_of_set)
+PELT_DECLARE_VERSIONS(box_places)
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 BoxFound bounding_box(const PosedTree& posed, std::uint32_t levels) {
   return PELT_CHOOSE(bounding_box)(posed, levels);
@@ -30,5 +30,5 @@ BoxFound box_places(const Tree& tree, const Palette& palette,
   return PELT_CHOOSE(box_places)(tree, palette, places);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,6 +1,6 @@
 #include "bounds/group_vertices.hpp"
 
-#include <pelt/groups.hpp>
+#include <pelt/vertex_groups.hpp>
 
 #include "model/unpack.hpp"
 

@@ -1,5 +1,5 @@
 #include "bounds/level_boxes.hpp"
-#include "pose/open_fully.hpp"
+#include "pose/all_bounds.hpp"
 
 #include <algorithm>
 
@@ -87,12 +87,12 @@ std::uint32_t opened_node_count(const Pose& pose) {
   return count;
 }
 
-void open_whole(const Pose& pose, Pose& whole) {
+void copy_with_all_bounds(const Pose& pose, Pose& whole) {
   whole.palette = pose.palette;
   whole.close_all();
   const PosedTree posed = whole.posed_tree();
   make_table(posed);
-  open_fully(posed);
+  compute_all_bounds(posed);
 }
 
 void level_boxes(const Pose& pose, const Pose& whole, std::uint32_t level, LevelBoxes& out) {

@@ -27,13 +27,13 @@ std::uint32_t level_count(const Tree& tree);
 /// Returns the number of nodes that queries have opened since the palette was set.
 std::uint32_t opened_node_count(const Pose& pose);
 
-/// Copies the palette of `pose` to `whole`, a pose of the same model, and opens all nodes of
+/// Copies the palette of `pose` to `whole`, a pose of the same model, and computes all bounds of
 /// `whole`.
-void open_whole(const Pose& pose, Pose& whole);
+void copy_with_all_bounds(const Pose& pose, Pose& whole);
 
-/// Replaces the content of `out` with the boxes of `level` in `whole` (see `open_whole`) and their
-/// states in `pose`. A branch that ends above the level contributes its last box, so the boxes of
-/// each level enclose the whole surface. Opens nothing in `pose`.
+/// Replaces the content of `out` with the boxes of `level` in `whole` (see `copy_with_all_bounds`)
+/// and their states in `pose`. A branch that ends above the level contributes its last box, so the
+/// boxes of each level enclose the whole surface. Opens nothing in `pose`.
 void level_boxes(const Pose& pose, const Pose& whole, std::uint32_t level, LevelBoxes& out);
 
 }  // namespace pelt::detail

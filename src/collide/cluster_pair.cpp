@@ -6,7 +6,7 @@
 #include <bit>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 Box8 intersection(const PosedCluster& a, const PosedCluster& b) {
@@ -111,5 +111,5 @@ void TrianglePairs::Side::corners8(std::uint32_t first, Points8 (&corners)[3]) c
     corners[k] = gather_points([&](std::uint32_t lane) { return corner(first + lane, k); });
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -8,7 +8,7 @@
 
 #include <pelt/collide.hpp>
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "collide/row_lanes.hpp"
 #include "query/slots.hpp"
 #include "query/stack.hpp"
@@ -18,7 +18,7 @@
 
 namespace pelt::detail {
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 class TrianglePairs {
  public:
@@ -67,5 +67,5 @@ class TrianglePairs {
   QueryStats& work_;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

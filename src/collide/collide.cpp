@@ -1,7 +1,7 @@
 #include <pelt/collide.hpp>
 
 #include "base/require.hpp"
-#include "collide/pair_traversal.hpp"
+#include "collide/collide_trees.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"

@@ -1,6 +1,6 @@
 #include "collide/collide_exact.hpp"
 
-#include "collide/pair_traversal.hpp"
+#include "collide/collide_trees.hpp"
 #include "query/sort_contacts.hpp"
 
 namespace pelt::detail {

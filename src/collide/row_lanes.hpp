@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 
 #include <array>
 #include <bit>
@@ -8,7 +8,7 @@
 #include <cstring>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// A list of pairs of a row and a lane, both below 16, written without branches. The number of
 /// lanes that a test leaves of a row is random, so a branch would often be mispredicted, which
@@ -46,5 +46,5 @@ class RowLanes {
   std::uint8_t pairs_[16 * 16 + 8];
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

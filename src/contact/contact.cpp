@@ -3,7 +3,7 @@
 #include "base/assert.hpp"
 #include "base/require.hpp"
 #include "contact/curves.hpp"
-#include "contact/regions.hpp"
+#include "contact/patches.hpp"
 #include "contact/traces.hpp"
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"
@@ -60,7 +60,7 @@ QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const S
       {TriangleReader(a.detail().posed_tree()), surface_a.detail()},
       {TriangleReader(b.detail().posed_tree()), surface_b.detail()}, contacts, links, geometry);
   detail::chain_curves(links, geometry);
-  detail::gather_regions(surface_a.detail(), surface_b.detail(), links, geometry);
+  detail::gather_patches(surface_a.detail(), surface_b.detail(), links, geometry);
   return work;
 }
 

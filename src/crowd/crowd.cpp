@@ -18,8 +18,8 @@ Crowd::Crowd(Crowd&&) noexcept = default;
 Crowd& Crowd::operator=(Crowd&&) noexcept = default;
 Crowd::~Crowd() = default;
 
-std::uint32_t Crowd::add(const SkinnedModel& model, const CrowdGroups& groups) {
-  return crowd_->instances.add(model, groups);
+std::uint32_t Crowd::add(const SkinnedModel& model, const CollisionMask& mask) {
+  return crowd_->instances.add(model, mask);
 }
 
 void Crowd::remove(std::uint32_t instance) { crowd_->instances.remove(instance); }
@@ -30,8 +30,8 @@ const SkinnedModel& Crowd::model(std::uint32_t instance) const {
   return crowd_->instances[instance].model;
 }
 
-void Crowd::set_groups(std::uint32_t instance, const CrowdGroups& groups) {
-  crowd_->instances[instance].groups = groups;
+void Crowd::set_collision_mask(std::uint32_t instance, const CollisionMask& mask) {
+  crowd_->instances[instance].mask = mask;
 }
 
 Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const Matrix4> palette) {

@@ -1,7 +1,7 @@
 #include "crowd/crowd_query.hpp"
 
 #include "base/bytes_held.hpp"
-#include "collide/pair_traversal.hpp"
+#include "collide/collide_trees.hpp"
 #include "query/sort_contacts.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace pelt::detail {
 namespace {
 
-bool agree(const CrowdGroups& a, const CrowdGroups& b) {
+bool agree(const CollisionMask& a, const CollisionMask& b) {
   return (a.member_of & b.collides_with) != 0 && (b.member_of & a.collides_with) != 0;
 }
 
@@ -44,7 +44,7 @@ CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& option
   box_instances(instances);
   sweep_.find_pairs(pairs_);
   filter_pairs(instances, options);
-  groups_.form(pairs_, instances.end());
+  islands_.form(pairs_, instances.end());
   start_workers(options.threads);
   share_out();
   collide(instances, max_contacts);
@@ -70,7 +70,7 @@ void CrowdQuery::box_instances(CrowdInstances& instances) {
 void CrowdQuery::filter_pairs(CrowdInstances& instances, const CrowdOptions& options) {
   std::erase_if(pairs_, [&](const CrowdPair& pair) {
     const auto [a, b] = pair;
-    return !agree(instances[a].groups, instances[b].groups) ||
+    return !agree(instances[a].mask, instances[b].mask) ||
            (options.filter && !options.filter(a, b));
   });
 }
@@ -89,20 +89,20 @@ void CrowdQuery::start_workers(std::uint32_t threads) {
   }
 }
 
-/// A group is large if it is a considerable part of the work of each worker.
+/// An island is large if it is a considerable part of the work of each worker.
 void CrowdQuery::share_out() {
   const std::size_t large = worker_count_ == 1 ? pairs_.size() : pairs_.size() / worker_count_ / 8;
   shared_pairs_.clear();
-  small_groups_.clear();
-  for (std::uint32_t g = 0; g < groups_.count(); ++g) {
-    const std::span<const CrowdPair> group = groups_[g];
-    if (group.size() <= large)
-      small_groups_.push_back(g);
+  small_islands_.clear();
+  for (std::uint32_t g = 0; g < islands_.count(); ++g) {
+    const std::span<const CrowdPair> island = islands_[g];
+    if (island.size() <= large)
+      small_islands_.push_back(g);
     else
-      shared_pairs_.insert(shared_pairs_.end(), group.begin(), group.end());
+      shared_pairs_.insert(shared_pairs_.end(), island.begin(), island.end());
   }
   pair_shares_.deal(static_cast<std::uint32_t>(shared_pairs_.size()), worker_count_);
-  group_shares_.deal(static_cast<std::uint32_t>(small_groups_.size()), worker_count_);
+  island_shares_.deal(static_cast<std::uint32_t>(small_islands_.size()), worker_count_);
 }
 
 void CrowdQuery::collide(CrowdInstances& instances, std::uint32_t max_contacts) {
@@ -113,24 +113,25 @@ void CrowdQuery::collide(CrowdInstances& instances, std::uint32_t max_contacts) 
     Worker& worker = workers_[number];
     while (const auto pair = pair_shares_.take(number))
       worker.collide_pair(instances, shared_pairs_[*pair], worker.shared_nodes, max_contacts);
-    const auto take_group = [&] {
-      const auto group = group_shares_.take(number);
-      return group ? groups_[small_groups_[*group]] : std::span<const CrowdPair>();
+    const auto take_island = [&] {
+      const auto island = island_shares_.take(number);
+      return island ? islands_[small_islands_[*island]] : std::span<const CrowdPair>();
     };
-    for (auto group = take_group(), next = group; !group.empty(); group = next) {
-      next = take_group();
+    for (auto island = take_island(), next = island; !island.empty(); island = next) {
+      next = take_island();
       for_both(instances, next, prefetch_palette);
-      worker.collide_group(instances, group, max_contacts);
+      worker.collide_island(instances, island, max_contacts);
     }
   };
   threads_.run(worker_count_, std::ref(job));
   for_both(instances, shared_pairs_, [](CrowdInstance& instance) { instance.close(); });
 }
 
-void CrowdQuery::Worker::collide_group(CrowdInstances& instances, std::span<const CrowdPair> group,
-                                       std::uint32_t max_contacts) {
-  for (const CrowdPair& pair : group) collide_pair(instances, pair, nodes, max_contacts);
-  for_both(instances, group, [](CrowdInstance& instance) { instance.close(); });
+void CrowdQuery::Worker::collide_island(CrowdInstances& instances,
+                                        std::span<const CrowdPair> island,
+                                        std::uint32_t max_contacts) {
+  for (const CrowdPair& pair : island) collide_pair(instances, pair, nodes, max_contacts);
+  for_both(instances, island, [](CrowdInstance& instance) { instance.close(); });
   most_nodes = std::max(most_nodes, nodes.used());
   nodes.clear();
 }
@@ -188,8 +189,8 @@ void CrowdQuery::even_out() {
 }
 
 std::size_t CrowdQuery::memory_bytes() const {
-  std::size_t bytes = sweep_.memory_bytes() + groups_.memory_bytes() +
-                      bytes_held(pairs_, shared_pairs_, small_groups_, touching_, workers_);
+  std::size_t bytes = sweep_.memory_bytes() + islands_.memory_bytes() +
+                      bytes_held(pairs_, shared_pairs_, small_islands_, touching_, workers_);
   for (const Worker& worker : workers_) bytes += worker.memory_bytes();
   return bytes;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 /// Queries of a crowd. A query runs in passes over all instances or pairs: overlapping boxes
-/// (sweep.hpp), filters, groups without common instances (pair_groups.hpp), and finally the
-/// descents. A worker processes a whole group alone. If a group is so large that others would wait
-/// for it, the workers share its pairs.
+/// (sweep.hpp), filters, islands (islands.hpp), and finally the
+/// descents. A worker processes a whole island alone. If an island is so large that others would
+/// wait for it, the workers share its pairs.
 ///
 /// Answers and stats do not depend on the number of threads. A descent depends only on the two
 /// palettes: every thread opens a node to the same bits, and the thread that publishes the node
@@ -18,7 +18,7 @@
 #include "base/work_shares.hpp"
 #include "base/workers.hpp"
 #include "crowd/instances.hpp"
-#include "crowd/pair_groups.hpp"
+#include "crowd/islands.hpp"
 #include "crowd/sweep.hpp"
 #include "query/scratch.hpp"
 
@@ -47,16 +47,16 @@ class CrowdQuery {
  private:
   /// Memory and results of one thread.
   struct alignas(64) Worker {
-    Arena nodes;                 // of the group that the worker processes alone
-    Arena shared_nodes;          // of groups whose pairs are shared
+    Arena nodes;                 // of the island that the worker processes alone
+    Arena shared_nodes;          // of islands whose pairs are shared
     Arena contacts;              // of this query
-    std::size_t most_nodes = 0;  // largest number of bytes of a group in this query
+    std::size_t most_nodes = 0;  // largest number of bytes of an island in this query
     std::vector<TouchingPair> touching;
     Scratch scratch;
     QueryStats work;
 
-    void collide_group(CrowdInstances& instances, std::span<const CrowdPair> group,
-                       std::uint32_t max_contacts);
+    void collide_island(CrowdInstances& instances, std::span<const CrowdPair> island,
+                        std::uint32_t max_contacts);
     void collide_pair(CrowdInstances& instances, const CrowdPair& pair, Arena& arena,
                       std::uint32_t max_contacts);
     std::size_t memory_bytes() const;
@@ -71,12 +71,12 @@ class CrowdQuery {
   void even_out();
 
   Sweep sweep_;
-  std::uint64_t moved_ = 0;                  // instances since the last successful query
-  std::vector<CrowdPair> pairs_;             // pairs to test
-  PairGroups groups_;                        // of the pairs to test
-  std::vector<CrowdPair> shared_pairs_;      // of the large groups
-  std::vector<std::uint32_t> small_groups_;  // all other groups
-  WorkShares pair_shares_, group_shares_;    // of shared pairs and of small groups
+  std::uint64_t moved_ = 0;                   // instances since the last successful query
+  std::vector<CrowdPair> pairs_;              // pairs to test
+  Islands islands_;                           // of the pairs to test
+  std::vector<CrowdPair> shared_pairs_;       // of the large islands
+  std::vector<std::uint32_t> small_islands_;  // all other islands
+  WorkShares pair_shares_, island_shares_;    // of shared pairs and of small islands
   std::vector<Worker> workers_;
   std::uint32_t worker_count_ = 1;  // of this query
   std::vector<TouchingPair> touching_;

@@ -25,10 +25,10 @@ Result<void> set_palette_of(CrowdInstance& instance, std::span<const Element> pa
 
 /// A free number is used only after its instance exists, so that an allocation failure changes
 /// nothing.
-std::uint32_t CrowdInstances::add(const SkinnedModel& model, const CrowdGroups& groups) {
+std::uint32_t CrowdInstances::add(const SkinnedModel& model, const CollisionMask& mask) {
   if (free_.empty()) add_slot();
   const std::uint32_t number = free_.back();
-  take_box(slots_[number].emplace(model, groups));
+  take_box(slots_[number].emplace(model, mask));
   free_.pop_back();
   ++count_;
   return number;

@@ -13,8 +13,8 @@
 namespace pelt::detail {
 
 struct CrowdInstance {
-  CrowdInstance(SkinnedModel m, const CrowdGroups& g)
-      : model(std::move(m)), groups(g), palette(rest_palette(model.detail().tree)) {}
+  CrowdInstance(SkinnedModel m, const CollisionMask& c)
+      : model(std::move(m)), mask(c), palette(rest_palette(model.detail().tree)) {}
 
   /// View of the instance for the thread that owns `arena`.
   PosedTree posed_tree(Arena& arena) {
@@ -25,7 +25,7 @@ struct CrowdInstance {
   void close() { opened = OpenedNodes(); }
 
   SkinnedModel model;
-  CrowdGroups groups;
+  CollisionMask mask;
   Palette palette;
   RootBox root_box;
   OpenedNodes opened;     // valid during a query only
@@ -35,7 +35,7 @@ struct CrowdInstance {
 /// The instances of a crowd by number. Some numbers may be free.
 class CrowdInstances {
  public:
-  std::uint32_t add(const SkinnedModel& model, const CrowdGroups& groups);
+  std::uint32_t add(const SkinnedModel& model, const CollisionMask& mask);
   void remove(std::uint32_t number);
 
   /// Number of instances.

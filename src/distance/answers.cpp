@@ -19,12 +19,12 @@ SurfacePoint surface_point(std::uint32_t triangle, const TriangleCorners& corner
 
 Distance distance_apart(const TriangleGap& gap, const DistanceOptions& options) {
   Distance closest;
-  closest.distance = std::sqrt(gap.nearest.squared_distance);
+  closest.distance = std::sqrt(gap.closest.squared_distance);
   closest.lower_bound =
       closest ? std::max(0.0, closest.distance - options.tolerance) : options.max_distance;
-  closest.a = surface_point(gap.triangle_a, gap.corners_a, gap.nearest.a);
-  closest.b = surface_point(gap.triangle_b, gap.corners_b, gap.nearest.b);
-  closest.location = Access::location(gap.places);
+  closest.a = surface_point(gap.triangle_a, gap.corners_a, gap.closest.a);
+  closest.b = surface_point(gap.triangle_b, gap.corners_b, gap.closest.b);
+  closest.location = Access::location(gap.slots);
   return closest;
 }
 

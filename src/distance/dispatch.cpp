@@ -6,15 +6,15 @@
 
 namespace pelt::detail {
 
-PELT_DECLARE_TARGETS(nearest_triangles)
-PELT_DECLARE_TARGETS(triangles_within)
-PELT_DECLARE_TARGETS(nearest_to_point)
+PELT_DECLARE_VERSIONS(closest_triangles)
+PELT_DECLARE_VERSIONS(triangles_within)
+PELT_DECLARE_VERSIONS(closest_to_point)
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
-QueryStats nearest_triangles(const PosedTree& a, const PosedTree& b, Scratch& scratch,
-                             const SearchLimits& limits, TriangleGap& nearest) {
-  return PELT_CHOOSE(nearest_triangles)(a, b, scratch, limits, nearest);
+QueryStats closest_triangles(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                             const SearchLimits& limits, TriangleGap& closest) {
+  return PELT_CHOOSE(closest_triangles)(a, b, scratch, limits, closest);
 }
 
 QueryStats triangles_within(const PosedTree& a, const PosedTree& b, Scratch& scratch,
@@ -22,10 +22,10 @@ QueryStats triangles_within(const PosedTree& a, const PosedTree& b, Scratch& scr
   return PELT_CHOOSE(triangles_within)(a, b, scratch, tolerance, max_pairs);
 }
 
-QueryStats nearest_to_point(const PosedTree& posed, const Vec3& point, Scratch& scratch,
-                            double max_distance, PointGap& nearest) {
-  return PELT_CHOOSE(nearest_to_point)(posed, point, scratch, max_distance, nearest);
+QueryStats closest_to_point(const PosedTree& posed, const Vec3& point, Scratch& scratch,
+                            double max_distance, PointGap& closest) {
+  return PELT_CHOOSE(closest_to_point)(posed, point, scratch, max_distance, closest);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

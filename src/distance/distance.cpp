@@ -1,7 +1,7 @@
 #include <pelt/distance.hpp>
 
 #include "base/require.hpp"
-#include "collide/pair_traversal.hpp"
+#include "collide/collide_trees.hpp"
 #include "distance/answers.hpp"
 #include "distance/pair_search.hpp"
 #include "distance/point_search.hpp"
@@ -27,7 +27,7 @@ Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact
                   QueryStats& work) {
   const detail::FoundTriangle found_a = detail::find_triangle(a, contact.triangle_a, work);
   const detail::FoundTriangle found_b = detail::find_triangle(b, contact.triangle_b, work);
-  const detail::NearestPoints common = detail::common_point(found_a.corners, found_b.corners);
+  const detail::ClosestPoints common = detail::common_point(found_a.corners, found_b.corners);
   Distance closest;
   closest.distance = 0;
   closest.a = surface_point(contact.triangle_a, found_a.corners, common.a);
@@ -59,10 +59,10 @@ QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch, Closes
                          const ClosestPointOptions& options) {
   require(options.max_distance >= 0, "closest_point: the maximum distance is negative or NaN");
   detail::PointGap gap;
-  const QueryStats stats = detail::nearest_to_point(pose.detail().posed_tree(), point,
+  const QueryStats stats = detail::closest_to_point(pose.detail().posed_tree(), point,
                                                     scratch.detail(), options.max_distance, gap);
-  result.distance = std::sqrt(gap.nearest.squared_distance);
-  result.point = surface_point(gap.triangle, gap.corners, gap.nearest.at);
+  result.distance = std::sqrt(gap.closest.squared_distance);
+  result.point = surface_point(gap.triangle, gap.corners, gap.closest.at);
   return stats;
 }
 
@@ -84,8 +84,8 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
   const std::uint32_t wanted = options.tolerance > 0 ? 1 : CollideOptions().max_contacts;
   QueryStats stats = find_touching(tree_a, tree_b, scratch, wanted);
   stats.cut_short = false;
-  const detail::Places hint =
-      options.hint ? detail::Access::numbers(options.hint->location) : detail::Places{};
+  const detail::ClusterSlots hint =
+      options.hint ? detail::Access::numbers(options.hint->location) : detail::ClusterSlots{};
   if (detail::Stack<Contact>& found = scratch.detail().found; !found.empty()) {
     result = touching(tree_a, tree_b, *std::min_element(found.begin(), found.end()), stats);
     return stats;
@@ -93,7 +93,7 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
   detail::TriangleGap gap;
   const detail::SearchLimits limits = {options.max_distance, options.tolerance,
                                        options.hint ? &hint : nullptr};
-  stats += detail::nearest_triangles(tree_a, tree_b, scratch.detail(), limits, gap);
+  stats += detail::closest_triangles(tree_a, tree_b, scratch.detail(), limits, gap);
   result = detail::distance_apart(gap, options);
   return stats;
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Stores the pair with the least distance; of equally near pairs, the one with the lowest numbers.
 class LeastGap {
@@ -16,7 +16,7 @@ class LeastGap {
 
   double reach() const {
     if (!is_found_) return limits_.max_distance;
-    const double reach = std::sqrt(best_.nearest.squared_distance) - limits_.tolerance;
+    const double reach = std::sqrt(best_.closest.squared_distance) - limits_.tolerance;
     return reach > 0 ? reach : 0;
   }
 
@@ -25,7 +25,7 @@ class LeastGap {
 
   bool wants(const TriangleGap& gap) const {
     return is_found_ ? is_better(gap)
-                     : std::sqrt(gap.nearest.squared_distance) <= limits_.max_distance;
+                     : std::sqrt(gap.closest.squared_distance) <= limits_.max_distance;
   }
 
   void take(const TriangleGap& gap) {
@@ -35,7 +35,7 @@ class LeastGap {
 
  private:
   bool is_better(const TriangleGap& gap) const {
-    const double squared = gap.nearest.squared_distance, best = best_.nearest.squared_distance;
+    const double squared = gap.closest.squared_distance, best = best_.closest.squared_distance;
     if (squared != best) return squared < best;
     if (gap.triangle_a != best_.triangle_a) return gap.triangle_a < best_.triangle_a;
     return gap.triangle_b < best_.triangle_b;
@@ -46,5 +46,5 @@ class LeastGap {
   bool is_found_ = false;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -7,11 +7,11 @@
 ///
 /// A goal decides which pairs are needed:
 ///   double reach() const      the distance beyond which pairs are useless; it may only decrease
-///   bool keeps_best() const   whether it needs a single pair, the best, with its nearest points,
+///   bool keeps_best() const   whether it needs a single pair, the best, with its closest points,
 ///                             instead of all pairs
-///   bool wants(gap) const     whether it needs a pair whose nearest points are not yet known
+///   bool wants(gap) const     whether it needs a pair whose closest points are not yet known
 ///   void take(gap)            adds a pair that it needs
-///   bool is_done() const      no further pairs are needed
+///   bool is_done() const      no more pairs are needed
 
 #include "distance/pair_search.hpp"
 #include "distance/triangle_gaps.hpp"
@@ -23,7 +23,7 @@
 #include "query/triangle_batch.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 template <typename Goal>
 class NearTriangles {
@@ -36,7 +36,7 @@ class NearTriangles {
   const Reach& reach() const { return reach_; }
 
   /// Adds the pairs of two clusters' triangles: passes them to the goal, or stores them.
-  void add(const PosedCluster& a, const PosedCluster& b, const Places& places) {
+  void add(const PosedCluster& a, const PosedCluster& b, const ClusterSlots& slots) {
     const Vec3 origin = low_corner(a);
     const float error = gap_error(a, b, origin);
     const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
@@ -47,7 +47,7 @@ class NearTriangles {
     const Along along(has_way_ ? way_ : direction_between(a, b), origin);
     const TriangleValues high = along.highest(a), low = along.lowest(b);
     if (!has_way_ && goal_.keeps_best()) {
-      keep(pair_of(a, highest_of(high), b, lowest_of(low), places));
+      keep(pair_of(a, highest_of(high), b, lowest_of(low), slots));
       flush();
     }
     for (SetBits row(near_a); row && !goal_.is_done(); ++row) {
@@ -55,7 +55,7 @@ class NearTriangles {
       if (lanes == 0) continue;
       const Box8 box = lane_box(boxes_a.low, boxes_a.high, *row);
       for (SetBits lane(within_reach(boxes_b, lanes, box)); lane; ++lane)
-        keep(pair_of(a, *row, b, *lane, places));
+        keep(pair_of(a, *row, b, *lane, slots));
     }
     if (!has_way_ || !goal_.keeps_best()) flush();
   }
@@ -82,18 +82,18 @@ class NearTriangles {
     const PosedTree *tree_a, *tree_b;
     const float *positions_a, *positions_b;  ///< of the pools
     std::uint32_t triangle_a, triangle_b;    ///< into Tree::corners
-    Places places;
+    ClusterSlots slots;
   };
 
   static Pair pair_of(const PosedCluster& a, unsigned i, const PosedCluster& b, unsigned j,
-                      const Places& places) {
+                      const ClusterSlots& slots) {
     return {&a.posed,
             &b.posed,
             a.opened.positions,
             b.opened.positions,
             a.cluster().first_triangle + i,
             b.cluster().first_triangle + j,
-            places};
+            slots};
   }
 
   static unsigned all_of(const PosedCluster& c) { return (1u << c.cluster().triangle_count) - 1; }
@@ -137,20 +137,20 @@ class NearTriangles {
     TriangleGap gap;
     gap.triangle_a = pair.tree_a->tree.triangle_ids.data()[pair.triangle_a];
     gap.triangle_b = pair.tree_b->tree.triangle_ids.data()[pair.triangle_b];
-    gap.nearest.squared_distance = squared;
+    gap.closest.squared_distance = squared;
     if (!goal_.wants(gap)) return;
     gap.corners_a = corners_at(
         [&](std::size_t k) { return corner(*pair.tree_a, pair.positions_a, pair.triangle_a, k); });
     gap.corners_b = corners_at(
         [&](std::size_t k) { return corner(*pair.tree_b, pair.positions_b, pair.triangle_b, k); });
-    gap.places = pair.places;
-    if (goal_.keeps_best()) gap.nearest = nearest_points(gap.corners_a, gap.corners_b);
+    gap.slots = pair.slots;
+    if (goal_.keeps_best()) gap.closest = closest_points(gap.corners_a, gap.corners_b);
     goal_.take(gap);
     if (!goal_.keeps_best()) return;
     reach_.set(goal_.reach());
     has_way_ = true;
-    way_ = direction_of(point_at(gap.corners_b, gap.nearest.b) -
-                        point_at(gap.corners_a, gap.nearest.a));
+    way_ = direction_of(point_at(gap.corners_b, gap.closest.b) -
+                        point_at(gap.corners_a, gap.closest.a));
   }
 
   Goal& goal_;
@@ -161,5 +161,5 @@ class NearTriangles {
   Batch8<Pair> waiting_;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

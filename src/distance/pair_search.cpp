@@ -1,20 +1,20 @@
 /// Nearest-first descent of two trees. The larger part of a pair is replaced by its slots, and
-/// eight slots are compared with the other part at once. The nearest pair is visited first, so a
+/// eight slots are compared with the other part at once. The closest pair is visited first, so a
 /// near pair is known early, and nodes beyond it are never opened. A stack of at most eight parts
 /// per level suffices.
 
 #include "distance/pair_search.hpp"
 
+#include "distance/closest_cluster.hpp"
 #include "distance/least_gap.hpp"
 #include "distance/near_triangles.hpp"
-#include "distance/nearest_cluster.hpp"
 #include "query/push_nearest_last.hpp"
 #include "query/tree_part.hpp"
 
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 /// Collects all pairs within a distance, in addition to the touching ones.
@@ -28,7 +28,7 @@ class AllWithin {
   bool is_done() const { return pairs_.size() >= max_pairs_; }
 
   bool wants(const TriangleGap& gap) const {
-    return std::sqrt(gap.nearest.squared_distance) <= distance_;
+    return std::sqrt(gap.closest.squared_distance) <= distance_;
   }
 
   void take(const TriangleGap& gap) {
@@ -65,7 +65,7 @@ class PairSearch {
         goal_(goal),
         triangles_(goal, extent(root_box(a, work_), root_box(b, work_)), work_) {}
 
-  QueryStats run(const Places* begin = nullptr) {
+  QueryStats run(const ClusterSlots* begin = nullptr) {
     parts_.clear();
     parts_.push({0, 0, TreePart::kWhole, 0, TreePart::kWhole});
     if (!is_near()) return work_;
@@ -90,21 +90,21 @@ class PairSearch {
     return is_within_reach(point_box(a.low, a.high), point_box(b.low, b.high));
   }
 
-  /// Finds two clusters that are not much farther apart than the nearest ones: the cluster of `b`
-  /// that is nearest to the middle of `a`, and the cluster of `a` that is nearest to that. This
+  /// Finds two clusters that are not much farther apart than the closest ones: the cluster of `b`
+  /// that is closest to the middle of `a`, and the cluster of `a` that is closest to that. This
   /// opens a few nodes, most of which are needed anyway, and saves the comparisons that would be
   /// made before anything near is known.
-  Places guess() {
+  ClusterSlots guess() {
     const RootBox& box = a_.root_box;
     const auto middle = [&](int axis) { return box.low[axis] / 2 + box.high[axis] / 2; };
     const Vec3 in_a = {middle(0), middle(1), middle(2)};
-    const TreePart b = nearest_cluster(b_, in_a, near_point_, work_);
-    const TreePart a = nearest_cluster(a_, nearest_of_box(b_, b, in_a), near_point_, work_);
+    const TreePart b = closest_cluster(b_, in_a, near_point_, work_);
+    const TreePart a = closest_cluster(a_, closest_of_box(b_, b, in_a), near_point_, work_);
     return {a.node, a.slot, b.node, b.slot};
   }
 
-  void look_first(const Places& places) {
-    const TreePart a = {places[0], places[1]}, b = {places[2], places[3]};
+  void look_first(const ClusterSlots& slots) {
+    const TreePart a = {slots[0], slots[1]}, b = {slots[2], slots[3]};
     if (a.node >= a_.tree.nodes.size() || !is_cluster(a_, a)) return;
     if (b.node >= b_.tree.nodes.size() || !is_cluster(b_, b)) return;
     open_node(a_, a.node, work_);
@@ -183,9 +183,9 @@ class PairSearch {
 
 }  // namespace
 
-QueryStats nearest_triangles(const PosedTree& a, const PosedTree& b, Scratch& scratch,
-                             const SearchLimits& limits, TriangleGap& nearest) {
-  LeastGap goal(limits, nearest);
+QueryStats closest_triangles(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                             const SearchLimits& limits, TriangleGap& closest) {
+  LeastGap goal(limits, closest);
   return PairSearch(a, b, scratch, goal).run(limits.begin);
 }
 
@@ -195,5 +195,5 @@ QueryStats triangles_within(const PosedTree& a, const PosedTree& b, Scratch& scr
   return PairSearch(a, b, scratch, goal).run();
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

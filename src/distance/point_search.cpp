@@ -5,13 +5,13 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
-/// Finds the triangle nearest to a point; among equally near ones the lowest.
-class NearestToPoint {
+/// Finds the triangle closest to a point; among equally near ones the lowest.
+class ClosestToPoint {
  public:
-  NearestToPoint(const Vec3& point, double max_distance, PointGap& best)
+  ClosestToPoint(const Vec3& point, double max_distance, PointGap& best)
       : point_(point),
         box_{{Float8(point.x), Float8(point.y), Float8(point.z)},
              {Float8(point.x), Float8(point.y), Float8(point.z)}},
@@ -26,10 +26,10 @@ class NearestToPoint {
   Float8 squared_gaps(const Boxes8& boxes) const { return squared_gap(boxes, box_); }
 
   bool takes(std::uint32_t triangle, const TriangleCorners& corners) {
-    const NearestOnTriangle nearest = nearest_on_triangle(Vec3d(point_), corners);
-    if (!is_better(nearest.squared_distance, triangle)) return false;
-    best_ = {triangle, corners, nearest};
-    reach_ = std::sqrt(nearest.squared_distance);
+    const ClosestOnTriangle closest = closest_on_triangle(Vec3d(point_), corners);
+    if (!is_better(closest.squared_distance, triangle)) return false;
+    best_ = {triangle, corners, closest};
+    reach_ = std::sqrt(closest.squared_distance);
     return true;
   }
 
@@ -37,7 +37,7 @@ class NearestToPoint {
 
  private:
   bool is_better(double squared, std::uint32_t triangle) const {
-    const double best = best_.nearest.squared_distance;
+    const double best = best_.closest.squared_distance;
     if (squared == best) return triangle < best_.triangle;
     return squared < best && std::sqrt(squared) <= reach_;
   }
@@ -50,11 +50,11 @@ class NearestToPoint {
 
 }  // namespace
 
-QueryStats nearest_to_point(const PosedTree& posed, const Vec3& point, Scratch& scratch,
-                            double max_distance, PointGap& nearest) {
-  NearestToPoint goal(point, max_distance, nearest);
+QueryStats closest_to_point(const PosedTree& posed, const Vec3& point, Scratch& scratch,
+                            double max_distance, PointGap& closest) {
+  ClosestToPoint goal(point, max_distance, closest);
   return TriangleSearch(posed, scratch, goal).run();
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

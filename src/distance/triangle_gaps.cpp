@@ -3,7 +3,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 /// Returns one corner of each of the eight triangles starting at `first`.
@@ -112,5 +112,5 @@ Vec3 direction_of(const Vec3d& way) {
           static_cast<float>(way.z / length)};
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

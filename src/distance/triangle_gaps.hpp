@@ -11,7 +11,7 @@
 #include <cstdint>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// One value for each triangle of a cluster.
 struct alignas(32) TriangleValues {
@@ -61,5 +61,5 @@ Vec3 direction_of(const Vec3d& way);
 /// Returns the unit direction from the middle of the box of `a` to that of `b`; 0 if they coincide.
 Vec3 direction_between(const PosedCluster& a, const PosedCluster& b);
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

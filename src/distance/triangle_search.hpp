@@ -1,6 +1,6 @@
 #pragma once
 
-/// Nearest-first descent of a tree for the triangle nearest to a point or a solid. Like the descent
+/// Nearest-first descent of a tree for the triangle closest to a point or a solid. Like the descent
 /// of two trees (pair_search.cpp), with the point or solid instead of the second tree.
 
 #include "distance/triangle_gaps.hpp"
@@ -11,7 +11,7 @@
 #include "query/tree_part.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// `Goal` stores the best triangle so far, and provides
 ///   double extent(const RootBox&) const: an upper bound of any difference of two coordinates;
@@ -59,7 +59,7 @@ class TriangleSearch {
                       });
   }
 
-  /// Tests the triangle with the nearest box first.
+  /// Tests the triangle with the closest box first.
   void compare(const PosedCluster& cluster) {
     const TriangleBoxes& boxes =
         triangle_boxes(cluster.posed, cluster.node, cluster.opened, cluster.slot);
@@ -88,5 +88,5 @@ class TriangleSearch {
   Reach reach_;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

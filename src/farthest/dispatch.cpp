@@ -5,13 +5,13 @@
 
 namespace pelt::detail {
 
-PELT_DECLARE_TARGETS(find_farthest)
+PELT_DECLARE_VERSIONS(find_farthest)
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 QueryStats find_farthest(const PosedTree& posed, const Vec3& direction, FarthestVertex& farthest) {
   return PELT_CHOOSE(find_farthest)(posed, direction, farthest);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,4 +1,4 @@
-/// Branch and bound. No point of a box with bounds l and h is further along d than the sum of
+/// Branch and bound. No point of a box with bounds l and h is farther along d than the sum of
 /// max(d_a l_a, d_a h_a) over the axes a. Boxes below the best vertex so far are skipped, and the
 /// slot with the greatest bound is visited first.
 ///
@@ -16,7 +16,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 class FarthestSearch {
@@ -107,5 +107,5 @@ QueryStats find_farthest(const PosedTree& posed, const Vec3& direction, Farthest
   return FarthestSearch(posed, direction, farthest).run();
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -6,21 +6,21 @@
 
 namespace pelt::detail {
 
-PELT_DECLARE_TARGETS(collide_field)
-PELT_DECLARE_TARGETS(nearest_field_triangle)
+PELT_DECLARE_VERSIONS(collide_field)
+PELT_DECLARE_VERSIONS(closest_field_triangle)
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 QueryStats collide_field(const PosedTree& posed, const HeightField& field, Scratch& scratch,
                          std::uint32_t max_contacts) {
   return PELT_CHOOSE(collide_field)(posed, field, scratch, max_contacts);
 }
 
-QueryStats nearest_field_triangle(const PosedTree& posed, const HeightField& field,
+QueryStats closest_field_triangle(const PosedTree& posed, const HeightField& field,
                                   Scratch& scratch, const SearchLimits& limits,
-                                  TriangleGap& nearest) {
-  return PELT_CHOOSE(nearest_field_triangle)(posed, field, scratch, limits, nearest);
+                                  TriangleGap& closest) {
+  return PELT_CHOOSE(closest_field_triangle)(posed, field, scratch, limits, closest);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

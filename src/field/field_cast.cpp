@@ -72,7 +72,7 @@ class FieldCast {
   };
 
   /// A field has less than 2^32 cells a side, and a visit leaves at most three blocks more.
-  static constexpr std::size_t kMostEntered = 32 * 3 + 1;
+  static constexpr std::size_t kMaxEntered = 32 * 3 + 1;
 
   /// The interval in which the ray is above a rectangle of cells and between two heights.
   Span span_in(std::uint32_t column, std::uint32_t last_column, std::uint32_t row,
@@ -167,7 +167,7 @@ class FieldCast {
   RayHit hit_;
   RayCrossing crossing_;
   std::size_t size_ = 0;
-  Entered entered_[kMostEntered];  // a stack
+  Entered entered_[kMaxEntered];  // a stack
 };
 
 }  // namespace

@@ -2,14 +2,14 @@
 
 /// The cells of a height field below or above a box.
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "field/height_field.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// A closed box in the frame of the field.
 struct FieldBox {
@@ -174,5 +174,5 @@ class FieldTriangles {
   const Visit& visit_;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

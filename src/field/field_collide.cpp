@@ -9,7 +9,7 @@
 #include "query/slots.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 template <std::size_t kCount>
@@ -126,5 +126,5 @@ QueryStats collide_field(const PosedTree& posed, const HeightField& field, Scrat
   return FieldDescent(posed, field, scratch, max_contacts).run();
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -16,7 +16,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 /// Boxes of blocks or triangles of a field in structure-of-arrays order. Infinite boxes are
@@ -39,7 +39,7 @@ struct Block {
 /// The triangles of a block of the lowest level, and their boxes.
 class BlockTriangles {
  public:
-  static constexpr std::uint32_t kMost = 2u << 2 * kBlockShift;
+  static constexpr std::uint32_t kMax = 2u << 2 * kBlockShift;
 
   BlockTriangles() { boxes_.clear(); }
 
@@ -55,8 +55,8 @@ class BlockTriangles {
   }
 
   /// Computes the squared distances to a box.
-  void gaps_to(const Box8& box, float (&gaps)[kMost]) const {
-    for (unsigned first = 0; first < kMost; first += 8)
+  void gaps_to(const Box8& box, float (&gaps)[kMax]) const {
+    for (unsigned first = 0; first < kMax; first += 8)
       squared_gaps(boxes_.low, boxes_.high, first, box).store(gaps + first);
   }
 
@@ -64,8 +64,8 @@ class BlockTriangles {
   const FieldTriangle& operator[](std::uint32_t i) const { return triangles_[i]; }
 
  private:
-  FieldBoxes<kMost> boxes_;
-  FieldTriangle triangles_[kMost];
+  FieldBoxes<kMax> boxes_;
+  FieldTriangle triangles_[kMax];
   std::uint32_t count_ = 0;
 };
 
@@ -140,12 +140,12 @@ class FieldSearch {
     return ((squared_gap(a, b) <= Float8(reach_.squared_gap())).bits() & 1) != 0;
   }
 
-  void look_first(const Places& places) {
-    const TreePart part = {places[0], places[1]};
+  void look_first(const ClusterSlots& slots) {
+    const TreePart part = {slots[0], slots[1]};
     if (part.node >= posed_.tree.nodes.size() || !is_cluster(posed_, part)) return;
-    if (places[2] >= field_.levels.data()[0].blocks.size()) return;
+    if (slots[2] >= field_.levels.data()[0].blocks.size()) return;
     open_node(posed_, part.node, work_);
-    compare(part, places[2]);
+    compare(part, slots[2]);
   }
 
   void visit(const TreePart& part, const Block& block) {
@@ -231,29 +231,29 @@ class FieldSearch {
   }
 
   void compare(const PosedCluster& cluster, std::uint32_t i, const Box8& box,
-               const BlockTriangles& triangles, const Places& places) {
-    alignas(32) float gaps[BlockTriangles::kMost];
+               const BlockTriangles& triangles, const ClusterSlots& slots) {
+    alignas(32) float gaps[BlockTriangles::kMax];
     triangles.gaps_to(box, gaps);
     const std::uint32_t place = cluster.cluster().first_triangle + i;
     for (std::uint32_t k;
          (k = least_of(gaps, triangles.count(), reach_.squared_gap())) < triangles.count();) {
       gaps[k] = HUGE_VALF;
-      measure(cluster, place, triangles[k], places);
+      measure(cluster, place, triangles[k], slots);
     }
   }
 
   void measure(const PosedCluster& cluster, std::uint32_t place, const FieldTriangle& other,
-               const Places& places) {
+               const ClusterSlots& slots) {
     ++work_.triangle_pairs;
     TriangleGap gap;
     gap.corners_a = corners_of(cluster, place);
     for (std::size_t k = 0; k < 3; ++k)
       gap.corners_b[k] = {other.corners[k][0], other.corners[k][1], other.corners[k][2]};
-    gap.nearest = nearest_points(gap.corners_a, gap.corners_b);
+    gap.closest = closest_points(gap.corners_a, gap.corners_b);
     gap.triangle_a = posed_.tree.triangle_ids.data()[place];
     gap.triangle_b = other.number;
     if (!goal_.wants(gap)) return;
-    gap.places = places;
+    gap.slots = slots;
     goal_.take(gap);
     reach_.set(goal_.reach());
   }
@@ -270,11 +270,11 @@ class FieldSearch {
 
 }  // namespace
 
-QueryStats nearest_field_triangle(const PosedTree& posed, const HeightField& field,
+QueryStats closest_field_triangle(const PosedTree& posed, const HeightField& field,
                                   Scratch& scratch, const SearchLimits& limits,
-                                  TriangleGap& nearest) {
-  return FieldSearch(posed, field, scratch, limits, nearest).run();
+                                  TriangleGap& closest) {
+  return FieldSearch(posed, field, scratch, limits, closest).run();
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

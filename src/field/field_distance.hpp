@@ -4,13 +4,13 @@
 #include "field/height_field.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
-/// Finds the least distance of a pose and a field that do not touch, like `nearest_triangles` for
-/// two poses. The first two places are the cluster, the third is a block of the lowest level.
-QueryStats nearest_field_triangle(const PosedTree& posed, const HeightField& field,
+/// Finds the least distance of a pose and a field that do not touch, like `closest_triangles` for
+/// two poses. The first two slots are the cluster, the third is a block of the lowest level.
+QueryStats closest_field_triangle(const PosedTree& posed, const HeightField& field,
                                   Scratch& scratch, const SearchLimits& limits,
-                                  TriangleGap& nearest);
+                                  TriangleGap& closest);
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

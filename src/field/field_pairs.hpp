@@ -5,7 +5,7 @@
 
 #include <pelt/collide.hpp>
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "field/field_cells.hpp"
 #include "query/stack.hpp"
 #include "query/triangle_batch.hpp"
@@ -13,7 +13,7 @@
 #include <cstdint>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// A posed triangle, by pointers to its corners.
 struct PosedTriangle {
@@ -69,5 +69,5 @@ class FieldPairs {
   QueryStats& work_;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

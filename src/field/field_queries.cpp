@@ -30,7 +30,7 @@ Distance touching(const PosedTree& posed, const HeightField& field, const Contac
                   QueryStats& work) {
   const detail::FoundTriangle found = detail::find_triangle(posed, contact.triangle_a, work);
   const detail::TriangleCorners other = field.triangle(contact.triangle_b);
-  const detail::NearestPoints common = detail::common_point(found.corners, other);
+  const detail::ClosestPoints common = detail::common_point(found.corners, other);
   Distance closest;
   closest.distance = 0;
   closest.a = detail::surface_point(contact.triangle_a, found.corners, common.a);
@@ -65,12 +65,12 @@ QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Dist
     result = touching(posed, field, *std::min_element(found.begin(), found.end()), stats);
     return stats;
   }
-  const detail::Places hint =
-      options.hint ? detail::Access::numbers(options.hint->location) : detail::Places{};
+  const detail::ClusterSlots hint =
+      options.hint ? detail::Access::numbers(options.hint->location) : detail::ClusterSlots{};
   const detail::SearchLimits limits = {options.max_distance, options.tolerance,
                                        options.hint ? &hint : nullptr};
   detail::TriangleGap gap;
-  stats += detail::nearest_field_triangle(posed, field.detail(), scratch.detail(), limits, gap);
+  stats += detail::closest_field_triangle(posed, field.detail(), scratch.detail(), limits, gap);
   result = detail::distance_apart(gap, options);
   return stats;
 }

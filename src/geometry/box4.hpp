@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// A box by its low and high corners. The fourth lanes are meaningless.
 struct Box4 {
@@ -27,5 +27,5 @@ inline double half_area(const Box4& box) {
   return x * y + y * z + z * x;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -2,7 +2,7 @@
 /// the segment. The distance between a triangle and a disjoint segment is attained between two
 /// features, in the interior of each: a vertex or end against a vertex, end, edge or face, or an
 /// edge against the segment (Ericson 2005, 5.1.9 and 5.1.10). Each pair is tested without division.
-/// With w from one feature to the other and the radius r, the nearest points are within r if
+/// With w from one feature to the other and the radius r, the closest points are within r if
 ///
 ///   vertices        (w . w) <= r^2
 ///   along an edge e, at t = (w . e) / (e . e) in [0, 1]: (w . w - r^2) (e . e) <= (w . e)^2
@@ -78,7 +78,7 @@ class CapsuleTest {
            }) <= 0;
   }
 
-  /// Whether the point of the edge pq nearest to `c` is inside the edge, and within the radius.
+  /// Whether the point of the edge pq closest to `c` is inside the edge, and within the radius.
   bool is_near_inside(const Vec3& c, const Vec3& p, const Vec3& q) const {
     const auto along = [&]<typename Number>(const Number&) {
       return dot(from_to<Number>(p, c), from_to<Number>(p, q));
@@ -94,7 +94,7 @@ class CapsuleTest {
     return exact_sign(along) > 0 && exact_sign(left) > 0 && exact_sign(distance) <= 0;
   }
 
-  /// Whether the point of the triangle's plane nearest to `c` is in the triangle, and within the
+  /// Whether the point of the triangle's plane closest to `c` is in the triangle, and within the
   /// radius.
   bool is_near_face(const Vec3& c) const {
     const auto normal = [&]<typename Number>(const Number&) {
@@ -116,7 +116,7 @@ class CapsuleTest {
     return exact_sign(distance) <= 0;
   }
 
-  /// Whether the nearest points of the capsule's segment and the edge pq are inside both, and
+  /// Whether the closest points of the capsule's segment and the edge pq are inside both, and
   /// within the radius.
   bool are_near_inside(const Vec3& p, const Vec3& q) const {
     const auto squared_normal = [&]<typename Number>(const Number&) {

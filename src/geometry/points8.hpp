@@ -5,7 +5,7 @@
 #include "base/float8.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 inline Points8 operator+(const Points8& p, const Points8& q) {
   return {p.x + q.x, p.y + q.y, p.z + q.z};
@@ -25,5 +25,5 @@ inline Points8 select(const Mask8& mask, const Points8& yes, const Points8& no) 
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

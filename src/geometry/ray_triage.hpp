@@ -30,7 +30,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// A line, prepared for many triangles.
 struct ShearedLine {
@@ -103,5 +103,5 @@ template <typename Corner>
                           : RayTriage{missed, met_right, met_left};
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,21 +1,21 @@
-/// The nearest points of two triangles that do not touch include a vertex of one, or are inside an
+/// The closest points of two triangles that do not touch include a vertex of one, or are inside an
 /// edge of each. The distance is therefore the least over vertices against edges and faces, and
 /// edges against edges.
 ///
 /// Rounding. Let e = 2^-53 and S as in the header. Candidates are points of the triangles, written
 /// as a difference w - s u - t v of vectors with |s|, |t| <= 1, so the distance of a candidate has
-/// an error of a few e S. It remains to bound how far a candidate is from the nearest point.
-///   Vertex against edge: the position along the edge has an error of a few e S; at the nearest
+/// an error of a few e S. It remains to bound how far a candidate is from the closest point.
+///   Vertex against edge: the position along the edge has an error of a few e S; at the closest
 /// point this changes the distance to second order only.
 ///   Edge against edge, u and v at an angle x: with n = u x v, s = (w x v).n / n.n has an error of
-/// a few e S / (|u| x). The point on v is then the nearest to the point on u, so its distance from
-/// the nearest point is x |u| times that: a few e S. (With the normal equations, the error of s
+/// a few e S / (|u| x). The point on v is then the closest to the point on u, so its distance from
+/// the closest point is x |u| times that: a few e S. (With the normal equations, the error of s
 /// would be larger by a factor 1/x; this is why cross products are used.)
 ///   Vertex against face: in w = s u + t v + (normal part), t is computed from cross products and s
 /// then by projection onto u. The candidate has the same accuracy as long as n has a direction:
 /// with h the height over u and d the distance, n has an error of an angle e S / h, and the
 /// candidate an error of d e S / h, which increases d by at most d (e S / h)^2 / 2. But an edge is
-/// never farther than h from the nearest point, and increases d by at most h^2 / 2 d. The smaller
+/// never farther than h from the closest point, and increases d by at most h^2 / 2 d. The smaller
 /// of both is at most e S / 2.
 #include "geometry/triangle_distance.hpp"
 
@@ -61,8 +61,8 @@ Barycentrics on_edge(std::size_t edge, double s) {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The projection of a point onto a face; infinitely far if the projection is outside the face.
-NearestOnTriangle nearest_inside(const Vec3d& point, const Face& face) {
-  constexpr NearestOnTriangle kNone = {kInfinity, {1, 0, 0}};
+ClosestOnTriangle closest_inside(const Vec3d& point, const Face& face) {
+  constexpr ClosestOnTriangle kNone = {kInfinity, {1, 0, 0}};
   const Vec3d w = point - face.corner[0], &u = face.edge[0], &v = face.side;
   const double t_dividend = dot(cross(u, w), face.normal);
   if (!(t_dividend > 0 && t_dividend < face.squared_normal)) return kNone;
@@ -74,15 +74,15 @@ NearestOnTriangle nearest_inside(const Vec3d& point, const Face& face) {
   return {squared_length(rest - s * u), {first > 0 ? first : 0, s, t}};
 }
 
-NearestOnTriangle nearest_on(const Vec3d& point, const Face& face) {
-  NearestOnTriangle nearest = nearest_inside(point, face);
+ClosestOnTriangle closest_on(const Vec3d& point, const Face& face) {
+  ClosestOnTriangle closest = closest_inside(point, face);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3d w = point - face.corner[i];
     const double s = share(dot(w, face.edge[i]), face.squared_edge[i]);
     const double squared = squared_length(w - s * face.edge[i]);
-    if (squared < nearest.squared_distance) nearest = {squared, on_edge(i, s)};
+    if (squared < closest.squared_distance) closest = {squared, on_edge(i, s)};
   }
-  return nearest;
+  return closest;
 }
 
 Barycentrics at_corner(std::size_t corner) {
@@ -91,13 +91,13 @@ Barycentrics at_corner(std::size_t corner) {
   return at;
 }
 
-/// The nearest points of two faces so far.
+/// The closest points of two faces so far.
 ///
 /// If the lines of two edges, or a corner and the plane of a face, are no nearer than the best
 /// points so far, their points need not be computed. This saves most of the work.
-class NearestOfFaces {
+class ClosestOfFaces {
  public:
-  NearestOfFaces(const Face& a, const Face& b) : a_(a), b_(b) {
+  ClosestOfFaces(const Face& a, const Face& b) : a_(a), b_(b) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) {
         way_[i][j] = b.corner[j] - a.corner[i];
@@ -105,8 +105,8 @@ class NearestOfFaces {
         try_corner_of_b(i, j);
       }
     for (std::size_t i = 0; i < 3; ++i) {
-      if (is_nearer(b, way_[i][0])) keep_on_b(at_corner(i), nearest_inside(a.corner[i], b));
-      if (is_nearer(a, way_[0][i])) keep_on_a(nearest_inside(b.corner[i], a), at_corner(i));
+      if (is_nearer(b, way_[i][0])) keep_on_b(at_corner(i), closest_inside(a.corner[i], b));
+      if (is_nearer(a, way_[0][i])) keep_on_a(closest_inside(b.corner[i], a), at_corner(i));
     }
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) try_edges(i, j);
@@ -116,21 +116,21 @@ class NearestOfFaces {
   void try_piercings() {
     for (std::size_t i = 0; i < 3; ++i) {
       if (const double s = piercing(a_, i, b_); s >= 0)
-        keep_on_b(on_edge(i, s), nearest_on(a_.corner[i] + s * a_.edge[i], b_));
+        keep_on_b(on_edge(i, s), closest_on(a_.corner[i] + s * a_.edge[i], b_));
       if (const double s = piercing(b_, i, a_); s >= 0)
-        keep_on_a(nearest_on(b_.corner[i] + s * b_.edge[i], a_), on_edge(i, s));
+        keep_on_a(closest_on(b_.corner[i] + s * b_.edge[i], a_), on_edge(i, s));
     }
   }
 
-  const NearestPoints& result() const { return nearest_; }
+  const ClosestPoints& result() const { return closest_; }
 
  private:
-  void keep_on_b(const Barycentrics& a, const NearestOnTriangle& b) {
-    if (b.squared_distance < nearest_.squared_distance) nearest_ = {b.squared_distance, a, b.at};
+  void keep_on_b(const Barycentrics& a, const ClosestOnTriangle& b) {
+    if (b.squared_distance < closest_.squared_distance) closest_ = {b.squared_distance, a, b.at};
   }
 
-  void keep_on_a(const NearestOnTriangle& a, const Barycentrics& b) {
-    if (a.squared_distance < nearest_.squared_distance) nearest_ = {a.squared_distance, a.at, b};
+  void keep_on_a(const ClosestOnTriangle& a, const Barycentrics& b) {
+    if (a.squared_distance < closest_.squared_distance) closest_ = {a.squared_distance, a.at, b};
   }
 
   /// Tries corner i of the first face with edge j of the second.
@@ -138,7 +138,7 @@ class NearestOfFaces {
     const Vec3d& w = way_[i][j];
     const double s = share(-dot(w, b_.edge[j]), b_.squared_edge[j]);
     const double squared = squared_length(w + s * b_.edge[j]);
-    if (squared < nearest_.squared_distance) nearest_ = {squared, at_corner(i), on_edge(j, s)};
+    if (squared < closest_.squared_distance) closest_ = {squared, at_corner(i), on_edge(j, s)};
   }
 
   /// Tries edge i of the first face with corner j of the second.
@@ -146,7 +146,7 @@ class NearestOfFaces {
     const Vec3d& w = way_[i][j];
     const double s = share(dot(w, a_.edge[i]), a_.squared_edge[i]);
     const double squared = squared_length(w - s * a_.edge[i]);
-    if (squared < nearest_.squared_distance) nearest_ = {squared, on_edge(i, s), at_corner(j)};
+    if (squared < closest_.squared_distance) closest_ = {squared, on_edge(i, s), at_corner(j)};
   }
 
   /// Whether a face's plane is nearer than the best points so far; `way` leads from or to the
@@ -157,7 +157,7 @@ class NearestOfFaces {
 
   bool is_nearer(const Vec3d& normal, double squared_normal, const Vec3d& way) const {
     const double along = dot(way, normal);
-    return along * along < nearest_.squared_distance * squared_normal;
+    return along * along < closest_.squared_distance * squared_normal;
   }
 
   /// Tries points inside both edges; points at ends have been tried before.
@@ -174,7 +174,7 @@ class NearestOfFaces {
     if (!(t_dividend > 0 && t_dividend < b_.squared_edge[j])) return;
     const double t = t_dividend / b_.squared_edge[j];
     const double squared = squared_length(rest - t * v);
-    if (squared < nearest_.squared_distance) nearest_ = {squared, on_edge(i, s), on_edge(j, t)};
+    if (squared < closest_.squared_distance) closest_ = {squared, on_edge(i, s), on_edge(j, t)};
   }
 
   /// The position on an edge where it crosses the other's plane; negative if both ends are on one
@@ -187,7 +187,7 @@ class NearestOfFaces {
 
   const Face &a_, &b_;
   Vec3d way_[3][3];  ///< from corners of the first face to those of the second
-  NearestPoints nearest_ = {kInfinity, {1, 0, 0}, {1, 0, 0}};
+  ClosestPoints closest_ = {kInfinity, {1, 0, 0}, {1, 0, 0}};
 };
 
 struct Interval {
@@ -212,28 +212,28 @@ double least_squared_distance(const TriangleCorners& a, const TriangleCorners& b
   const float z = gap(interval(a[0].z, a[1].z, a[2].z), interval(b[0].z, b[1].z, b[2].z));
   const float least = (x * x + y * y + z * z) * kBoxGapShare - kBoxGapUnderflow;
   constexpr double kLeast = std::numeric_limits<double>::min();
-  constexpr float kMost = std::numeric_limits<float>::max();
-  return least > 0 ? double{least < kMost ? least : kMost} : kLeast;
+  constexpr float kMax = std::numeric_limits<float>::max();
+  return least > 0 ? double{least < kMax ? least : kMax} : kLeast;
 }
 
 }  // namespace
 
-NearestOnTriangle nearest_on_triangle(const Vec3d& point, const TriangleCorners& triangle) {
-  return nearest_on(point, Face(triangle));
+ClosestOnTriangle closest_on_triangle(const Vec3d& point, const TriangleCorners& triangle) {
+  return closest_on(point, Face(triangle));
 }
 
-NearestPoints nearest_points(const TriangleCorners& a, const TriangleCorners& b) {
-  NearestPoints nearest = NearestOfFaces(Face(a), Face(b)).result();
+ClosestPoints closest_points(const TriangleCorners& a, const TriangleCorners& b) {
+  ClosestPoints closest = ClosestOfFaces(Face(a), Face(b)).result();
   const double least = least_squared_distance(a, b);
-  if (nearest.squared_distance < least) nearest.squared_distance = least;
-  return nearest;
+  if (closest.squared_distance < least) closest.squared_distance = least;
+  return closest;
 }
 
-NearestPoints common_point(const TriangleCorners& a, const TriangleCorners& b) {
+ClosestPoints common_point(const TriangleCorners& a, const TriangleCorners& b) {
   const Face face_a(a), face_b(b);
-  NearestOfFaces nearest(face_a, face_b);
-  nearest.try_piercings();
-  return nearest.result();
+  ClosestOfFaces closest(face_a, face_b);
+  closest.try_piercings();
+  return closest.result();
 }
 
 }  // namespace pelt::detail

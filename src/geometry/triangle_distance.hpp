@@ -25,24 +25,24 @@ inline constexpr float kBoxGapShare = 1 - 0x1p-20f, kBoxGapUnderflow = 0x1p-120f
 /// to rounding.
 using Barycentrics = std::array<double, 3>;
 
-struct NearestOnTriangle {
+struct ClosestOnTriangle {
   double squared_distance;
   Barycentrics at;
 };
 
-NearestOnTriangle nearest_on_triangle(const Vec3d& point, const TriangleCorners& triangle);
+ClosestOnTriangle closest_on_triangle(const Vec3d& point, const TriangleCorners& triangle);
 
-struct NearestPoints {
+struct ClosestPoints {
   double squared_distance;
   Barycentrics a, b;
 };
 
 /// Precondition: the triangles do not touch. (Otherwise the result is any pair of their points.)
 /// Rounding can make the points nearer than `squared_distance` says.
-NearestPoints nearest_points(const TriangleCorners& a, const TriangleCorners& b);
+ClosestPoints closest_points(const TriangleCorners& a, const TriangleCorners& b);
 
 /// Returns a common point of two triangles, in the precision of double. Precondition: they touch.
-NearestPoints common_point(const TriangleCorners& a, const TriangleCorners& b);
+ClosestPoints common_point(const TriangleCorners& a, const TriangleCorners& b);
 
 inline Vec3d point_at(const TriangleCorners& t, const Barycentrics& at) {
   return at[0] * Vec3d(t[0]) + at[1] * Vec3d(t[1]) + at[2] * Vec3d(t[2]);

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 struct Vec3d4 {
@@ -166,5 +166,5 @@ void squared_distances(const TrianglePairs8& pairs, std::uint32_t count, double 
         pairs, least, [](const Float8& v) { return v.high(); }, squared + 4);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -3,7 +3,7 @@
 /// determinant, so exact signs make the test exact.
 ///
 /// Two triangles whose planes cross in a line L intersect if the intervals in which they cut L
-/// overlap. Rotate the vertices of each triangle so that its first vertex p, the apex, is further
+/// overlap. Rotate the vertices of each triangle so that its first vertex p, the apex, is farther
 /// in front of the other's plane than q and r, and these are not in front of it. The interval then
 /// extends from the point where the edge pq crosses L to the point where pr does. The order of two
 /// such ends along L is again an orientation. Let i on p1q1 and k on p2q2 be ends, n1 and n2 the

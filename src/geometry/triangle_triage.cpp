@@ -39,7 +39,7 @@
 #include "geometry/points8.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 constexpr unsigned kAllLanes = 0xFF;
@@ -133,5 +133,5 @@ Triage triage(const TrianglePairs8& pairs) {
   return {aside | (crossing & disjoint), crossing & overlap};
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -3,7 +3,7 @@
 #include "base/float8.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Eight pairs of triangles in structure-of-arrays order: lane i of `a` and `b` is pair i.
 struct TrianglePairs8 {
@@ -24,5 +24,5 @@ struct Triage {
 /// less than a 64th.
 Triage triage(const TrianglePairs8& pairs);
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,12 +1,12 @@
 /// If no triangle of the other body touches the box of a cluster or node, all of its vertices are
 /// on one side, and those outside are skipped at once.
 ///
-/// A vertex matters only if it is further from the surface than the deepest vertex so far. The
-/// nearest point within that depth is therefore searched first, and the side of the vertex is
+/// A vertex matters only if it is farther from the surface than the deepest vertex so far. The
+/// closest point within that depth is therefore searched first, and the side of the vertex is
 /// computed only if nothing was found.
 
 #include <pelt/inside.hpp>
-#include <pelt/region.hpp>
+#include <pelt/solid.hpp>
 
 #include "base/require.hpp"
 #include "model/model.hpp"

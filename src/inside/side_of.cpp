@@ -13,13 +13,13 @@
 /// and no second attempt is needed.
 
 #include <pelt/inside.hpp>
-#include <pelt/region.hpp>
+#include <pelt/solid.hpp>
 
 #include "base/require.hpp"
 #include "model/surface.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
-#include "ray/ray_traversal.hpp"
+#include "ray/ray_descent.hpp"
 
 namespace pelt {
 namespace {

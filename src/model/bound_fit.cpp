@@ -127,10 +127,11 @@ Vec3d reach(const RestShape& shape) {
 
 /// Makes the joint with the largest residual the reference.
 void take_reference(AffineFit& fit, std::vector<Residual>& left) {
-  const auto reference =
-      std::max_element(fit.fits.begin(), fit.fits.end(),
-                       [](const JointFit& a, const JointFit& b) { return a.rest() < b.rest(); }) -
-      fit.fits.begin();
+  const auto reference = std::max_element(fit.fits.begin(), fit.fits.end(),
+                                          [](const JointFit& a, const JointFit& b) {
+                                            return a.residual() < b.residual();
+                                          }) -
+                         fit.fits.begin();
   std::rotate(fit.joints.begin(), fit.joints.begin() + reference,
               fit.joints.begin() + reference + 1);
   fit.fits.erase(fit.fits.begin() + reference);
@@ -148,7 +149,7 @@ float affine_margin(const AffineFit& fit, std::span<const Residual> left,
   for (std::size_t i = 0; i < fit.fits.size(); ++i) {
     const JointFit& joint = fit.fits[i];
     means += std::fabs(static_cast<double>(joint.mean()));
-    terms += dot(magnitude(to_vec3d(joint.line)), y) + static_cast<double>(joint.rest()) +
+    terms += dot(magnitude(to_vec3d(joint.line)), y) + static_cast<double>(joint.residual()) +
              left[i].largest_offset;
   }
   const double n = static_cast<double>(fit.joints.size());

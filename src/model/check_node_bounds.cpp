@@ -191,7 +191,7 @@ bool stays_finite(std::span<const JointFit> fits, float margin, float rest_exten
   double q = 0;
   for (const JointFit& fit : fits)
     q += std::fabs(double{fit.mean()}) + mesh * sum_of_magnitudes(fit.line) +
-         std::fabs(double{fit.rest()}) +
+         std::fabs(double{fit.residual()}) +
          (sum_of_magnitudes(fit.shift) + sum_of_magnitudes(fit.spread)) / mesh;
   return 1 + q <= std::min(0x1p54, 0x1p60 * mesh) && margin <= kMaxMargin;
 }

@@ -20,7 +20,7 @@ Problem check_node_bounds(const NodeBounds& bounds, const Tree& tree);
 ///     |m_j| + R |g_j| + R_j + (|s_j| + S_j) / R,
 /// with sums of absolute values for norms. A joint's linear part L and translation t have
 /// |L_ab| R + |t_a| <= E, so it throws the shape's points, whose coordinates sum to 12 R at most,
-/// no further than 12 E. Hence, in the notation of node_bounds.hpp,
+/// no farther than 12 E. Hence, in the notation of node_bounds.hpp,
 ///     |t_j| <= 24 E,   |A_ab| <= (E / R) (1 + 26 q),   |B c~| <= 12 E (1 + 2 q),
 ///     sum |D_j| (|s_j| + S_j) <= 2 E q,   sum R_j |t_j| <= 24 E q,
 /// and A times each vector of the shape, four of which count together, is at most 12 E (1 + 26 q).

@@ -114,7 +114,7 @@ struct JointFit {
   float spread[4];  ///< S_j, R_j
 
   float mean() const { return line[3]; }
-  float rest() const { return spread[3]; }
+  float residual() const { return spread[3]; }
 };
 
 /// Box of the displacements by one morph target of the vertices of a rest body. A rest body is a

@@ -9,7 +9,7 @@
 #include "skin/palette.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Columns of a 3 x 4 matrix, in pairs.
 struct ColumnPairs {
@@ -82,7 +82,7 @@ inline Box4 affine_box(const NodeBounds& bounds, const NodeBound& bound, const f
     slope = slope + outer_product(t, fit->line);
     shift = shift + image(d, fit->shift);
     spread = spread + image(magnitudes(without_translation(d)), fit->spread);
-    rest = rest + Float4(fit->rest()) * abs(t);
+    rest = rest + Float4(fit->residual()) * abs(t);
   }
   const ColumnPairs a = b + slope;  // the last column is meaningless and is multiplied by zero
   const Float4 centre = fold(image(b, rest_centre) + shift), excess = rest + fold(spread);
@@ -219,5 +219,5 @@ inline Box4 node_box(const NodeBounds& bounds, std::uint32_t node, const Palette
   return {box.low - margin, box.high + margin};
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -3,7 +3,7 @@
 /// Displacements of the vertices of a tree's pools, sorted by node and then by target. Opening a
 /// node therefore costs nothing for targets that are inactive or displace no vertex of its pool.
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "skin/morph_weights.hpp"
 
 #include <pelt/math.hpp>
@@ -36,7 +36,7 @@ struct PoolMorphs {
   std::uint32_t target_count() const { return static_cast<std::uint32_t>(extents.size()); }
 };
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Calls `visit(item)` for each item with an active target. Precondition: the items ascend by
 /// `target`. Cost: one step per item, or a few per active target, whichever is less.
@@ -61,5 +61,5 @@ inline void each_active(const Item* begin, const Item* end, const MorphWeights& 
   }
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

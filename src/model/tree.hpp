@@ -33,7 +33,7 @@ inline constexpr std::uint32_t kMaxSlots = 8;
 inline constexpr std::uint32_t kFloatsPerVertex = 4;
 
 /// Lists of a cluster's vertices are padded to a multiple of this.
-inline constexpr std::uint32_t kVertexGroup = 4;
+inline constexpr std::uint32_t kVertexPadding = 4;
 
 struct Cluster {
   std::uint32_t first_triangle = 0;  ///< into Tree::corners and Tree::triangle_ids
@@ -44,7 +44,7 @@ struct Cluster {
 
   /// Number of vertices including padding.
   std::uint32_t listed_vertex_count() const {
-    return (vertex_count + kVertexGroup - 1) / kVertexGroup * kVertexGroup;
+    return (vertex_count + kVertexPadding - 1) / kVertexPadding * kVertexPadding;
   }
 };
 

@@ -2,7 +2,7 @@
 
 #include "base/problem.hpp"
 #include "model/unpack.hpp"
-#include "pose/open_fully.hpp"
+#include "pose/all_bounds.hpp"
 #include "pose/pose.hpp"
 #include "skin/skin.hpp"
 
@@ -150,7 +150,7 @@ std::string check_bounds(const Pose& pose) {
   fresh.detail().palette = data.palette;
   const detail::PosedTree posed_tree = fresh.detail().posed_tree();
   make_table(posed_tree);
-  detail::open_fully(posed_tree);
+  detail::compute_all_bounds(posed_tree);
   return check.run(fresh.detail());
 }
 

@@ -1,20 +1,20 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
-#include "pose/open_fully.hpp"
+#include "pose/all_bounds.hpp"
 #include "pose/open_node.hpp"
 #include "pose/root_box.hpp"
 
 namespace pelt::detail {
 
-PELT_DECLARE_TARGETS(box_root)
-PELT_DECLARE_TARGETS(pose_vertices)
-PELT_DECLARE_TARGETS(root_box)
-PELT_DECLARE_TARGETS(open_closed_node)
-PELT_DECLARE_TARGETS(open_all_exactly)
-PELT_DECLARE_TARGETS(open_fully)
+PELT_DECLARE_VERSIONS(box_root)
+PELT_DECLARE_VERSIONS(pose_vertices)
+PELT_DECLARE_VERSIONS(root_box)
+PELT_DECLARE_VERSIONS(open_closed_node)
+PELT_DECLARE_VERSIONS(open_all)
+PELT_DECLARE_VERSIONS(compute_all_bounds)
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 RootBox box_root(const NodeBounds& bounds, const Palette& palette) {
   return PELT_CHOOSE(box_root)(bounds, palette);
@@ -32,9 +32,11 @@ const OpenedNode& open_closed_node(const PosedTree& posed, std::uint32_t node, Q
   return PELT_CHOOSE(open_closed_node)(posed, node, work);
 }
 
-QueryStats open_all_exactly(const PosedTree& posed) { return PELT_CHOOSE(open_all_exactly)(posed); }
+QueryStats open_all(const PosedTree& posed) { return PELT_CHOOSE(open_all)(posed); }
 
-QueryStats open_fully(const PosedTree& posed) { return PELT_CHOOSE(open_fully)(posed); }
+QueryStats compute_all_bounds(const PosedTree& posed) {
+  return PELT_CHOOSE(compute_all_bounds)(posed);
+}
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

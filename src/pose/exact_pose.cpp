@@ -22,7 +22,7 @@ void ExactPose::close_all() {
   opened_ = OpenedNodes(static_cast<std::uint32_t>(tree_.nodes.size()), arena_);
 }
 
-QueryStats ExactPose::open_all() { return open_all_exactly(posed_tree()); }
+QueryStats ExactPose::open_all() { return detail::open_all(posed_tree()); }
 
 PosedTree ExactPose::posed_tree() {
   return {tree_, no_bounds_, palette_, root_box_, opened_, arena_};

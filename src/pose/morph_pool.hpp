@@ -4,7 +4,7 @@
 #include "skin/skin.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Writes the rest positions of a node's pool, displaced by the active morph targets, to `out` in
 /// the layout of posed vertices. Returns the number of displacements; if it is 0, writes nothing.
@@ -33,5 +33,5 @@ inline std::uint64_t morph_pool(const Tree& tree, std::uint32_t index, const Mor
   return displaced_count;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

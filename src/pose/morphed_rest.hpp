@@ -4,7 +4,7 @@
 #include "skin/skin.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Random access to the rest positions of a tree, displaced by the active morph targets.
 /// Precondition: the tree has morph targets. Cost of a vertex: O(1) in a pool that no active target
@@ -18,11 +18,16 @@ class MorphedRest {
     if (place < first_place_ || place >= end_place_) find_pool(place);
     Vec3 v = tree_.rest_positions[place];
     each_active(begin_, end_, morphs_, [&](const PoolTarget& target) {
-      if (const PlacedDisplacement* found = find(target, place))
+      if (const PlacedDisplacement* found = find(target, place)) {
         v = displaced(v, morphs_[target.target], found->by);
+        ++displacement_count_;
+      }
     });
     return v;
   }
+
+  /// Number of displacements of the vertices so far.
+  std::uint64_t displacement_count() const { return displacement_count_; }
 
  private:
   /// Finds the last node whose pool does not begin behind `place`. Vertices without triangles
@@ -61,9 +66,10 @@ class MorphedRest {
 
   const Tree& tree_;
   const MorphWeights& morphs_;
+  std::uint64_t displacement_count_ = 0;
   std::uint32_t first_place_ = 0, end_place_ = 0;       // range of the current pool
   const PoolTarget *begin_ = nullptr, *end_ = nullptr;  // targets of the current pool
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -6,13 +6,13 @@
 #include "skin/skin.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 /// Plain pointers to the arrays of the tree's vertices; otherwise the compiler reloads the vectors'
 /// data pointers after every store.
-struct Places {
-  explicit Places(const Tree& tree)
+struct VertexArrays {
+  explicit VertexArrays(const Tree& tree)
       : influence_begin(tree.influence_begin.data()),
         joints(tree.joints.data()),
         weights(tree.weights.data()) {}
@@ -43,10 +43,10 @@ struct Places {
 /// Poses the run of vertices with kCount influences that starts at `place`, and returns the end of
 /// the run. A loop over influences of known length needs no branch.
 template <std::uint32_t kCount, typename RestAt>
-std::uint32_t pose_run(const Places& places, const RestAt& rest_at, const Matrix4* palette,
+std::uint32_t pose_run(const VertexArrays& arrays, const RestAt& rest_at, const Matrix4* palette,
                        std::uint32_t place, std::uint32_t end, float*& out) {
-  for (; place < end && places.influence_count(place) == kCount; ++place, out += kFloatsPerVertex)
-    store4(out, places.pose(rest_at(place, out), place, kCount, palette));
+  for (; place < end && arrays.influence_count(place) == kCount; ++place, out += kFloatsPerVertex)
+    store4(out, arrays.pose(rest_at(place, out), place, kCount, palette));
   return place;
 }
 
@@ -55,13 +55,13 @@ std::uint32_t pose_run(const Places& places, const RestAt& rest_at, const Matrix
 template <typename RestAt>
 void pose_pool(const Tree& tree, const RestAt& rest_at, const Matrix4* palette, std::uint32_t place,
                std::uint32_t end, float* out) {
-  const Places places(tree);
-  place = pose_run<1>(places, rest_at, palette, place, end, out);
-  place = pose_run<2>(places, rest_at, palette, place, end, out);
-  place = pose_run<3>(places, rest_at, palette, place, end, out);
-  place = pose_run<4>(places, rest_at, palette, place, end, out);
+  const VertexArrays arrays(tree);
+  place = pose_run<1>(arrays, rest_at, palette, place, end, out);
+  place = pose_run<2>(arrays, rest_at, palette, place, end, out);
+  place = pose_run<3>(arrays, rest_at, palette, place, end, out);
+  place = pose_run<4>(arrays, rest_at, palette, place, end, out);
   for (; place < end; ++place, out += kFloatsPerVertex)
-    store4(out, places.pose(rest_at(place, out), place, places.influence_count(place), palette));
+    store4(out, arrays.pose(rest_at(place, out), place, arrays.influence_count(place), palette));
 }
 
 void pose_node(const PosedTree& posed, const Node& node, float* out) {
@@ -103,7 +103,7 @@ Box4 cluster_box(const Tree& tree, const Cluster& cluster, const float* position
   const std::uint16_t* end = vertex + cluster.listed_vertex_count();
   const auto position = [&](int i) { return load4(positions + vertex[i]); };
   Box4 box = {position(0), position(0)};
-  for (; vertex != end; vertex += kVertexGroup) {
+  for (; vertex != end; vertex += kVertexPadding) {
     const Float4 a = position(0), b = position(1), c = position(2), d = position(3);
     box = unite(box, {min(min(a, b), min(c, d)), max(max(a, b), max(c, d))});
   }
@@ -149,19 +149,25 @@ Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
   return {min(min(a, b), c), max(max(a, b), c)};
 }
 
-/// Calls `visit` with the posed vertices at `places`.
+/// Calls `visit` with the posed vertices at these positions in the pools. Returns the number of
+/// displacements by morph targets.
 template <typename Visit>
-void each_posed(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at,
-                const Visit& visit) {
-  const Places places(tree);
+std::uint64_t each_posed(const Tree& tree, const Palette& palette,
+                         std::span<const std::uint32_t> at, const Visit& visit) {
+  const VertexArrays arrays(tree);
   const Matrix4* matrices = palette.joints().data();
-  const auto each = [&](auto rest_at) {
+  const auto each = [&](auto&& rest_at) {
     for (const std::uint32_t place : at)
-      visit(places.pose(rest_at(place), place, places.influence_count(place), matrices));
+      visit(arrays.pose(rest_at(place), place, arrays.influence_count(place), matrices));
   };
-  if (palette.morphs().any()) return each(MorphedRest(tree, palette.morphs()));
+  if (palette.morphs().any()) {
+    MorphedRest morphed(tree, palette.morphs());
+    each(morphed);
+    return morphed.displacement_count();
+  }
   const Vec3* rest = tree.rest_positions.data();
   each([=](std::uint32_t place) { return rest[place]; });
+  return 0;
 }
 
 }  // namespace
@@ -202,7 +208,7 @@ const TriangleBoxes& box_triangles(const PosedTree& posed, const Node& node,
              : *first;
 }
 
-QueryStats open_rest(const PosedTree& posed) {
+QueryStats open_all(const PosedTree& posed) {
   QueryStats work;
   for (auto index = static_cast<std::uint32_t>(posed.tree.nodes.size()); index-- > 0;) {
     if (posed.opened[index]) continue;
@@ -214,11 +220,7 @@ QueryStats open_rest(const PosedTree& posed) {
     });
     posed.opened.publish(index, opened);
   }
-  return work;
-}
-
-QueryStats open_all_exactly(const PosedTree& posed) {
-  const QueryStats work = open_rest(posed);
+  if (posed.root_box.known) return work;
   const OpenedNode& root = *posed.opened[0];
   posed.root_box.known = true;
   store4(posed.root_box.low, load4(root.all_low));
@@ -233,11 +235,14 @@ void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out
   });
 }
 
-Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at) {
+Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at,
+                  std::uint64_t& displacements) {
   Box4 box = empty_box();
-  each_posed(tree, palette, at, [&](const Float4& p) { box = unite(box, {p, p}); });
+  displacements += each_posed(tree, palette, at, [&](const Float4& p) {
+    box = unite(box, {p, p});
+  });
   return box;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -2,14 +2,14 @@
 
 #include <pelt/collide.hpp>
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "geometry/box4.hpp"
 #include "pose/posed_tree.hpp"
 
 #include <span>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Returns the box of all vertices. Computes it first if necessary, and counts that in `work`.
 const RootBox& root_box(const PosedTree& posed, QueryStats& work);
@@ -35,19 +35,18 @@ inline const TriangleBoxes& triangle_boxes(const PosedTree& posed, const Node& n
 }
 
 /// Opens every closed node bottom-up, with the boxes of its children as slot boxes. Costs a
-/// fraction of opening all nodes on demand. Precondition: the table of opened nodes exists.
-QueryStats open_rest(const PosedTree& posed);
-
-/// Opens every node bottom-up, like an engine without refitting on demand: every box, including
-/// that of the root, is the exact box of the posed vertices below. Precondition: the table of
-/// opened nodes exists, and no node is open.
-QueryStats open_all_exactly(const PosedTree& posed);
+/// fraction of opening all nodes on demand. If no node is open and the root box is not known, every
+/// box, including that of the root, becomes the exact box of the posed vertices below, as in an
+/// engine without refitting on demand. Precondition: the table of opened nodes exists.
+QueryStats open_all(const PosedTree& posed);
 
 /// Poses all vertices in the caller's order.
 void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out);
 
-/// Returns the box of the posed vertices at these positions in the pools.
-Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at);
+/// Returns the box of the posed vertices at these positions in the pools. Adds the displacements by
+/// morph targets to `displacements`.
+Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at,
+                  std::uint64_t& displacements);
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

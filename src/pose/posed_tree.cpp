@@ -12,14 +12,14 @@ void make_table(const PosedTree& posed) {
 
 /// Limited to what no machine has, because the sum can be larger than a 32-bit std::size_t.
 std::size_t bytes_to_open(const Tree& tree) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::ptrdiff_t>::max();
+  constexpr std::uint64_t kMax = std::numeric_limits<std::ptrdiff_t>::max();
   constexpr auto piece = Arena::size_of_piece;
   std::uint64_t bytes = piece(tree.nodes.size() * sizeof(std::atomic<OpenedNode*>));
   bytes += std::uint64_t{tree.nodes.size()} * piece(sizeof(OpenedNode));
   bytes += std::uint64_t{tree.clusters.size()} * piece(sizeof(TriangleBoxes));
   for (const Node& node : tree.nodes)
     bytes += piece(node.vertex_count * kFloatsPerVertex * sizeof(float));
-  return static_cast<std::size_t>(std::min(bytes, kMost));
+  return static_cast<std::size_t>(std::min(bytes, kMax));
 }
 
 }  // namespace pelt::detail

@@ -3,7 +3,7 @@
 #include "model/node_box.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 RootBox box_root(const NodeBounds& bounds, const Palette& palette) {
   const Box4 box = node_box(bounds, 0, palette);
@@ -14,5 +14,5 @@ RootBox box_root(const NodeBounds& bounds, const Palette& palette) {
   return root;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "model/node_bounds.hpp"
 #include "skin/palette.hpp"
 
@@ -12,10 +12,10 @@ struct RootBox {
   float low[4], high[4];
 };
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Computes the box from the joint palette alone.
 RootBox box_root(const NodeBounds& bounds, const Palette& palette);
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 inline bool boxes_overlap(const float* low_a, const float* high_a, const float* low_b,
                           const float* high_b) {
@@ -45,5 +45,5 @@ struct BoxOverlap {
   }
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

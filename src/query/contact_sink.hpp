@@ -4,13 +4,13 @@
 
 #include <pelt/collide.hpp>
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "query/stack.hpp"
 
 #include <cstdint>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 class ContactSink {
  public:
@@ -39,5 +39,5 @@ class ContactSink {
   std::uint32_t max_contacts_;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -8,7 +8,7 @@
 #include <cstddef>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// The set bits of a mask, lowest first.
 class SetBits {
@@ -70,5 +70,5 @@ template <std::size_t kCount>
   return (x & y & z).bits();
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

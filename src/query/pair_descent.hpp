@@ -28,7 +28,7 @@
 #include "query/slots.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 template <typename Rule>
 class PairDescent {
@@ -129,5 +129,5 @@ inline void push_pairs_within(const PosedTree& posed, std::uint32_t node, Stack<
   }
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

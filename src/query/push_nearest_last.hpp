@@ -7,7 +7,7 @@
 #include "query/tree_part.hpp"
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Pushes `make(slot, gap)` for each slot of `slots`, the nearest last.
 template <typename Item, typename Make>
@@ -26,5 +26,5 @@ void push_nearest_last(Stack<Item>& items, unsigned slots, const Float8& squared
   }
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Conservative float bounds of a distance. Anything beyond these bounds is certainly further away
+/// Conservative float bounds of a distance. Anything beyond these bounds is certainly farther away
 /// than the distance.
 ///
 /// Rounding. With e = 2^-24, gaps of boxes take one rounding, their squares three, sums two more
@@ -8,13 +8,13 @@
 /// have. The scalar distance may be kDistanceError times the largest difference of two coordinates
 /// below the real one. Nothing overflows: gaps are at most those of posed vertices, below 2^62.
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "geometry/triangle_distance.hpp"
 
 #include <cfloat>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Returns an upper bound of the difference of any two coordinates within two boxes.
 inline double common_extent(const float* low_a, const float* high_a, const float* low_b,
@@ -50,5 +50,5 @@ class Reach {
   float gap_ = FLT_MAX, squared_gap_ = FLT_MAX;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -12,17 +12,17 @@
 namespace pelt {
 namespace {
 
-constexpr std::size_t kMostSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;
+constexpr std::size_t kMaxSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;
 
 /// For one tree, a step replaces a node by its children.
-constexpr std::size_t kMostNodes = detail::kMaxClusterTreeDepth * detail::kMaxSlots;
+constexpr std::size_t kMaxNodes = detail::kMaxClusterTreeDepth * detail::kMaxSlots;
 
 /// A nearest-first search replaces one part by its slots.
-constexpr std::size_t kMostNearParts = (detail::kMaxClusterTreeDepth + 1) * detail::kMaxSlots;
+constexpr std::size_t kMaxNearParts = (detail::kMaxClusterTreeDepth + 1) * detail::kMaxSlots;
 
 /// A query with a limit checks its count between pairs of clusters, and up to seven pairs of
 /// triangles may have been waiting before.
-constexpr std::size_t kMostBeyond = detail::kMaxClusterTriangles * detail::kMaxClusterTriangles + 7;
+constexpr std::size_t kMaxBeyond = detail::kMaxClusterTriangles * detail::kMaxClusterTriangles + 7;
 
 }  // namespace
 
@@ -32,13 +32,13 @@ Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 Scratch::~Scratch() = default;
 
 void Scratch::reserve(std::size_t contacts, std::size_t ray_hits) {
-  scratch_->slot_pairs.reserve(kMostSlotPairs);
-  scratch_->near_part.reserve(kMostNearParts);
-  scratch_->near_parts.reserve(2 * kMostNearParts);
-  scratch_->found.reserve(contacts + kMostBeyond);
+  scratch_->slot_pairs.reserve(kMaxSlotPairs);
+  scratch_->near_part.reserve(kMaxNearParts);
+  scratch_->near_parts.reserve(2 * kMaxNearParts);
+  scratch_->found.reserve(contacts + kMaxBeyond);
   scratch_->sorting.reserve(contacts);
   scratch_->ray_hits.reserve(ray_hits);
-  scratch_->nodes.reserve(kMostNodes);
+  scratch_->nodes.reserve(kMaxNodes);
   scratch_->touching.reserve(contacts);
   scratch_->inside.reserve(contacts);
   scratch_->sorting_numbers.reserve(contacts);

@@ -18,7 +18,7 @@ struct SlotPair {
   float depth = 0;           // depth by which the boxes overlap
 };
 
-/// A part of a tree that may contain the nearest point, with the distance of its box.
+/// A part of a tree that may contain the closest point, with the distance of its box.
 struct NearPart {
   float squared_gap;
   std::uint32_t node, slot;

@@ -19,7 +19,7 @@ struct PosedCluster {
   const Cluster& cluster() const { return posed.tree.clusters[node.first_cluster + slot]; }
 };
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 inline constexpr unsigned kAllSlots = (1u << kMaxSlots) - 1;
 
@@ -41,5 +41,5 @@ inline unsigned slots_in(const OpenedNode& opened, const Box8& box) {
   return overlapping(opened.low, opened.high, 0, box);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

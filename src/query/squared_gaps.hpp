@@ -8,7 +8,7 @@
 #include <cstddef>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 [[gnu::always_inline]] inline Float8 gap(const Float8& low_a, const Float8& high_a,
                                          const Float8& low_b, const Float8& high_b) {
@@ -33,5 +33,5 @@ template <std::size_t kCount>
   return squared_gap(load_boxes(low, high, first), box);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

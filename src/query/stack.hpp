@@ -7,8 +7,8 @@
 namespace pelt::detail {
 
 /// The memory of a Stack, whatever the type of its items. It grows in one baseline file, so that
-/// code compiled for several targets instantiates nothing that the linker could share between
-/// targets.
+/// code compiled for several instruction sets instantiates nothing that the linker could share
+/// between them.
 class StackMemory {
  public:
   bool empty() const { return size_ == 0; }

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 struct TreePart {
   std::uint32_t node = 0;  ///< opened, unless the part is the whole tree
@@ -42,5 +42,5 @@ inline Box8 known_box(const PosedTree& posed, const TreePart& part) {
   return lane_box(parent.low, parent.high, part.slot);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

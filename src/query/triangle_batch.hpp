@@ -11,7 +11,7 @@
 #include <cstdint>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 inline constexpr std::uint32_t kBatch = 8;
 
@@ -66,5 +66,5 @@ template <typename CornersA, typename CornersB>
   return intersecting;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -4,7 +4,7 @@
 #include "base/require.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
-#include "ray/ray_traversal.hpp"
+#include "ray/ray_descent.hpp"
 
 #include <algorithm>
 #include <cmath>

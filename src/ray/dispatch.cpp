@@ -1,16 +1,16 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
-#include "ray/ray_traversal.hpp"
+#include "ray/ray_descent.hpp"
 
 namespace pelt::detail {
 
-PELT_DECLARE_TARGETS(first_hits)
-PELT_DECLARE_TARGETS(any_hits)
-PELT_DECLARE_TARGETS(all_hits)
-PELT_DECLARE_TARGETS(winding_number)
+PELT_DECLARE_VERSIONS(first_hits)
+PELT_DECLARE_VERSIONS(any_hits)
+PELT_DECLARE_VERSIONS(all_hits)
+PELT_DECLARE_VERSIONS(winding_number)
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 QueryStats first_hits(const PosedTree& posed, std::span<const Ray> rays, Facing facing,
                       std::span<RayHit> hits) {
@@ -30,5 +30,5 @@ QueryStats winding_number(const PosedTree& posed, const Vec3& point, int& windin
   return PELT_CHOOSE(winding_number)(posed, point, winding);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -28,7 +28,8 @@ void add_share(std::uint32_t joint, float share, std::size_t begin,
 
 }  // namespace
 
-void influences_at(const SkinnedModel& model, const RayHit& hit, std::vector<JointShare>& shares) {
+QueryStats influences_at(const SkinnedModel& model, const RayHit& hit,
+                         std::vector<JointShare>& shares) {
   const Tree& tree = model.detail().tree;
   const std::uint32_t place = detail::Access::numbers(hit.location)[0];
   detail::require(place < tree.triangle_count() && tree.triangle_ids[place] == hit.triangle,
@@ -46,6 +47,7 @@ void influences_at(const SkinnedModel& model, const RayHit& hit, std::vector<Joi
             [](const JointShare& a, const JointShare& b) {
               return a.share > b.share || (a.share == b.share && a.joint < b.joint);
             });
+  return {};
 }
 
 }  // namespace pelt

@@ -27,7 +27,7 @@
 #include <cstring>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 class RaySlabs {
  public:
@@ -123,5 +123,5 @@ class RaySlabs {
   float first_, last_;
 };
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -5,13 +5,13 @@
 
 namespace pelt::detail {
 
-PELT_DECLARE_TARGETS(scan_palette)
+PELT_DECLARE_VERSIONS(scan_palette)
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 PaletteScan scan_palette(const float* floats, std::size_t joint_count) {
   return PELT_CHOOSE(scan_palette)(floats, joint_count);
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -21,12 +21,12 @@ Problem MorphWeights::check(std::span<const float> weights) const {
     if (!std::isfinite(weights[m]))
       return problem("morph_weights[%zu] is %g", m, static_cast<double>(weights[m]));
   if (extent_of(weights) <= static_cast<double>(kMaxCoordinate)) return {};
-  std::size_t furthest = 0;
+  std::size_t farthest = 0;
   for (std::size_t m = 0; m < weights.size(); ++m)
-    if (std::fabs(weights[m]) * extents_[m] > std::fabs(weights[furthest]) * extents_[furthest])
-      furthest = m;
+    if (std::fabs(weights[m]) * extents_[m] > std::fabs(weights[farthest]) * extents_[farthest])
+      farthest = m;
   return problem("morph_weights[%zu] of %g, with the others, can displace a vertex by 2^60 units",
-                 furthest, static_cast<double>(weights[furthest]));
+                 farthest, static_cast<double>(weights[farthest]));
 }
 
 void MorphWeights::set(std::span<const float> weights) {

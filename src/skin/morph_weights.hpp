@@ -8,7 +8,7 @@
 
 namespace pelt::detail {
 
-/// Validated weights of a mesh's morph targets in a pose: finite, and displacing no vertex further
+/// Validated weights of a mesh's morph targets in a pose: finite, and displacing no vertex farther
 /// than kMaxCoordinate. Initially all zero.
 class MorphWeights {
  public:

@@ -109,7 +109,7 @@ void Palette::keep(const PaletteScan& scan) {
   extent_ = extent_of(scan_, reach_);
 }
 
-/// Skips the check of the joints if the weights displace no further than before. This is necessary
+/// Skips the check of the joints if the weights displace no farther than before. This is necessary
 /// because the constructor's joints may exceed kMaxCoordinate.
 Result<void> Palette::set_morph_weights(std::span<const float> weights) {
   if (Problem found = morphs_.check(weights); !found.empty())

@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 float largest_coordinate(const Float4& v) {
@@ -34,5 +34,5 @@ PaletteScan scan_palette(const float* floats, std::size_t joint_count) {
           last_rows[3] == 0 && finite.bits() == 0xFF};
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 
 #include <cstddef>
 
@@ -12,10 +12,10 @@ struct PaletteScan {
   bool is_affine = true;              ///< last rows are 0 0 0 1, and all elements are finite
 };
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// `floats` has 16 elements for each joint.
 PaletteScan scan_palette(const float* floats, std::size_t joint_count);
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -22,7 +22,7 @@
 #include <span>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
 /// Returns the posed vertex for `influence(0)` to `influence(count - 1)` in the lanes x, y, z. Lane
 /// 3 is meaningless.
@@ -70,7 +70,7 @@ inline Vec3 posed_vertex(const SkinnedMesh& mesh, const Palette& palette, std::u
   return {p[0], p[1], p[2]};
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 
 /// Poses all vertices. Precondition: `out` has one element for each vertex.
 void posed_vertices(const SkinnedMesh& mesh, const Palette& palette, std::span<Vec3> out);

@@ -10,7 +10,7 @@
 namespace pelt::detail {
 namespace {
 
-/// Sums of weights further from 1 are more than rounding by an exporter.
+/// Sums of weights farther from 1 are more than rounding by an exporter.
 constexpr double kExporterRounding = 0x1p-7;
 
 /// Sums of weights nearer to 1 are rounding of floats and are not reported.

@@ -1,18 +1,31 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
+#include "solid/region_descent.hpp"
 #include "solid/solid_search.hpp"
 
 namespace pelt::detail {
 
-PELT_DECLARE_TARGETS(nearest_to_solid)
+PELT_DECLARE_VERSIONS(closest_to_solid)
+PELT_DECLARE_VERSIONS(descend_in_faces)
+PELT_DECLARE_VERSIONS(descend_in_capsule)
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
-QueryStats nearest_to_solid(const PosedTree& posed, const PreparedSolid& solid, Scratch& scratch,
-                            double max_distance, SolidGap& nearest) {
-  return PELT_CHOOSE(nearest_to_solid)(posed, solid, scratch, max_distance, nearest);
+QueryStats closest_to_solid(const PosedTree& posed, const PreparedSolid& solid, Scratch& scratch,
+                            double max_distance, SolidGap& closest) {
+  return PELT_CHOOSE(closest_to_solid)(posed, solid, scratch, max_distance, closest);
 }
 
-}  // namespace PELT_TARGET
+RegionAnswer descend_in_faces(const PosedTree& posed, const FacesRegion& region, Scratch& scratch,
+                              RegionGoal goal) {
+  return PELT_CHOOSE(descend_in_faces)(posed, region, scratch, goal);
+}
+
+RegionAnswer descend_in_capsule(const PosedTree& posed, const CapsuleRegion& region,
+                                Scratch& scratch, RegionGoal goal) {
+  return PELT_CHOOSE(descend_in_capsule)(posed, region, scratch, goal);
+}
+
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,12 +1,12 @@
 /// A solid is convex, and a capsule consists of two balls and a cylinder between them. A ray is
 /// inside each piece for an interval of t. Balls are intersected relative to the ray's point
-/// nearest to their centre; from far away, the discriminant would suffer from cancellation.
+/// closest to their centre; from far away, the discriminant would suffer from cancellation.
 
 #include <pelt/solid.hpp>
 
 #include "base/assert.hpp"
 #include "base/vec3.hpp"
-#include "region/prepared_region.hpp"
+#include "solid/prepared_region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +41,12 @@ struct Line {
 /// Returns the interval with |way + t * direction| <= radius.
 Stay stay_near(const Vec3d& way, const Vec3d& direction, double radius) {
   const double speed = squared_length(direction);
-  const double nearest = speed > 0 ? -dot(way, direction) / speed : 0;
-  const double room = radius * radius - squared_length(way + nearest * direction);
+  const double closest = speed > 0 ? -dot(way, direction) / speed : 0;
+  const double room = radius * radius - squared_length(way + closest * direction);
   if (room < 0) return {HUGE_VAL, -HUGE_VAL};
   if (speed == 0) return {};
   const double half = std::sqrt(room / speed);
-  return {nearest - half, nearest + half};
+  return {closest - half, closest + half};
 }
 
 /// Returns the interval within the cylinder between the ends of a capsule.
@@ -66,7 +66,7 @@ Vec3 unit(const Vec3d& v) {
   return length > 0 ? to_float((1 / length) * v) : Vec3();
 }
 
-/// Returns the direction from the nearest point of the capsule's segment to `p`.
+/// Returns the direction from the closest point of the capsule's segment to `p`.
 Vec3 normal_at(const Vec3d& p, const Capsule& capsule) {
   const Vec3d a(capsule.a), edge = Vec3d(capsule.b) - a;
   const double length = squared_length(edge);

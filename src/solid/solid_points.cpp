@@ -1,10 +1,10 @@
-/// The distance from a half-space is that of the triangle's nearest corner; from a capsule, that of
-/// its segment minus the radius; from a box that does not touch the triangle, that of the nearest
+/// The distance from a half-space is that of the triangle's closest corner; from a capsule, that of
+/// its segment minus the radius; from a box that does not touch the triangle, that of the closest
 /// of its twelve triangles. A segment is treated as a collapsed triangle.
 
 #include "solid/solid_points.hpp"
 
-#include "region/prepared_region.hpp"
+#include "solid/prepared_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ std::size_t lowest_corner(const TriangleCorners& triangle, const HalfSpace& half
   return lowest;
 }
 
-SolidPoints nearest(const TriangleCorners& triangle, const HalfSpace& half) {
+SolidPoints closest(const TriangleCorners& triangle, const HalfSpace& half) {
   const std::size_t corner = lowest_corner(triangle, half);
   const double length = std::sqrt(squared_length(Vec3d(half.normal)));
   const double distance = height_over(half, triangle[corner]) / length;
@@ -49,9 +49,9 @@ Barycentrics common(const TriangleCorners& triangle, const HalfSpace& half) {
 
 // Capsules.
 
-SolidPoints nearest(const TriangleCorners& triangle, const Capsule& capsule) {
+SolidPoints closest(const TriangleCorners& triangle, const Capsule& capsule) {
   const TriangleCorners segment = {capsule.a, capsule.b, capsule.b};
-  const NearestPoints points = nearest_points(triangle, segment);
+  const ClosestPoints points = closest_points(triangle, segment);
   const double to_segment = std::sqrt(points.squared_distance);
   const Vec3d axis = point_at(segment, points.b);
   const Vec3d way = point_at(triangle, points.a) - axis;
@@ -63,8 +63,8 @@ Barycentrics common(const TriangleCorners& triangle, const Capsule& capsule) {
   return common_point(triangle, TriangleCorners{capsule.a, capsule.b, capsule.b}).a;
 }
 
-SolidPoints nearest(const TriangleCorners& triangle, const Sphere& sphere) {
-  return nearest(triangle, Capsule{sphere.centre, sphere.centre, sphere.radius});
+SolidPoints closest(const TriangleCorners& triangle, const Sphere& sphere) {
+  return closest(triangle, Capsule{sphere.centre, sphere.centre, sphere.radius});
 }
 
 Barycentrics common(const TriangleCorners& triangle, const Sphere& sphere) {
@@ -113,10 +113,10 @@ BoxCorners corners_of(const OrientedBox& box) {
 }
 
 template <typename AnyBox>
-SolidPoints nearest(const TriangleCorners& triangle, const AnyBox& box) {
+SolidPoints closest(const TriangleCorners& triangle, const AnyBox& box) {
   SolidPoints best;
   for (const TriangleCorners& face : triangles_of(corners_of(box))) {
-    const NearestPoints points = nearest_points(triangle, face);
+    const ClosestPoints points = closest_points(triangle, face);
     const double distance = std::sqrt(points.squared_distance);
     if (distance < best.distance) best = {distance, points.a, point_at(face, points.b)};
   }
@@ -127,9 +127,9 @@ SolidPoints nearest(const TriangleCorners& triangle, const AnyBox& box) {
 template <typename AnyBox>
 Barycentrics common(const TriangleCorners& triangle, const AnyBox& box) {
   if (place_in(PreparedRegion(box).faces, triangle) == TrianglePlace::inside) return at_corner(0);
-  NearestPoints best = {std::numeric_limits<double>::infinity(), {1, 0, 0}, {1, 0, 0}};
+  ClosestPoints best = {std::numeric_limits<double>::infinity(), {1, 0, 0}, {1, 0, 0}};
   for (const TriangleCorners& face : triangles_of(corners_of(box))) {
-    const NearestPoints points = common_point(triangle, face);
+    const ClosestPoints points = common_point(triangle, face);
     if (points.squared_distance < best.squared_distance) best = points;
   }
   return best.a;
@@ -161,9 +161,9 @@ double extent(const OrientedBox& box) {
 
 }  // namespace
 
-SolidPoints nearest_points(const TriangleCorners& triangle, const Solid& solid) {
+SolidPoints closest_points(const TriangleCorners& triangle, const Solid& solid) {
   SolidPoints points =
-      std::visit([&](const auto& shape) { return nearest(triangle, shape); }, solid);
+      std::visit([&](const auto& shape) { return closest(triangle, shape); }, solid);
   if (points.distance < kLeast) points.distance = kLeast;
   return points;
 }

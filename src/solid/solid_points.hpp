@@ -17,7 +17,7 @@ struct SolidPoints {
 };
 
 /// Definition of the distance of a triangle from a solid. Precondition: they do not touch.
-SolidPoints nearest_points(const TriangleCorners& triangle, const Solid& solid);
+SolidPoints closest_points(const TriangleCorners& triangle, const Solid& solid);
 
 /// Returns a point of the triangle inside the solid, in the precision of double. Precondition: they
 /// touch.

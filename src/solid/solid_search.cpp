@@ -1,20 +1,20 @@
 #include "solid/solid_search.hpp"
 
 #include "distance/triangle_search.hpp"
-#include "region/box_gaps.hpp"
+#include "solid/box_gaps.hpp"
 
 #include <cmath>
 
 namespace pelt::detail {
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
-/// Search for the triangle nearest to a solid; of equally near triangles, the lowest. `Gaps`
+/// Search for the triangle closest to a solid; of equally near triangles, the lowest. `Gaps`
 /// computes lower bounds of the squared distances of eight boxes.
 template <typename Gaps>
-class NearestToSolid {
+class ClosestToSolid {
  public:
-  NearestToSolid(const PreparedSolid& solid, const Gaps& gaps, double max_distance, SolidGap& best)
+  ClosestToSolid(const PreparedSolid& solid, const Gaps& gaps, double max_distance, SolidGap& best)
       : solid_(solid), gaps_(gaps), reach_(max_distance), best_(best) {}
 
   double extent(const RootBox& box) const {
@@ -30,7 +30,7 @@ class NearestToSolid {
   Float8 squared_gaps(const Boxes8& boxes) const { return gaps_(boxes); }
 
   bool takes(std::uint32_t triangle, const TriangleCorners& corners) {
-    const SolidPoints points = nearest_points(corners, solid_.solid);
+    const SolidPoints points = closest_points(corners, solid_.solid);
     if (!is_better(points.distance, triangle)) return false;
     best_ = {triangle, corners, points};
     reach_ = points.distance;
@@ -41,7 +41,7 @@ class NearestToSolid {
 
  private:
   bool is_better(double distance, std::uint32_t triangle) const {
-    const double best = best_.nearest.distance;
+    const double best = best_.closest.distance;
     if (distance == best) return triangle < best_.triangle;
     return distance < best && distance <= reach_;
   }
@@ -54,15 +54,15 @@ class NearestToSolid {
 
 }  // namespace
 
-QueryStats nearest_to_solid(const PosedTree& posed, const PreparedSolid& solid, Scratch& scratch,
-                            double max_distance, SolidGap& nearest) {
+QueryStats closest_to_solid(const PosedTree& posed, const PreparedSolid& solid, Scratch& scratch,
+                            double max_distance, SolidGap& closest) {
   const auto search = [&](const auto& gaps) {
-    NearestToSolid goal(solid, gaps, max_distance, nearest);
+    ClosestToSolid goal(solid, gaps, max_distance, closest);
     return TriangleSearch(posed, scratch, goal).run();
   };
   return solid.region.is_capsule ? search(CapsuleGaps(solid.region.capsule))
                                  : search(FacesGaps(solid.region.faces));
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

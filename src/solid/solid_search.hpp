@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/target.hpp"
+#include "base/instruction_set.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"
-#include "region/prepared_region.hpp"
+#include "solid/prepared_region.hpp"
 #include "solid/solid_points.hpp"
 
 #include <cstdint>
@@ -19,19 +19,19 @@ struct PreparedSolid {
   double extent;
 };
 
-/// The triangle nearest to a solid.
+/// The triangle closest to a solid.
 struct SolidGap {
   std::uint32_t triangle = 0;  ///< the caller's number
   TriangleCorners corners = {};
-  SolidPoints nearest;
+  SolidPoints closest;
 };
 
-inline namespace PELT_TARGET {
+inline namespace PELT_INSTRUCTION_SET {
 
-/// Finds the nearest triangle as defined by `pelt::distance`, for a pose that does not touch the
+/// Finds the closest triangle as defined by `pelt::distance`, for a pose that does not touch the
 /// solid. The distance is infinite if nothing is within `max_distance`.
-QueryStats nearest_to_solid(const PosedTree& posed, const PreparedSolid& solid, Scratch& scratch,
-                            double max_distance, SolidGap& nearest);
+QueryStats closest_to_solid(const PosedTree& posed, const PreparedSolid& solid, Scratch& scratch,
+                            double max_distance, SolidGap& closest);
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

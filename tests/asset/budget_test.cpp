@@ -27,15 +27,15 @@ TEST(Budget, RefusesCountsWhoseBytesOverflow) {
 }
 
 TEST(Budget, HasAnEndHoweverLargeTheFile) {
-  static_assert(sizeof(void*) == 4 || Budget::kMost == std::uint64_t{48} << 30);
+  static_assert(sizeof(void*) == 4 || Budget::kMax == std::uint64_t{48} << 30);
   Budget budget;
-  for (int i = 0; i < 3; ++i) budget.grant(Budget::kMost);
-  EXPECT_TRUE(budget.take(Budget::kMost / 2, 2, "accessor 0"));
+  for (int i = 0; i < 3; ++i) budget.grant(Budget::kMax);
+  EXPECT_TRUE(budget.take(Budget::kMax / 2, 2, "accessor 0"));
   const Result<void> taken = budget.take(1000, 1, "accessor 1");
   ASSERT_FALSE(taken);
   EXPECT_EQ(taken.error().message,
             "accessor 1: 1000 elements are out of proportion: the file would take more than " +
-                std::to_string(Budget::kMost >> 20) + " MiB of memory");
+                std::to_string(Budget::kMax >> 20) + " MiB of memory");
 }
 
 // With 32-bit addresses, two million values are too many (tests/wasm/limits.test.mjs).

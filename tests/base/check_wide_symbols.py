@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks that wide code defines no symbols that the linker could merge with another target's.
+"""Checks that wide code defines no symbols that the linker could merge with another instruction set's.
 
-    check_wide_symbols.py NM TARGET OBJECTS...     prints such symbols, exits with 1 if there are any
+    check_wide_symbols.py NM SET OBJECTS...     prints such symbols, exits with 1 if there are any
     check_wide_symbols.py --skip REASON            exits with 77
 
-If a function outside of the target's namespace (of std::vector, for example) is not inlined, the
+If a function outside of the namespace of the instruction set (of std::vector, for example) is not inlined, the
 linker keeps one copy of it for the whole program, perhaps one with instructions that the machine does
 not support.
 """
@@ -14,7 +14,7 @@ import sys
 
 
 def shared_symbols(nm, target, file):
-    """Returns the external symbols of the object file that are not in the target's namespace."""
+    """Returns the external symbols of the object file that are not in the namespace of the instruction set."""
     command = [nm, "--demangle", "--defined-only", file]
     listing = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     for line in listing.splitlines():

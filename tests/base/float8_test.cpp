@@ -1,7 +1,7 @@
 #include "lane_operations.hpp"
 
+#include "support/instruction_sets.hpp"
 #include "support/random.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,18 +16,18 @@ using test::LaneResults;
 using test::TurnedPoints;
 
 struct Compiled {
-  Target target;
+  InstructionSet set;
   test::LaneOperations* lane_operations;
   test::TurnPoints* turn_points;
 };
 
 constexpr Compiled kCompiled[] = {
-    {Target::scalar, test::scalar::lane_operations, test::scalar::turn_points},
+    {InstructionSet::scalar, test::scalar::lane_operations, test::scalar::turn_points},
 #ifdef PELT_HAS_SIMD128
-    {Target::simd128, test::simd128::lane_operations, test::simd128::turn_points},
+    {InstructionSet::simd128, test::simd128::lane_operations, test::simd128::turn_points},
 #endif
 #ifdef PELT_HAS_AVX2
-    {Target::avx2, test::avx2::lane_operations, test::avx2::turn_points},
+    {InstructionSet::avx2, test::avx2::lane_operations, test::avx2::turn_points},
 #endif
 };
 
@@ -35,12 +35,12 @@ template <typename Body>
 void on_each_compiled(const Body& body) {
   int ran = 0;
   for (const Compiled& compiled : kCompiled) {
-    if (!test::runs_here(compiled.target)) continue;
-    SCOPED_TRACE(name_of(compiled.target));
+    if (!test::runs_here(compiled.set)) continue;
+    SCOPED_TRACE(name_of(compiled.set));
     body(compiled);
     ++ran;
   }
-  EXPECT_EQ(ran, std::ssize(available_targets()));
+  EXPECT_EQ(ran, std::ssize(available_instruction_sets()));
 }
 
 /// Bitwise equality, except that all NaNs are equal.

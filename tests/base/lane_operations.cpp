@@ -1,10 +1,10 @@
-/// Compiled once for each target. The test itself runs on any machine.
+/// Compiled once for each instruction set. The test itself runs on any machine.
 #include "lane_operations.hpp"
 
 #include "base/float8.hpp"
 
 namespace pelt::test {
-namespace PELT_TARGET {
+namespace PELT_INSTRUCTION_SET {
 
 LaneResults lane_operations(const float* a_floats, const float* b_floats) {
   const detail::Float8 a = detail::load8(a_floats), b = detail::load8(b_floats);
@@ -43,5 +43,5 @@ TurnedPoints turn_points(const float* points) {
   return results;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::test

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 namespace pelt::test {
 
@@ -21,7 +21,7 @@ struct TurnedPoints {
 using LaneOperations = LaneResults(const float* a, const float* b);
 using TurnPoints = TurnedPoints(const float* points);
 
-/// The operations as compiled for each target. Addresses need no alignment.
+/// The operations as compiled for each instruction set. Addresses need no alignment.
 namespace avx2 {
 LaneOperations lane_operations;
 TurnPoints turn_points;

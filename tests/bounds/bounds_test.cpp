@@ -2,8 +2,8 @@
 
 #include "bounds/box_of_triangles.hpp"
 #include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 #include "support/values.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(Bounds, EncloseAndTightOnesAreExactOnBendingLimbs) {
 }
 
 TEST(Bounds, EncloseSoupsUnderAnyAffineJointsOnEachTarget) {
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(501);
     for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
       for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial})
@@ -73,7 +73,7 @@ TEST(Bounds, EncloseSoupsUnderAnyAffineJointsOnEachTarget) {
 }
 
 TEST(Bounds, EncloseWhatMorphTargetsDisplaceOnEachTarget) {
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(507);
     for (const Motion motion : {Motion::rigid, Motion::affine, Motion::far_away})
       for (const test::Morphing morphing : test::kAllMorphings) {
@@ -96,7 +96,7 @@ TEST(Bounds, AreTheSameAfterTheSameWorkOnEachTarget) {
     for (const std::uint32_t levels : {0u, 1u, 2u, 100u}) {
       std::vector<Bounds> found;
       std::vector<QueryStats> work;
-      test::on_each_target([&](Target) {
+      test::on_each_instruction_set([&](InstructionSet) {
         ASSERT_TRUE(pose.set_palette(palette));
         work.push_back(bounds(pose, found.emplace_back(), {.levels = levels}));
       });

@@ -40,7 +40,7 @@ class LevelBoxesTest : public ::testing::Test {
 
   /// The boxes of `a` at `level`.
   const LevelBoxes& at(std::uint32_t level) {
-    open_whole(a.detail(), whole.detail());
+    copy_with_all_bounds(a.detail(), whole.detail());
     level_boxes(a.detail(), whole.detail(), level, found);
     EXPECT_EQ(found.boxes.size(), 6 * found.states.size());
     return found;
@@ -103,7 +103,7 @@ TEST_F(LevelBoxesTest, OfTheWholeAreThoseThatQueriesRefit) {
   Scratch scratch;
   std::vector<Contact> contacts;
   collide(a, b, scratch, contacts);
-  open_whole(a.detail(), whole.detail());
+  copy_with_all_bounds(a.detail(), whole.detail());
   std::uint32_t compared = 0;
   for (std::uint32_t n = 0; n < model.detail().tree.nodes.size(); ++n) {
     const OpenedNode* mine = a.detail().opened[n];

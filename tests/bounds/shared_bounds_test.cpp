@@ -2,7 +2,7 @@
 
 #include <pelt/asset.hpp>
 #include <pelt/bounds.hpp>
-#include <pelt/groups.hpp>
+#include <pelt/vertex_groups.hpp>
 
 #include "bounds/box_of_triangles.hpp"
 #include "support/values.hpp"
@@ -33,7 +33,7 @@ TEST_P(SharedBounds, AreExactAndGuaranteedOnesAreClose) {
   const Result<asset::Asset> asset = asset::load_gltf(path);
   ASSERT_TRUE(asset) << asset.error().message;
   Pose pose(*build_model(asset->mesh(), {.off_weights = OffWeights::renormalise}));
-  const Groups joints = group_by_joint(pose.model());
+  const VertexGroups joints = group_by_joint(pose.model());
   asset::SampleScratch scratch;
   std::vector<Matrix4> palette(pose.model().joint_count());
   for (const asset::Clip& clip : asset->clips) {

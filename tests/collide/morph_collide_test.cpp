@@ -5,8 +5,8 @@
 
 #include "contacts_of.hpp"
 #include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ void expect_exact(Random& random, const Shape& shape, Motion motion, Tally& tall
 
 TEST(MorphCollide, EqualsBruteForceOnSoups) {
   Tally tally;
-  test::on_each_target([&](Target) {
+  test::on_each_instruction_set([&](InstructionSet) {
     Random random(340);
     for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
       for (const Weights weights : {Weights::random, Weights::adversarial})

@@ -3,8 +3,8 @@
 #include <pelt/collide.hpp>
 
 #include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ void for_all_twins(Random& random, const Body& body) {
 }
 
 TEST(Reserve, NoQueryAllocatesFromTheFirstOn) {
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(80);
     std::uint64_t triangle_pairs = 0;
     for_all_twins(random, [&](const Shape& shape, const auto& palette_a, const auto& palette_b) {
@@ -105,7 +105,7 @@ TEST(Reserve, NoQueryAllocatesFromTheFirstOn) {
 }
 
 TEST(Reserve, QueriesThatAreToldToStopNeedRoomForNoMore) {
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(82);
     std::size_t stopped = 0;
     for_all_twins(random, [&](const Shape& shape, const auto& palette_a, const auto& palette_b) {

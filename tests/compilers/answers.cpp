@@ -4,8 +4,8 @@
 /// order in which a compiler evaluates arguments. The bodies need no sines, which are not the same
 /// in all standard libraries.
 
+#include <pelt/instruction_set.hpp>
 #include <pelt/pelt.hpp>
-#include <pelt/target.hpp>
 
 #include "base/hash.hpp"
 #include "support/pinned_shapes.hpp"
@@ -49,11 +49,11 @@ class Answers {
 
   void found(bool anything) { found_ += anything; }
 
-  void print(const char* target) const {
+  void print(const char* set) const {
     for (const auto& [query, hash] : hashes_)
-      std::printf("%s %s %016llx\n", target, query.c_str(),
+      std::printf("%s %s %016llx\n", set, query.c_str(),
                   static_cast<unsigned long long>(hash.value()));
-    std::printf("%s found %u\n", target, found_);
+    std::printf("%s found %u\n", set, found_);
   }
 
  private:
@@ -228,10 +228,10 @@ void add_round(std::uint64_t seed, Answers& answers) {
 }  // namespace
 
 int main() {
-  for (const Target target : available_targets()) {
-    set_active_target(target);
+  for (const InstructionSet set : available_instruction_sets()) {
+    set_active_instruction_set(set);
     Answers answers;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) add_round(seed, answers);
-    answers.print(name_of(target));
+    answers.print(name_of(set));
   }
 }

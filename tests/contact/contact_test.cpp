@@ -2,8 +2,8 @@
 
 #include "base/vec3.hpp"
 #include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -71,26 +71,26 @@ void check_curves(const ContactGeometry& geometry) {
   EXPECT_EQ(seen.size(), geometry.steps.size());
 }
 
-/// All traces are in regions, each once; the traces of a curve are in one region.
-void check_regions(const ContactGeometry& geometry) {
-  std::vector<std::size_t> region_of(geometry.traces.size(), SIZE_MAX);
-  for (std::size_t r = 0; r < geometry.regions.size(); ++r) {
-    const ContactRegion& region = geometry.regions[r];
+/// All traces are in patches, each once; the traces of a curve are in one patch.
+void check_patches(const ContactGeometry& geometry) {
+  std::vector<std::size_t> patch_of(geometry.traces.size(), SIZE_MAX);
+  for (std::size_t r = 0; r < geometry.patches.size(); ++r) {
+    const ContactPatch& patch = geometry.patches[r];
     if (r > 0) {
-      EXPECT_LE(region.count, geometry.regions[r - 1].count);
+      EXPECT_LE(patch.count, geometry.patches[r - 1].count);
     }
-    for (std::uint32_t i = 0; i < region.count; ++i) {
-      const std::uint32_t member = geometry.members[region.first + i];
-      EXPECT_EQ(region_of[member], SIZE_MAX);
-      region_of[member] = r;
-      EXPECT_LE(geometry.traces[member].depth, region.depth);
+    for (std::uint32_t i = 0; i < patch.count; ++i) {
+      const std::uint32_t member = geometry.members[patch.first + i];
+      EXPECT_EQ(patch_of[member], SIZE_MAX);
+      patch_of[member] = r;
+      EXPECT_LE(geometry.traces[member].depth, patch.depth);
     }
   }
-  EXPECT_EQ(std::count(region_of.begin(), region_of.end(), SIZE_MAX), 0);
+  EXPECT_EQ(std::count(patch_of.begin(), patch_of.end(), SIZE_MAX), 0);
   for (const ContactCurve& curve : geometry.curves)
     for (std::uint32_t i = 0; i < curve.count; ++i)
-      EXPECT_EQ(region_of[geometry.steps[curve.first + i].trace],
-                region_of[geometry.steps[curve.first].trace]);
+      EXPECT_EQ(patch_of[geometry.steps[curve.first + i].trace],
+                patch_of[geometry.steps[curve.first].trace]);
 }
 
 TEST(Contact, CurvesOfClosedSurfacesAreClosed) {
@@ -104,7 +104,7 @@ TEST(Contact, CurvesOfClosedSurfacesAreClosed) {
     const ContactGeometry geometry = geometry_of(a, b);
     EXPECT_EQ(count_of(geometry, ContactKind::segment), geometry.traces.size());
     check_curves(geometry);
-    check_regions(geometry);
+    check_patches(geometry);
     for (const ContactCurve& curve : geometry.curves) EXPECT_TRUE(curve.is_closed);
     curves += geometry.curves.size();
     hits += !geometry.curves.empty();
@@ -139,7 +139,7 @@ TEST(Contact, CurvesEndAtABorder) {
   Body a(square), b(upright);
   const ContactGeometry geometry = geometry_of(a, b);
   check_curves(geometry);
-  check_regions(geometry);
+  check_patches(geometry);
   ASSERT_EQ(geometry.curves.size(), 1u);
   EXPECT_FALSE(geometry.curves[0].is_closed);
   const ContactCurve& curve = geometry.curves[0];
@@ -147,8 +147,8 @@ TEST(Contact, CurvesEndAtABorder) {
   const Vec3 end = ends_of(geometry, geometry.steps[curve.first + curve.count - 1]).second;
   EXPECT_EQ(std::min(begin.z, end.z), -1);
   EXPECT_EQ(std::max(begin.z, end.z), 1);
-  EXPECT_FLOAT_EQ(geometry.regions[0].length, 2);
-  EXPECT_FLOAT_EQ(geometry.regions[0].point.x, 0.25f);
+  EXPECT_FLOAT_EQ(geometry.patches[0].length, 2);
+  EXPECT_FLOAT_EQ(geometry.patches[0].point.x, 0.25f);
 }
 
 TEST(Contact, TellsHowDeepATriangleReachesBehindTheOther) {
@@ -189,7 +189,7 @@ TEST(Contact, KnowsCoplanarAndCollapsedTriangles) {
   EXPECT_EQ(geometry.traces[0].depth, 0);
   EXPECT_EQ(geometry.traces[1].kind, ContactKind::collapsed);
   EXPECT_TRUE(geometry.curves.empty());
-  check_regions(geometry);
+  check_patches(geometry);
 }
 
 TEST(Contact, OfASoupIsComplete) {
@@ -203,7 +203,7 @@ TEST(Contact, OfASoupIsComplete) {
     const ContactGeometry geometry = geometry_of(a, b);
     EXPECT_GT(geometry.traces.size(), 100u);
     check_curves(geometry);
-    check_regions(geometry);
+    check_patches(geometry);
     for (const ContactTrace& trace : geometry.traces) kinds.insert(trace.kind);
   }
   EXPECT_TRUE(kinds.contains(ContactKind::segment) && kinds.contains(ContactKind::collapsed));
@@ -214,7 +214,7 @@ TEST(Contact, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
   const std::vector<Matrix4> palette_a = bend_limb(random, 4, 0.4, {0, 0, 0});
   const std::vector<Matrix4> palette_b = bend_limb(random, 4, 0.4, {0.11f, 0.05f, 0.07f});
   std::vector<ContactTrace> first;
-  on_each_target([&](Target) {
+  on_each_instruction_set([&](InstructionSet) {
     Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
     a.set(palette_a);
     b.set(palette_b);

@@ -1,4 +1,4 @@
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 #include "crowd/test_crowd.hpp"
 #include "support/allocation_count.hpp"
@@ -16,9 +16,9 @@ bool same_work(const QueryStats& a, const QueryStats& b) {
          a.cut_short == b.cut_short;
 }
 
-TEST(CrowdCost, StatsDoNotDependOnThreadsOrTargets) {
+TEST(CrowdCost, StatsDoNotDependOnThreadsOrInstructionSets) {
   Random random(31);
-  const Target fastest = active_target();
+  const InstructionSet fastest = active_instruction_set();
   TestCrowd crowd = make_mixed_crowd(random, 40, 1.5);
   std::vector<std::vector<Matrix4>> palettes;
   for (std::uint32_t i = 0; i < 40; ++i)
@@ -36,8 +36,8 @@ TEST(CrowdCost, StatsDoNotDependOnThreadsOrTargets) {
   EXPECT_GT(expected.refits, 500u);
   EXPECT_GT(expected.posed_vertices, 1000u);
   EXPECT_GT(expected.triangle_pairs, 1000u);
-  for (const Target target : available_targets()) {
-    ASSERT_TRUE(set_active_target(target));
+  for (const InstructionSet set : available_instruction_sets()) {
+    ASSERT_TRUE(set_active_instruction_set(set));
     for (int repeat = 0; repeat < 10; ++repeat)
       for (const std::uint32_t threads : kThreadCounts) {
         const CrowdStats stats = ask_anew(threads);
@@ -47,7 +47,7 @@ TEST(CrowdCost, StatsDoNotDependOnThreadsOrTargets) {
         ASSERT_EQ(contacts, expected_contacts);
       }
   }
-  ASSERT_TRUE(set_active_target(fastest));
+  ASSERT_TRUE(set_active_instruction_set(fastest));
 }
 
 TEST(CrowdCost, OpensANodeOnceHoweverManyPairsAsk) {

@@ -1,4 +1,4 @@
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 #include "crowd/test_crowd.hpp"
 
@@ -16,16 +16,16 @@ using namespace test;
 
 TEST(Crowd, EqualsAllPairsOneByOneWithAnyTargetAndNumberOfThreads) {
   Random random(30);
-  const Target fastest = active_target();
+  const InstructionSet fastest = active_instruction_set();
   std::size_t contacts = 0, touching = 0, apart = 0;
   for (int round = 0; round < 12; ++round) {
     const std::uint32_t count = 2 + random.index(25);
     TestCrowd crowd = make_mixed_crowd(random, count, 1.5);
     const auto expected = crowd.expected();
     const auto expected_pairs = pairs_of(expected);
-    for (const Target target : available_targets())
+    for (const InstructionSet set : available_instruction_sets())
       for (const std::uint32_t threads : kThreadCounts) {
-        ASSERT_TRUE(set_active_target(target));
+        ASSERT_TRUE(set_active_instruction_set(set));
         ASSERT_EQ(crowd.contacts({.threads = threads}), expected) << "round " << round;
         std::vector<CrowdPair> pairs;
         crowd.crowd.intersecting_pairs(pairs, {.threads = threads});
@@ -35,7 +35,7 @@ TEST(Crowd, EqualsAllPairsOneByOneWithAnyTargetAndNumberOfThreads) {
     touching += expected_pairs.size();
     apart += count * (count - 1) / 2 - expected_pairs.size();
   }
-  ASSERT_TRUE(set_active_target(fastest));
+  ASSERT_TRUE(set_active_instruction_set(fastest));
   EXPECT_GT(contacts, 10000u);
   EXPECT_GT(touching, 100u);
   EXPECT_GT(apart, 300u);
@@ -56,20 +56,20 @@ TEST(Crowd, AppendsInAscendingOrder) {
   EXPECT_TRUE(std::is_sorted(pairs.begin() + 1, pairs.end()));
 }
 
-TEST(Crowd, GroupsMustAgreeOnBothSides) {
+TEST(Crowd, MasksMustAgreeOnBothSides) {
   Random random(34);
   TestCrowd crowd(mixed_shapes(random));
   for (std::uint32_t i = 0; i < 30; ++i) {
     const std::uint32_t model = random.index(3);
-    const CrowdGroups groups = {1u << random.index(4), random.index(16)};
-    crowd.move(crowd.add(model, groups), palette_for(random, model, 0.7));
+    const CollisionMask mask = {1u << random.index(4), random.index(16)};
+    crowd.move(crowd.add(model, mask), palette_for(random, model, 0.7));
   }
   const auto all = crowd.contacts();
   EXPECT_EQ(all, crowd.expected());
   EXPECT_GT(pairs_of(all).size(), 20u);
   for (std::uint32_t i = 0; i < 30; ++i) {
-    crowd.all_groups[i] = {};
-    crowd.crowd.set_groups(i, {});
+    crowd.masks[i] = {};
+    crowd.crowd.set_collision_mask(i, {});
   }
   EXPECT_GT(pairs_of(crowd.contacts()).size(), 2 * pairs_of(all).size());
   EXPECT_EQ(crowd.contacts(), crowd.expected());

@@ -22,15 +22,15 @@ struct TestCrowd {
     for (const Shape& shape : shapes) models.push_back(*build_model(shape.view()));
   }
 
-  std::uint32_t add(std::uint32_t model, const CrowdGroups& groups = {}) {
-    const std::uint32_t instance = crowd.add(models[model], groups);
+  std::uint32_t add(std::uint32_t model, const CollisionMask& mask = {}) {
+    const std::uint32_t instance = crowd.add(models[model], mask);
     if (instance == poses.size()) {
       poses.emplace_back(models[model]);
-      all_groups.push_back(groups);
+      masks.push_back(mask);
       present.push_back(true);
     } else {
       poses[instance] = Pose(models[model]);
-      all_groups[instance] = groups;
+      masks[instance] = mask;
       present[instance] = true;
     }
     return instance;
@@ -47,8 +47,8 @@ struct TestCrowd {
   }
 
   bool may_touch(std::uint32_t a, std::uint32_t b) const {
-    return (all_groups[a].member_of & all_groups[b].collides_with) != 0 &&
-           (all_groups[b].member_of & all_groups[a].collides_with) != 0;
+    return (masks[a].member_of & masks[b].collides_with) != 0 &&
+           (masks[b].member_of & masks[a].collides_with) != 0;
   }
 
   /// The contacts of every pair, queried separately.
@@ -75,7 +75,7 @@ struct TestCrowd {
   std::vector<SkinnedModel> models;
   Crowd crowd;
   std::vector<Pose> poses;
-  std::vector<CrowdGroups> all_groups;
+  std::vector<CollisionMask> masks;
   std::vector<bool> present;
 };
 

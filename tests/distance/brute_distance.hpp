@@ -17,7 +17,7 @@
 
 namespace pelt::test {
 
-using detail::nearest_points;
+using detail::closest_points;
 using detail::TriangleCorners;
 using detail::triangles_intersect;
 
@@ -33,7 +33,7 @@ inline std::vector<TriangleCorners> posed_triangles(std::span<const Triangle> tr
 }
 
 inline double triangle_distance(const TriangleCorners& a, const TriangleCorners& b) {
-  return triangles_intersect(a, b) ? 0 : std::sqrt(nearest_points(a, b).squared_distance);
+  return triangles_intersect(a, b) ? 0 : std::sqrt(closest_points(a, b).squared_distance);
 }
 
 struct BruteDistance {
@@ -67,7 +67,7 @@ inline BruteDistance brute_distance(std::span<const TriangleCorners> a,
     for (std::uint32_t j = 0; j < b.size(); ++j) {
       if (box_gap(a[i], b[j]) > best.distance * (1 + 1e-6) + 1e-30) continue;
       const double squared =
-          triangles_intersect(a[i], b[j]) ? 0 : nearest_points(a[i], b[j]).squared_distance;
+          triangles_intersect(a[i], b[j]) ? 0 : closest_points(a[i], b[j]).squared_distance;
       if (!(squared < best_squared)) continue;
       best_squared = squared;
       best = {std::sqrt(squared), i, j};

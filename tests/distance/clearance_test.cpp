@@ -1,7 +1,7 @@
 #include <pelt/distance.hpp>
 
 #include "brute_distance.hpp"
-#include "support/targets.hpp"
+#include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -82,16 +82,16 @@ TEST(Clearance, BeginsAtTheDistance) {
   int apart = 0;
   for (int round = 0; round < 40; ++round) {
     limbs.move(random, 2);
-    Distance nearest;
-    distance(limbs.a, limbs.b, limbs.scratch, nearest);
-    if (nearest.distance == 0) continue;
+    Distance closest;
+    distance(limbs.a, limbs.b, limbs.scratch, closest);
+    if (closest.distance == 0) continue;
     ++apart;
-    const double less = std::nextafter(nearest.distance, 0);
+    const double less = std::nextafter(closest.distance, 0);
     EXPECT_FALSE(is_within(limbs.a, limbs.b, less, limbs.scratch));
-    EXPECT_TRUE(is_within(limbs.a, limbs.b, nearest.distance, limbs.scratch));
-    const auto pairs = clearance_of(limbs.a, limbs.b, nearest.distance, limbs.scratch);
+    EXPECT_TRUE(is_within(limbs.a, limbs.b, closest.distance, limbs.scratch));
+    const auto pairs = clearance_of(limbs.a, limbs.b, closest.distance, limbs.scratch);
     ASSERT_FALSE(pairs.empty());
-    EXPECT_EQ(pairs[0], (NearPair{nearest.a.triangle, nearest.b.triangle}));
+    EXPECT_EQ(pairs[0], (NearPair{closest.a.triangle, closest.b.triangle}));
   }
   EXPECT_GT(apart, 20);
 }

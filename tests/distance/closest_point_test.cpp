@@ -1,14 +1,14 @@
 #include <pelt/distance.hpp>
 
 #include "brute_distance.hpp"
-#include "support/targets.hpp"
+#include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 
 namespace pelt {
 namespace {
 
-using detail::nearest_on_triangle;
+using detail::closest_on_triangle;
 using test::Limbs;
 using test::Motion;
 using test::posed_triangles;
@@ -25,7 +25,7 @@ BrutePoint brute_point(const std::vector<TriangleCorners>& triangles, const Vec3
   BrutePoint best;
   double best_squared = best.distance;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const double squared = nearest_on_triangle(detail::Vec3d(point), triangles[i]).squared_distance;
+    const double squared = closest_on_triangle(detail::Vec3d(point), triangles[i]).squared_distance;
     if (!(squared < best_squared)) continue;
     best_squared = squared;
     best = {std::sqrt(squared), i};
@@ -96,13 +96,13 @@ TEST(ClosestPoint, BeyondTheMaximumNothingIsFound) {
   }
 }
 
-TEST(ClosestPoint, ABatchGivesTheSameOnAllTargets) {
+TEST(ClosestPoint, ABatchGivesTheSameOnAllInstructionSets) {
   Random random(133);
   Limbs limbs;
   std::vector<Vec3> points;
   for (int i = 0; i < 50; ++i) points.push_back(random.point(2));
   std::vector<std::vector<ClosestPoint>> answers;
-  test::on_each_target([&](Target) {
+  test::on_each_instruction_set([&](InstructionSet) {
     Random again(134);
     limbs.move(again, 0);
     auto& closest = answers.emplace_back(points.size());

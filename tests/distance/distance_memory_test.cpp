@@ -4,7 +4,7 @@
 
 #include "brute_distance.hpp"
 #include "support/allocation_count.hpp"
-#include "support/targets.hpp"
+#include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,13 +18,13 @@ using test::Shape;
 
 /// Runs all queries in the current palettes.
 void ask(Pose& a, Pose& b, Scratch& scratch, std::vector<NearPair>& pairs) {
-  Distance nearest;
-  distance(a, b, scratch, nearest);
+  Distance closest;
+  distance(a, b, scratch, closest);
   pairs.clear();
   clearance(a, b, 0.05, scratch, pairs);
   is_within(a, b, 0.5, scratch);
-  ClosestPoint closest;
-  closest_point(a, {1, 2, 3}, scratch, closest);
+  ClosestPoint point;
+  closest_point(a, {1, 2, 3}, scratch, point);
 }
 
 TEST(DistanceMemory, DoesNotAllocateOnceWarm) {
@@ -48,7 +48,7 @@ TEST(DistanceMemory, DoesNotAllocateOnceWarm) {
 
 TEST(DistanceMemory, DoesNotAllocateOnceReserved) {
   constexpr std::size_t kContacts = 1 << 18;
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(151);
     for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed}) {
       const Shape soup = test::make_soup(random, 200, 20, 4, test::Weights::random);

@@ -63,17 +63,17 @@ TEST_P(DistanceOfModels, EqualsBruteForce) {
     const auto a = posed_triangles(asset->triangles, actors.a);
     const auto b = posed_triangles(asset->triangles, actors.b);
     const BruteDistance expected = brute_distance(a, b);
-    Distance nearest;
-    distance(actors.a, actors.b, actors.scratch, nearest);
-    EXPECT_EQ(nearest.distance, expected.distance);
-    EXPECT_EQ(nearest.a.triangle, expected.triangle_a);
-    EXPECT_EQ(nearest.b.triangle, expected.triangle_b);
+    Distance closest;
+    distance(actors.a, actors.b, actors.scratch, closest);
+    EXPECT_EQ(closest.distance, expected.distance);
+    EXPECT_EQ(closest.a.triangle, expected.triangle_a);
+    EXPECT_EQ(closest.b.triangle, expected.triangle_b);
     std::vector<Contact> contacts;
     std::vector<NearPair> touching;
     collide(actors.a, actors.b, actors.scratch, contacts);
     clearance(actors.a, actors.b, 0, actors.scratch, touching);
     EXPECT_TRUE(test::same_pairs(touching, contacts));
-    EXPECT_EQ(nearest.distance == 0, !contacts.empty());
+    EXPECT_EQ(closest.distance == 0, !contacts.empty());
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include "brute_distance.hpp"
 #include "query/access.hpp"
-#include "support/targets.hpp"
+#include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,9 +22,9 @@ using test::TriangleCorners;
 using test::Weights;
 
 Distance distance_of(Pose& a, Pose& b, Scratch& scratch, const DistanceOptions& options = {}) {
-  Distance nearest;
-  distance(a, b, scratch, nearest, options);
-  return nearest;
+  Distance closest;
+  distance(a, b, scratch, closest, options);
+  return closest;
 }
 
 void expect_equal(const Distance& found, const BruteDistance& expected) {
@@ -113,9 +113,9 @@ TEST(Distance, OfABodyInsideAnotherIsNotZero) {
   for (Matrix4& m : shrunk) m.m[0] = m.m[5] = m.m[10] = 0.25f, m.m[13] = 0.3f;
   ASSERT_TRUE(inner.set_palette(shrunk));
   Scratch scratch;
-  const Distance nearest = distance_of(outer, inner, scratch);
-  EXPECT_GT(nearest.distance, 0.001);
-  expect_equal(nearest, brute_distance(posed_triangles(limb.triangles, outer),
+  const Distance closest = distance_of(outer, inner, scratch);
+  EXPECT_GT(closest.distance, 0.001);
+  expect_equal(closest, brute_distance(posed_triangles(limb.triangles, outer),
                                        posed_triangles(limb.triangles, inner)));
 }
 
@@ -147,7 +147,7 @@ TEST(Distance, HugeTinyAndFarFromTheOrigin) {
   expect_brute_force_at(1, 100000, 1.5, 115);
 }
 
-TEST(Distance, IsTheSameOnAllTargets) {
+TEST(Distance, IsTheSameOnAllInstructionSets) {
   Random random(116);
   Limbs limbs;
   for (int round = 0; round < 20; ++round) {
@@ -155,7 +155,7 @@ TEST(Distance, IsTheSameOnAllTargets) {
     const auto palette_b = test::bend_limb(random, 4, 0.3, random.point(round % 2 ? 1 : 5));
     std::vector<Distance> answers;
     std::vector<QueryStats> stats;
-    test::on_each_target([&](Target) {
+    test::on_each_instruction_set([&](InstructionSet) {
       ASSERT_TRUE(limbs.a.set_palette(palette_a) && limbs.b.set_palette(palette_b));
       stats.push_back(distance(limbs.a, limbs.b, limbs.scratch, answers.emplace_back()));
     });
@@ -219,14 +219,14 @@ TEST(Distance, WitnessesHaveTheDistance) {
   int touching = 0;
   for (int round = 0; round < 60; ++round) {
     limbs.move(random, round % 2 ? 2 : 0.2);
-    const Distance nearest = distance_of(limbs.a, limbs.b, limbs.scratch);
-    const detail::Vec3d way = detail::Vec3d(nearest.a.position) - detail::Vec3d(nearest.b.position);
-    EXPECT_NEAR(std::sqrt(squared_length(way)), nearest.distance, 1e-6);
-    const auto corners = limbs.triangles_a()[nearest.a.triangle];
-    const auto& at = nearest.a.barycentrics;
+    const Distance closest = distance_of(limbs.a, limbs.b, limbs.scratch);
+    const detail::Vec3d way = detail::Vec3d(closest.a.position) - detail::Vec3d(closest.b.position);
+    EXPECT_NEAR(std::sqrt(squared_length(way)), closest.distance, 1e-6);
+    const auto corners = limbs.triangles_a()[closest.a.triangle];
+    const auto& at = closest.a.barycentrics;
     const detail::Vec3d p = point_at(corners, {at[0], at[1], at[2]});
-    EXPECT_NEAR(std::sqrt(squared_length(p - detail::Vec3d(nearest.a.position))), 0, 1e-6);
-    touching += nearest.distance == 0;
+    EXPECT_NEAR(std::sqrt(squared_length(p - detail::Vec3d(closest.a.position))), 0, 1e-6);
+    touching += closest.distance == 0;
   }
   EXPECT_GT(touching, 10);
   EXPECT_LT(touching, 50);

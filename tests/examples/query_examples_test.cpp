@@ -13,11 +13,10 @@ bool is_seen(pelt::Pose& pose, const pelt::Matrix4& view_projection, pelt::Scrat
 std::vector<std::uint32_t> brushed(pelt::Pose& pose, const pelt::Sphere& brush,
                                    pelt::Scratch& scratch);
 int picked_joint(pelt::Pose& pose, const pelt::Vec3& eye, const pelt::Vec3& far_away);
-double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance& nearest);
-pelt::Vec3 closest_place(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch);
-std::vector<pelt::ContactRegion> pushes(pelt::Pose& a, const pelt::Surface& surface_a,
-                                        pelt::Pose& b, const pelt::Surface& surface_b,
-                                        pelt::Scratch& scratch);
+double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance& closest);
+pelt::Vec3 closest_position(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch);
+std::vector<pelt::ContactPatch> pushes(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
+                                       const pelt::Surface& surface_b, pelt::Scratch& scratch);
 double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
                 const pelt::Surface& surface_b, pelt::Scratch& scratch);
 bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
@@ -53,7 +52,7 @@ TEST_F(QueryExamples, Bounds) {
   EXPECT_NEAR(box.low.x + box.high.x, 10, 0.01);
 }
 
-TEST_F(QueryExamples, Region) {
+TEST_F(QueryExamples, Culling) {
   EXPECT_TRUE(is_seen(pose_, Matrix4(), scratch_));  // everything is between -1 and 1
   ASSERT_TRUE(pose_.set_palette(moved(5)));
   EXPECT_FALSE(is_seen(pose_, Matrix4(), scratch_));
@@ -71,13 +70,13 @@ TEST_F(QueryExamples, Ray) {
 TEST_F(QueryExamples, Distance) {
   Pose other(limb());
   ASSERT_TRUE(other.set_palette(moved(3)));
-  Distance nearest;
-  const double first = gap(pose_, other, scratch_, nearest);
+  Distance closest;
+  const double first = gap(pose_, other, scratch_, closest);
   EXPECT_GT(first, 2);
   EXPECT_LT(first, 3);
-  EXPECT_EQ(gap(pose_, other, scratch_, nearest), first);
-  const Vec3 place = closest_place(pose_, {9, 0.5f, 0}, scratch_);
-  EXPECT_NEAR(place.x, nearest.a.position.x, 0.01);
+  EXPECT_EQ(gap(pose_, other, scratch_, closest), first);
+  const Vec3 position = closest_position(pose_, {9, 0.5f, 0}, scratch_);
+  EXPECT_NEAR(position.x, closest.a.position.x, 0.01);
 }
 
 TEST_F(QueryExamples, Contact) {
@@ -87,9 +86,9 @@ TEST_F(QueryExamples, Contact) {
   ASSERT_TRUE(other.set_palette(moved(3)));
   EXPECT_TRUE(pushes(pose_, surface, other, surface_of_other, scratch_).empty());
   ASSERT_TRUE(other.set_palette(moved(0.05f)));
-  const auto regions = pushes(pose_, surface, other, surface_of_other, scratch_);
-  ASSERT_FALSE(regions.empty());
-  EXPECT_GT(regions[0].depth, 0);
+  const auto patches = pushes(pose_, surface, other, surface_of_other, scratch_);
+  ASSERT_FALSE(patches.empty());
+  EXPECT_GT(patches[0].depth, 0);
 }
 
 TEST_F(QueryExamples, Inside) {

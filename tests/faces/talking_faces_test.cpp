@@ -7,9 +7,9 @@
 #include "bounds/box_of_triangles.hpp"
 #include "distance/brute_distance.hpp"
 #include "ray/ray_oracle.hpp"
-#include "region/region_oracle.hpp"
 #include "scenes/face.hpp"
-#include "support/targets.hpp"
+#include "solid/region_oracle.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/values.hpp"
 #include "tools/pelt/methods/brute_force.hpp"
 
@@ -72,7 +72,7 @@ class TalkingFaces : public ::testing::Test {
     return found;
   }
 
-  Distance nearest() {
+  Distance closest() {
     Distance found;
     distance(a.pose, b.pose, scratch, found);
     return found;
@@ -102,8 +102,8 @@ TEST_F(TalkingFaces, AreAsFarApartAsBruteForceSays) {
     const auto of_a = posed_triangles(a.triangles(), a.pose);
     const auto of_b = posed_triangles(b.triangles(), b.pose);
     const BruteDistance expected = brute_distance(of_a, of_b);
-    EXPECT_EQ(nearest().distance, expected.distance) << frame;
-    EXPECT_EQ(nearest().a.triangle, expected.triangle_a) << frame;
+    EXPECT_EQ(closest().distance, expected.distance) << frame;
+    EXPECT_EQ(closest().a.triangle, expected.triangle_a) << frame;
     std::vector<NearPair> within;
     clearance(a.pose, b.pose, expected.distance + 0.01, scratch, within);
     EXPECT_EQ(within, brute_clearance(of_a, of_b, expected.distance + 0.01)) << frame;
@@ -159,7 +159,7 @@ TEST_F(TalkingFaces, AreInRegionsWhereAllTrianglesAre) {
   EXPECT_GT(touching, 1000u);
 }
 
-TEST_F(TalkingFaces, AreNearestWhereAllTrianglesAre) {
+TEST_F(TalkingFaces, AreClosestWhereAllTrianglesAre) {
   Random random(63);
   for (int frame = 0; frame < kFrames; ++frame) {
     play(frame);
@@ -169,7 +169,7 @@ TEST_F(TalkingFaces, AreNearestWhereAllTrianglesAre) {
       double least = std::numeric_limits<double>::infinity();
       for (const TriangleCorners& triangle : triangles)
         least = std::min(
-            least, detail::nearest_on_triangle(detail::Vec3d(point), triangle).squared_distance);
+            least, detail::closest_on_triangle(detail::Vec3d(point), triangle).squared_distance);
       ClosestPoint found;
       closest_point(a.pose, point, scratch, found);
       EXPECT_EQ(found.distance, std::sqrt(least));
@@ -209,9 +209,9 @@ class Answers {
   detail::Fnv1a64 hash_;
 };
 
-// The bits do not depend on the target or the machine.
+// The bits do not depend on the instruction set or the machine.
 TEST_F(TalkingFaces, GiveTheSameBitsEverywhere) {
-  on_each_target([&](Target) {
+  on_each_instruction_set([&](InstructionSet) {
     Answers answers;
     QueryStats work;
     for (int frame = 0; frame < kFrames; ++frame) {
@@ -226,7 +226,7 @@ TEST_F(TalkingFaces, GiveTheSameBitsEverywhere) {
       const Bounds sure = test::bounds_of(a.pose), exact = test::exact_bounds_of(b.pose);
       answers.add(sure.box.low), answers.add(sure.box.high), answers.add(sure.sphere.radius);
       answers.add(exact.box.low), answers.add(exact.box.high);
-      const Distance near = nearest();
+      const Distance near = closest();
       answers.add(near.a.position), answers.add(near.b.position);
       const RayHit hit = test::first_hit(b.pose, {{0, 0.25f, -1}, {0, 0, 1}});
       answers.add(hit.triangle), answers.add(hit.t), answers.add(hit.normal);

@@ -1,8 +1,8 @@
 #include <pelt/farthest.hpp>
 
 #include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ void expect_brute_force(Random& random, const Shape& shape, Pose& pose, Counts& 
   for (int i = 0; i < 8; ++i) {
     const Vec3 direction = grid_direction(random);
     const Farthest expected = brute_farthest(shape, pose, direction);
-    test::on_each_target([&](Target) {
+    test::on_each_instruction_set([&](InstructionSet) {
       FarthestVertex found;
       farthest_vertex(pose, direction, found);
       ASSERT_TRUE(found);

@@ -1,7 +1,7 @@
 #include "fields.hpp"
 #include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ std::size_t expect_as_brute_force(Pose& pose, const Shape& shape, const HeightFi
 
 /// Spacings from a fraction of the limb's triangles to its whole length.
 TEST(FieldCollide, EqualsBruteForceOnBendingLimbsOnEachTarget) {
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(700);
     const Shape limb = test::make_limb(16, 8, 4);
     Pose pose(*build_model(limb.view()));
@@ -107,7 +107,7 @@ Shape make_soup_on_grid(Random& random, std::uint32_t triangle_count, std::uint3
 }
 
 TEST(FieldCollide, TouchingCountsOnFlatFieldsOnEachTarget) {
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(702);
     Scratch scratch;
     std::size_t contacts = 0;

@@ -1,7 +1,7 @@
 #include "distance/brute_distance.hpp"
 #include "fields.hpp"
 #include "support/allocation_count.hpp"
-#include "support/targets.hpp"
+#include "support/instruction_sets.hpp"
 
 namespace pelt {
 namespace {
@@ -33,13 +33,13 @@ struct Asked {
     const Existing existing(field);
     const test::BruteDistance expected =
         test::brute_distance(test::posed_triangles(shape.triangles, pose), existing.triangles);
-    const Distance last = nearest;
+    const Distance last = closest;
     for (const Distance* hint : {static_cast<const Distance*>(nullptr), &last}) {
-      distance(pose, field, scratch, nearest, {.hint = hint});
-      EXPECT_EQ(nearest.distance, expected.distance);
-      EXPECT_EQ(nearest.lower_bound, expected.distance);
-      EXPECT_EQ(nearest.a.triangle, expected.triangle_a);
-      EXPECT_EQ(nearest.b.triangle, existing.numbers[expected.triangle_b]);
+      distance(pose, field, scratch, closest, {.hint = hint});
+      EXPECT_EQ(closest.distance, expected.distance);
+      EXPECT_EQ(closest.lower_bound, expected.distance);
+      EXPECT_EQ(closest.a.triangle, expected.triangle_a);
+      EXPECT_EQ(closest.b.triangle, existing.numbers[expected.triangle_b]);
       expect_points_apart(expected.distance);
     }
     expect_limits_hold(field, expected.distance);
@@ -47,10 +47,10 @@ struct Asked {
   }
 
   void expect_points_apart(double expected) const {
-    const detail::Vec3d way = detail::Vec3d(nearest.a.position) - detail::Vec3d(nearest.b.position);
-    const double size = std::abs(double{nearest.a.position.x}) +
-                        std::abs(double{nearest.a.position.y}) +
-                        std::abs(double{nearest.a.position.z});
+    const detail::Vec3d way = detail::Vec3d(closest.a.position) - detail::Vec3d(closest.b.position);
+    const double size = std::abs(double{closest.a.position.x}) +
+                        std::abs(double{closest.a.position.y}) +
+                        std::abs(double{closest.a.position.z});
     EXPECT_NEAR(std::sqrt(squared_length(way)), expected, 1e-6 * (1 + size));
   }
 
@@ -72,11 +72,11 @@ struct Asked {
   const Shape& shape;
   Pose& pose;
   Scratch scratch = {};
-  Distance nearest = {};
+  Distance closest = {};
 };
 
 TEST(FieldDistance, EqualsBruteForceOnBendingLimbsOnEachTarget) {
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(720);
     const Shape limb = test::make_limb(10, 6, 3);
     Pose pose(*build_model(limb.view()));
@@ -132,9 +132,9 @@ TEST(FieldDistance, AFieldOfHolesIsInfinitelyFar) {
   test::Terrain holes = make_plain(9, 9, {-1, 0, -1}, 0.25f);
   for (float& height : holes.heights) height = NAN;
   Scratch scratch;
-  Distance nearest;
-  distance(pose, holes.build(), scratch, nearest);
-  EXPECT_FALSE(nearest);
+  Distance closest;
+  distance(pose, holes.build(), scratch, closest);
+  EXPECT_FALSE(closest);
 }
 
 TEST(FieldDistance, WorkDoesNotGrowWithTheField) {
@@ -145,9 +145,9 @@ TEST(FieldDistance, WorkDoesNotGrowWithTheField) {
     Pose pose(*build_model(limb.view()));
     const float first = -0.125f * static_cast<float>(side / 2);
     const HeightField field = make_plain(side, side, {first, -0.5f, first}, 0.125f).build();
-    Distance nearest;
-    pairs.push_back(distance(pose, field, scratch, nearest).triangle_pairs);
-    EXPECT_EQ(nearest.distance, 0.5);
+    Distance closest;
+    pairs.push_back(distance(pose, field, scratch, closest).triangle_pairs);
+    EXPECT_EQ(closest.distance, 0.5);
   }
   EXPECT_EQ(pairs[0], pairs[1]);
 }
@@ -163,12 +163,12 @@ TEST(FieldDistance, DoesNotAllocateOnceReserved) {
   int apart = 0;
   for (int round = 0; round < 50; ++round) {
     const auto palette = test::bend_limb(random, 5, 0.5, random.point(0.5));
-    Distance nearest;
+    Distance closest;
     const std::size_t before = test::allocation_count();
     ASSERT_TRUE(pose.set_palette(palette));
-    distance(pose, field, scratch, nearest);
+    distance(pose, field, scratch, closest);
     EXPECT_EQ(test::allocation_count(), before);
-    apart += nearest.distance > 0;
+    apart += closest.distance > 0;
   }
   EXPECT_GT(apart, 5);
 }

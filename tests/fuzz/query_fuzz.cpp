@@ -7,13 +7,13 @@
 #include "fuzz/fuzzed_bodies.hpp"
 #include "geometry/hulls_meet.hpp"
 #include "ray/ray_oracle.hpp"
-#include "region/region_oracle.hpp"
+#include "solid/region_oracle.hpp"
 #include "support/exact_winding.hpp"
 #include "support/require.hpp"
 #include "support/values.hpp"
 
+#include <pelt/instruction_set.hpp>
 #include <pelt/pelt.hpp>
-#include <pelt/target.hpp>
 
 #include <cmath>
 
@@ -87,14 +87,14 @@ void check_distances(FuzzBytes& bytes, FuzzedBody& a, FuzzedBody& b, Scratch& sc
   const std::vector<TriangleCorners> of_b = posed_triangles(b.shape.triangles, b.pose);
   const BruteDistance expected = brute_distance(of_a, of_b);
   const double error = error_between(a.posed, b.posed);
-  Distance nearest;
-  distance(a.pose, b.pose, scratch, nearest);
-  require((nearest.distance == 0) == (expected.distance == 0) || error >= expected.distance,
+  Distance closest;
+  distance(a.pose, b.pose, scratch, closest);
+  require((closest.distance == 0) == (expected.distance == 0) || error >= expected.distance,
           "distance of what touches");
-  require(agree(nearest.distance, expected.distance, error), "distance");
+  require(agree(closest.distance, expected.distance, error), "distance");
   if (expected.distance == 0 || error < 1e-9 * expected.distance)
-    require(nearest.a.triangle == expected.triangle_a && nearest.b.triangle == expected.triangle_b,
-            "the pair that is nearest");
+    require(closest.a.triangle == expected.triangle_a && closest.b.triangle == expected.triangle_b,
+            "the pair that is closest");
   const double tolerance = double{bytes.size()};
   if (std::abs(tolerance - expected.distance) > error)
     require(static_cast<bool>(is_within(a.pose, b.pose, tolerance, scratch)) ==
@@ -106,7 +106,7 @@ void check_closest_point(const Vec3& point, FuzzedBody& body, Scratch& scratch) 
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < body.shape.triangles.size(); ++t)
     least = std::min(
-        least, detail::nearest_on_triangle(detail::Vec3d(point), body.corners(t)).squared_distance);
+        least, detail::closest_on_triangle(detail::Vec3d(point), body.corners(t)).squared_distance);
   ClosestPoint closest;
   closest_point(body.pose, point, scratch, closest);
   require(agree(closest.distance, std::sqrt(least), error_between(body.posed, {point})),
@@ -193,8 +193,8 @@ void check_bounds_of(FuzzedBody& body) {
 }
 
 void ask_everything(FuzzBytes& bytes) {
-  const auto targets = available_targets();
-  set_active_target(targets[bytes.index(static_cast<std::uint32_t>(targets.size()))]);
+  const auto sets = available_instruction_sets();
+  set_active_instruction_set(sets[bytes.index(static_cast<std::uint32_t>(sets.size()))]);
   std::optional<FuzzedBody> a = make_body(bytes), b = make_body(bytes);
   if (!a || !b) return;
   Scratch scratch;

@@ -1,11 +1,11 @@
-/// Compiled once for each target. The test itself runs on any machine.
+/// Compiled once for each instruction set. The test itself runs on any machine.
 #include "distance_lanes.hpp"
 
 #include "geometry/triangle_distances.hpp"
 #include "lane_pairs.hpp"
 
 namespace pelt::test {
-namespace PELT_TARGET {
+namespace PELT_INSTRUCTION_SET {
 
 LaneDistances distance_lanes(const LaneCorners& corners) {
   double squared[8];
@@ -15,5 +15,5 @@ LaneDistances distance_lanes(const LaneCorners& corners) {
   return distances;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::test

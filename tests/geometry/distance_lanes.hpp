@@ -8,7 +8,7 @@ namespace pelt::test {
 
 using LaneDistances = std::array<double, 8>;
 
-/// Squared distances of eight pairs, as compiled for each target.
+/// Squared distances of eight pairs, as compiled for each instruction set.
 namespace avx2 {
 LaneDistances distance_lanes(const LaneCorners& corners);
 }

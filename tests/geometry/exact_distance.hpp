@@ -35,7 +35,7 @@ inline mpq_class point_segment(const ExactVector& p, const ExactVector& a, const
   return squared(p - along(a, s, ab));
 }
 
-/// Uses the normal equations if the nearest points of the two lines are inside both segments,
+/// Uses the normal equations if the closest points of the two lines are inside both segments,
 /// otherwise the distances of the ends.
 inline mpq_class segment_segment(const ExactVector& a, const ExactVector& b, const ExactVector& c,
                                  const ExactVector& d) {

@@ -4,7 +4,7 @@
 #include "triage_lanes.hpp"
 
 namespace pelt::test {
-namespace PELT_TARGET {
+namespace PELT_INSTRUCTION_SET {
 
 inline detail::Points8 lane_points(const float (&p)[8][4]) {
   using detail::load4;
@@ -22,5 +22,5 @@ inline detail::TrianglePairs8 lane_pairs(const LaneCorners& corners) {
   return pairs;
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::test

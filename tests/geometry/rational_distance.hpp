@@ -51,7 +51,7 @@ inline std::optional<std::vector<mpq_class>> solve(std::vector<std::vector<mpq_c
 }
 
 /// The squared distance of the planes, lines or points through two sets of points, if exactly one
-/// pair of points is nearest and this pair is inside both hulls.
+/// pair of points is closest and this pair is inside both hulls.
 inline std::optional<mpq_class> squared_distance_inside(const std::vector<RationalPoint>& p,
                                                         const std::vector<RationalPoint>& q) {
   std::vector<RationalPoint> directions;
@@ -84,7 +84,7 @@ inline std::vector<RationalPoint> subset_of(const std::vector<RationalPoint>& po
   return members;
 }
 
-/// The squared distance of two hulls. Some subsets of both have a unique nearest pair inside their
+/// The squared distance of two hulls. Some subsets of both have a unique closest pair inside their
 /// hulls.
 inline mpq_class squared_distance(const std::vector<RationalPoint>& p,
                                   const std::vector<RationalPoint>& q) {

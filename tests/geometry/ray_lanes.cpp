@@ -1,9 +1,9 @@
-/// Compiled once for each target. The test itself runs on any machine.
+/// Compiled once for each instruction set. The test itself runs on any machine.
 #include "ray_lanes.hpp"
 
 #include "geometry/ray_triage.hpp"
 
-namespace pelt::test::PELT_TARGET {
+namespace pelt::test::PELT_INSTRUCTION_SET {
 
 RayLaneMasks ray_lanes(const Vec3& origin, const Vec3& direction, const RayLaneCorners& corners) {
   using detail::load4;
@@ -16,4 +16,4 @@ RayLaneMasks ray_lanes(const Vec3& origin, const Vec3& direction, const RayLaneC
   return {known.missed, known.met_from_front, known.met_from_back};
 }
 
-}  // namespace pelt::test::PELT_TARGET
+}  // namespace pelt::test::PELT_INSTRUCTION_SET

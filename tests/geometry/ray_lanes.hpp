@@ -15,7 +15,7 @@ struct RayLaneMasks {
   friend bool operator==(const RayLaneMasks&, const RayLaneMasks&) = default;
 };
 
-/// The certified test, as compiled for each target.
+/// The certified test, as compiled for each instruction set.
 namespace avx2 {
 RayLaneMasks ray_lanes(const Vec3& origin, const Vec3& direction, const RayLaneCorners& corners);
 }

@@ -1,10 +1,10 @@
-/// The certain answers of the float test equal the exact ones, and all targets give the same
-/// answers.
+/// The certain answers of the float test equal the exact ones, and all instruction sets give the
+/// same answers.
 
 #include "finite_floats.hpp"
 #include "geometry/ray_triangle.hpp"
 #include "ray_lanes.hpp"
-#include "support/targets.hpp"
+#include "support/instruction_sets.hpp"
 #include "triangle_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -21,23 +21,23 @@ using detail::RayLine;
 using detail::TriangleCorners;
 
 struct Compiled {
-  Target target;
+  InstructionSet set;
   RayLaneMasks (*lanes)(const Vec3&, const Vec3&, const RayLaneCorners&);
 };
 
 constexpr Compiled kCompiled[] = {
-    {Target::scalar, scalar::ray_lanes},
+    {InstructionSet::scalar, scalar::ray_lanes},
 #ifdef PELT_HAS_SIMD128
-    {Target::simd128, simd128::ray_lanes},
+    {InstructionSet::simd128, simd128::ray_lanes},
 #endif
 #ifdef PELT_HAS_AVX2
-    {Target::avx2, avx2::ray_lanes},
+    {InstructionSet::avx2, avx2::ray_lanes},
 #endif
 };
 
 using EightTriangles = std::array<TriangleCorners, 8>;
 
-/// The answer of all targets.
+/// The answer of all instruction sets.
 RayLaneMasks triage(const RayLine& line, const EightTriangles& triangles) {
   RayLaneCorners corners;
   for (std::size_t k = 0; k < 3; ++k)
@@ -48,7 +48,7 @@ RayLaneMasks triage(const RayLine& line, const EightTriangles& triangles) {
     }
   const RayLaneMasks masks = scalar::ray_lanes(line.origin, line.direction, corners);
   for (const Compiled& compiled : kCompiled)
-    if (runs_here(compiled.target)) {
+    if (runs_here(compiled.set)) {
       EXPECT_EQ(compiled.lanes(line.origin, line.direction, corners), masks);
     }
   return masks;

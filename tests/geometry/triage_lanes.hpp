@@ -12,7 +12,7 @@ struct LaneMasks {
   friend bool operator==(const LaneMasks&, const LaneMasks&) = default;
 };
 
-/// The certified test, as compiled for each target.
+/// The certified test, as compiled for each instruction set.
 namespace avx2 {
 LaneMasks triage_lanes(const LaneCorners& corners);
 }

@@ -4,7 +4,7 @@
 
 #include "distance_lanes.hpp"
 #include "exact_distance.hpp"
-#include "support/targets.hpp"
+#include "support/instruction_sets.hpp"
 #include "triangle_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -17,9 +17,9 @@ namespace pelt::test {
 namespace {
 
 using detail::Barycentrics;
+using detail::closest_on_triangle;
+using detail::closest_points;
 using detail::common_point;
-using detail::nearest_on_triangle;
-using detail::nearest_points;
 using detail::point_at;
 using detail::TriangleCorners;
 using detail::triangles_intersect;
@@ -68,19 +68,19 @@ LaneCorners& fill(LaneCorners& lanes, const std::array<TrianglePair, 8>& pairs) 
   return lanes;
 }
 
-/// On all targets, the wide distances equal the scalar one bit by bit.
+/// On all instruction sets, the wide distances equal the scalar one bit by bit.
 void check_wide(const TriangleCorners& a, const TriangleCorners& b) {
   const std::array<TrianglePair, 8> pairs = turned(a, b);
   LaneDistances scalar_ones;
   for (std::size_t i = 0; i < 8; ++i)
-    scalar_ones[i] = nearest_points(pairs[i][0], pairs[i][1]).squared_distance;
+    scalar_ones[i] = closest_points(pairs[i][0], pairs[i][1]).squared_distance;
   static LaneCorners lanes;
   fill(lanes, pairs);
   ASSERT_EQ(scalar::distance_lanes(lanes), scalar_ones) << to_text(a) << to_text(b);
-  if (runs_here(Target::simd128)) {
+  if (runs_here(InstructionSet::simd128)) {
     ASSERT_EQ(simd128::distance_lanes(lanes), scalar_ones) << to_text(a) << to_text(b);
   }
-  if (runs_here(Target::avx2)) {
+  if (runs_here(InstructionSet::avx2)) {
     ASSERT_EQ(avx2::distance_lanes(lanes), scalar_ones) << to_text(a) << to_text(b);
   }
 }
@@ -95,15 +95,15 @@ void check(const TriangleCorners& a, const TriangleCorners& b, Tally& tally) {
   if (triangles_intersect(a, b)) return;
   ++tally.apart;
   const double size = extent(a, b), exact_distance = root(triangle_triangle(exact(a), exact(b)));
-  const detail::NearestPoints nearest = nearest_points(a, b);
-  const double distance = std::sqrt(nearest.squared_distance);
+  const detail::ClosestPoints closest = closest_points(a, b);
+  const double distance = std::sqrt(closest.squared_distance);
   tally.worst_error = std::max(tally.worst_error, std::abs(distance - exact_distance) / size);
   ASSERT_GT(distance, 0);
   ASSERT_LE(std::abs(distance - exact_distance), detail::kDistanceError * size)
       << to_text(a) << to_text(b);
-  expect_in_triangle(nearest.a);
-  expect_in_triangle(nearest.b);
-  const Vec3d way = point_at(a, nearest.a) - point_at(b, nearest.b);
+  expect_in_triangle(closest.a);
+  expect_in_triangle(closest.b);
+  const Vec3d way = point_at(a, closest.a) - point_at(b, closest.b);
   ASSERT_NEAR(std::sqrt(squared_length(way)), distance, detail::kDistanceError * size);
 
   check_wide(a, b);
@@ -152,7 +152,7 @@ TEST(TriangleDistance, IsNeverLessThanThatOfTheBoxes) {
                                 Vec3{-0x1p58f, 0x1p58f, -0x1p58f}};
   const TriangleCorners to = {Vec3{0x1p29f, -0x1p58f, -0x1p58f}, Vec3{0, 0x1p29f, 1},
                               Vec3{2, 0x1p58f, 0}};
-  EXPECT_NEAR(nearest_points(from, to).squared_distance, 4, 1e-5);  // 2^-1022 without that limit
+  EXPECT_NEAR(closest_points(from, to).squared_distance, 4, 1e-5);  // 2^-1022 without that limit
 
   Random random(60);
   const auto corner = [&] {
@@ -170,7 +170,7 @@ TEST(TriangleDistance, IsNeverLessThanThatOfTheBoxes) {
     const TriangleCorners a = {corner(), corner(), corner()}, b = {corner(), corner(), corner()};
     const double gap = squared_box_gap(a, b);
     if (gap == 0) continue;
-    const double squared = nearest_points(a, b).squared_distance;
+    const double squared = closest_points(a, b).squared_distance;
     ASSERT_GE(squared, gap * (1 - 0x1p-19)) << to_text(a) << to_text(b);
     limited += squared < gap * (1 - 0x1p-21);
     check(a, b, tally);
@@ -189,11 +189,11 @@ TEST(TriangleDistance, PointsFromTriangles) {
     const TriangleCorners t = scaled(pair.a, -20);
     const Vec3 p = scaled(pair.b, -20)[0];
     const double exact_distance = root(point_triangle(exact(p), exact(t)));
-    const detail::NearestOnTriangle nearest = nearest_on_triangle(Vec3d(p), t);
+    const detail::ClosestOnTriangle closest = closest_on_triangle(Vec3d(p), t);
     const double size = extent({t[0], t[1], t[2], p});
-    const double error = std::abs(std::sqrt(nearest.squared_distance) - exact_distance);
+    const double error = std::abs(std::sqrt(closest.squared_distance) - exact_distance);
     ASSERT_LE(error, detail::kDistanceError * size) << to_text(t);
-    expect_in_triangle(nearest.at);
+    expect_in_triangle(closest.at);
     if (size > 0) worst = std::max(worst, error / size);
   }
   std::cout << "worst error 2^" << std::log2(worst) << " of the extent\n";
@@ -207,7 +207,7 @@ TEST(TriangleDistance, TouchingTrianglesHaveACommonPoint) {
     const TriangleCorners a = scaled(pair.a, -20), b = scaled(pair.b, -20);
     if (!triangles_intersect(a, b)) continue;
     ++touching;
-    const detail::NearestPoints common = common_point(a, b);
+    const detail::ClosestPoints common = common_point(a, b);
     expect_in_triangle(common.a);
     expect_in_triangle(common.b);
     const Vec3d way = point_at(a, common.a) - point_at(b, common.b);

@@ -1,4 +1,4 @@
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 #include "base/hash.hpp"
 #include "finite_floats.hpp"
@@ -184,28 +184,28 @@ constexpr Case kCases[] = {
     {"Slivers", integers<slivers>, 0.2, 1, 0},
 };
 
-/// The test, as compiled for one target.
+/// The test, as compiled for one instruction set.
 struct Compiled {
-  Target target;
+  InstructionSet set;
   LaneMasks (*triage_lanes)(const LaneCorners&);
 
   bool runs_here() const {
-    const auto available = available_targets();
-    return std::find(available.begin(), available.end(), target) != available.end();
+    const auto available = available_instruction_sets();
+    return std::find(available.begin(), available.end(), set) != available.end();
   }
 
   friend void PrintTo(const Compiled& compiled, std::ostream* out) {
-    *out << name_of(compiled.target);
+    *out << name_of(compiled.set);
   }
 };
 
 constexpr Compiled kCompiled[] = {
-    {Target::scalar, scalar::triage_lanes},
+    {InstructionSet::scalar, scalar::triage_lanes},
 #ifdef PELT_HAS_SIMD128
-    {Target::simd128, simd128::triage_lanes},
+    {InstructionSet::simd128, simd128::triage_lanes},
 #endif
 #ifdef PELT_HAS_AVX2
-    {Target::avx2, avx2::triage_lanes},
+    {InstructionSet::avx2, avx2::triage_lanes},
 #endif
 };
 
@@ -261,8 +261,7 @@ struct Batch {
 class TriangleTriage : public testing::TestWithParam<std::tuple<Compiled, Case>> {
  protected:
   void SetUp() override {
-    if (!compiled().runs_here())
-      GTEST_SKIP() << "not on this machine: " << name_of(compiled().target);
+    if (!compiled().runs_here()) GTEST_SKIP() << "not on this machine: " << name_of(compiled().set);
   }
 
   static const Compiled& compiled() { return std::get<0>(GetParam()); }
@@ -286,8 +285,7 @@ TEST_P(TriangleTriage, DecidesAsTheExactTest) {
 }
 
 std::string name_of(const testing::TestParamInfo<std::tuple<Compiled, Case>>& tested) {
-  return std::string(name_of(std::get<0>(tested.param).target)) + "_" +
-         std::get<1>(tested.param).name;
+  return std::string(name_of(std::get<0>(tested.param).set)) + "_" + std::get<1>(tested.param).name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TriangleTriage,
@@ -307,7 +305,7 @@ TEST(TriangleTriageMasks, AreTheSameForEveryTargetAndCompiler) {
         hash.add_u32(masks.apart << 8 | masks.intersecting);
       }
     }
-    EXPECT_EQ(hash.value(), kGolden) << name_of(compiled.target);
+    EXPECT_EQ(hash.value(), kGolden) << name_of(compiled.set);
   }
 }
 

@@ -3,8 +3,8 @@
 #include <pelt/inside.hpp>
 
 #include "support/exact_winding.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/pinned_shapes.hpp"
-#include "support/targets.hpp"
 #include "support/values.hpp"
 
 #include <gtest/gtest.h>
@@ -178,7 +178,7 @@ TEST(SideOf, IsExactForOctahedra) { compare_all(octahedron(), 6, 300); }
 TEST(SideOf, IsExactForTori) { compare_all(torus(5, 4), 20, 80); }
 
 TEST(SideOf, IsTheSameOnEveryTarget) {
-  on_each_target([](Target) { compare_all(octahedron(), 6, 40); });
+  on_each_instruction_set([](InstructionSet) { compare_all(octahedron(), 6, 40); });
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include "base/vec3.hpp"
 #include "pose/pose.hpp"
 #include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 #include "support/values.hpp"
 
 #include <gtest/gtest.h>
@@ -208,7 +208,7 @@ double depth_of(const Shape& shape_a, const Shape& shape_b) {
 
 TEST(DeepestVertex, StaysAsDeepWhenTrianglesAreCut) {
   const Shape small = cube(0.5f, {0.8f, 0.1f, 0.05f}), large = cube(1, {0, 0, 0});
-  // The middle of the small cube's side x = 0.3 is nearest to the large cube's side x = 1.
+  // The middle of the small cube's side x = 0.3 is closest to the large cube's side x = 1.
   EXPECT_NEAR(depth_of(small, large), 0.7, 1e-6);
   EXPECT_NEAR(depth_of(cut(small), large), 0.7, 1e-6);
   EXPECT_NEAR(depth_of(cut(cut(small)), cut(large)), 0.7, 1e-6);
@@ -226,7 +226,7 @@ TEST(DeepestVertex, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
   const auto palette_a = bend_limb(random, 4, 0.2, {0, 0, 0});
   const auto palette_b = bend_limb(random, 4, 0.2, {0.05f, 0.02f, 0.03f});
   Penetration first;
-  on_each_target([&](Target) {
+  on_each_instruction_set([&](InstructionSet) {
     Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
     a.set(palette_a);
     b.set(palette_b);

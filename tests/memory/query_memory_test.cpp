@@ -121,10 +121,10 @@ TEST(Memory, EndsWhilePosesCollide) {
 
 TEST(Memory, EndsWhileDistancesAreMeasured) {
   Question<double>({2, 0.5f, 0}, [](Pose& a, Pose& b, Scratch& scratch) {
-    Distance nearest;
-    distance(a, b, scratch, nearest);
-    EXPECT_GT(nearest.distance, 0.5);
-    return nearest.distance;
+    Distance closest;
+    distance(a, b, scratch, closest);
+    EXPECT_GT(closest.distance, 0.5);
+    return closest.distance;
   }).check();
 }
 

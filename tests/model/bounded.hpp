@@ -11,8 +11,8 @@
 #include "model/tree_build.hpp"
 #include "model/unpack.hpp"
 #include "skin/skin.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,27 +28,26 @@ using detail::SkinnedMesh;
 using detail::Tree;
 
 /// Sets of vertices to bound, by their positions in the pools.
-using Places = std::vector<std::vector<std::uint32_t>>;
+using VertexSets = std::vector<std::vector<std::uint32_t>>;
 
 /// All vertices below each node of the tree. Also each vertex as a node of its own, whose margin
 /// consists of rounding only, and sets of three, which are flat and oblique.
-inline Places nodes_and_a_few(const Tree& tree) {
-  Places places(tree.nodes.size());
+inline VertexSets nodes_and_a_few(const Tree& tree) {
+  VertexSets sets(tree.nodes.size());
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
     const detail::Node& node = tree.nodes[n];
-    for (std::uint32_t v = 0; v < node.vertex_count; ++v)
-      places[n].push_back(node.first_vertex + v);
+    for (std::uint32_t v = 0; v < node.vertex_count; ++v) sets[n].push_back(node.first_vertex + v);
     for (std::uint32_t c = node.first_child; c < node.first_child + node.child_count; ++c)
-      places[n].insert(places[n].end(), places[c].begin(), places[c].end());
+      sets[n].insert(sets[n].end(), sets[c].begin(), sets[c].end());
   }
   const auto count = static_cast<std::uint32_t>(tree.rest_positions.size());
-  for (std::uint32_t v = 0; v < count; ++v) places.push_back({v});
-  for (std::uint32_t v = 2; v < count; ++v) places.push_back({v - 2, v - 1, v});
-  return places;
+  for (std::uint32_t v = 0; v < count; ++v) sets.push_back({v});
+  for (std::uint32_t v = 2; v < count; ++v) sets.push_back({v - 2, v - 1, v});
+  return sets;
 }
 
 /// Both kinds of bound for every set: joint boxes at 2 i, affine bounds at 2 i + 1.
-inline NodeBounds fit_both_kinds(const Tree& tree, const Places& sets) {
+inline NodeBounds fit_both_kinds(const Tree& tree, const VertexSets& sets) {
   const detail::WeightRounding rounding = weight_rounding(tree);
   detail::NodeVertices vertices(tree);
   NodeBounds bounds;
@@ -95,7 +94,7 @@ struct Bounded {
 
   Tree tree;
   SkinnedMesh vertices;  // in the order of the pools
-  Places sets;
+  VertexSets sets;
   NodeBounds bounds, bare;  // with margins; without
 };
 
@@ -171,8 +170,8 @@ inline bool is_usable(const Bounded& bounded, const detail::NodeBound& bound) {
              bounded.tree.rest_extent);
 }
 
-/// Checks both kinds of bound around every set of vertices on every target. Stops at the first
-/// failure.
+/// Checks both kinds of bound around every set of vertices on every instruction set. Stops at the
+/// first failure.
 inline void expect_enclosed(const Bounded& bounded, const Palette& palette, Tally& tally) {
   const std::vector<Vec3> posed = pose(bounded.vertices, palette);
   for (std::uint32_t node = 0; node < bounded.bounds.nodes.size(); ++node) {
@@ -184,9 +183,9 @@ inline void expect_enclosed(const Bounded& bounded, const Palette& palette, Tall
         << " vertices leave out one by " << excess(box, exact);
     ASSERT_TRUE(is_finite(box) || !is_usable(bounded, bounded.bounds.nodes[node]));
     for (const CompiledNodeBox& compiled : kCompiledNodeBoxes) {
-      if (!runs_here(compiled.target)) continue;
+      if (!runs_here(compiled.set)) continue;
       ASSERT_EQ(compiled.node_box(bounded.bounds, node, palette), box)
-          << pelt::name_of(compiled.target);
+          << pelt::name_of(compiled.set);
     }
     add_margin_needed(bounded, node, palette, exact, tally);
     ++tally.boxes;

@@ -1,10 +1,10 @@
-/// Compiled once for each target. The test itself runs on any machine.
+/// Compiled once for each instruction set. The test itself runs on any machine.
 #include "compiled_node_box.hpp"
 
 #include "model/node_box.hpp"
 
 namespace pelt::test {
-namespace PELT_TARGET {
+namespace PELT_INSTRUCTION_SET {
 
 PlainBox compiled_node_box(const detail::NodeBounds& bounds, std::uint32_t node,
                            const detail::Palette& palette) {
@@ -12,5 +12,5 @@ PlainBox compiled_node_box(const detail::NodeBounds& bounds, std::uint32_t node,
   return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
 }
 
-}  // namespace PELT_TARGET
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::test

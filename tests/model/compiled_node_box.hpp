@@ -3,7 +3,7 @@
 #include "model/node_bounds.hpp"
 #include "skin/palette.hpp"
 
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 namespace pelt::test {
 
@@ -17,7 +17,7 @@ struct PlainBox {
 using NodeBoxFunction = PlainBox(const detail::NodeBounds& bounds, std::uint32_t node,
                                  const detail::Palette& palette);
 
-/// detail::node_box, as compiled for each target.
+/// detail::node_box, as compiled for each instruction set.
 namespace avx2 {
 NodeBoxFunction compiled_node_box;
 }
@@ -29,17 +29,17 @@ NodeBoxFunction compiled_node_box;
 }
 
 struct CompiledNodeBox {
-  Target target;
+  InstructionSet set;
   NodeBoxFunction* node_box;
 };
 
 inline constexpr CompiledNodeBox kCompiledNodeBoxes[] = {
-    {Target::scalar, scalar::compiled_node_box},
+    {InstructionSet::scalar, scalar::compiled_node_box},
 #ifdef PELT_HAS_SIMD128
-    {Target::simd128, simd128::compiled_node_box},
+    {InstructionSet::simd128, simd128::compiled_node_box},
 #endif
 #ifdef PELT_HAS_AVX2
-    {Target::avx2, avx2::compiled_node_box},
+    {InstructionSet::avx2, avx2::compiled_node_box},
 #endif
 };
 

@@ -123,7 +123,7 @@ TEST(MorphBounds, QueriesSeeTheWeightsSetLast) {
   Pose a(model), b(model);
   Scratch scratch;
   int touching = 0;
-  test::on_each_target([&](Target) {
+  test::on_each_instruction_set([&](InstructionSet) {
     for (int round = 0; round < 12; ++round) {
       ASSERT_TRUE(a.set_palette(test::bend_limb(random, 5, 0.3, {})));
       ASSERT_TRUE(b.set_morph_weights(

@@ -195,7 +195,7 @@ double looseness_of_bent_limb(Random& random, double angle) {
   const SkinnedModel model = *build_model(test::make_limb(120, 40, 6).view());
   const Tree& tree = model.detail().tree;
   const SkinnedMesh vertices = unpack_vertices(tree);
-  const test::Places sets = test::nodes_and_a_few(tree);
+  const test::VertexSets sets = test::nodes_and_a_few(tree);
   Palette palette(tree.joint_count, tree.rest_extent);
   double bounds = 0, exact = 0;
   for (int pose_number = 0; pose_number < 20; ++pose_number) {

@@ -3,8 +3,8 @@
 #include "support/prepared_file.hpp"
 #include "support/skinned_shapes.hpp"
 
+#include <pelt/instruction_set.hpp>
 #include <pelt/pelt.hpp>
-#include <pelt/target.hpp>
 
 #include <gtest/gtest.h>
 
@@ -65,11 +65,11 @@ void expect_equal_answers(const Shape& shape, Motion motion, Random& random, int
 }
 
 TEST(Prepared, AnswersAsTheModelThatWasBuilt) {
-  const Target before = active_target();
+  const InstructionSet before = active_instruction_set();
   Random random(300);
   int touching = 0;
-  for (const Target target : available_targets()) {
-    set_active_target(target);
+  for (const InstructionSet set : available_instruction_sets()) {
+    set_active_instruction_set(set);
     for (const Motion motion : {Motion::rigid, Motion::affine, Motion::far_away}) {
       expect_equal_answers(test::make_limb(40, 12, 5), motion, random, touching);
       expect_equal_answers(test::make_soup(random, 300, 7, 4, Weights::random), motion, random,
@@ -81,7 +81,7 @@ TEST(Prepared, AnswersAsTheModelThatWasBuilt) {
                            touching);
     }
   }
-  set_active_target(before);
+  set_active_instruction_set(before);
   EXPECT_GT(touching, 20);
 }
 

@@ -4,8 +4,8 @@
 
 #include "model/model.hpp"
 #include "pose/pose.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Pose queried_limb() {
 }
 
 TEST(CheckBounds, FindsNothingInAnyPoseOnAnyTarget) {
-  test::on_each_target([](Target) {
+  test::on_each_instruction_set([](InstructionSet) {
     Random random(2);
     for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
       for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial})

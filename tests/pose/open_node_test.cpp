@@ -1,12 +1,12 @@
-/// Opening nodes gives the same bits and the same work on every target.
+/// Opening nodes gives the same bits and the same work on every instruction set.
 
 #include "pose/open_node.hpp"
 #include "model/unpack.hpp"
-#include "pose/open_fully.hpp"
+#include "pose/all_bounds.hpp"
 #include "pose/pose.hpp"
 #include "skin/skin.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,26 +74,26 @@ void for_all_poses(Random& random, const Body& body) {
 
 using Opening = QueryStats (*)(const detail::PosedTree&);
 
-QueryStats open_fully_anew(const detail::PosedTree& posed) {
+QueryStats compute_all_bounds_anew(const detail::PosedTree& posed) {
   make_table(posed);
-  return detail::open_fully(posed);
+  return detail::compute_all_bounds(posed);
 }
 
-QueryStats open_exactly_anew(const detail::PosedTree& posed) {
+QueryStats open_all_anew(const detail::PosedTree& posed) {
   make_table(posed);
-  return detail::open_all_exactly(posed);
+  return detail::open_all(posed);
 }
 
-TEST(OpenNode, AllTargetsGiveTheSameBitsByTheSameWork) {
+TEST(OpenNode, AllInstructionSetsGiveTheSameBitsByTheSameWork) {
   Random random(70);
   for_all_poses(random, [](Pose pose, const std::vector<Matrix4>& palette) {
-    for (const Opening open : {open_fully_anew, open_exactly_anew}) {
+    for (const Opening open : {compute_all_bounds_anew, open_all_anew}) {
       Bits expected;
       QueryStats expected_work;
-      test::on_each_target([&](Target target) {
+      test::on_each_instruction_set([&](InstructionSet set) {
         ASSERT_TRUE(pose.set_palette(palette));
         const QueryStats work = open(pose.detail().posed_tree());
-        if (target == available_targets().front()) {
+        if (set == available_instruction_sets().front()) {
           expected = bits_of(pose);
           expected_work = work;
         }
@@ -112,9 +112,9 @@ TEST(OpenNode, PoolsHaveTheBitsOfTheDefinition) {
   for_all_poses(random, [&](Pose pose, const std::vector<Matrix4>& palette) {
     const Tree& tree = pose.model().detail().tree;
     const detail::SkinnedMesh vertices = unpack_vertices(tree);
-    test::on_each_target([&](Target) {
+    test::on_each_instruction_set([&](InstructionSet) {
       ASSERT_TRUE(pose.set_palette(palette));
-      open_fully_anew(pose.detail().posed_tree());
+      compute_all_bounds_anew(pose.detail().posed_tree());
       for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
         const Node& node = tree.nodes[n];
         for (std::uint32_t v = 0; v < node.vertex_count; ++v, ++compared) {
@@ -128,20 +128,20 @@ TEST(OpenNode, PoolsHaveTheBitsOfTheDefinition) {
       }
     });
   });
-  EXPECT_GT(compared, 15'000 * available_targets().size());
+  EXPECT_GT(compared, 15'000 * available_instruction_sets().size());
 }
 
 TEST(OpenNode, AReservedPoseHasRoomForAllNodesAndNoMore) {
   Random random(74);
   std::size_t bytes = 0;
   for_all_poses(random, [&](Pose pose, const std::vector<Matrix4>& palette) {
-    test::on_each_target([&](Target) {
+    test::on_each_instruction_set([&](InstructionSet) {
       pose.reserve();
       const detail::Arena& arena = pose.detail().arena;
       const std::size_t reserved = arena.capacity();
       for (int round = 0; round < 2; ++round) {
         ASSERT_TRUE(pose.set_palette(palette));
-        open_fully_anew(pose.detail().posed_tree());
+        compute_all_bounds_anew(pose.detail().posed_tree());
         EXPECT_EQ(arena.used(), reserved);
         EXPECT_EQ(arena.capacity(), reserved);
       }
@@ -189,7 +189,7 @@ TEST(OpenNode, BoxesOfClustersAndTrianglesAreExactAndFreeSlotsEmpty) {
   for_all_poses(random, [&](Pose pose, const std::vector<Matrix4>& palette) {
     const Tree& tree = pose.model().detail().tree;
     ASSERT_TRUE(pose.set_palette(palette));
-    open_fully_anew(pose.detail().posed_tree());
+    compute_all_bounds_anew(pose.detail().posed_tree());
     for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
       const Node& node = tree.nodes[n];
       const OpenedNode& opened = *pose.detail().opened[n];
@@ -228,7 +228,7 @@ TEST(OpenNode, OpenedExactlyEveryBoxIsTheSmallest) {
   for_all_poses(random, [&](Pose pose, const std::vector<Matrix4>& palette) {
     const Tree& tree = pose.model().detail().tree;
     ASSERT_TRUE(pose.set_palette(palette));
-    const QueryStats work = open_exactly_anew(pose.detail().posed_tree());
+    const QueryStats work = open_all_anew(pose.detail().posed_tree());
     EXPECT_EQ(work.refits, tree.clusters.size() + tree.nodes.size() - 1);
     std::vector<Box> below(tree.nodes.size(), kEmpty);
     for (std::size_t n = tree.nodes.size(); n-- > 0;) {

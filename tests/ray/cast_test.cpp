@@ -3,8 +3,8 @@
 #include "ray_cases.hpp"
 #include "ray_oracle.hpp"
 #include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 #include "support/values.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(Cast, FindsWhatALimbHas) {
 
 TEST(Cast, EqualsBruteForceOnMorphedLimbs) {
   Random random(99);
-  on_each_target([&](Target) {
+  on_each_instruction_set([&](InstructionSet) {
     Scratch scratch;
     HitCounts counts;
     for (int round = 0; round < 10; ++round) {
@@ -84,7 +84,7 @@ TEST(Cast, EqualsBruteForceOnMorphedLimbs) {
 
 TEST(Cast, EqualsBruteForceOnBendingLimbs) {
   Random random(90);
-  on_each_target([&](Target) {
+  on_each_instruction_set([&](InstructionSet) {
     Scratch scratch;
     HitCounts counts;
     for (int round = 0; round < 40; ++round) {
@@ -168,7 +168,7 @@ TEST(Cast, AnswersAlikeWhateverWasAskedBeforeAndOnEveryTarget) {
   std::vector<Matrix4> palette = bend_limb(random, 5, 0.5, {});
   ASSERT_TRUE(together.pose.set_palette(palette));
   cast(together.pose, rays, expected);
-  on_each_target([&](Target) {
+  on_each_instruction_set([&](InstructionSet) {
     ASSERT_TRUE(together.pose.set_palette(palette));
     for (std::size_t i = rays.size(); i-- > 0;) found[i] = test::first_hit(together.pose, rays[i]);
     EXPECT_EQ(found, expected);
@@ -246,7 +246,7 @@ TEST(Cast, OpensAllWhenManyRaysNeedMuch) {
 }
 
 TEST(Cast, AllocatesNothingOnceAllIsReserved) {
-  on_each_target([](Target) {
+  on_each_instruction_set([](InstructionSet) {
     Random random(96);
     Posed limb(make_limb(60, 20, 5), bend_limb(random, 5, 0.4, {}));
     Scratch scratch;

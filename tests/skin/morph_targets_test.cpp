@@ -4,8 +4,8 @@
 #include "model/unpack.hpp"
 #include "pose/pose.hpp"
 #include "skin/skin.hpp"
+#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-#include "support/targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -169,7 +169,7 @@ TEST(MorphTargets, AllWaysOfPosingHaveTheBitsOfTheScalarDefinition) {
       wide.push_back(detail::posed_vertex(mesh, palette, v));
     }
     EXPECT_EQ(wide, definition);
-    test::on_each_target([&](Target) { EXPECT_EQ(posed(pose), definition); });
+    test::on_each_instruction_set([&](InstructionSet) { EXPECT_EQ(posed(pose), definition); });
   });
 }
 

@@ -2,7 +2,7 @@
 
 /// Solids of all kinds, and brute force over triangles.
 
-#include "region/region_oracle.hpp"
+#include "solid/region_oracle.hpp"
 #include "solid/solid_points.hpp"
 #include "support/skinned_shapes.hpp"
 
@@ -64,7 +64,7 @@ inline BruteSolidDistance brute_distance(const Solid& solid, std::span<const Tri
     const auto [a, b, c] = triangles[t];
     const detail::TriangleCorners corners = {positions[a], positions[b], positions[c]};
     const double distance =
-        touches(solid, corners) ? 0 : detail::nearest_points(corners, solid).distance;
+        touches(solid, corners) ? 0 : detail::closest_points(corners, solid).distance;
     if (distance < best.distance) best = {distance, t};
   }
   return best;

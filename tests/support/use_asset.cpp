@@ -21,8 +21,8 @@ bool pose_at(const asset::Asset& asset, const asset::Clip* clip, float seconds, 
 }  // namespace
 
 bool use_asset(const asset::Asset& asset) {
-  constexpr std::size_t kMostTriangles = 20000;  // limits the time per input
-  if (asset.triangles.size() > kMostTriangles) return false;
+  constexpr std::size_t kMaxTriangles = 20000;  // limits the time per input
+  if (asset.triangles.size() > kMaxTriangles) return false;
   const Result<SkinnedModel> model = build_model(asset.mesh());
   if (!model) return false;
   Pose pose(*model);

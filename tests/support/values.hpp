@@ -18,13 +18,13 @@ inline Bounds exact_bounds_of(Pose& pose) {
   return found;
 }
 
-inline Box group_box(const Pose& pose, const Groups& groups, std::uint32_t group) {
+inline Box group_box(const Pose& pose, const VertexGroups& groups, std::uint32_t group) {
   Box box;
   group_bounds(pose, groups, group, box);
   return box;
 }
 
-inline Box exact_group_box(const Pose& pose, const Groups& groups, std::uint32_t group) {
+inline Box exact_group_box(const Pose& pose, const VertexGroups& groups, std::uint32_t group) {
   Box box;
   exact_group_bounds(pose, groups, group, box);
   return box;

@@ -10,7 +10,7 @@ import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 globalThis.self ??= globalThis;
 globalThis.ProgressEvent ??= class ProgressEvent extends Event {};
 
-// three.js would make the first four weights sum to 1 and ignore further ones.
+// three.js would make the first four weights sum to 1 and ignore the others.
 const normaliseFourWeights = THREE.SkinnedMesh.prototype.normalizeSkinWeights;
 THREE.SkinnedMesh.prototype.normalizeSkinWeights = function () {
   if (influenceSets(this).length === 1) normaliseFourWeights.call(this);

@@ -12,7 +12,7 @@ function refused(use, message, code = 'invalid_argument') {
   assert.throws(use, { name: 'PeltError', code, message });
 }
 
-test('unknown options are refused with the nearest known one', () => {
+test('unknown options are refused with the closest known one', () => {
   refused(() => pelt.generateCreature({ triangels: 2000 }),
           'unknown option "triangels", did you mean "triangles"?');
   refused(() => pelt.generateFace({ joints: 20 }), /^unknown option "joints", expected one of "name"/);

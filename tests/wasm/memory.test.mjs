@@ -29,7 +29,7 @@ function useEverything() {
   for (const pose of poses) {
     pose.normals();
     pose.nodeBoxes(1);
-    pose.tightBounds();
+    pose.exactBounds();
   }
   const crowd = pelt.makeCrowd();
   const hash = pelt.makeContactHash();

@@ -47,10 +47,10 @@ test('bad palettes are refused and leave the pose as it was', () => {
   assert.throws(() => character.palette('wlak', 0), /has no clip "wlak", did you mean "walk"\?$/);
 });
 
-test('tight bounds are those of the vertices, and others enclose them', () => {
+test('exact bounds are those of the vertices, and others enclose them', () => {
   const [a] = twoPoses();
   const exact = boxOf(a.posedVertices());
-  assert.deepEqual(a.tightBounds().box, exact);
+  assert.deepEqual(a.exactBounds().box, exact);
   for (const levels of [0, 1, 3]) {
     const { box, centre, radius } = a.bounds(levels);
     for (const axis of [0, 1, 2]) {
@@ -117,7 +117,7 @@ function someBoxHas(boxes, [x, y, z]) {
 test('a ray hits where its triangle is', () => {
   const [a] = twoPoses();
   const positions = a.posedVertices();
-  const { centre } = a.tightBounds();
+  const { centre } = a.exactBounds();
   const hit = a.cast([centre[0], 1.1, -5], [0, 0, 1]);
   const corners = cornersOf(positions, hit.triangle);
   for (const axis of [0, 1, 2]) {
@@ -132,16 +132,16 @@ test('a ray hits where its triangle is', () => {
 test('the distance is that of two points of the surfaces', () => {
   const [a, b] = twoPoses(3);
   assert.equal(pelt.collide(a, b).count, 0);
-  const nearest = pelt.distance(a, b);
-  const gap = nearest.a.position.map((x, axis) => x - nearest.b.position[axis]);
-  assert.ok(Math.abs(Math.hypot(...gap) - nearest.distance) < 1e-5);
-  assert.ok(nearest.distance > 1 && nearest.distance < 3);
+  const closest = pelt.distance(a, b);
+  const gap = closest.a.position.map((x, axis) => x - closest.b.position[axis]);
+  assert.ok(Math.abs(Math.hypot(...gap) - closest.distance) < 1e-5);
+  assert.ok(closest.distance > 1 && closest.distance < 3);
   assert.equal(pelt.distance(a, b, { maxDistance: 0.5 }), null);
   const [c, d] = twoPoses();
   assert.equal(pelt.distance(c, d).distance, 0);
 });
 
-test('contacts are described one by one, as curves and as regions', () => {
+test('contacts are described one by one, as curves and as patches', () => {
   const [a, b] = twoPoses();
   const { count, pairs } = pelt.collide(a, b);
   const described = pelt.describeContacts(a, b, pairs);
@@ -157,7 +157,7 @@ test('contacts are described one by one, as curves and as regions', () => {
   }
   const segments = described.curves.reduce((sum, { points }) => sum + points.length / 3 - 1, 0);
   assert.equal(segments, described.kinds.filter((kind) => kind === 0).length);
-  const members = described.regions.flatMap((region) => Array.from(region.contacts));
+  const members = described.patches.flatMap((patch) => Array.from(patch.contacts));
   assert.deepEqual(members.sort((x, y) => x - y), Array.from({ length: count }, (_, i) => i));
   const backwards = Uint32Array.from(pairs).reverse();
   assert.throws(() => pelt.describeContacts(a, b, backwards), /pairs:/);

@@ -46,7 +46,7 @@ function atEachFrame(compare, verb, ...args) {
   });
 }
 
-for (const [bounds, ...args] of [['bounds'], ['tightBounds', '--exact']]) {
+for (const [bounds, ...args] of [['bounds'], ['exactBounds', '--exact']]) {
   test(`${bounds} are those of the command`, () => {
     atEachFrame(
       (line) => {
@@ -83,9 +83,9 @@ for (const [region, option, numbers] of kRegions) {
           assert.equal(pose.classify(region), native.placement);
           assert.equal(pose.intersectsRegion(region), native.placement !== 'outside');
           const found = pose.findTriangles(region);
-          assert.deepEqual(Array.from(found.touching), native.touching);
+          assert.deepEqual(Array.from(found.intersecting), native.intersecting);
           assert.deepEqual(Array.from(found.inside), native.inside);
-          touching += found.touching.length;
+          touching += found.intersecting.length;
         }
       },
       ...['region', `${option}=${numbers}`, '--triangles'],
@@ -128,10 +128,10 @@ const kSameBoxes = {
 test('a box is the same box in whatever way it is given', () => {
   poseAt(44);
   const box = a.findTriangles({ kind: 'box', low: [-0.25, 0, -0.25], high: [0.25, 0.5, 0.25] });
-  assert.ok(box.touching.length > box.inside.length && box.inside.length > 300);
+  assert.ok(box.intersecting.length > box.inside.length && box.inside.length > 300);
   for (const [kind, region] of Object.entries(kSameBoxes)) {
-    const { touching, inside } = a.findTriangles({ kind, ...region });
-    assert.deepEqual({ touching, inside }, { touching: box.touching, inside: box.inside }, kind);
+    const { intersecting, inside } = a.findTriangles({ kind, ...region });
+    assert.deepEqual({ intersecting, inside }, { intersecting: box.intersecting, inside: box.inside }, kind);
   }
 });
 
@@ -142,7 +142,7 @@ test('what lies behind a plane does so by its corners', () => {
   const isBehind = (v) => positions[3 * v + 1] <= 0.25;
   const corners = (t) => Array.from(triangles.subarray(3 * t, 3 * t + 3));
   const all = Array.from({ length: triangleCount }, (_, t) => t);
-  const { touching, inside } = a.findTriangles({
+  const { intersecting, inside } = a.findTriangles({
     kind: 'halfSpace',
     normal: [0, 1, 0],
     offset: 0.25,
@@ -152,11 +152,11 @@ test('what lies behind a plane does so by its corners', () => {
     all.filter((t) => corners(t).every(isBehind)),
   );
   assert.deepEqual(
-    Array.from(touching),
+    Array.from(intersecting),
     all.filter((t) => corners(t).some(isBehind)),
   );
   assert.ok(
-    inside.length > 300 && inside.length < touching.length && touching.length < triangleCount,
+    inside.length > 300 && inside.length < intersecting.length && intersecting.length < triangleCount,
   );
 });
 
@@ -234,7 +234,7 @@ test('distances and their points are those of the command', () => {
   assert.equal(apart, 1);
 });
 
-test('the nearest places of a surface are those of the command', () => {
+test('the closest points of a surface are those of the command', () => {
   const points = ['0,0.3,0', '-0.3,0.2,0.4', '3,3,3'];
   atEachFrame(
     (line) => {
@@ -285,8 +285,8 @@ test('the deepest vertices are those of the command', () => {
         ++depths;
         assert.deepEqual(deepest.position, expected.position);
         assert.deepEqual(
-          [deepest.nearest.position, deepest.nearest.triangle],
-          [expected.nearest, expected.triangle],
+          [deepest.closest.position, deepest.closest.triangle],
+          [expected.closest, expected.triangle],
         );
         const vertices = of.posedVertices().subarray(3 * deepest.vertex, 3 * deepest.vertex + 3);
         assert.deepEqual(Array.from(vertices), deepest.position);
@@ -300,7 +300,7 @@ test('the deepest vertices are those of the command', () => {
 
 test('a point lies inside, outside or on a surface', () => {
   poseAt(44);
-  const { centre, radius } = a.tightBounds();
+  const { centre, radius } = a.exactBounds();
   assert.equal(a.sideOf([centre[0] + 2 * radius, centre[1], centre[2]]), 'outside');
   assert.equal(a.sideOf(a.posedVertices().subarray(300, 303)), 'on');
   const [first, second] = a.castAll([centre[0], centre[1], -9], [0, 0, 1]);

@@ -117,12 +117,12 @@ test('poses asked two by two answer as a crowd does, and eagerly too', () => {
 test('a pose is refitted once for its palette, or when it is told to', () => {
   poseDemo(44);
   const [a, b] = poses;
-  const whole = a.refitAll();
+  const whole = a.openAll();
   assert.ok(whole.posedVertices >= a.character.vertexCount && whole.refits > 0);
-  assert.deepEqual(a.refitAll(), whole);
+  assert.deepEqual(a.openAll(), whole);
   const first = pelt.collideEagerly(a, b).stats;
   assert.ok(first.posedVertices > 0, 'the second one has not been refitted yet');
-  assert.equal(first.posedVertices, b.refitAll().posedVertices);
+  assert.equal(first.posedVertices, b.openAll().posedVertices);
   assert.equal(pelt.collideEagerly(a, b).stats.posedVertices, 0);
   poseDemo(45);
   const { stats, pairs } = pelt.collideEagerly(a, b);

@@ -12,8 +12,8 @@
 #include "model/model.hpp"
 #include "model/surface.hpp"
 #include "scenes/clip_samples.hpp"
+#include "scenes/closest_name.hpp"
 #include "scenes/names.hpp"
-#include "scenes/nearest_name.hpp"
 
 #include <nlohmann/json.hpp>
 

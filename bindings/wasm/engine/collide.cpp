@@ -17,7 +17,7 @@ std::vector<Contact>& found() {
 }
 
 /// Copies palette and weights to the eager pose, and skins all of it.
-QueryStats refit_all(PoseHandle& handle) {
+QueryStats open_all(PoseHandle& handle) {
   const detail::Palette& palette = handle.pose.detail().palette;
   if (!handle.eager) handle.eager.emplace(handle.pose.model().detail().tree);
   detail::ExactPose& eager = *handle.eager;
@@ -44,13 +44,13 @@ PELT_EXPORT void pelt_collide(PoseHandle* a, PoseHandle* b, std::uint32_t most) 
   answer_contacts(*a, *b);
 }
 
-PELT_EXPORT void pelt_refit_all(PoseHandle* handle) { answer_stats(refit_all(*handle)); }
+PELT_EXPORT void pelt_open_all(PoseHandle* handle) { answer_stats(open_all(*handle)); }
 
 PELT_EXPORT void pelt_collide_eagerly(PoseHandle* a, PoseHandle* b, std::uint32_t most) {
   found().clear();
   QueryStats stats;
   for (PoseHandle* handle : {a, b})
-    if (!handle->is_refitted) stats += refit_all(*handle);
+    if (!handle->is_refitted) stats += open_all(*handle);
   stats += detail::collide(*a->eager, *b->eager, scratch().detail(), found(), {most});
   answer_stats(stats);
   answer_contacts(*a, *b);

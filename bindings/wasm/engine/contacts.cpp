@@ -41,7 +41,7 @@ struct Columns {
   std::vector<std::uint16_t> joints;
   std::vector<float> points;          // of all curves
   std::vector<std::uint32_t> curves;  // [C][3] begin, end, whether it is closed
-  std::vector<double> regions;        // [R][12] in the order of write_region
+  std::vector<double> patches;        // [R][12] in the order of write_patch
 };
 
 ContactGeometry& geometry() {
@@ -82,29 +82,29 @@ void write_curve(const ContactGeometry& geometry, const ContactCurve& curve, Col
                          curve.is_closed ? 1u : 0u});
 }
 
-void write_region(const ContactRegion& region, Columns& columns) {
-  const auto& [x, y, z] = region.point;
-  const auto& [nx, ny, nz] = region.normal;
-  const std::initializer_list<double> row = {static_cast<double>(region.first),
-                                             static_cast<double>(region.first + region.count),
-                                             region.length,
-                                             region.depth,
+void write_patch(const ContactPatch& patch, Columns& columns) {
+  const auto& [x, y, z] = patch.point;
+  const auto& [nx, ny, nz] = patch.normal;
+  const std::initializer_list<double> row = {static_cast<double>(patch.first),
+                                             static_cast<double>(patch.first + patch.count),
+                                             patch.length,
+                                             patch.depth,
                                              x,
                                              y,
                                              z,
                                              nx,
                                              ny,
                                              nz,
-                                             static_cast<double>(region.joint_a),
-                                             static_cast<double>(region.joint_b)};
-  columns.regions.insert(columns.regions.end(), row);
+                                             static_cast<double>(patch.joint_a),
+                                             static_cast<double>(patch.joint_b)};
+  columns.patches.insert(columns.patches.end(), row);
 }
 
 void write_columns(const ContactGeometry& geometry, Columns& columns) {
   columns = {};
   for (const ContactTrace& trace : geometry.traces) write_trace(trace, columns);
   for (const ContactCurve& curve : geometry.curves) write_curve(geometry, curve, columns);
-  for (const ContactRegion& region : geometry.regions) write_region(region, columns);
+  for (const ContactPatch& patch : geometry.patches) write_patch(patch, columns);
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ enum class Column : std::uint32_t {
   joints,
   points,
   curves,
-  regions,
+  patches,
   members,
 };
 
@@ -150,8 +150,8 @@ PELT_EXPORT void pelt_contact_column(Column column) {
       return answer_data<float>(columns().points);
     case Column::curves:
       return answer_data<std::uint32_t>(columns().curves);
-    case Column::regions:
-      return answer_data<double>(columns().regions);
+    case Column::patches:
+      return answer_data<double>(columns().patches);
     case Column::members:
       return answer_data<std::uint32_t>(geometry().members);
   }

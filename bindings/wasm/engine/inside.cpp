@@ -23,7 +23,7 @@ PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, flo
   return static_cast<std::uint32_t>(side);
 }
 
-/// The answer is the nearest point of b's surface. Its numbers 0 to 10 are the stats, the vertex,
+/// The answer is the closest point of b's surface. Its numbers 0 to 10 are the stats, the vertex,
 /// its position and its depth. Precondition: the surface of b is closed.
 PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
   Penetration deepest;

@@ -19,7 +19,7 @@ PELT_EXPORT std::uint32_t pelt_opened_node_count(const PoseHandle* handle) {
 PELT_EXPORT const detail::BoxState* pelt_node_boxes(PoseHandle* handle, std::uint32_t level) {
   static detail::LevelBoxes found;
   if (!handle->whole) handle->whole.emplace(handle->pose.model());
-  open_whole(handle->pose.detail(), handle->whole->detail());
+  copy_with_all_bounds(handle->pose.detail(), handle->whole->detail());
   level_boxes(handle->pose.detail(), handle->whole->detail(), level, found);
   answer_data<float>(found.boxes);
   return found.states.data();

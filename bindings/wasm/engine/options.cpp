@@ -3,7 +3,7 @@
 #include "asset/json_object.hpp"
 #include "asset/message.hpp"
 #include "bindings/wasm/engine/answer.hpp"
-#include "scenes/nearest_name.hpp"
+#include "scenes/closest_name.hpp"
 
 namespace pelt::wasm {
 

@@ -2,10 +2,10 @@
 
 import { invalid } from './errors.mjs';
 
-export const kMostCount = 0xffffffff;
+export const kMaxCount = 0xffffffff;
 
 /** Largest number in the engine's single precision; larger numbers would be infinite. */
-export const kMostFloat = (2 - 2 ** -23) * 2 ** 127;
+export const kMaxFloat = (2 - 2 ** -23) * 2 ** 127;
 
 /** Describes a value in messages: "NaN", "a string", "an Array". */
 export function kindOf(value) {
@@ -25,15 +25,15 @@ function isWithin(value, least, most) {
 
 export function number(value, name, least = -Number.MAX_VALUE, most = Number.MAX_VALUE) {
   if (isWithin(value, least, most)) return value;
-  const isAny = least === -most && most >= kMostFloat && most < Infinity;
+  const isAny = least === -most && most >= kMaxFloat && most < Infinity;
   return refuse(name, isAny ? 'a finite number' : `a number from ${least} to ${most}`, value);
 }
 
 export function float(value, name) {
-  return number(value, name, -kMostFloat, kMostFloat);
+  return number(value, name, -kMaxFloat, kMaxFloat);
 }
 
-export function count(value, name, least = 0, most = kMostCount) {
+export function count(value, name, least = 0, most = kMaxCount) {
   if (Number.isInteger(value) && isWithin(value, least, most)) return value;
   return refuse(name, `a whole number from ${least} to ${most}`, value);
 }

@@ -49,7 +49,7 @@ export class Crowd {
 
   collide(options = undefined) {
     const most = mostContacts(this.#memory, options);
-    if (this.#ignores && most !== check.kMostCount) {
+    if (this.#ignores && most !== check.kMaxCount) {
       throw invalid(
         'a limit: cannot be combined with ignored pairs, because the first contacts may be ignored',
       );

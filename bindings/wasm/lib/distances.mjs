@@ -10,7 +10,7 @@ const kSides = ['outside', 'on', 'inside'];
 const kContainments = ['none', 'a_in_b', 'b_in_a'];
 
 /** Largest coordinate that queries accept. */
-const kMostCoordinate = 2 ** 60;
+const kMaxCoordinate = 2 ** 60;
 
 const length = (value, name) => check.number(value, name, 0, Infinity);
 const kClosestRules = { maxDistance: length };
@@ -30,10 +30,10 @@ function readPoints(memory) {
 /** `pose` is a handle. */
 export function closestPoint(memory, pose, point, options) {
   const { maxDistance = Infinity } = readOptions(memory, options, kClosestRules);
-  const [x, y, z] = check.vector(point, 3, 'point', kMostCoordinate);
+  const [x, y, z] = check.vector(point, 3, 'point', kMaxCoordinate);
   if (!memory.module._pelt_closest_point(pose, x, y, z, maxDistance)) return null;
-  const [nearest] = readPoints(memory);
-  return { distance: memory.number(6), ...nearest, stats: readStats(memory) };
+  const [closest] = readPoints(memory);
+  return { distance: memory.number(6), ...closest, stats: readStats(memory) };
 }
 
 export function distance(memory, [a, b], options) {
@@ -53,7 +53,7 @@ function requireClosed(pose) {
 }
 
 export function sideOf(memory, handle, pose, point) {
-  const [x, y, z] = check.vector(point, 3, 'point', kMostCoordinate);
+  const [x, y, z] = check.vector(point, 3, 'point', kMaxCoordinate);
   requireClosed(pose);
   return kSides[memory.module._pelt_side_of(handle, x, y, z)];
 }
@@ -63,9 +63,9 @@ export function deepestVertex(memory, [a, b], pose) {
   requireClosed(pose);
   if (!memory.module._pelt_deepest_vertex(a, b)) return null;
   const [vertex, ...rest] = memory.numbers(6, 11);
-  const [nearest] = readPoints(memory);
+  const [closest] = readPoints(memory);
   const stats = readStats(memory);
-  return { vertex, position: rest.slice(0, 3), depth: rest[3], nearest, stats };
+  return { vertex, position: rest.slice(0, 3), depth: rest[3], closest, stats };
 }
 
 export function containment(memory, [a, b]) {

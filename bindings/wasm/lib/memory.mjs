@@ -12,7 +12,7 @@ import { Handles } from './handles.mjs';
 const kNumbers = 16;
 
 /** Limit of Emscripten: half of the 32-bit address space. */
-const kMostBytes = 2 ** 31;
+const kMaxBytes = 2 ** 31;
 
 const kHeap = new Map([
   [Uint8Array, 'HEAPU8'],
@@ -124,7 +124,7 @@ export class Memory {
   }
 
   #allocate(bytes) {
-    const address = bytes < kMostBytes ? this.module._malloc(Math.max(bytes, 1)) : 0;
+    const address = bytes < kMaxBytes ? this.module._malloc(Math.max(bytes, 1)) : 0;
     if (address !== 0) return address;
     throw new PeltError(
       'out_of_memory',

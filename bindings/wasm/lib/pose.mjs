@@ -2,7 +2,7 @@ import * as check from './checks.mjs';
 import { closestPoint, sideOf } from './distances.mjs';
 import { partNumber } from './lookup.mjs';
 import { cast, castAll, castAny } from './rays.mjs';
-import { classify, findTriangles, intersectsRegion } from './regions.mjs';
+import { classify, findTriangles, intersectsRegion } from './solids.mjs';
 import { readStats } from './stats.mjs';
 
 const kRemove = '_pelt_delete_pose';
@@ -50,8 +50,8 @@ export class Pose {
     return this.#memory.data(Float32Array, 3, out);
   }
 
-  refitAll() {
-    this.#memory.module._pelt_refit_all(this.#handle);
+  openAll() {
+    this.#memory.module._pelt_open_all(this.#handle);
     return readStats(this.#memory);
   }
 
@@ -60,7 +60,7 @@ export class Pose {
     return this.#bounds();
   }
 
-  tightBounds() {
+  exactBounds() {
     this.#memory.module._pelt_exact_bounds(this.#handle);
     return this.#bounds();
   }

@@ -10,12 +10,12 @@ export const ContactKind = Object.freeze({ segment: 0, point: 1, coplanar: 2, co
 
 const kCollideRules = {
   firstContact: check.flag,
-  maxContacts: (most, name) => (most === Infinity ? check.kMostCount : check.count(most, name, 1)),
+  maxContacts: (most, name) => (most === Infinity ? check.kMaxCount : check.count(most, name, 1)),
 };
 
 export function mostContacts(memory, options) {
   const read = readOptions(memory, options, kCollideRules);
-  return read.firstContact ? 1 : read.maxContacts ?? check.kMostCount;
+  return read.firstContact ? 1 : read.maxContacts ?? check.kMaxCount;
 }
 
 /** Returns the two handles. */
@@ -54,7 +54,7 @@ const kColumns = [
   ['joints', Uint16Array],
   ['points', Float32Array],
   ['curves', Uint32Array],
-  ['regions', Float64Array],
+  ['patches', Float64Array],
   ['members', Uint32Array],
 ];
 
@@ -72,11 +72,11 @@ export function describeContacts(memory, a, b, pairs) {
   memory.withBytes(check.rows(pairs, 2, 'pairs'), (address) =>
     memory.accepted(memory.module._pelt_describe_contacts(...handles, address, pairs.length / 2)),
   );
-  const { points, curves, regions, members, ...columns } = readColumns(memory);
+  const { points, curves, patches, members, ...columns } = readColumns(memory);
   return {
     ...columns,
     curves: readCurves(curves, points),
-    regions: readRegions(regions, members),
+    patches: readPatches(patches, members),
   };
 }
 
@@ -89,11 +89,11 @@ function readCurves(rows, points) {
   return curves;
 }
 
-function readRegions(rows, members) {
-  const regions = [];
+function readPatches(rows, members) {
+  const patches = [];
   for (let i = 0; i < rows.length; i += 12) {
     const [begin, end, length, depth, ...rest] = rows.subarray(i, i + 12);
-    regions.push({
+    patches.push({
       contacts: members.slice(begin, end),
       length,
       depth,
@@ -103,5 +103,5 @@ function readRegions(rows, members) {
       jointB: rest[7],
     });
   }
-  return regions;
+  return patches;
 }

@@ -15,8 +15,8 @@ const kRules = {
 /** Passes a ray to the engine. Returns the number of its facing. */
 function writeRay(memory, origin, direction, options) {
   const { minT = 0, maxT = Infinity, facing = 'both' } = readOptions(memory, options, kRules);
-  check.vector(origin, 3, 'origin', check.kMostFloat);
-  check.vector(direction, 3, 'direction', check.kMostFloat);
+  check.vector(origin, 3, 'origin', check.kMaxFloat);
+  check.vector(direction, 3, 'direction', check.kMaxFloat);
   const numbers = [...origin, ...direction, minT, maxT];
   memory.write(Float32Array, memory.module._pelt_ray(), numbers, 8, 'ray');
   return kFacings.indexOf(facing);

@@ -6,15 +6,15 @@ import { readObject } from './options.mjs';
 import { Pose } from './pose.mjs';
 
 /** Limit of numbers, as in scene files: far beyond any use, but small enough to keep arithmetic finite. */
-const kMostNumber = 1e12;
-const kMostFactor = 1e6; // largest scale and frame rate; the least is its inverse
+const kMaxNumber = 1e12;
+const kMaxFactor = 1e6; // largest scale and frame rate; the least is its inverse
 
-const number = (value, name) => check.number(value, name, -kMostNumber, kMostNumber);
-const factor = (value, name) => check.number(value, name, 1 / kMostFactor, kMostFactor);
-const vector = (value, name) => Array.from(check.vector(value, 3, name, kMostNumber));
+const number = (value, name) => check.number(value, name, -kMaxNumber, kMaxNumber);
+const factor = (value, name) => check.number(value, name, 1 / kMaxFactor, kMaxFactor);
+const vector = (value, name) => Array.from(check.vector(value, 3, name, kMaxNumber));
 
 function quaternion(value, name) {
-  const q = Array.from(check.vector(value, 4, name, kMostNumber));
+  const q = Array.from(check.vector(value, 4, name, kMaxNumber));
   if (Math.hypot(...q) === 0) throw invalid(`${name}: expected a quaternion, found one of length 0`);
   return q;
 }

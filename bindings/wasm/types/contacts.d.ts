@@ -50,7 +50,7 @@ export interface ContactGeometry {
   readonly joints: Uint16Array;
   readonly curves: readonly ContactCurve[];
   /** In descending order of their numbers of contacts. */
-  readonly regions: readonly ContactRegion[];
+  readonly patches: readonly ContactPatch[];
 }
 
 /** A curve in which the surfaces intersect. */
@@ -61,7 +61,7 @@ export interface ContactCurve {
 }
 
 /** A connected set of contacts. */
-export interface ContactRegion {
+export interface ContactPatch {
   /** Indices of its contacts in `pairs`. */
   readonly contacts: Uint32Array;
   readonly length: number;

@@ -3,7 +3,7 @@
 import type { QueryStats } from './contacts.js';
 
 export interface ClosestPointOptions {
-  /** Ignore everything further away. Not negative. Default: Infinity. */
+  /** Ignore everything farther away. Not negative. Default: Infinity. */
   maxDistance?: number;
 }
 
@@ -30,8 +30,8 @@ export interface Penetration {
   readonly position: readonly [number, number, number];
   /** Distance of the vertex from the surface of the second body. */
   readonly depth: number;
-  /** The nearest point of that surface. */
-  readonly nearest: SurfacePoint;
+  /** The closest point of that surface. */
+  readonly closest: SurfacePoint;
   readonly stats: QueryStats;
 }
 

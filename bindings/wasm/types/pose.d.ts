@@ -3,7 +3,7 @@
 import type { Character } from './character.js';
 import type { QueryStats } from './contacts.js';
 import type { ClosestPoint, ClosestPointOptions } from './distances.js';
-import type { Region, TrianglesInRegion, Vector } from './regions.js';
+import type { Region, TrianglesInRegion, Vector } from './solids.js';
 
 /** One instance of a character with a joint palette. */
 export interface Pose {
@@ -29,15 +29,15 @@ export interface Pose {
    * Skins all vertices and computes the exact boxes of all nodes, for `collideEagerly`. An engine without
    * refitting on demand does this for every instance in every frame; use it for comparisons.
    */
-  refitAll(): QueryStats;
+  openAll(): QueryStats;
 
   /**
    * Returns a box and a sphere that are guaranteed to enclose the surface, computed from the palette.
-   * Opens up to `levels` levels of the tree for tighter bounds.
+   * Opens up to `levels` levels of the tree for smaller bounds.
    */
   bounds(levels?: number): Bounds;
   /** Like `bounds`, with an exact box. */
-  tightBounds(): Bounds;
+  exactBounds(): Bounds;
 
   /** Number of nodes of the tree over the triangles that collide. */
   readonly nodeCount: number;
@@ -66,7 +66,7 @@ export interface Pose {
   /** Returns the triangles that touch the region or lie inside it. */
   findTriangles(region: Region): TrianglesInRegion;
 
-  /** Returns the point of the surface nearest to `point`, or null if none is within `maxDistance`. */
+  /** Returns the point of the surface closest to `point`, or null if none is within `maxDistance`. */
   closestPoint(point: Vector, options?: ClosestPointOptions): ClosestPoint | null;
 
   /** Whether the surface has no holes and therefore an inside. Computed at the first use. */

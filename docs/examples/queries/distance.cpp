@@ -10,7 +10,7 @@ double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance&
 }
 
 // Where a hand that reaches for `target` touches the surface.
-pelt::Vec3 closest_place(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch) {
+pelt::Vec3 closest_position(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch) {
   pelt::ClosestPoint closest;
   pelt::closest_point(pose, target, scratch, closest);
   return closest.point.position;

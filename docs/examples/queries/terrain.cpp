@@ -15,7 +15,7 @@ std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& g
 
 // Distance of the whole skin from a pillar; 0 if they touch.
 double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch& scratch) {
-  pelt::SolidDistance nearest;
-  pelt::distance(pose, pillar, scratch, nearest);
-  return nearest.distance;  // nearest.surface and nearest.solid say where
+  pelt::SolidDistance closest;
+  pelt::distance(pose, pillar, scratch, closest);
+  return closest.distance;  // closest.surface and closest.solid say where
 }

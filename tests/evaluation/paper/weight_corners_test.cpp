@@ -64,8 +64,8 @@ bool are_distinct(const std::vector<Corner>& corners) {
 }
 
 std::size_t most_corners(std::size_t joint_count) {
-  constexpr std::array<std::size_t, 9> kMost = {0, 1, 2, 6, 12, 30, 60, 140, 280};
-  return kMost[joint_count];
+  constexpr std::array<std::size_t, 9> kMax = {0, 1, 2, 6, 12, 30, 60, 140, 280};
+  return kMax[joint_count];
 }
 
 TEST(WeightCorners, AreInsideDistinctAndFew) {

@@ -18,7 +18,7 @@ std::string write_moving_strip(const TestFolder& folder) {
 
 const std::vector<std::string> kApart = {"--at", "0,0,0", "--at", "0.25,0,0.1"};
 
-/// A check of two strips, with `clips` for each of them and further options.
+/// A check of two strips, with `clips` for each of them and other options.
 std::vector<std::string> two_strips(const std::string& strip, const std::vector<std::string>& clips,
                                     const std::vector<std::string>& options = {}) {
   std::vector<std::string> arguments = {"check", strip, strip};

@@ -65,29 +65,29 @@ TEST(CheckContacts, ChainsSegmentsToCurves) {
   EXPECT_GT(closed, 0u);  // both limbs are closed surfaces
 }
 
-TEST(CheckContacts, GathersAllContactsToRegions) {
+TEST(CheckContacts, GathersAllContactsToPatches) {
   const TestFolder folder;
   write_limbs(folder);
-  std::size_t regions = 0;
+  std::size_t patches = 0;
   for (const json& pair : pairs_of(described(folder, {"scene.json"}))) {
     std::vector<std::size_t> members;
-    for (const json& region : pair["regions"]) {
-      ++regions;
+    for (const json& patch : pair["patches"]) {
+      ++patches;
       double deepest = 0;
-      for (const std::size_t t : region["traces"]) {
+      for (const std::size_t t : patch["traces"]) {
         members.push_back(t);
         deepest = std::max(deepest, pair["traces"][t]["depth"].get<double>());
       }
-      EXPECT_EQ(region["depth"], deepest);
-      EXPECT_GT(region["length"], 0);
-      EXPECT_EQ(region["parts"], json::array({"limb", "limb"}));
-      EXPECT_EQ(region["joints"].size(), 2u);
+      EXPECT_EQ(patch["depth"], deepest);
+      EXPECT_GT(patch["length"], 0);
+      EXPECT_EQ(patch["parts"], json::array({"limb", "limb"}));
+      EXPECT_EQ(patch["joints"].size(), 2u);
     }
     std::sort(members.begin(), members.end());
     ASSERT_EQ(members.size(), pair["contacts"]);
     for (std::size_t i = 0; i < members.size(); ++i) EXPECT_EQ(members[i], i);
   }
-  EXPECT_GT(regions, 0u);
+  EXPECT_GT(patches, 0u);
 }
 
 TEST(CheckContacts, DoesNotDependOnTheMethod) {
@@ -103,7 +103,7 @@ TEST(CheckContacts, PartsKeepTheNumbersOfTheModel) {
   const std::vector<json> pairs = pairs_of(described(folder, {"strip.glb", "--by", "part"}));
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0]["traces"][0]["triangles"], pairs[0]["triangles"][0]);
-  EXPECT_EQ(pairs[0]["regions"][0]["parts"], json::array({"paper", "fan"}));
+  EXPECT_EQ(pairs[0]["patches"][0]["parts"], json::array({"paper", "fan"}));
 }
 
 TEST(CheckContacts, AreLeftOutUnlessAskedFor) {
@@ -112,15 +112,15 @@ TEST(CheckContacts, AreLeftOutUnlessAskedFor) {
   const Ended run = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});
   const std::vector<json> pairs = pairs_of(parse_check_file(run.out));
   ASSERT_GE(pairs.size(), 1u);
-  for (const char* key : {"traces", "curves", "regions"}) EXPECT_FALSE(pairs[0].contains(key));
-  EXPECT_EQ(run.err.find("deepest regions"), std::string::npos);
+  for (const char* key : {"traces", "curves", "patches"}) EXPECT_FALSE(pairs[0].contains(key));
+  EXPECT_EQ(run.err.find("deepest patches"), std::string::npos);
 }
 
 TEST(CheckContacts, SummaryNamesTheDeepestJoints) {
   const TestFolder folder;
   write_limbs(folder);
   const Ended run = run_pelt(folder, {"check", "scene.json", "--contacts"});
-  for (const char* words : {"regions    ", "deepest regions", "one 0 joint ", "two 1 joint "})
+  for (const char* words : {"patches    ", "deepest patches", "one 0 joint ", "two 1 joint "})
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
 }
 

@@ -38,7 +38,7 @@ TEST(CheckInside, TellsWhatIsHeldAndHowDeepWhatTouches) {
       if (pair["b_in_a"].is_null()) continue;
       ++deep;
       const json& p = pair["b_in_a"]["position"];
-      const json& q = pair["b_in_a"]["nearest"];
+      const json& q = pair["b_in_a"]["closest"];
       EXPECT_NEAR(std::hypot(p[0].get<double>() - q[0].get<double>(),
                              p[1].get<double>() - q[1].get<double>(),
                              p[2].get<double>() - q[2].get<double>()),

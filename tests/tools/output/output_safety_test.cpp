@@ -39,7 +39,7 @@ std::vector<Writer> writers() {
           {"check_html", {"check", "scene.json", "--fail-on", "never", "--html"}},
           {"bounds", {"bounds", "scene.json", "--jsonl"}},
           {"distance", {"distance", "scene.json", "--jsonl"}},
-          {"nearest", {"distance", "scene.json", "--from", "0,0,0", "--jsonl"}},
+          {"closest", {"distance", "scene.json", "--from", "0,0,0", "--jsonl"}},
           {"ray", {"ray", "scene.json", "--from", "0,0.5,-3", "--to", "0,0.5,3", "--jsonl"}},
           {"region", {"region", "scene.json", "--sphere", "0,0,0,1", "--jsonl"}},
           {"pose", {"pose", "scene.json", "--frame", "3", "-o"}},

@@ -32,8 +32,8 @@ TEST(LeastDistances, AreThoseOfAllPairsWhateverTheirOrder) {
   const std::uint32_t seed = std::random_device()();
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
-  constexpr std::size_t kMost = 10;
-  LeastDistances least(kMost), of_frame(kMost);
+  constexpr std::size_t kMax = 10;
+  LeastDistances least(kMax), of_frame(kMax);
   std::map<std::pair<std::uint32_t, std::uint32_t>, Row> all;
   std::size_t equal = 0;
   for (std::uint32_t frame = 0; frame < 30; ++frame) {
@@ -51,7 +51,7 @@ TEST(LeastDistances, AreThoseOfAllPairsWhateverTheirOrder) {
   std::vector<Row> expected;
   for (const auto& [pair, row] : all) expected.push_back(row);
   std::sort(expected.begin(), expected.end());
-  expected.resize(kMost);
+  expected.resize(kMax);
   EXPECT_EQ(rows_of(least.pairs()), expected);
   EXPECT_GT(equal, 0u);
 }

@@ -2,7 +2,7 @@
 /// they are available. The bits do not depend on the compiler, build type or instruction set. A
 /// hash here changes only if the scenes, the characters or the definition of a posed vertex change.
 
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 #include "tools/answer.hpp"
 
@@ -35,7 +35,8 @@ void expect_golden(std::vector<std::string> arguments) {
 TEST_P(GoldenHash, IsTheSameOnEveryTarget) {
   if (!std::filesystem::exists(GetParam().folder))
     GTEST_SKIP() << GetParam().folder << " is not there";
-  for (const Target target : available_targets()) expect_golden({"--simd", name_of(target)});
+  for (const InstructionSet set : available_instruction_sets())
+    expect_golden({"--simd", name_of(set)});
 }
 
 std::string scene_name(const ::testing::TestParamInfo<Golden>& golden) {

@@ -56,7 +56,7 @@ bool is_at(const json& point, const Triangle& triangle, std::span<const Vec3> po
   return true;
 }
 
-TEST(DistanceVerb, TellsWhereThePairsAreNearest) {
+TEST(DistanceVerb, TellsWhereThePairsAreClosest) {
   const TestFolder folder;
   write_limbs(folder);
   const CheckFile file = distances_of(folder, {"scene.json"});
@@ -120,7 +120,7 @@ TEST(DistanceVerb, LeavesOutWhatIsNotWithin) {
   EXPECT_LT(left_out, 12u);
 }
 
-TEST(DistanceVerb, SummaryNamesTheNearestPlaces) {
+TEST(DistanceVerb, SummaryNamesTheClosestPlaces) {
   const TestFolder folder;
   write_limbs(folder);
   write_strip(folder, "strip.glb");
@@ -190,7 +190,7 @@ TEST(Clearance, IsNamedInHeaderAndSummary) {
   EXPECT_NE(run.err.find("counts triangles at most 0.25 apart"), std::string::npos) << run.err;
 }
 
-TEST(DistanceVerb, TellsWhatIsNearestToPoints) {
+TEST(DistanceVerb, TellsWhatIsClosestToPoints) {
   const TestFolder folder;
   write_limbs(folder);
   const CheckFile file =
@@ -200,7 +200,7 @@ TEST(DistanceVerb, TellsWhatIsNearestToPoints) {
   for (const int frame : {0, 5, 11}) {
     const GlbFile posed = posed_frame(folder, frame);
     for (int p = 0; p < 2; ++p) {
-      const json& places = file.frames[frame]["points"][p]["places"];
+      const json& places = file.frames[frame]["points"][p]["closest"];
       ASSERT_EQ(places.size(), 2u);
       for (int i = 0; i < 2; ++i) {
         const json& place = places[i];
@@ -215,7 +215,7 @@ TEST(DistanceVerb, TellsWhatIsNearestToPoints) {
   }
   const json& least = file.totals["totals"]["least"][1];
   for (const json& frame : file.frames)
-    for (const json& place : frame["points"][1]["places"])
+    for (const json& place : frame["points"][1]["closest"])
       EXPECT_LE(least["distance"], place["distance"]);
 }
 
@@ -223,7 +223,7 @@ TEST(DistanceVerb, LeavesOutPlacesThatAreNotWithin) {
   const TestFolder folder;
   write_limbs(folder);
   const CheckFile file = distances_of(folder, {"scene.json", "--from", "9,0,0", "--within", "1"});
-  for (const json& frame : file.frames) EXPECT_EQ(frame["points"][0]["places"], json::array());
+  for (const json& frame : file.frames) EXPECT_EQ(frame["points"][0]["closest"], json::array());
   EXPECT_EQ(file.totals["totals"]["least"], json::array());
 }
 

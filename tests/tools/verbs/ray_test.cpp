@@ -117,13 +117,13 @@ TEST(RayVerb, FacingChoosesOneSide) {
   EXPECT_EQ(hits, 1u);
 }
 
-TEST(RayVerb, SummaryTellsTheNearestHit) {
+TEST(RayVerb, SummaryTellsTheFirstHit) {
   const TestFolder folder;
   write_limbs(folder);
   const Ended run = run_pelt(folder, {"ray", "scene.json", "--from", "-2,0.513,0.021", "--to",
                                       "2,0.487,0.017", "--from", "0,5,0", "--to", "1,5,0"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  for (const char* words : {"2 instances", "ray 0", "hits in 12 of 12 frames: 0-11", "nearest",
+  for (const char* words : {"2 instances", "ray 0", "hits in 12 of 12 frames: 0-11", "first hit",
                             "one 0 limb, triangle", "ray 1      hits nothing in 12 frames"})
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
 }

@@ -50,11 +50,11 @@ TEST(RegionVerb, TellsWhichTrianglesLieInABox) {
       EXPECT_EQ(found["index"], i);
       EXPECT_EQ(found["inside"], json(triangles_beside(posed, i, 1)));
       const std::size_t beyond = triangles_beside(posed, i, -1).size();
-      EXPECT_GE(found["touching"].size() + beyond, posed.triangles(i).size());
+      EXPECT_GE(found["intersecting"].size() + beyond, posed.triangles(i).size());
       const bool all = found["inside"].size() == posed.triangles(i).size();
-      EXPECT_EQ(found["placement"], found["touching"].empty() ? "outside"
-                                    : all                     ? "inside"
-                                                              : "partly");
+      EXPECT_EQ(found["placement"], found["intersecting"].empty() ? "outside"
+                                    : all                         ? "inside"
+                                                                  : "partly");
       ++placements[found["placement"]];
     }
   }

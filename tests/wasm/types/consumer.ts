@@ -18,7 +18,7 @@ import {
   type ContactGeometry,
   type ContactHash,
   ContactKind,
-  type ContactRegion,
+  type ContactPatch,
   type ConvexPolyhedron,
   type Contacts,
   type CollideOptions,
@@ -139,10 +139,10 @@ function useMorphs(face: Character): void {
 }
 
 function usePose(pose: Pose): void {
-  useStats(pose.refitAll());
+  useStats(pose.openAll());
   const vertices: Float32Array = pose.posedVertices();
   check(pose.normals(vertices) === vertices, 'out');
-  const bounds: Bounds[] = [pose.bounds(), pose.bounds(3), pose.tightBounds()];
+  const bounds: Bounds[] = [pose.bounds(), pose.bounds(3), pose.exactBounds()];
   for (const { box, centre, radius } of bounds) {
     const corner: Point = box.high;
     check(corner[0] >= centre[0] && radius > 0, 'bounds');
@@ -195,8 +195,8 @@ function useRegions(pose: Pose): void {
   const regions: Region[] = [halfSpace, box, turned, polyhedron, sphere, capsule, frustum];
   for (const region of regions) {
     check(pose.classify(region) === 'inside' && pose.intersectsRegion(region), region.kind);
-    const { touching, inside, stats }: TrianglesInRegion = pose.findTriangles(region);
-    check(touching.length === inside.length && !stats.cutShort, 'findTriangles');
+    const { intersecting, inside, stats }: TrianglesInRegion = pose.findTriangles(region);
+    check(intersecting.length === inside.length && !stats.cutShort, 'findTriangles');
   }
 }
 
@@ -223,7 +223,7 @@ function useContacts(pelt: Pelt, a: Pose, b: Pose): void {
   useStats(stats);
   const options: CollideOptions = { firstContact: true, maxContacts: 4 };
   check(pelt.collideEagerly(a, b, options).count === 1, 'firstContact');
-  useStats(b.refitAll());
+  useStats(b.openAll());
   const touch: boolean = pelt.intersects(a, b);
   check(touch, 'intersects');
   const geometry: ContactGeometry = pelt.describeContacts(a, b, pairs);
@@ -235,27 +235,27 @@ function useContacts(pelt: Pelt, a: Pose, b: Pose): void {
   check(all === 6 && geometry.kinds.every((kind) => kinds.includes(kind)), 'kinds');
   const curves: readonly ContactCurve[] = geometry.curves;
   for (const { isClosed, points } of curves) check(isClosed || points.length > 3, 'curve');
-  const regions: readonly ContactRegion[] = geometry.regions;
-  for (const { contacts, length, depth, point, normal, jointA, jointB } of regions) {
+  const patches: readonly ContactPatch[] = geometry.patches;
+  for (const { contacts, length, depth, point, normal, jointA, jointB } of patches) {
     const numbers: number[] = [length, depth, ...point, ...normal, jointA, jointB];
-    check(contacts.length > 0 && numbers.length === 10, 'region');
+    check(contacts.length > 0 && numbers.length === 10, 'patch');
   }
 }
 
 function useDistance(pelt: Pelt, a: Pose, b: Pose): void {
   const options: DistanceOptions = { maxDistance: 50, tolerance: 0 };
-  const nearest: Distance | null = pelt.distance(a, b, options);
-  if (nearest === null) throw new Error('distance');
-  useStats(nearest.stats);
-  const points: SurfacePoint[] = [nearest.a, nearest.b];
+  const closest: Distance | null = pelt.distance(a, b, options);
+  if (closest === null) throw new Error('distance');
+  useStats(closest.stats);
+  const points: SurfacePoint[] = [closest.a, closest.b];
   for (const { triangle, position } of points) check(triangle + position[0] > -9, 'point');
-  check(nearest.distance === 0 && nearest.lowerBound === 0, 'they touch');
+  check(closest.distance === 0 && closest.lowerBound === 0, 'they touch');
   const near: Contacts = pelt.clearance(a, b, 0.01, { maxContacts: 9 });
   check(near.count === 9 && pelt.isWithin(a, b, 0), 'clearance');
   check(pelt.containment(a, b) === 'none', 'containment');
   const deepest: Penetration | null = pelt.deepestVertex(a, b);
   if (deepest === null) throw new Error('deepestVertex');
-  const { vertex, position, depth, nearest: place, stats } = deepest;
+  const { vertex, position, depth, closest: place, stats } = deepest;
   check(vertex >= 0 && depth > 0 && position.length + place.position.length === 6, 'deepest');
   useStats(stats);
 }

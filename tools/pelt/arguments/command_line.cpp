@@ -4,7 +4,7 @@
 
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
-#include "scenes/nearest_name.hpp"
+#include "scenes/closest_name.hpp"
 #include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/unfinished_files.hpp"
 
@@ -36,8 +36,8 @@ std::string meant_option(const CLI::App& verb, std::string_view option) {
   std::vector<std::string_view> known;
   for (const CLI::Option* one : verb.get_options())
     known.insert(known.end(), one->get_lnames().begin(), one->get_lnames().end());
-  const auto nearest = scenes::nearest_name(option, known);
-  return nearest ? "--" + std::string(*nearest) : "";
+  const auto closest = scenes::closest_name(option, known);
+  return closest ? "--" + std::string(*closest) : "";
 }
 
 /// For an argument that the verb does not know, CLI11 only says that it "was not expected".

@@ -2,7 +2,7 @@
 
 /// The region on the command line of `pelt region`.
 
-#include <pelt/region.hpp>
+#include <pelt/solid.hpp>
 
 #include "tools/pelt/arguments/verb.hpp"
 

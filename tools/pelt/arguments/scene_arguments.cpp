@@ -146,7 +146,7 @@ std::size_t count_left_standing(const SceneArguments& arguments, const Scene& sc
   return count;
 }
 
-/// Two models without further options probably are not where the user expects them.
+/// Two models without other options probably are not where the user expects them.
 std::vector<std::string> placing_notes(const SceneArguments& arguments, const Scene& scene) {
   std::vector<std::string> notes;
   if (const std::size_t standing = count_left_standing(arguments, scene); standing > 0)

@@ -1,6 +1,6 @@
 #include "tools/pelt/arguments/simd_argument.hpp"
 
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 #include "asset/message.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -11,12 +11,13 @@
 namespace pelt::tools::arguments {
 namespace {
 
-constexpr std::array kTargets = {Target::scalar, Target::simd128, Target::avx2};
+constexpr std::array kInstructionSets = {InstructionSet::scalar, InstructionSet::simd128,
+                                         InstructionSet::avx2};
 
 std::string available_names() {
   std::string names;
-  for (const Target target : available_targets())
-    names += (names.empty() ? "" : " or ") + std::string(name_of(target));
+  for (const InstructionSet set : available_instruction_sets())
+    names += (names.empty() ? "" : " or ") + std::string(name_of(set));
   return names;
 }
 
@@ -31,10 +32,10 @@ void add_simd_option(Verb& verb, std::string& name) {
 
 Result<void> choose_simd(const std::string& name) {
   if (name.empty()) return {};
-  const auto target = std::find_if(kTargets.begin(), kTargets.end(),
-                                   [&](Target known) { return name == name_of(known); });
-  const bool is_known = target != kTargets.end();
-  if (is_known && set_active_target(*target)) return {};
+  const auto set = std::find_if(kInstructionSets.begin(), kInstructionSets.end(),
+                                [&](InstructionSet known) { return name == name_of(known); });
+  const bool is_known = set != kInstructionSets.end();
+  if (is_known && set_active_instruction_set(*set)) return {};
   return output::bad_argument("--simd",
                               is_known ? name + " is not supported by this processor"
                                        : "unknown value " + asset::quoted(name),

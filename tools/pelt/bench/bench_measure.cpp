@@ -104,7 +104,7 @@ class Series {
 };
 
 bool is_passed_over(std::size_t index, std::size_t frame_count, const Variant& variant) {
-  const std::size_t stride = (frame_count + kMostColdFrames - 1) / kMostColdFrames;
+  const std::size_t stride = (frame_count + kMaxColdFrames - 1) / kMaxColdFrames;
   return variant.cache == Cache::cold && index % stride != 0;
 }
 

@@ -42,7 +42,7 @@ struct Times {
 inline constexpr std::uint32_t kEnoughRepetitions = 9;
 
 /// Largest number of frames measured with cold caches, evenly spaced.
-inline constexpr std::size_t kMostColdFrames = 30;
+inline constexpr std::size_t kMaxColdFrames = 30;
 
 /// Returns the times [engines][variants]. Calls `advance` after each frame of an engine.
 Result<std::vector<std::vector<Times>>> measure(const Subject& subject,

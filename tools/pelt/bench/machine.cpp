@@ -1,6 +1,6 @@
 #include "tools/pelt/bench/machine.hpp"
 
-#include <pelt/target.hpp>
+#include <pelt/instruction_set.hpp>
 
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -54,7 +54,7 @@ Machine this_machine() {
   return {cpu_name(),
           compiler_name(),
           kAsserts,
-          name_of(active_target()),
+          name_of(active_instruction_set()),
           std::thread::hardware_concurrency(),
           PELT_COMPILER_FLAGS,
           system_name(),

@@ -1,8 +1,8 @@
 #include "tools/pelt/check/check_arguments.hpp"
 
 #include "asset/message.hpp"
+#include "scenes/closest_name.hpp"
 #include "scenes/ignored_pairs.hpp"
-#include "scenes/nearest_name.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -188,7 +188,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
               {.type = "FILE"});
   verb.flag("--pairs", arguments.pairs, "Also write the triangle pairs, not only their number");
   verb.flag("--contacts", arguments.contacts,
-            "Describe how the triangles intersect: segments, curves, regions, normals, depths, "
+            "Describe how the triangles intersect: segments, curves, patches, normals, depths, "
             "joints");
   verb.flag("--inside", arguments.inside,
             "For closed surfaces, also report contained bodies and, where surfaces touch, the "

@@ -106,7 +106,7 @@ class ExtraQueries {
 
   void report(CheckReport& report) const {
     if (depths_) {
-      report.regions = depths_->regions();
+      report.patches = depths_->patches();
       report.deepest = depths_->deepest();
     }
     if (!inside_) return;

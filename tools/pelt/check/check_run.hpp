@@ -28,7 +28,7 @@ struct CheckReport {
   std::uint64_t worst_contacts = 0;
   std::vector<std::uint32_t> frames_in_contact;
   std::vector<std::uint64_t> frame_contacts;  ///< per frame
-  std::uint64_t regions = 0;                  ///< number of regions of described contacts
+  std::uint64_t patches = 0;                  ///< number of patches of described contacts
   std::vector<DepthTally::Row> deepest;
   std::optional<InsideTally> inside;  ///< if requested
   std::vector<double> frame_seconds;  ///< setting palettes and querying pairs, without sampling

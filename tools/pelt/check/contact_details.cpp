@@ -13,7 +13,7 @@ void number_joints_in_assets(ContactGeometry& geometry, const scene::Collider& a
     described.joint_b = b.joint_in_asset(described.joint_b);
   };
   for (ContactTrace& trace : geometry.traces) renumber(trace);
-  for (ContactRegion& region : geometry.regions) renumber(region);
+  for (ContactPatch& patch : geometry.patches) renumber(patch);
 }
 
 }  // namespace

@@ -82,16 +82,16 @@ std::string part_of_most(const Side& side, std::span<const std::uint32_t> member
   return side.part(std::max_element(counts.begin(), counts.end(), fewer)->first);
 }
 
-ordered_json region_json(const Side& a, const Side& b, const ContactGeometry& geometry,
-                         const ContactRegion& region) {
-  const auto members = std::span(geometry.members).subspan(region.first, region.count);
+ordered_json patch_json(const Side& a, const Side& b, const ContactGeometry& geometry,
+                        const ContactPatch& patch) {
+  const auto members = std::span(geometry.members).subspan(patch.first, patch.count);
   const auto contact_of = [&](std::uint32_t m) { return geometry.traces[m].contact; };
   return {{"traces", members},
-          {"length", region.length},
-          {"point", scene::vector_json(region.point)},
-          {"normal", scene::vector_json(region.normal)},
-          {"depth", region.depth},
-          {"joints", {a.joint(region.joint_a), b.joint(region.joint_b)}},
+          {"length", patch.length},
+          {"point", scene::vector_json(patch.point)},
+          {"normal", scene::vector_json(patch.normal)},
+          {"depth", patch.depth},
+          {"joints", {a.joint(patch.joint_a), b.joint(patch.joint_b)}},
           {"parts",
            {part_of_most(a, members, [&](std::uint32_t m) { return contact_of(m).triangle_a; }),
             part_of_most(b, members, [&](std::uint32_t m) { return contact_of(m).triangle_b; })}}};
@@ -102,15 +102,15 @@ ordered_json region_json(const Side& a, const Side& b, const ContactGeometry& ge
 ordered_json contact_geometry_json(const scene::StagedScene& staged, std::uint32_t a,
                                    std::uint32_t b, const ContactGeometry& geometry) {
   const Side side_a(staged, a), side_b(staged, b);
-  ordered_json traces = ordered_json::array(), curves = traces, regions = traces;
+  ordered_json traces = ordered_json::array(), curves = traces, patches = traces;
   for (const ContactTrace& trace : geometry.traces)
     traces.push_back(trace_json(side_a, side_b, trace));
   for (const ContactCurve& curve : geometry.curves) curves.push_back(curve_json(geometry, curve));
-  for (const ContactRegion& region : geometry.regions)
-    regions.push_back(region_json(side_a, side_b, geometry, region));
+  for (const ContactPatch& patch : geometry.patches)
+    patches.push_back(patch_json(side_a, side_b, geometry, patch));
   return {{"traces", std::move(traces)},
           {"curves", std::move(curves)},
-          {"regions", std::move(regions)}};
+          {"patches", std::move(patches)}};
 }
 
 }  // namespace pelt::tools::check

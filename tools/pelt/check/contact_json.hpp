@@ -9,7 +9,7 @@
 namespace pelt::tools::check {
 
 /// Returns the geometry of the contacts of two colliders, given by their numbers, with names of
-/// parts and joints: `traces`, `curves` and `regions` as in the manual page.
+/// parts and joints: `traces`, `curves` and `patches` as in the manual page.
 nlohmann::ordered_json contact_geometry_json(const scene::StagedScene& staged, std::uint32_t a,
                                              std::uint32_t b, const ContactGeometry& geometry);
 

@@ -11,10 +11,10 @@ void DepthTally::add(std::uint32_t frame, const scene::FrameContacts& found,
                      const ContactDetails& details) {
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {
     const scene::FrameContacts::Pair& pair = found.pairs[i];
-    for (const ContactRegion& region : details.of_pair(i).regions) {
-      ++regions_;
-      Deepest& known = deepest_[{Place{pair.a, region.joint_a}, Place{pair.b, region.joint_b}}];
-      if (region.depth > known.depth) known = {region.depth, frame};
+    for (const ContactPatch& patch : details.of_pair(i).patches) {
+      ++patches_;
+      Deepest& known = deepest_[{Place{pair.a, patch.joint_a}, Place{pair.b, patch.joint_b}}];
+      if (patch.depth > known.depth) known = {patch.depth, frame};
     }
   }
 }

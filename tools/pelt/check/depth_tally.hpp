@@ -1,6 +1,6 @@
 #pragma once
 
-/// Deepest contacts: regions of all frames, grouped by their joints.
+/// Deepest contacts: patches of all frames, grouped by their joints.
 
 #include <pelt/contact.hpp>
 
@@ -20,9 +20,9 @@ class DepthTally {
 
   void add(std::uint32_t frame, const scene::FrameContacts& found, const ContactDetails& details);
 
-  std::uint64_t regions() const { return regions_; }
+  std::uint64_t patches() const { return patches_; }
 
-  /// Two joints, their deepest region and its frame.
+  /// Two joints, their deepest patch and its frame.
   struct Row {
     std::string a, b;  ///< "knight 0 Hips"
     float depth = 0;
@@ -46,7 +46,7 @@ class DepthTally {
   std::string name(const Place& place) const;
 
   scene::StagedScene staged_;
-  std::uint64_t regions_ = 0;
+  std::uint64_t patches_ = 0;
   std::map<std::pair<Place, Place>, Deepest> deepest_;
 };
 

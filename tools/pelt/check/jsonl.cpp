@@ -89,7 +89,7 @@ ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
     if (!found) return nullptr;
     return {{"depth", found.depth},
             {"position", scene::vector_json(found.position)},
-            {"nearest", scene::vector_json(found.closest.position)},
+            {"closest", scene::vector_json(found.closest.position)},
             {"triangle", staged_.colliders[outer].number_in_asset(found.closest.triangle)}};
   };
   ordered_json pairs = ordered_json::array();

@@ -11,7 +11,7 @@
 namespace pelt::tools::check {
 namespace {
 
-constexpr std::size_t kMostRows = 10;
+constexpr std::size_t kMaxRows = 10;
 
 void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
                     const CheckReport& report, std::ostream& out) {
@@ -41,15 +41,15 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
 
 /// Prints the number of rows that a list leaves out.
 void print_rest(std::size_t count, std::ostream& out) {
-  if (count > kMostRows)
+  if (count > kMaxRows)
     out << std::right << std::setw(12) << "..."
-        << " and " << output::with_commas(count - kMostRows) << " more, see --jsonl\n";
+        << " and " << output::with_commas(count - kMaxRows) << " more, see --jsonl\n";
 }
 
 /// Returns the rows of a list to show.
 template <typename Row>
 std::span<const Row> shown(const std::vector<Row>& rows) {
-  return std::span(rows).first(std::min(rows.size(), kMostRows));
+  return std::span(rows).first(std::min(rows.size(), kMaxRows));
 }
 
 /// Width of a column of names.
@@ -114,14 +114,14 @@ std::string held_words(const scene::StagedScene& staged, const Held& held) {
 
 void print_held(const scene::StagedScene& staged, const char* name, std::span<const Held> held,
                 std::ostream& out) {
-  for (std::size_t i = 0; i < std::min(held.size(), kMostRows); ++i)
+  for (std::size_t i = 0; i < std::min(held.size(), kMaxRows); ++i)
     scene::label(out, name) << held_words(staged, held[i]) << '\n';
   print_rest(held.size(), out);
 }
 
 void print_worse(const scene::StagedScene& staged, std::span<const Worse> worse,
                  std::ostream& out) {
-  for (std::size_t i = 0; i < std::min(worse.size(), kMostRows); ++i) {
+  for (std::size_t i = 0; i < std::min(worse.size(), kMaxRows); ++i) {
     const auto& [touch, known] = worse[i];
     out << std::right << std::setw(12) << output::with_commas(touch.worst) << " ("
         << (known == 0 ? "new" : "was " + output::with_commas(known)) << ")  "
@@ -174,8 +174,8 @@ void print_comparison(const scene::StagedScene& staged, const Comparison& compar
 }
 
 void print_deepest(const scenes::Scene& scene, const CheckReport& report, std::ostream& out) {
-  scene::label(out, "regions") << output::with_commas(report.regions)
-                               << " in all\n\ndeepest regions\n";
+  scene::label(out, "patches") << output::with_commas(report.patches)
+                               << " in all\n\ndeepest patches\n";
   const int width = width_of(shown(report.deepest));
   for (const DepthTally::Row& row : shown(report.deepest)) {
     out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.depth), 6)
@@ -226,7 +226,7 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
   // Failures come first.
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   print_touching(staged.scene, report, tally, out);
-  if (report.regions > 0) print_deepest(staged.scene, report, out);
+  if (report.patches > 0) print_deepest(staged.scene, report, out);
   if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';

@@ -50,7 +50,7 @@ TouchPlace TouchTally::place_of(std::uint32_t collider, std::uint32_t triangle) 
 }
 
 void TouchTally::add(std::uint32_t frame, const scene::FrameContacts& found) {
-  std::map<Places, std::uint64_t> contacts;
+  std::map<PlacePair, std::uint64_t> contacts;
   for (const scene::FrameContacts::Pair& pair : found.pairs) {
     for (const Contact& contact : found.of(pair))
       ++contacts[ascending(place_of(pair.a, contact.triangle_a),
@@ -59,7 +59,8 @@ void TouchTally::add(std::uint32_t frame, const scene::FrameContacts& found) {
   add_frame(frame, contacts);
 }
 
-void TouchTally::add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts) {
+void TouchTally::add_frame(std::uint32_t frame,
+                           const std::map<PlacePair, std::uint64_t>& contacts) {
   const std::uint32_t take = scenes::take_index(staged_.scene, frame);
   for (const auto& [places, count] : contacts) {
     Touch& touch = touches_[{take, places}];

@@ -55,14 +55,14 @@ class TouchTally {
   std::vector<Row> parts() const;
 
  private:
-  using Places = std::pair<TouchPlace, TouchPlace>;  // ascending
-  using Key = std::pair<std::uint32_t, Places>;      // take, places
+  using PlacePair = std::pair<TouchPlace, TouchPlace>;  // ascending
+  using Key = std::pair<std::uint32_t, PlacePair>;      // take, places
   using NameOf = std::function<std::string(std::uint32_t character, std::uint32_t index)>;
 
   explicit TouchTally(const scene::StagedScene& staged) : staged_(staged) {}
 
   TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
-  void add_frame(std::uint32_t frame, const std::map<Places, std::uint64_t>& contacts);
+  void add_frame(std::uint32_t frame, const std::map<PlacePair, std::uint64_t>& contacts);
   std::vector<Row> rows(std::uint32_t TouchPlace::*index, const NameOf& name_of) const;
 
   scene::StagedScene staged_;

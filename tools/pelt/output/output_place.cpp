@@ -42,9 +42,9 @@ OutputPlace place_at(const fs::path& path) {
 
 OutputPlace find_output_place(const std::string& name) {
   if (name == kStandardOutput) return {Kind::standard_output, {}, STDOUT_FILENO};
-  constexpr int kMostLinks = 40;
+  constexpr int kMaxLinks = 40;
   fs::path path = in_real_folder(name);
-  for (int i = 0; i < kMostLinks; ++i) {
+  for (int i = 0; i < kMaxLinks; ++i) {
     if (const auto number = descriptor_at(path))
       return {*number == STDOUT_FILENO ? Kind::standard_output : Kind::descriptor, {}, *number};
     std::error_code error;

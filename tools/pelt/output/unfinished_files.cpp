@@ -18,7 +18,7 @@ struct Slot {
   std::array<char, PATH_MAX> path;
 };
 
-/// No verb writes as many files at a time; further files would not be removed on a signal.
+/// No verb writes as many files at a time; other files would not be removed on a signal.
 constexpr std::size_t kSlots = 16;
 std::array<Slot, kSlots> slots;
 

@@ -27,7 +27,7 @@ using Clock = PageConnection::Clock;
 constexpr const char* kLoopback = "127.0.0.1";
 
 /// Further connections wait until one of these ends.
-constexpr std::size_t kMostConnections = 32;
+constexpr std::size_t kMaxConnections = 32;
 
 /// Owns a file descriptor. Child processes do not inherit it.
 class Descriptor {
@@ -117,7 +117,7 @@ class PageServer {
 
   /// Waits until something can be done. Order: `stop`, the listener, each connection.
   std::vector<pollfd> wait() const {
-    const short accepting = connections_.size() < kMostConnections ? POLLIN : 0;
+    const short accepting = connections_.size() < kMaxConnections ? POLLIN : 0;
     std::vector<pollfd> waiting = {{stop_, POLLIN, 0}, {listener_, accepting, 0}};
     Clock::time_point next = Clock::now() + std::chrono::minutes(1);
     for (const Connection& connection : connections_) {

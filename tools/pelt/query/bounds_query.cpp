@@ -72,8 +72,8 @@ void BoundsQuery::add_joints(std::uint32_t collider, const SkinnedModel& model) 
   }
 }
 
-QueryStats BoundsQuery::find_joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint,
-                                       Box& box) const {
+QueryStats BoundsQuery::find_joint_box(const Pose& pose, const VertexGroups& groups,
+                                       std::uint32_t joint, Box& box) const {
   return settings_.kind == BoundsKind::exact ? exact_group_bounds(pose, groups, joint, box)
                                              : group_bounds(pose, groups, joint, box);
 }

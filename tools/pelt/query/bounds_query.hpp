@@ -3,7 +3,7 @@
 /// Query of `pelt bounds` for one frame, its totals and its output.
 
 #include <pelt/bounds.hpp>
-#include <pelt/groups.hpp>
+#include <pelt/vertex_groups.hpp>
 
 #include "tools/pelt/query/frame_query.hpp"
 
@@ -57,7 +57,7 @@ class BoundsQuery final : public FrameQuery {
 
  private:
   void add_joints(std::uint32_t collider, const SkinnedModel& model);
-  QueryStats find_joint_box(const Pose& pose, const Groups& groups, std::uint32_t joint,
+  QueryStats find_joint_box(const Pose& pose, const VertexGroups& groups, std::uint32_t joint,
                             Box& box) const;
   std::string joint_of(const Bounded& bounded) const;
   std::string name_of(const Bounded& bounded) const;
@@ -66,7 +66,7 @@ class BoundsQuery final : public FrameQuery {
 
   scene::StagedScene staged_;
   BoundsSettings settings_;
-  std::vector<Groups> groups_;  // of each collider, by joint only
+  std::vector<VertexGroups> groups_;  // of each collider, by joint only
   std::vector<Bounded> bounded_;
 };
 

@@ -17,7 +17,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Later pairs have no hint. A hint saves time and does not change the answer.
-constexpr std::size_t kMostHints = 1 << 18;
+constexpr std::size_t kMaxHints = 1 << 18;
 
 bool is_before(const PairDistance& x, const PairDistance& y) {
   return std::tie(x.a, x.b) < std::tie(y.a, y.b);
@@ -42,7 +42,7 @@ void keep_least(std::span<const PairDistance> found, std::vector<PairDistance>& 
 }  // namespace
 
 QueryStats DistanceQuery::ask(std::span<Pose> poses) {
-  nearest_now_.clear();
+  closest_now_.clear();
   found_.clear();
   next_hint_ = 0;
   QueryStats work;
@@ -61,8 +61,8 @@ QueryStats DistanceQuery::ask_pair(std::span<Pose> poses, std::uint32_t a, std::
   const DistanceOptions options = {.max_distance = settings_.within, .hint = find_hint(pair)};
   const QueryStats work = pelt::distance(poses[a], poses[b], scratch_, pair.distance, options);
   if (!pair.distance) return work;
-  nearest_now_.add(pair);
-  if (lists_ == Lists::all || found_.size() < kMostHints) found_.push_back(pair);
+  closest_now_.add(pair);
+  if (lists_ == Lists::all || found_.size() < kMaxHints) found_.push_back(pair);
   return work;
 }
 
@@ -73,17 +73,17 @@ const Distance* DistanceQuery::find_hint(const PairDistance& pair) {
   return is_known ? &hints_[next_hint_].distance : nullptr;
 }
 
-/// Adding the nearest pairs of each frame suffices: a pair that is among the nearest of all frames
-/// is among the nearest in the frame of its least distance.
+/// Adding the closest pairs of each frame suffices: a pair that is among the closest of all frames
+/// is among the closest in the frame of its least distance.
 void DistanceQuery::keep(std::uint32_t frame) {
-  for (PairDistance pair : nearest_now_.pairs()) {
+  for (PairDistance pair : closest_now_.pairs()) {
     pair.frame = frame;
-    nearest_.add(pair);
+    closest_.add(pair);
   }
   for (PairDistance& pair : found_) pair.frame = frame;
   if (lists_ == Lists::all) keep_least(found_, least_);
   hints_.assign(found_.begin(),
-                found_.begin() + static_cast<std::ptrdiff_t>(std::min(found_.size(), kMostHints)));
+                found_.begin() + static_cast<std::ptrdiff_t>(std::min(found_.size(), kMaxHints)));
 }
 
 ordered_json DistanceQuery::options_json() const {
@@ -129,7 +129,7 @@ void DistanceQuery::print(std::size_t frames, std::ostream& out) const {
     scene::print_too_few(staged_.scene, settings_.granularity, out);
     return;
   }
-  if (nearest_.pairs().empty()) {
+  if (closest_.pairs().empty()) {
     scene::label(out, "distance") << "nothing is within that distance\n";
     return;
   }
@@ -137,7 +137,7 @@ void DistanceQuery::print(std::size_t frames, std::ostream& out) const {
     return scene::place_words(staged_, staged_.colliders[collider], point);
   };
   out << "\nleast distances\n";
-  for (const PairDistance& pair : nearest_.pairs()) {
+  for (const PairDistance& pair : closest_.pairs()) {
     const Distance& distance = pair.distance;
     out << std::right << std::setw(12) << output::fixed(distance.distance, 6) << "  frame "
         << pair.frame << "  " << place(pair.a, distance.a) << "  " << place(pair.b, distance.b)

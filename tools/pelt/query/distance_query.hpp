@@ -24,7 +24,7 @@ struct DistanceSettings {
 /// least distance and once for the current frame.
 class DistanceQuery final : public FrameQuery {
  public:
-  enum class Lists { nearest, all };  ///< `all`: for `write_frame` and `write_totals`
+  enum class Lists { closest, all };  ///< `all`: for `write_frame` and `write_totals`
 
   DistanceQuery(const scene::StagedScene& staged, const DistanceSettings& settings, Lists lists)
       : staged_(staged), settings_(settings), lists_(lists) {}
@@ -39,7 +39,7 @@ class DistanceQuery final : public FrameQuery {
   void print(std::size_t frames, std::ostream& words) const override;
 
  private:
-  static constexpr std::size_t kMostRows = 10;
+  static constexpr std::size_t kMaxRows = 10;
 
   QueryStats ask_pair(std::span<Pose> poses, std::uint32_t a, std::uint32_t b);
   const Distance* find_hint(const PairDistance& pair);
@@ -52,7 +52,7 @@ class DistanceQuery final : public FrameQuery {
   scene::NearPairs near_pairs_;
   std::vector<PairDistance> hints_;  // the first pairs of the frame before
   std::size_t next_hint_ = 0;
-  LeastDistances nearest_now_ = LeastDistances(kMostRows), nearest_ = LeastDistances(kMostRows);
+  LeastDistances closest_now_ = LeastDistances(kMaxRows), closest_ = LeastDistances(kMaxRows);
   std::vector<PairDistance>
       found_;  // in this frame; if not all are listed, those of the next hints
   std::vector<PairDistance> least_;  // of all frames, if all are listed

@@ -16,7 +16,7 @@ struct PairDistance {
   std::uint32_t frame = 0;
 };
 
-/// The nearest pairs, each once, with its least distance. Stores at most a fixed number of pairs.
+/// The closest pairs, each once, with its least distance. Stores at most a fixed number of pairs.
 class LeastDistances {
  public:
   /// Stores at most `most` pairs.

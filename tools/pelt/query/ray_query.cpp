@@ -76,17 +76,17 @@ ordered_json ray_json(const HitNames& names, const Ray& ray, std::size_t number,
   return entry;
 }
 
-void print_nearest(const HitNames& names, const Ray& ray, const RayTally::Nearest& nearest,
-                   std::ostream& out) {
-  const RayHit& hit = nearest.hit;
-  const std::vector<JointShare> joints = names.joints(nearest.instance, hit);
-  scene::label(out, "nearest") << "frame " << nearest.frame << ": "
-                               << names.instance(nearest.instance) << ' '
-                               << asset::printable_name(names.part(nearest.instance, hit))
-                               << ", triangle " << hit.triangle << ", "
-                               << asset::printable_name(scenes::joint_name(
-                                      names.asset_of(nearest.instance), joints[0].joint))
-                               << '\n';
+void print_first(const HitNames& names, const Ray& ray, const RayTally::First& first,
+                 std::ostream& out) {
+  const RayHit& hit = first.hit;
+  const std::vector<JointShare> joints = names.joints(first.instance, hit);
+  scene::label(out, "first hit") << "frame " << first.frame << ": "
+                                 << names.instance(first.instance) << ' '
+                                 << asset::printable_name(names.part(first.instance, hit))
+                                 << ", triangle " << hit.triangle << ", "
+                                 << asset::printable_name(scenes::joint_name(
+                                        names.asset_of(first.instance), joints[0].joint))
+                                 << '\n';
   scene::label(out, "") << "t " << output::fixed(double{hit.t}, 6) << " at"
                         << scene::coordinates(point_of(ray, hit.t)) << ", normal"
                         << scene::coordinates(hit.normal) << '\n';
@@ -95,14 +95,14 @@ void print_nearest(const HitNames& names, const Ray& ray, const RayTally::Neares
 void print_ray(const HitNames& names, const RaySettings& settings, std::size_t number,
                const RayTally& tally, std::size_t frames, std::ostream& out) {
   scene::label(out, ("ray " + std::to_string(number)).c_str());
-  if (!tally.nearest) {
+  if (!tally.first_hit) {
     out << "hits nothing in " << output::counted(frames, "frame") << '\n';
     return;
   }
   out << "hits in " << output::with_commas(tally.frames.size()) << " of "
       << output::counted(frames, "frame") << ": "
       << scene::frame_runs(tally.frames, settings.stride) << '\n';
-  print_nearest(names, settings.rays[number], *tally.nearest, out);
+  print_first(names, settings.rays[number], *tally.first_hit, out);
 }
 
 }  // namespace

@@ -49,19 +49,19 @@ class RayHits {
 
 /// Summary of a ray: frames with hits, and the least t of all frames.
 struct RayTally {
-  struct Nearest {
+  struct First {
     std::uint32_t frame = 0, instance = 0;
     RayHit hit;
   };
   std::vector<std::uint32_t> frames;
-  std::optional<Nearest> nearest;
+  std::optional<First> first_hit;
 
   void add(std::uint32_t frame, const RayHits& hits, std::size_t ray) {
     const std::optional<std::uint32_t> first = hits.first(ray);
     if (!first) return;
     frames.push_back(frame);
     const RayHit& hit = hits.at(*first, ray);
-    if (!nearest || hit.t < nearest->hit.t) nearest = {frame, *first, hit};
+    if (!first_hit || hit.t < first_hit->hit.t) first_hit = {frame, *first, hit};
   }
 };
 

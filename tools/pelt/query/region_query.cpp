@@ -61,7 +61,7 @@ void RegionQuery::write_frame(scene::JsonLine& line) const {
     ordered_json entry = {{"index", c}, {"placement", name_of(placed_[c].placement)}};
     if (settings_.finds_triangles) {
       const TrianglesInRegion& triangles = placed_[c].triangles;
-      entry["touching"] = whole_model_numbers(staged_.colliders[c], triangles.intersecting);
+      entry["intersecting"] = whole_model_numbers(staged_.colliders[c], triangles.intersecting);
       entry["inside"] = whole_model_numbers(staged_.colliders[c], triangles.inside);
     }
     line.item(entry);

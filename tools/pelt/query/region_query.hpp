@@ -2,7 +2,7 @@
 
 /// Query of `pelt region` for one frame, its totals and its output.
 
-#include <pelt/region.hpp>
+#include <pelt/solid.hpp>
 
 #include "tools/pelt/arguments/region_arguments.hpp"
 #include "tools/pelt/query/frame_query.hpp"

@@ -13,13 +13,13 @@ namespace {
 
 /// Size of the instances in a .glb (positions, normals and indices), whose sizes have 32 bits.
 Result<void> check_glb_size(const scenes::Scene& scene) {
-  constexpr std::uint64_t kMost = 0xF0000000;
+  constexpr std::uint64_t kMax = 0xF0000000;
   std::uint64_t bytes = 0;
   for (const scenes::Instance& instance : scene.instances) {
     const asset::Asset& asset = scene.characters[instance.character].asset;
     bytes += 24 * asset.rest_positions.size() + 12 * asset.triangles.size();
   }
-  if (bytes <= kMost) return {};
+  if (bytes <= kMax) return {};
   return Error{ErrorCode::unsupported,
                scene.name + ": the posed characters take " + std::to_string(bytes >> 20) +
                    " MiB, more than a .glb file can contain: use fewer instances"};

@@ -2,7 +2,7 @@
 /// same answer.
 
 #include "asset/message.hpp"
-#include "scenes/nearest_name.hpp"
+#include "scenes/closest_name.hpp"
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
@@ -72,7 +72,7 @@ FILE is a failure, with exit code 3.
 Names that end in _us are microseconds per frame. pelt(1) describes each field, with an example.)";
 
 /// A larger number is probably a typing error.
-constexpr std::uint32_t kMostThreads = 256;
+constexpr std::uint32_t kMaxThreads = 256;
 
 constexpr std::array kQuestions = {bench::Question::all, bench::Question::first};
 constexpr std::array kCaches = {bench::Cache::hot, bench::Cache::cold};
@@ -115,10 +115,10 @@ Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
   if (text.empty()) return counts;
   for (const std::string_view word : output::split(text, ',')) {
     std::uint32_t count = 0;
-    if (!output::parse_whole(word, count) || count == 0 || count > kMostThreads) {
+    if (!output::parse_whole(word, count) || count == 0 || count > kMaxThreads) {
       return output::bad_argument(
           "--threads", asset::quoted(word) + " is not a number of threads",
-          "give numbers from 1 to " + std::to_string(kMostThreads) + " with commas between them");
+          "give numbers from 1 to " + std::to_string(kMaxThreads) + " with commas between them");
     }
     if (std::find(counts.begin(), counts.end(), count) == counts.end()) counts.push_back(count);
   }

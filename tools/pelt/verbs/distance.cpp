@@ -5,7 +5,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/query/nearest_query.hpp"
+#include "tools/pelt/query/closest_query.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -27,9 +27,9 @@ Examples:
   pelt distance scene.json --from 0,1,0 --from 0.5,1,0
 
 Reports the least distance of any two triangles and where it occurs. It is 0 if and only if
-`pelt check` finds a contact. Of equally near pairs of triangles, the lowest is reported. A surface is
+`pelt check` finds a contact. Of equally close pairs of triangles, the lowest is reported. A surface is
 not a solid: a surface wholly inside another has a positive distance from it. With --from, reports the
-distance of each point from each instance, with the nearest point of the surface.)";
+distance of each point from each instance, with the closest point of the surface.)";
 
 Result<double> choose_within(const std::optional<double>& within) {
   if (!within) return query::DistanceSettings().within;
@@ -62,11 +62,11 @@ Result<arguments::ExitCode> answer(const scene::StagedScene& staged,
                                    const arguments::FrameRange& frames,
                                    const query::QueryOutputs& outputs) {
   if (!points.empty()) {
-    query::NearestQuery query(staged, points, settings);
+    query::ClosestQuery query(staged, points, settings);
     return run(staged, frames, query, outputs);
   }
   using Lists = query::DistanceQuery::Lists;
-  query::DistanceQuery query(staged, settings, outputs.jsonl.empty() ? Lists::nearest : Lists::all);
+  query::DistanceQuery query(staged, settings, outputs.jsonl.empty() ? Lists::closest : Lists::all);
   return run(staged, frames, query, outputs);
 }
 
@@ -103,7 +103,7 @@ void add_distance(CLI::App& app, arguments::Command& chosen) {
       "Compute distances between every two instances, or every two parts, including parts of the "
       "same instance",
       {.type = "instance|part"});
-  verb.option("--within", arguments->within, "Leave out pairs that are further apart (faster)",
+  verb.option("--within", arguments->within, "Leave out pairs that are farther apart (faster)",
               {.type = "DISTANCE"});
   verb.option("--from", arguments->from, "Compute distances from this point instead (repeatable)",
               {.type = "X,Y,Z"});

@@ -73,7 +73,7 @@ export class CostMeter {
   private *askEagerly(firstContact: boolean): Steps<number> {
     const poses = this.stage.colliding;
     for (const pose of poses) {
-      pose.refitAll();
+      pose.openAll();
       yield;
     }
     let trianglePairs = 0;

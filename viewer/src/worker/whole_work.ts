@@ -22,7 +22,7 @@ export function wholeWorkOf({ character, part }: Pose): WholeWork {
 
 function refitOnce(character: Character, part: Pose['part']): WholeWork {
   const pose = character.makePose(part);
-  const { refits, posedVertices } = pose.refitAll();
+  const { refits, posedVertices } = pose.openAll();
   pose.delete();
   return { refits, posedVertices };
 }

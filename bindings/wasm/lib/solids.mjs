@@ -1,0 +1,118 @@
+/** Regions of space, and their queries. */
+
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+import { readObject } from './options.mjs';
+import { readStats } from './stats.mjs';
+
+/** Numbered as in solid.hpp. */
+const kPlacements = ['outside', 'partly', 'inside'];
+
+/** Largest number of faces of a polyhedron. */
+const kMaxFaces = 64;
+
+const { float } = check;
+const vector = (value, name) => Array.from(check.vector(value, 3, name, check.kMaxFloat));
+const matrix = (value, name) => Array.from(check.vector(value, 16, name, check.kMaxFloat));
+const size = (value, name) => check.number(value, name, 0, check.kMaxFloat);
+const sizes = (value, name) => vector(value, name).map((x, axis) => size(x, `${name}[${axis}]`));
+
+function list(value, name, least, most) {
+  if (Array.isArray(value) && value.length >= least && value.length <= most) return value;
+  const found = Array.isArray(value) ? `${value.length}` : check.kindOf(value);
+  const expected = least === most ? `${most}` : `up to ${most}`;
+  throw invalid(`${name}: expected an array of ${expected}, found ${found}`);
+}
+
+const kFaceRules = { normal: vector, offset: float };
+const kDepths = { minusOneToOne: 6, zeroToOne: 7 };
+const kUnitAxes = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+function axes(value, name) {
+  return list(value, name, 3, 3).map((axis, i) => vector(axis, `${name}[${i}]`));
+}
+
+/** Kinds of regions in the order of solids.cpp, with functions that list their numbers. */
+const kKinds = {
+  halfSpace: {
+    rules: kFaceRules,
+    write: ({ normal, offset }) => [0, normal, offset],
+  },
+  box: {
+    rules: { low: vector, high: vector },
+    write: ({ low, high }) => [1, low, high],
+  },
+  orientedBox: {
+    rules: { centre: vector, axes, half: sizes },
+    defaults: { axes: kUnitAxes },
+    write: ({ centre, axes, half }) => [2, centre, axes, half],
+  },
+  polyhedron: {
+    rules: { faces: (faces, name) => list(faces, name, 0, kMaxFaces) },
+    write: ({ faces }) => [3, faces.map(({ normal, offset }) => [normal, offset])],
+  },
+  sphere: {
+    rules: { centre: vector, radius: size },
+    write: ({ centre, radius }) => [4, centre, radius],
+  },
+  capsule: {
+    rules: { a: vector, b: vector, radius: size },
+    write: ({ a, b, radius }) => [5, a, b, radius],
+  },
+  frustum: {
+    rules: {
+      viewProjection: matrix,
+      depth: (value, name) => check.oneOf(value, Object.keys(kDepths), name),
+    },
+    defaults: { depth: 'minusOneToOne' },
+    write: ({ viewProjection, depth }) => [kDepths[depth], viewProjection],
+  },
+};
+
+/** Returns the values of `given`. Throws if one is missing. */
+function complete(memory, given, { rules, defaults = {} }, place) {
+  const values = { ...defaults, ...readObject(memory, given, rules, place) };
+  for (const key of Object.keys(rules)) {
+    if (values[key] === undefined)
+      throw invalid(`${place}.${key}: expected a value, found nothing`);
+  }
+  return values;
+}
+
+/** Passes a region to the engine. Returns the number of its kind. */
+function writeRegion(memory, region) {
+  const { kind, ...given } = check.object(region, 'region');
+  check.oneOf(kind, Object.keys(kKinds), 'region.kind');
+  const values = complete(memory, given, kKinds[kind], 'region');
+  if (kind === 'polyhedron') {
+    values.faces = values.faces.map((face, i) =>
+      complete(memory, face, { rules: kFaceRules }, `region.faces[${i}]`),
+    );
+  }
+  const [number, ...numbers] = kKinds[kind].write(values).flat(Infinity);
+  const address = memory.module._pelt_region(numbers.length);
+  memory.write(Float32Array, address, numbers, numbers.length, 'region');
+  return number;
+}
+
+/** `pose` is a handle, here and below. */
+export function classify(memory, pose, region) {
+  return kPlacements[memory.module._pelt_classify(pose, writeRegion(memory, region))];
+}
+
+export function intersectsRegion(memory, pose, region) {
+  return memory.module._pelt_intersects_region(pose, writeRegion(memory, region)) !== 0;
+}
+
+export function findTriangles(memory, pose, region) {
+  const inside = memory.module._pelt_find_triangles(pose, writeRegion(memory, region));
+  return {
+    intersecting: memory.data(Uint32Array, 1),
+    inside: memory.copy(Uint32Array, inside, memory.number(6)),
+    stats: readStats(memory),
+  };
+}

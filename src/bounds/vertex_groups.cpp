@@ -1,0 +1,120 @@
+#include "bounds/vertex_groups.hpp"
+
+#include "base/bytes_held.hpp"
+#include "base/problem.hpp"
+#include "base/require.hpp"
+#include "bounds/bounding_box.hpp"
+#include "bounds/group_vertices.hpp"
+#include "model/unpack.hpp"
+#include "pose/pose.hpp"
+#include "skin/sample_poses.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace pelt {
+namespace {
+
+using detail::Problem;
+using detail::require;
+
+VertexGroups make_groups(const SkinnedModel& model, const detail::VertexSets& sets) {
+  const detail::Tree& tree = model.detail().tree;
+  detail::VertexGroups groups = {model, {0}, {}, {}};
+  for (const std::vector<std::uint32_t>& places : sets) {
+    groups.places.insert(groups.places.end(), places.begin(), places.end());
+    groups.first_place.push_back(static_cast<std::uint32_t>(groups.places.size()));
+  }
+  groups.bounds = detail::fit_set_bounds(
+      tree, sets, detail::invent_sample_poses(detail::unpack_vertices(tree)));
+  return VertexGroups(std::make_shared<const detail::VertexGroups>(std::move(groups)));
+}
+
+/// Validates labels. Returns an empty Problem if they are valid.
+Problem check_labels(std::span<const std::uint32_t> labels, std::uint32_t triangle_count) {
+  if (labels.size() != triangle_count)
+    return detail::problem("labels has %zu elements, expected one for each of the %u triangles",
+                           labels.size(), triangle_count);
+  for (std::size_t t = 0; t < labels.size(); ++t)
+    if (labels[t] != kNoGroup && labels[t] >= triangle_count)
+      return detail::problem(
+          "labels[%zu] is %u: number the groups from 0, below the %u "
+          "triangles, or use kNoGroup",
+          t, labels[t], triangle_count);
+  return {};
+}
+
+std::uint32_t group_count(std::span<const std::uint32_t> labels) {
+  std::uint32_t count = 0;
+  for (const std::uint32_t label : labels)
+    if (label != kNoGroup) count = std::max(count, label + 1);
+  return count;
+}
+
+/// Whether the pose belongs to the groups' model.
+bool is_pose_of(const Pose& pose, const VertexGroups& groups) {
+  return &pose.model().detail() == &groups.model().detail();
+}
+
+Box to_box(const detail::BoxFound& found) {
+  return {{found.low[0], found.low[1], found.low[2]},
+          {found.high[0], found.high[1], found.high[2]}};
+}
+
+}  // namespace
+
+VertexGroups::VertexGroups(std::shared_ptr<const detail::VertexGroups> groups)
+    : groups_(std::move(groups)) {}
+
+const SkinnedModel& VertexGroups::model() const { return groups_->model; }
+std::uint32_t VertexGroups::count() const { return groups_->count(); }
+
+std::uint32_t VertexGroups::vertex_count(std::uint32_t group) const {
+  require(group < count(), "vertex_count: no group has that number; see count()");
+  return static_cast<std::uint32_t>(groups_->places_of(group).size());
+}
+
+std::size_t VertexGroups::memory_bytes() const {
+  const detail::NodeBounds& bounds = groups_->bounds;
+  return sizeof(detail::VertexGroups) + detail::bytes_held(groups_->first_place) +
+         detail::bytes_held(groups_->places) + detail::bytes_held(bounds.nodes) +
+         detail::bytes_held(bounds.joints) + detail::bytes_held(bounds.joint_boxes) +
+         detail::bytes_held(bounds.shapes) + detail::bytes_held(bounds.fits) +
+         detail::bytes_held(bounds.displacement_begin, bounds.displacements);
+}
+
+Result<VertexGroups> group_triangles(const SkinnedModel& model,
+                                     std::span<const std::uint32_t> labels) {
+  if (Problem found = check_labels(labels, model.triangle_count()); !found.empty())
+    return detail::invalid_argument(std::move(found));
+  return make_groups(model, corners_by_label(model.detail().tree, labels, group_count(labels)));
+}
+
+VertexGroups group_by_joint(const SkinnedModel& model) {
+  return make_groups(model, corners_by_joint(model.detail().tree));
+}
+
+QueryStats group_bounds(const Pose& pose, const VertexGroups& groups, std::uint32_t group,
+                        Box& result) {
+  require(is_pose_of(pose, groups),
+          "group_bounds: the groups belong to another model than the pose");
+  require(group < groups.count(), "group_bounds: no group has that number; see count()");
+  const detail::BoxFound found =
+      detail::bound_of_set(groups.detail().bounds, group, pose.detail().palette);
+  result = to_box(found);
+  return found.work;
+}
+
+QueryStats exact_group_bounds(const Pose& pose, const VertexGroups& groups, std::uint32_t group,
+                              Box& result) {
+  require(is_pose_of(pose, groups),
+          "exact_group_bounds: the groups belong to another model than the pose");
+  require(group < groups.count(), "exact_group_bounds: no group has that number; see count()");
+  const detail::BoxFound found = detail::box_places(
+      pose.model().detail().tree, pose.detail().palette, groups.detail().places_of(group));
+  result = to_box(found);
+  return found.work;
+}
+
+}  // namespace pelt

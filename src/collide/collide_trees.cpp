@@ -1,0 +1,65 @@
+/// Descent of two trees for intersecting triangles. A node is opened when a known box overlaps its
+/// bound (refit on demand, Kavan & Zara 2005, section 4.2). Opening may show that the exact boxes
+/// do not overlap, so one side of a pair is opened before the other.
+
+#include "collide/collide_trees.hpp"
+
+#include "collide/cluster_pair.hpp"
+#include "pose/open_node.hpp"
+#include "query/box_overlap.hpp"
+#include "query/contact_sink.hpp"
+#include "query/pair_descent.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_INSTRUCTION_SET {
+namespace {
+
+/// Tests the triangles of overlapping clusters until there are enough contacts.
+class IntersectingTriangles : public BoxOverlap {
+ public:
+  IntersectingTriangles(const Tree& a, const Tree& b, const ContactSink& sink, QueryStats& work)
+      : sink_(sink), triangles_(a, b, sink.contacts(), work) {}
+
+  bool is_full() const { return sink_.is_full(); }
+  bool is_impatient() const { return sink_.is_impatient(); }
+
+  void test(const PosedCluster& a, const PosedCluster& b) {
+    triangles_.add(a, b);
+    if (is_impatient()) triangles_.flush();
+  }
+
+  void flush() { triangles_.flush(); }
+
+ private:
+  const ContactSink& sink_;
+  TrianglePairs triangles_;
+};
+
+bool roots_overlap(const PosedTree& a, const PosedTree& b, QueryStats& work) {
+  ++work.node_pairs;
+  const RootBox &root_a = root_box(a, work), &root_b = root_box(b, work);
+  return boxes_overlap(root_a.low, root_a.high, root_b.low, root_b.high);
+}
+
+}  // namespace
+
+QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                         std::uint32_t max_contacts) {
+  QueryStats work;
+  scratch.found.clear();
+  if (!roots_overlap(a, b, work)) return work;
+  make_table(a);
+  make_table(b);
+  scratch.slot_pairs.clear();
+  scratch.slot_pairs.push({0, kAllSlots, 0, kAllSlots});
+  const ContactSink sink(scratch.found, max_contacts);
+  IntersectingTriangles rule(a.tree, b.tree, sink, work);
+  PairDescent descent(a, b, scratch.slot_pairs, rule, work);
+  descent.run();
+  rule.flush();
+  work.cut_short = sink.cut(descent.is_unfinished());
+  return work;
+}
+
+}  // namespace PELT_INSTRUCTION_SET
+}  // namespace pelt::detail

@@ -1,0 +1,100 @@
+#include "solid/prepared_region.hpp"
+
+#include "base/assert.hpp"
+#include "geometry/capsule_triangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pelt::detail {
+namespace {
+
+bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+FloatFace to_float_face(const Face& face) {
+  const Vec3& n = face.normal;
+  const float largest = std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
+  const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
+  return {{std::ldexp(n.x, exponent), std::ldexp(n.y, exponent), std::ldexp(n.z, exponent)},
+          {face.origin.x, face.origin.y, face.origin.z},
+          std::ldexp(face.offset, exponent)};
+}
+
+Vec3 opposite(const Vec3& v) { return {-v.x, -v.y, -v.z}; }
+
+void add_slab(const Vec3& normal, const Vec3& origin, float low, float high, FacesRegion& faces) {
+  faces.add({normal, origin, high});
+  faces.add({opposite(normal), origin, -low});
+}
+
+/// Converts each kind of region into one of the two forms.
+struct Prepare {
+  PreparedRegion& prepared;
+
+  void operator()(const HalfSpace& half) const {
+    prepared.faces.add({half.normal, {}, half.offset});
+  }
+
+  void operator()(const Box& box) const {
+    add_slab({1, 0, 0}, {}, box.low.x, box.high.x, prepared.faces);
+    add_slab({0, 1, 0}, {}, box.low.y, box.high.y, prepared.faces);
+    add_slab({0, 0, 1}, {}, box.low.z, box.high.z, prepared.faces);
+  }
+
+  void operator()(const OrientedBox& box) const {
+    const float half[] = {box.half.x, box.half.y, box.half.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      PELT_ASSERT(half[i] >= 0);
+      add_slab(box.axes[i], box.centre, -half[i], half[i], prepared.faces);
+    }
+  }
+
+  void operator()(const ConvexPolyhedron& polyhedron) const {
+    for (const HalfSpace& face : polyhedron.faces()) (*this)(face);
+  }
+
+  void operator()(const Sphere& sphere) const {
+    (*this)(Capsule{sphere.centre, sphere.centre, sphere.radius});
+  }
+
+  void operator()(const Capsule& capsule) const {
+    PELT_ASSERT(is_finite(capsule.a) && is_finite(capsule.b) && std::isfinite(capsule.radius) &&
+                capsule.radius >= 0);
+    prepared.is_capsule = true;
+    prepared.capsule.capsule = capsule;
+    const float a[] = {capsule.a.x, capsule.a.y, capsule.a.z};
+    const float b[] = {capsule.b.x, capsule.b.y, capsule.b.z};
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      prepared.capsule.low[axis] =
+          std::nextafter(std::min(a[axis], b[axis]) - capsule.radius, -kInfinity);
+      prepared.capsule.high[axis] =
+          std::nextafter(std::max(a[axis], b[axis]) + capsule.radius, kInfinity);
+    }
+  }
+};
+
+}  // namespace
+
+void FacesRegion::add(const Face& face) {
+  PELT_ASSERT(count < ConvexPolyhedron::kMaxFaces);
+  PELT_ASSERT(is_finite(face.normal) && is_finite(face.origin) && std::isfinite(face.offset));
+  exact[count] = face;
+  scaled[count] = to_float_face(face);
+  ++count;
+}
+
+TrianglePlace place_in(const FacesRegion& region, const TriangleCorners& triangle) {
+  return place_triangle(triangle, std::span(region.exact, region.count));
+}
+
+TrianglePlace place_in(const CapsuleRegion& region, const TriangleCorners& triangle) {
+  return place_triangle(triangle, region.capsule);
+}
+
+PreparedRegion::PreparedRegion(const Region& region) { std::visit(Prepare{*this}, region); }
+
+}  // namespace pelt::detail

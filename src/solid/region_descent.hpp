@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/instruction_set.hpp"
+#include "pose/posed_tree.hpp"
+#include "query/scratch.hpp"
+#include "solid/prepared_region.hpp"
+
+namespace pelt::detail {
+
+struct RegionAnswer {
+  bool touches = false;  ///< some triangle touches the region
+  bool leaves = false;   ///< some triangle is not wholly inside
+  QueryStats work;
+};
+
+/// Purpose of a descent.
+enum class RegionGoal {
+  placement,  ///< whether the surface touches it and leaves it
+  touch,      ///< whether the surface touches it
+  triangles,  ///< all triangles that touch it, and those inside
+};
+
+inline namespace PELT_INSTRUCTION_SET {
+
+/// Writes the requested triangles to `scratch.touching` and `scratch.inside`, in no particular
+/// order.
+RegionAnswer descend_in_faces(const PosedTree& posed, const FacesRegion& region, Scratch& scratch,
+                              RegionGoal goal);
+RegionAnswer descend_in_capsule(const PosedTree& posed, const CapsuleRegion& region,
+                                Scratch& scratch, RegionGoal goal);
+
+}  // namespace PELT_INSTRUCTION_SET
+}  // namespace pelt::detail

@@ -1,0 +1,93 @@
+#include <pelt/solid.hpp>
+
+#include "base/assert.hpp"
+#include "base/require.hpp"
+#include "pose/pose.hpp"
+#include "query/scratch.hpp"
+#include "query/sort_numbers.hpp"
+#include "query/yes_or_no.hpp"
+#include "solid/prepared_region.hpp"
+#include "solid/region_descent.hpp"
+
+#include <cstddef>
+
+namespace pelt {
+namespace {
+
+using detail::PreparedRegion;
+using detail::RegionAnswer;
+using detail::RegionGoal;
+
+RegionAnswer descend(Pose& pose, const PreparedRegion& region, Scratch& scratch, RegionGoal goal) {
+  const detail::PosedTree posed = pose.detail().posed_tree();
+  return region.is_capsule
+             ? detail::descend_in_capsule(posed, region.capsule, scratch.detail(), goal)
+             : detail::descend_in_faces(posed, region.faces, scratch.detail(), goal);
+}
+
+Placement placement_of(const RegionAnswer& answer) {
+  if (!answer.touches) return Placement::outside;
+  return answer.leaves ? Placement::partly : Placement::inside;
+}
+
+void append_sorted(detail::Stack<std::uint32_t>& found, Scratch& scratch,
+                   std::vector<std::uint32_t>& triangles) {
+  detail::sort_numbers(found, scratch.detail().sorting_numbers);
+  triangles.insert(triangles.end(), found.begin(), found.end());
+}
+
+}  // namespace
+
+const char* name_of(Placement placement) {
+  switch (placement) {
+    case Placement::outside:
+      return "outside";
+    case Placement::partly:
+      return "partly";
+    case Placement::inside:
+      return "inside";
+  }
+  PELT_ASSERT(false);
+  return "";
+}
+
+QueryStats classify(Pose& pose, const Region& region, Scratch& scratch, Placement& result) {
+  const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionGoal::placement);
+  result = placement_of(answer);
+  return answer.work;
+}
+
+QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch& scratch,
+                    std::span<Placement> results) {
+  detail::require(poses.size() == results.size(), "classify: give one result for each pose");
+  const PreparedRegion prepared(region);
+  QueryStats work;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const RegionAnswer answer = descend(*poses[i], prepared, scratch, RegionGoal::placement);
+    results[i] = placement_of(answer);
+    work += answer.work;
+  }
+  return work;
+}
+
+QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
+                          TrianglesInRegion& triangles) {
+  const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionGoal::triangles);
+  append_sorted(scratch.detail().touching, scratch, triangles.intersecting);
+  append_sorted(scratch.detail().inside, scratch, triangles.inside);
+  return answer.work;
+}
+
+QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
+                   std::vector<std::uint32_t>& triangles) {
+  const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionGoal::triangles);
+  append_sorted(scratch.detail().touching, scratch, triangles);
+  return answer.work;
+}
+
+YesNo intersects(Pose& pose, const Region& region, Scratch& scratch) {
+  const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionGoal::touch);
+  return detail::yes_or_no(answer.touches, answer.work);
+}
+
+}  // namespace pelt

@@ -1,0 +1,290 @@
+#include <pelt/solid.hpp>
+
+#include "solid/region_oracle.hpp"
+#include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
+#include "support/skinned_shapes.hpp"
+#include "support/values.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace pelt {
+namespace {
+
+using test::Motion;
+using test::Random;
+using test::Shape;
+using test::Weights;
+
+/// Regions of all kinds near a position and of about a given size.
+class RandomRegions {
+ public:
+  explicit RandomRegions(Random& random) : random_(random) {}
+
+  Region next(const Vec3& about, double size) {
+    about_ = about;
+    size_ = size;
+    switch (random_.index(6)) {
+      case 0:
+        return half_space();
+      case 1:
+        return box();
+      case 2:
+        return oriented_box();
+      case 3:
+        return polyhedron();
+      case 4:
+        return Sphere{point(), length()};
+      default:
+        return Capsule{point(), point(), length()};
+    }
+  }
+
+ private:
+  Vec3 point() {
+    const Vec3 away = random_.point(size_);
+    return {about_.x + away.x, about_.y + away.y, about_.z + away.z};
+  }
+
+  float length() { return random_.chance(0.1) ? 0 : random_.uniformf(0, size_); }
+
+  HalfSpace half_space() {
+    const Vec3 normal = random_.point(2), on_plane = point();
+    return {normal, normal.x * on_plane.x + normal.y * on_plane.y + normal.z * on_plane.z};
+  }
+
+  Region box() {
+    const Vec3 centre = point(), half = {length(), length(), length()};
+    return Box{{centre.x - half.x, centre.y - half.y, centre.z - half.z},
+               {centre.x + half.x, centre.y + half.y, centre.z + half.z}};
+  }
+
+  Region oriented_box() {
+    const Matrix4 turn = test::rotation_about(random_.point(1), random_.uniform(0, 3), {}, {});
+    OrientedBox box{point(), {}, {length(), length(), length()}};
+    for (std::size_t i = 0; i < 3; ++i)
+      box.axes[i] = {turn.m[4 * i], turn.m[4 * i + 1], turn.m[4 * i + 2]};
+    return box;
+  }
+
+  Region polyhedron() {
+    for (HalfSpace& face : faces_) {
+      face = half_space();
+      if (random_.chance(0.7)) face.offset += random_.uniformf(0, size_);
+    }
+    return ConvexPolyhedron{faces_};
+  }
+
+  Random& random_;
+  Vec3 about_;
+  double size_ = 0;
+  std::array<HalfSpace, 8> faces_;  // of the last polyhedron
+};
+
+/// Queries of one pose, and the answers of brute force.
+struct Asked {
+  Asked(const Shape& s, Pose& p) : shape(s), pose(p), positions(s.rest_positions.size()) {
+    posed_vertices(pose, positions);
+  }
+
+  Placement expect_as_brute_force(const Region& region) {
+    const TrianglesInRegion expected = test::brute_force(region, shape.triangles, positions);
+    const Placement placement = test::placement_of(expected, shape.triangles.size());
+    EXPECT_EQ(test::placement_of(pose, region, scratch), placement);
+    found = test::triangles_in(pose, region, scratch);
+    EXPECT_EQ(found.intersecting, expected.intersecting);
+    EXPECT_EQ(found.inside, expected.inside);
+    EXPECT_EQ(test::placement_of(pose, region, scratch), placement);
+    touching = {UINT32_MAX};
+    collide(pose, region, scratch, touching);
+    EXPECT_EQ(touching.front(), UINT32_MAX);
+    touching.erase(touching.begin());
+    EXPECT_EQ(touching, expected.intersecting);
+    EXPECT_EQ(intersects(pose, region, scratch).answer, !touching.empty());
+    return placement;
+  }
+
+  const Shape& shape;
+  Pose& pose;
+  std::vector<Vec3> positions;
+  Scratch scratch;
+  TrianglesInRegion found = {{7}, {7}};
+  std::vector<std::uint32_t> touching;
+};
+
+TEST(Region, EqualsBruteForceOnBendingLimbsOnEachTarget) {
+  test::on_each_instruction_set([](InstructionSet) {
+    Random random(540);
+    RandomRegions regions(random);
+    const Shape limb = test::make_limb(40, 12, 5);
+    Pose pose(*build_model(limb.view()));
+    std::array<int, 3> counts = {};
+    for (int round = 0; round < 100; ++round) {
+      const Vec3 place = random.point(round % 2 ? 1e4 : 2);
+      ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 5, 0.5, place)));
+      Asked asked(limb, pose);
+      for (int i = 0; i < 8; ++i)
+        ++counts[static_cast<std::size_t>(asked.expect_as_brute_force(
+            regions.next(place, random.chance(0.3) ? 20 : random.uniform(0.1, 2))))];
+    }
+    std::printf("outside %d, partly %d, inside %d\n", counts[0], counts[1], counts[2]);
+    for (const int count : counts) EXPECT_GT(count, 40);
+  });
+}
+
+TEST(Region, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
+  Random random(541);
+  RandomRegions regions(random);
+  std::array<int, 3> counts = {};
+  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
+    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial}) {
+      const Shape soup = test::make_soup(random, 200, 7, 4, weights);
+      Pose pose(*build_model(soup.view()));
+      ASSERT_TRUE(pose.set_palette(test::make_palette(random, 7, motion, 1)));
+      Asked asked(soup, pose);
+      for (int i = 0; i < 40; ++i)
+        ++counts[static_cast<std::size_t>(asked.expect_as_brute_force(
+            regions.next(asked.positions[random.index(100)], std::exp(random.uniform(-3, 3)))))];
+    }
+  std::printf("outside %d, partly %d, inside %d\n", counts[0], counts[1], counts[2]);
+  EXPECT_GT(counts[0], 30);
+  EXPECT_GT(counts[1], 100);
+}
+
+/// Faces and spheres through vertices, which only exact arithmetic can decide.
+TEST(Region, TouchingCounts) {
+  Random random(542);
+  const Shape limb = test::make_limb(20, 8, 3);
+  Pose pose(*build_model(limb.view()));
+  ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 3, 0.5, random.point(1))));
+  Asked asked(limb, pose);
+  Vec3 lowest = asked.positions[0];
+  for (const Vec3& p : asked.positions)
+    if (p.y < lowest.y) lowest = p;
+  const float below = std::nextafter(lowest.y, -100.0f);
+  EXPECT_EQ(asked.expect_as_brute_force(HalfSpace{{0, 1, 0}, lowest.y}), Placement::partly);
+  EXPECT_EQ(asked.expect_as_brute_force(HalfSpace{{0, 1, 0}, below}), Placement::outside);
+  EXPECT_EQ(asked.expect_as_brute_force(HalfSpace{{0, -1, 0}, -lowest.y}), Placement::inside);
+  EXPECT_EQ(asked.expect_as_brute_force(Sphere{lowest, 0}), Placement::partly);
+  EXPECT_EQ(asked.expect_as_brute_force(Box{lowest, lowest}), Placement::partly);
+}
+
+TEST(Region, BatchesGiveTheSameAndAddUpTheWork) {
+  Random random(543);
+  RandomRegions regions(random);
+  const Shape limb = test::make_limb(20, 8, 4);
+  const SkinnedModel model = *build_model(limb.view());
+  std::vector<Pose> poses;
+  for (int i = 0; i < 60; ++i) {
+    poses.emplace_back(model);
+    ASSERT_TRUE(poses.back().set_palette(test::bend_limb(random, 4, 0.4, random.point(3))));
+  }
+  std::vector<Pose*> pointers;
+  for (Pose& pose : poses) pointers.push_back(&pose);
+  Scratch scratch;
+  std::array<int, 3> counts = {};
+  for (int round = 0; round < 20; ++round) {
+    const Region region = regions.next({}, 6);
+    std::vector<Placement> placements(poses.size());
+    const QueryStats all = classify(pointers, region, scratch, placements);
+    QueryStats sum;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      Placement one = Placement::outside;
+      sum += classify(poses[i], region, scratch, one);
+      EXPECT_EQ(one, placements[i]);
+      ++counts[static_cast<std::size_t>(placements[i])];
+    }
+    EXPECT_EQ(all.node_pairs, sum.node_pairs);
+    EXPECT_EQ(all.triangle_pairs, sum.triangle_pairs);
+  }
+  for (const int count : counts) EXPECT_GT(count, 30);
+}
+
+TEST(Region, WhatTheRootTellsCostsOneBox) {
+  Random random(544);
+  const Shape limb = test::make_limb(40, 12, 5);
+  Pose pose(*build_model(limb.view()));
+  Scratch scratch;
+  for (const Region& region :
+       {Region(Sphere{{50, 0, 0}, 10}), Region(Sphere{{0, 0, 0}, 100}),
+        Region(Box{{20, 20, 20}, {30, 30, 30}}), Region(HalfSpace{{0, 1, 0}, 100})}) {
+    ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 5, 0.5, {})));
+    Placement placement = Placement::outside;
+    const QueryStats stats = classify(pose, region, scratch, placement);
+    EXPECT_EQ(stats.node_pairs, 1u);
+    EXPECT_EQ(stats.refits, 1u);
+    EXPECT_EQ(stats.posed_vertices, 0u);
+  }
+}
+
+TEST(Region, WorkIsTheSameOnEachTarget) {
+  Random random(545);
+  RandomRegions regions(random);
+  const Shape limb = test::make_limb(40, 12, 5);
+  Pose pose(*build_model(limb.view()));
+  Scratch scratch;
+  std::uint64_t triangles = 0;
+  for (int round = 0; round < 100; ++round) {
+    const auto palette = test::bend_limb(random, 5, 0.5, {});
+    const Region region = regions.next({}, 1);
+    std::vector<QueryStats> work;
+    test::on_each_instruction_set([&](InstructionSet) {
+      ASSERT_TRUE(pose.set_palette(palette));
+      TrianglesInRegion found;
+      work.push_back(find_triangles(pose, region, scratch, found));
+    });
+    for (const QueryStats& other : work) {
+      EXPECT_EQ(other.node_pairs, work[0].node_pairs);
+      EXPECT_EQ(other.posed_vertices, work[0].posed_vertices);
+      EXPECT_EQ(other.triangle_pairs, work[0].triangle_pairs);
+    }
+    triangles += work[0].triangle_pairs;
+  }
+  EXPECT_GT(triangles, 1000u);
+}
+
+TEST(Region, DoesNotAllocateOnceReserved) {
+  Random random(546);
+  RandomRegions regions(random);
+  const Shape limb = test::make_limb(40, 12, 5);
+  const auto count = static_cast<std::uint32_t>(limb.triangles.size());
+  Pose pose(*build_model(limb.view()));
+  Scratch scratch;
+  TrianglesInRegion found;
+  pose.reserve();
+  scratch.reserve(count);
+  found.intersecting.reserve(count);
+  found.inside.reserve(count);
+  std::vector<std::uint32_t> touching;
+  touching.reserve(count);
+  const auto palette = test::bend_limb(random, 5, 0.5, {});
+  std::size_t all = 0;
+  for (int round = 0; round < 100; ++round) {
+    const Region region = regions.next({}, 2);
+    const std::size_t before = test::allocation_count();
+    ASSERT_TRUE(pose.set_palette(palette));
+    Placement placement = Placement::outside;
+    classify(pose, region, scratch, placement);
+    found.intersecting.clear();
+    found.inside.clear();
+    find_triangles(pose, region, scratch, found);
+    touching.clear();
+    collide(pose, region, scratch, touching);
+    EXPECT_EQ(intersects(pose, region, scratch).answer, !touching.empty());
+    EXPECT_EQ(test::allocation_count(), before);
+    all += found.intersecting.size();
+  }
+  EXPECT_GT(all, count);
+}
+
+TEST(Placement, HasNames) {
+  EXPECT_STREQ(name_of(Placement::outside), "outside");
+  EXPECT_STREQ(name_of(Placement::partly), "partly");
+  EXPECT_STREQ(name_of(Placement::inside), "inside");
+}
+
+}  // namespace
+}  // namespace pelt

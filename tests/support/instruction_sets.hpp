@@ -1,0 +1,30 @@
+#pragma once
+
+/// Runs tests on every instruction set that this machine supports.
+
+#include <pelt/instruction_set.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace pelt::test {
+
+inline bool runs_here(InstructionSet set) {
+  const auto available = available_instruction_sets();
+  return std::find(available.begin(), available.end(), set) != available.end();
+}
+
+/// Calls `body(set)` for each available instruction set, while queries use it.
+template <typename Body>
+void on_each_instruction_set(const Body& body) {
+  const InstructionSet before = active_instruction_set();
+  for (const InstructionSet set : available_instruction_sets()) {
+    SCOPED_TRACE(name_of(set));
+    ASSERT_TRUE(set_active_instruction_set(set));
+    body(set);
+  }
+  set_active_instruction_set(before);
+}
+
+}  // namespace pelt::test
