@@ -29,10 +29,13 @@ macro(pelt_find package)
       set(FOUND_${package} TRUE)
     endif()
   elseif("${package}" STREQUAL libcgal-dev)
-    set(CMAKE_MESSAGE_LOG_LEVEL WARNING) # CGAL reports each library that it finds
-    find_package(CGAL QUIET)
-    unset(CMAKE_MESSAGE_LOG_LEVEL)
-    set(FOUND_${package} ${CGAL_FOUND})
+    find_library(PELT_GMP gmp)
+    if(PELT_GMP) # without it, CGAL's package stops the configuration
+      set(CMAKE_MESSAGE_LOG_LEVEL WARNING) # CGAL reports each library that it finds
+      find_package(CGAL QUIET)
+      unset(CMAKE_MESSAGE_LOG_LEVEL)
+      set(FOUND_${package} ${CGAL_FOUND})
+    endif()
   else()
     message(FATAL_ERROR "pelt_find does not know the package ${package}")
   endif()

@@ -6,6 +6,7 @@ exist and at the lines that name what was left out.
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -117,6 +118,20 @@ class Configure(unittest.TestCase):
         configured = self.configure(["libgmp-dev"])
         self.assertIn(TEST, configured.targets)
         self.assertFalse({GMP_TEST, CGAL_TEST} & configured.targets)
+
+    def test_packages_are_searched_in_one_place(self):
+        """Nothing below tests/ and tools/ searches again, under names that HIDDEN does not know."""
+        lists = [path for folder in ("tests", "tools", "asset", "scenes", "src")
+                 for path in (SOURCE / folder).rglob("CMakeLists.txt")]
+        self.assertGreater(len(lists), 30)
+        searching = [str(path) for path in lists
+                     if re.search(r"find_(library|path|program)\(", path.read_text())]
+        self.assertEqual(searching, [])
+
+    def test_unknown_test_folders_are_errors(self):
+        configured = Configured([], ["-DPELT_BUILD_TESTS=ON", "-DPELT_TEST_FOLDERS=collide;colide"])
+        self.assertNotEqual(configured.status, 0)
+        self.assertIn("tests/colide is not one of the test folders", configured.words)
 
     def test_missing_programs_are_named(self):
         programs = ("gnuplot-nox", "povray", "nodejs", "npm")

@@ -54,6 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Golden{kGenerated, "pile", "0:30:15", 26471, "2e9d2a0a5ac3029e"},
                       Golden{kShared, "two_walkers", "0:120", 1279, "51d83e213bbe2c15"},
                       Golden{kShared, "walk_through", "0:120", 36823, "a8875e78bb4a190c"},
+                      Golden{kShared, "duel", "0:30", 45808, "a4e64c2ef01e7395"},
+                      Golden{kShared, "zoo", "0:30", 48619, "c16684a34bccbd02"},
                       Golden{kShared, "crowd50", "0:30", 152545, "7c803b38920623de"}),
     scene_name);
 
