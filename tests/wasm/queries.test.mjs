@@ -131,7 +131,11 @@ test('a box is the same box in whatever way it is given', () => {
   assert.ok(box.intersecting.length > box.inside.length && box.inside.length > 300);
   for (const [kind, region] of Object.entries(kSameBoxes)) {
     const { intersecting, inside } = a.findTriangles({ kind, ...region });
-    assert.deepEqual({ intersecting, inside }, { intersecting: box.intersecting, inside: box.inside }, kind);
+    assert.deepEqual(
+      { intersecting, inside },
+      { intersecting: box.intersecting, inside: box.inside },
+      kind,
+    );
   }
 });
 
@@ -156,7 +160,9 @@ test('what lies behind a plane does so by its corners', () => {
     all.filter((t) => corners(t).some(isBehind)),
   );
   assert.ok(
-    inside.length > 300 && inside.length < intersecting.length && intersecting.length < triangleCount,
+    inside.length > 300 &&
+      inside.length < intersecting.length &&
+      intersecting.length < triangleCount,
   );
 });
 

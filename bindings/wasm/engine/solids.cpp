@@ -8,7 +8,7 @@
 namespace pelt::wasm {
 namespace {
 
-/// Same numbers as in regions.mjs.
+/// Same numbers as in solids.mjs.
 enum class Kind : std::uint32_t {
   half_space,
   box,
