@@ -3,7 +3,7 @@
 #include <pelt/crowd.hpp>
 
 #include "model/model.hpp"
-#include "pose/posed_tree.hpp"
+#include "pose/instance.hpp"
 
 #include <optional>
 #include <span>
@@ -12,24 +12,22 @@
 
 namespace pelt::detail {
 
-struct CrowdInstance {
+/// An instance of a crowd. Its nodes are open during a query only.
+struct CrowdInstance : Instance {
   CrowdInstance(SkinnedModel m, const CollisionMask& c)
-      : model(std::move(m)), mask(c), palette(rest_palette(model.detail().tree)) {}
+      : Instance(m.detail().tree), mask(c), model(std::move(m)) {}
 
   /// View of the instance for the thread that owns `arena`.
   PosedTree posed_tree(Arena& arena) {
-    return {model.detail().tree, model.detail().bounds, palette, root_box, opened, arena};
+    return Instance::posed_tree(model.detail().tree, model.detail().bounds, arena);
   }
 
   /// Closes all nodes, whose memory will be reused.
   void close() { opened = OpenedNodes(); }
 
-  SkinnedModel model;
-  CollisionMask mask;
-  Palette palette;
-  RootBox root_box;
-  OpenedNodes opened;     // valid during a query only
   bool has_moved = true;  // since the last query
+  CollisionMask mask;
+  SkinnedModel model;
 };
 
 /// The instances of a crowd by number. Some numbers may be free.

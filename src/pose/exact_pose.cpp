@@ -4,28 +4,26 @@
 
 namespace pelt::detail {
 
-ExactPose::ExactPose(const Tree& tree) : tree_(tree), palette_(rest_palette(tree)) { close_all(); }
+ExactPose::ExactPose(const Tree& tree) : tree_(tree), instance_(tree) { close_all(); }
 
 Result<void> ExactPose::set_morph_weights(std::span<const float> weights) {
-  return palette_.set_morph_weights(weights);
+  return instance_.palette.set_morph_weights(weights);
 }
 
 Result<void> ExactPose::set_palette(std::span<const Matrix4> palette) {
-  Result<void> taken = palette_.set(palette);
+  Result<void> taken = instance_.palette.set(palette);
   if (taken) close_all();
   return taken;
 }
 
 void ExactPose::close_all() {
   arena_.clear();
-  root_box_.known = false;
-  opened_ = OpenedNodes(static_cast<std::uint32_t>(tree_.nodes.size()), arena_);
+  instance_.root_box.known = false;
+  instance_.opened = OpenedNodes(static_cast<std::uint32_t>(tree_.nodes.size()), arena_);
 }
 
 QueryStats ExactPose::open_all() { return detail::open_all(posed_tree()); }
 
-PosedTree ExactPose::posed_tree() {
-  return {tree_, no_bounds_, palette_, root_box_, opened_, arena_};
-}
+PosedTree ExactPose::posed_tree() { return instance_.posed_tree(tree_, no_bounds_, arena_); }
 
 }  // namespace pelt::detail

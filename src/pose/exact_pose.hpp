@@ -4,7 +4,7 @@
 
 #include <pelt/query.hpp>
 
-#include "pose/posed_tree.hpp"
+#include "pose/instance.hpp"
 
 #include <span>
 
@@ -34,10 +34,8 @@ class ExactPose {
 
   const Tree& tree_;
   NodeBounds no_bounds_;
-  Palette palette_;
+  Instance instance_;
   Arena arena_;
-  RootBox root_box_;
-  OpenedNodes opened_;
 };
 
 }  // namespace pelt::detail

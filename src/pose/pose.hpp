@@ -3,24 +3,20 @@
 #include <pelt/pose.hpp>
 
 #include "model/model.hpp"
-#include "pose/posed_tree.hpp"
+#include "pose/instance.hpp"
 
 #include <utility>
 
 namespace pelt::detail {
 
-struct Pose {
-  explicit Pose(SkinnedModel m) : model(std::move(m)), palette(rest_palette(model.detail().tree)) {}
+struct Pose : Instance {
+  explicit Pose(SkinnedModel m) : Instance(m.detail().tree), model(std::move(m)) {}
 
   SkinnedModel model;
-  Palette palette;
   Arena arena;
-  RootBox root_box;
-  OpenedNodes opened;
 
   PosedTree posed_tree() {
-    const Model& data = model.detail();
-    return {data.tree, data.bounds, palette, root_box, opened, arena};
+    return Instance::posed_tree(model.detail().tree, model.detail().bounds, arena);
   }
 
   /// Accepts any of the forms of Palette::set.

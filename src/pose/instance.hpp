@@ -1,0 +1,25 @@
+#pragma once
+
+#include "model/node_bounds.hpp"
+#include "model/tree.hpp"
+#include "pose/posed_tree.hpp"
+
+namespace pelt::detail {
+
+/// The palette of an instance, and what queries have computed from it.
+struct Instance {
+  /// The rest pose.
+  explicit Instance(const Tree& tree) : palette(rest_palette(tree)) {}
+
+  /// View of the instance for the thread that owns `arena`. `tree` and `bounds` are those of the
+  /// instance's model.
+  PosedTree posed_tree(const Tree& tree, const NodeBounds& bounds, Arena& arena) {
+    return {tree, bounds, palette, root_box, opened, arena};
+  }
+
+  Palette palette;
+  RootBox root_box;
+  OpenedNodes opened;
+};
+
+}  // namespace pelt::detail
