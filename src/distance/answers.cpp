@@ -17,6 +17,16 @@ SurfacePoint surface_point(std::uint32_t triangle, const TriangleCorners& corner
   return point;
 }
 
+Distance distance_touching(const Contact& contact, const TriangleCorners& corners_a,
+                           const TriangleCorners& corners_b) {
+  const ClosestPoints common = common_point(corners_a, corners_b);
+  Distance closest;
+  closest.distance = 0;
+  closest.a = surface_point(contact.triangle_a, corners_a, common.a);
+  closest.b = surface_point(contact.triangle_b, corners_b, common.b);
+  return closest;
+}
+
 Distance distance_apart(const TriangleGap& gap, const DistanceOptions& options) {
   Distance closest;
   closest.distance = std::sqrt(gap.closest.squared_distance);

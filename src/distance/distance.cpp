@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"
 #include "distance/answers.hpp"
+#include "distance/least_distance.hpp"
 #include "distance/pair_search.hpp"
 #include "distance/point_search.hpp"
 #include "pose/pose.hpp"
@@ -12,7 +13,6 @@
 #include "query/sort_contacts.hpp"
 #include "query/yes_or_no.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pelt {
@@ -22,16 +22,11 @@ using detail::PosedTree;
 using detail::require;
 using detail::surface_point;
 
-/// Returns the lowest touching pair.
 Distance touching(const PosedTree& a, const PosedTree& b, const Contact& contact,
                   QueryStats& work) {
   const detail::FoundTriangle found_a = detail::find_triangle(a, contact.triangle_a, work);
   const detail::FoundTriangle found_b = detail::find_triangle(b, contact.triangle_b, work);
-  const detail::ClosestPoints common = detail::common_point(found_a.corners, found_b.corners);
-  Distance closest;
-  closest.distance = 0;
-  closest.a = surface_point(contact.triangle_a, found_a.corners, common.a);
-  closest.b = surface_point(contact.triangle_b, found_b.corners, common.b);
+  Distance closest = detail::distance_touching(contact, found_a.corners, found_b.corners);
   closest.location =
       detail::Access::location<4>({found_a.node, found_a.slot, found_b.node, found_b.slot});
   return closest;
@@ -78,24 +73,16 @@ QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scr
 QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
                     const DistanceOptions& options) {
   require(&a != &b, "distance: `a` and `b` are the same pose; give two poses");
-  require(options.max_distance >= 0 && options.tolerance >= 0,
-          "distance: the maximum distance or the tolerance is negative or NaN");
   const PosedTree tree_a = a.detail().posed_tree(), tree_b = b.detail().posed_tree();
-  const std::uint32_t wanted = options.tolerance > 0 ? 1 : CollideOptions().max_contacts;
-  QueryStats stats = find_touching(tree_a, tree_b, scratch, wanted);
-  stats.cut_short = false;
-  const detail::ClusterSlots hint =
-      options.hint ? detail::Access::numbers(options.hint->location) : detail::ClusterSlots{};
-  if (detail::Stack<Contact>& found = scratch.detail().found; !found.empty()) {
-    result = touching(tree_a, tree_b, *std::min_element(found.begin(), found.end()), stats);
-    return stats;
-  }
-  detail::TriangleGap gap;
-  const detail::SearchLimits limits = {options.max_distance, options.tolerance,
-                                       options.hint ? &hint : nullptr};
-  stats += detail::closest_triangles(tree_a, tree_b, scratch.detail(), limits, gap);
-  result = detail::distance_apart(gap, options);
-  return stats;
+  return detail::least_distance(
+      scratch.detail(), options, result,
+      [&](std::uint32_t most) { return find_touching(tree_a, tree_b, scratch, most); },
+      [&](const Contact& contact, QueryStats& work) {
+        return touching(tree_a, tree_b, contact, work);
+      },
+      [&](const detail::SearchLimits& limits, detail::TriangleGap& gap) {
+        return detail::closest_triangles(tree_a, tree_b, scratch.detail(), limits, gap);
+      });
 }
 
 QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,

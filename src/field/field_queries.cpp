@@ -2,17 +2,15 @@
 
 #include "base/require.hpp"
 #include "distance/answers.hpp"
+#include "distance/least_distance.hpp"
 #include "field/field_cast.hpp"
 #include "field/field_collide.hpp"
 #include "field/field_distance.hpp"
 #include "pose/pose.hpp"
-#include "query/access.hpp"
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
 #include "query/yes_or_no.hpp"
-
-#include <algorithm>
 
 namespace pelt {
 namespace {
@@ -23,19 +21,6 @@ using detail::PosedTree;
 QueryStats find_contacts(const PosedTree& posed, const HeightField& field, Scratch& scratch,
                          std::uint32_t max_contacts) {
   return detail::collide_field(posed, field.detail(), scratch.detail(), max_contacts);
-}
-
-/// Returns the lowest touching pair.
-Distance touching(const PosedTree& posed, const HeightField& field, const Contact& contact,
-                  QueryStats& work) {
-  const detail::FoundTriangle found = detail::find_triangle(posed, contact.triangle_a, work);
-  const detail::TriangleCorners other = field.triangle(contact.triangle_b);
-  const detail::ClosestPoints common = detail::common_point(found.corners, other);
-  Distance closest;
-  closest.distance = 0;
-  closest.a = detail::surface_point(contact.triangle_a, found.corners, common.a);
-  closest.b = detail::surface_point(contact.triangle_b, other, common.b);
-  return closest;
 }
 
 }  // namespace
@@ -55,24 +40,18 @@ YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch) {
 
 QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Distance& result,
                     const DistanceOptions& options) {
-  detail::require(options.max_distance >= 0 && options.tolerance >= 0,
-                  "distance: the maximum distance or the tolerance is negative or NaN");
   const PosedTree posed = pose.detail().posed_tree();
-  const std::uint32_t wanted = options.tolerance > 0 ? 1 : CollideOptions().max_contacts;
-  QueryStats stats = find_contacts(posed, field, scratch, wanted);
-  stats.cut_short = false;
-  if (detail::Stack<Contact>& found = scratch.detail().found; !found.empty()) {
-    result = touching(posed, field, *std::min_element(found.begin(), found.end()), stats);
-    return stats;
-  }
-  const detail::ClusterSlots hint =
-      options.hint ? detail::Access::numbers(options.hint->location) : detail::ClusterSlots{};
-  const detail::SearchLimits limits = {options.max_distance, options.tolerance,
-                                       options.hint ? &hint : nullptr};
-  detail::TriangleGap gap;
-  stats += detail::closest_field_triangle(posed, field.detail(), scratch.detail(), limits, gap);
-  result = detail::distance_apart(gap, options);
-  return stats;
+  return detail::least_distance(
+      scratch.detail(), options, result,
+      [&](std::uint32_t most) { return find_contacts(posed, field, scratch, most); },
+      [&](const Contact& contact, QueryStats& work) {
+        const detail::FoundTriangle found = detail::find_triangle(posed, contact.triangle_a, work);
+        return detail::distance_touching(contact, found.corners,
+                                         field.triangle(contact.triangle_b));
+      },
+      [&](const detail::SearchLimits& limits, detail::TriangleGap& gap) {
+        return detail::closest_field_triangle(posed, field.detail(), scratch.detail(), limits, gap);
+      });
 }
 
 QueryStats cast(const HeightField& field, std::span<const Ray> rays, std::span<RayHit> hits,
