@@ -57,6 +57,19 @@ TEST(Bench, TakesThreeMethodsTwoQueriesAndTwoCachesUnlessTold) {
     EXPECT_EQ(different.count(json::array({name, "first", "cold"})), 1u) << name;
 }
 
+TEST(Bench, RefusesASceneWithoutAPair) {
+  const TestFolder folder;
+  write_limbs(folder);
+  json scene = json::parse(read_text(folder / "scene.json"));
+  scene["instances"].erase(1);
+  write_text(folder / "alone.json", scene.dump());
+  const Ended run = run_pelt(folder, {"bench", "alone.json"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("alone.json: has 1 instance, so there is no pair to measure"),
+            std::string::npos)
+      << run.err;
+}
+
 TEST(Bench, AsksACrowdOnSoManyThreads) {
   const TestFolder folder;
   write_limbs(folder);

@@ -111,6 +111,11 @@ Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSett
 
 Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
                                         std::vector<SceneFigures>& figures, std::ostream& errors) {
+  if (scene.instances.size() < 2)
+    return output::bad_argument(asset::printable(scene.name),
+                                "has " + output::counted(scene.instances.size(), "instance") +
+                                    ", so there is no pair to measure",
+                                "add instances until there are at least two");
   const auto frames = choose_frames(scene, settings.frames);
   if (!frames) return frames.error();
   const Result<Prepared> prepared = prepare(scene, settings.models);
