@@ -6,13 +6,14 @@
  *
  * Arrays are typed and flat; an array of shape [N][3] stores element (i, j) at 3 * i + j. Matrices have
  * 16 floats in column-major order, as in three.js and glTF. Returned arrays belong to the caller and can
- * be transferred to another thread. Functions with an `out` parameter write to that array, which must
- * have the right length, instead of a new one.
+ * be transferred to another thread. Functions with an `out` parameter write to `out` instead of
+ * allocating an array. `out` must have the right length.
  *
- * Invalid arguments (an array that is too short, NaN, a pose of another engine, an unknown option) throw
- * a PeltError and change nothing. If the engine runs out of memory during a call, or fails, it ends:
- * `Pelt.hasEnded` becomes true, and every later call of the engine and of its objects throws a PeltError
- * with the code 'engine_ended'. `delete()` may still be called, and returned arrays stay valid.
+ * An engine is a loaded WebAssembly module with its own memory. Invalid arguments (an array that is too
+ * short, NaN, a pose of another engine, an unknown option) throw a PeltError and change nothing. If the
+ * engine runs out of memory during a call, or fails, it ends: `Pelt.hasEnded` becomes true, and every
+ * later call of the engine and of its objects throws a PeltError with the code 'engine_ended'.
+ * `delete()` may still be called, and returned arrays stay valid.
  *
  * Characters, poses, crowds and hashes live in the memory of the engine, which is limited to 2 GB.
  * `delete()` frees an object at once. Otherwise it is freed when the garbage collector finalises it.
@@ -38,7 +39,7 @@ export * from './types/contacts.js';
 export * from './types/distances.js';
 export * from './types/scene.js';
 
-/** Loads an engine, a module with its own memory. Each Web Worker must load its own engine. */
+/** Loads an engine. Each Web Worker must load its own engine. */
 export function loadPelt(): Promise<Pelt>;
 
 export type ErrorCode =
@@ -84,10 +85,11 @@ export interface Pelt {
   generateFace(options?: FaceOptions): Character;
 
   /**
-   * Reads a scene file (docs/scenes.md) and prepares it like `pelt check`, with the same contacts and
-   * counters. `files` contains the file `path` and all files that it refers to, with paths relative to
-   * one common folder. For example, "scenes/duel.json" may refer to "../models/knight.glb", which must
-   * then be in `files` as "models/knight.glb".
+   * Reads a scene file (docs/scenes.md) and prepares its characters like `pelt check`. Queries of the
+   * scene therefore find the same contacts and count the same work. `files` contains the file `path` and
+   * all files that it refers to, with paths relative to one common folder. For example,
+   * "scenes/duel.json" may refer to "../models/knight.glb", which must then be in `files` as
+   * "models/knight.glb".
    */
   readScene(path: string, files: Files, options?: ModelOptions): Scene;
 
@@ -107,16 +109,17 @@ export interface Pelt {
   intersects(a: Pose, b: Pose): boolean;
 
   /**
-   * Finds the same contacts like an engine without refitting on demand: skins all vertices, computes
-   * the exact boxes of all nodes bottom-up, and runs the same descent. Calls `Pose.openAll` for a pose
-   * whose palette was set after the last call of it, and counts that as work of this query. Nodes opened
-   * by queries on demand stay open.
+   * Finds the same contacts as `collide` without computing boxes on demand, for comparisons: skins all
+   * vertices, computes the exact boxes of all nodes bottom-up, and then runs the same descent. Calls
+   * `Pose.openAll` for each pose whose palette or morph weights were set since the last `openAll`, and
+   * counts this as work of the query. Does not affect the nodes that other queries have opened.
    */
   collideEagerly(a: Pose, b: Pose, options?: CollideOptions): Contacts;
 
   /**
-   * Describes where and how the triangles of the contacts intersect, chained into curves and gathered
-   * into patches. Precondition: `pairs` is the result of `collide` for the current poses.
+   * Describes where and how the triangles of the contacts intersect. Chains their segments of
+   * intersection into curves, and gathers connected contacts into patches.
+   * Precondition: `pairs` is the result of `collide` for the current poses.
    */
   describeContacts(a: Pose, b: Pose, pairs: Uint32Array): ContactGeometry;
 
@@ -133,8 +136,8 @@ export interface Pelt {
   isWithin(a: Pose, b: Pose, tolerance: number): boolean;
 
   /**
-   * Returns the vertex of `a` that lies inside `b` and is farthest from its surface, or null if no
-   * vertex lies inside. Precondition: `b` is closed (see `Pose.isClosed`).
+   * Returns the vertex of `a` that lies inside `b` and is farthest from the surface of `b`, or null if no
+   * vertex of `a` lies inside `b`. Precondition: `b` is closed (see `Pose.isClosed`).
    */
   deepestVertex(a: Pose, b: Pose): Penetration | null;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Characters from files: meshes, skeletons and clips, converted to the input of the library. All
+/// Characters from glTF files: meshes for `build_model`, and joint palettes from clips. All
 /// computations from the file to the palette use only + - * / and square roots in a fixed order,
 /// and polynomials for sines, so the same file gives the same bits on every platform.
 
@@ -43,7 +43,9 @@ struct Node {
   Matrix4 matrix;  ///< relative to the parent
 };
 
-/// Entry j of the joint palette is `instance placement * global(node) * inverse_bind`.
+/// A joint of the palette. Its matrix in the palette is placement x global x inverse_bind, where
+/// placement is the world matrix of the instance, and global is the transform from the node to the
+/// scene.
 struct Joint {
   std::uint32_t node = 0;  ///< index into Asset::nodes
   Matrix4 inverse_bind;    ///< rest position -> joint space
@@ -54,8 +56,8 @@ struct Part {
   std::string node, mesh, material;  ///< names; empty if the file has none
   std::uint32_t first_triangle = 0, triangle_count = 0;
 
-  /// False for an unskinned mesh, which follows its node as a single joint. Its rest positions are
-  /// those of the default pose.
+  /// False for an unskinned mesh, which follows its node as a single joint. The part's rest
+  /// positions are then those of the default pose.
   bool skinned = false;
 };
 
@@ -94,7 +96,7 @@ struct Clip {
 /// per joint, 16 per vertex that a morph target displaces, and 4 per key time and per number in the
 /// keys' values. Nothing else grows with the mesh.
 struct PELT_API Asset {
-  std::vector<Vec3> rest_positions;          ///< [V] in mesh space; if unskinned, see Part::skinned
+  std::vector<Vec3> rest_positions;          ///< [V] in mesh space; see also Part::skinned
   std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
   std::uint32_t influences_per_vertex = 1;   ///< K
   std::vector<std::uint16_t> joint_indices;  ///< [V][K] into `joints`
@@ -111,7 +113,7 @@ struct PELT_API Asset {
   std::vector<Clip> clips;
   std::vector<std::string> warnings;  ///< contents of the file that Pelt ignored
 
-  /// View for `build_model`, which borrows from this asset. O(1), copies nothing.
+  /// Returns a view of the arrays of this asset, for `build_model`. O(1), copies nothing.
   SkinnedMeshView mesh() const;
 
   /// Returns the first clip with this name ("" finds an unnamed clip), or null. The clip belongs to
@@ -143,11 +145,14 @@ struct GltfOptions {
 /// Rotations are normalised, because files round them. Weights are copied unchanged; `build_model`
 /// validates them.
 ///
-/// Cost: O(bytes of the file + size of the asset), apart from a factor log J for joints. Accessors
-/// are decoded once for each use, and a mesh is copied for each node that has it. While loading,
-/// memory holds the file, the files that it refers to, and decoded copies, in addition to the
-/// asset. A file whose contents need more than 256 times its size plus 16 MiB is an error. On
-/// 32-bit platforms, the limits are 256 MiB and two million values in the JSON.
+/// Cost: O(bytes of the files + size of the asset), with an additional factor log J for the joints
+/// of skins. Accessors are decoded once for each use, and a mesh is copied for each node that has
+/// it. While loading, memory contains the file, the files that it refers to, and decoded copies, in
+/// addition to the asset.
+///
+/// Limits: a file whose contents need more memory than 256 times the size of the file plus 16 MiB
+/// is an error. On 32-bit platforms, contents that need more than 256 MiB, and JSON with more than
+/// two million values, are also errors.
 ///
 /// Returns an error that names the accessor, node or extension. Rotations whose squared length is
 /// farther than 1/16 from 1 are an error.

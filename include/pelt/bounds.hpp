@@ -22,9 +22,9 @@ struct Bounds {
 };
 
 struct BoundsOptions {
-  /// Number of tree levels to open, except for nodes within the box found so far. With 0, box and
-  /// sphere come from the joint palette alone. The box is exact if `levels` is at least the depth
-  /// of the tree.
+  /// Number of tree levels to open. Nodes that cannot extend the box found so far are skipped. With
+  /// 0, box and sphere are computed from the joint palette alone. The box is exact if `levels` is
+  /// at least the depth of the tree.
   std::uint32_t levels = 0;
 };
 
@@ -32,21 +32,25 @@ struct BoundsOptions {
 /// joint palette. The guarantee includes rounding: both contain the float32 posed vertices (see
 /// `posed_vertices`) of all triangles.
 ///
-/// Cost: O(J) with `levels` 0, without posing or opening anything. The box then costs about as much
-/// as `set_palette`, and the sphere one and a half times that. Each additional level costs the
-/// opening of a few nodes.
+/// Cost: O(J) with `levels` 0, without posing or opening anything. Box and sphere together then
+/// cost about two and a half times as much as `set_palette`. Each additional level opens a few more
+/// nodes. Allocates only in the pose, for nodes that are opened.
 ///
-/// Accuracy: for a human in motion, the box of `levels` 0 is a few per cent to 25 % larger than the
-/// exact one; three levels leave less than 10 %. The box of `levels` 0 encloses a posed box per
-/// joint. Before posing, this box encloses the rest positions that the joint moves. (This is eq. 2
-/// of Kavan & Zara 2005, with boxes, and with one body per joint.)
+/// Accuracy: for a human in motion, the box with `levels` 0 is a few per cent to 25 % larger than
+/// the exact box. With `levels` 3, it is less than 10 % larger.
+///
+/// Source: with `levels` 0, each joint has a box around the rest positions that it moves. The joint
+/// palette transforms these boxes, and the result encloses all of them (eq. 2 of Kavan & Zara 2005,
+/// with boxes, and with one body per joint). A model whose weights are nearly affine in the rest
+/// position, for example with one joint, may have a tighter bound instead.
 PELT_API QueryStats bounds(Pose& pose, Bounds& result, const BoundsOptions& options = {});
 
 /// Writes the exact box: bit for bit the smallest and largest coordinates of the posed vertices
 /// that triangles use (see `posed_vertices`), except that zeros are positive. The sphere is
 /// guaranteed to enclose the surface.
 ///
-/// Cost: opens only nodes that may reach beyond the box found so far.
+/// Cost: opens only nodes that may reach beyond the box found so far. Allocates only in the pose,
+/// for nodes that are opened.
 PELT_API QueryStats exact_bounds(Pose& pose, Bounds& result);
 
 }  // namespace pelt

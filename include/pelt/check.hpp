@@ -13,8 +13,8 @@ namespace pelt {
 /// compares these bounds and those stored in the pose with the positions of `posed_vertices`, and
 /// leaves the pose unchanged.
 ///
-/// Returns an empty string if every bound encloses its vertices. Otherwise returns the first
-/// violation with node, bound and distance; this is a bug in Pelt.
+/// Returns an empty string if every bound encloses its vertices. Otherwise returns a message with
+/// the node, bound and distance of the first violation. A violation is a bug in Pelt.
 ///
 /// Cost: O(T + V). Allocates.
 PELT_API std::string check_bounds(const Pose& pose);

@@ -22,8 +22,8 @@ struct Contact {
 
 struct CollideOptions {
   /// Stop after this number of contacts. Which contacts are found first is unspecified;
-  /// `QueryStats::cut_short` says whether any may be missing. With 0, the query only tests whether
-  /// the boxes of the two poses overlap, and returns that in `cut_short`.
+  /// `QueryStats::cut_short` says whether any may be missing. With 0, the query finds no contact,
+  /// and `cut_short` says whether the boxes of the two poses overlap.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 };
 
@@ -42,7 +42,8 @@ struct CollideOptions {
 /// descended together; vertices are posed and boxes computed only where boxes overlap, once per
 /// palette. Poses that are far apart cost O(J).
 ///
-/// Allocates only if the contacts, or the nodes to open, need more memory than before.
+/// Allocates only if it needs more memory in the poses, in `scratch` or in `contacts` than any
+/// earlier query.
 ///
 /// Source: computing boxes on demand is section 4.2 of Kavan & Zara 2005. Tree and boxes are Pelt's
 /// own.

@@ -1,8 +1,9 @@
 #pragma once
 
-/// Geometry of contacts: where two skins intersect, as segments chained into curves and gathered
-/// into patches, with positions, normals and joints for solvers, reports and pictures. Call
-/// `describe_contacts` after `collide`.
+/// Geometry of contacts, for solvers, reports and pictures. Call `describe_contacts` after
+/// `collide`. For each contact, it computes positions, a normal, a depth and joints. It also chains
+/// the segments in which triangles intersect into curves, and gathers connected contacts into
+/// patches.
 
 #include <pelt/cxx20.hpp>
 
@@ -20,12 +21,12 @@ namespace detail {
 struct Surface;
 }
 
-/// Stores which triangles of a model are adjacent, and for each triangle the joint with the largest
-/// sum of weights over its vertices. Create one surface per model. Immutable, cheap to copy (copies
+/// Adjacency of the triangles of a model, and for each triangle the joint with the largest sum of
+/// weights over its vertices. Create one surface per model. Immutable, cheap to copy (copies
 /// share), safe to use from any number of threads.
 class PELT_API Surface {
  public:
-  /// O(T log T). Allocates 22 bytes per triangle.
+  /// Cost: O(T log T). Allocates. The surface takes about 14 bytes per triangle.
   explicit Surface(const SkinnedModel& model);
 
   /// Whether each edge has exactly two triangles that traverse it in opposite directions, so that
@@ -46,32 +47,32 @@ class PELT_API Surface {
 enum class ContactKind : std::uint8_t {
   segment,   ///< the triangles intersect in a segment
   point,     ///< the triangles touch in one point
-  coplanar,  ///< the triangles overlap or touch in one plane; there are no ends
-  collapsed  ///< a triangle has collapsed to a segment or a point; there are no ends
+  coplanar,  ///< the triangles overlap or touch in one plane
+  collapsed  ///< a triangle has collapsed to a segment or a point
 };
 
-/// The intersection of two triangles. Which features (vertices, edges or interiors) of the
-/// triangles meet is decided exactly on the float32 posed vertices. Positions are rounded.
+/// The intersection of two triangles. The features (vertices, edges or interiors) that meet are
+/// determined exactly from the float32 posed vertices. Positions are rounded.
 struct ContactTrace {
   Contact contact;
   ContactKind kind = ContactKind::segment;
 
-  /// Ends of the segment, in the direction n_a x n_b of the triangles' normals; for kind `point`,
-  /// both are that point. Each coordinate is off by less than 2^-23 times the largest coordinate of
-  /// the two triangles. For kinds `coplanar` and `collapsed`, both are the midpoint between the
-  /// centres of the two triangles.
+  /// Ends of the segment. The direction from `from` to `to` is n_a x n_b, for the normals n_a and
+  /// n_b of the triangles. For kind `point`, `from` and `to` are both that point. Each coordinate
+  /// is off by less than 2^-23 times the largest coordinate of the two triangles. For kinds
+  /// `coplanar` and `collapsed`, `from` and `to` are both the midpoint between the centres of the
+  /// triangles.
   Vec3 from, to;
 
-  /// Unit vector, the direction in which `a` should move to leave `b`: the bisector of n_b and
-  /// -n_a, for the unit normals n_a and n_b of the triangles. If n_a equals n_b, it is n_b. A
-  /// collapsed triangle has the normal zero here, so `normal` is zero only if both triangles have
-  /// collapsed.
+  /// Direction in which `a` should move to leave `b`: the unit vector along n_b - n_a, for the unit
+  /// normals n_a and n_b of the triangles, or n_b if both normals are equal. If one triangle has
+  /// collapsed, its normal counts as zero. If both have collapsed, `normal` is zero.
   Vec3 normal;
 
   /// How far the triangle of `a` reaches behind the triangle of `b` along `normal`. If the triangle
-  /// of `a` moved by `depth` along `normal`, the triangles would at most touch. Never larger than
-  /// the triangles, so a finer mesh makes it smaller. It does not measure the depth of one body
-  /// inside another; see `deepest_vertex`.
+  /// of `a` moved by `depth` along `normal`, the triangles would at most touch. The depth depends
+  /// on the size of the triangles: a finer mesh makes it smaller. For the depth of one body inside
+  /// another, see `deepest_vertex`.
   float depth = 0;
 
   /// For each of the two triangles, the joint with the largest sum of weights over the triangle's
@@ -92,42 +93,48 @@ struct ContactCurve {
 };
 
 /// A connected set of contacts. Two contacts are neighbours if they share one triangle and their
-/// other triangles share a vertex.
+/// other triangles share a vertex. Means are weighted by the lengths of the segments, or are plain
+/// means if all lengths are zero.
 struct ContactPatch {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::members
   float length = 0;                    ///< sum of the lengths of all segments
-  Vec3 point;                          ///< mean of the traces' midpoints, weighted by length
-  Vec3 normal;      ///< mean of the traces' normals, likewise; unit length, or zero if they cancel
+  Vec3 point;                          ///< mean of the traces' midpoints
+  Vec3 normal;      ///< unit vector along the mean of the traces' normals; zero if they cancel
   float depth = 0;  ///< the largest depth of the traces
   std::uint16_t joint_a = 0, joint_b = 0;  ///< the most frequent joints of the traces
 };
 
-/// Result of `describe_contacts`. Reuse the object: writing to it again allocates only for more
-/// contacts than before.
+/// Result of `describe_contacts`. Reuse one object for many calls, which then allocate only if
+/// there are more contacts, curves or patches than before.
 struct ContactGeometry {
   std::vector<ContactTrace> traces;    ///< one per contact, in the order of the contacts
   std::vector<CurveStep> steps;        ///< steps of all curves, curve by curve
   std::vector<ContactCurve> curves;    ///< all segments, each in one curve
   std::vector<std::uint32_t> members;  ///< indices into `traces`, ascending within each patch
-  std::vector<ContactPatch> patches;   ///< the one with the most contacts first
+  std::vector<ContactPatch> patches;   ///< in descending order of their `count`
 };
 
-/// Replaces the content of `geometry` with the geometry of contacts that `collide(a, b, ...)` has
-/// found.
+/// Computes the geometry of contacts that `collide(a, b, ...)` has found. Replaces the contents of
+/// `geometry`, unlike other queries, which append to lists.
 ///
-/// Curves are chained by the features that intersect and not by coordinates, so they are complete:
-/// two closed surfaces in general position intersect in closed curves. Curves end at the border of
-/// a surface that is not closed, and where more than two segments meet. The latter happens if edges
-/// lie in faces, vertices lie on edges, or the surfaces have parts in common.
+/// Segments are chained by the features that intersect and not by coordinates, so no curve is
+/// broken by rounding: two closed surfaces in general position intersect in closed curves. A curve
+/// ends at the border of a surface that is not closed. A curve also ends where more than two
+/// segments meet, which happens if an edge lies in a triangle, if a vertex lies on an edge, or if
+/// the surfaces have parts in common.
 ///
 /// Preconditions:
-/// `a`, `b`: with the palettes and morph weights of the call of `collide`.
+/// `a`, `b`: the poses of that call of `collide`, with unchanged palettes and morph weights.
 /// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`. The surface of another model
 ///   aborts the program, in every build.
 /// `contacts`: ascending, without repetition, and in range.
 ///
 /// Cost: O(C log C) for C contacts. Opens the nodes that contain the contacts, unless they are
 /// still open from `collide`.
+///
+/// Allocates in the poses, for nodes that are opened. Also allocates in `scratch`, even if it is
+/// reserved, and in `geometry`, if there are more contacts, curves or patches than in any earlier
+/// call with these objects. If memory runs out, the contents of `geometry` are unspecified.
 PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b,
                                       const Surface& surface_b, std::span<const Contact> contacts,
                                       Scratch& scratch, ContactGeometry& geometry);

@@ -64,9 +64,9 @@ struct CrowdStats : QueryStats {
 };
 
 /// Up to tens of thousands of instances of a few models, which are queried together. An instance
-/// stores its joint palette and a few words. Queries store opened nodes in memory that all
-/// instances share. They recycle this memory after each island. An island is a set of pairs that
-/// are linked by common instances.
+/// stores little more than its joint palette. Queries store opened nodes in memory that all
+/// instances share. An island is a set of pairs that are linked by common instances. After each
+/// island, queries recycle the memory of its nodes.
 ///
 /// In each frame, call `set_palette` for the instances that have moved, then a query. Instances are
 /// numbered from 0. Functions without a stated cost take O(1).
@@ -85,7 +85,9 @@ class PELT_API Crowd {
   /// Cost: O(J). Allocates. If memory runs out, throws std::bad_alloc and the crowd is unchanged.
   std::uint32_t add(const SkinnedModel& model, const CollisionMask& mask = {});
 
-  /// Removes an instance. Precondition of this function and of all functions below: `instance` was
+  /// Removes an instance.
+  ///
+  /// Precondition, also of the functions below that have a parameter `instance`: `instance` was
   /// returned by `add` and has not been removed since.
   void remove(std::uint32_t instance);
 
@@ -100,13 +102,16 @@ class PELT_API Crowd {
   /// computes the box of the instance. Several threads may set palettes of different instances at
   /// the same time.
   ///
-  /// Cost: O(J). Allocates nothing.
+  /// Cost: O(J), and at most O(J) for each morph weight other than 0. Allocates nothing.
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const float> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const double> palette);
 
   /// Copies the morph weights of an instance, or returns an error, like Pose::set_morph_weights.
+  /// Also computes the box of the instance.
+  ///
+  /// Cost: O(M + J), and at most O(J) for each weight other than 0. Allocates nothing.
   Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
 
   /// Appends all contacts of all pairs of instances to `contacts`, in ascending order. Exact like
@@ -114,9 +119,9 @@ class PELT_API Crowd {
   ///
   /// Cost: the broad phase runs on one thread. For n instances it takes O(n log n) to sort the
   /// boxes along the axis with the largest spread, and one comparison per pair of boxes that
-  /// overlap along this axis, eight at a time. The remaining work runs on all threads: each pair
-  /// with overlapping boxes costs as much as `collide`, but an instance that is in several pairs
-  /// opens each node only once.
+  /// overlap along this axis. Eight pairs are compared at a time. The remaining work runs on all
+  /// threads: each pair with overlapping boxes costs as much as `collide`, but an instance that is
+  /// in several pairs opens each node only once.
   ///
   /// Allocates if there are more pairs, more contacts or more nodes to open than in any earlier
   /// query, and for the first query with more threads. A frame that resembles earlier frames
@@ -129,7 +134,8 @@ class PELT_API Crowd {
   CrowdStats collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options = {});
 
   /// Appends the pairs of intersecting instances to `pairs`, in ascending order. Like `collide`,
-  /// but cheaper, because a pair ends with its first contact. Ignores `max_contacts`.
+  /// but cheaper, because each pair of instances is tested only until its first contact. Ignores
+  /// `max_contacts`.
   CrowdStats intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
 
   /// Bytes of memory of the crowd, without its models. O(n).

@@ -4,18 +4,23 @@
 ///
 /// Exactness: answers are a function of the float32 posed vertices only (see `posed_vertices`).
 /// They do not depend on earlier queries or on the machine. The distance of two triangles is 0 if
-/// and only if they intersect as in `collide`, which is decided exactly. Otherwise it is computed
-/// in double and is positive. Its error is less than 2^-46 times the longest side of the
-/// axis-aligned box around both triangles. It is also not more than a 2^-20th less than the
-/// distance of the axis-aligned boxes of the two triangles, if that is at least 2^-48. Of equally distant triangles, those with the
-/// lowest indices are reported.
+/// and only if they intersect as in `collide`, which is decided exactly. Otherwise the distance is
+/// computed in double and is positive. Of equally distant triangles, those with the lowest indices
+/// are reported.
 ///
-/// A surface is not a solid: a body inside another one that it does not touch has a positive
-/// distance. For a rigid or static mesh, build a model with one joint.
+/// Error: the error of the distance of two triangles is less than 2^-46 times the longest side of
+/// the axis-aligned box around both triangles. The distance is also at least (1 - 2^-20) g, where g
+/// is the distance between the axis-aligned box of one triangle and that of the other, if g is at
+/// least 2^-48.
 ///
-/// All trees are searched nearest first, and only nodes that are nearer than the best pair so far
-/// are opened. Source: branch and bound after Quinlan, "Efficient distance computation between
-/// non-convex objects", 1994; boxes on demand after Kavan & Zara 2005, section 4.2.
+/// A surface is not a solid: if one body is inside another and does not touch it, their distance is
+/// positive. For a rigid or static mesh, build a model with one joint.
+///
+/// Cost: queries visit the parts of a tree in ascending order of the distance of their boxes. They
+/// open a node only if its box is closer than the closest triangles found so far.
+///
+/// Source: branch and bound after Quinlan, "Efficient distance computation between non-convex
+/// objects", 1994. Computing boxes on demand is section 4.2 of Kavan & Zara 2005.
 
 #include <pelt/cxx20.hpp>
 
@@ -59,19 +64,20 @@ struct ClosestPointOptions {
 };
 
 /// Writes the point of the posed surface that is closest to `point`. The error of the distance is
-/// the same as for two triangles (see above). Unlike there, the distance of a point on the surface
-/// may be slightly more than 0.
+/// the same as for two triangles (see above), but the distance of a point on the surface may be
+/// slightly more than 0.
 ///
 /// Precondition: the coordinates of `point` are finite and at most 2^60.
 ///
-/// Cost: grows with the parts of the surface that are about as close as the closest point.
+/// Cost: grows with the number of triangles that are about as close as the closest point. Allocates
+/// only if it needs more memory in the pose or in `scratch` than any earlier query.
 PELT_API QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch,
                                   ClosestPoint& result, const ClosestPointOptions& options = {});
 
 /// Writes the closest point for each of `points`. Nodes that one point opens stay open for the
 /// others, so sort the points such that neighbours follow each other.
 ///
-/// Precondition: `results` has one element per point.
+/// Precondition: `results` has one element per point. Otherwise the program aborts, in every build.
 PELT_API QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,
                                    std::span<ClosestPoint> results,
                                    const ClosestPointOptions& options = {});
@@ -82,8 +88,8 @@ struct Distance {
   /// are then meaningless.
   double distance = std::numeric_limits<double>::infinity();
 
-  /// Proven lower bound of the least distance: equal to `distance` if the tolerance is 0, and to
-  /// `max_distance` if nothing is within that.
+  /// Proven lower bound of the least distance. Equals `distance` if the tolerance is 0. Equals
+  /// `max_distance` if nothing is within `max_distance`.
   double lower_bound = 0;
 
   SurfacePoint a, b;
@@ -99,13 +105,13 @@ struct DistanceOptions {
   /// Ignore everything farther away. Negative or NaN aborts the program, in every build.
   double max_distance = std::numeric_limits<double>::infinity();
 
-  /// Allowed excess of the result over the least distance. The query then ends earlier, with a
-  /// proven `lower_bound`, and the pair that it finds depends on earlier queries. Negative or NaN
-  /// aborts the program, in every build.
+  /// Allowed excess of the result over the least distance. With a positive tolerance, the query
+  /// ends earlier, with a proven `lower_bound`, and the result depends on earlier queries. Negative
+  /// or NaN aborts the program, in every build.
   double tolerance = 0;
 
   /// An earlier result for the same two models in nearly the same poses, or null. The search starts
-  /// where that result was found. If the tolerance is 0, answers do not depend on the hint.
+  /// at the triangles of that result. If the tolerance is 0, answers do not depend on the hint.
   const Distance* hint = nullptr;
 };
 
@@ -115,8 +121,11 @@ struct DistanceOptions {
 /// Precondition: `a` and `b` are different poses, of one model or of two. Passing one pose twice
 /// aborts the program, in every build.
 ///
-/// Cost: poses that touch cost as much as `collide`, because the lowest touching pair is reported;
-/// with a tolerance, as much as `intersects`.
+/// Cost: grows with the parts of the surfaces that are about as close as the closest points. If the
+/// poses touch, the query costs as much as `collide`, because all touching pairs are found and the
+/// lowest is reported. With a positive tolerance, poses that touch cost as much as `intersects`.
+///
+/// Allocates only if it needs more memory in the poses or in `scratch` than any earlier query.
 PELT_API QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
                              const DistanceOptions& options = {});
 
@@ -142,6 +151,9 @@ struct ClearanceOptions {
 /// `tolerance`: not negative or NaN. Otherwise the program aborts, in every build.
 ///
 /// Cost: grows with the parts of the surfaces that are within the tolerance.
+///
+/// Allocates only if it needs more memory in the poses, in `scratch` or in `pairs` than any earlier
+/// query.
 PELT_API QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
                               std::vector<NearPair>& pairs, const ClearanceOptions& options = {});
 

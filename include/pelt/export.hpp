@@ -6,7 +6,7 @@
 ///
 /// On Windows, the users of the shared libraries define PELT_SHARED, as Pelt's CMake targets and
 /// pkg-config files do. The libraries themselves also define PELT_BUILDING. Other systems need
-/// neither, and use the same objects for static and shared libraries.
+/// neither macro, and use the same object files for static and shared libraries.
 
 #if !defined(_WIN32)
 #define PELT_API __attribute__((visibility("default")))

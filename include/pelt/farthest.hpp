@@ -13,7 +13,7 @@
 
 namespace pelt {
 
-/// A vertex, as a corner of a triangle.
+/// Result of `farthest_vertex`. Identifies the vertex by a triangle and one of its corners.
 struct FarthestVertex {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
@@ -21,6 +21,7 @@ struct FarthestVertex {
   std::uint32_t corner = 0;        ///< 0, 1 or 2: index into that triangle
   Vec3 position;                   ///< posed
 
+  /// Whether a query has written this result.
   explicit operator bool() const { return triangle != kNone; }
 };
 
@@ -29,10 +30,11 @@ struct FarthestVertex {
 /// corners with the greatest dot product, the one with the lowest triangle and then the lowest
 /// corner.
 ///
-/// `direction` need not have length 1. Precondition: it is finite and not zero.
+/// Precondition: `direction` is finite and not zero. Its length need not be 1.
 ///
-/// Cost: opens the nodes whose boxes reach beyond the farthest vertex so far, best box first; often
-/// one node for each level of the tree. Allocates only in the pose, for nodes that are opened.
+/// Cost: opens only nodes whose boxes reach beyond the farthest vertex so far, and visits the box
+/// that reaches farthest first. Often one node is opened for each level of the tree. Allocates only
+/// in the pose, for nodes that are opened.
 PELT_API QueryStats farthest_vertex(Pose& pose, const Vec3& direction, FarthestVertex& result);
 
 }  // namespace pelt

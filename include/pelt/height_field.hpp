@@ -84,9 +84,10 @@ PELT_API Result<HeightField> build_height_field(const HeightGrid& grid);
 /// Exact like `collide` of two poses, with the same predicate. A field is a surface: touching
 /// counts, and a body wholly below it touches nothing.
 ///
-/// Cost: opens nodes whose boxes overlap the range of heights of the field in their range of x and
-/// z. A hierarchy gives this range of heights in constant time, however large the field is.
-/// Triangles of the field are generated only where they are needed.
+/// Cost: compares each box with the range of heights that the field has at the box's x and z. Opens
+/// a node only if its box overlaps this range. A hierarchy gives the range in constant time,
+/// however large the field is. Triangles of the field are generated only where they are needed.
+/// Allocates like `collide` of two poses.
 PELT_API QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
                             std::vector<Contact>& contacts, const CollideOptions& options = {});
 
@@ -95,17 +96,18 @@ PELT_API YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch
 
 /// Writes the least distance of any triangle of the posed skin from any triangle of the field, like
 /// `distance` of two poses. `Distance::b` is on the field. Points below the ground have a positive
-/// distance, like points above it. The distance is infinite if all heights are holes.
+/// distance, like points above it. The distance is infinite if all heights are holes. Cost and
+/// allocation are those of `distance` of two poses.
 PELT_API QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch,
                              Distance& result, const DistanceOptions& options = {});
 
 /// Writes the first hit of each ray on the field, exact like `cast` on a pose. The location of a
 /// hit is meaningless here.
 ///
-/// Precondition: `hits` has one element per ray.
+/// Precondition: `hits` has one element per ray. Otherwise the program aborts, in every build.
 ///
-/// Cost: visits the blocks of the field in the order in which a ray enters them, and in each block
-/// the cells below or above the ray. Allocates nothing.
+/// Cost: visits square blocks of cells in the order in which a ray enters them. In each block,
+/// tests the cells that the ray passes. Allocates nothing.
 PELT_API QueryStats cast(const HeightField& field, std::span<const Ray> rays,
                          std::span<RayHit> hits, const CastOptions& options = {});
 

@@ -27,7 +27,7 @@ enum class PointSide : std::uint8_t {
 /// `surface`: closed, and of the model of `pose`. Otherwise the program aborts, in every build.
 /// `point`: coordinates are finite and at most 2^60.
 ///
-/// Cost: a search for triangles that contain the point, and one ray.
+/// Cost: a descent to the triangles that contain the point, and one ray.
 PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                             PointSide& result);
 
@@ -46,22 +46,24 @@ struct Penetration {
   explicit operator bool() const { return vertex != kNoVertex; }
 };
 
-/// Writes the vertex of `a` that lies inside `b` and is farthest from its surface; of equal
-/// vertices, the lowest. The result converts to false if no vertex of `a` lies inside `b`.
+/// Writes the vertex of `a` that lies inside `b` and is farthest from the surface of `b`. Of
+/// equally deep vertices, the one with the lowest index is written. The result converts to false if
+/// no vertex of `a` lies inside `b`.
 ///
-/// The depth is the one-sided Hausdorff distance from the vertices inside `b` to its surface. It is
-/// a lower bound of how far the surface of `a` reaches into `b`, and converges to that for small
-/// triangles. A finer mesh does not make it smaller. It is not the distance by which the bodies
-/// must be moved to separate them.
+/// The depth is the one-sided Hausdorff distance from the vertices of `a` inside `b` to the surface
+/// of `b`. Between its vertices, the surface of `a` may reach deeper, but not by much if the
+/// triangles of `a` are small. The depth is not the distance by which the bodies must be moved to
+/// separate them.
 ///
 /// Preconditions (otherwise the program aborts, in every build):
 /// `a`, `b`: different poses.
 /// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`; `surface_b` is closed.
 ///
-/// Cost: boxes of `a` are tested against the surface of `b`. A box that does not touch it costs one
-/// `side_of`, and if the box is outside `b`, nothing in it is opened or tested. For each remaining
-/// vertex, the query searches for a point of the surface of `b` within the greatest depth so far.
-/// Only if it finds none, it tests whether the vertex is inside and computes its closest point.
+/// Cost: tests the boxes of `a` against the surface of `b`. If the surface does not touch a box,
+/// one `side_of` decides whether the box is outside `b`. Nothing in a box outside `b` is opened or
+/// tested. For each remaining vertex, the query first searches for a point of the surface of `b`
+/// that is closer than the greatest depth so far. If there is such a point, the vertex is skipped.
+/// Otherwise the query tests whether the vertex is inside `b`, and computes its closest point.
 PELT_API QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b,
                                    const Surface& surface_b, Scratch& scratch, Penetration& result);
 
@@ -74,9 +76,10 @@ enum class Containment : std::uint8_t {
 /// Writes which body lies wholly inside the other without touching it. A body whose surface is not
 /// closed can be contained in the other body, but cannot contain it.
 ///
-/// Preconditions: as for `deepest_vertex`, but surfaces need not be closed.
+/// Preconditions: as for `deepest_vertex`, but `surface_b` need not be closed.
 ///
-/// Cost: that of `intersects`, and a few rays per connected part.
+/// Cost: that of `intersects`. If the bodies do not touch, one `side_of` is added for each
+/// connected part of a body, until one lies outside the other body.
 PELT_API QueryStats containment(Pose& a, const Surface& surface_a, Pose& b,
                                 const Surface& surface_b, Scratch& scratch, Containment& result);
 

@@ -29,8 +29,8 @@ struct Matrix4 {
 /// The first three rows of a joint matrix: 12 floats, row-major; element (row, column) is
 /// `m[4 * row + column]` and the translation is m[3], m[7], m[11]. The last row is 0 0 0 1.
 ///
-/// This is how engines pack bones for shaders (three rows of four floats, `float3x4` in HLSL).
-/// Matrices of four columns of three floats have another layout: transpose them.
+/// Engines pack bones for shaders in this layout (`float3x4` in HLSL). A matrix stored column by
+/// column, as four columns of three floats, has another layout and must be transposed first.
 struct Matrix3x4 {
   std::array<float, 12> m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 

@@ -12,17 +12,19 @@ namespace pelt {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Morph targets (blend shapes) of a mesh, all in the same three arrays; empty if there are none.
+/// A borrowed view of the morph targets (blend shapes) of a mesh. Three arrays contain all M
+/// targets, with D displacements in all. Without morph targets, all three arrays are empty.
+///
 /// Target m displaces vertex `vertices[i]` by `displacements[i]` for begin[m] <= i < begin[m + 1].
-/// A target that displaces every vertex lists all of them.
+/// A target that displaces every vertex lists all vertices.
 struct MorphTargetsView {
-  std::span<const std::uint32_t> begin;     ///< [M + 1] from 0 to D, not descending; or empty
+  std::span<const std::uint32_t> begin;     ///< [M + 1] not descending, from 0 to D
   std::span<const std::uint32_t> vertices;  ///< [D] indices < V, ascending within each target
   std::span<const Vec3> displacements;      ///< [D] model units, finite
 };
 
-/// A borrowed view of a skinned mesh in the arrays of an engine. `build_model` copies what it
-/// needs; the view is not used afterwards.
+/// A borrowed view of the arrays of a skinned mesh. `build_model` copies what it needs, so the
+/// arrays may be freed afterwards.
 ///
 /// Each vertex has K = `influences_per_vertex` (joint, weight) pairs. Unused pairs have the weight
 /// 0.

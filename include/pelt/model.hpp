@@ -17,8 +17,9 @@ namespace detail {
 struct Model;
 }
 
-/// Policy for vertices whose weights sum to a value farther than 2^-7 from 1. Smaller errors are
-/// rounding of the exporter, and such weights are always renormalised.
+/// Policy for vertices whose sum of weights differs from 1 by more than 2^-7. A smaller difference
+/// is rounding by the exporter. In that case, `build_model` always divides the weights by their
+/// sum.
 enum class OffWeights {
   refuse,       ///< `build_model` returns an error with the vertex and its sum
   renormalise,  ///< divide by the sum, as renderers do
@@ -27,15 +28,15 @@ enum class OffWeights {
 struct ModelOptions {
   OffWeights off_weights = OffWeights::refuse;
 
-  /// [S][J] joint palettes of typical poses, for example from the character's clips. The tree is
+  /// [S][J] joint palettes of S typical poses, for example from the character's clips. The tree is
   /// optimised for these poses. Six poses make queries up to 20 % faster and the build three times
-  /// slower. Answers do not depend on them. May be empty.
+  /// slower. Answers do not depend on the sample palettes. May be empty.
   std::span<const Matrix4> sample_palettes = {};
 };
 
 /// What `build_model` found in the mesh.
 struct BuildReport {
-  std::uint32_t renormalised_vertices = 0;  ///< weights summed to a value over 2^-16 from 1
+  std::uint32_t renormalised_vertices = 0;  ///< sums of weights differed from 1 by over 2^-16
   std::uint32_t merged_influences = 0;      ///< repeated joints of a vertex, summed
   std::uint32_t degenerate_triangles = 0;   ///< two or three equal rest positions; not removed
 };
@@ -66,10 +67,10 @@ class PELT_API SkinnedModel {
 ///
 /// Cost: O(T log T). Allocates.
 ///
-/// Returns an error if an index or joint is out of range, a number is NaN or infinite, a coordinate
-/// is beyond 2^60, a weight is negative, the weights of a vertex do not sum to 1 (see
-/// `OffWeights`), or the vertices of a morph target do not ascend. The error names the array, the
-/// index and the value.
+/// Returns an error if there are no triangles, an array has the wrong size, an index or joint is
+/// out of range, a number is NaN or infinite, a coordinate is beyond 2^60, a weight is negative,
+/// the weights of a vertex do not sum to 1 (see `OffWeights`), or the vertices of a morph target do
+/// not ascend. The error names the array, the index and the value.
 PELT_API Result<SkinnedModel> build_model(const SkinnedMeshView& mesh,
                                           const ModelOptions& options = {});
 

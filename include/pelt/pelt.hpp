@@ -5,10 +5,10 @@
 ///
 /// Failure: functions that validate outside input return a `Result`, which holds an error if the
 /// input is invalid. If memory runs out, functions throw std::bad_alloc (or, on 32-bit platforms,
-/// std::length_error); Pelt itself throws no other exception. After that, models, poses, crowds and
-/// scratch are still usable, nothing has leaked, and lists to which results are appended are
-/// unchanged. If Pelt is compiled with -fno-exceptions, running out of memory must end the program,
-/// because such code cannot release what it holds: do not catch exceptions of Pelt then.
+/// std::length_error). Models, poses, crowds and scratch are then still usable, nothing has leaked,
+/// and lists to which results are appended are unchanged. Pelt itself throws no other exception. If
+/// Pelt is compiled with -fno-exceptions, its functions cannot release their memory when operator
+/// new throws. Do not catch the exception in this case: the program must end.
 ///
 /// A violated precondition aborts the program where Pelt checks it. Comments name preconditions
 /// that are checked in every build; builds without NDEBUG check more.
@@ -18,10 +18,14 @@
 /// and the boxes of its children. Queries open nodes on demand. In a pose, opened nodes stay open
 /// for later queries until the joint palette or the morph weights change.
 ///
-/// Headers: queries of poses, and of a pose and points, are in the header that is named after their
-/// subject: bounds, collide, contact, distance, farthest, inside. Queries with any other operand
-/// are in the header that defines this operand: ray, solid, height_field, vertex_groups, crowd.
-/// Rays against a solid or a height field are in the header of the solid or the height field.
+/// Headers of queries: bounds, collide, contact, distance, farthest and inside have the queries of
+/// poses alone, and of a pose and points or a direction. If an operand is a ray, a solid, a height
+/// field, a set of vertex groups or a crowd, the query is in the header that defines the operand:
+/// ray, solid, height_field, vertex_groups or crowd. The queries that cast rays at a solid or a
+/// height field are in solid and height_field.
+///
+/// This header includes all headers of the library except pelt/asset.hpp, which reads glTF files
+/// and needs the asset library, and pelt/instruction_set.hpp, which is for measurements and tests.
 
 #include <pelt/cxx20.hpp>
 

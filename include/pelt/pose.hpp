@@ -38,10 +38,11 @@ class PELT_API Pose {
   ///
   /// Cost: O(J). Allocates nothing.
   ///
-  /// Returns an error that names the joint, and leaves the pose unchanged, if there are not
-  /// `model().joint_count()` matrices, an element is not finite, a last row is not 0 0 0 1 (the
-  /// matrix is probably row-major), or a vertex could move beyond 2^60 units. (The last check
-  /// treats every mesh as reaching at least 2^-60 units from the origin.)
+  /// Returns an error that names the joint, and leaves the pose unchanged, if the number of
+  /// matrices is not `model().joint_count()`, if an element is not finite, if a last row is not
+  /// 0 0 0 1 (the matrix is probably row-major), or if a vertex could move beyond 2^60 units. This
+  /// last check assumes that some vertex is at least 2^-60 units from the origin, so a matrix with
+  /// huge elements is an error even if all rest positions are zero.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
   /// Like `set_palette`, with 16 floats per joint in the layout of `Matrix4`.
@@ -61,17 +62,18 @@ class PELT_API Pose {
   /// Cost: O(M + J). Allocates nothing. In queries, targets with weight 0 cost nothing, and other
   /// targets cost only in nodes with vertices that they displace.
   ///
-  /// Returns an error that names the target or the joint, and leaves the pose unchanged, if there
-  /// are not `model().morph_target_count()` weights, a weight is not finite, a vertex could be
-  /// displaced by more than 2^60 units, or a displaced vertex could move beyond 2^60 units.
+  /// Returns an error that names the target or the joint, and leaves the pose unchanged, if the
+  /// number of weights is not `model().morph_target_count()`, if a weight is not finite, if a
+  /// vertex could be displaced by more than 2^60 units, or if a joint could move a displaced vertex
+  /// beyond 2^60 units.
   Result<void> set_morph_weights(std::span<const float> weights);
 
-  /// Allocates all memory that queries can need for this pose, so that they never allocate for it.
-  /// Call it once, before the first frame, if queries must not allocate. `Scratch` has its own
-  /// `reserve`.
+  /// Allocates all memory that queries can need in this pose, so that queries never allocate in it.
+  /// Discards all opened nodes. If queries must not allocate, call `reserve` once, before the first
+  /// frame. `Scratch` has its own `reserve`.
   ///
-  /// The pose then holds 40 to 46 bytes per triangle (1.1 MB for a character of 26,756), of which a
-  /// query touches only what it opens. Discards all opened nodes.
+  /// Memory: 40 to 46 bytes per triangle, or 1.1 MB for a character of 26,756 triangles. A query
+  /// touches only the memory of the nodes that it opens.
   void reserve();
 
   /// For internal use.

@@ -12,10 +12,10 @@
 
 namespace pelt {
 
-/// Returns the model as bytes for `load_model`, which is more than ten times faster than
-/// `build_model`. Equal models give equal bytes. docs/prepared-format.md describes the format. A
-/// new version of Pelt may support only a new version of the format, so keep the data that the
-/// model was built from.
+/// Returns the model as bytes. `load_model` reads these bytes more than ten times faster than
+/// `build_model` builds the model. Equal models give equal bytes. docs/prepared-format.md describes
+/// the format. A new version of Pelt may support only a new version of the format, so keep the data
+/// that the model was built from.
 ///
 /// Cost: O(bytes). Allocates.
 PELT_API std::vector<std::byte> save_model(const SkinnedModel& model);
@@ -30,6 +30,7 @@ PELT_API std::vector<std::byte> save_model(const SkinnedModel& model);
 PELT_API Result<SkinnedModel> load_model(std::span<const std::byte> file);
 
 /// Returns whether the bytes start like a prepared model. `load_model` may still return an error.
+/// O(1).
 PELT_API bool is_prepared_model(std::span<const std::byte> file);
 
 }  // namespace pelt

@@ -1,6 +1,15 @@
 #pragma once
 
-/// What all queries share: work counters, and reusable memory.
+/// Work counters and reusable memory, which all queries share.
+///
+/// Results: a query with one result overwrites the caller's object. A query that finds a list
+/// appends to the caller's vectors; only `describe_contacts` replaces their contents. A query with
+/// one result for each ray, point or pose writes to a span. A query that answers yes or no returns
+/// `YesNo`.
+///
+/// Allocation: a query with a `Scratch` allocates only if it needs more memory in the poses, in the
+/// scratch or in the caller's vectors than any earlier query. A query without a `Scratch` allocates
+/// at most in the pose, and in vectors to which it appends. `Crowd` has its own memory.
 
 #include <pelt/cxx20.hpp>
 
@@ -27,10 +36,11 @@ struct QueryStats {
 
   std::uint64_t refits = 0;  ///< boxes computed for the current joint palettes
 
-  /// Vertices skinned; a vertex counts once for each node that has it.
+  /// Vertices skinned. Triangles of different nodes may share a vertex, which is then skinned and
+  /// counted once per node.
   std::uint64_t posed_vertices = 0;
 
-  std::uint64_t triangle_pairs = 0;  ///< triangle tests, made because boxes overlap
+  std::uint64_t triangle_pairs = 0;  ///< tests of a triangle against the other operand
   std::uint64_t displacements = 0;   ///< displacements of posed vertices by active morph targets
   bool cut_short = false;            ///< a limit in the options ended the query early
 
@@ -47,8 +57,8 @@ struct YesNo : QueryStats {
   explicit operator bool() const { return answer; }
 };
 
-/// Where in the tree of a model a query found its answer, for functions that go on from there.
-/// Opaque: it has no meaning outside of Pelt.
+/// Opaque location of an answer in the trees of the models. Pass it back to Pelt, for example in
+/// `DistanceOptions::hint` or to `influences_at`.
 template <std::size_t kNumbers>
 class TreeLocation {
  public:
@@ -59,8 +69,8 @@ class TreeLocation {
   std::array<std::uint32_t, kNumbers> numbers_ = {};
 };
 
-/// Working memory for queries. A query allocates from it only if it needs more than all earlier
-/// queries. Use one for each thread. Answers do not depend on earlier uses of it.
+/// Working memory for queries. A query enlarges the memory only if it needs more than any earlier
+/// query. Use one Scratch per thread. Answers do not depend on earlier uses.
 class PELT_API Scratch {
  public:
   Scratch();
@@ -68,12 +78,15 @@ class PELT_API Scratch {
   Scratch& operator=(Scratch&&) noexcept;
   ~Scratch();
 
-  /// Allocates all memory that queries can need for results of the given sizes, whatever the
-  /// models. With reserved poses and room in the caller's vectors, such queries never allocate.
+  /// Allocates the memory that queries need for results of the given sizes, for models of any size.
+  /// If, in addition, the poses are reserved and the caller's vectors have room, such queries never
+  /// allocate. Exception: `describe_contacts` also needs memory that is not reserved here, so it
+  /// allocates in its first call and whenever there are more contacts than in any earlier call.
   ///
-  /// `contacts`: largest number of contacts that are found, or allowed by `max_contacts`; 1
-  ///   suffices for `intersects`. A triangle found in a region counts as a contact. Takes 156 KB
-  ///   and 28 bytes per contact.
+  /// `contacts`: largest number of contacts of a query. A limit such as `max_contacts` also limits
+  ///   this number. 1 suffices for `intersects`. Near pairs and triangles found in a region count
+  ///   as contacts, and so do touching pairs and triangles that `distance` finds. Takes 156 KB and
+  ///   28 bytes per contact.
   /// `ray_hits`: largest number of hits of `cast_all`. Takes 36 bytes per hit.
   void reserve(std::size_t contacts, std::size_t ray_hits = 0);
 

@@ -26,8 +26,9 @@
 namespace pelt {
 
 /// The points origin + t * direction with t_min <= t <= t_max, in the frame of the joint palette. t
-/// is in units of the direction's length, which need not be 1. Coordinates are finite; t_min and
-/// t_max may be infinite. A ray with direction zero hits nothing.
+/// is in units of the direction's length, which need not be 1. Precondition of queries: coordinates
+/// are finite; t_min and t_max may be infinite, but are not NaN. A ray with direction zero hits no
+/// triangle.
 struct Ray {
   Vec3 origin, direction;
   float t_min = 0;
@@ -35,11 +36,12 @@ struct Ray {
 };
 
 /// Returns the ray from `from` (t = 0) to `to` (t = 1). Each coordinate of the direction is rounded
-/// to float, so the ray misses `to` by at most half a unit in the last place of the direction.
+/// to float, so at t = 1 the ray misses `to` by at most the rounding of the direction.
 PELT_API Ray segment(const Vec3& from, const Vec3& to);
 
-/// The side of a triangle from which a ray hits it. The posed vertices of a triangle appear
-/// counter-clockwise from its front, so a mirroring palette exchanges front and back.
+/// Selects the triangles that a ray can hit by the side from which the ray arrives. The posed
+/// vertices of a triangle appear counter-clockwise from its front, so a mirroring palette exchanges
+/// front and back.
 enum class Facing : std::uint8_t {
   both,   ///< all triangles
   front,  ///< only triangles hit from their front
@@ -60,12 +62,12 @@ struct RayHit {
   /// t_max.
   float t = std::numeric_limits<float>::infinity();
 
-  /// Weights of the triangle's vertices, in their order; the hit point is their weighted sum. Not
-  /// negative, and accurate to 2^-23. A weight is 0 if the ray hits the edge opposite to its
-  /// vertex.
+  /// Weights of the triangle's three vertices. The hit point is the sum of weight x vertex. Weights
+  /// are not negative, and accurate to 2^-23. If the ray hits an edge, the weight of the opposite
+  /// vertex is 0.
   std::array<float, 3> weights = {};
 
-  /// Unit normal of the triangle, on its front.
+  /// Unit normal of the triangle, on the side of its front.
   Vec3 normal;
 
   /// Whether anything was hit.
@@ -74,10 +76,10 @@ struct RayHit {
   friend bool operator==(const RayHit&, const RayHit&) = default;
 };
 
-/// Writes the first hit of each ray: the triangle with the least t, and of several with the same t,
-/// for example at a shared edge, the lowest.
+/// Writes the first hit of each ray, which is the hit with the least t. Of several triangles with
+/// the same t, for example at a shared edge, the one with the lowest index is written.
 ///
-/// Precondition: `hits` has one element per ray.
+/// Precondition: `hits` has one element per ray. Otherwise the program aborts, in every build.
 ///
 /// Cost: opens only nodes whose boxes a ray enters before its first hit so far. A pick on a
 /// character of 26,756 triangles takes 3 us including a new palette, and hardly more with four
@@ -95,16 +97,19 @@ PELT_API QueryStats cast(Pose& pose, const Ray& ray, RayHit& result,
 
 /// Writes whether each ray hits anything. Like `cast`, but stops at any hit.
 ///
-/// Precondition: `hit` has one element per ray.
+/// Precondition: `hit` has one element per ray. Otherwise the program aborts, in every build.
 PELT_API QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
                              const CastOptions& options = {});
 
 /// Appends all hits of a ray, ordered by t and then by triangle. A ray through a shared edge hits
-/// both of its triangles.
+/// both of the edge's triangles.
+///
+/// Cost: opens all nodes whose boxes the ray enters. Allocates only if it needs more memory in the
+/// pose, in `scratch` or in `hits` than any earlier query.
 PELT_API QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch,
                              std::vector<RayHit>& hits, const CastOptions& options = {});
 
-/// A joint, and its weight in the position of a point.
+/// A joint, and the share with which it moves a point.
 struct JointShare {
   std::uint32_t joint = 0;
   float share = 0;
@@ -117,7 +122,10 @@ struct JointShare {
 /// the lowest joint. Shares are positive and sum to 1 up to rounding. The returned work is zero,
 /// because nothing is posed.
 ///
-/// Precondition: `hit` is a hit on a pose of this model.
+/// Precondition: `hit` is a hit on a pose of this model. A hit that cannot be on this model aborts
+/// the program, in every build.
+///
+/// Cost: a search for one node of the tree. Allocates only in `shares`.
 PELT_API QueryStats influences_at(const SkinnedModel& model, const RayHit& hit,
                                   std::vector<JointShare>& shares);
 

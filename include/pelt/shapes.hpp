@@ -1,8 +1,9 @@
 #pragma once
 
-/// Simple shapes in the frame of the joint palette. All are closed sets. Queries are
-/// in pelt/solid.hpp. Queries of a `Region` use these numbers without rounding and are exact.
-/// Queries of a `Solid` have errors, which are stated there.
+/// Simple shapes in the frame of the joint palette. All shapes are closed sets. pelt/solid.hpp
+/// combines the shapes into the types `Region` and `Solid`, and has the queries. Queries of a
+/// `Region` are exact. Distances from a `Solid` and rays against a `Solid` have the errors that
+/// pelt/solid.hpp states.
 
 #include <pelt/cxx20.hpp>
 
@@ -55,7 +56,7 @@ class ConvexPolyhedron {
 
   ConvexPolyhedron() = default;
 
-  /// Copies the faces. Allocates nothing. Precondition: at most `kMaxFaces`; more abort the
+  /// Copies the faces. Allocates nothing. Precondition: at most `kMaxFaces`; more faces abort the
   /// program, in every build.
   PELT_API ConvexPolyhedron(std::span<const HalfSpace> faces);
 
@@ -82,8 +83,8 @@ enum class ClipDepth {
 
 /// Returns the frustum of projection x view: all points p whose clip coordinates (x, y, z, w) =
 /// view_projection (p, 1) satisfy |x| <= w, |y| <= w and the range of depth. Each plane is rounded
-/// to float once. Reversed depth is supported. With an infinite far plane, that face has a zero
-/// normal and excludes nothing.
+/// to float once. Reversed depth is supported. If the far plane is infinite, the far face has a
+/// zero normal and excludes nothing.
 ///
 /// `view_projection`: column-major like a joint matrix, with any last row.
 PELT_API Frustum make_frustum(const Matrix4& view_projection,

@@ -23,12 +23,13 @@
 
 namespace pelt {
 
-/// A part of space: a closed convex set of points, stored by value. Preconditions of queries: its
-/// numbers are finite, and radii and half extents are not negative. Builds without NDEBUG check
-/// them.
+/// A part of space: a closed convex set of points, stored by value.
+///
+/// Preconditions of queries: all numbers are finite, and radii and half extents are not negative.
+/// Builds without NDEBUG check these preconditions.
 using Region = std::variant<HalfSpace, Box, OrientedBox, ConvexPolyhedron, Sphere, Capsule>;
 
-/// Where the posed surface, the union of all triangles, lies.
+/// Position of the posed surface, which is the union of all triangles, relative to a region.
 enum class Placement : std::uint8_t {
   outside,  ///< no triangle touches the region
   partly,   ///< some triangle touches the region, and some triangle is not wholly inside
@@ -38,7 +39,7 @@ enum class Placement : std::uint8_t {
 /// Returns "outside", "partly" or "inside".
 PELT_API const char* name_of(Placement placement);
 
-/// Writes where the posed surface lies.
+/// Writes whether the posed surface lies outside, partly inside or wholly inside a region.
 ///
 /// Exact with respect to the float32 posed vertices and the region's own numbers, both taken as
 /// real numbers. Triangles and regions are closed sets, so touching counts; a triangle that has
@@ -49,9 +50,9 @@ PELT_API const char* name_of(Placement placement);
 /// Otherwise nodes along the boundary of the region are opened until the answer is known.
 PELT_API QueryStats classify(Pose& pose, const Region& region, Scratch& scratch, Placement& result);
 
-/// Classifies many poses: `results[i]` belongs to `*poses[i]`. Returns the work of all.
+/// Classifies many poses: `results[i]` belongs to `*poses[i]`. Returns the work of all poses.
 ///
-/// Precondition: `results` has one element per pose.
+/// Precondition: `results` has one element per pose. Otherwise the program aborts, in every build.
 PELT_API QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch& scratch,
                              std::span<Placement> results);
 
@@ -68,18 +69,19 @@ struct TrianglesInRegion {
 PELT_API QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
                                    TrianglesInRegion& triangles);
 
-/// Appends the triangles that intersect the region, in ascending order: contacts of a character
-/// with a simple solid. Like `find_triangles`; a region is a solid, so triangles wholly inside
-/// intersect it, too.
+/// Appends the triangles that intersect the region, in ascending order. Triangles wholly inside
+/// intersect the region, too. Like `find_triangles`, but without the second list.
 PELT_API QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
                             std::vector<std::uint32_t>& triangles);
 
 /// Returns whether any triangle intersects the region. Like `collide`, but stops at the first.
 PELT_API YesNo intersects(Pose& pose, const Region& region, Scratch& scratch);
 
-/// A simple solid, which is a region with a distance and rays. Numbers must be finite. The normal
-/// of a half-space must not be zero, radii and half extents must not be negative, the low corner of
-/// a box must not be above its high corner, and the axes of an oriented box must span space.
+/// A simple solid: a region for which Pelt can also compute distances and cast rays.
+///
+/// Preconditions of queries: all numbers are finite, radii and half extents are not negative, the
+/// normal of a half-space is not zero, the low corner of a box is not above its high corner on any
+/// axis, and the axes of an oriented box are linearly independent.
 using Solid = std::variant<HalfSpace, Box, OrientedBox, Sphere, Capsule>;
 
 /// Result of `distance` from a solid.
@@ -97,15 +99,15 @@ struct SolidDistance {
 ///
 /// The distance is 0 if and only if some triangle touches the solid as in `collide`, which is
 /// decided exactly; triangles inside the solid touch it. The lowest such triangle is then reported,
-/// and both points are a common point of triangle and solid. Otherwise the distance is computed in
-/// double and is positive. Of equally distant triangles, the lowest is reported.
+/// and both points are the same point, which triangle and solid share. Otherwise the distance is
+/// computed in double and is positive. Of equally distant triangles, the lowest is reported.
 ///
-/// Error: less than 2^-45 times the largest coordinate in the query (including a half-space's
-/// offset for a unit normal). For an oriented box, the error is less than 2^-22 times that
-/// coordinate, because the corners of the box are rounded to float.
+/// Error: less than 2^-45 times the largest coordinate in the query. For a half-space, offset /
+/// |normal| counts as a coordinate. For an oriented box, the error is less than 2^-22 times the
+/// largest coordinate, because the corners of the box are rounded to float.
 ///
-/// Cost: opens nodes nearest first, like `closest_point`. A skin that touches costs as much as
-/// `collide`.
+/// Cost: visits the closest boxes first, like `closest_point`. If the skin touches the solid, the
+/// query costs as much as `collide`.
 PELT_API QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch,
                              SolidDistance& result, const ClosestPointOptions& options = {});
 
@@ -118,14 +120,18 @@ struct SolidHit {
   explicit operator bool() const { return t < std::numeric_limits<float>::infinity(); }
 };
 
-/// Writes the first point of the ray in the solid. The returned work is zero, because a solid has
-/// no tree.
+/// Writes the first point of the ray in the solid. A ray with the direction zero hits the solid if
+/// its origin is inside. The returned work is zero, because a solid has no tree.
 ///
 /// Error: unlike hits on triangles, the hit is computed in double. It is off the surface of the
 /// solid by less than 2^-40 times the largest coordinate in the query, apart from the rounding of
 /// t. A ray that passes the solid within this distance may count as hit or as missed.
 ///
-/// Preconditions: those of the solid and of rays; t_min is finite.
+/// Preconditions:
+/// `solid`: see `Solid`.
+/// `ray`: see `Ray`. In addition, t_min is finite.
+///
+/// Cost: O(1). Allocates nothing.
 PELT_API QueryStats cast(const Solid& solid, const Ray& ray, SolidHit& result);
 
 }  // namespace pelt

@@ -26,7 +26,7 @@ struct VertexGroups;
 inline constexpr std::uint32_t kNoGroup = 0xFFFFFFFF;
 
 /// Sets of a model's vertices, prepared for computing their bounds. Immutable, cheap to copy
-/// (copies share), safe to use from any number of threads. The model does not refer to its groups.
+/// (copies share), safe to use from any number of threads. One model can have several VertexGroups.
 class PELT_API VertexGroups {
  public:
   /// The model of the groups.
@@ -35,7 +35,7 @@ class PELT_API VertexGroups {
   /// Number of groups G, including empty groups.
   std::uint32_t count() const;
 
-  /// Number of distinct posed vertices of a group. Precondition: group < G.
+  /// Number of vertices of a group. Bit-identical vertices count as one. Precondition: group < G.
   std::uint32_t vertex_count(std::uint32_t group) const;
 
   /// Bytes of memory, without the model.
@@ -59,9 +59,9 @@ class PELT_API VertexGroups {
 PELT_API Result<VertexGroups> group_triangles(const SkinnedModel& model,
                                               std::span<const std::uint32_t> labels);
 
-/// Creates one group per joint, in the order of the palette: the vertices of triangles for which
-/// the joint has the largest weight (of equal weights, the first joint). Joints without such
-/// vertices have empty groups.
+/// Creates one group per joint, in the order of the palette. Each vertex that a triangle uses
+/// belongs to the joint with the largest of the vertex's weights, or, of equal weights, to the
+/// lowest such joint. Joints without vertices have empty groups.
 ///
 /// Cost: O(V log V). Allocates.
 PELT_API VertexGroups group_by_joint(const SkinnedModel& model);
@@ -72,15 +72,18 @@ PELT_API VertexGroups group_by_joint(const SkinnedModel& model);
 /// Precondition: `pose` is a pose of the groups' model, and group < G. Otherwise the program
 /// aborts, in every build.
 ///
-/// Cost: O(joints of the group).
+/// Cost: O(joints of the group). Allocates nothing.
 PELT_API QueryStats group_bounds(const Pose& pose, const VertexGroups& groups, std::uint32_t group,
                                  Box& result);
 
-/// Writes the exact box of the posed vertices of one group, except that zeros are positive.
-/// Precondition and empty groups as for `group_bounds`.
+/// Writes the exact box of one group: bit for bit the smallest and largest coordinates of its posed
+/// vertices, except that zeros are positive. The box of an empty group reaches from infinity to
+/// minus infinity.
+///
+/// Precondition: as for `group_bounds`.
 ///
 /// Cost: O(vertices of the group * influences per vertex). Each morph target with a weight other
-/// than 0 adds O(log V) for each vertex of the group that it displaces.
+/// than 0 adds O(log V) for each vertex of the group that it displaces. Allocates nothing.
 PELT_API QueryStats exact_group_bounds(const Pose& pose, const VertexGroups& groups,
                                        std::uint32_t group, Box& result);
 

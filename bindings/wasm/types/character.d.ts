@@ -94,20 +94,24 @@ export interface Character {
   readonly morphTargetNames: readonly string[];
   /** Contents of the file that Pelt ignored. */
   readonly warnings: readonly string[];
-  /** [T][3] Vertex indices. Copied from the engine at the first use, like the next three arrays. */
+  /** [T][3] Vertex indices. Copied from the engine at the first use. */
   readonly triangles: Uint32Array;
-  /** [V][3] Positions before skinning. */
+  /** [V][3] Positions before skinning. Copied from the engine at the first use. */
   readonly restPositions: Float32Array;
-  /** [T] Index of the part in `parts`. */
+  /** [T] Index of the part in `parts`. Copied from the engine at the first use. */
   readonly triangleParts: Uint16Array;
-  /** [T] Index in `jointNames` of the joint that the vertices of the triangle follow most. */
+  /**
+   * [T] Index in `jointNames` of the joint with the largest sum of weights over the triangle's vertices.
+   * Copied from the engine at the first use.
+   */
   readonly triangleJoints: Uint16Array;
   /** Box of the default pose. */
   readonly extent: Box;
 
   /**
-   * Returns [J] matrices of a clip at `seconds`, clamped to its range, or of the default pose if `clip` is
-   * null. `placement` is the world matrix of the instance, and multiplies from the left.
+   * Returns the joint palette of a clip: [J] matrices. If `clip` is null, returns the palette of the
+   * default pose. `seconds` is clamped to the range of the clip. `placement` is the world matrix of the
+   * instance, and multiplies from the left.
    */
   palette(
     clip: string | null,
@@ -116,7 +120,7 @@ export interface Character {
     out?: Float32Array,
   ): Float32Array;
 
-  /** Returns [M] weights of the morph targets from the clip. */
+  /** Returns [M] weights of the morph targets. The parameters are those of `palette`. */
   morphWeights(clip: string | null, seconds: number, out?: Float32Array): Float32Array;
 
   /**

@@ -11,9 +11,9 @@ export interface Pose {
   /** The part that collides, or null for the whole character. */
   readonly part: number | null;
 
-  /** Sets [J] matrices. No other update is needed, except for morph weights. */
+  /** Copies [J] matrices of a joint palette. */
   setPalette(palette: Float32Array): void;
-  /** Sets [M] morph weights. */
+  /** Copies [M] morph weights. */
   setMorphWeights(weights: Float32Array): void;
 
   /** Returns [V][3] posed positions, exactly as queries use them. */
@@ -26,8 +26,8 @@ export interface Pose {
   normals(out?: Float32Array): Float32Array;
 
   /**
-   * Skins all vertices and computes the exact boxes of all nodes, for `collideEagerly`. An engine without
-   * refitting on demand does this for every instance in every frame; use it for comparisons.
+   * Skins all vertices and computes the exact boxes of all nodes, for `collideEagerly`. A library that
+   * does not compute boxes on demand does this for every instance in every frame. For comparisons.
    */
   openAll(): QueryStats;
 
@@ -46,9 +46,10 @@ export interface Pose {
   readonly openedNodeCount: number;
 
   /**
-   * Returns the boxes of one level of the tree in this pose, with what queries have done with them since
-   * the palette was set, as in Figure 5 of Kavan & Zara. Level 0 is the root. A branch that ends above
-   * `level` contributes its last box, so the boxes of each level enclose the whole surface. Opens no node.
+   * Returns the boxes of one level of the tree in this pose, as in Figure 5 of Kavan & Zara. The state
+   * of each box says how queries have used the box since the palette was set. Level 0 is the root. A
+   * branch that ends above `level` contributes its last box, so the boxes of each level enclose the whole
+   * surface. Opens no node.
    */
   nodeBoxes(level: number): NodeBoxes;
 
@@ -99,9 +100,9 @@ export interface NodeBoxes {
 export const NodeState: {
   /** No query has needed the box. */
   readonly untouched: 0;
-  /** The box was refitted when its parent was opened, and no query needed more. */
+  /** The box was computed when its parent was opened, and no query needed more. */
   readonly refitted: 1;
-  /** The node was opened: its vertices are skinned and the boxes inside it refitted. */
+  /** The node was opened: its vertices were skinned, and the boxes of its slots computed. */
   readonly opened: 2;
 };
 

@@ -70,9 +70,10 @@ export interface Crowd {
   setPalette(instance: number, palette: Float32Array): void;
   setMorphWeights(instance: number, weights: Float32Array): void;
   /**
-   * Replaces the list of ignored pairs. `collide` then leaves out contacts that match a pair, also those
-   * of instances added later. A name that matches nothing has no effect (`readScene` rejects it). While
-   * pairs are ignored, `collide` accepts no limit, because the first contacts may be ignored ones.
+   * Replaces the list of ignored pairs. `collide` then leaves out all contacts that match a pair. The
+   * list also applies to instances that are added later. A name that matches nothing has no effect here,
+   * but `readScene` rejects such a name. While the list is not empty, `collide` rejects the options
+   * `firstContact` and `maxContacts`, because the contacts found first may be ignored.
    */
   ignore(pairs: readonly NamePair[]): void;
   /** Finds all intersecting triangles of any two instances. `maxContacts` applies to each pair. */
@@ -82,7 +83,7 @@ export interface Crowd {
 
 export interface CrowdContacts {
   readonly count: number;
-  /** [N][4] Instances a < b and triangles of a and b, in ascending order. */
+  /** [N][4] Instance a, instance b, triangle of a, triangle of b. a < b. Rows ascend. */
   readonly contacts: Uint32Array;
   /** Number of contacts that were left out. */
   readonly ignored: number;
@@ -91,7 +92,11 @@ export interface CrowdContacts {
 
 /** FNV-1a hash with 64 bits over all contacts of a run, as printed by `pelt check`. */
 export interface ContactHash {
-  /** Adds the contacts of the instances a < b in a frame. Add frames, a and b in ascending order. */
+  /**
+   * Adds the contacts of the instances a < b in a frame. The value depends on the order of the calls. For
+   * the value of `pelt check`, add frames in ascending order, and in each frame the pairs (a, b) in
+   * ascending order.
+   */
   add(frame: number, a: number, b: number, pairs: Uint32Array): void;
   /** Adds all contacts of a crowd in a frame. */
   addCrowd(frame: number, contacts: Uint32Array): void;
