@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace pelt::wasm {
@@ -17,6 +17,37 @@ Error& kept_error() {
   static Error error;
   return error;
 }
+
+/// A field of Answer: its name in JavaScript, its place in bytes, and its number of doubles.
+struct Field {
+  const char* name;
+  std::size_t offset, doubles;
+};
+
+constexpr Field kFields[] = {
+    {"nodePairs", offsetof(Answer, node_pairs), 1},
+    {"refits", offsetof(Answer, refits), 1},
+    {"posedVertices", offsetof(Answer, posed_vertices), 1},
+    {"trianglePairs", offsetof(Answer, triangle_pairs), 1},
+    {"displacements", offsetof(Answer, displacements), 1},
+    {"cutShort", offsetof(Answer, cut_short), 1},
+    {"distance", offsetof(Answer, distance), 1},
+    {"lowerBound", offsetof(Answer, lower_bound), 1},
+    {"vertex", offsetof(Answer, vertex), 1},
+    {"depth", offsetof(Answer, depth), 1},
+    {"position", offsetof(Answer, position), 3},
+    {"insideCount", offsetof(Answer, inside_count), 1},
+    {"instance", offsetof(Answer, instance), 1},
+    {"ignored", offsetof(Answer, ignored), 1},
+    {"hashHigh", offsetof(Answer, hash_high), 1},
+    {"hashLow", offsetof(Answer, hash_low), 1},
+    {"low", offsetof(Answer, low), 3},
+    {"high", offsetof(Answer, high), 3},
+    {"centre", offsetof(Answer, centre), 3},
+    {"radius", offsetof(Answer, radius), 1},
+};
+static_assert(sizeof(void*) == 4 && offsetof(Answer, count) == offsetof(Answer, data) + 4,
+              "JavaScript reads data and count as two numbers of 32 bits");
 
 const char* name_of(ErrorCode code) {
   switch (code) {
@@ -39,15 +70,19 @@ Answer& answer() {
   return answer;
 }
 
-void answer_numbers(std::initializer_list<double> numbers) {
-  std::copy(numbers.begin(), numbers.end(), answer().numbers.begin());
+void answer_stats(const QueryStats& stats) {
+  Answer& answered = answer();
+  answered.node_pairs = static_cast<double>(stats.node_pairs);
+  answered.refits = static_cast<double>(stats.refits);
+  answered.posed_vertices = static_cast<double>(stats.posed_vertices);
+  answered.triangle_pairs = static_cast<double>(stats.triangle_pairs);
+  answered.displacements = static_cast<double>(stats.displacements);
+  answered.cut_short = stats.cut_short ? 1 : 0;
 }
 
-void answer_stats(const QueryStats& stats) {
-  answer_numbers({static_cast<double>(stats.node_pairs), static_cast<double>(stats.refits),
-                  static_cast<double>(stats.posed_vertices),
-                  static_cast<double>(stats.triangle_pairs),
-                  static_cast<double>(stats.displacements), stats.cut_short ? 1.0 : 0.0});
+void answer_box(const Box& box) {
+  answer().low = numbers_of(box.low);
+  answer().high = numbers_of(box.high);
 }
 
 const char* answer_text(std::string text) {
@@ -67,6 +102,13 @@ std::uint32_t refuse(Error error) {
 std::uint32_t done(const Result<void>& result) { return result ? 1 : refuse(result.error()); }
 
 PELT_EXPORT const Answer* pelt_answer() { return &answer(); }
+
+/// JSON: the place in bytes and the number of doubles of each field, and the place of the data.
+PELT_EXPORT const char* pelt_answer_layout() {
+  nlohmann::json fields = nlohmann::json::object();
+  for (const auto& [name, offset, doubles] : kFields) fields[name] = {offset, doubles};
+  return answer_json({{"fields", std::move(fields)}, {"data", offsetof(Answer, data)}});
+}
 
 PELT_EXPORT const char* pelt_error() {
   return answer_json({{"code", name_of(kept_error().code)}, {"message", kept_error().message}});

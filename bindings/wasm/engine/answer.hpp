@@ -3,15 +3,15 @@
 /// The answer of an engine function to JavaScript, if it is more than a number. There is a single
 /// answer, which the next call replaces; JavaScript is single-threaded and reads it at once.
 
+#include <pelt/math.hpp>
 #include <pelt/query.hpp>
 #include <pelt/result.hpp>
+#include <pelt/shapes.hpp>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <string>
 
@@ -20,22 +20,36 @@
 
 namespace pelt::wasm {
 
-/// JavaScript depends on this layout (memory.mjs).
+/// A point, or three numbers that are read together.
+using Numbers3 = std::array<double, 3>;
+
+inline Numbers3 numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// Functions of the engine set some of the fields. JavaScript reads the fields by name, at the
+/// places that `pelt_answer_layout` lists.
 struct Answer {
-  std::array<double, 16> numbers = {};
+  double node_pairs = 0, refits = 0, posed_vertices = 0, triangle_pairs = 0, displacements = 0;
+  double cut_short = 0;                  ///< 1: yes
+  double distance = 0, lower_bound = 0;  ///< of two surfaces, or of a surface and a point
+  double vertex = 0, depth = 0;          ///< the deepest vertex
+  Numbers3 position = {};                ///< of that vertex
+  double inside_count = 0;               ///< number of triangles inside
+  double instance = 0;                   ///< number of an instance of a crowd
+  double ignored = 0;                    ///< number of ignored contacts
+  double hash_high = 0, hash_low = 0;    ///< the halves of a hash
+  Numbers3 low = {}, high = {};          ///< a box
+  Numbers3 centre = {};                  ///< a sphere
+  double radius = 0;
   const void* data = nullptr;
   std::uint32_t count = 0;  ///< elements of `data`
 };
-static_assert(offsetof(Answer, data) == 16 * sizeof(double) && sizeof(void*) == 4 &&
-                  offsetof(Answer, count) == offsetof(Answer, data) + 4,
-              "JavaScript reads 16 numbers, then two of 32 bits");
 
 Answer& answer();
 
-void answer_numbers(std::initializer_list<double> numbers);
-
-/// Writes the stats to the numbers 0 to 5.
+/// Sets the fields of the work.
 void answer_stats(const QueryStats& stats);
+
+void answer_box(const Box& box);
 
 template <typename T>
 void answer_data(std::span<const T> elements) {

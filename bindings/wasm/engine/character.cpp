@@ -226,8 +226,7 @@ PELT_EXPORT std::uint32_t pelt_extent(const CharacterHandle* handle) {
     return refuse(asset::prefixed(character.read.name, set.error()));
   Bounds found;
   exact_bounds(pose, found);
-  const auto& [low, high] = found.box;
-  answer_numbers({low.x, low.y, low.z, high.x, high.y, high.z});
+  answer_box(found.box);
   return 1;
 }
 

@@ -86,7 +86,7 @@ PELT_EXPORT std::uint32_t pelt_add_to_crowd(CrowdHandle* handle, const Character
                                             std::uint32_t part) {
   const Result<Body*> body = character->character->body(part);
   if (!body) return refuse(body.error());
-  answer_numbers({static_cast<double>(handle->crowd.add((*body)->model))});
+  answer().instance = handle->crowd.add((*body)->model);
   handle->members.push_back({handle->number_of(character->character), (*body)->first_triangle});
   return 1;
 }
@@ -123,7 +123,7 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t 
   options.max_contacts = most;
   answer_stats(handle->crowd.collide(handle->found, options));
   number_triangles(*handle);
-  answer().numbers[6] = static_cast<double>(take_ignored_out(*handle));
+  answer().ignored = static_cast<double>(take_ignored_out(*handle));
   answer_data<CrowdContact>(handle->found);
   return 1;
 }
@@ -143,8 +143,8 @@ PELT_EXPORT void pelt_hash_crowd(detail::Fnv1a64* hash, std::uint32_t frame,
 }
 
 PELT_EXPORT void pelt_hash_value(const detail::Fnv1a64* hash) {
-  answer_numbers(
-      {static_cast<double>(hash->value() >> 32), static_cast<double>(hash->value() & 0xFFFFFFFF)});
+  answer().hash_high = static_cast<double>(hash->value() >> 32);
+  answer().hash_low = static_cast<double>(hash->value() & 0xFFFFFFFF);
 }
 
 }  // namespace pelt::wasm

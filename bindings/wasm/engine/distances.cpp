@@ -8,18 +8,17 @@
 
 namespace pelt::wasm {
 
-/// The answer is the point; the stats and the distance are its numbers 0 to 6.
+/// The answer is the point, the stats and the distance.
 PELT_EXPORT std::uint32_t pelt_closest_point(PoseHandle* handle, float x, float y, float z,
                                              double most) {
   ClosestPoint closest;
   answer_stats(closest_point(handle->pose, {x, y, z}, scratch(), closest, {most}));
-  answer().numbers[6] = closest.distance;
+  answer().distance = closest.distance;
   answer_points({{closest.point, *handle}});
   return closest ? 1 : 0;
 }
 
-/// The answer is the two points. Its numbers 0 to 7 are the stats, the distance and a lower bound
-/// of the distance.
+/// The answer is the two points, the stats, the distance and a lower bound of the distance.
 PELT_EXPORT std::uint32_t pelt_distance(PoseHandle* a, PoseHandle* b, double most,
                                         double tolerance) {
   Distance closest;
@@ -27,8 +26,8 @@ PELT_EXPORT std::uint32_t pelt_distance(PoseHandle* a, PoseHandle* b, double mos
   options.max_distance = most;
   options.tolerance = tolerance;
   answer_stats(distance(a->pose, b->pose, scratch(), closest, options));
-  answer().numbers[6] = closest.distance;
-  answer().numbers[7] = closest.lower_bound;
+  answer().distance = closest.distance;
+  answer().lower_bound = closest.lower_bound;
   answer_points({{closest.a, *a}, {closest.b, *b}});
   return closest ? 1 : 0;
 }

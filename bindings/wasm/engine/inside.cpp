@@ -6,9 +6,6 @@
 #include "bindings/wasm/engine/handles.hpp"
 #include "bindings/wasm/engine/surface_points.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace pelt::wasm {
 
 PELT_EXPORT std::uint32_t pelt_is_closed(PoseHandle* handle) {
@@ -23,15 +20,15 @@ PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, flo
   return static_cast<std::uint32_t>(side);
 }
 
-/// The answer is the closest point of b's surface. Its numbers 0 to 10 are the stats, the vertex,
-/// its position and its depth. Precondition: the surface of b is closed.
+/// The answer is the closest point of b's surface, the stats, the vertex, its position and its
+/// depth. Precondition: the surface of b is closed.
 PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
   Penetration deepest;
   answer_stats(deepest_vertex(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(),
                               scratch(), deepest));
-  const auto& [x, y, z] = deepest.position;
-  const double found[] = {static_cast<double>(deepest.vertex), x, y, z, deepest.depth};
-  std::copy(std::begin(found), std::end(found), answer().numbers.begin() + 6);
+  answer().vertex = deepest.vertex;
+  answer().position = numbers_of(deepest.position);
+  answer().depth = deepest.depth;
   answer_points({{deepest.closest, *b}});
   return deepest ? 1 : 0;
 }

@@ -10,10 +10,9 @@ namespace pelt::wasm {
 namespace {
 
 void answer_bounds(const Bounds& bounds) {
-  const auto& [low, high] = bounds.box;
-  const Vec3& centre = bounds.sphere.centre;
-  answer_numbers({low.x, low.y, low.z, high.x, high.y, high.z, centre.x, centre.y, centre.z,
-                  bounds.sphere.radius});
+  answer_box(bounds.box);
+  answer().centre = numbers_of(bounds.sphere.centre);
+  answer().radius = bounds.sphere.radius;
 }
 
 /// Skins the vertices unless that is already done. Drawing needs vertices and then normals.

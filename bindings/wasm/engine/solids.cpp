@@ -94,7 +94,7 @@ PELT_EXPORT std::uint32_t pelt_intersects_region(PoseHandle* handle, Kind kind) 
 }
 
 /// The answer is the triangles that touch. Returns the address of the triangles inside; their
-/// number is the answer's number 6.
+/// number is the answer's inside_count.
 PELT_EXPORT const std::uint32_t* pelt_find_triangles(PoseHandle* handle, Kind kind) {
   static TrianglesInRegion found;
   found.intersecting.clear();
@@ -102,7 +102,7 @@ PELT_EXPORT const std::uint32_t* pelt_find_triangles(PoseHandle* handle, Kind ki
   answer_stats(find_triangles(handle->pose, read_region(kind), scratch(), found));
   for (std::uint32_t& triangle : found.intersecting) triangle += handle->body.first_triangle;
   for (std::uint32_t& triangle : found.inside) triangle += handle->body.first_triangle;
-  answer().numbers[6] = static_cast<double>(found.inside.size());
+  answer().inside_count = static_cast<double>(found.inside.size());
   answer_data<std::uint32_t>(found.intersecting);
   return found.inside.data();
 }

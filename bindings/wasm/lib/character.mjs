@@ -43,7 +43,7 @@ export class Character {
 
   get extent() {
     this.#memory.accepted(this.#memory.module._pelt_extent(this.#handle));
-    return { low: this.#memory.numbers(0, 3), high: this.#memory.numbers(3, 6) };
+    return { low: this.#memory.field('low'), high: this.#memory.field('high') };
   }
 
   palette(clip, seconds, placement = kIdentity, out = undefined) {

@@ -20,7 +20,7 @@ export class Crowd {
     const given = handles.given(character, Character, 'character');
     const named = partNumber(character, part);
     this.#memory.accepted(module._pelt_add_to_crowd(this.#handle, given, named));
-    const number = this.#memory.number(0);
+    const number = this.#memory.field('instance');
     this.#characters[number] = character;
     return number;
   }
@@ -59,7 +59,7 @@ export class Crowd {
     return {
       count: contacts.length / 4,
       contacts,
-      ignored: this.#memory.number(6),
+      ignored: this.#memory.field('ignored'),
       stats: readStats(this.#memory),
     };
   }
@@ -109,7 +109,7 @@ export class ContactHash {
   get value() {
     this.#memory.module._pelt_hash_value(this.#handle);
     const hex = (number) => number.toString(16).padStart(8, '0');
-    return hex(this.#memory.number(0)) + hex(this.#memory.number(1));
+    return hex(this.#memory.field('hashHigh')) + hex(this.#memory.field('hashLow'));
   }
 
   delete() {

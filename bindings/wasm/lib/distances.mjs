@@ -33,7 +33,7 @@ export function closestPoint(memory, pose, point, options) {
   const [x, y, z] = check.vector(point, 3, 'point', kMaxCoordinate);
   if (!memory.module._pelt_closest_point(pose, x, y, z, maxDistance)) return null;
   const [closest] = readPoints(memory);
-  return { distance: memory.number(6), ...closest, stats: readStats(memory) };
+  return { distance: memory.field('distance'), ...closest, stats: readStats(memory) };
 }
 
 export function distance(memory, [a, b], options) {
@@ -41,8 +41,13 @@ export function distance(memory, [a, b], options) {
   const { maxDistance = Infinity, tolerance = 0 } = read;
   if (!memory.module._pelt_distance(a, b, maxDistance, tolerance)) return null;
   const [pointA, pointB] = readPoints(memory);
-  const [least, lowerBound] = memory.numbers(6, 8);
-  return { distance: least, lowerBound, a: pointA, b: pointB, stats: readStats(memory) };
+  return {
+    distance: memory.field('distance'),
+    lowerBound: memory.field('lowerBound'),
+    a: pointA,
+    b: pointB,
+    stats: readStats(memory),
+  };
 }
 
 /** `pose` is the object here. */
@@ -62,10 +67,14 @@ export function sideOf(memory, handle, pose, point) {
 export function deepestVertex(memory, [a, b], pose) {
   requireClosed(pose);
   if (!memory.module._pelt_deepest_vertex(a, b)) return null;
-  const [vertex, ...rest] = memory.numbers(6, 11);
   const [closest] = readPoints(memory);
-  const stats = readStats(memory);
-  return { vertex, position: rest.slice(0, 3), depth: rest[3], closest, stats };
+  return {
+    vertex: memory.field('vertex'),
+    position: memory.field('position'),
+    depth: memory.field('depth'),
+    closest,
+    stats: readStats(memory),
+  };
 }
 
 export function containment(memory, [a, b]) {

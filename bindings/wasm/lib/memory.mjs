@@ -8,9 +8,6 @@ import { invalid, PeltError } from './errors.mjs';
 import { Gate } from './gate.mjs';
 import { Handles } from './handles.mjs';
 
-/** Layout of the answer: its numbers, then address and length of its data (answer.hpp). */
-const kNumbers = 16;
-
 /** Limit of Emscripten: half of the 32-bit address space. */
 const kMaxBytes = 2 ** 31;
 
@@ -24,6 +21,8 @@ const kHeap = new Map([
 
 export class Memory {
   #engine;
+  #answer;
+  #layout;
 
   constructor(engine) {
     this.#engine = engine;
@@ -31,7 +30,8 @@ export class Memory {
     /** Functions of the engine, called through the gate. */
     this.module = this.gate.calls();
     this.handles = new Handles(this.gate, this.module);
-    this.answer = this.module._pelt_answer();
+    this.#answer = this.module._pelt_answer();
+    this.#layout = this.json(this.module._pelt_answer_layout());
   }
 
   /** Returns a view of `length` elements, valid until the next call of the engine. */
@@ -41,17 +41,17 @@ export class Memory {
     return heap.subarray(first, first + length);
   }
 
-  number(i) {
-    return this.#engine.HEAPF64[this.answer / 8 + i];
-  }
-
-  numbers(begin, end) {
-    return Array.from(this.view(Float64Array, this.answer + 8 * begin, end - begin));
+  /** Returns a field of the answer of the last call (answer.hpp): a number, or an array of three. */
+  field(name) {
+    const [offset, doubles] = this.#layout.fields[name];
+    const address = this.#answer + offset;
+    if (doubles === 1) return this.#engine.HEAPF64[address / 8];
+    return Array.from(this.view(Float64Array, address, doubles));
   }
 
   /** Returns the answer of the last call with `width` numbers per element; in `out`, if given. */
   data(type, width, out) {
-    const [address, count] = this.view(Uint32Array, this.answer + 8 * kNumbers, 2);
+    const [address, count] = this.view(Uint32Array, this.#answer + this.#layout.data, 2);
     return this.copy(type, address, count * width, out);
   }
 

@@ -126,11 +126,11 @@ export class Pose {
   }
 
   #bounds() {
-    const n = this.#memory.numbers(0, 10);
+    const memory = this.#memory;
     return {
-      box: { low: n.slice(0, 3), high: n.slice(3, 6) },
-      centre: n.slice(6, 9),
-      radius: n[9],
+      box: { low: memory.field('low'), high: memory.field('high') },
+      centre: memory.field('centre'),
+      radius: memory.field('radius'),
     };
   }
 }

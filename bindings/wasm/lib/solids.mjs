@@ -112,7 +112,7 @@ export function findTriangles(memory, pose, region) {
   const inside = memory.module._pelt_find_triangles(pose, writeRegion(memory, region));
   return {
     intersecting: memory.data(Uint32Array, 1),
-    inside: memory.copy(Uint32Array, inside, memory.number(6)),
+    inside: memory.copy(Uint32Array, inside, memory.field('insideCount')),
     stats: readStats(memory),
   };
 }

@@ -1,13 +1,11 @@
 /** Reads the work of the last query. */
 export function readStats(memory) {
-  const [nodePairs, refits, posedVertices, trianglePairs, displacements, cutShort] =
-    memory.numbers(0, 6);
   return {
-    nodePairs,
-    refits,
-    posedVertices,
-    trianglePairs,
-    displacements,
-    cutShort: cutShort !== 0,
+    nodePairs: memory.field('nodePairs'),
+    refits: memory.field('refits'),
+    posedVertices: memory.field('posedVertices'),
+    trianglePairs: memory.field('trianglePairs'),
+    displacements: memory.field('displacements'),
+    cutShort: memory.field('cutShort') !== 0,
   };
 }
