@@ -244,9 +244,9 @@ test('the closest points of a surface are those of the command', () => {
   const points = ['0,0.3,0', '-0.3,0.2,0.4', '3,3,3'];
   atEachFrame(
     (line) => {
-      for (const { point, places } of line.points) {
+      for (const { point, closest: all } of line.points) {
         const from = points[point].split(',').map(Number);
-        for (const { index, distance, triangle, position } of places) {
+        for (const { index, distance, triangle, position } of all) {
           const closest = poses[index].closestPoint(from);
           assert.deepEqual(
             [closest.distance, closest.triangle, closest.position],
