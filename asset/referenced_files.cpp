@@ -28,8 +28,9 @@ std::string read_json_text(const fs::path& path) {
   constexpr std::size_t kHeaders = 20;  // of the .glb and of its first chunk
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
+  if (error) return "";  // a pipe, for example: opening it again would wait for another writer
   std::ifstream stream(path, std::ios::binary);
-  if (error || !stream) return "";
+  if (!stream) return "";
   const std::string begin = read_up_to(stream, std::min<std::uintmax_t>(size, kHeaders));
   if (begin.size() < kHeaders || begin.compare(0, 4, "glTF") != 0)
     return begin + read_up_to(stream, size - begin.size());

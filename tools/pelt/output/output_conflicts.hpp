@@ -23,9 +23,14 @@ struct InputFile {
 };
 
 /// Returns an error for an output that is an input, another output, or the file that standard
-/// output goes to. Follows symbolic and hard links. Names that differ only in the case of ASCII
-/// letters count as equal, as in some file systems. Call before anything is written. O((outputs +
-/// inputs)^2 string comparisons) in the worst case.
+/// output goes to, and for standard output that goes to an input. Follows symbolic and hard links,
+/// and identifies descriptors such as /dev/stdin and /dev/fd/9 by the files that they are open for.
+/// Two outputs may both go to /dev/null, but not to another device or pipe. Names that differ only
+/// in the case of ASCII letters count as equal, as in some file systems. Call before anything is
+/// written, also without outputs. O((outputs + inputs)^2 string comparisons) in the worst case.
 Result<void> check_outputs(std::span<const NamedOutput> outputs, std::span<const InputFile> inputs);
+
+/// Whether the shell redirects standard output to a regular file, which may be an input.
+bool is_standard_output_a_file();
 
 }  // namespace pelt::tools::output

@@ -10,6 +10,7 @@
 #include "tools/pelt/bench/bench_scene.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -208,7 +209,7 @@ arguments::ExitCode compare(const bench::Baseline& baseline, const Arguments& ar
 /// Loads the scenes a second time, because the check needs the names of their models before they
 /// are measured.
 Result<void> check_output(const Arguments& arguments, const bench::BenchSettings& settings) {
-  if (arguments.json.empty()) return {};
+  if (arguments.json.empty() && !output::is_standard_output_a_file()) return {};
   std::vector<output::InputFile> inputs;
   if (!arguments.against.empty())
     inputs.push_back({arguments.against, "what --against compares with"});

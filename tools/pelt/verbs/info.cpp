@@ -5,9 +5,11 @@
 #include "scenes/clip_samples.hpp"
 #include "scenes/names.hpp"
 #include "scenes/scene.hpp"
+#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/json_text.hpp"
+#include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/prepared/prepared_file.hpp"
 #include "tools/pelt/prepared/prepared_info.hpp"
@@ -188,17 +190,29 @@ void print(const ordered_json& info, const asset::Asset& asset) {
     print_line("warning", asset::printable(warning));
 }
 
+/// Returns an error if printing would overwrite or extend one of the files.
+Result<void> check_standard_output(const std::vector<output::InputFile>& files) {
+  return output::check_outputs({}, files);
+}
+
+Result<arguments::ExitCode> print_prepared(const Arguments& arguments) {
+  const auto checked =
+      check_standard_output({{arguments.model, "the prepared model " + arguments.model}});
+  if (!checked) return checked.error();
+  const auto printed = prepared::print_prepared_info(
+      arguments.model, arguments.json ? prepared::InfoStyle::json : prepared::InfoStyle::text);
+  if (!printed) return printed.error();
+  return arguments::ExitCode::success;
+}
+
 Result<arguments::ExitCode> info(const Arguments& arguments) {
-  if (prepared::is_prepared_file(arguments.model)) {
-    const auto printed = prepared::print_prepared_info(
-        arguments.model, arguments.json ? prepared::InfoStyle::json : prepared::InfoStyle::text);
-    if (!printed) return printed.error();
-    return arguments::ExitCode::success;
-  }
+  if (prepared::is_prepared_file(arguments.model)) return print_prepared(arguments);
   const Result<scenes::Character> character =
       arguments::load_named_character(arguments.model, arguments.models.gltf_options(),
                                       "a glTF file, .glb or .gltf, or a prepared model, .pelt");
   if (!character) return character.error();
+  const auto checked = check_standard_output(arguments::files_of_model(arguments.model));
+  if (!checked) return checked.error();
   const asset::Asset& asset = character->asset;
   const std::uint32_t samples = arguments.models.samples;
   const Result<SkinnedModel> model = arguments::build_named_model(

@@ -1,7 +1,9 @@
 /// `pelt view`: the viewer, served to a browser of this machine.
 
+#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/page/page_server.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
@@ -33,6 +35,9 @@ Result<std::string> make_page(const Arguments& arguments) {
   if (arguments.scene.inputs.empty()) return page::read_viewer();
   const Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
+  const auto checked =
+      output::check_outputs({}, arguments::files_of_scene(arguments.scene, *scene));
+  if (!checked) return checked.error();
   if (!scene->takes.empty())
     return output::bad_argument(
         arguments::asks_for_scene(arguments.scene) ? arguments.scene.inputs[0] : "--clip",
