@@ -1,6 +1,7 @@
 #include "asset/document.hpp"
 #include "asset/json_object.hpp"
 #include "asset/message.hpp"
+#include "asset/parsed_json.hpp"
 #include "asset/transform.hpp"
 
 #include <nlohmann/json.hpp>
@@ -361,11 +362,10 @@ std::size_t component_count(ElementType type) {
 const char* name(ElementType type) { return kElementTypes[static_cast<std::size_t>(type)].text; }
 
 Result<GltfDocument> read_document(std::string_view text) {
-  Result<nlohmann::json> json = parse_json(text);
-  const JsonEnd end(json);
+  const Result<ParsedJson> json = parse_json(text);
   if (!json) return json.error();
   FirstError errors;
-  const JsonObject root(*json, "", errors);
+  const JsonObject root(**json, "", errors);
   GltfDocument document;
   require_version_2(root);
   document.passed_over_extensions = read_extensions(root);

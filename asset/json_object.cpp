@@ -1,5 +1,4 @@
 #include "asset/json_object.hpp"
-#include "asset/budget.hpp"
 #include "asset/message.hpp"
 
 #include <nlohmann/json.hpp>
@@ -38,42 +37,6 @@ std::optional<float> finite_float(const json& value) {
   constexpr double kLargest = std::numeric_limits<float>::max();
   if (!(number >= -kLargest && number <= kLargest)) return std::nullopt;
   return static_cast<float>(number);
-}
-
-/// Size of a text, estimated without parsing: the depth of the deepest bracket, and an upper bound
-/// of the number of values. Brackets inside strings do not count.
-struct TextSize {
-  std::size_t depth = 0, values = 1;
-};
-
-TextSize measure(std::string_view text) {
-  TextSize size;
-  std::size_t depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string && c == '\\') ++i;
-    if (c == '"') in_string = !in_string;
-    if (in_string) continue;
-    if (c == '[' || c == '{') size.depth = std::max(size.depth, ++depth);
-    if (c == '[' || c == '{' || c == ',') ++size.values;
-    if ((c == ']' || c == '}') && depth > 0) --depth;
-  }
-  return size;
-}
-
-/// Returns nlohmann's message without its error number, truncated because it may quote the file.
-std::string plain_words(const json::exception& error) {
-  const std::string_view words = error.what();
-  const std::size_t bracket = words.find("] ");
-  return std::string(words.substr(bracket == words.npos ? 0 : bracket + 2).substr(0, 200));
-}
-
-/// Recursion is limited by the depth that `parse_json` allows.
-void take_apart(json& value) {
-  if (!value.is_structured()) return;
-  for (json& element : value) take_apart(element);
-  value.clear();
 }
 
 }  // namespace
@@ -255,28 +218,6 @@ void JsonObject::require_index(std::uint64_t value, std::size_t size,
   if (value < size) return;
   errors_->set(malformed(path + ": must be a whole number below " + std::to_string(size) +
                          ", the number of elements there are"));
-}
-
-JsonEnd::~JsonEnd() {
-  if (json_) take_apart(*json_);
-}
-
-Result<json> parse_json(std::string_view text) {
-  constexpr std::size_t kDeepest = 64;
-  if (text.find_first_not_of(" \t\r\n") == text.npos) return malformed("the JSON text is empty");
-  const TextSize size = measure(text);
-  if (size.depth > kDeepest) {
-    return malformed("the JSON text is nested more than " + std::to_string(kDeepest) + " deep");
-  }
-  if (size.values > Budget::kMaxValues) {
-    return malformed("the JSON text has more than " + std::to_string(Budget::kMaxValues) +
-                     " values");
-  }
-  try {
-    return json::parse(text);
-  } catch (const json::exception& error) {
-    return malformed("the JSON text is invalid: " + plain_words(error));
-  }
 }
 
 }  // namespace pelt::asset

@@ -82,21 +82,4 @@ class JsonObject {
   FirstError* errors_;
 };
 
-/// Destroys a parsed text from the leaves up. The destructor of nlohmann::json allocates for this,
-/// and terminates the program if memory has run out.
-class JsonEnd {
- public:
-  explicit JsonEnd(Result<nlohmann::json>& json) : json_(json) {}
-  ~JsonEnd();
-  JsonEnd(const JsonEnd&) = delete;
-  JsonEnd& operator=(const JsonEnd&) = delete;
-
- private:
-  Result<nlohmann::json>& json_;
-};
-
-/// Parses a whole JSON text. Rejects texts nested deeper than any glTF file needs, before they cost
-/// stack or memory.
-Result<nlohmann::json> parse_json(std::string_view text);
-
 }  // namespace pelt::asset

@@ -1,7 +1,7 @@
 #include "asset/referenced_files.hpp"
 
-#include "asset/json_object.hpp"
 #include "asset/little_endian.hpp"
+#include "asset/parsed_json.hpp"
 #include "asset/uri.hpp"
 
 #include <nlohmann/json.hpp>
@@ -53,10 +53,10 @@ void add_files(const nlohmann::json& json, const char* array, const fs::path& fo
 
 std::vector<fs::path> referenced_files(const fs::path& path) {
   std::vector<fs::path> files;
-  const Result<nlohmann::json> json = parse_json(read_json_text(path));
-  if (!json || !json->is_object()) return files;
+  const Result<ParsedJson> json = parse_json(read_json_text(path));
+  if (!json || !(*json)->is_object()) return files;
   for (const char* array : {"buffers", "images"})
-    add_files(*json, array, path.parent_path(), files);
+    add_files(**json, array, path.parent_path(), files);
   return files;
 }
 

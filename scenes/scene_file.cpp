@@ -1,7 +1,7 @@
 #include "scenes/scene_file.hpp"
 
-#include "asset/json_object.hpp"
 #include "asset/message.hpp"
+#include "asset/parsed_json.hpp"
 #include "scenes/closest_name.hpp"
 #include "scenes/scene_keys.hpp"
 #include "scenes/strict_object.hpp"
@@ -164,10 +164,10 @@ std::vector<NamePair> read_ignore(const StrictObject& file) {
 }  // namespace
 
 Result<SceneFile> parse_scene_file(std::string_view text) {
-  const Result<json> parsed = asset::parse_json(text);
+  const Result<asset::ParsedJson> parsed = asset::parse_json(text);
   if (!parsed) return parsed.error();
   Problem problem;
-  const StrictObject file(*parsed, "", kSceneKeys, problem);
+  const StrictObject file(**parsed, "", kSceneKeys, problem);
   SceneFile scene;
   scene.models = read_models(file, problem);
   const StrictObject frames = file.object("frames", kFramesKeys);

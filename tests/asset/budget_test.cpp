@@ -1,6 +1,6 @@
 #include "asset/budget.hpp"
 
-#include "asset/json_object.hpp"
+#include "asset/parsed_json.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 #include "asset/document.hpp"
 
 #include "asset/json_object.hpp"
+#include "asset/parsed_json.hpp"
 #include "support/gltf_builder.hpp"
 
 namespace pelt::asset {

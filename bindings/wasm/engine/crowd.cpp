@@ -2,8 +2,8 @@
 
 #include <pelt/crowd.hpp>
 
-#include "asset/json_object.hpp"
 #include "asset/message.hpp"
+#include "asset/parsed_json.hpp"
 #include "base/hash.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
@@ -97,7 +97,7 @@ PELT_EXPORT std::uint32_t pelt_ignore_in_crowd(CrowdHandle* handle, const char* 
   if (!parsed) return refuse(asset::prefixed("ignore", parsed.error()));
   handle->ignored.reset();
   handle->ignore.clear();
-  for (const nlohmann::json& pair : *parsed)
+  for (const nlohmann::json& pair : **parsed)
     handle->ignore.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
   return 1;
 }

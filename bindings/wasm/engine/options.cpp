@@ -1,17 +1,17 @@
 #include "bindings/wasm/engine/options.hpp"
 
-#include "asset/json_object.hpp"
 #include "asset/message.hpp"
+#include "asset/parsed_json.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "scenes/closest_name.hpp"
 
 namespace pelt::wasm {
 
 Result<Options> Options::read(std::string_view json) {
-  Result<nlohmann::json> parsed = asset::parse_json(json);
+  const Result<asset::ParsedJson> parsed = asset::parse_json(json);
   if (!parsed)
     return Error{ErrorCode::invalid_argument, asset::prefixed("options", parsed.error()).message};
-  return Options(*std::move(parsed));
+  return Options(std::move(**parsed));
 }
 
 std::string Options::text(const char* key) const {
@@ -66,9 +66,9 @@ std::uint32_t Options::count(const char* key, std::uint32_t otherwise) const {
 
 /// Returns the end of a message about an unknown name. `words` has this name, then the known names.
 PELT_EXPORT const char* pelt_suggestion(const char* words) {
-  const Result<nlohmann::json> parsed = asset::parse_json(words);
+  const Result<asset::ParsedJson> parsed = asset::parse_json(words);
   if (!parsed) return "";
-  const auto names = parsed->get<std::vector<std::string>>();
+  const auto names = (*parsed)->get<std::vector<std::string>>();
   const std::vector<std::string_view> known(names.begin() + 1, names.end());
   return answer_text(scenes::suggestion(names.front(), known));
 }

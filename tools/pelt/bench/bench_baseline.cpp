@@ -2,6 +2,7 @@
 
 #include "asset/file_bytes.hpp"
 #include "asset/json_object.hpp"
+#include "asset/parsed_json.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -91,10 +92,10 @@ Error unusable(const std::string& path, const Error& error) {
 }  // namespace
 
 Result<Baseline> parse_baseline(const std::string& path, std::string_view text) {
-  const Result<nlohmann::json> parsed = asset::parse_json(text);
+  const Result<asset::ParsedJson> parsed = asset::parse_json(text);
   if (!parsed) return unusable(path, parsed.error());
   FirstError errors;
-  const JsonObject file(*parsed, "", errors);
+  const JsonObject file(**parsed, "", errors);
   require_format(file);
   Baseline baseline;
   baseline.path = path;

@@ -3,6 +3,7 @@
 #include "asset/file_bytes.hpp"
 #include "asset/json_object.hpp"
 #include "asset/message.hpp"
+#include "asset/parsed_json.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -201,11 +202,11 @@ void CheckBaseline::take_held(const JsonObject& totals) {
 Result<CheckBaseline> CheckBaseline::parse(const std::string& path, std::string_view text,
                                            const CheckQuestion& question,
                                            const scenes::Scene& scene) {
-  const Result<json> first = asset::parse_json(first_line(text));
+  const Result<asset::ParsedJson> first = asset::parse_json(first_line(text));
   if (!first) return unusable_baseline(path, first.error());
-  const Result<json> last = asset::parse_json(last_line(text));
+  const Result<asset::ParsedJson> last = asset::parse_json(last_line(text));
   if (!last) return unusable_baseline(path, last.error());
-  Result<CheckBaseline> baseline = compare(*first, *last, question, scene);
+  Result<CheckBaseline> baseline = compare(**first, **last, question, scene);
   if (!baseline) return unusable_baseline(path, baseline.error());
   return baseline;
 }
