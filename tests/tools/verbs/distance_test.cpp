@@ -200,23 +200,23 @@ TEST(DistanceVerb, TellsWhatIsClosestToPoints) {
   for (const int frame : {0, 5, 11}) {
     const GlbFile posed = posed_frame(folder, frame);
     for (int p = 0; p < 2; ++p) {
-      const json& places = file.frames[frame]["points"][p]["closest"];
-      ASSERT_EQ(places.size(), 2u);
+      const json& points = file.frames[frame]["points"][p]["closest"];
+      ASSERT_EQ(points.size(), 2u);
       for (int i = 0; i < 2; ++i) {
-        const json& place = places[i];
-        EXPECT_NEAR(distance_of(place["position"], from[p]), place["distance"].get<double>(), 1e-6);
-        const std::size_t triangle = place["triangle"];
-        EXPECT_TRUE(is_at(place["position"], posed.triangles(i)[triangle], posed.positions(i)));
+        const json& point = points[i];
+        EXPECT_NEAR(distance_of(point["position"], from[p]), point["distance"].get<double>(), 1e-6);
+        const std::size_t triangle = point["triangle"];
+        EXPECT_TRUE(is_at(point["position"], posed.triangles(i)[triangle], posed.positions(i)));
         for (const Vec3& corner : posed.positions(i))
-          EXPECT_LE(place["distance"].get<double>(),
+          EXPECT_LE(point["distance"].get<double>(),
                     distance_of({corner.x, corner.y, corner.z}, from[p]) + 1e-6);
       }
     }
   }
   const json& least = file.totals["totals"]["least"][1];
   for (const json& frame : file.frames)
-    for (const json& place : frame["points"][1]["closest"])
-      EXPECT_LE(least["distance"], place["distance"]);
+    for (const json& point : frame["points"][1]["closest"])
+      EXPECT_LE(least["distance"], point["distance"]);
 }
 
 TEST(DistanceVerb, LeavesOutPlacesThatAreNotWithin) {
