@@ -36,8 +36,8 @@ inline Matrix4 matrix_of(const Affine& affine) {
 /// The map that applies `b` first, then `a`.
 inline Affine operator*(const Affine& a, const Affine& b) {
   Affine result;
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 3; ++row) {
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) {
       double sum = a[row] * b[3 * column] + a[3 + row] * b[3 * column + 1];
       sum = sum + a[6 + row] * b[3 * column + 2];
       result[3 * column + row] = column < 3 ? sum : sum + a[9 + row];
@@ -52,7 +52,7 @@ inline std::optional<Affine> inverted(const Affine& m) {
   const double c0 = minor(4, 5, 7, 8), c1 = minor(7, 8, 1, 2), c2 = minor(1, 2, 4, 5);
   const double determinant = m[0] * c0 + m[3] * c1 + m[6] * c2;
   double size = 1;
-  for (int column = 0; column < 3; ++column) {
+  for (std::size_t column = 0; column < 3; ++column) {
     const double* v = m.data() + 3 * column;
     size *= std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   }

@@ -101,6 +101,7 @@ std::string why_none(const MorphWeight& morph, const Character& character) {
     return begin + std::to_string(targets.size()) + " morph targets, found more weights than these";
   const std::string& name = std::get<std::string>(morph.target);
   std::vector<std::string_view> known;
+  known.reserve(targets.size());
   for (const asset::MorphTarget& target : targets) known.push_back(target.name);
   return begin + "no morph target " + asset::quoted(name) + suggestion(name, known);
 }

@@ -105,8 +105,8 @@ CountedRefit counted_refit(const SphereModel& model, std::uint32_t node, const P
       images.push_back(transformed(palette[bounds.joints[set.first_joint + j]], rest));
     result.flops.transforms += taken_flops();
     for (std::uint32_t a = 0; a < set.corner_count; ++a)
-      blended.push_back(
-          blend(bounds.corners.data() + set.first_corner + a * set.joint_count, images));
+      blended.push_back(blend(
+          bounds.corners.data() + set.first_corner + std::size_t{a} * set.joint_count, images));
     result.flops.blends += taken_flops();
   }
   const CountedSphere sphere = enclose(blended);

@@ -50,7 +50,8 @@ void RefitRecords::append(const JointSet& set, const WeightBounds& bounds) {
   append(set.corner_count);
   for (std::uint32_t j = 0; j < set.joint_count; ++j) append(bounds.joints[set.first_joint + j]);
   const auto corners = bounds.corners.begin() + set.first_corner;
-  words_.insert(words_.end(), corners, corners + set.joint_count * set.corner_count);
+  words_.insert(words_.end(), corners,
+                corners + std::ptrdiff_t{set.joint_count} * set.corner_count);
 }
 
 void RefitRecords::prefetch_children(const RefitRecord& record) const {

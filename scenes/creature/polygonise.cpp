@@ -100,7 +100,7 @@ void Polygoniser::descend(const Cell& low, std::uint32_t size) {
 
 void Polygoniser::march_block(const Cell& low) {
   constexpr std::uint32_t kNodes = kBlock + 1;
-  std::array<double, kNodes * kNodes * kNodes> values;
+  std::array<double, std::size_t{kNodes} * kNodes * kNodes> values;
   const auto index = [](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return (z * kNodes + y) * kNodes + x;
   };

@@ -17,6 +17,9 @@
 
 #include "base/instruction_set.hpp"
 
+// A declared name cannot be in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
+
 /// For an instruction set that the build does not have, declares nothing, and the pointer is null.
 #ifdef PELT_HAS_SCALAR
 #define PELT_SCALAR_VERSION(function) scalar::function
@@ -50,6 +53,8 @@
 #define PELT_AVX2_VERSION(function) nullptr
 #define PELT_DECLARE_AVX2(function)
 #endif
+
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// Declares the version of `function` of each instruction set. Precondition: a header declares
 /// `function` in the surrounding namespace for the baseline, and it is not overloaded.

@@ -84,7 +84,7 @@ class DeepestVertex {
 
   /// Visits each vertex of a cluster once.
   void visit(const Cluster& cluster, const OpenedNode& opened, Side side) {
-    std::array<std::uint16_t, 3 * detail::kMaxClusterTriangles> seen;
+    std::array<std::uint16_t, std::size_t{3} * detail::kMaxClusterTriangles> seen;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
       const std::uint32_t place = cluster.first_triangle + i;

@@ -18,13 +18,13 @@ inline std::uint64_t morph_pool(const Tree& tree, std::uint32_t index, const Mor
     if (displaced_count == 0)
       for (std::uint32_t v = 0; v < node.vertex_count; ++v) {
         const Vec3& rest = tree.rest_positions[node.first_vertex + v];
-        float* to = out + kFloatsPerVertex * v;
+        float* to = out + std::size_t{kFloatsPerVertex} * v;
         to[0] = rest.x, to[1] = rest.y, to[2] = rest.z;
       }
     const PlacedDisplacement* displacement =
         tree.morphs.displacements.data() + target.first_displacement;
     for (std::uint32_t i = 0; i < target.displacement_count; ++i, ++displacement) {
-      float* at = out + kFloatsPerVertex * (displacement->place - node.first_vertex);
+      float* at = out + std::size_t{kFloatsPerVertex} * (displacement->place - node.first_vertex);
       const Vec3 v = displaced({at[0], at[1], at[2]}, morphs[target.target], displacement->by);
       at[0] = v.x, at[1] = v.y, at[2] = v.z;
     }

@@ -86,7 +86,7 @@ OpenedNode* begin_node(const PosedTree& posed, std::uint32_t index, QueryStats& 
   const Node& node = posed.tree.nodes[index];
   OpenedNode* opened = posed.arena.allocate<OpenedNode>();
   auto* positions = reinterpret_cast<float*>(
-      posed.arena.allocate(node.vertex_count * kFloatsPerVertex * sizeof(float)));
+      posed.arena.allocate(std::size_t{node.vertex_count} * kFloatsPerVertex * sizeof(float)));
   const MorphWeights& morphs = posed.palette.morphs();
   const std::uint64_t displaced =
       morphs.any() ? morph_pool(posed.tree, index, morphs, positions) : 0;
@@ -198,8 +198,10 @@ const TriangleBoxes& box_triangles(const PosedTree& posed, const Node& node,
   const std::uint32_t last = cluster.triangle_count - 1u;
   for (std::uint32_t first = 0; first < kMaxClusterTriangles; first += 8) {
     Box4 box[8];
-    for (std::uint32_t i = 0; i < 8; ++i)
-      box[i] = triangle_box(opened.positions, corners + 3 * (first + i < last ? first + i : last));
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const std::size_t triangle = first + i < last ? first + i : last;
+      box[i] = triangle_box(opened.positions, corners + 3 * triangle);
+    }
     store_boxes(box, boxes->low, boxes->high, first);
   }
   TriangleBoxes* first = nullptr;

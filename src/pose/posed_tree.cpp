@@ -18,7 +18,7 @@ std::size_t bytes_to_open(const Tree& tree) {
   bytes += std::uint64_t{tree.nodes.size()} * piece(sizeof(OpenedNode));
   bytes += std::uint64_t{tree.clusters.size()} * piece(sizeof(TriangleBoxes));
   for (const Node& node : tree.nodes)
-    bytes += piece(node.vertex_count * kFloatsPerVertex * sizeof(float));
+    bytes += piece(std::size_t{node.vertex_count} * kFloatsPerVertex * sizeof(float));
   return static_cast<std::size_t>(std::min(bytes, kMax));
 }
 

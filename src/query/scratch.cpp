@@ -12,13 +12,15 @@
 namespace pelt {
 namespace {
 
-constexpr std::size_t kMaxSlotPairs = 3 * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;
+constexpr std::size_t kMaxSlotPairs =
+    std::size_t{3} * detail::kMaxClusterTreeDepth * 2 * detail::kMaxSlots;
 
 /// For one tree, a step replaces a node by its children.
-constexpr std::size_t kMaxNodes = detail::kMaxClusterTreeDepth * detail::kMaxSlots;
+constexpr std::size_t kMaxNodes = std::size_t{detail::kMaxClusterTreeDepth} * detail::kMaxSlots;
 
 /// A nearest-first search replaces one part by its slots.
-constexpr std::size_t kMaxNearParts = (detail::kMaxClusterTreeDepth + 1) * detail::kMaxSlots;
+constexpr std::size_t kMaxNearParts =
+    std::size_t{detail::kMaxClusterTreeDepth + 1} * detail::kMaxSlots;
 
 /// A query with a limit checks its count between pairs of clusters, and up to seven pairs of
 /// triangles may have been waiting before.

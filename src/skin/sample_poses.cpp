@@ -44,7 +44,7 @@ Matrix4 turn_about(const Vec3d& middle, double x, double y, double z) {
   const Vec3d moved = middle.x * columns[0] + middle.y * columns[1] + middle.z * columns[2];
   const Vec3d all[] = {columns[0], columns[1], columns[2], middle - moved};
   Matrix4 matrix;
-  for (int column = 0; column < 4; ++column) {
+  for (std::size_t column = 0; column < 4; ++column) {
     const Vec3 v = to_float(all[column]);
     matrix.m[4 * column] = v.x, matrix.m[4 * column + 1] = v.y, matrix.m[4 * column + 2] = v.z;
   }

@@ -60,6 +60,7 @@ std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<const CLI::App*> verbs =
       app.get_subcommands([](const CLI::App*) { return true; });
   std::vector<std::string> names;
+  names.reserve(verbs.size());
   for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
   if (unread.empty()) return "no verb is given" + scenes::suggestion("", known);

@@ -111,6 +111,7 @@ std::vector<std::string> models_of(const JsonObject& header) {
     by_instance[collider.index(key, kAnyInstance)] = collider.text("model");
   }
   std::vector<std::string> models;
+  models.reserve(by_instance.size());
   for (const auto& [instance, model] : by_instance) models.push_back(model);
   std::sort(models.begin(), models.end());
   return models;

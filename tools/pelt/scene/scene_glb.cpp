@@ -15,6 +15,7 @@ constexpr std::array<std::array<float, 3>, 4> kSkinColours = {{
 /// One material per skin colour, then the material of triangles in contact.
 std::vector<output::GlbMaterial> materials() {
   std::vector<output::GlbMaterial> all;
+  all.reserve(kSkinColours.size() + 1);
   for (const std::array<float, 3>& colour : kSkinColours) {
     all.push_back({"skin " + std::to_string(all.size()), colour});
   }
