@@ -48,17 +48,19 @@ Topology make_soup_of(FuzzBytes& bytes) {
   return soup;
 }
 
-Topology make_topology(FuzzBytes& bytes) {
-  switch (bytes.index(4)) {
-    case 0:
-      return {tetrahedron(), 4};
-    case 1:
-      return {octahedron(), 6};
-    case 2:
-      return {torus(3, 3), 9};
-    default:
-      return make_soup_of(bytes);
+/// A limb has enough triangles for a tree of several nodes, and vertices that several joints move.
+/// The vertices of all other shapes follow one joint each.
+Shape make_shape(FuzzBytes& bytes) {
+  const std::uint8_t kind = bytes.next();
+  if (kind >= 224) {
+    const std::uint32_t rings = 4 + bytes.index(12), sides = 3 + bytes.index(6);
+    return make_limb(rings, sides, 1 + bytes.index(4));
   }
+  if (kind % 4 == 0) return make_pinned(4, tetrahedron());
+  if (kind % 4 == 1) return make_pinned(6, octahedron());
+  if (kind % 4 == 2) return make_pinned(9, torus(3, 3));
+  const Topology soup = make_soup_of(bytes);
+  return make_pinned(soup.vertex_count, soup.triangles);
 }
 
 /// At most two targets, each moving some vertices.
@@ -76,28 +78,43 @@ void add_morphs(FuzzBytes& bytes, Shape& shape) {
   }
 }
 
-/// Most joints map their vertex to a point. Some only translate or scale it, so that displacements
-/// and rest positions matter.
-std::vector<Matrix4> make_palette(FuzzBytes& bytes, std::uint32_t joint_count) {
+bool is_pinned(const Shape& shape) { return shape.influences_per_vertex == 1; }
+
+/// Most joints of a pinned shape map their vertex to a point. Some only translate or scale it, so
+/// that displacements and rest positions matter. The joints of a limb do the latter, and some shear
+/// it.
+std::vector<Matrix4> make_palette(FuzzBytes& bytes, const Shape& shape) {
   std::vector<Vec3> positions;
-  for (std::uint32_t j = 0; j < joint_count; ++j)
+  for (std::uint32_t j = 0; j < shape.joint_count; ++j)
     positions.push_back(j > 0 && bytes.index(8) == 0 ? positions[bytes.index(j)] : bytes.point());
   std::vector<Matrix4> palette = pin(positions);
-  for (Matrix4& joint : palette)
-    if (bytes.index(4) == 3) joint.m[0] = joint.m[5] = joint.m[10] = bytes.coordinate();
+  for (Matrix4& joint : palette) {
+    const std::uint32_t kind = bytes.index(4);
+    if (kind == 3) {
+      joint.m[0] = joint.m[5] = joint.m[10] = bytes.coordinate();
+    } else if (!is_pinned(shape)) {
+      joint.m[0] = joint.m[5] = joint.m[10] = 1;
+      if (kind == 2) joint.m[bytes.index(3) * 4 + bytes.index(3)] = bytes.coordinate();
+    }
+  }
   return palette;
 }
 
 }  // namespace
 
+std::vector<std::array<Vec3, 3>> FuzzedBody::all_corners() const {
+  std::vector<std::array<Vec3, 3>> all;
+  for (std::size_t t = 0; t < shape.triangles.size(); ++t) all.push_back(corners(t));
+  return all;
+}
+
 std::optional<FuzzedBody> make_body(FuzzBytes& bytes) {
-  const Topology topology = make_topology(bytes);
-  Shape shape = make_pinned(topology.vertex_count, topology.triangles);
+  Shape shape = make_shape(bytes);
   add_morphs(bytes, shape);
   const Result<SkinnedModel> model = build_model(shape.view());
   if (!model) return std::nullopt;
   Pose pose(*model);
-  std::vector<Matrix4> palette = make_palette(bytes, shape.joint_count);
+  std::vector<Matrix4> palette = make_palette(bytes, shape);
   if (!pose.set_palette(palette)) return std::nullopt;
   std::vector<float> weights;
   for (std::uint32_t t = 0; t < shape.morph_target_count(); ++t)
@@ -107,6 +124,35 @@ std::optional<FuzzedBody> make_body(FuzzBytes& bytes) {
   posed_vertices(pose, posed);
   return FuzzedBody{std::move(shape), std::move(palette), std::move(weights),
                     std::move(pose),  Surface(*model),    std::move(posed)};
+}
+
+void move_body(FuzzBytes& bytes, FuzzedBody& body) {
+  std::vector<Matrix4> palette = make_palette(bytes, body.shape);
+  if (!body.pose.set_palette(palette)) return;
+  body.palette = std::move(palette);
+  posed_vertices(body.pose, body.posed);
+}
+
+Vec3 point_near(FuzzBytes& bytes, const FuzzedBody& body) {
+  const auto count = static_cast<std::uint32_t>(body.posed.size());
+  const auto vertex = [&] { return body.posed[bytes.index(count)]; };
+  switch (bytes.index(4)) {
+    case 0:
+      return vertex();
+    case 1: {
+      const Vec3 p = vertex(), q = vertex();
+      return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
+    }
+    case 2: {
+      Vec3 p = vertex();
+      float Vec3::*const axes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+      float& moved = p.*axes[bytes.index(3)];
+      moved = std::nextafter(moved, bytes.coordinate());
+      return p;
+    }
+    default:
+      return bytes.point();
+  }
 }
 
 }  // namespace pelt::test

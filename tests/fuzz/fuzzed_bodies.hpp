@@ -1,7 +1,7 @@
 #pragma once
 
-/// Makes bodies from bytes: small meshes whose posed vertices and queries have coordinates that are
-/// hard for arithmetic.
+/// Makes bodies from bytes: small meshes whose posed vertices have coordinates that are hard for
+/// arithmetic.
 
 #include "support/pinned_shapes.hpp"
 
@@ -22,6 +22,7 @@ class FuzzBytes {
   explicit FuzzBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   std::uint8_t next();
+  bool is_empty() const { return next_ >= bytes_.size(); }
 
   /// A number below `count`.
   std::uint32_t index(std::uint32_t count) { return next() % count; }
@@ -47,13 +48,28 @@ struct FuzzedBody {
   Surface surface;
   std::vector<Vec3> posed;
 
+  std::uint32_t triangle_count() const {
+    return static_cast<std::uint32_t>(shape.triangles.size());
+  }
   std::array<Vec3, 3> corners(std::size_t triangle) const {
     const auto [a, b, c] = shape.triangles[triangle];
     return {posed[a], posed[b], posed[c]};
   }
+
+  /// The vertices of all triangles, posed.
+  std::vector<std::array<Vec3, 3>> all_corners() const;
+
+  /// Whether oracles that take microseconds per pair of triangles are quick enough.
+  bool is_small() const { return shape.triangles.size() <= 20; }
 };
 
 /// Nullopt if Pelt refuses the mesh, the palette or the weights.
 std::optional<FuzzedBody> make_body(FuzzBytes& bytes);
+
+/// Sets another palette. Leaves the body unchanged if Pelt refuses the palette.
+void move_body(FuzzBytes& bytes, FuzzedBody& body);
+
+/// A posed vertex, a point halfway between two of them, a point near a vertex, or any point.
+Vec3 point_near(FuzzBytes& bytes, const FuzzedBody& body);
 
 }  // namespace pelt::test

@@ -1,15 +1,28 @@
-/// The fuzz target of prepared models: bytes -> load_model, then queries. Corrects the checksum
-/// first, so that it does not hide the later checks.
+/// The fuzz target of prepared models: bytes -> load_model, and what a program does with a model.
+/// Corrects the checksum, so that it does not refuse all other damage.
 
+#include "fuzz/goal.hpp"
 #include "support/prepared_file.hpp"
 #include "support/use_model.hpp"
 
+namespace pelt::test {
+namespace {
+
+Goal model_used("load_model: a model that can be posed"), model_refused("load_model: an error");
+
+void use_prepared(std::span<const std::byte> bytes) {
+  constexpr std::uint32_t kMostTriangles = 20000;  // so that fuzzing stays quick
+  Bytes file(bytes.begin(), bytes.end());
+  mend(file);
+  const Result<SkinnedModel> model = load_model(file);
+  model_refused.reach(!model);
+  if (model && model->triangle_count() <= kMostTriangles) model_used.reach(use_model(*model));
+}
+
+}  // namespace
+}  // namespace pelt::test
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::uint32_t kMaxTriangles = 20000;  // limits the time per input
-  const auto bytes = std::as_bytes(std::span(data, size));
-  pelt::test::Bytes file(bytes.begin(), bytes.end());
-  pelt::test::mend(file);
-  const pelt::Result<pelt::SkinnedModel> model = pelt::load_model(file);
-  if (model && model->triangle_count() <= kMaxTriangles) pelt::test::use_model(*model);
+  pelt::test::use_prepared(std::as_bytes(std::span(data, size)));
   return 0;
 }

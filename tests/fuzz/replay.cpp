@@ -1,6 +1,9 @@
-/// TARGET_replay FILE|FOLDER...: passes files to a fuzz target one by one, without libFuzzer, so
-/// that every build checks the seeds. Prints each file before it runs, so the last printed file is
-/// the one that crashed.
+/// TARGET_replay [--reach-all] FILE|FOLDER...: passes files to a fuzz target one after the other,
+/// without libFuzzer, so that every build checks the seeds. Prints each file before it is passed;
+/// after a failure, the last file printed is the one that failed. With --reach-all, also fails if
+/// no file reached one of the goals of the target.
+
+#include "fuzz/goal.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,11 +11,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
+
+using pelt::test::Goal;
 
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(path)) return {path};
@@ -32,15 +38,29 @@ bool replay(const std::filesystem::path& path) {
   return true;
 }
 
+/// Prints how often each goal was reached. Returns whether all were.
+bool print_goals() {
+  bool all = true;
+  for (const Goal* goal = Goal::first(); goal != nullptr; goal = goal->next()) {
+    std::printf("%8llu %s\n", static_cast<unsigned long long>(goal->count()), goal->name());
+    all = all && goal->count() > 0;
+  }
+  return all;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool reach_all = argc > 1 && std::string_view(argv[1]) == "--reach-all";
   int count = 0;
-  for (int i = 1; i < argc; ++i)
+  for (int i = reach_all ? 2 : 1; i < argc; ++i)
     for (const std::filesystem::path& path : files_in(argv[i])) {
       if (!replay(path)) return 2;
       ++count;
     }
   std::printf("%d files\n", count);
-  return count > 0 ? 0 : 2;
+  if (count == 0) return 2;
+  if (print_goals() || !reach_all) return 0;
+  std::fprintf(stderr, "no seed reaches a goal with the count 0: add a seed that does\n");
+  return 1;
 }
