@@ -78,6 +78,47 @@ TEST_F(MemoryLimit, NamesAHugeBuffer) {
   expect_named("info body.gltf", "body.bin");
 }
 
+/// A limb whose JSON text has many values that Pelt does not read.
+void write_wordy_limb(const TestFolder& folder, const std::string& name) {
+  GltfBuilder builder = build_limb(200);
+  json& extras = builder.document["extras"] = json::array();
+  for (int i = 0; i < 20000; ++i) extras.push_back({{"a", {i, {i}}}});
+  write_bytes(folder / name, builder.glb());
+}
+
+/// The command ends in order under any limit that lets it start.
+TEST_F(MemoryLimit, NamesTheModelWhereverItIsReached) {
+  write_wordy_limb(folder_, "limb.glb");
+  for (const std::string verb : {"info limb.glb --json", "check limb.glb limb.glb --fail-on never",
+                                 "pose limb.glb --frame 1 -o posed.glb"}) {
+    std::size_t failures = 0;
+    for (std::uint32_t megabytes = 40; megabytes > 5; --megabytes) {
+      const Ended run = run_limited(folder_, verb, megabytes);
+      if (run.exit_code == 127 || run.err.find("memory to start") != std::string::npos) break;
+      if (run.exit_code == 0) continue;
+      ++failures;
+      EXPECT_EQ(run.exit_code, 2) << verb << " within " << megabytes << " MB: " << run.err;
+      EXPECT_NE(run.err.find("pelt: error: limb.glb"), std::string::npos) << run.err;
+      EXPECT_NE(run.err.find("needs more memory than there is"), std::string::npos) << run.err;
+      EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
+    }
+    EXPECT_GT(failures, 3u) << verb;
+  }
+}
+
+/// The joints of all instances in one frame take 108 MB.
+TEST_F(MemoryLimit, NamesTheSceneAfterItIsLoaded) {
+  std::string scene = R"({"models": {"a": {"creature": {"triangles": 2000, "joints": 56}}},
+                          "instances": [{"model": "a"})";
+  for (int i = 0; i < 30000; ++i) scene += R"(, {"model": "a"})";
+  write_text(folder_ / "scene.json", scene + "]}");
+  const Ended run = run_limited(folder_, "bounds scene.json --frames 0:1", 100);
+  EXPECT_EQ(run.exit_code, 2) << run.err;
+  EXPECT_EQ(run.err,
+            "pelt: error: scene.json: pelt bounds needs more memory than there is: free some, or "
+            "use fewer or smaller characters\n");
+}
+
 /// A palette of all joints for each part would take 4.1 GB.
 TEST_F(MemoryLimit, SufficesForParts) {
   write_dust(folder_, "dust.gltf", 8000);

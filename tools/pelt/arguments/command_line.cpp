@@ -11,6 +11,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 
@@ -81,6 +83,59 @@ int end_of_parse(const Program& program, const CLI::App& app, const CLI::ParseEr
   return finish(program, ExitCode::success);
 }
 
+/// The files that the verb was given, at most three of them: "a.glb, b.glb: "; or "".
+std::string names_of_inputs(const CLI::App& verb) {
+  constexpr std::size_t kShown = 3;
+  std::vector<std::string> inputs;
+  for (const CLI::Option* option : verb.get_options()) {
+    if (!option->nonpositional())
+      inputs.insert(inputs.end(), option->results().begin(), option->results().end());
+  }
+  std::string names;
+  for (std::size_t i = 0; i < std::min(inputs.size(), kShown); ++i)
+    names += (i > 0 ? ", " : "") + inputs[i];
+  if (inputs.size() > kShown) names += ", ...";
+  return names.empty() ? "" : names + ": ";
+}
+
+std::string out_of_memory(const CLI::App& app) {
+  const CLI::App& verb = *app.get_subcommands()[0];
+  return names_of_inputs(verb) + app.get_name() + " " + verb.get_name() +
+         " needs more memory than there is: free some, or use fewer or smaller characters";
+}
+
+/// Memory that is freed when an allocation fails for the first time, because destructors of JSON
+/// values and error messages allocate.
+std::atomic<void*> reserve = nullptr;
+
+void free_reserve_and_throw() {
+  std::free(reserve.exchange(nullptr));
+  std::set_new_handler(nullptr);
+  throw std::bad_alloc();
+}
+
+/// Returns false if there is too little memory, even for exceptions.
+bool reserve_memory_for_errors() {
+  constexpr std::size_t kReserve = std::size_t{1} << 20;
+  reserve = std::malloc(kReserve);
+  std::set_new_handler(free_reserve_and_throw);
+  return reserve != nullptr;
+}
+
+int refuse_to_start(const Program& program) {
+  std::cerr << program.name << ": error: there is too little memory to start: free some\n";
+  return code(ExitCode::bad_input);
+}
+
+int run_verb(const Program& program, const CLI::App& app, const Command& command) {
+  try {
+    const Result<ExitCode> exit = command();
+    return exit ? finish(program, *exit) : refuse(program, exit.error().message);
+  } catch (const std::bad_alloc&) {
+    return refuse(program, out_of_memory(app));
+  }
+}
+
 int run(const Program& program, int argc, char** argv) {
   CLI::App app(program.description, program.name);
   app.set_version_flag("--version", std::string(program.name) + " " PELT_VERSION);
@@ -94,8 +149,7 @@ int run(const Program& program, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return end_of_parse(program, app, error);
   }
-  const Result<ExitCode> exit = command();
-  return exit ? finish(program, *exit) : refuse(program, exit.error().message);
+  return run_verb(program, app, command);
 }
 
 }  // namespace
@@ -103,11 +157,11 @@ int run(const Program& program, int argc, char** argv) {
 int run_command_line(const Program& program, int argc, char** argv) {
   output::reserve_standard_streams();
   output::remove_unfinished_files_on_signals();
+  if (!reserve_memory_for_errors()) return refuse_to_start(program);
   try {
     return run(program, argc, argv);
   } catch (const std::bad_alloc&) {
-    std::cerr << program.name << ": there is not enough memory: use fewer or smaller characters\n";
-    return code(ExitCode::bad_input);
+    return refuse_to_start(program);
   } catch (const std::exception& error) {
     std::cerr << program.name << ": internal error: " << asset::printable(error.what()) << '\n';
   } catch (...) {

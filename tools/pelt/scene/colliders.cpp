@@ -1,5 +1,6 @@
 #include "tools/pelt/scene/colliders.hpp"
 
+#include "asset/file_bytes.hpp"
 #include "scenes/clip_samples.hpp"
 #include "tools/pelt/scene/part_mesh.hpp"
 
@@ -72,15 +73,22 @@ class Prototypes {
   std::vector<Matrix4> samples_;
 };
 
+Result<std::vector<Collider>> make_prototypes(const scenes::Scene& scene, std::uint32_t character,
+                                              Granularity granularity,
+                                              const arguments::ModelArguments& arguments) {
+  return asset::within_memory(scene.characters[character].source, [&] {
+    const Prototypes prototypes(scene, character, arguments);
+    return granularity == Granularity::instance ? prototypes.whole() : prototypes.parts();
+  });
+}
+
 }  // namespace
 
 Result<std::vector<Collider>> make_colliders(const scenes::Scene& scene, Granularity granularity,
                                              const arguments::ModelArguments& arguments) {
   std::vector<std::vector<Collider>> by_character;
   for (std::uint32_t c = 0; c < scene.characters.size(); ++c) {
-    const Prototypes prototypes(scene, c, arguments);
-    Result<std::vector<Collider>> made =
-        granularity == Granularity::instance ? prototypes.whole() : prototypes.parts();
+    Result<std::vector<Collider>> made = make_prototypes(scene, c, granularity, arguments);
     if (!made) return made.error();
     by_character.push_back(std::move(*made));
   }
