@@ -4,6 +4,7 @@
 #include "evaluation/pictures/pictures.hpp"
 #include "evaluation/reproduce/picture.hpp"
 #include "tools/pelt/output/run_program.hpp"
+#include "tools/pelt/output/unfinished_files.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: draw_queries FOLDER [NAME...]\n");
     return 2;
   }
+  tools::output::remove_unfinished_files_on_signals();  // also ends the programs that are run
   const std::span<char*> wanted(argv + 2, argv + argc);
   const std::filesystem::path folder = argv[1];
   struct Entry {

@@ -3,7 +3,14 @@
 #include <pelt/asset.hpp>
 #include <pelt/version.hpp>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <thread>
 
 namespace pelt::test {
 namespace {
@@ -59,6 +66,86 @@ done
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "a/b" / name)) << name;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "a/b/still.pov"));
+}
+
+/// Starts the demo with a replacement for POV-Ray that writes what POV-Ray writes while it renders,
+/// and sleeps in a process of its own, whose number is in the file "sleeping".
+pid_t start_with_sleeping_ray_tracer(const TestFolder& folder) {
+  write_text(folder / "povray", R"sh(#!/bin/sh
+for word; do
+  case "$word" in
+    +O*) touch "${word#+O}" "$(echo "${word#+O}" | sed 's/png$/pov-state/')" ;;
+  esac
+done
+sleep 100 &
+echo $! > sleeping.new
+mv sleeping.new sleeping
+wait
+)sh");
+  std::filesystem::permissions(folder / "povray", std::filesystem::perms::owner_all);
+  const pid_t child = fork();
+  if (child != 0) return child;
+  setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
+  if (chdir(folder.path().c_str()) == 0 && freopen("/dev/null", "w", stdout) != nullptr)
+    execl(PELT_COMMAND, PELT_COMMAND, "demo", "-o", "demo", nullptr);
+  _exit(127);
+}
+
+/// Whether the condition becomes true within a minute.
+template <typename Condition>
+bool becomes(const Condition& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!condition() && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return condition();
+}
+
+/// A process that has ended but was not waited for has no command line.
+bool is_running(const std::string& process) {
+  std::ifstream file("/proc/" + process + "/cmdline");
+  return file.get() != std::char_traits<char>::eof();
+}
+
+TEST(Demo, EndsTheRayTracerWhenASignalComes) {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    const TestFolder folder;
+    const pid_t demo = start_with_sleeping_ray_tracer(folder);
+    EXPECT_TRUE(becomes([&] { return std::filesystem::exists(folder / "sleeping"); }));
+    EXPECT_TRUE(std::filesystem::exists(folder / "demo/still.pov"));
+    std::string sleeping = read_text(folder / "sleeping");
+    sleeping.pop_back();
+    EXPECT_TRUE(is_running(sleeping));
+    kill(demo, signal);
+    int status = 0;
+    waitpid(demo, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), signal);
+    EXPECT_TRUE(becomes([&] { return !is_running(sleeping); }));
+    for (const std::string& name : names_in_path(folder / "demo")) {
+      EXPECT_FALSE(name.starts_with(".pelt-")) << name;
+      EXPECT_NE(name, "still.pov");
+    }
+  }
+}
+
+TEST(Demo, KeepsTheDescriptionWhereTheRayTracerFails) {
+  const TestFolder folder;
+  write_text(folder / "povray", R"sh(#!/bin/sh
+for word; do
+  case "$word" in
+    +O*) touch "$(echo "${word#+O}" | sed 's/png$/pov-state/')" ;;
+  esac
+done
+exit 1
+)sh");
+  std::filesystem::permissions(folder / "povray", std::filesystem::perms::owner_all);
+  const Ended run =
+      run_pelt(folder, {"demo", "-o", "demo"}, folder.path().string() + ":/usr/bin:/bin");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("no picture: POV-Ray failed on demo/still.pov"), std::string::npos);
+  const std::set<std::string> names = names_in_path(folder / "demo");
+  EXPECT_TRUE(names.contains("still.pov"));
+  for (const std::string& name : names) EXPECT_FALSE(name.starts_with(".pelt-")) << name;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "tools/pelt/output/run_program.hpp"
 
+#include "tools/pelt/output/unfinished_files.hpp"
+
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -7,6 +9,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <optional>
 #include <vector>
 
 extern char** environ;
@@ -32,10 +35,11 @@ class Silence {
   posix_spawn_file_actions_t actions_;
 };
 
-/// The signals that reach a program.
+/// The signals that reach a program. It leads a process group, so that the terminal's signals reach
+/// only the command, which kills the whole group if `run_program` promises that.
 class Signals {
  public:
-  explicit Signals(CtrlC ctrl_c) {
+  Signals() {
     sigset_t none;
     sigemptyset(&none);
     posix_spawnattr_init(&attributes_);
@@ -44,8 +48,7 @@ class Signals {
     sigemptyset(&ignored);
     sigaddset(&ignored, SIGXFSZ);
     posix_spawnattr_setsigdefault(&attributes_, &ignored);
-    int flags = POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF;
-    if (ctrl_c == CtrlC::ends_caller) flags |= POSIX_SPAWN_SETPGROUP;
+    const int flags = POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP;
     posix_spawnattr_setflags(&attributes_, static_cast<short>(flags));
   }
   Signals(const Signals&) = delete;
@@ -65,11 +68,15 @@ ProgramEnd run_program(std::span<const std::string> words, CtrlC ctrl_c) {
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_t child = 0;
-  const int error = posix_spawnp(&child, arguments[0], Silence().get(), Signals(ctrl_c).get(),
+  std::optional<SignalsBlocked> blocked(std::in_place);
+  const int error = posix_spawnp(&child, arguments[0], Silence().get(), Signals().get(),
                                  arguments.data(), environ);
-  if (error == ENOENT) return ProgramEnd::not_found;
+  if (error != 0) return error == ENOENT ? ProgramEnd::not_found : ProgramEnd::failed;
+  std::optional<RunningProgram> running;
+  if (ctrl_c == CtrlC::ends_both) running.emplace(child);
+  blocked.reset();
   int status = 0;
-  if (error != 0 || waitpid(child, &status, 0) != child) return ProgramEnd::failed;
+  if (waitpid(child, &status, 0) != child) return ProgramEnd::failed;
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? ProgramEnd::succeeded : ProgramEnd::failed;
 }
 

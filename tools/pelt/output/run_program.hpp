@@ -7,7 +7,9 @@ namespace pelt::tools::output {
 
 enum class ProgramEnd { succeeded, failed, not_found };
 
-/// Whether Ctrl+C ends the program too, or only its caller.
+/// Whether Ctrl+C, and any other signal that ends the caller, also kills the program and its
+/// children, or leaves them alone. `ends_both` requires remove_unfinished_files_on_signals
+/// (unfinished_files.hpp).
 enum class CtrlC { ends_both, ends_caller };
 
 /// Runs a program found on PATH, without a shell, and waits for its end. Discards its output.

@@ -1,5 +1,6 @@
 #include "tools/pelt/output/unfinished_files.hpp"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -22,10 +23,16 @@ struct Slot {
 constexpr std::size_t kSlots = 16;
 std::array<Slot, kSlots> slots;
 
+std::atomic<pid_t> running_program = 0;  // 0: none
+
 constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 
 /// Precondition: the signal's default action has been restored.
 void remove_and_end(int signal) {
+  if (const pid_t program = running_program.load(std::memory_order_acquire); program != 0) {
+    kill(-program, SIGKILL);
+    waitpid(program, nullptr, 0);  // otherwise it may create a file after the removal
+  }
   for (const Slot& slot : slots) {
     if (slot.used.load(std::memory_order_acquire)) unlink(slot.path.data());
   }
@@ -61,5 +68,20 @@ UnfinishedFile::UnfinishedFile(const std::filesystem::path& path) : slot_(0) {
 UnfinishedFile::~UnfinishedFile() {
   if (slot_ < kSlots) slots[slot_].used.store(false, std::memory_order_release);
 }
+
+SignalsBlocked::SignalsBlocked() {
+  sigset_t ending;
+  sigemptyset(&ending);
+  for (const int signal : kEndingSignals) sigaddset(&ending, signal);
+  pthread_sigmask(SIG_BLOCK, &ending, &before_);
+}
+
+SignalsBlocked::~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+RunningProgram::RunningProgram(pid_t leader) {
+  running_program.store(leader, std::memory_order_release);
+}
+
+RunningProgram::~RunningProgram() { running_program.store(0, std::memory_order_release); }
 
 }  // namespace pelt::tools::output

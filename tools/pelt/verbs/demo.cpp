@@ -9,6 +9,7 @@
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/run_program.hpp"
+#include "tools/pelt/output/unfinished_files.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/picture/still.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -91,7 +92,8 @@ Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
   return {};
 }
 
-/// Runs POV-Ray, which derives a picture's format from the end of its name.
+/// Runs POV-Ray, which derives a picture's format from the end of its name, and leaves a file
+/// beside the picture unless it succeeds.
 output::ProgramEnd render(const fs::path& description, const fs::path& picture) {
   const std::vector<std::string> command = {"povray",
                                             "+I" + description.string(),
@@ -102,7 +104,12 @@ output::ProgramEnd render(const fs::path& description, const fs::path& picture) 
                                             "-D",
                                             "-P",
                                             "+Q11"};
-  return output::run_program(command);
+  const fs::path left = fs::path(picture).replace_extension(".pov-state");
+  const output::UnfinishedFile unfinished(left);
+  const output::ProgramEnd end = output::run_program(command);
+  std::error_code ignored;
+  fs::remove(left, ignored);
+  return end;
 }
 
 /// A missing ray tracer does not fail the demo, which writes everything except the picture.
@@ -122,6 +129,7 @@ Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
   const Result<picture::StillFrame> still = picture::take_still(scene, kStillFrame);
   if (!still) return still.error();
   const fs::path description = folder / kDescription, picture = folder / kPicture;
+  const output::UnfinishedFile unfinished(description);  // unless rendering fails
   if (const auto written = write_text(description, picture::describe_still(*still)); !written)
     return written.error();
   output::OutputFile file;
