@@ -479,8 +479,8 @@ TEST(Outputs, OfADemoAreFilesOfTheirOwn) {
 
 TEST(Outputs, OfADemoAreAsBeforeOnAFullDiskOrASignal) {
   const SafetyFolder folder;
-  fs::create_directory(folder / "pelt-demo");
-  for (const char* name : {"scene.json", "azure.glb", "contacts.jsonl"})
+  ASSERT_EQ(run_pelt(folder.get(), {"demo", "--no-picture"}).exit_code, 0);
+  for (const char* name : {"azure.glb", "contacts.jsonl"})
     write_text(folder / ("pelt-demo/" + std::string(name)), kOld);
   const Ended limited = run_in_shell(folder, "ulimit -f 1; " + shell_command({"demo"}));
   EXPECT_EQ(limited.exit_code, 2);

@@ -128,6 +128,34 @@ TEST(Demo, EndsTheRayTracerWhenASignalComes) {
   }
 }
 
+TEST(Demo, ReplacesOnlyADemo) {
+  const TestFolder folder;
+  for (const std::string name :
+       {"scene.json", "azure.glb", "contacts.jsonl", "report.html", "still.pov", "still.png"}) {
+    const std::string own = folder / name;
+    write_text(own, "of the user");
+    for (const std::string& option : {std::string("."), folder.path().string()}) {
+      const Ended run = run_pelt(folder, {"demo", "-o", option}, "/nonexistent");
+      EXPECT_EQ(run.exit_code, 2) << name;
+      EXPECT_EQ(run.out, "");
+      EXPECT_NE(run.err.find(name + " exists, and is not of a demo: choose another folder with -o"),
+                std::string::npos)
+          << run.err;
+    }
+    EXPECT_EQ(read_text(own), "of the user");
+    EXPECT_EQ(names_in(folder), std::set<std::string>{name});
+    std::filesystem::remove(own);
+  }
+  write_text(folder / "notes.txt", "of the user");
+  for (int i = 0; i < 2; ++i) {
+    const Ended run = run_pelt(folder, {"demo", "-o", "."}, "/nonexistent");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+  }
+  std::ofstream(folder / "scene.json", std::ios::app) << ' ';  // an edited demo is the user's
+  EXPECT_EQ(run_pelt(folder, {"demo", "-o", "."}, "/nonexistent").exit_code, 2);
+  EXPECT_EQ(read_text(folder / "notes.txt"), "of the user");
+}
+
 TEST(Demo, KeepsTheDescriptionWhereTheRayTracerFails) {
   const TestFolder folder;
   write_text(folder / "povray", R"sh(#!/bin/sh

@@ -1,5 +1,6 @@
 /// `pelt demo`: two generated characters walk into each other. Needs no input files.
 
+#include "asset/file_bytes.hpp"
 #include "asset/printable.hpp"
 #include "scenes/character_glb.hpp"
 #include "scenes/demo_scene.hpp"
@@ -9,11 +10,13 @@
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/run_program.hpp"
+#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/output/unfinished_files.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/picture/still.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
+#include <array>
 #include <filesystem>
 #include <iostream>
 
@@ -147,13 +150,36 @@ Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
   return {};
 }
 
+/// All files that the demo may write.
+constexpr std::array kFiles = {"scene.json",   "azure.glb",   "sand.glb",   "contacts.jsonl",
+                               "contacts.glb", "report.html", kDescription, kPicture};
+
+/// A demo writes its scene first, so the other files of a folder with this scene are of a demo too.
+bool holds_a_demo(const fs::path& folder) {
+  const auto scene = asset::read_file(folder / "scene.json");
+  if (!scene) return false;
+  const auto* text = reinterpret_cast<const char*>(scene->data());
+  return std::string_view(text, scene->size()) == scenes::kDemoScene;
+}
+
+/// Returns an error for a folder with a file that the demo would replace but has not written.
+Result<void> check_contents(const fs::path& folder) {
+  if (holds_a_demo(folder)) return {};
+  for (const char* name : kFiles) {
+    std::error_code ignored;
+    const fs::path path = folder / name;
+    if (!fs::exists(fs::symlink_status(path, ignored))) continue;
+    return output::bad_argument("-o", path.string() + " exists, and is not of a demo",
+                                "choose another folder with -o, or move the file away");
+  }
+  return {};
+}
+
 /// Returns an error for a folder in which links make two of the demo's files the same, or one of
 /// them the viewer's page.
-Result<void> check_folder(const fs::path& folder) {
+Result<void> check_links(const fs::path& folder) {
   std::vector<output::NamedOutput> outputs;
-  for (const char* name : {"scene.json", "azure.glb", "sand.glb", "contacts.jsonl", "contacts.glb",
-                           "report.html", kDescription, kPicture})
-    outputs.push_back({"-o", (folder / name).string()});
+  for (const char* name : kFiles) outputs.push_back({"-o", (folder / name).string()});
   std::vector<output::InputFile> inputs;
   for (const fs::path& place : page::viewer_places())
     inputs.push_back({place, "the viewer's page"});
@@ -163,7 +189,8 @@ Result<void> check_folder(const fs::path& folder) {
 Result<arguments::ExitCode> demo(const Arguments& arguments) {
   const fs::path folder = arguments.folder;
   if (const auto made = make_folder(folder); !made) return made.error();
-  if (const auto checked = check_folder(folder); !checked) return checked.error();
+  if (const auto checked = check_links(folder); !checked) return checked.error();
+  if (const auto checked = check_contents(folder); !checked) return checked.error();
   const Result<scenes::Scene> scene = write_scene(folder);
   if (!scene) return scene.error();
   if (const auto written = write_characters(*scene, folder); !written) return written.error();
