@@ -101,9 +101,77 @@ INSTANTIATE_TEST_SUITE_P(
                       std::vector<std::string>{"check", "a.glb", "--ignore", kHostile + ",b"},
                       std::vector<std::string>{"check", "a.glb", "--jsonl", "no/" + kHostile},
                       std::vector<std::string>{"check", "a.glb", "--frames", kHostile},
+                      std::vector<std::string>{"check", "a.glb", "--baseline", kHostile},
+                      std::vector<std::string>{"bench", kHostile},
+                      std::vector<std::string>{"bench", "s.json", "--against", kHostile},
+                      std::vector<std::string>{"bench", "s.json", "--methods", kHostile},
+                      std::vector<std::string>{"demo", "-o", "a.glb/" + kHostile},
+                      std::vector<std::string>{"view", kHostile},
+                      std::vector<std::string>{"view", "a.glb", "--clip", kHostile},
                       std::vector<std::string>{"info", "a.glb", "--exclude", "none"},
                       std::vector<std::string>{"info", "a.glb", kHostile},
                       std::vector<std::string>{kHostile}));
+
+TEST(HostileNames, OfABaselineDoNotSteerTheTerminal) {
+  const TestFolder folder;
+  write_bytes(folder / "a.glb", strip_named(kHostile).glb());
+  const std::string known = kHostile + ".jsonl";
+  const std::vector<std::string> check = {"check", "a.glb", "--by", "part", "--fail-on", "never"};
+  const auto run_with = [&](const std::string& option, const std::string& file) {
+    std::vector<std::string> arguments = check;
+    arguments.insert(arguments.end(), {option, file});
+    const Ended run = run_pelt(folder, arguments);
+    expect_harmless(run, option);
+    return run;
+  };
+  EXPECT_EQ(run_with("--jsonl", known).exit_code, 0);
+  EXPECT_EQ(run_with("--baseline", known).exit_code, 0);
+  EXPECT_EQ(run_with("--baseline", "no" + known).exit_code, 2);
+  write_text(folder / ("bad" + known), "{\"format\": \"" + very_long("x") + "\"}");
+  EXPECT_EQ(run_with("--baseline", "bad" + known).exit_code, 2);
+}
+
+/// A scene of two strips of paper whose names, in the file and of the file, are hostile.
+std::string write_hostile_scene(const TestFolder& folder) {
+  const std::string name = "s" + kHostile + ".json";
+  write_bytes(folder / "a.glb", strip_named(kHostile).glb());
+  const json scene = {{"models", {{kHostile, "a.glb"}}},
+                      {"frames", {{"count", 2}}},
+                      {"instances", {{{"model", kHostile}}, {{"model", kHostile}}}}};
+  write_text(folder / name, scene.dump());
+  return name;
+}
+
+TEST(HostileNames, OfABenchDoNotSteerTheTerminal) {
+  const TestFolder folder;
+  const std::string scene = write_hostile_scene(folder), figures = kHostile + "f.json";
+  const auto bench = [&](const std::string& option, const std::string& file) {
+    const Ended run = run_pelt(folder, {"bench", scene, "--methods", "on_demand", "--frames", "0:1",
+                                        "--repeat", "1", option, file});
+    expect_harmless(run, option);
+    return run;
+  };
+  ASSERT_EQ(bench("--json", figures).exit_code, 0);
+  EXPECT_EQ(bench("--against", figures).exit_code, 0);
+  EXPECT_EQ(bench("--against", "no" + figures).exit_code, 2);
+  json others = json::parse(read_text(folder / figures));
+  for (json& engine : others["scenes"][0]["engines"]) engine["hash"] = "0123456789abcdef";
+  write_text(folder / figures, others.dump());
+  const Ended run = bench("--against", figures);
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.err.find("different from "), std::string::npos) << run.err;
+}
+
+TEST(HostileNames, OfADemoDoNotSteerTheTerminal) {
+  const TestFolder folder;
+  const Ended run = run_pelt(folder, {"demo", "-o", "d" + kHostile}, "/nonexistent");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  expect_harmless(run, "demo");
+  write_text(folder / ("d" + kHostile) + "/scene.json", "of the user");
+  const Ended refused = run_pelt(folder, {"demo", "-o", "d" + kHostile}, "/nonexistent");
+  EXPECT_EQ(refused.exit_code, 2);
+  expect_harmless(refused, "demo");
+}
 
 TEST(HostileNames, StayWhatTheyAreInJson) {
   const TestFolder folder;

@@ -2,6 +2,7 @@
 /// same answer.
 
 #include "asset/message.hpp"
+#include "asset/printable.hpp"
 #include "scenes/closest_name.hpp"
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
@@ -200,7 +201,7 @@ arguments::ExitCode compare(const bench::Baseline& baseline, const Arguments& ar
   if (comparison.different_answers == 0) return arguments::ExitCode::success;
   std::cerr
       << arguments.program << ": error: " << output::counted(comparison.different_answers, "answer")
-      << " different from " << baseline.path
+      << " different from " << asset::printable(baseline.path)
       << ": if scenes, characters and options are the same, please report this; if the answers "
          "should differ, write a new file with --json\n";
   return arguments::ExitCode::internal;
