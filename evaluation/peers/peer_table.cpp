@@ -2,12 +2,14 @@
 
 #include "evaluation/peers/peer_figures.hpp"
 #include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/output/output_conflicts.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/progress.hpp"
 #include "tools/pelt/output/text.hpp"
+#include "tools/pelt/output/unfinished_files.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -49,7 +51,17 @@ int fail(const std::string& message) {
   return 1;
 }
 
+Result<void> check_csv(const Arguments& arguments) {
+  std::vector<output::InputFile> inputs;
+  for (const std::string& scene : arguments.scenes) inputs.push_back({scene, "the scene " + scene});
+  const output::NamedOutput csv = {"--csv", arguments.csv};
+  return output::check_outputs({&csv, 1}, inputs);
+}
+
 int run(const Arguments& arguments) {
+  if (const auto checked = check_csv(arguments); !checked) return fail(checked.error().message);
+  output::OutputFile csv;
+  if (const auto opened = csv.open(arguments.csv); !opened) return fail(opened.error().message);
   std::vector<ScenePeers> scenes;
   for (const std::string& path : arguments.scenes) {
     const Result<ScenePeers> scene = measure_scene(path, arguments);
@@ -57,11 +69,9 @@ int run(const Arguments& arguments) {
     print_peers(*scene, std::cout);
     scenes.push_back(*scene);
   }
-  if (arguments.csv.empty()) return 0;
-  std::ofstream file(arguments.csv);
-  write_peers_csv(scenes, file);
-  if (file.flush().good()) return 0;
-  return fail(arguments.csv + ": cannot be written: choose another place");
+  if (csv.stream() != nullptr) write_peers_csv(scenes, *csv.stream());
+  const Result<void> written = csv.close();
+  return written ? 0 : fail(written.error().message);
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -74,6 +84,7 @@ int parse_and_run(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--csv", arguments.csv, "Write the table")->type_name("FILE");
   CLI11_PARSE(app, argc, argv);
+  output::remove_unfinished_files_on_signals();
   return run(arguments);
 }
 

@@ -5,10 +5,12 @@
 #include "evaluation/programs/crowd_run.hpp"
 #include "evaluation/programs/walking_crowd.hpp"
 #include "scenes/scene.hpp"
+#include "tools/pelt/output/output_conflicts.hpp"
+#include "tools/pelt/output/output_file.hpp"
+#include "tools/pelt/output/unfinished_files.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -130,11 +132,16 @@ Result<void> measure_character(const Arguments& arguments, std::vector<Row>& row
   return {};
 }
 
-bool write_table(const std::string& path, const std::vector<Row>& rows) {
-  std::ofstream file(path);
-  file << kColumns << '\n';
-  for (const Row& row : rows) file << row << '\n';
-  return file.flush().good();
+Result<void> check_csv(const Arguments& arguments) {
+  std::vector<tools::output::InputFile> inputs;
+  if (!arguments.input.empty()) inputs.push_back({arguments.input, "the input"});
+  const tools::output::NamedOutput csv = {"--csv", arguments.csv};
+  return tools::output::check_outputs({&csv, 1}, inputs);
+}
+
+void write_table(const std::vector<Row>& rows, std::ostream& out) {
+  out << kColumns << '\n';
+  for (const Row& row : rows) out << row << '\n';
 }
 
 int fail(const std::string& message) {
@@ -143,14 +150,18 @@ int fail(const std::string& message) {
 }
 
 int run(const Arguments& arguments) {
+  if (const auto checked = check_csv(arguments); !checked) return fail(checked.error().message);
+  tools::output::OutputFile csv;
+  if (const auto opened = csv.open(arguments.csv); !opened) return fail(opened.error().message);
   std::vector<Row> rows;
   std::cout << kColumns << std::endl;
   const Result<void> measured = arguments.input.ends_with(".json")
                                     ? measure_scene(arguments, rows)
                                     : measure_character(arguments, rows);
   if (!measured) return fail(measured.error().message);
-  if (arguments.csv.empty() || write_table(arguments.csv, rows)) return 0;
-  return fail(arguments.csv + ": cannot be written: choose another place");
+  if (csv.stream() != nullptr) write_table(rows, *csv.stream());
+  const Result<void> written = csv.close();
+  return written ? 0 : fail(written.error().message);
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -164,6 +175,7 @@ int parse_and_run(int argc, char** argv) {
   app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
   app.add_option("--csv", arguments.csv, "Write the table")->type_name("FILE");
   CLI11_PARSE(app, argc, argv);
+  tools::output::remove_unfinished_files_on_signals();
   return run(arguments);
 }
 
