@@ -28,7 +28,7 @@ import type {
   ModelOptions,
   ReadOptions,
 } from './types/character.js';
-import type { CollideOptions, ContactGeometry, Contacts } from './types/contacts.js';
+import type { CollideOptions, ContactGeometry, Contacts, QueryStats } from './types/contacts.js';
 import type { Distance, DistanceOptions, Penetration } from './types/distances.js';
 import type { Pose } from './types/pose.js';
 import type { ContactHash, Crowd, Scene, SceneParts } from './types/scene.js';
@@ -70,6 +70,9 @@ export interface Pelt {
 
   /** True if the engine accepts no more calls. Load a new one in that case. */
   readonly hasEnded: boolean;
+
+  /** Work of the latest query, also of one that returns no `stats`, such as `intersects`. */
+  readonly lastStats: QueryStats;
 
   /**
    * Reads a character from the bytes of a .glb or .gltf file and prepares it for queries.

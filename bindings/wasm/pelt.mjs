@@ -28,6 +28,7 @@ import {
 } from './lib/queries.mjs';
 import { Scene } from './lib/scene.mjs';
 import { requireSimd } from './lib/simd.mjs';
+import { readStats } from './lib/stats.mjs';
 
 export { PeltError } from './lib/errors.mjs';
 export { NodeState } from './lib/pose.mjs';
@@ -54,6 +55,10 @@ class Pelt {
 
   get demoScene() {
     return this.#memory.text(this.#module._pelt_demo_scene());
+  }
+
+  get lastStats() {
+    return readStats(this.#memory);
   }
 
   get hasEnded() {

@@ -350,6 +350,41 @@ test('a surface that is not closed has no inside', () => {
   sheet.delete();
 });
 
+test('the work of every query can be read', () => {
+  const ball = { kind: 'sphere', centre: [0, 0, 0], radius: 0.3 };
+  const queries = {
+    collide: () => pelt.collide(a, b),
+    intersects: () => pelt.intersects(a, b),
+    isWithin: () => pelt.isWithin(a, b, 0.01),
+    distance: () => pelt.distance(a, b),
+    describeContacts: () => pelt.describeContacts(a, b, pelt.collide(a, b).pairs),
+    containment: () => pelt.containment(a, b),
+    bounds: () => a.bounds(1),
+    exactBounds: () => a.exactBounds(),
+    cast: () => a.cast([0, 0, 9], [0, 0, -1]),
+    castAny: () => a.castAny([0, 0, 9], [0, 0, -1]),
+    castAll: () => a.castAll([0, 0, 9], [0, 0, -1]),
+    classify: () => a.classify(ball),
+    intersectsRegion: () => a.intersectsRegion(ball),
+    findTriangles: () => a.findTriangles(ball),
+    closestPoint: () => a.closestPoint([0, 0, 9]),
+  };
+  const workOf = (query) => {
+    poseAt(44); // closes all nodes
+    const { stats } = query();
+    if (stats) assert.deepEqual(pelt.lastStats, stats);
+    return pelt.lastStats;
+  };
+  let before;
+  for (const [name, query] of Object.entries(queries)) {
+    const work = workOf(query);
+    assert.ok(work.nodePairs + work.refits + work.trianglePairs > 0, name);
+    assert.notDeepEqual(work, before, `${name} leaves the work of the query before`);
+    assert.deepEqual(workOf(query), work, name);
+    before = work;
+  }
+});
+
 test('regions, rays and distances that break a rule are refused', () => {
   const refused = (use, message) =>
     assert.throws(use, { name: 'PeltError', code: 'invalid_argument', message });

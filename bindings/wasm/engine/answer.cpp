@@ -80,6 +80,11 @@ void answer_stats(const QueryStats& stats) {
   answered.cut_short = stats.cut_short ? 1 : 0;
 }
 
+std::uint32_t answer_yes_no(const YesNo& yes_no) {
+  answer_stats(yes_no);
+  return yes_no ? 1 : 0;
+}
+
 void answer_box(const Box& box) {
   answer().low = numbers_of(box.low);
   answer().high = numbers_of(box.high);

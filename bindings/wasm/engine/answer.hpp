@@ -46,8 +46,11 @@ struct Answer {
 
 Answer& answer();
 
-/// Sets the fields of the work.
+/// Sets the fields of the work. Every query calls this, also if JavaScript returns no work.
 void answer_stats(const QueryStats& stats);
+
+/// Sets the fields of the work. Returns 1 for yes, 0 for no.
+std::uint32_t answer_yes_no(const YesNo& yes_no);
 
 void answer_box(const Box& box);
 

@@ -57,7 +57,7 @@ PELT_EXPORT void pelt_collide_eagerly(PoseHandle* a, PoseHandle* b, std::uint32_
 }
 
 PELT_EXPORT std::uint32_t pelt_intersects(PoseHandle* a, PoseHandle* b) {
-  return intersects(a->pose, b->pose, scratch()) ? 1 : 0;
+  return answer_yes_no(intersects(a->pose, b->pose, scratch()));
 }
 
 PELT_EXPORT void pelt_clearance(PoseHandle* a, PoseHandle* b, double tolerance,
@@ -73,7 +73,7 @@ PELT_EXPORT void pelt_clearance(PoseHandle* a, PoseHandle* b, double tolerance,
 }
 
 PELT_EXPORT std::uint32_t pelt_is_within(PoseHandle* a, PoseHandle* b, double tolerance) {
-  return is_within(a->pose, b->pose, tolerance, scratch()) ? 1 : 0;
+  return answer_yes_no(is_within(a->pose, b->pose, tolerance, scratch()));
 }
 
 }  // namespace pelt::wasm

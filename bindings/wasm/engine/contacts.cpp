@@ -115,8 +115,8 @@ PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
   const std::vector<Contact> given = in_models({contacts, count}, a->body, b->body);
   if (const char* problem = problem_of(given, a->pose.model(), b->pose.model()))
     return refuse({ErrorCode::invalid_argument, problem});
-  describe_contacts(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(), given,
-                    scratch(), geometry());
+  answer_stats(describe_contacts(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(),
+                                 given, scratch(), geometry()));
   write_columns(geometry(), columns());
   return 1;
 }

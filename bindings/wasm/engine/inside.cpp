@@ -16,7 +16,7 @@ PELT_EXPORT std::uint32_t pelt_is_closed(PoseHandle* handle) {
 PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, float z) {
   const Surface& surface = handle->body.get_surface();
   PointSide side = PointSide::outside;
-  side_of(handle->pose, surface, {x, y, z}, scratch(), side);
+  answer_stats(side_of(handle->pose, surface, {x, y, z}, scratch(), side));
   return static_cast<std::uint32_t>(side);
 }
 
@@ -36,7 +36,8 @@ PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
 /// Returns a Containment.
 PELT_EXPORT std::uint32_t pelt_containment(PoseHandle* a, PoseHandle* b) {
   Containment found = Containment::none;
-  containment(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(), scratch(), found);
+  answer_stats(containment(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(),
+                           scratch(), found));
   return static_cast<std::uint32_t>(found);
 }
 

@@ -64,13 +64,13 @@ PELT_EXPORT void pelt_normals(PoseHandle* handle) {
 
 PELT_EXPORT void pelt_bounds(PoseHandle* handle, std::uint32_t levels) {
   Bounds found;
-  bounds(handle->pose, found, {levels});
+  answer_stats(bounds(handle->pose, found, {levels}));
   answer_bounds(found);
 }
 
 PELT_EXPORT void pelt_exact_bounds(PoseHandle* handle) {
   Bounds found;
-  exact_bounds(handle->pose, found);
+  answer_stats(exact_bounds(handle->pose, found));
   answer_bounds(found);
 }
 

@@ -90,7 +90,7 @@ PELT_EXPORT std::uint32_t pelt_classify(PoseHandle* handle, Kind kind) {
 }
 
 PELT_EXPORT std::uint32_t pelt_intersects_region(PoseHandle* handle, Kind kind) {
-  return intersects(handle->pose, read_region(kind), scratch()) ? 1 : 0;
+  return answer_yes_no(intersects(handle->pose, read_region(kind), scratch()));
 }
 
 /// The answer is the triangles that touch. Returns the address of the triangles inside; their
