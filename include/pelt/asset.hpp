@@ -37,10 +37,11 @@ struct Node {
   std::uint32_t parent = kNoParent;  ///< index into Asset::nodes
   Transform local;                   ///< relative to the parent, in the default pose
 
-  /// The file has `matrix` instead of `local`; such nodes are never animated.
+  /// Whether the file gives the transform of this node as a matrix. If so, `matrix` replaces
+  /// `local`, and no clip animates the transform.
   bool has_matrix = false;
 
-  Matrix4 matrix;  ///< relative to the parent
+  Matrix4 matrix;  ///< relative to the parent; meaningless if `has_matrix` is false
 };
 
 /// A joint of the palette. Its matrix in the palette is placement x global x inverse_bind, where
@@ -57,7 +58,9 @@ struct Part {
   std::uint32_t first_triangle = 0, triangle_count = 0;
 
   /// False for an unskinned mesh, which follows its node as a single joint. The part's rest
-  /// positions are then those of the default pose.
+  /// positions are then in the frame of the scene, where the default pose places them. They remain
+  /// in mesh space if the node's transform cannot be inverted, or if a skinned part uses the same
+  /// joint.
   bool skinned = false;
 };
 
@@ -93,8 +96,8 @@ struct Clip {
 ///
 /// Triangles are numbered in the order of the scene: nodes depth-first, primitives in order,
 /// including degenerate triangles. The arrays take 12 bytes per triangle, 12 + 6 K per vertex, 68
-/// per joint, 16 per vertex that a morph target displaces, and 4 per key time and per number in the
-/// keys' values. Nothing else grows with the mesh.
+/// per joint, 16 per vertex that a morph target displaces, and 4 per element of `Channel::times`
+/// and `Channel::values`. Nothing else grows with the mesh.
 struct PELT_API Asset {
   std::vector<Vec3> rest_positions;          ///< [V] in mesh space; see also Part::skinned
   std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
@@ -139,20 +142,20 @@ struct GltfOptions {
 };
 
 /// Reads a glTF 2.0 file: .glb, or .gltf with data URIs and external files, which must be in the
-/// folder of the file or below it. The file is treated as hostile: every range is validated before
-/// it is used or allocated.
+/// folder of the file or below it. The file is treated as hostile: offsets and sizes are validated
+/// before data is read or memory is allocated.
 ///
 /// Rotations are normalised, because files round them. Weights are copied unchanged; `build_model`
 /// validates them.
 ///
-/// Cost: O(bytes of the files + size of the asset), with an additional factor log J for the joints
-/// of skins. Accessors are decoded once for each use, and a mesh is copied for each node that has
-/// it. While loading, memory contains the file, the files that it refers to, and decoded copies, in
-/// addition to the asset.
+/// Cost: O(bytes of the files + size of the asset), plus O(log J) for each joint of a skin.
+/// Accessors are decoded once for each use, and a mesh is copied for each node that has it. While
+/// loading, memory contains the file, the files that it refers to, and decoded copies, in addition
+/// to the asset.
 ///
-/// Limits: a file whose contents need more memory than 256 times the size of the file plus 16 MiB
-/// is an error. On 32-bit platforms, contents that need more than 256 MiB, and JSON with more than
-/// two million values, are also errors.
+/// Limits: the contents may need at most 16 MiB of memory plus 256 bytes for each byte of the file
+/// and of the external files. More is an error. On 32-bit platforms, contents that need more than
+/// 256 MiB, and JSON with more than two million values, are also errors.
 ///
 /// Returns an error that names the accessor, node or extension. Rotations whose squared length is
 /// farther than 1/16 from 1 are an error.
@@ -180,7 +183,7 @@ struct SampleScratch {
   std::vector<std::array<double, 12>> globals;  // [nodes] three rows by columns
 };
 
-/// Writes the joint palette of a clip.
+/// Writes the joint palette of a clip at the time `seconds`.
 ///
 /// `clip`: null selects the default pose of the nodes.
 /// `seconds`: clamped to the range of the clip's keys. To loop, pass a time modulo `duration`.
@@ -192,10 +195,12 @@ PELT_API void sample_palette(const Asset& asset, const Clip* clip, float seconds
                              const Matrix4& placement, SampleScratch& scratch,
                              std::span<Matrix4> palette);
 
-/// Writes the weights of the morph targets of a clip for `Pose::set_morph_weights`, like
-/// `sample_palette`. Weights that the clip does not animate have their default.
+/// Writes the weights of the morph targets of a clip at the time `seconds`, for
+/// `Pose::set_morph_weights`. Weights that the clip does not animate have their default.
 ///
-/// Precondition: `weights` has M elements.
+/// `clip`: null selects the default weights.
+/// `seconds`: clamped as in `sample_palette`.
+/// `weights`: precondition: M elements.
 ///
 /// Cost: O(M + channels * log keys). Allocates nothing.
 PELT_API void sample_morph_weights(const Asset& asset, const Clip* clip, float seconds,

@@ -40,14 +40,15 @@ struct BoundsOptions {
 /// the exact box. With `levels` 3, it is less than 10 % larger.
 ///
 /// Source: with `levels` 0, each joint has a box around the rest positions that it moves. The joint
-/// palette transforms these boxes, and the result encloses all of them (eq. 2 of Kavan & Zara 2005,
-/// with boxes, and with one body per joint). A model whose weights are nearly affine in the rest
-/// position, for example with one joint, may have a tighter bound instead.
+/// palette transforms these boxes, and the result encloses all of them. (This is eq. 2 of Kavan &
+/// Zara 2005, applied to one box per joint.) If each joint's weight is nearly an affine function of
+/// the rest position, for example because there is only one joint, `bounds` may compute a tighter
+/// box in another way.
 PELT_API QueryStats bounds(Pose& pose, Bounds& result, const BoundsOptions& options = {});
 
 /// Writes the exact box: bit for bit the smallest and largest coordinates of the posed vertices
-/// that triangles use (see `posed_vertices`), except that zeros are positive. The sphere is
-/// guaranteed to enclose the surface.
+/// that triangles use (see `posed_vertices`), except that -0 becomes +0. The sphere is guaranteed
+/// to enclose the surface.
 ///
 /// Cost: opens only nodes that may reach beyond the box found so far. Allocates only in the pose,
 /// for nodes that are opened.

@@ -30,9 +30,9 @@ class PELT_API Surface {
   explicit Surface(const SkinnedModel& model);
 
   /// Whether each edge has exactly two triangles that traverse it in opposite directions, so that
-  /// the posed surface separates inside from outside. Bit-identical vertices count as one.
-  /// Triangles with a repeated vertex are ignored; without other triangles, the surface is not
-  /// closed.
+  /// the posed surface separates inside from outside. Bit-identical vertices count as one: those
+  /// with the same bits in rest position, influences and displacements. Triangles with a repeated
+  /// vertex are ignored. If all triangles have a repeated vertex, the surface is not closed.
   bool is_closed() const;
 
   const SkinnedModel& model() const;
@@ -93,8 +93,10 @@ struct ContactCurve {
 };
 
 /// A connected set of contacts. Two contacts are neighbours if they share one triangle and their
-/// other triangles share a vertex. Means are weighted by the lengths of the segments, or are plain
-/// means if all lengths are zero.
+/// other triangles share a vertex.
+///
+/// `point` and `normal` are computed from means over the patch's traces. In these means, each trace
+/// is weighted by the length of its segment, or all traces equally if all lengths are zero.
 struct ContactPatch {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::members
   float length = 0;                    ///< sum of the lengths of all segments

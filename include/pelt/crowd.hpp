@@ -65,8 +65,8 @@ struct CrowdStats : QueryStats {
 
 /// Up to tens of thousands of instances of a few models, which are queried together. An instance
 /// stores little more than its joint palette. Queries store opened nodes in memory that all
-/// instances share. An island is a set of pairs that are linked by common instances. After each
-/// island, queries recycle the memory of its nodes.
+/// instances share. A query divides the pairs of instances into sets that have no instance in
+/// common, and recycles the memory of a set's nodes when all pairs of the set have been tested.
 ///
 /// In each frame, call `set_palette` for the instances that have moved, then a query. Instances are
 /// numbered from 0. Functions without a stated cost take O(1).
@@ -102,7 +102,7 @@ class PELT_API Crowd {
   /// computes the box of the instance. Several threads may set palettes of different instances at
   /// the same time.
   ///
-  /// Cost: O(J), and at most O(J) for each morph weight other than 0. Allocates nothing.
+  /// Cost: O(J). Each morph weight other than 0 adds at most O(J). Allocates nothing.
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const float> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette);
@@ -111,7 +111,7 @@ class PELT_API Crowd {
   /// Copies the morph weights of an instance, or returns an error, like Pose::set_morph_weights.
   /// Also computes the box of the instance.
   ///
-  /// Cost: O(M + J), and at most O(J) for each weight other than 0. Allocates nothing.
+  /// Cost: O(M + J). Each weight other than 0 adds at most O(J). Allocates nothing.
   Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
 
   /// Appends all contacts of all pairs of instances to `contacts`, in ascending order. Exact like

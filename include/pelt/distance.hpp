@@ -9,9 +9,9 @@
 /// are reported.
 ///
 /// Error: the error of the distance of two triangles is less than 2^-46 times the longest side of
-/// the axis-aligned box around both triangles. The distance is also at least (1 - 2^-20) g, where g
-/// is the distance between the axis-aligned box of one triangle and that of the other, if g is at
-/// least 2^-48.
+/// the axis-aligned box around both triangles. In addition, let g be the distance between the
+/// axis-aligned boxes of the two triangles. If g is at least 2^-48, the computed distance of the
+/// triangles is at least (1 - 2^-20) g.
 ///
 /// A surface is not a solid: if one body is inside another and does not touch it, their distance is
 /// positive. For a rigid or static mesh, build a model with one joint.

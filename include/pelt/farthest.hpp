@@ -32,9 +32,9 @@ struct FarthestVertex {
 ///
 /// Precondition: `direction` is finite and not zero. Its length need not be 1.
 ///
-/// Cost: opens only nodes whose boxes reach beyond the farthest vertex so far, and visits the box
-/// that reaches farthest first. Often one node is opened for each level of the tree. Allocates only
-/// in the pose, for nodes that are opened.
+/// Cost: opens only nodes whose boxes reach beyond the farthest vertex so far. Of the boxes in a
+/// node, the first to be visited is the one that reaches farthest. Often one node is opened for
+/// each level of the tree. Allocates only in the pose, for nodes that are opened.
 PELT_API QueryStats farthest_vertex(Pose& pose, const Vec3& direction, FarthestVertex& result);
 
 }  // namespace pelt

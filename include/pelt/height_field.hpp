@@ -29,7 +29,8 @@ struct HeightField;
 ///
 /// The vertex in column c of row r is (origin.x + c * column_spacing, origin.y + heights[r *
 /// columns + c], origin.z + r * row_spacing). Each coordinate is computed in double and rounded to
-/// float once. A height of NaN is a hole: triangles with such a vertex do not exist.
+/// float once. A vertex whose height is NaN makes a hole: queries ignore the triangles that use the
+/// vertex, but these triangles keep their numbers.
 struct HeightGrid {
   std::span<const float> heights;  ///< [rows][columns]
   std::uint32_t columns = 0, rows = 0;
@@ -54,11 +55,12 @@ class PELT_API HeightField {
   std::uint32_t columns() const;
   std::uint32_t rows() const;
 
-  /// Number of triangles, including those of holes.
+  /// Number of triangles, including those that queries ignore because of a hole.
   std::uint32_t triangle_count() const;
 
-  /// Vertices of a triangle; the y of a hole's vertex is NaN. Precondition: triangle <
-  /// triangle_count().
+  /// Vertices of a triangle. y is NaN for a vertex with a height of NaN.
+  ///
+  /// Precondition: triangle < triangle_count().
   std::array<Vec3, 3> triangle(std::uint32_t triangle) const;
 
   /// For internal use.
@@ -96,8 +98,8 @@ PELT_API YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch
 
 /// Writes the least distance of any triangle of the posed skin from any triangle of the field, like
 /// `distance` of two poses. `Distance::b` is on the field. Points below the ground have a positive
-/// distance, like points above it. The distance is infinite if all heights are holes. Cost and
-/// allocation are those of `distance` of two poses.
+/// distance, like points above it. If every triangle of the field is ignored because of a hole, the
+/// distance is infinite. Cost and allocation are those of `distance` of two poses.
 PELT_API QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch,
                              Distance& result, const DistanceOptions& options = {});
 

@@ -27,7 +27,8 @@ enum class PointSide : std::uint8_t {
 /// `surface`: closed, and of the model of `pose`. Otherwise the program aborts, in every build.
 /// `point`: coordinates are finite and at most 2^60.
 ///
-/// Cost: a descent to the triangles that contain the point, and one ray.
+/// Cost: a search for triangles that contain the point and, if there are none, one ray. Neither is
+/// needed if the point is outside the box that is computed from the joint palette alone.
 PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                             PointSide& result);
 
@@ -35,7 +36,7 @@ inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
 /// Result of `deepest_vertex`.
 struct Penetration {
-  /// Index in the first body; of bit-identical vertices, the lowest.
+  /// Index in the first body; of bit-identical vertices (see `Surface::is_closed`), the lowest.
   std::uint32_t vertex = kNoVertex;
 
   Vec3 position;         ///< of the vertex
@@ -78,8 +79,9 @@ enum class Containment : std::uint8_t {
 ///
 /// Preconditions: as for `deepest_vertex`, but `surface_b` need not be closed.
 ///
-/// Cost: that of `intersects`. If the bodies do not touch, one `side_of` is added for each
-/// connected part of a body, until one lies outside the other body.
+/// Cost: that of `intersects`. If the bodies do not touch and `surface_b` is closed, the query
+/// calls `side_of` for one point of each connected part of `a`, until a point is outside `b`.
+/// Unless `a` is inside `b`, the query then tests `b` against `a` in the same way.
 PELT_API QueryStats containment(Pose& a, const Surface& surface_a, Pose& b,
                                 const Surface& surface_b, Scratch& scratch, Containment& result);
 

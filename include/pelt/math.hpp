@@ -6,9 +6,10 @@
 
 namespace pelt {
 
-/// A point or vector in model units. Rest positions are in the frame of the model. Posed positions
-/// are in the frame of the joint palette, which is the world if the palette includes the instance's
-/// placement.
+/// A point or vector in model units. Rest positions are in the frame of the model. The matrices of
+/// a joint palette transform rest positions into posed positions. The frame of posed positions is
+/// called the frame of the joint palette. It is the world if the matrices include the world matrix
+/// of the instance.
 struct Vec3 {
   float x = 0, y = 0, z = 0;
 

@@ -16,7 +16,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// targets, with D displacements in all. Without morph targets, all three arrays are empty.
 ///
 /// Target m displaces vertex `vertices[i]` by `displacements[i]` for begin[m] <= i < begin[m + 1].
-/// A target that displaces every vertex lists all vertices.
+/// There is no short form for all vertices: a target that displaces every vertex must list all V
+/// indices.
 struct MorphTargetsView {
   std::span<const std::uint32_t> begin;     ///< [M + 1] not descending, from 0 to D
   std::span<const std::uint32_t> vertices;  ///< [D] indices < V, ascending within each target

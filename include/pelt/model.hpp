@@ -17,9 +17,9 @@ namespace detail {
 struct Model;
 }
 
-/// Policy for vertices whose sum of weights differs from 1 by more than 2^-7. A smaller difference
-/// is rounding by the exporter. In that case, `build_model` always divides the weights by their
-/// sum.
+/// Policy for vertices whose sum of weights differs from 1 by more than 2^-7. A difference of at
+/// most 2^-7 is rounding by the exporter: under either policy, `build_model` then divides the
+/// weights by their sum.
 enum class OffWeights {
   refuse,       ///< `build_model` returns an error with the vertex and its sum
   renormalise,  ///< divide by the sum, as renderers do
@@ -34,11 +34,17 @@ struct ModelOptions {
   std::span<const Matrix4> sample_palettes = {};
 };
 
-/// What `build_model` found in the mesh.
+/// Counts of defects that `build_model` found in the mesh.
 struct BuildReport {
-  std::uint32_t renormalised_vertices = 0;  ///< sums of weights differed from 1 by over 2^-16
-  std::uint32_t merged_influences = 0;      ///< repeated joints of a vertex, summed
-  std::uint32_t degenerate_triangles = 0;   ///< two or three equal rest positions; not removed
+  /// Vertices whose sum of weights differed from 1 by more than 2^-16. Smaller differences are
+  /// rounding of floats. They are corrected, too, but not counted.
+  std::uint32_t renormalised_vertices = 0;
+
+  /// (joint, weight) pairs whose weight was added to another pair of the same vertex and joint.
+  std::uint32_t merged_influences = 0;
+
+  /// Triangles with two or three equal rest positions. They are not removed.
+  std::uint32_t degenerate_triangles = 0;
 };
 
 /// A validated skinned mesh, prepared for queries. Immutable, cheap to copy (copies share), safe to

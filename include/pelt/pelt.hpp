@@ -6,23 +6,32 @@
 /// Failure: functions that validate outside input return a `Result`, which holds an error if the
 /// input is invalid. If memory runs out, functions throw std::bad_alloc (or, on 32-bit platforms,
 /// std::length_error). Models, poses, crowds and scratch are then still usable, nothing has leaked,
-/// and lists to which results are appended are unchanged. Pelt itself throws no other exception. If
-/// Pelt is compiled with -fno-exceptions, its functions cannot release their memory when operator
-/// new throws. Do not catch the exception in this case: the program must end.
+/// and lists to which results are appended are unchanged. Pelt itself throws no other exception.
 ///
-/// A violated precondition aborts the program where Pelt checks it. Comments name preconditions
-/// that are checked in every build; builds without NDEBUG check more.
+/// Even if Pelt is compiled with -fno-exceptions, operator new can throw, because it belongs to the
+/// standard library. Pelt's functions then do not release their memory. Do not catch the exception
+/// in this case: the program must end.
+///
+/// A precondition is checked in every build if its comment says that the program aborts. Builds
+/// without NDEBUG check more preconditions, and also abort if one is violated.
 ///
 /// Terms: a model has V vertices, T triangles, J joints and M morph targets. Its triangles are
 /// stored in the leaves of a tree. To open a node of this tree means to compute its posed vertices
 /// and the boxes of its children. Queries open nodes on demand. In a pose, opened nodes stay open
 /// for later queries until the joint palette or the morph weights change.
 ///
-/// Headers of queries: bounds, collide, contact, distance, farthest and inside have the queries of
-/// poses alone, and of a pose and points or a direction. If an operand is a ray, a solid, a height
-/// field, a set of vertex groups or a crowd, the query is in the header that defines the operand:
-/// ray, solid, height_field, vertex_groups or crowd. The queries that cast rays at a solid or a
-/// height field are in solid and height_field.
+/// Queries are declared in these headers:
+///
+///     one or two poses              bounds, collide, contact, distance, inside
+///     a pose and a point            distance, inside
+///     a pose and a direction        farthest
+///     a pose and a ray              ray
+///     a pose and a region or solid  solid
+///     a solid and a ray             solid
+///     a pose and a height field     height_field
+///     a height field and a ray      height_field
+///     a pose and vertex groups      vertex_groups
+///     a crowd                       crowd
 ///
 /// This header includes all headers of the library except pelt/asset.hpp, which reads glTF files
 /// and needs the asset library, and pelt/instruction_set.hpp, which is for measurements and tests.

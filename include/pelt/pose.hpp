@@ -33,16 +33,19 @@ class PELT_API Pose {
 
   const SkinnedModel& model() const;
 
-  /// Copies the joint palette. Matrix j is `instance x joint x inverse bind` of joint j. It
-  /// transforms rest positions into the frame shared by all poses of a query.
+  /// Copies the joint palette. Matrix j is the world matrix of the instance, times the transform
+  /// from the frame of joint j to the frame of the instance, times the inverse bind matrix of joint
+  /// j. It transforms rest positions into the frame shared by all poses of a query.
   ///
   /// Cost: O(J). Allocates nothing.
   ///
   /// Returns an error that names the joint, and leaves the pose unchanged, if the number of
   /// matrices is not `model().joint_count()`, if an element is not finite, if a last row is not
-  /// 0 0 0 1 (the matrix is probably row-major), or if a vertex could move beyond 2^60 units. This
-  /// last check assumes that some vertex is at least 2^-60 units from the origin, so a matrix with
-  /// huge elements is an error even if all rest positions are zero.
+  /// 0 0 0 1 (the matrix is probably row-major), or if a vertex could move beyond 2^60 units.
+  ///
+  /// The last check assumes that the rest positions extend at least 2^-60 units from the origin,
+  /// even if all are zero. A matrix is therefore always an error if an element of its linear part
+  /// is beyond 2^120.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
   /// Like `set_palette`, with 16 floats per joint in the layout of `Matrix4`.

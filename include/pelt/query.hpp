@@ -57,8 +57,9 @@ struct YesNo : QueryStats {
   explicit operator bool() const { return answer; }
 };
 
-/// Opaque location of an answer in the trees of the models. Pass it back to Pelt, for example in
-/// `DistanceOptions::hint` or to `influences_at`.
+/// Opaque location of an answer in the trees of the models. Only Pelt uses it, if you pass the
+/// result that contains it to another query: a `Distance` as `DistanceOptions::hint`, or a `RayHit`
+/// to `influences_at`.
 template <std::size_t kNumbers>
 class TreeLocation {
  public:
@@ -85,9 +86,11 @@ class PELT_API Scratch {
   ///
   /// `contacts`: largest number of contacts of a query. A limit such as `max_contacts` also limits
   ///   this number. 1 suffices for `intersects`. Near pairs and triangles found in a region count
-  ///   as contacts, and so do touching pairs and triangles that `distance` finds. Takes 156 KB and
-  ///   28 bytes per contact.
-  /// `ray_hits`: largest number of hits of `cast_all`. Takes 36 bytes per hit.
+  ///   as contacts. In `distance`, all touching pairs of triangles count, or all triangles that
+  ///   touch the solid, although only one is reported.
+  /// `ray_hits`: largest number of hits of `cast_all`.
+  ///
+  /// Memory: 156 KB, plus 28 bytes per contact and 36 bytes per hit.
   void reserve(std::size_t contacts, std::size_t ray_hits = 0);
 
   /// For internal use.

@@ -39,9 +39,9 @@ struct Ray {
 /// to float, so at t = 1 the ray misses `to` by at most the rounding of the direction.
 PELT_API Ray segment(const Vec3& from, const Vec3& to);
 
-/// Selects the triangles that a ray can hit by the side from which the ray arrives. The posed
-/// vertices of a triangle appear counter-clockwise from its front, so a mirroring palette exchanges
-/// front and back.
+/// Selects the triangles that a ray can hit, according to the side of the triangle from which the
+/// ray arrives. The posed vertices of a triangle appear counter-clockwise from its front, so a
+/// mirroring palette exchanges front and back.
 enum class Facing : std::uint8_t {
   both,   ///< all triangles
   front,  ///< only triangles hit from their front

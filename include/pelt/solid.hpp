@@ -98,13 +98,15 @@ struct SolidDistance {
 /// Writes the least distance of any posed triangle from a solid, with two points at this distance.
 ///
 /// The distance is 0 if and only if some triangle touches the solid as in `collide`, which is
-/// decided exactly; triangles inside the solid touch it. The lowest such triangle is then reported,
-/// and both points are the same point, which triangle and solid share. Otherwise the distance is
-/// computed in double and is positive. Of equally distant triangles, the lowest is reported.
+/// decided exactly; triangles inside the solid touch it. If any triangle touches the solid, the
+/// touching triangle with the lowest index is reported. The two points in `result` are then equal:
+/// a point that belongs to the triangle and to the solid. Otherwise the distance is computed in
+/// double and is positive. Of equally distant triangles, the one with the lowest index is reported.
 ///
-/// Error: less than 2^-45 times the largest coordinate in the query. For a half-space, offset /
-/// |normal| counts as a coordinate. For an oriented box, the error is less than 2^-22 times the
-/// largest coordinate, because the corners of the box are rounded to float.
+/// Error: less than 2^-45 c, where c is the largest absolute coordinate of the posed vertices and
+/// of the solid's surface. A half-space has an unbounded surface and contributes |offset| /
+/// |normal| to c instead. For an oriented box, the error is less than 2^-22 c, because the corners
+/// of the box are rounded to float.
 ///
 /// Cost: visits the closest boxes first, like `closest_point`. If the skin touches the solid, the
 /// query costs as much as `collide`.
@@ -123,9 +125,11 @@ struct SolidHit {
 /// Writes the first point of the ray in the solid. A ray with the direction zero hits the solid if
 /// its origin is inside. The returned work is zero, because a solid has no tree.
 ///
-/// Error: unlike hits on triangles, the hit is computed in double. It is off the surface of the
-/// solid by less than 2^-40 times the largest coordinate in the query, apart from the rounding of
-/// t. A ray that passes the solid within this distance may count as hit or as missed.
+/// Error: unlike hits on triangles, hits on solids are not exact. t is computed in double and then
+/// rounded to float. Before this rounding, the point where the ray enters is off the surface of the
+/// solid by less than 2^-40 c, where c is the largest absolute coordinate of the ray's origin and
+/// of the solid's surface (for a half-space, as in `distance`). A ray that passes the solid within
+/// this distance may count as hit or as missed.
 ///
 /// Preconditions:
 /// `solid`: see `Solid`.

@@ -35,7 +35,10 @@ class PELT_API VertexGroups {
   /// Number of groups G, including empty groups.
   std::uint32_t count() const;
 
-  /// Number of vertices of a group. Bit-identical vertices count as one. Precondition: group < G.
+  /// Number of vertices of a group. Vertices with the same bits in rest position, influences and
+  /// displacements count as one.
+  ///
+  /// Precondition: group < G. Otherwise the program aborts, in every build.
   std::uint32_t vertex_count(std::uint32_t group) const;
 
   /// Bytes of memory, without the model.
@@ -72,13 +75,13 @@ PELT_API VertexGroups group_by_joint(const SkinnedModel& model);
 /// Precondition: `pose` is a pose of the groups' model, and group < G. Otherwise the program
 /// aborts, in every build.
 ///
-/// Cost: O(joints of the group). Allocates nothing.
+/// Cost: O(number of joints that move the vertices of the group). Allocates nothing.
 PELT_API QueryStats group_bounds(const Pose& pose, const VertexGroups& groups, std::uint32_t group,
                                  Box& result);
 
 /// Writes the exact box of one group: bit for bit the smallest and largest coordinates of its posed
-/// vertices, except that zeros are positive. The box of an empty group reaches from infinity to
-/// minus infinity.
+/// vertices, except that -0 becomes +0. The box of an empty group reaches from infinity to minus
+/// infinity.
 ///
 /// Precondition: as for `group_bounds`.
 ///
