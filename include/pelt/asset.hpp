@@ -57,10 +57,10 @@ struct Part {
   std::string node, mesh, material;  ///< names; empty if the file has none
   std::uint32_t first_triangle = 0, triangle_count = 0;
 
-  /// False for an unskinned mesh, which follows its node as a single joint. The part's rest
-  /// positions are then in the frame of the scene, where the default pose places them. They remain
-  /// in mesh space if the node's transform cannot be inverted, or if a skinned part uses the same
-  /// joint.
+  /// Whether the part is skinned. If not, all its vertices follow a single joint, which moves like
+  /// the part's node. The rest positions of an unskinned part are in the frame of the scene, where
+  /// the default pose places them. They remain in mesh space if the node's transform cannot be
+  /// inverted, or if a skinned part uses the same joint.
   bool skinned = false;
 };
 
@@ -82,7 +82,8 @@ struct Channel {
   std::vector<float> times;  ///< [K] seconds, strictly ascending, K >= 1
 
   /// [K][n] values, or [K][3][n] (in-tangent, value, out-tangent) for cubic_spline. n is 4 for
-  /// rotation (x y z w), the number of the node's morph targets for weights, and otherwise 3.
+  /// rotation (x y z w) and 3 for translation and scale. For weights, n is the number of the node's
+  /// morph targets.
   std::vector<float> values;
 };
 
@@ -180,7 +181,7 @@ struct SampleScratch {
   };
 
   std::vector<Local> locals;                    // [nodes]
-  std::vector<std::array<double, 12>> globals;  // [nodes] three rows by columns
+  std::vector<std::array<double, 12>> globals;  // [nodes] first three rows, column-major
 };
 
 /// Writes the joint palette of a clip at the time `seconds`.

@@ -134,9 +134,10 @@ struct ContactGeometry {
 /// Cost: O(C log C) for C contacts. Opens the nodes that contain the contacts, unless they are
 /// still open from `collide`.
 ///
-/// Allocates in the poses, for nodes that are opened. Also allocates in `scratch`, even if it is
-/// reserved, and in `geometry`, if there are more contacts, curves or patches than in any earlier
-/// call with these objects. If memory runs out, the contents of `geometry` are unspecified.
+/// Allocates in the poses, for nodes that are opened. If there are more contacts, curves or patches
+/// than in any earlier call with the same `scratch` and `geometry`, also allocates in these two
+/// objects, even if `scratch` is reserved. If memory runs out, the contents of `geometry` are
+/// unspecified.
 PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b,
                                       const Surface& surface_b, std::span<const Contact> contacts,
                                       Scratch& scratch, ContactGeometry& geometry);

@@ -50,10 +50,10 @@ struct CrowdOptions {
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 
   /// Called for pairs a < b whose bounds overlap and whose collision masks match; return false to
-  /// skip the pair. Empty: no pair is skipped. Runs on the caller's thread before any other work,
-  /// so it may read any data of the caller. (A std::function is fast enough here, because it is
-  /// called once per pair of instances. It allocates nothing for a lambda that captures by
-  /// reference.)
+  /// skip the pair. Empty: no pair is skipped. Runs on the caller's thread, before the query uses
+  /// any other thread, so it may read any data of the caller. (A std::function is fast enough here,
+  /// because it is called once per pair of instances. It allocates nothing for a lambda that
+  /// captures by reference.)
   std::function<bool(std::uint32_t instance_a, std::uint32_t instance_b)> filter = nullptr;
 };
 

@@ -43,9 +43,9 @@ class PELT_API Pose {
   /// matrices is not `model().joint_count()`, if an element is not finite, if a last row is not
   /// 0 0 0 1 (the matrix is probably row-major), or if a vertex could move beyond 2^60 units.
   ///
-  /// The last check assumes that the rest positions extend at least 2^-60 units from the origin,
-  /// even if all are zero. A matrix is therefore always an error if an element of its linear part
-  /// is beyond 2^120.
+  /// The last check treats a mesh that reaches less than 2^-60 units from the origin as if it
+  /// reached 2^-60 units. A matrix is therefore always an error if an element of its linear part is
+  /// beyond 2^120.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
   /// Like `set_palette`, with 16 floats per joint in the layout of `Matrix4`.

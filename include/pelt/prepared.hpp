@@ -23,8 +23,8 @@ PELT_API std::vector<std::byte> save_model(const SkinnedModel& model);
 /// Reads a model written by `save_model`. Queries give the same answers and do the same work.
 ///
 /// The bytes are treated as hostile: everything that queries rely on is validated, and memory stays
-/// within a small multiple of the size of `file`. Carefully forged bounds can make a model miss
-/// contacts, but do nothing worse.
+/// within a small multiple of the size of `file`. A file with carefully forged bounds can make
+/// queries miss contacts, but cannot cause anything worse.
 ///
 /// Cost: O(bytes). Allocates. Returns an error that says what is invalid.
 PELT_API Result<SkinnedModel> load_model(std::span<const std::byte> file);

@@ -57,9 +57,9 @@ struct YesNo : QueryStats {
   explicit operator bool() const { return answer; }
 };
 
-/// Opaque location of an answer in the trees of the models. Only Pelt uses it, if you pass the
-/// result that contains it to another query: a `Distance` as `DistanceOptions::hint`, or a `RayHit`
-/// to `influences_at`.
+/// Opaque location of an answer in the trees of the models. Pelt reads the location when the result
+/// that contains it is passed to another query: a `Distance` as `DistanceOptions::hint`, or a
+/// `RayHit` to `influences_at`.
 template <std::size_t kNumbers>
 class TreeLocation {
  public:
@@ -85,9 +85,9 @@ class PELT_API Scratch {
   /// allocates in its first call and whenever there are more contacts than in any earlier call.
   ///
   /// `contacts`: largest number of contacts of a query. A limit such as `max_contacts` also limits
-  ///   this number. 1 suffices for `intersects`. Near pairs and triangles found in a region count
-  ///   as contacts. In `distance`, all touching pairs of triangles count, or all triangles that
-  ///   touch the solid, although only one is reported.
+  ///   this number. 1 suffices for `intersects`. Each `NearPair` counts as a contact, and so does
+  ///   each triangle found in a region. In `distance`, all touching pairs of triangles count, or
+  ///   all triangles that touch the solid, although only one is reported.
   /// `ray_hits`: largest number of hits of `cast_all`.
   ///
   /// Memory: 156 KB, plus 28 bytes per contact and 36 bytes per hit.

@@ -63,8 +63,9 @@ PELT_API Result<VertexGroups> group_triangles(const SkinnedModel& model,
                                               std::span<const std::uint32_t> labels);
 
 /// Creates one group per joint, in the order of the palette. Each vertex that a triangle uses
-/// belongs to the joint with the largest of the vertex's weights, or, of equal weights, to the
-/// lowest such joint. Joints without vertices have empty groups.
+/// belongs to the joint for which the vertex has its largest weight. If several joints have this
+/// weight, the vertex belongs to the lowest of these joints. Joints without vertices have empty
+/// groups.
 ///
 /// Cost: O(V log V). Allocates.
 PELT_API VertexGroups group_by_joint(const SkinnedModel& model);
