@@ -58,9 +58,10 @@ struct Part {
   std::uint32_t first_triangle = 0, triangle_count = 0;
 
   /// Whether the part is skinned. If not, all its vertices follow a single joint, which moves like
-  /// the part's node. The rest positions of an unskinned part are in the frame of the scene, where
-  /// the default pose places them. They remain in mesh space if the node's transform cannot be
-  /// inverted, or if a skinned part uses the same joint.
+  /// the part's node. `load_gltf` transforms the rest positions of an unskinned part from mesh
+  /// space to the frame of the scene, with the node's transform in the default pose. Exception: the
+  /// rest positions stay in mesh space if this transform cannot be inverted, or if a skinned part
+  /// uses the same joint.
   bool skinned = false;
 };
 

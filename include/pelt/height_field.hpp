@@ -103,8 +103,8 @@ PELT_API YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch
 PELT_API QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch,
                              Distance& result, const DistanceOptions& options = {});
 
-/// Writes the first hit of each ray on the field, exact like `cast` on a pose. The location of a
-/// hit is meaningless here.
+/// Writes the first hit of each ray on the field, exact like `cast` on a pose. `RayHit::location`
+/// is meaningless for a hit on a field.
 ///
 /// Precondition: `hits` has one element per ray. Otherwise the program aborts, in every build.
 ///

@@ -86,8 +86,9 @@ class PELT_API Scratch {
   ///
   /// `contacts`: largest number of contacts of a query. A limit such as `max_contacts` also limits
   ///   this number. 1 suffices for `intersects`. Each `NearPair` counts as a contact, and so does
-  ///   each triangle found in a region. In `distance`, all touching pairs of triangles count, or
-  ///   all triangles that touch the solid, although only one is reported.
+  ///   each triangle found in a region. `distance` reports only one pair of triangles, but each
+  ///   touching pair counts. `distance` from a solid reports only one triangle, but each triangle
+  ///   that touches the solid counts.
   /// `ray_hits`: largest number of hits of `cast_all`.
   ///
   /// Memory: 156 KB, plus 28 bytes per contact and 36 bytes per hit.
