@@ -65,7 +65,7 @@ function(pelt_compiled_quickly target)
 endfunction()
 
 # pelt_compiled_small(TARGET): for WebAssembly, which is downloaded, prefers size to speed. For code
-# that runs once per character or scene.
+# that runs once per file and has no hot loops.
 function(pelt_compiled_small target)
   if(EMSCRIPTEN)
     target_compile_options(${target} PRIVATE -Os)
