@@ -100,7 +100,8 @@ bool becomes(const Condition& condition) {
   return condition();
 }
 
-/// A process that has ended but was not waited for has no command line.
+/// A process that has ended but was not waited for has no command line, like one that starts
+/// another program just now.
 bool is_running(const std::string& process) {
   std::ifstream file("/proc/" + process + "/cmdline");
   return file.get() != std::char_traits<char>::eof();
@@ -114,7 +115,7 @@ TEST(Demo, EndsTheRayTracerWhenASignalComes) {
     EXPECT_TRUE(std::filesystem::exists(folder / "demo/still.pov"));
     std::string sleeping = read_text(folder / "sleeping");
     sleeping.pop_back();
-    EXPECT_TRUE(is_running(sleeping));
+    EXPECT_TRUE(becomes([&] { return is_running(sleeping); }));
     kill(demo, signal);
     int status = 0;
     waitpid(demo, &status, 0);
