@@ -32,6 +32,7 @@ export const urlOf = (file) => pathToFileURL(file).href;
 export async function openPage(browser, url, options = {}, prepare = []) {
   const context = await browser.newContext({
     viewport: { width: 960, height: 600 },
+    deviceScaleFactor: 0.5, // the processor draws
     colorScheme: 'dark',
     ...options,
   });
@@ -112,8 +113,14 @@ export const RED_HANDLE = { least: [209, 64, 75], most: [219, 74, 85] };
 export async function pixels(page, wanted = GLOWING, picture = page.locator('#view')) {
   const bytes = await picture.screenshot();
   const found = await page.evaluate(countPixels, { base64: bytes.toString('base64'), wanted });
-  const { x, y } = await picture.boundingBox();
-  return { ...found, x: x + found.x, y: y + found.y };
+  const { x, y, width } = await picture.boundingBox();
+  const size = width / found.width; // of a drawn pixel
+  return {
+    colours: found.colours,
+    count: found.count * size ** 2,
+    x: x + found.x * size,
+    y: y + found.y * size,
+  };
 }
 
 /** Runs in the page. */
@@ -133,7 +140,7 @@ async function countPixels({ base64, wanted: { least, most } }) {
     x += pixel % bitmap.width;
     y += Math.floor(pixel / bitmap.width);
   }
-  return { count, x: x / count, y: y / count, colours: colours.size };
+  return { count, x: x / count, y: y / count, colours: colours.size, width: bitmap.width };
 }
 
 /** Drags the gizmo of the selected character by its handle along x. */
