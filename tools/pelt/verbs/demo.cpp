@@ -179,6 +179,7 @@ Result<void> check_contents(const fs::path& folder) {
 /// them the viewer's page.
 Result<void> check_links(const fs::path& folder) {
   std::vector<output::NamedOutput> outputs;
+  outputs.reserve(std::size(kFiles));
   for (const char* name : kFiles) outputs.push_back({"-o", (folder / name).string()});
   std::vector<output::InputFile> inputs;
   for (const fs::path& place : page::viewer_places())
