@@ -21,7 +21,7 @@ const char* name(ElementType type);  ///< as the format writes it
 struct GltfBuffer {
   std::optional<std::string> uri;
   std::uint64_t length = 0;
-  bool meshopt_fallback = false;  ///< placeholder for compressed views, without bytes of its own
+  bool meshopt_fallback = false;  ///< stands for compressed views; has no bytes of its own
 };
 
 enum class MeshoptMode : std::uint8_t { attributes, triangles, indices };

@@ -76,8 +76,8 @@ Vec3 around(const Extent& extent, Numbers& numbers, double distance) {
           static_cast<float>(double{extent.centre.z} + flat * std::sin(turn))};
 }
 
-/// Of ten rays, six are aimed at the middle of a triangle, two at a vertex, which often is on the
-/// outline, and two at points around the body.
+/// Makes rays in groups of ten: six aim at the middle of a triangle, two at a vertex, which is
+/// often on the outline, and two at points around the body.
 std::vector<Ray> make_rays(const asset::Asset& asset, std::span<const Vec3> positions,
                            std::uint32_t count) {
   const Extent extent = extent_of(positions);

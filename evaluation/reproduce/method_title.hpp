@@ -10,7 +10,7 @@ namespace pelt::reproduce {
 /// the command line.
 std::string title_of(methods::MethodKind method);
 
-/// What the method does and which paper it is from, for readers who do not know the code.
+/// Describes the method and names its paper, for readers who do not know the code.
 std::string description_of(methods::MethodKind method);
 
 }  // namespace pelt::reproduce

@@ -1,8 +1,8 @@
 #pragma once
 
-/// What the fuzz target of the queries asks. Each function reads its arguments from the bytes, asks
-/// one or more queries, and ends the program if an answer differs from that of all posed triangles
-/// one by one.
+/// Questions of the fuzz target of the queries. Each function reads its arguments from the bytes,
+/// asks one or more queries, and ends the program if an answer differs from that of all posed
+/// triangles one by one.
 
 #include "fuzz/fuzzed_bodies.hpp"
 

@@ -63,7 +63,7 @@ double rounding_of(const Ray& ray, double t) {
   return (0x1p-22 * std::abs(t) + 0x1p-149) * std::sqrt(squared_length(Vec3d(ray.direction)));
 }
 
-/// What comes before `end` is outside.
+/// Checks that points of the ray before `end` are outside the solid.
 void check_outside(const Solid& solid, const Ray& ray, double end, double error) {
   const double begin = double{ray.t_min};
   for (int i = 0; i <= 16; ++i) {

@@ -13,7 +13,7 @@
 namespace pelt::test {
 namespace {
 
-/// As large as the largest sum of the predicates.
+/// The largest sum that the predicates use.
 using Sum = detail::ExactSum<48>;
 
 /// The value in units of 2^-500.

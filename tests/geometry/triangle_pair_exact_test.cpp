@@ -20,7 +20,7 @@ using detail::triangles_intersect;
 
 __extension__ using Int128 = __int128;
 
-/// What a run over many pairs must contain to be meaningful.
+/// Cases that a run over many pairs must contain to be meaningful.
 struct Expected {
   double least_hits, most_hits;  ///< shares of all pairs
   double exact_signs;            ///< per pair, at least

@@ -51,7 +51,7 @@ TEST(Surface, OfATriangleWithARepeatedVertexIsNotClosed) {
   }
 }
 
-/// As at the poles of a sphere made of quads.
+/// The poles of a sphere made of quads have such triangles.
 TEST(Surface, StaysClosedWithTrianglesThatRepeatAVertex) {
   Shape limb = make_limb(12, 9, 3);
   const auto [a, b, c] = limb.triangles[5];

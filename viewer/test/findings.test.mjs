@@ -1,4 +1,4 @@
-// What a report derives from its answer, without a browser.
+// The findings that a report derives from its answer, without a browser.
 
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';

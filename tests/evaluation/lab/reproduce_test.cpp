@@ -35,7 +35,8 @@ TEST(Reproduce, RefusesAnUnknownExperiment) {
 }
 
 TEST(Reproduce, SaysHowToBuildWithOtherLibraries) {
-  if (reproduce::peers_experiment() != nullptr) GTEST_SKIP() << "built with them";
+  if (reproduce::peers_experiment() != nullptr)
+    GTEST_SKIP() << "this build has the other libraries";
   const TestFolder folder;
   const Ended run = run_pelt(folder, {"reproduce", "--peers"});
   EXPECT_EQ(run.exit_code, 2);

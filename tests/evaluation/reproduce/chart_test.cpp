@@ -78,7 +78,8 @@ TEST(GnuplotScript, LeavesRowsBeyondTheEndToTheTable) {
 }
 
 TEST(DrawChart, WritesAnSvg) {
-  if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot here";
+  if (std::system("gnuplot --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "gnuplot is not installed";
   const auto svg = std::filesystem::temp_directory_path() / "pelt_chart_test.svg";
   const Result<void> drawn = draw_chart(kChart, kTable, svg);
   ASSERT_TRUE(drawn) << drawn.error().message;

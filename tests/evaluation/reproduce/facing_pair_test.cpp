@@ -43,7 +43,7 @@ TEST(ClosingPair, ComesFromOneDistanceToTheOther) {
 
 TEST(HeapBytes, CountWhatIsHeld) {
   const auto before = heap_bytes();
-  if (!before) GTEST_SKIP() << "the C library does not tell";
+  if (!before) GTEST_SKIP() << "this C library does not count the bytes of the heap";
   const std::vector<char> held(1 << 20, 'x');
   const auto after = heap_bytes();
   if (*after == *before) GTEST_SKIP() << "another allocator is in use";

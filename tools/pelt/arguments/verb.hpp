@@ -15,7 +15,7 @@ namespace pelt::tools::arguments {
 
 /// Syntax of an option, and its form in --help.
 struct OptionSyntax {
-  const char* type = nullptr;  ///< placeholder for the value in the help
+  const char* type = nullptr;  ///< name of the value in the help, such as FILE
   bool is_required = false;
   int most = 0;                    ///< a number from 0 to this; 0: no limit
   const char* excludes = nullptr;  ///< an option, added before, that it cannot be combined with
