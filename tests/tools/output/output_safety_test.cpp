@@ -1,10 +1,6 @@
-/// No output overwrites an input or another output, and every output file is either complete or
-/// unchanged, however the verb ends.
+/// Every output file is either complete or unchanged, however the verb ends.
 
-#include "tools/run_program.hpp"
-#include "tools/test_scenes.hpp"
-
-#include <pelt/version.hpp>
+#include "tools/output/writers.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -12,146 +8,16 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <thread>
 
 namespace pelt::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-
-const std::string kOld = "what was there before\n";
-
-/// A verb with one output, whose name is the last argument.
-struct Writer {
-  std::string name;
-  Words words;
-  bool reads_scene = true;  ///< otherwise a.gltf
-};
-
-void PrintTo(const Writer& writer, std::ostream* out) { *out << writer.name; }
-
-/// All outputs of all verbs, except `demo`, which writes a folder and has tests of its own.
-std::vector<Writer> writers() {
-  return {{"check_jsonl", {"check", "scene.json", "--fail-on", "never", "--jsonl"}},
-          {"check_glb", {"check", "scene.json", "--fail-on", "never", "--glb"}},
-          {"check_html", {"check", "scene.json", "--fail-on", "never", "--html"}},
-          {"bounds", {"bounds", "scene.json", "--jsonl"}},
-          {"distance", {"distance", "scene.json", "--jsonl"}},
-          {"closest", {"distance", "scene.json", "--from", "0,0,0", "--jsonl"}},
-          {"ray", {"ray", "scene.json", "--from", "0,0.5,-3", "--to", "0,0.5,3", "--jsonl"}},
-          {"region", {"region", "scene.json", "--sphere", "0,0,0,1", "--jsonl"}},
-          {"pose", {"pose", "scene.json", "--frame", "3", "-o"}},
-          {"prepare", {"prepare", "a.gltf", "-o"}, false},
-          {"bench",
-           {"bench", "scene.json", "--frames", "0:1", "--repeat", "1", "--methods", "on_demand",
-            "--json"}}};
-}
-
-/// A folder with a scene of a.gltf, the buffer a.bin and the image that a.gltf names, and the
-/// viewer's page.
-class SafetyFolder {
- public:
-  SafetyFolder() {
-    GltfBuilder builder = build_limb(12);
-    builder.document["buffers"] = {{{"byteLength", builder.binary.size()}, {"uri", "a.bin"}}};
-    builder.document["images"] = {{{"uri", "skin%20a.png"}}};
-    write_text(folder_ / "a.gltf", builder.document.dump());
-    write_bytes(folder_ / "a.bin", builder.binary);
-    write_text(folder_ / "skin a.png", "picture");
-    std::string scene = kLimbsScene;
-    for (const std::string model : {"one.glb", "two.glb"})
-      scene.replace(scene.find(model), model.size(), "a.gltf");
-    write_text(folder_ / "scene.json", scene);
-    write_text(folder_ / "viewer.html", viewer_page(PELT_VERSION));
-    EXPECT_EQ(setenv("PELT_VIEWER", (folder_ / "viewer.html").c_str(), 1), 0);
-  }
-  ~SafetyFolder() { unsetenv("PELT_VIEWER"); }
-
-  const TestFolder& get() const { return folder_; }
-  std::string operator/(const std::string& name) const { return folder_ / name; }
-
-  /// Names and contents of the files; follows links.
-  std::map<std::string, std::string> contents() const {
-    std::map<std::string, std::string> all;
-    for (const std::string& name : names_in(folder_)) {
-      if (fs::is_regular_file(folder_ / name)) all[name] = read_text(folder_ / name);
-    }
-    return all;
-  }
-
- private:
-  TestFolder folder_;
-};
-
-Words with(Words words, const std::string& last) {
-  words.push_back(last);
-  return words;
-}
-
-std::string shell_command(const Words& words) {
-  std::string command = "'" PELT_COMMAND "'";
-  for (const std::string& word : words) command.append(" '").append(word).append("'");
-  return command;
-}
-
-Ended run_in_shell(const SafetyFolder& folder, const std::string& script) {
-  return run_program(folder.get().path(), {"bash", "-c", script});
-}
 
 class Output : public ::testing::TestWithParam<Writer> {};
 
-std::string name_of(const ::testing::TestParamInfo<Writer>& info) { return info.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Verbs, Output, ::testing::ValuesIn(writers()), name_of);
-
-TEST_P(Output, IsNoInput) {
-  const SafetyFolder folder;
-  fs::create_directory(folder / "sub");
-  fs::create_symlink("a.gltf", folder / "symbolic.gltf");
-  fs::create_symlink("symbolic.gltf", folder / "twice.gltf");
-  fs::create_directory_symlink(".", folder / "here");
-  fs::create_hard_link(folder / "a.gltf", folder / "hard.gltf");
-  Words inputs = {"a.gltf",     "./a.gltf",    "sub/../a.gltf", "symbolic.gltf",
-                  "twice.gltf", "here/a.gltf", "hard.gltf",     "A.GLTF",
-                  "a.bin",      "skin a.png",  "Skin A.PNG",    folder / "a.gltf"};
-  if (GetParam().reads_scene) inputs.push_back("scene.json");
-  if (GetParam().name.starts_with("check")) inputs.push_back("viewer.html");
-  const auto before = folder.contents();
-  for (const std::string& input : inputs) {
-    const Ended run = run_pelt(folder.get(), with(GetParam().words, input));
-    EXPECT_EQ(run.exit_code, 2) << input << run.out;
-    EXPECT_EQ(run.out, "") << input;
-    EXPECT_NE(run.err.find(input + " is "), std::string::npos) << run.err;
-    EXPECT_NE(run.err.find(": name another file"), std::string::npos) << run.err;
-    EXPECT_TRUE(folder.contents() == before) << input;
-  }
-}
-
-/// Scripts of the shell in which "..." is the command, and "a.gltf" an input.
-TEST_P(Output, IsNoInputThroughADescriptor) {
-  const SafetyFolder folder;
-  const auto before = folder.contents();
-  const std::string words = shell_command(GetParam().words);
-  std::vector<std::pair<std::string, std::string>> scripts = {
-      {" /dev/fd/9 9<>a.gltf", ": /dev/fd/9 is the model a.gltf"},
-      {" /dev/fd/9 9>>a.bin", ": /dev/fd/9 is a file of the model a.gltf"},
-      {" /proc/self/fd/9 9>>a.gltf", ": /proc/self/fd/9 is the model a.gltf"},
-      {" - >>a.gltf", "standard output: goes to the model a.gltf"},
-      {" - 1<>a.bin", "standard output: goes to a file of the model a.gltf"},
-      {" new >>a.gltf", "standard output: goes to the model a.gltf"},
-      {" /dev/fd/8 9<>a.gltf 8>&9", ": /dev/fd/8 is the model a.gltf"}};
-  if (GetParam().reads_scene)
-    scripts.emplace_back(" - >>scene.json", "standard output: goes to the scene scene.json");
-  for (const auto& [script, message] : scripts) {
-    const Ended run = run_in_shell(folder, words + script);
-    EXPECT_EQ(run.exit_code, 2) << script;
-    EXPECT_EQ(run.out, "") << script;
-    EXPECT_NE(run.err.find(message), std::string::npos) << script << run.err;
-    EXPECT_TRUE(folder.contents() == before) << script;
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Verbs, Output, ::testing::ValuesIn(writers()), name_of_writer);
 
 TEST_P(Output, ReplacesAnOldFileWhole) {
   const SafetyFolder folder;
@@ -343,115 +209,6 @@ TEST(Outputs, OfTwoRunsAtOnceAreNeverMixed) {
   }
 }
 
-TEST(Outputs, AreNotEachOther) {
-  const SafetyFolder folder;
-  write_text(folder / "b", kOld);
-  fs::create_symlink("new", folder / "dangling");
-  fs::create_symlink("b", folder / "symbolic");
-  fs::create_hard_link(folder / "b", folder / "hard");
-  fs::create_directory_symlink(".", folder / "here");
-  const auto before = folder.contents();
-  const std::vector<std::pair<std::string, std::string>> same = {
-      {"x", "x"},        {"x", "./x"},  {"x", "X"}, {"x", "here/x"},     {"new", "dangling"},
-      {"b", "symbolic"}, {"b", "hard"}, {"-", "-"}, {"-", "/dev/stdout"}};
-  for (const auto& [a, b] : same) {
-    for (const std::string other : {"--glb", "--html"}) {
-      const Ended run = run_pelt(folder.get(), {"check", "scene.json", "--jsonl", a, other, b});
-      EXPECT_EQ(run.exit_code, 2) << a << ' ' << b;
-      EXPECT_EQ(run.out, "");
-      EXPECT_NE(run.err.find(other + ": " + b + " is the output of --jsonl"), std::string::npos)
-          << run.err;
-    }
-  }
-  const Ended shell =
-      run_in_shell(folder, shell_command({"check", "scene.json", "--jsonl", "said"}) + " > said");
-  EXPECT_EQ(shell.exit_code, 2);
-  EXPECT_NE(shell.err.find("said is where standard output goes"), std::string::npos) << shell.err;
-  fs::remove(folder / "said");
-  EXPECT_TRUE(folder.contents() == before);
-}
-
-TEST(Outputs, AreNotAnInputThatIsADescriptor) {
-  const SafetyFolder folder;
-  write_bytes(folder / "a.glb", build_limb(12).glb());
-  ASSERT_EQ(run_pelt(folder.get(), {"check", "scene.json", "--jsonl", "known"}).exit_code, 1);
-  ASSERT_EQ(run_pelt(folder.get(), {"prepare", "a.glb", "-o", "a.pelt"}).exit_code, 0);
-  const auto before = folder.contents();
-  const std::vector<std::pair<std::string, std::string>> scripts = {
-      {"check /dev/stdin a.gltf --jsonl a.glb <a.glb", "--jsonl: a.glb is the model /dev/stdin"},
-      {"check /dev/fd/9 a.gltf --glb ./a.glb 9<a.glb", "--glb: ./a.glb is the model /dev/fd/9"},
-      {"check scene.json --baseline /dev/stdin --jsonl known <known",
-       "--jsonl: known is the baseline /dev/stdin"},
-      {"check scene.json --baseline known >>known", "standard output: goes to the baseline known"},
-      {"bounds /dev/stdin --jsonl a.glb <a.glb", "--jsonl: a.glb is the model /dev/stdin"},
-      {"pose /dev/stdin --frame 0 -o a.glb <a.glb", "--output: a.glb is the model /dev/stdin"},
-      {"prepare /dev/stdin -o a.glb <a.glb", "--output: a.glb is the model /dev/stdin"},
-      {"info a.glb >>a.glb", "standard output: goes to the model a.glb"},
-      {"info /dev/stdin <a.glb >>a.glb", "standard output: goes to the model /dev/stdin"},
-      {"info a.gltf --json >>a.bin", "standard output: goes to a file of the model a.gltf"},
-      {"info a.pelt >>a.pelt", "standard output: goes to the prepared model a.pelt"},
-      {"view a.glb --no-browser >>a.glb", "standard output: goes to the model a.glb"},
-      {"bench scene.json >>scene.json", "standard output: goes to the scene scene.json"}};
-  for (const auto& [script, message] : scripts) {
-    const Ended run = run_in_shell(folder, "timeout 60 '" PELT_COMMAND "' " + script);
-    EXPECT_EQ(run.exit_code, 2) << script;
-    EXPECT_NE(run.err.find(message), std::string::npos) << script << run.err;
-    EXPECT_TRUE(folder.contents() == before) << script;
-  }
-}
-
-TEST(Outputs, ShareNoDescriptorPipeOrDevice) {
-  const SafetyFolder folder;
-  const auto before = folder.contents();
-  for (const std::string script :
-       {"--jsonl /dev/fd/9 --glb /dev/fd/9 9>new", "--jsonl /dev/fd/9 --glb /dev/fd/9 9>&2",
-        "--jsonl /dev/fd/8 --glb /dev/fd/9 9>new 8>&9", "--jsonl new --glb /dev/fd/9 9>new",
-        "--jsonl /dev/fd/9 --glb new 9>new", "--jsonl - --glb /dev/fd/9 9>&1 | cat",
-        "--jsonl /dev/fd/9 --glb - 9>&1 | cat", "--jsonl pipe --html pipe",
-        "--jsonl /dev/zero --glb /dev/zero", "--jsonl - --glb - >/dev/null"}) {
-    const Ended run = run_in_shell(folder, "set -o pipefail; mkfifo pipe; timeout 60 '" PELT_COMMAND
-                                           "' check scene.json " +
-                                               script + "; code=$?; rm -f pipe new; exit $code");
-    EXPECT_EQ(run.exit_code, 2) << script;
-    EXPECT_NE(run.err.find(" is the output of --"), std::string::npos) << script << run.err;
-    EXPECT_TRUE(folder.contents() == before) << script;
-  }
-  const Ended shared = run_in_shell(
-      folder, shell_command({"check", "scene.json", "--jsonl", "/dev/fd/9"}) + " 9>said >said");
-  EXPECT_EQ(shared.exit_code, 2);
-  EXPECT_NE(shared.err.find("/dev/fd/9 is where standard output goes"), std::string::npos);
-}
-
-TEST(Outputs, MayShareTheNullDevice) {
-  const SafetyFolder folder;
-  for (const std::string script : {"--jsonl /dev/null --glb /dev/null --html /dev/null",
-                                   "--jsonl /dev/fd/9 --glb /dev/null 9>/dev/null"}) {
-    const Ended run = run_in_shell(
-        folder, "'" PELT_COMMAND "' check scene.json --fail-on never " + script + " >/dev/null");
-    EXPECT_EQ(run.exit_code, 0) << script << run.err;
-  }
-}
-
-TEST(Outputs, AreNotTheBaseline) {
-  const SafetyFolder folder;
-  ASSERT_EQ(run_pelt(folder.get(), {"check", "scene.json", "--jsonl", "known"}).exit_code, 1);
-  const auto before = folder.contents();
-  for (const std::string option : {"--jsonl", "--glb", "--html"}) {
-    const Ended run =
-        run_pelt(folder.get(), {"check", "scene.json", "--baseline", "known", option, "./known"});
-    EXPECT_EQ(run.exit_code, 2);
-    EXPECT_NE(run.err.find(option + ": ./known is the baseline known"), std::string::npos)
-        << run.err;
-  }
-  EXPECT_TRUE(folder.contents() == before);
-  Words bench = writers().back().words;
-  ASSERT_EQ(run_pelt(folder.get(), with(bench, "figures.json")).exit_code, 0);
-  bench.insert(bench.end() - 1, {"--against", "figures.json"});
-  const Ended run = run_pelt(folder.get(), with(bench, "figures.json"));
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("--json: figures.json is what --against"), std::string::npos) << run.err;
-}
-
 TEST(Outputs, KeepAReadOnlyFile) {
   if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everything";
   const SafetyFolder folder;
@@ -460,21 +217,6 @@ TEST(Outputs, KeepAReadOnlyFile) {
   const Ended run = run_pelt(folder.get(), {"bounds", "scene.json", "--jsonl", "old"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(read_text(folder / "old"), kOld);
-}
-
-TEST(Outputs, OfADemoAreFilesOfTheirOwn) {
-  const SafetyFolder folder;
-  fs::create_directory(folder / "pelt-demo");
-  fs::create_symlink("scene.json", folder / "pelt-demo/contacts.glb");
-  Ended run = run_pelt(folder.get(), {"demo", "--no-picture"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("contacts.glb is the output of -o"), std::string::npos) << run.err;
-  fs::remove(folder / "pelt-demo/contacts.glb");
-  fs::create_symlink("../viewer.html", folder / "pelt-demo/report.html");
-  run = run_pelt(folder.get(), {"demo", "--no-picture"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_EQ(read_text(folder / "viewer.html"), viewer_page(PELT_VERSION));
-  EXPECT_EQ(names_in_path(folder / "pelt-demo"), std::set<std::string>{"report.html"});
 }
 
 TEST(Outputs, OfADemoAreAsBeforeOnAFullDiskOrASignal) {

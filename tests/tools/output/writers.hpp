@@ -1,0 +1,105 @@
+#pragma once
+
+/// Verbs that write files, and a folder that must survive them.
+
+#include "tools/run_program.hpp"
+#include "tools/test_scenes.hpp"
+
+#include <pelt/version.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace pelt::test {
+
+using Words = std::vector<std::string>;
+
+inline const std::string kOld = "what was there before\n";
+
+/// A verb with one output, whose name is the last argument.
+struct Writer {
+  std::string name;
+  Words words;
+  bool reads_scene = true;  ///< otherwise a.gltf
+};
+
+inline void PrintTo(const Writer& writer, std::ostream* out) { *out << writer.name; }
+
+/// All outputs of all verbs, except `demo`, which writes a folder and has tests of its own.
+inline std::vector<Writer> writers() {
+  return {{"check_jsonl", {"check", "scene.json", "--fail-on", "never", "--jsonl"}},
+          {"check_glb", {"check", "scene.json", "--fail-on", "never", "--glb"}},
+          {"check_html", {"check", "scene.json", "--fail-on", "never", "--html"}},
+          {"bounds", {"bounds", "scene.json", "--jsonl"}},
+          {"distance", {"distance", "scene.json", "--jsonl"}},
+          {"closest", {"distance", "scene.json", "--from", "0,0,0", "--jsonl"}},
+          {"ray", {"ray", "scene.json", "--from", "0,0.5,-3", "--to", "0,0.5,3", "--jsonl"}},
+          {"region", {"region", "scene.json", "--sphere", "0,0,0,1", "--jsonl"}},
+          {"pose", {"pose", "scene.json", "--frame", "3", "-o"}},
+          {"prepare", {"prepare", "a.gltf", "-o"}, false},
+          {"bench",
+           {"bench", "scene.json", "--frames", "0:1", "--repeat", "1", "--methods", "on_demand",
+            "--json"}}};
+}
+
+/// A folder with a scene of a.gltf, the buffer a.bin and the image that a.gltf names, and the
+/// viewer's page.
+class SafetyFolder {
+ public:
+  SafetyFolder() {
+    GltfBuilder builder = build_limb(12);
+    builder.document["buffers"] = {{{"byteLength", builder.binary.size()}, {"uri", "a.bin"}}};
+    builder.document["images"] = {{{"uri", "skin%20a.png"}}};
+    write_text(folder_ / "a.gltf", builder.document.dump());
+    write_bytes(folder_ / "a.bin", builder.binary);
+    write_text(folder_ / "skin a.png", "picture");
+    std::string scene = kLimbsScene;
+    for (const std::string model : {"one.glb", "two.glb"})
+      scene.replace(scene.find(model), model.size(), "a.gltf");
+    write_text(folder_ / "scene.json", scene);
+    write_text(folder_ / "viewer.html", viewer_page(PELT_VERSION));
+    EXPECT_EQ(setenv("PELT_VIEWER", (folder_ / "viewer.html").c_str(), 1), 0);
+  }
+  ~SafetyFolder() { unsetenv("PELT_VIEWER"); }
+
+  const TestFolder& get() const { return folder_; }
+  std::string operator/(const std::string& name) const { return folder_ / name; }
+
+  /// Names and contents of the files; follows links.
+  std::map<std::string, std::string> contents() const {
+    std::map<std::string, std::string> all;
+    for (const std::string& name : names_in(folder_)) {
+      if (std::filesystem::is_regular_file(folder_ / name)) all[name] = read_text(folder_ / name);
+    }
+    return all;
+  }
+
+ private:
+  TestFolder folder_;
+};
+
+inline Words with(Words words, const std::string& last) {
+  words.push_back(last);
+  return words;
+}
+
+inline std::string shell_command(const Words& words) {
+  std::string command = "'" PELT_COMMAND "'";
+  for (const std::string& word : words) command.append(" '").append(word).append("'");
+  return command;
+}
+
+inline Ended run_in_shell(const SafetyFolder& folder, const std::string& script) {
+  return run_program(folder.get().path(), {"bash", "-c", script});
+}
+
+/// Name of a test of one writer.
+inline std::string name_of_writer(const ::testing::TestParamInfo<Writer>& info) {
+  return info.param.name;
+}
+
+}  // namespace pelt::test
