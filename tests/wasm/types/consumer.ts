@@ -226,6 +226,7 @@ function useContacts(pelt: Pelt, a: Pose, b: Pose): void {
   useStats(b.openAll());
   const touch: boolean = pelt.intersects(a, b);
   check(touch, 'intersects');
+  useStats(pelt.lastStats);
   const geometry: ContactGeometry = pelt.describeContacts(a, b, pairs);
   const floats: Float32Array[] = [geometry.segments, geometry.normals, geometry.depths];
   check(floats[2]?.length === count && geometry.joints.length === 2 * count, 'geometry');
