@@ -71,7 +71,7 @@ plane {y, 0 pigment {rgb <0.10,0.11,0.13>} finish {diffuse 0.8 specular 0.05 rou
 /// Key, fill and rim.
 std::string lights(const Vec3d& ground) {
   return "light_source {" + pov_vector(ground + Vec3d(-4.2, 4.6, 1.2)) +
-         " rgb <1.7,1.6,1.4> area_light <1.6,0,0>, <0,0,1.6>, 9, 9 adaptive 1 circular orient}\n"
+         " rgb <1.7,1.6,1.4> area_light <1.6,0,0>, <0,0,1.6>, 5, 5 adaptive 1 circular orient}\n"
          "light_source {" +
          pov_vector(ground + Vec3d(-2, 2, 5)) + " rgb <0.22,0.28,0.38> shadowless}\n" +
          "light_source {" + pov_vector(ground + Vec3d(4, 3.5, -1.5)) +

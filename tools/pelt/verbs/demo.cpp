@@ -104,6 +104,7 @@ output::ProgramEnd render(const fs::path& description, const fs::path& picture) 
                                             "+W1280",
                                             "+H720",
                                             "+A0.2",
+                                            "+R2",
                                             "-D",
                                             "-P",
                                             "+Q11"};
