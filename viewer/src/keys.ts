@@ -1,10 +1,11 @@
 /** Keyboard shortcuts. The help shows the same table. */
 
 import * as changes from './state/changes';
+import { redo, undo } from './state/history';
 import type { State, Update } from './state/state';
 
 export interface Key {
-  /** Values of `KeyboardEvent.key`, in lower case. */
+  /** Values of `KeyboardEvent.key`, in lower case, after "ctrl+" or "ctrl+shift+". */
   keys: string[];
   shown: string;
   meaning: string;
@@ -21,6 +22,10 @@ const TURNS: Record<string, { right: number; up: number }> = {
 };
 
 const ZOOM = 1.15;
+
+function ofSelected(change: (instance: number) => changes.Change): changes.Change {
+  return (state) => (state.selected === null ? {} : change(state.selected)(state));
+}
 
 export const KEYS: Key[] = [
   { keys: [' '], shown: 'Space', meaning: 'play or pause', change: changes.togglePlaying },
@@ -43,6 +48,20 @@ export const KEYS: Key[] = [
     meaning: 'deselect',
     change: () => ({ selected: null, spot: null }),
   },
+  {
+    keys: ['delete'],
+    shown: 'Del',
+    meaning: 'remove the character',
+    change: ofSelected(changes.removeInstance),
+  },
+  {
+    keys: ['h'],
+    shown: 'H',
+    meaning: 'hide or show the character',
+    change: ofSelected(changes.toggleHidden),
+  },
+  { keys: ['ctrl+z'], shown: 'Ctrl Z', meaning: 'undo', change: undo },
+  { keys: ['ctrl+y', 'ctrl+shift+z'], shown: 'Ctrl Y', meaning: 'redo', change: redo },
   { keys: ['g'], shown: 'G', meaning: 'move the character', change: () => ({ gizmo: 'move' }) },
   { keys: ['r'], shown: 'R', meaning: 'turn the character', change: () => ({ gizmo: 'turn' }) },
   { keys: ['f'], shown: 'F', meaning: 'first contact only', change: changes.toggleFirstContact },
@@ -75,8 +94,8 @@ export const KEYS: Key[] = [
 /** Ignores keys that the focused field or button handles itself. */
 export function watchKeys(update: Update): void {
   document.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || isTaken(event)) return;
-    const pressed = event.key.toLowerCase();
+    if (event.altKey || isTaken(event)) return;
+    const pressed = pressedKey(event);
     const key = KEYS.find(({ keys }) => keys.includes(pressed));
     if (!key) return;
     event.preventDefault();
@@ -84,9 +103,17 @@ export function watchKeys(update: Update): void {
   });
 }
 
-function isTaken({ target, key }: KeyboardEvent): boolean {
+/** On a Mac, the command key takes the place of the control key. */
+function pressedKey({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
+  if (!ctrlKey && !metaKey) return key.toLowerCase();
+  return `ctrl+${shiftKey ? 'shift+' : ''}${key.toLowerCase()}`;
+}
+
+function isTaken({ target, key, ctrlKey, metaKey }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.closest('dialog')) return true;
+  if (target.matches('[type=search]')) return key !== 'Escape';
+  if (ctrlKey || metaKey) return false; // a number that is typed is an edit of the scene
   if (key === 'Escape') return false;
   if (target.matches('button, summary, [type=checkbox]')) return key === ' ';
   if (target.matches('[type=range]')) return /^(Arrow|Home|End)/.test(key);

@@ -9,12 +9,14 @@ import { Director } from './flow/director';
 import { chooseFiles, watchDrops, type DroppedFile } from './flow/drops';
 import { Meter } from './flow/meter';
 import { Opener } from './flow/open';
+import { painted } from './flow/painted';
 import { Photographer } from './flow/photographer';
 import { Pointing } from './flow/pointing';
 import { watchKeys } from './keys';
 import { App } from './panels/app';
 import { findReport, type Report } from './report/report';
 import * as changes from './state/changes';
+import { endEdit } from './state/history';
 import { initialState, type State } from './state/state';
 import { Store } from './state/store';
 import './style/index.css';
@@ -35,13 +37,14 @@ const chooseAndOpen = () => chooseFiles(openFiles);
 const chooseAndAdd = () => chooseFiles(addFiles);
 
 const panels = document.getElementById('panels')!;
-const view = makeView(document.getElementById('view')!);
+let view: View | null = null;
 
 /** Returns null without WebGL. Contacts are still counted then. */
 function makeView(place: HTMLElement): View | null {
   try {
     return new View(place, {
       onPlace: (instance, change) => update(changes.changeInstance(instance, change)),
+      onPlaced: () => update(endEdit),
       onPoint: (ray, x, y) => {
         panels.style.setProperty('--x', `${x}px`);
         panels.style.setProperty('--y', `${y}px`);
@@ -57,21 +60,30 @@ function makeView(place: HTMLElement): View | null {
   }
 }
 
-/** Written only when it changes, because it restyles the whole page. */
-function wear(theme: 'dark' | 'light'): void {
+/** The style sheets follow the system, unless the user has chosen. */
+function wear(theme: State['theme']): void {
   const { dataset } = document.documentElement;
-  if (dataset.theme !== theme) dataset.theme = theme;
+  if (theme === 'system') delete dataset.theme;
+  else if (dataset.theme !== theme) dataset.theme = theme; // each change restyles the whole page
 }
 
 function show(state: State): void {
-  const dark = isDark(state.theme);
-  wear(dark ? 'dark' : 'light');
-  view?.light(dark);
+  wear(state.theme);
+  view?.light(isDark(state.theme));
   view?.show(state);
   const choosing = { openFiles: chooseAndOpen, addFiles: chooseAndAdd };
   render(<App state={state} update={update} {...choosing} />, panels);
 }
 
+/** Adds the picture once the panels have been painted, because WebGL may take seconds to start. */
+function addView(): void {
+  view = makeView(document.getElementById('view')!);
+  if (!view) return;
+  show(store.state);
+  new Photographer(store, asker, view.photograph.bind(view));
+}
+
+panels.replaceChildren();
 store.listen(show);
 store.listen((state, before) => {
   if (state.theme !== before.theme) keepTheme(state.theme);
@@ -80,7 +92,6 @@ store.listen((state, before) => {
 onSystemTheme(() => show(store.state));
 new Director(store, asker);
 new Meter(store, asker);
-if (view) new Photographer(store, asker, (answer, side) => view.photograph(answer, side));
 startClock(store);
 watchKeys(update);
 watchDrops(update, openFiles, addFiles);
@@ -91,6 +102,8 @@ try {
   update(() => ({ reading: null }));
   update(changes.refuse('The report in this page cannot be read', (error as Error).message));
 }
+
+void painted().then(addView);
 
 function open(report: Report | null): void {
   if (report) opener.openReport(report);

@@ -71,7 +71,10 @@ test('without WebGL, says so and counts all the same', async () => {
   });
   const page = await context.newPage();
   await page.goto(url);
-  assert.match(await page.locator('#view').innerText(), /No picture: .*WebGL/);
+  await page
+    .locator('#view')
+    .filter({ hasText: /No picture: .*WebGL/ })
+    .waitFor();
   await counted(page);
   assert.ok((await number(page, 'total')) > 0);
   assert.match(await fact(page, 'hash'), /^[0-9a-f]{16}$/);

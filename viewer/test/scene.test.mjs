@@ -49,6 +49,16 @@ describe('characters without a scene', () => {
     );
   });
 
+  test('pass each other within the width of the narrowest', async () => {
+    const { arrange } = await load('scene/arrange.ts');
+    const horse = { low: [-0.25, 0, -1.3], high: [0.25, 1.8, 1.3] };
+    const dog = { low: [-0.1, 0, -0.4], high: [0.1, 0.6, 0.4] };
+    const cast = [horse, dog].map((extent) => ({ ...character('', 1), extent }));
+    const { instances } = arrange(cast, 'walking');
+    const [first, second] = instances.map(({ translation }) => translation[0]);
+    assert.ok(Math.abs(first - second) < 0.2, `${first} and ${second}`);
+  });
+
   test('are joined by others on their way to the middle, and nobody is moved', async () => {
     const { arrange, join } = await load('scene/arrange.ts');
     const { placeAt } = await load('scene/scene.ts');
@@ -99,12 +109,77 @@ describe('characters that come one after the other', () => {
     const { arrange } = await load('scene/arrange.ts');
     const characters = [character('a', 1)];
     const opened = { ...arrange(characters, 'walking'), name: 'duel.json' };
-    const state = { characters, opened, scene: opened, arrangement: 'opened', problems: [] };
+    const { initialState } = await load('state/state.ts');
+    const state = { ...initialState, characters, opened, scene: opened, arrangement: 'opened' };
     const refused = [{ path: 'torn.glb', message: 'is torn' }];
     const { scene, opened: kept, problems } = add({ characters, refused })(state);
     assert.equal(scene.instances.length, 3);
     assert.equal(kept.instances.length, 3);
     assert.deepEqual(problems, [{ title: 'torn.glb was left out', message: 'is torn' }]);
+  });
+});
+
+describe('edits', () => {
+  /** Two characters that walk, and functions that change them. */
+  async function stage() {
+    const changes = await load('state/changes.ts');
+    const history = await load('state/history.ts');
+    const { initialState } = await load('state/state.ts');
+    const opening = {
+      characters: [character('a', 1), character('b', 1)],
+      scene: null,
+      refused: [],
+    };
+    const state = { ...initialState, ...changes.open(opening)(initialState) };
+    const after = (begin, ...all) =>
+      all.reduce((now, change) => ({ ...now, ...change(now) }), begin);
+    return { ...changes, ...history, state, after };
+  }
+
+  test('are undone and redone one by one, and steps of a drag are one', async () => {
+    const { state, after, changeInstance, changeFps, endEdit, undo, redo } = await stage();
+    const to = (x) => changeInstance(0, { translation: [x, 0, 0] });
+    const edited = after(state, to(1), to(2), endEdit, to(3), changeFps(60));
+    assert.equal(edited.past.length, 3);
+    const back = [1, 2, 3, 4].map((count) => after(edited, ...new Array(count).fill(undo)));
+    assert.deepEqual(
+      back.map(({ scene }) => [scene.fps, scene.instances[0].translation[0]]),
+      [
+        [30, 3],
+        [30, 2],
+        [30, state.scene.instances[0].translation[0]],
+        [30, state.scene.instances[0].translation[0]],
+      ],
+    );
+    assert.equal(back[3].scene, state.scene, 'the same scene, which a report knows again');
+    assert.equal(after(back[3], redo, redo, redo, redo).scene, edited.scene);
+    assert.deepEqual(after(back[1], to(9)).future, []);
+  });
+
+  test('remove all but one, and copy', async () => {
+    const { state, after, removeInstance, duplicateInstance, toggleHidden, undo } = await stage();
+    const alone = after(state, toggleHidden(1), removeInstance(0));
+    assert.deepEqual([alone.scene.name, ...alone.hidden], ['b', 0]);
+    assert.equal(after(alone, removeInstance(0)).scene, alone.scene, 'the last one stays');
+    assert.deepEqual([...after(alone, undo).hidden], [1]);
+    const copied = after(state, duplicateInstance(0));
+    const [original, , copy] = copied.scene.instances;
+    assert.equal(copied.selected, 2);
+    assert.equal(copy.character, original.character);
+    assert.ok(copy.translation[0] - original.translation[0] > 1.6, 'beside it');
+  });
+
+  test('leave the placement to be chosen again, for those who are there', async () => {
+    const { state, after, duplicateInstance, removeInstance, rearrange } = await stage();
+    assert.equal(state.scene, state.arranged);
+    const copied = after(state, duplicateInstance(0), removeInstance(1));
+    assert.notEqual(copied.scene, copied.arranged);
+    const placed = after(copied, rearrange('walking'));
+    assert.equal(placed.scene, placed.arranged);
+    assert.deepEqual(
+      placed.scene.instances.map((instance) => instance.character),
+      [0, 0],
+    );
   });
 });
 
@@ -190,7 +265,8 @@ describe('the length of a scene', () => {
     const { changeInstance, changeFps } = await load('state/changes.ts');
     const characters = [character('body', 1), character('coat', 2)];
     const scene = arrange(characters, 'together');
-    const state = { scene, characters, frame: 55 };
+    const { initialState } = await load('state/state.ts');
+    const state = { ...initialState, scene, characters, frame: 55 };
     const ran = changeInstance(1, { clip: 'run' })(state);
     assert.deepEqual([ran.scene.frameCount, ran.frame], [30, 29]);
     assert.equal(changeFps(24)(state).scene.frameCount, 48);

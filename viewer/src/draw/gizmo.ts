@@ -10,6 +10,8 @@ const MODES = { move: 'translate', turn: 'rotate' } as const;
 
 export interface GizmoEvents {
   onMove: (place: Vector3, rotation: Quaternion) => void;
+  /** Called when the handles are let go. */
+  onEnd: () => void;
   /** Called when the picture must be redrawn. */
   onChange: () => void;
 }
@@ -29,7 +31,10 @@ export class Gizmo {
     this.controls.setSize(0.7);
     this.controls.setColors(AXES.x, AXES.y, AXES.z, ACCENT);
     this.controls.addEventListener('change', events.onChange);
-    this.controls.addEventListener('dragging-changed', ({ value }) => (orbit.enabled = !value));
+    this.controls.addEventListener('dragging-changed', ({ value }) => {
+      orbit.enabled = !value;
+      if (!value) events.onEnd();
+    });
     this.controls.addEventListener('objectChange', () => {
       const { position, quaternion } = this.handle;
       events.onMove(position.toArray(), quaternion.toArray() as Quaternion);

@@ -22,11 +22,9 @@ import type { Vector3 as Side } from '../scene/scene';
 import { CameraFlight } from './camera_flight';
 import type { Ambience } from './colours';
 import { Ground } from './ground';
+import { StillCamera } from './still_camera';
 
 const FIELD_OF_VIEW = 32;
-/** Pixels. */
-const STILL = { width: 192, height: 192 };
-
 /** Relative to the distance that shows everything. The ends of a walk may be cut off. */
 const CLOSENESS = { standing: 0.95, walking: 0.66 };
 
@@ -44,6 +42,7 @@ export class Studio {
   readonly canvas: HTMLCanvasElement;
   readonly orbit: OrbitControls;
   private readonly renderer: WebGLRenderer;
+  private readonly stills: StillCamera;
   private readonly sky = new HemisphereLight();
   private readonly key = new DirectionalLight(0xfff2e2);
   private readonly rim = new DirectionalLight(0xa9c4ff);
@@ -62,6 +61,7 @@ export class Studio {
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
+    this.stills = new StillCamera(this.renderer);
     this.canvas = this.renderer.domElement;
     place.append(this.canvas);
 
@@ -157,14 +157,7 @@ export class Studio {
     const [position, target] = this.placeToSee(box, new Vector3(...from), SURROUNDINGS.still);
     camera.position.copy(position);
     camera.lookAt(target);
-    this.renderer.render(this.scene, camera);
-    const { width, height } = this.canvas;
-    const side = Math.min(width, height);
-    const still = Object.assign(document.createElement('canvas'), STILL);
-    const context = still.getContext('2d')!;
-    const [left, top] = [(width - side) / 2, (height - side) / 2];
-    context.drawImage(this.canvas, left, top, side, side, 0, 0, STILL.width, STILL.height);
-    return still.toDataURL();
+    return this.stills.take(this.scene, camera);
   }
 
   /** Position and target of the camera. */

@@ -17,6 +17,8 @@ import { Studio } from './studio';
 
 export interface ViewEvents extends PointerEvents {
   onPlace: (instance: number, change: Partial<Instance>) => void;
+  /** Called when the handles are let go. */
+  onPlaced: () => void;
 }
 
 export class View {
@@ -38,6 +40,7 @@ export class View {
     const { camera, canvas, orbit, scene } = this.studio;
     this.gizmo = new Gizmo(camera, canvas, orbit, {
       onMove: (place, rotation) => this.place(place, rotation),
+      onEnd: events.onPlaced,
       onChange: () => this.studio.redraw(),
     });
     scene.add(this.glow, this.boxes, this.gizmo.helper);
@@ -58,7 +61,7 @@ export class View {
     const before = this.shown;
     this.shown = state;
     if (state.characters !== before?.characters) this.frame(state);
-    if (state.arrangement !== before?.arrangement) this.frame(state);
+    else if (state.arranged !== before.arranged) this.frame(state);
     if (state.side && state.side !== before?.side) this.studio.turnTo(state.side);
     const { cameraMove } = state;
     if (cameraMove && cameraMove !== before?.cameraMove) this.move(cameraMove);
@@ -66,6 +69,7 @@ export class View {
       this.showAnswer(state, state.answer);
       this.visit(state.answer);
     }
+    if (state.hidden !== before?.hidden && state.answer) this.showAnswer(state, state.answer);
     this.showGizmo(state);
   }
 
@@ -102,15 +106,18 @@ export class View {
     this.studio.lookAt(boxAround(spot.glow), (present) => betterSide(spot.seen, present));
   }
 
-  private showAnswer({ characters }: State, answer: AnsweredShot): void {
+  private showAnswer({ characters, hidden }: State, answer: AnsweredShot): void {
     const { shot, instances, glow, spot } = answer;
     const cast = shot.scene.instances.map(({ character }) => characters[character]);
     const fits =
       cast.length === this.figures.length && this.figures.every((f, i) => f.character === cast[i]);
     if (!fits) this.replaceFigures(cast.map((character, i) => new Figure(character, i)));
-    this.figures.forEach((figure, i) => figure.show(instances[i]));
+    this.figures.forEach((figure, i) => {
+      figure.visible = !hidden.has(i);
+      figure.show(instances[i]);
+    });
     this.glow.show(glow, spot?.glow ?? null);
-    this.boxes.show(instances);
+    this.boxes.show(instances.filter((_, i) => !hidden.has(i)));
     this.studio.redraw();
   }
 
@@ -124,7 +131,7 @@ export class View {
   }
 
   private showGizmo({ scene, selected, frame, gizmo }: State): void {
-    if (!scene || selected === null) return this.gizmo.hide();
+    if (!scene || selected === null || gizmo === null) return this.gizmo.hide();
     const instance = scene.instances[selected];
     this.gizmo.show(placeAt(instance, frameTime(scene, frame)), instance.rotation, gizmo);
   }

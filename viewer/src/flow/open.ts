@@ -43,7 +43,8 @@ export class Opener {
       return opened;
     };
     const begin = worst ? { frame: worst.frame, plays: false } : {};
-    this.open(title, ask, { ...begin, readingOptions: reading });
+    // Without handles, a click cannot move a character of a report by accident.
+    this.open(title, ask, { ...begin, readingOptions: reading, gizmo: null });
   }
 
   /** Characters, or a scene with its characters; on the stage they replace all others. */

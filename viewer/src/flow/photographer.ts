@@ -1,54 +1,67 @@
-/** Takes stills of the worst frames, once all have been counted, each from where its contacts are
- * seen; and turns the stage so that one sees them. */
+/**
+ * Once all contacts have been counted, turns the stage so that they are visible, and takes stills
+ * of the worst frames while stills are shown.
+ */
 
 import { betterSide } from '../scene/sides';
 import type { Vector3 } from '../scene/scene';
 import type { AnsweredShot, State, Still } from '../state/state';
+import { showsStills, worstFrame, worstFrames } from '../state/stills';
 import type { Store } from '../state/store';
+import type { StillAnswer } from '../worker/protocol';
 import type { Asker } from './asker';
 
-const STILLS = 3;
-
 export class Photographer {
+  /** Counts whose side has been requested, and counts whose stills have been requested. */
+  private sided: State['sweep']['total'] = null;
+  private taken: State['sweep']['total'] = null;
+
   constructor(
     private readonly store: Store<State>,
     private readonly asker: Asker,
     private readonly picture: (answer: AnsweredShot, side: Vector3) => string,
   ) {
-    store.listen((state, before) => {
-      if (state.sweep.total && !before.sweep.total) void this.takeStills();
-    });
+    store.listen((state) => this.work(state));
+    this.work(store.state);
   }
 
-  private async takeStills(): Promise<void> {
-    const { scene, by, firstContact, sweep } = this.store.state;
-    if (!scene) return;
+  private work(state: State): void {
+    const { side, sweep } = state;
+    if (!sweep.total || state.reading) return;
+    if (side === null && this.sided !== sweep.total) void this.findSide(state);
+    if (showsStills(state) && this.taken !== sweep.total) void this.takeStills(state);
+  }
+
+  private async findSide({ sweep }: State): Promise<void> {
+    this.sided = sweep.total;
+    const frame = worstFrame(sweep.counts);
+    const answer = frame === undefined ? null : await this.answerTo(frame, sweep.total);
+    if (!answer) return;
+    this.store.update(({ side }) => ({ side: side ?? betterSide(answer.seen) }));
+  }
+
+  private async takeStills({ sweep }: State): Promise<void> {
+    this.taken = sweep.total;
     const stills: Still[] = [];
     for (const frame of worstFrames(sweep.counts)) {
-      if (this.store.state.reading) return;
-      const shot = { scene, frame, by, firstContact, boxLevel: null, spot: null };
-      const answer = await this.asker.ask('still', shot);
-      if (!answer || this.store.state.sweep.id !== sweep.id) return;
+      const answer = await this.answerTo(frame, sweep.total);
+      if (!answer && this.store.state.reading) this.taken = null; // try again afterwards
+      if (!answer) return;
       const side = betterSide(answer.seen);
-      const picture = this.picture({ ...answer, shot }, side);
-      stills.push({ frame, contacts: answer.contacts, side, picture });
+      stills.push({ frame, contacts: answer.contacts, picture: this.picture(answer, side) });
     }
-    this.store.update(({ side }) => ({ stills, side: side ?? worst(stills)?.side ?? null }));
+    this.store.update(() => ({ stills }));
   }
-}
 
-function worst(stills: readonly Still[]): Still | undefined {
-  const most = Math.max(...stills.map(({ contacts }) => contacts));
-  return stills.find(({ contacts }) => contacts === most);
-}
-
-/** Sorted by time, and far enough apart to differ. */
-function worstFrames(counts: readonly number[]): number[] {
-  const inContact = [...counts.keys()].filter((frame) => counts[frame] > 0);
-  const apart = inContact.length / (2 * STILLS);
-  const worst: number[] = [];
-  for (const frame of inContact.sort((one, other) => counts[other] - counts[one])) {
-    if (worst.every((taken) => Math.abs(taken - frame) > apart)) worst.push(frame);
+  /** Returns null if other contacts are being counted by now. */
+  private async answerTo(
+    frame: number,
+    total: State['sweep']['total'],
+  ): Promise<(AnsweredShot & StillAnswer) | null> {
+    const { scene, by, firstContact, reading } = this.store.state;
+    if (!scene || reading) return null;
+    const shot = { scene, frame, by, firstContact, boxLevel: null, spot: null };
+    const answer = await this.asker.ask('still', shot);
+    return answer && this.store.state.sweep.total === total ? { ...answer, shot } : null;
   }
-  return worst.slice(0, STILLS).sort((one, other) => one - other);
 }

@@ -4,6 +4,7 @@ import * as changes from '../state/changes';
 import type { Ray } from '../draw/pointer';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
+import type { Questions } from '../worker/protocol';
 import type { Asker } from './asker';
 
 export class Pointing {
@@ -17,7 +18,7 @@ export class Pointing {
 
   /** Selects the character that the ray hits, by mouse or by touch. */
   async select(ray: Ray): Promise<void> {
-    const surface = await this.asker.ask('cast', ray);
+    const surface = await this.asker.ask('cast', this.questionOf(ray));
     this.store.update(changes.select(surface?.instance ?? null));
   }
 
@@ -27,10 +28,14 @@ export class Pointing {
     this.isAsking = true;
     while (this.ray) {
       const asked = this.ray;
-      await this.asker.ask('cast', asked, (hovered) => ({ hovered }));
+      await this.asker.ask('cast', this.questionOf(asked), (hovered) => ({ hovered }));
       if (asked === this.ray) break;
     }
     this.isAsking = false;
     if (!this.ray && this.store.state.hovered) this.store.update(() => ({ hovered: null }));
+  }
+
+  private questionOf(ray: Ray): Questions['cast'] {
+    return { ...ray, hidden: [...this.store.state.hidden] };
   }
 }

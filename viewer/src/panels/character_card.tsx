@@ -1,6 +1,14 @@
+import { useEffect, useRef } from 'preact/hooks';
 import type { Instance } from '../scene/scene';
 import { turnOf, withTurn } from '../scene/turn';
-import { changeInstance, select } from '../state/changes';
+import {
+  changeInstance,
+  duplicateInstance,
+  removeInstance,
+  select,
+  toggleHidden,
+} from '../state/changes';
+import { endEdit } from '../state/history';
 import type { State, Update } from '../state/state';
 import type { CharacterFacts } from '../worker/protocol';
 import { counted } from '../words';
@@ -14,19 +22,24 @@ interface CardProps {
   index: number;
   instance: Instance;
   character: CharacterFacts;
-  /** Mode of the handles; null without handles. */
-  gizmo: State['gizmo'] | null;
+  gizmo: State['gizmo'];
+  isSelected: boolean;
+  isHidden: boolean;
   isOneOfMany: boolean;
+  isOnlyOne: boolean;
   update: Update;
 }
 
 export const CharacterCard = memo((props: CardProps) => {
-  const { index, character, gizmo, isOneOfMany, update } = props;
+  const { index, character, isSelected, isHidden, isOneOfMany, update } = props;
   const { name, triangles, warnings } = character;
   const size = counted(triangles.length / 3, 'triangle');
-  const isSelected = gizmo !== null;
+  const card = useRef<HTMLElement>(null);
+  useEffect(() => {
+    if (isSelected) card.current?.scrollIntoView({ block: 'nearest' });
+  }, [isSelected]);
   return (
-    <article class={isSelected ? 'card selected' : 'card'}>
+    <article ref={card} class={isSelected ? 'card selected' : 'card'}>
       <div class="line">
         <button
           class="title"
@@ -36,14 +49,39 @@ export const CharacterCard = memo((props: CardProps) => {
         >
           <Badge instance={index} />
           <span>{name}</span>
+          {isHidden && <small>hidden</small>}
         </button>
         {(isSelected || !isOneOfMany) && <Clip {...props} />}
       </div>
+      {isSelected && <Actions {...props} />}
       {isSelected && <Placement {...props} />}
       {isSelected && warnings.length > 0 && <Warnings warnings={warnings} />}
     </article>
   );
 });
+
+function Actions({ index, isHidden, isOnlyOne, update }: CardProps) {
+  return (
+    <div class="actions" role="group" aria-label="Character">
+      <button
+        onClick={() => update(toggleHidden(index))}
+        title="Hidden characters are not drawn; their contacts count (H)"
+      >
+        {isHidden ? 'Show' : 'Hide'}
+      </button>
+      <button onClick={() => update(duplicateInstance(index))} title="Add a copy beside it">
+        Duplicate
+      </button>
+      <button
+        disabled={isOnlyOne}
+        onClick={() => update(removeInstance(index))}
+        title={isOnlyOne ? 'The only character of the scene' : 'Take it out of the scene (Delete)'}
+      >
+        Remove
+      </button>
+    </div>
+  );
+}
 
 function Warnings({ warnings }: Pick<CharacterFacts, 'warnings'>) {
   return (
@@ -90,11 +128,12 @@ const AXES = ['x', 'y', 'z'];
 function Placement({ update, instance, index, gizmo: shown }: CardProps) {
   const change = changer(update, index);
   const { start, speed, translation, velocity, rotation, scale } = instance;
-  const mode = (gizmo: State['gizmo'], key: string) => (
+  const onEnd = () => update(endEdit);
+  const mode = (gizmo: 'move' | 'turn', key: string) => (
     <button
       aria-pressed={shown === gizmo}
-      onClick={() => update(() => ({ gizmo }))}
-      title={`Drag the handles to ${gizmo} (${key})`}
+      onClick={() => update(() => ({ gizmo: shown === gizmo ? null : gizmo }))}
+      title={`Show handles in the picture, to ${gizmo} the character (${key})`}
     >
       {gizmo}
     </button>
@@ -107,6 +146,7 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
         title="Time in the clip at frame 0"
         step={0.05}
         value={start}
+        onEnd={onEnd}
         onChange={(value) => change({ start: value })}
       />
       {AXES.map((axis, i) => (
@@ -116,6 +156,7 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
           title="Position at frame 0"
           step={0.01}
           value={translation[i]}
+          onEnd={onEnd}
           onChange={(value) => change({ translation: replaced(translation, i, value) })}
         />
       ))}
@@ -125,6 +166,7 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
         title="Playback speed of the clip"
         step={0.1}
         value={speed}
+        onEnd={onEnd}
         onChange={(value) => change({ speed: value })}
       />
       {AXES.map((axis, i) => (
@@ -134,6 +176,7 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
           title="Units per second"
           step={0.05}
           value={velocity[i]}
+          onEnd={onEnd}
           onChange={(value) => change({ velocity: replaced(velocity, i, value) })}
         />
       ))}
@@ -141,7 +184,9 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
         label="turn"
         unit="°"
         step={5}
+        period={360}
         value={turnOf(rotation)}
+        onEnd={onEnd}
         onChange={(degrees) => change({ rotation: withTurn(rotation, degrees) })}
       />
       <NumberField
@@ -149,6 +194,7 @@ function Placement({ update, instance, index, gizmo: shown }: CardProps) {
         step={0.05}
         {...SCALE}
         value={scale}
+        onEnd={onEnd}
         onChange={(value) => change({ scale: value })}
       />
       <div class="choice" role="group" aria-label="Handles">

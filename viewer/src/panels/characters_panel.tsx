@@ -11,12 +11,12 @@ export function CharactersPanel({
   update,
   addFiles,
 }: PanelProps & { addFiles: () => void }) {
-  const { scene, opened, arrangement, characters, selected, gizmo } = state;
+  const { scene, opened, arranged, arrangement, characters, selected, gizmo, hidden } = state;
   const isMany = (scene?.instances.length ?? 0) > FEW;
   return (
     <section aria-labelledby="characters">
-      <h2 id="characters">
-        Characters
+      <h2>
+        <span id="characters">Characters</span>
         <small>drop files to replace them</small>
         <button
           class="add"
@@ -31,7 +31,7 @@ export function CharactersPanel({
           frameCount={scene.frameCount}
           fps={scene.fps}
           wasPlaced={opened !== null}
-          arrangement={arrangement}
+          arrangement={scene === arranged ? arrangement : null}
           update={update}
         />
       )}
@@ -43,8 +43,11 @@ export function CharactersPanel({
             index={i}
             instance={instance}
             character={characters[instance.character]}
-            gizmo={selected === i ? gizmo : null}
+            gizmo={gizmo}
+            isSelected={selected === i}
+            isHidden={hidden.has(i)}
             isOneOfMany={isMany}
+            isOnlyOne={scene.instances.length === 1}
             update={update}
           />
         ))}

@@ -31,7 +31,7 @@ export function ContactsPanel({ state, update }: PanelProps) {
         <QuerySwitches state={state} update={update} />
       </div>
       <Ignored count={listing === 'clip' ? sweep.total?.ignored : answer?.ignored} />
-      {listing === 'clip' && <Stills state={state} update={update} />}
+      <Stills state={state} update={update} />
       {listing === 'clip' && touches && <Pairs state={state} touches={touches} />}
       {touches ? (
         <Touches touches={touches} state={state} update={update} />

@@ -1,12 +1,14 @@
+import { HEAD } from '../flow/painted';
 import { toggleHelp, toggleTheme } from '../state/changes';
+import { undo } from '../state/history';
 import type { PanelProps } from './panel_props';
 import { saveScene } from './save';
 
 export function Header({ state, update, openFiles }: PanelProps & { openFiles: () => void }) {
-  const { scene, reading } = state;
+  const { scene, reading, past } = state;
   return (
     <header class="head">
-      <h1>Pelt</h1>
+      <h1 {...{ elementtiming: HEAD }}>Pelt</h1>
       <p class="subject" aria-live="polite" title={scene?.name}>
         {reading ? `reading ${reading} …` : scene?.name}
       </p>
@@ -20,6 +22,13 @@ export function Header({ state, update, openFiles }: PanelProps & { openFiles: (
           title="Save the scene; `pelt check` gives the same numbers for it"
         >
           Save scene
+        </button>
+        <button
+          disabled={past.length === 0}
+          onClick={() => update(undo)}
+          title="Undo the last change of the scene (Ctrl+Z)"
+        >
+          Undo
         </button>
         <button
           onClick={() => update(toggleTheme)}

@@ -8,7 +8,11 @@ interface NumberFieldProps {
   value: number;
   least?: number;
   most?: number;
+  /** Values with this difference are the same. */
+  period?: number;
   onChange: (value: number) => void;
+  /** Called when the user has finished typing. */
+  onEnd: () => void;
 }
 
 /** Range of numbers that the engine accepts. */
@@ -24,7 +28,7 @@ const TOLERANCE = 1e-3;
 export function NumberField(props: NumberFieldProps) {
   const { label, unit, title, step, value, least = -MOST, most = MOST, onChange } = props;
   const typed = useRef<{ text: string; value: number } | null>(null);
-  const isTyped = typed.current && Math.abs(typed.current.value - value) < TOLERANCE;
+  const isTyped = typed.current && isSame(typed.current.value - value, props.period);
   return (
     <label title={title}>
       {label}
@@ -42,10 +46,16 @@ export function NumberField(props: NumberFieldProps) {
         onBlur={({ currentTarget }) => {
           typed.current = null;
           currentTarget.value = format(value);
+          props.onEnd();
         }}
       />
     </label>
   );
+}
+
+function isSame(difference: number, period = Infinity): boolean {
+  const away = Math.abs(difference) % period;
+  return Math.min(away, period - away) < TOLERANCE;
 }
 
 function format(value: number): string {

@@ -1,5 +1,6 @@
 import { MOST_FRAMES, type Scene } from '../scene/scene';
 import { changeFps, changeFrameCount, rearrange } from '../state/changes';
+import { endEdit } from '../state/history';
 import type { State, Update } from '../state/state';
 import { memo } from './memo';
 import { NumberField } from './number_field';
@@ -7,7 +8,8 @@ import { NumberField } from './number_field';
 const FPS = { least: 1, most: 1000 };
 
 interface StageProps extends Pick<Scene, 'frameCount' | 'fps'> {
-  arrangement: State['arrangement'];
+  /** Null once the scene has been changed. */
+  arrangement: State['arrangement'] | null;
   /** The scene has its own placements. */
   wasPlaced: boolean;
   update: Update;
@@ -20,14 +22,19 @@ export const StageFields = memo(
       <label class="wide" title="Place all characters again">
         arrangement
         <select
-          value={arrangement}
+          value={arrangement ?? 'changed'}
           onChange={({ currentTarget }) =>
             update(rearrange(currentTarget.value as State['arrangement']))
           }
         >
+          {arrangement === null && (
+            <option value="changed" disabled>
+              changed
+            </option>
+          )}
           {wasPlaced && <option value="opened">as opened</option>}
-          <option value="walking">walking in</option>
-          <option value="together">in one place</option>
+          <option value="walking">walking towards each other</option>
+          <option value="together">all in the same place</option>
         </select>
       </label>
       <NumberField
@@ -37,6 +44,7 @@ export const StageFields = memo(
         least={1}
         most={MOST_FRAMES}
         value={frameCount}
+        onEnd={() => update(endEdit)}
         onChange={(count) => update(changeFrameCount(Math.round(count)))}
       />
       <NumberField
@@ -45,6 +53,7 @@ export const StageFields = memo(
         step={1}
         {...FPS}
         value={fps}
+        onEnd={() => update(endEdit)}
         onChange={(given) => update(changeFps(given))}
       />
     </div>

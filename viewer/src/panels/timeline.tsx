@@ -1,3 +1,4 @@
+import type { JSX } from 'preact';
 import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../state/changes';
 import { frameInPicture } from '../state/shots';
 import type { Update } from '../state/state';
@@ -12,8 +13,9 @@ export function Timeline({ state, update }: PanelProps) {
   return (
     <footer class="time">
       <Transport state={state} update={update} />
-      <div class="chart">
+      <div class="chart" {...scrubbing(scene.frameCount, update)}>
         <Chart counts={sweep.counts} frameCount={scene.frameCount} />
+        <i class="playhead" style={{ left: `${(100 * (frame + 0.5)) / scene.frameCount}%` }} />
         <input
           type="range"
           min={0}
@@ -32,11 +34,36 @@ export function Timeline({ state, update }: PanelProps) {
   );
 }
 
-function Transport({ state: { isPlaying, scene }, update }: PanelProps) {
-  const common = { isIdle: scene!.frameCount === 1, update };
+/** Goes to the frame whose bar is under the pressed pointer. */
+function scrubbing(frameCount: number, update: Update) {
+  const goTo = ({ currentTarget, clientX, buttons }: JSX.TargetedPointerEvent<HTMLElement>) => {
+    if (buttons === 0) return;
+    const { left, width } = currentTarget.getBoundingClientRect();
+    const frame = Math.floor(((clientX - left) / width) * frameCount);
+    update(pauseAt(Math.min(Math.max(0, frame), frameCount - 1)));
+  };
+  return {
+    onPointerMove: goTo,
+    onPointerDown: (event: JSX.TargetedPointerEvent<HTMLElement>) => {
+      event.currentTarget.setPointerCapture(event.pointerId);
+      goTo(event);
+    },
+  };
+}
+
+function Transport({ state: { isPlaying, scene, sweep }, update }: PanelProps) {
+  const common = { update, problem: scene!.frameCount === 1 ? 'The scene has one frame only' : '' };
+  const hasNone = sweep.total !== null && sweep.counts.every((count) => !count);
+  const ofContacts = { ...common, problem: hasNone ? 'There are no contacts' : common.problem };
   return (
     <div class="transport" role="group" aria-label="Playing">
-      <Button {...common} name="Previous contact" keyName="P" change={jumpToContact(-1)} sign="⇤" />
+      <Button
+        {...ofContacts}
+        name="Previous contact"
+        keyName="P"
+        change={jumpToContact(-1)}
+        sign="⇤"
+      />
       <Button {...common} name="Previous frame" keyName="←" change={step(-1)} sign="‹" />
       <Button
         {...common}
@@ -47,7 +74,7 @@ function Transport({ state: { isPlaying, scene }, update }: PanelProps) {
         sign={isPlaying ? '❚❚' : '▶'}
       />
       <Button {...common} name="Next frame" keyName="→" change={step(1)} sign="›" />
-      <Button {...common} name="Next contact" keyName="N" change={jumpToContact(1)} sign="⇥" />
+      <Button {...ofContacts} name="Next contact" keyName="N" change={jumpToContact(1)} sign="⇥" />
     </div>
   );
 }
@@ -58,18 +85,18 @@ interface ButtonProps {
   sign: string;
   change: Change;
   isLarge?: boolean;
-  /** There is no other frame. */
-  isIdle: boolean;
+  /** Why the button can do nothing; empty if it can. */
+  problem: string;
   update: Update;
 }
 
-function Button({ name, keyName, sign, change, isLarge = false, isIdle, update }: ButtonProps) {
+function Button({ name, keyName, sign, change, isLarge = false, problem, update }: ButtonProps) {
   return (
     <button
       class={isLarge ? 'play' : ''}
-      title={isIdle ? 'The scene has one frame only' : `${name} (${keyName})`}
+      title={problem || `${name} (${keyName})`}
       aria-label={name}
-      disabled={isIdle}
+      disabled={problem !== ''}
       onClick={() => update(change)}
     >
       {sign}

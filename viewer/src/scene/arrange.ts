@@ -1,6 +1,7 @@
 /** Placement of characters without a scene. */
 
 import type { CharacterFacts } from '../worker/protocol';
+import { castOf, nameOf } from './cast';
 import { framesOfLongestClip, inWholeClips, placeAt } from './scene';
 import type { Instance, Scene, Vector3 } from './scene';
 
@@ -19,9 +20,9 @@ export const FPS = 30;
 /** A walk takes at least so long, however short the clip. */
 const SECONDS = 3;
 
-/** Shares of the characters' size: how far from the middle they start, and how far beside it
- * they pass each other. */
+/** Distance from the middle at which they start, in sizes of the largest character. */
 const RADIUS = 0.75;
+/** Distance from the middle at which they pass it, in widths of the narrowest: so they all meet. */
 const SIDESTEP = 0.1;
 
 /** Share of the time in which the middle is reached. */
@@ -30,11 +31,17 @@ const MEETING = 2 / 3;
 /** Distance of neighbours on the circle, in widths. */
 const SPACING = 1.2;
 
-/** Creates a scene with the length of the longest clip. A single character meets itself. */
-export function arrange(characters: readonly CharacterFacts[], arrangement: Arrangement): Scene {
-  const cast = characters.length === 1 ? [0, 0] : characters.map((_, index) => index);
+/**
+ * Creates a scene with the length of the longest clip. `cast` has the number of the character of
+ * each instance; by default, each character appears once, and a single one meets itself.
+ */
+export function arrange(
+  characters: readonly CharacterFacts[],
+  arrangement: Arrangement,
+  cast: readonly number[] = characters.length === 1 ? [0, 0] : [...characters.keys()],
+): Scene {
   const standing: Scene = {
-    name: characters.map((character) => character.name).join(', '),
+    name: nameOf(cast, characters),
     frameCount: 1,
     fps: FPS,
     ignore: [],
@@ -55,10 +62,10 @@ export function join(
   const comes = arrangement !== 'together' && scene.frameCount > 1;
   const instance = {
     ...stand(characters[character], character),
-    ...(comes && walkTo(meetingPlace(scene), scene, characters)),
   };
   const name = `${scene.name}, ${characters[character].name}`;
   const joined = { ...scene, name, instances: [...scene.instances, instance] };
+  if (comes) Object.assign(instance, walkTo(meetingPlace(scene), joined, characters));
   return inWholeClips(scene, joined, characters);
 }
 
@@ -71,16 +78,16 @@ function meetingPlace(scene: Scene): Vector3 {
   ) as Vector3;
 }
 
-/** Direction between the others: 1/2, 1/4, 3/4, 1/8, 5/8 ... of a full turn. */
+/** For the last instance of a scene. Direction between the others: 1/2, 1/4, 3/4, 1/8, 5/8 ... of a full turn. */
 function walkTo(
   middle: Vector3,
   scene: Scene,
   characters: readonly CharacterFacts[],
 ): Partial<Instance> {
-  const size = Math.max(...characters.map(sizeOf));
-  const radius = RADIUS * size;
-  const walk = { radius, aside: SIDESTEP * size, speed: speedOf(radius, scene) };
-  const walked = walkIn(2 * Math.PI * shareOfTurn(scene.instances.length), walk);
+  const cast = castOf(scene).map((character) => characters[character]);
+  const radius = RADIUS * Math.max(...cast.map(sizeOf));
+  const walk = { radius, aside: sidestepOf(cast), speed: speedOf(radius, scene) };
+  const walked = walkIn(2 * Math.PI * shareOfTurn(scene.instances.length - 1), walk);
   const translation = walked.translation.map((value, axis) => value + middle[axis]);
   return { ...walked, translation: translation as Vector3 };
 }
@@ -110,11 +117,13 @@ export function chooseClip({ clips }: CharacterFacts): string | null {
 }
 
 function walkingIn(scene: Scene, characters: readonly CharacterFacts[]): Scene {
-  const size = Math.max(...characters.map(sizeOf));
   const count = scene.instances.length;
-  const spacing = SPACING * Math.max(...characters.map(widthOf));
+  if (count === 1) return scene;
+  const cast = castOf(scene).map((character) => characters[character]);
+  const spacing = SPACING * Math.max(...cast.map(widthOf));
+  const size = Math.max(...cast.map(sizeOf));
   const radius = Math.max(RADIUS * size, spacing / (2 * Math.sin(Math.PI / count)));
-  const walk = { radius, aside: SIDESTEP * size, speed: speedOf(radius, scene) };
+  const walk = { radius, aside: sidestepOf(cast), speed: speedOf(radius, scene) };
   return {
     ...scene,
     instances: scene.instances.map((instance, index) => ({
@@ -125,8 +134,12 @@ function walkingIn(scene: Scene, characters: readonly CharacterFacts[]): Scene {
 }
 
 /** Height, or length from front to back. */
-function sizeOf({ extent: { low, high } }: CharacterFacts): number {
+export function sizeOf({ extent: { low, high } }: CharacterFacts): number {
   return Math.max(high[1] - low[1], high[2] - low[2]) || 1;
+}
+
+function sidestepOf(cast: readonly CharacterFacts[]): number {
+  return SIDESTEP * Math.min(...cast.map(widthOf));
 }
 
 function widthOf({ extent: { low, high } }: CharacterFacts): number {

@@ -5,14 +5,14 @@ import { chooseClip } from './arrange';
 import type { Scene } from './scene';
 
 /** Whether a single character appears twice. */
-export function meetsItself({ instances }: Scene, characters: readonly CharacterFacts[]): boolean {
-  return characters.length === 1 && instances.length === 2;
+export function meetsItself({ instances }: Scene): boolean {
+  return instances.length === 2 && instances[0].character === instances[1].character;
 }
 
 /** Returns the notes that currently apply. */
 export function notesOn(scene: Scene, characters: readonly CharacterFacts[]): string[] {
   const notes = [];
-  if (meetsItself(scene, characters)) {
+  if (meetsItself(scene)) {
     notes.push('A single character meets itself: 1 is a copy of 0 until you add another one.');
   }
   if (playsChosenClips(scene, characters)) {

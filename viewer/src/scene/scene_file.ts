@@ -1,11 +1,15 @@
 /** The scene as a file for the command, which answers with the same numbers. */
 
 import type { CharacterFacts } from '../worker/protocol';
+import { castOf } from './cast';
 import type { Instance, Scene } from './scene';
 
 export function sceneFile(scene: Scene, characters: readonly CharacterFacts[]): string {
   const names = distinct(characters.map(({ name }) => name));
-  const models = Object.fromEntries(characters.map(({ source }, i) => [names[i], source]));
+  const cast = new Set(castOf(scene));
+  const models = Object.fromEntries(
+    [...characters.keys()].filter((i) => cast.has(i)).map((i) => [names[i], characters[i].source]),
+  );
   const frames = { count: scene.frameCount, fps: scene.fps };
   const instances = scene.instances.map(({ character, morphWeights, ...rest }) => ({
     model: names[character],

@@ -2,6 +2,7 @@
 
 import { findingOf } from '../report/verdict';
 import { arrange, join, USUAL_ARRANGEMENT } from '../scene/arrange';
+import { castOf, duplicated, without } from '../scene/cast';
 import { meetsItself } from '../scene/notes';
 import { inWholeClips, withFps, withInstance, type Instance, type Scene } from '../scene/scene';
 import type {
@@ -14,6 +15,7 @@ import type {
   SweepProgress,
 } from '../worker/protocol';
 import { isDark, wantsStillness } from '../theme';
+import { edit } from './history';
 import type { CameraMove, Problem, State } from './state';
 
 export type Change = (state: State) => Partial<State>;
@@ -104,40 +106,83 @@ export function moveCamera(move: CameraMove): Change {
 
 /** Another clip may make the scene longer or shorter. */
 export function changeInstance(instance: number, change: Partial<Instance>): Change {
-  return ({ scene, characters, frame }) => {
+  return edit(`${instance} ${Object.keys(change)}`, ({ scene, characters, frame }) => {
     if (!scene) return {};
     const changed = withInstance(scene, instance, change);
     if (!('clip' in change)) return { scene: changed };
     const whole = inWholeClips(scene, changed, characters);
     return { scene: whole, frame: Math.min(frame, whole.frameCount - 1) };
+  });
+}
+
+/** Does nothing to the only character. */
+export function removeInstance(instance: number): Change {
+  return edit(null, ({ scene, characters, opened, frame, hidden }) => {
+    if (!scene || scene.instances.length < 2) return {};
+    const left = without(scene, instance, characters);
+    const remaining = inWholeClips(
+      scene,
+      opened ? { ...left, name: scene.name } : left,
+      characters,
+    );
+    return {
+      scene: remaining,
+      frame: Math.min(frame, remaining.frameCount - 1),
+      selected: null,
+      spot: null,
+      hidden: new Set([...hidden].flatMap((i) => (i === instance ? [] : i > instance ? i - 1 : i))),
+    };
+  });
+}
+
+/** Adds a copy beside the character, and selects it. */
+export function duplicateInstance(instance: number): Change {
+  return edit(null, ({ scene, characters }) => {
+    if (!scene) return {};
+    const doubled = duplicated(scene, instance, characters);
+    return { scene: doubled, selected: doubled.instances.length - 1 };
+  });
+}
+
+export function toggleHidden(instance: number): Change {
+  return ({ hidden }) => {
+    const others = new Set([...hidden].filter((other) => other !== instance));
+    return { hidden: hidden.has(instance) ? others : others.add(instance) };
   };
 }
 
 export function changeFrameCount(frameCount: number): Change {
-  return ({ scene, frame }) => ({
+  return edit('frames', ({ scene, frame }) => ({
     scene: scene && { ...scene, frameCount },
     frame: Math.min(frame, frameCount - 1),
-  });
+  }));
 }
 
 export function changeFps(fps: number): Change {
-  return ({ scene, characters, frame }) => {
+  return edit('fps', ({ scene, characters, frame }) => {
     if (!scene) return {};
     const changed = inWholeClips(scene, withFps(scene, fps), characters);
     const sameTime = Math.round((frame * fps) / scene.fps);
     return { scene: changed, frame: Math.min(sameTime, changed.frameCount - 1) };
-  };
+  });
 }
 
 /** Places all characters again. */
 export function rearrange(arrangement: State['arrangement']): Change {
-  return ({ characters, opened }) => ({
-    arrangement,
-    scene: arrangement === 'opened' ? opened : arrange(characters, arrangement),
-    frame: 0,
-    selected: null,
-    spot: null,
-    side: null,
+  return edit(null, ({ scene, characters, opened }) => {
+    if (!scene) return {};
+    const placed =
+      arrangement === 'opened' ? opened : arrange(characters, arrangement, castOf(scene));
+    return {
+      arrangement,
+      scene: placed,
+      arranged: placed,
+      frame: 0,
+      selected: null,
+      spot: null,
+      side: null,
+      hidden: new Set(),
+    };
   });
 }
 
@@ -146,44 +191,55 @@ export interface Beginning {
   frame: number;
   plays: boolean;
   readingOptions: ReadingOptions;
+  gizmo: State['gizmo'];
 }
 
 /** The new characters take the stage. */
 export function open(
   { characters, scene, refused }: Opened,
-  { frame = 0, plays = true, readingOptions = {} }: Partial<Beginning> = {},
+  { frame = 0, plays = true, readingOptions = {}, gizmo = 'move' }: Partial<Beginning> = {},
 ): Change {
-  return ({ boxLevel, firstContact }) => ({
-    characters,
-    readingOptions,
-    scene: scene ?? arrange(characters, USUAL_ARRANGEMENT),
-    opened: scene,
-    firstContact: firstContact && !scene?.ignore.length,
-    arrangement: scene ? 'opened' : USUAL_ARRANGEMENT,
-    reading: null,
-    frame,
-    isPlaying: plays && !wantsStillness(),
-    selected: null,
-    spot: null,
-    side: null,
-    boxLevel: boxLevel && Math.min(boxLevel, deepestLevel(characters)),
-    answer: null,
-    costs: null,
-    hovered: null,
-    problems: refused.map(problemOf),
-  });
+  return ({ boxLevel, firstContact }) => {
+    const placed = scene ?? arrange(characters, USUAL_ARRANGEMENT);
+    return {
+      characters,
+      readingOptions,
+      scene: placed,
+      opened: scene,
+      firstContact: firstContact && !scene?.ignore.length,
+      arrangement: scene ? 'opened' : USUAL_ARRANGEMENT,
+      arranged: placed,
+      reading: null,
+      frame,
+      isPlaying: plays && !wantsStillness(),
+      past: [],
+      future: [],
+      hidden: new Set(),
+      selected: null,
+      gizmo,
+      spot: null,
+      side: null,
+      boxLevel: boxLevel && Math.min(boxLevel, deepestLevel(characters)),
+      answer: null,
+      costs: null,
+      hovered: null,
+      problems: refused.map(problemOf),
+    };
+  };
 }
 
 /** The new characters join those on the stage, the last of them to be placed. */
 export function add({ characters: added, refused }: ReadCharacters): Change {
-  return ({ scene, opened, characters: present, arrangement, problems }) => {
+  return edit(null, (state) => {
+    const { scene, opened, characters: present, arrangement, arranged, problems } = state;
     const characters = [...present, ...added];
     const joinAll = (begin: Scene) =>
       added.reduce((all, _, i) => join(all, characters, present.length + i, arrangement), begin);
-    const joined = scene && joinAll(withoutDouble(scene, present, opened));
+    const joined = scene && joinAll(opened ? scene : withoutDouble(scene));
     return {
       characters,
       scene: joined,
+      arranged: scene === arranged ? joined : arranged,
       opened: opened && joinAll(opened),
       reading: null,
       selected: joined && joined.instances.length - 1,
@@ -191,13 +247,12 @@ export function add({ characters: added, refused }: ReadCharacters): Change {
       side: null,
       problems: [...problems, ...refused.map(problemOf)],
     };
-  };
+  });
 }
 
 /** A character that was dropped alone has met itself only for want of others. */
-function withoutDouble(scene: Scene, present: readonly CharacterFacts[], opened: Scene | null) {
-  if (opened || !meetsItself(scene, present)) return scene;
-  return { ...scene, instances: scene.instances.slice(0, 1) };
+function withoutDouble(scene: Scene): Scene {
+  return meetsItself(scene) ? { ...scene, instances: scene.instances.slice(0, 1) } : scene;
 }
 
 function problemOf({ path, message }: Refusal): Problem {

@@ -4,6 +4,7 @@ import type { Report } from '../report/report';
 import type { Finding } from '../report/verdict';
 import type { Arrangement } from '../scene/arrange';
 import type { Scene, Vector3 } from '../scene/scene';
+import type { Edit } from './history';
 import type {
   By,
   CharacterFacts,
@@ -22,6 +23,8 @@ export interface State {
   opened: Scene | null;
   /** The most recent placement of all characters. */
   arrangement: Arrangement | 'opened';
+  /** The scene that this placement made; another one since it was edited. */
+  arranged: Scene | null;
   characters: CharacterFacts[];
   /** Options with which the files were read. */
   readingOptions: ReadingOptions;
@@ -33,9 +36,16 @@ export interface State {
   by: By;
   firstContact: boolean;
 
-  /** The instance that the gizmo holds. */
+  /** Edits to undo and to redo, the next one last. */
+  past: Edit[];
+  future: Edit[];
+
+  /** Instances that are not drawn. Their contacts count. */
+  hidden: ReadonlySet<number>;
+  /** The instance whose card is open, and that the gizmo holds. */
   selected: number | null;
-  gizmo: 'move' | 'turn';
+  /** What the handles do; null without handles. */
+  gizmo: 'move' | 'turn' | null;
   /** The level of the tree whose boxes are drawn. */
   boxLevel: number | null;
   /** The one that was drawn last. */
@@ -100,8 +110,6 @@ export interface SweepState {
 export interface Still {
   frame: number;
   contacts: number;
-  /** Side from which its contacts are visible. */
-  side: Vector3;
   /** Address of an image. */
   picture: string;
 }
@@ -115,6 +123,7 @@ export const initialState: State = {
   scene: null,
   opened: null,
   arrangement: 'opened',
+  arranged: null,
   characters: [],
   readingOptions: {},
   reading: 'the engine',
@@ -122,6 +131,9 @@ export const initialState: State = {
   isPlaying: true,
   by: 'instance',
   firstContact: false,
+  past: [],
+  future: [],
+  hidden: new Set(),
   selected: null,
   gizmo: 'move',
   boxLevel: null,

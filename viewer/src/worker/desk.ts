@@ -65,7 +65,7 @@ export class Desk {
       case 'measure':
         return this.meter.advance(question, this.engineScene(question.shot.scene));
       case 'cast':
-        return firstSurface(this.shown.poses, question.origin, question.direction);
+        return firstSurface(this.shown.poses, question);
       case 'sweep':
         return this.startSweep(question);
     }

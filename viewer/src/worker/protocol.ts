@@ -59,8 +59,9 @@ export interface Questions {
   still: Shot;
   /** Bit by bit: the same again until there is an answer. Each measurement has its own number. */
   measure: { id: number; shot: Shot };
-  /** Finds the triangle that a ray hits first, in the poses of the last `pose`. */
-  cast: { origin: number[]; direction: number[] };
+  /** Finds the triangle that a ray hits first, in the poses of the last `pose` without the hidden
+   * instances. */
+  cast: { origin: number[]; direction: number[]; hidden: readonly number[] };
   /** Count the contacts of every frame in the background, and forget the sweep before. Answered when
    * that is done, or given up. */
   sweep: {

@@ -1,7 +1,7 @@
 /** A place on a character: a part, and the joint that a triangle follows most. */
 
 import type { Character, Pose } from 'pelt';
-import type { Surface } from './protocol';
+import type { Questions, Surface } from './protocol';
 
 export function surfaceOf(character: Character, instance: number, triangle: number): Surface {
   return {
@@ -36,13 +36,12 @@ function numberPlaces({ triangleParts, triangleJoints, jointCount, parts }: Char
 /** First hit of a ray. */
 export function firstSurface(
   poses: readonly Pose[],
-  origin: readonly number[],
-  direction: readonly number[],
+  { origin, direction, hidden }: Questions['cast'],
 ): Surface | null {
   let nearest = Infinity;
   let surface: Surface | null = null;
   poses.forEach((pose, instance) => {
-    const hit = pose.cast(origin, direction);
+    const hit = hidden.includes(instance) ? null : pose.cast(origin, direction);
     if (!hit || hit.t >= nearest) return;
     nearest = hit.t;
     surface = surfaceOf(pose.character, instance, hit.triangle);
