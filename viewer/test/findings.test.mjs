@@ -53,7 +53,8 @@ describe('beside a baseline', () => {
   const verdict = { worse: [grown, fresh], gone: [{}], newly_held: [{}, {}] };
   const report = { answer: { ...answerOf([5], [0, 1, 1], verdict), touches } };
   const scene = {};
-  const state = { report, reported: scene, scene, firstContact: false, by: 'instance' };
+  const frames = report.answer.options.frames;
+  const state = { report, reported: scene, scene, firstContact: false, by: 'instance', frames };
 
   test('touches are counted as the command counts them', async () => {
     const { comparisonOf } = await load('report/baseline.ts');
@@ -76,8 +77,12 @@ describe('beside a baseline', () => {
 
   test('nothing is said of another scene than the one compared', async () => {
     const { worstFirst, worseTouch } = await load('report/baseline.ts');
-    const changed = { ...state, scene: {} };
-    assert.equal(worseTouch(touches[1], changed), null);
-    assert.deepEqual(worstFirst(touches, changed), touches);
+    for (const changed of [
+      { ...state, scene: {} },
+      { ...state, frames: null },
+    ]) {
+      assert.equal(worseTouch(touches[1], changed), null);
+      assert.deepEqual(worstFirst(touches, changed), touches);
+    }
   });
 });

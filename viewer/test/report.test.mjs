@@ -67,9 +67,10 @@ test('a report of parts shows what is ignored, and what is worse than in a basel
   assert.deepEqual(page.complaints, []);
 });
 
-test('a report compares the frames of the command, of the scene as it came', async (t) => {
+test('a report of some frames counts and marks just these', async (t) => {
   const shop = new Workshop(t);
-  const answer = shop.check('--frames', '2:12:3');
+  const words = ['--frames', '2:12:3'];
+  const answer = shop.check(...words);
   const page = await open(t, browsing.urlOf(shop.at('report.html')));
   await says(page, 'the page agrees');
   await says(page, answer.hash);
@@ -78,10 +79,32 @@ test('a report compares the frames of the command, of the scene as it came', asy
     return all.map((section) => section.getAttribute('aria-labelledby'));
   });
   assert.deepEqual(sections, ['report', 'contacts', 'characters', 'work']);
-  assert.ok((await number(page, 'total')) > answer.totals.contacts, 'the page counts all frames');
+  assert.equal(await number(page, 'total'), answer.totals.contacts);
+  assert.equal(await fact(page, 'hash'), answer.hash);
+  assert.match(await page.locator('.facts').innerText(), /\d of 4 checked frames/);
+  const stills = await page
+    .locator('.stills button')
+    .evaluateAll((all) => all.map((one) => one.title));
+  assert.ok(
+    stills.length > 0 && stills.every((title) => /frame (2|5|8|11)$/.test(title)),
+    `${stills}`,
+  );
+  assert.equal(await page.locator('.unchecked rect').count(), 4, 'before, and between the frames');
+  await goToFrame(page, 3);
+  assert.match(await page.locator('.facts').innerText(), /not checked/);
   await page.locator('.card .title').first().click();
   await page.getByLabel('x', { exact: true }).fill('0.2');
   await says(page, 'the page agrees; changed since');
+  assert.match(await page.locator('.same').innerText(), /pelt check scene.json --frames 2:12:3/);
+  const { contacts } = answer.totals;
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await says(page, /the page agrees(?!;)/);
+  await page.getByRole('button', { name: 'Check all frames' }).click();
+  const { totals, hash } = shop.check();
+  await page.waitForSelector(`[data-fact=hash]:text-is("${hash}")`);
+  assert.equal(await number(page, 'total'), totals.contacts);
+  assert.ok(totals.contacts > contacts, 'a range worth testing');
+  assert.equal(await page.locator('.unchecked').count(), 0);
 });
 
 test('a report plays, glows, tells the work and takes other files', async (t) => {

@@ -181,6 +181,24 @@ describe('the chart', () => {
     assert.deepEqual(mostOfEach([], 3), []);
     const million = new Array(1_000_000).fill(1);
     assert.equal(mostOfEach(million, 500).length, 2000);
+    assert.deepEqual(mostOfEach([null, 4, null, null], 2), [4, 0]);
+  });
+
+  test('hatches the bars without a checked frame', async () => {
+    const { uncheckedRuns } = await load('panels/chart.tsx');
+    assert.deepEqual(uncheckedRuns([2, 5, 1], 8, 1), [
+      [0, 2],
+      [5, 8],
+    ]);
+    assert.deepEqual(uncheckedRuns([0, 9, 3], 9, 1), [
+      [1, 3],
+      [4, 6],
+      [7, 9],
+    ]);
+    assert.deepEqual(uncheckedRuns([3, 4, 1], 9, 2), [
+      [0, 2],
+      [4, 9],
+    ]);
   });
 });
 

@@ -4,6 +4,7 @@ import type { AnsweredShot, State } from '../state/state';
 import type { Store } from '../state/store';
 import type { Shot, Spare } from '../worker/protocol';
 import type { Asker } from './asker';
+import { checkedFrames } from '../state/frames';
 import { isSameShot, shotOf } from '../state/shots';
 
 /** While a gizmo is dragged, scenes follow each other faster than they can be swept. */
@@ -55,10 +56,10 @@ export class Director {
   }
 
   private sweep(): void {
-    const { scene, by, firstContact, sweep, reading, report } = this.store.state;
+    const { scene, by, firstContact, sweep, reading } = this.store.state;
     if (reading) return this.sweepLater();
     if (!scene) return;
-    const frames = report?.answer?.options.frames ?? null;
+    const frames = checkedFrames(this.store.state);
     void this.asker.ask('sweep', { id: sweep.id, scene, by, firstContact, frames });
   }
 }
@@ -70,6 +71,7 @@ function sparesOf(answer: AnsweredShot | null): Spare[] {
 function sweepsDiffer(state: State, before: State): boolean {
   return (
     state.scene !== before.scene ||
+    state.frames !== before.frames ||
     state.by !== before.by ||
     state.firstContact !== before.firstContact
   );

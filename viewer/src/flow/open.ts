@@ -1,7 +1,7 @@
 /** Opens files as characters of the scene, or reports a readable error. */
 
 import { originalPath, stopsAtFirst, type Report } from '../report/report';
-import { worstFrame } from '../report/verdict';
+import { framesToCheck, worstFrame } from '../report/verdict';
 import * as changes from '../state/changes';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -36,15 +36,18 @@ export class Opener {
       firstContact: stopsAtFirst(report),
       listing: answer ? 'clip' : 'frame',
     }));
-    const ask = async () => {
+    this.read(title, async () => {
       const question = { path: scene, files: report.files, options: reading };
       const opened = asReported(await this.client.ask('openReport', question), report);
-      this.store.update(() => ({ reported: opened.scene }));
-      return opened;
-    };
-    const begin = worst ? { frame: worst.frame, plays: false } : {};
-    // Without handles, a click cannot move a character of a report by accident.
-    this.open(title, ask, { ...begin, readingOptions: reading, gizmo: null });
+      const begin = {
+        ...(worst && { frame: worst.frame, plays: false }),
+        readingOptions: reading,
+        gizmo: null, // otherwise a click could lead to a move by accident
+        frames: answer && framesToCheck(answer, opened.scene),
+      };
+      const open = changes.open(opened, begin);
+      return (state) => ({ ...open(state), reported: opened.scene });
+    });
   }
 
   /** Characters, or a scene with its characters; on the stage they replace all others. */

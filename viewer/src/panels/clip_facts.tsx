@@ -1,6 +1,8 @@
 /** Numbers beside the timeline: of the frame, and of all of them. */
 
 import { frameTime } from '../scene/scene';
+import { totalsOf } from '../state/counts';
+import { checkedFrames, isInRange } from '../state/frames';
 import { isInStep, isLate } from '../state/shots';
 import type { State, SweepState } from '../state/state';
 import { counted, withCommas } from '../words';
@@ -23,7 +25,10 @@ export function FrameFacts({ state, frame }: { state: State; frame: number }) {
         data-answered={isInStep(state) ? answer!.shot.frame : 'earlier'}
       >
         <b data-fact="contacts">{answer ? withCommas(answer.contacts) : '–'}</b>
-        <small>{answer?.contacts === 1 ? ' contact' : ' contacts'}</small>
+        <small>
+          {answer?.contacts === 1 ? ' contact' : ' contacts'}
+          {!isInRange(frame, checkedFrames(state)) && ', not checked'}
+        </small>
       </output>
     </p>
   );
@@ -39,12 +44,13 @@ export const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
   if (!total) {
     return <small>counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
   }
-  const contacts = counts.reduce((sum, count) => sum + count, 0);
-  const touched = counts.filter((count) => count > 0).length;
+  const { contacts, inContact, checked } = totalsOf(counts);
   return (
     <small title="The same numbers as in `pelt check`">
       <span data-fact="total">{withCommas(contacts)}</span>
-      {contacts === 1 ? ' contact' : ' contacts'} in {counted(touched, 'frame')}
+      {contacts === 1 ? ' contact' : ' contacts'} in{' '}
+      {frameCount > 1 && `${withCommas(inContact)} of `}
+      {counted(checked, checked === frameCount ? 'frame' : 'checked frame')}
       {total.hash && (
         <>
           {' · '}

@@ -1,3 +1,6 @@
+import { checkAllFrames } from '../state/changes';
+import { totalsOf } from '../state/counts';
+import { checkedFrames, rangeInWords } from '../state/frames';
 import { isLate } from '../state/shots';
 import type { State } from '../state/state';
 import { withCommas } from '../words';
@@ -30,6 +33,7 @@ export function ContactsPanel({ state, update }: PanelProps) {
         </div>
         <QuerySwitches state={state} update={update} />
       </div>
+      <Checked state={state} update={update} />
       <Ignored count={listing === 'clip' ? sweep.total?.ignored : answer?.ignored} />
       <Stills state={state} update={update} />
       {listing === 'clip' && touches && <Pairs state={state} touches={touches} />}
@@ -43,10 +47,24 @@ export function ContactsPanel({ state, update }: PanelProps) {
   );
 }
 
+/** Says which frames count, if not all do. */
+function Checked({ state, update }: PanelProps) {
+  const range = checkedFrames(state);
+  if (!range) return null;
+  return (
+    <p class="quiet checked">
+      Checked: frames {rangeInWords(range)} of 0 to {state.scene!.frameCount - 1}.{' '}
+      <button class="link" onClick={() => update(checkAllFrames)}>
+        Check all frames
+      </button>
+    </p>
+  );
+}
+
 /** Number of listed contacts. */
 function Count({ state }: { state: State }) {
   const { answer, sweep, listing } = state;
-  const ofClip = sweep.total && sweep.counts.reduce((sum, count) => sum + count, 0);
+  const ofClip = sweep.total && totalsOf(sweep.counts).contacts;
   const count = listing === 'clip' ? ofClip : answer?.contacts;
   const classes = [
     'number',

@@ -1,5 +1,6 @@
 import { isAsItCame } from '../report/verdict';
 import { checkCommand } from '../scene/command';
+import { checkedFrames } from '../state/frames';
 import type { State } from '../state/state';
 import { saveScene } from './save';
 
@@ -7,7 +8,7 @@ import { saveScene } from './save';
 export function SameNumbers({ state }: { state: State }) {
   const { scene, report } = state;
   if (!scene || (report?.answer && isAsItCame(state))) return null;
-  const { words, needsFile } = checkCommand({ ...state, scene });
+  const { words, needsFile } = checkCommand({ ...state, scene, frames: checkedFrames(state) });
   return (
     <p class="same quiet">
       Same as <code>{words}</code>

@@ -1,7 +1,9 @@
 import type { JSX } from 'preact';
 import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../state/changes';
+import { checkedFrames } from '../state/frames';
 import { frameInPicture } from '../state/shots';
 import type { Update } from '../state/state';
+import { counted } from '../words';
 import type { PanelProps } from './panel_props';
 import { Chart } from './chart';
 import { FrameFacts, SweepFacts } from './clip_facts';
@@ -14,7 +16,7 @@ export function Timeline({ state, update }: PanelProps) {
     <footer class="time">
       <Transport state={state} update={update} />
       <div class="chart" {...scrubbing(scene.frameCount, update)}>
-        <Chart counts={sweep.counts} frameCount={scene.frameCount} />
+        <Chart counts={sweep.counts} frameCount={scene.frameCount} checked={checkedFrames(state)} />
         <i class="playhead" style={{ left: `${(100 * (frame + 0.5)) / scene.frameCount}%` }} />
         <input
           type="range"
@@ -22,7 +24,7 @@ export function Timeline({ state, update }: PanelProps) {
           max={String(scene.frameCount - 1)}
           value={String(frame)}
           aria-label="Frame"
-          aria-valuetext={`frame ${frame}, ${sweep.counts[frame] ?? 'not yet counted'} contacts`}
+          aria-valuetext={`frame ${frame}, ${contactsInWords(sweep.counts[frame])}`}
           onInput={({ currentTarget }) => update(pauseAt(Number(currentTarget.value)))}
         />
       </div>
@@ -32,6 +34,11 @@ export function Timeline({ state, update }: PanelProps) {
       </div>
     </footer>
   );
+}
+
+function contactsInWords(count: number | null | undefined): string {
+  if (count === null) return 'not checked';
+  return count === undefined ? 'not yet counted' : counted(count, 'contact');
 }
 
 /** Goes to the frame whose bar is under the pressed pointer. */

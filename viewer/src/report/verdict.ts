@@ -1,9 +1,17 @@
 /** The result of the command, and whether the page agrees. */
 
+import type { Scene } from '../scene/scene';
 import type { State, SweepState } from '../state/state';
 import type { FrameRange } from '../worker/protocol';
 import { counted, withCommas } from '../words';
 import { stopsAtFirst, type ReportAnswer } from './report';
+
+/** Returns the frames that the command checked; null if these are all frames of the scene. */
+export function framesToCheck({ options }: ReportAnswer, scene: Scene | null): FrameRange | null {
+  const [first, end, step] = options.frames;
+  const isWhole = first === 0 && end === scene?.frameCount && step === 1;
+  return isWhole ? null : options.frames;
+}
 
 function framesOf([first, end, step]: FrameRange): number[] {
   return Array.from({ length: Math.ceil((end - first) / step) }, (_, i) => first + i * step);
@@ -21,17 +29,19 @@ export function findingOf(state: State): Finding | null {
 function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
   const frames = framesOf(answer.options.frames);
   const sameCounts = answer.counts.every((count, i) => counts[frames[i]] === count);
-  return sameCounts && total?.reportHash === answer.hash;
+  return sameCounts && total?.hash === answer.hash;
 }
 
 /** Query of the page, and the report that it was opened with. */
-export type Asked = Pick<State, 'report' | 'reported' | 'scene' | 'firstContact' | 'by'>;
+export type Asked = Pick<State, 'report' | 'reported' | 'scene' | 'firstContact' | 'by' | 'frames'>;
 
 /** Whether scene and query are still those of the report. */
-export function isAsItCame({ report, reported, scene, firstContact, by }: Asked): boolean {
+export function isAsItCame(asked: Asked): boolean {
+  const { report, reported, scene, firstContact, by, frames } = asked;
   return (
     report !== null &&
     scene === reported &&
+    (!report.answer || frames === framesToCheck(report.answer, scene)) &&
     firstContact === stopsAtFirst(report) &&
     by === report.answer?.options.by
   );

@@ -1,6 +1,6 @@
 /** The words by which the command gives the numbers that the page shows. */
 
-import type { By, CharacterFacts, ReadingOptions } from '../worker/protocol';
+import type { By, CharacterFacts, FrameRange, ReadingOptions } from '../worker/protocol';
 import { FPS } from './arrange';
 import { framesOfLongestClip, type Instance, type Scene } from './scene';
 
@@ -10,6 +10,8 @@ export interface Asking {
   characters: readonly CharacterFacts[];
   by: By;
   firstContact: boolean;
+  /** Null for all frames. */
+  frames: FrameRange | null;
   readingOptions: ReadingOptions;
 }
 
@@ -59,10 +61,11 @@ function modelWords({ scene: { instances }, characters }: Asking): string[] {
   return [...models, ...instances.flatMap(({ clip }) => ['--clip', clip ?? DEFAULT_POSE])];
 }
 
-function optionWords({ by, firstContact, readingOptions }: Asking): string[] {
+function optionWords({ by, firstContact, frames, readingOptions }: Asking): string[] {
   const { renormalise, noUnskinned, exclude = [] } = readingOptions;
   return [
     ...(by === 'part' ? ['--by', 'part'] : []),
+    ...(frames ? ['--frames', frames.join(':')] : []),
     ...(firstContact ? ['--first'] : []),
     ...(renormalise ? ['--renormalise'] : []),
     ...(noUnskinned ? ['--no-unskinned'] : []),

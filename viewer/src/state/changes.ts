@@ -15,6 +15,7 @@ import type {
   SweepProgress,
 } from '../worker/protocol';
 import { isDark, wantsStillness } from '../theme';
+import type { Counts } from './counts';
 import { edit } from './history';
 import type { CameraMove, Problem, State } from './state';
 
@@ -47,8 +48,8 @@ export function jumpToContact(direction: 1 | -1): Change {
 }
 
 /** Goes to the next first frame of contact, cyclically; does nothing without contacts. */
-function nextContact(counts: readonly number[], from: number, direction: 1 | -1): number | null {
-  const begins = counts.flatMap((count, frame) => (count > 0 && !counts[frame - 1] ? [frame] : []));
+function nextContact(counts: Counts, from: number, direction: 1 | -1): number | null {
+  const begins = counts.flatMap((count, frame) => (count && !counts[frame - 1] ? [frame] : []));
   if (begins.length === 0) return null;
   if (direction > 0) return begins.find((frame) => frame > from) ?? begins[0];
   return begins.findLast((frame) => frame < from) ?? begins[begins.length - 1];
@@ -61,6 +62,7 @@ export const toggleBy: Change = ({ by }) => ({ by: by === 'part' ? 'instance' : 
 export const toggleFirstContact: Change = ({ firstContact, scene }) => ({
   firstContact: !firstContact && scene?.ignore.length === 0,
 });
+export const checkAllFrames: Change = () => ({ frames: null });
 export const toggleTheme: Change = ({ theme }) => ({ theme: isDark(theme) ? 'light' : 'dark' });
 export const toggleHelp: Change = ({ isHelpOpen }) => ({ isHelpOpen: !isHelpOpen });
 
@@ -192,12 +194,19 @@ export interface Beginning {
   plays: boolean;
   readingOptions: ReadingOptions;
   gizmo: State['gizmo'];
+  frames: State['frames'];
 }
 
 /** The new characters take the stage. */
 export function open(
   { characters, scene, refused }: Opened,
-  { frame = 0, plays = true, readingOptions = {}, gizmo = 'move' }: Partial<Beginning> = {},
+  {
+    frame = 0,
+    plays = true,
+    readingOptions = {},
+    gizmo = 'move',
+    frames = null,
+  }: Partial<Beginning> = {},
 ): Change {
   return ({ boxLevel, firstContact }) => {
     const placed = scene ?? arrange(characters, USUAL_ARRANGEMENT);
@@ -211,6 +220,7 @@ export function open(
       arranged: placed,
       reading: null,
       frame,
+      frames,
       isPlaying: plays && !wantsStillness(),
       past: [],
       future: [],

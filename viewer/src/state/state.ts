@@ -10,6 +10,7 @@ import type {
   CharacterFacts,
   Costs,
   FrameAnswer,
+  FrameRange,
   ReadingOptions,
   Shot,
   Spot,
@@ -35,6 +36,8 @@ export interface State {
   isPlaying: boolean;
   by: By;
   firstContact: boolean;
+  /** The frames to be checked, of a report of some frames; null for all. */
+  frames: FrameRange | null;
 
   /** Edits to undo and to redo, the next one last. */
   past: Edit[];
@@ -102,8 +105,8 @@ export interface MeasuredShot extends Costs {
 
 export interface SweepState {
   id: number;
-  /** Contacts of the frames counted so far, from the first one. */
-  counts: number[];
+  /** Contacts of the frames so far, from the first one; null for frames that are not checked. */
+  counts: (number | null)[];
   total: SweepTotal | null;
 }
 
@@ -131,6 +134,7 @@ export const initialState: State = {
   isPlaying: true,
   by: 'instance',
   firstContact: false,
+  frames: null,
   past: [],
   future: [],
   hidden: new Set(),

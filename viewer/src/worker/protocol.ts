@@ -62,14 +62,14 @@ export interface Questions {
   /** Finds the triangle that a ray hits first, in the poses of the last `pose` without the hidden
    * instances. */
   cast: { origin: number[]; direction: number[]; hidden: readonly number[] };
-  /** Count the contacts of every frame in the background, and forget the sweep before. Answered when
-   * that is done, or given up. */
+  /** Counts the contacts of the frames in the background, and ends the sweep before. Answered when
+   * that is done or ended. */
   sweep: {
     id: number;
     scene: Scene;
     by: By;
     firstContact: boolean;
-    /** Frames of the report, or null for all frames. */
+    /** Frames to be counted, or null for all frames. */
     frames: FrameRange | null;
   };
 }
@@ -221,8 +221,8 @@ export interface Cost {
 
 export interface SweepProgress {
   id: number;
-  /** Contacts of the frames after those of the progress before. */
-  counts: number[];
+  /** Contacts of the frames after those of the progress before; null for frames left out. */
+  counts: (number | null)[];
   /** Sent with the last frame. */
   total: SweepTotal | null;
 }
@@ -230,8 +230,6 @@ export interface SweepProgress {
 export interface SweepTotal {
   /** Hash as in `pelt check`; null if queries stop at the first contact. */
   hash: string | null;
-  /** The same for the frames of a report. */
-  reportHash: string | null;
   /** Contacts that do not count. */
   ignored: number;
   touches: Touch[];

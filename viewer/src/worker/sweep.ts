@@ -1,4 +1,4 @@
-/** Counts the contacts of every frame in the background, a few milliseconds at a time. */
+/** Counts the contacts of every checked frame in the background, a few milliseconds at a time. */
 
 import type { ContactHash, Pelt, Scene as EngineScene } from 'pelt';
 import type { FrameRange, Questions, SweepProgress, SweepTotal } from './protocol';
@@ -15,13 +15,11 @@ export class Sweep {
   readonly ended: Promise<null>;
   private readonly crowd: SceneCrowd;
   private readonly hash: ContactHash;
-  /** Hash of the frames of a report, if these are not all frames. */
-  private readonly reportHash: ContactHash | null;
   private readonly tally: TouchTally;
   private next = 0;
   private ignored = 0;
   /** Counts not reported yet, and the time of the last report. */
-  private counts: number[] = [];
+  private counts: (number | null)[] = [];
   private reported = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private end!: (problem?: unknown) => void;
@@ -34,7 +32,6 @@ export class Sweep {
   ) {
     this.crowd = new SceneCrowd(pelt, scene, question.by);
     this.hash = pelt.makeContactHash();
-    this.reportHash = question.frames ? pelt.makeContactHash() : null;
     this.tally = new TouchTally(this.crowd.characters);
     this.ended = new Promise((resolve, reject) => {
       this.end = (problem) => (problem === undefined ? resolve(null) : reject(problem));
@@ -46,7 +43,6 @@ export class Sweep {
     clearTimeout(this.timer);
     this.crowd.delete();
     this.hash.delete();
-    this.reportHash?.delete();
     this.end();
   }
 
@@ -79,22 +75,20 @@ export class Sweep {
     return this.next === this.scene.frameCount;
   }
 
-  private countFrame(): number {
+  private countFrame(): number | null {
     const frame = this.next++;
+    if (!isIn(this.question.frames, frame)) return null;
     this.crowd.set(this.scene, frame);
     const found = this.crowd.collide(this.question.firstContact);
     this.hash.addCrowd(frame, found.ofBodies);
-    if (isIn(this.question.frames, frame)) this.reportHash!.addCrowd(frame, found.ofBodies);
     this.tally.addAll(frame, found.contacts);
     this.ignored += found.ignored;
     return found.count;
   }
 
   private total(): SweepTotal {
-    const valueOf = (hash: ContactHash) => (this.question.firstContact ? null : hash.value);
     return {
-      hash: valueOf(this.hash),
-      reportHash: valueOf(this.reportHash ?? this.hash),
+      hash: this.question.firstContact ? null : this.hash.value,
       ignored: this.ignored,
       touches: this.tally.sorted(),
     };
@@ -102,7 +96,7 @@ export class Sweep {
 }
 
 function isIn(frames: FrameRange | null, frame: number): boolean {
-  if (!frames) return false;
+  if (!frames) return true;
   const [first, end, step] = frames;
   return frame >= first && frame < end && (frame - first) % step === 0;
 }

@@ -1,0 +1,22 @@
+/** Sums over the counts of a sweep. */
+
+import type { State } from './state';
+
+/** Contacts of the frames so far; null for frames that are not checked. */
+export type Counts = State['sweep']['counts'];
+
+interface Totals {
+  contacts: number;
+  /** Numbers of frames. */
+  checked: number;
+  inContact: number;
+}
+
+export function totalsOf(counts: Counts): Totals {
+  const known = counts.filter((count) => count !== null);
+  return {
+    contacts: known.reduce((sum, count) => sum + count, 0),
+    checked: known.length,
+    inContact: known.filter((count) => count > 0).length,
+  };
+}
