@@ -55,6 +55,7 @@
 #include <pelt/query.hpp>
 #include <pelt/ray.hpp>
 #include <pelt/result.hpp>
+#include <pelt/self_collide.hpp>
 #include <pelt/shapes.hpp>
 #include <pelt/solid.hpp>
 #include <pelt/version.hpp>

@@ -56,6 +56,21 @@ void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b) {
   test_full_batches();
 }
 
+void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b,
+                        const std::uint16_t (&skipped)[kMaxClusterTriangles]) {
+  const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
+  const TriangleBoxes& boxes_b = triangle_boxes(b.posed, b.node, b.opened, b.slot);
+  const Box8 both = intersection(a, b);
+  const unsigned near_b = triangles_in(b.cluster(), boxes_b, both);
+  if (near_b == 0) return;
+  RowLanes pairs;
+  for (SetBits row(triangles_in(a.cluster(), boxes_a, both)); row; ++row)
+    if (const unsigned lanes = near_b & ~unsigned{skipped[*row]})
+      pairs.add(*row, overlapping(lanes, boxes_b, lane_box(boxes_a.low, boxes_a.high, *row)));
+  keep(pairs, a, a_, b, b_);
+  test_full_batches();
+}
+
 void TrianglePairs::keep(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
                          const PosedCluster& lane_cluster, Side& lanes) {
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {

@@ -28,6 +28,11 @@ class TrianglePairs {
   /// Tests all triangles of two clusters whose boxes overlap, or stores them for the next test.
   void add(const PosedCluster& a, const PosedCluster& b);
 
+  /// The same, without the pairs whose bits are set in `skipped`: bit t of row s for triangle s of
+  /// `a` and triangle t of `b`. `a` and `b` may be one cluster.
+  void add(const PosedCluster& a, const PosedCluster& b,
+           const std::uint16_t (&skipped)[kMaxClusterTriangles]);
+
   /// Tests the stored pairs.
   void flush();
 

@@ -27,22 +27,26 @@ int compare(std::span<const T> a, std::span<const T> b) {
   return a.empty() ? 0 : std::memcmp(a.data(), b.data(), a.size_bytes());
 }
 
-/// Compares everything except the rest positions.
-int compare_motion(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
-  const int influences = compare(mesh.influences_of(a), mesh.influences_of(b));
-  return influences != 0 ? influences : compare(mesh.displacements_of(a), mesh.displacements_of(b));
+int compare_displacements(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  return compare(mesh.displacements_of(a), mesh.displacements_of(b));
 }
 
-}  // namespace
+int compare_motion(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  const int influences = compare(mesh.influences_of(a), mesh.influences_of(b));
+  return influences != 0 ? influences : compare_displacements(mesh, a, b);
+}
 
-// Sorts instead of hashing, because a hostile file could give all vertices the same hash.
-std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh) {
+/// Returns for each vertex the lowest number of a vertex with the same rest position for which
+/// `compare_rest` returns 0. Sorts instead of hashing, because a hostile file could give all
+/// vertices the same hash.
+template <typename Compare>
+std::vector<std::uint32_t> weld(const SkinnedMesh& mesh, const Compare& compare_rest) {
   std::vector<Key> keys;
   keys.reserve(mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) keys.push_back(key_of(mesh, v));
   std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
     if (a.position != b.position) return a.position < b.position;
-    const int order = compare_motion(mesh, a.vertex, b.vertex);
+    const int order = compare_rest(mesh, a.vertex, b.vertex);
     return order != 0 ? order < 0 : a.vertex < b.vertex;
   });
 
@@ -50,10 +54,20 @@ std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const std::uint32_t v = keys[i].vertex;
     const bool same = i > 0 && keys[i - 1].position == keys[i].position &&
-                      compare_motion(mesh, keys[i - 1].vertex, v) == 0;
+                      compare_rest(mesh, keys[i - 1].vertex, v) == 0;
     welded[v] = same ? welded[keys[i - 1].vertex] : v;
   }
   return welded;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh) {
+  return weld(mesh, compare_motion);
+}
+
+std::vector<std::uint32_t> weld_surface(const SkinnedMesh& mesh) {
+  return weld(mesh, compare_displacements);
 }
 
 }  // namespace pelt::detail

@@ -51,6 +51,8 @@ struct Scratch {
   Stack<std::uint32_t> nodes;             // to be visited
   Stack<std::uint32_t> touching, inside;  // triangles of a region
   Stack<std::uint32_t> sorting_numbers;
+  Stack<std::array<float, 4>> positions;  // posed vertices by place
+  Stack<std::uint32_t> ring;              // surface vertices near a triangle
   ContactLinks contact_links;
 };
 

@@ -1,0 +1,183 @@
+#pragma once
+
+/// Self-collision: which triangles of one pose intersect each other. Neighbouring triangles always
+/// touch in the corners that they share, which does not count. `SelfFilter` contains what
+/// `self_collide` must know about the neighbours of a model, and filters that leave out further
+/// pairs.
+
+#include <pelt/cxx20.hpp>
+
+#include <pelt/collide.hpp>
+#include <pelt/export.hpp>
+#include <pelt/model.hpp>
+#include <pelt/pose.hpp>
+#include <pelt/query.hpp>
+#include <pelt/result.hpp>
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace pelt {
+
+namespace detail {
+struct SelfFilter;
+}
+
+/// An unordered pair of joints, of groups, or of other things with numbers.
+struct NumberPair {
+  std::uint16_t first = 0, second = 0;
+
+  friend auto operator<=>(const NumberPair&, const NumberPair&) = default;
+};
+
+/// Which intersecting pairs of triangles to leave out. By default, none. `build_self_filter` copies
+/// what it needs from the arrays. An empty array turns its filter off.
+struct SelfFilterOptions {
+  /// Leaves out neighbours. With 1, pairs that share a surface vertex (see `self_collide`). With
+  /// k > 1, also pairs that are connected by a chain of at most k - 1 other triangles, each of
+  /// which shares a surface vertex with the next. At most 64.
+  std::uint32_t rings = 0;
+
+  /// Leaves out pairs of which one triangle has the value 0: hidden triangles. [T]
+  std::span<const std::uint8_t> takes_part = {};
+
+  /// Leaves out these pairs, in any order: pairs that intersect in a reference pose, such as the
+  /// rest pose. `self_collide` in that pose finds them.
+  std::span<const Contact> at_rest = {};
+
+  /// Leaves out these pairs, in any order: pairs that intersect in nearly all poses, such as the
+  /// layers of clothes. `ContactTally` finds them.
+  std::span<const Contact> always = {};
+
+  /// Leaves out pairs whose main joints are the same, or parent and child. The main joint of a
+  /// triangle is the joint with the largest sum of weights over its vertices. [J] parent of each
+  /// joint, or `kNoJoint`
+  std::span<const std::uint16_t> joint_parents = {};
+
+  /// Leaves out pairs whose main joints are listed here.
+  std::span<const NumberPair> joint_pairs = {};
+
+  /// Leaves out pairs whose groups are listed in `group_pairs`. Groups are any numbers of the
+  /// caller, such as materials. [T]
+  std::span<const std::uint16_t> groups = {};
+  std::span<const NumberPair> group_pairs = {};
+};
+
+inline constexpr std::uint16_t kNoJoint = 0xFFFF;
+
+/// The filters, in the order in which they are asked: a pair is counted only for the first filter
+/// that leaves it out.
+enum class LeftOutBy : std::uint8_t { none, takes_part, rings, at_rest, always, joints, groups };
+
+/// How many intersecting pairs each filter has left out.
+struct LeftOut {
+  std::uint64_t takes_part = 0, rings = 0, at_rest = 0, always = 0, joints = 0, groups = 0;
+
+  std::uint64_t total() const { return takes_part + rings + at_rest + always + joints + groups; }
+  PELT_API LeftOut& operator+=(const LeftOut& other);
+};
+
+/// Work of `self_collide`, and what its filter has left out.
+struct SelfStats : QueryStats {
+  LeftOut left_out;
+};
+
+/// The neighbours of a model's triangles, and filters. Create one per model and choice of filters.
+/// Immutable, cheap to copy (copies share), safe to use from any number of threads.
+class PELT_API SelfFilter {
+ public:
+  const SkinnedModel& model() const;
+
+  /// The first filter that leaves out a pair of triangles, whether they intersect or not. Also
+  /// serves pairs that another query has found, for example between two parts of a character.
+  ///
+  /// Preconditions: `s` and `t` are different triangles of the model.
+  ///
+  /// Cost: O(log P) for lists of P pairs; `rings` costs O(rings^2) or less.
+  LeftOutBy left_out_by(std::uint32_t s, std::uint32_t t) const;
+
+  /// Bytes of memory shared by all copies, without the model: 40 bytes per triangle or less, plus
+  /// the lists of pairs, 8 bytes per pair.
+  std::size_t memory_bytes() const;
+
+  /// For internal use.
+  explicit SelfFilter(std::shared_ptr<const detail::SelfFilter> filter);
+  const detail::SelfFilter& detail() const { return *filter_; }
+
+ private:
+  std::shared_ptr<const detail::SelfFilter> filter_;
+};
+
+/// Finds the neighbours of a model's triangles, and prepares the filters.
+///
+/// Cost: O(T log T). Allocates.
+///
+/// Returns an error if an array has the wrong size, a triangle or joint does not exist, `rings` is
+/// more than 64, or the model has more than 2^28 triangles. The error names the array and the
+/// index.
+PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
+                                              const SelfFilterOptions& options = {});
+
+/// Appends every pair s < t of triangles of `pose` that intersect, apart from what they share, and
+/// that `filter` does not leave out, to `contacts`, in ascending order: triangle_a = s, triangle_b
+/// = t.
+///
+/// Vertices with the same bits in rest position and displacements of morph targets are one surface
+/// vertex, whatever their influences. Two triangles share a corner if their corners are one surface
+/// vertex and have the same posed position. By the number of shared corners, two triangles
+/// intersect
+/// - none: if the closed triangles intersect, as in `collide`;
+/// - one: if, of one triangle, the edge opposite the shared corner meets the other closed triangle;
+/// - two: if they are folded flat, that is, all corners are in one plane, and both corners that are
+///   not shared lie strictly on the same side of the shared edge; or if the third corner of one
+///   triangle lies on the other closed triangle;
+/// - all: always. They are duplicates.
+///
+/// The answer is exact with respect to the float32 posed vertices (see `posed_vertices`). A
+/// triangle that has collapsed to a segment or a point is treated as that segment or point.
+///
+/// Preconditions:
+/// `filter`: of the model of `pose`. Otherwise the program aborts, in every build.
+/// `scratch`: not used by another thread at the same time.
+///
+/// Cost: poses all vertices and computes all boxes, O(V + T), unless this has been done since the
+/// last palette. The descent of the tree against itself then also costs O(T), because neighbours
+/// always touch. Pairs that the filter leaves out cost as much as others.
+///
+/// Allocates only if it needs more memory in the pose, in `scratch` or in `contacts` than any
+/// earlier query.
+PELT_API SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& scratch,
+                                std::vector<Contact>& contacts, const CollideOptions& options = {});
+
+/// Returns whether any triangles of `pose` intersect each other. Like `self_collide`, but stops at
+/// the first contact that the filter does not leave out.
+PELT_API YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& scratch);
+
+/// Counts in how many poses pairs of triangles intersect.
+class PELT_API ContactTally {
+ public:
+  ContactTally();
+  ContactTally(ContactTally&&) noexcept;
+  ContactTally& operator=(ContactTally&&) noexcept;
+  ~ContactTally();
+
+  /// Adds the contacts of one pose: ascending, without repetition.
+  ///
+  /// Cost: linear in the distinct pairs of all poses. Allocates.
+  void add(std::span<const Contact> contacts);
+
+  std::uint32_t pose_count() const;
+
+  /// Returns the pairs that intersected in at least this share (0 to 1) of the poses, ascending.
+  std::vector<Contact> in_share_of_poses(double share) const;
+
+ private:
+  struct Tally;
+  std::unique_ptr<Tally> tally_;
+};
+
+}  // namespace pelt

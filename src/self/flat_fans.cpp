@@ -1,0 +1,117 @@
+/// A fan has a vertex v and triangles (v, p_i, p_i+1). Let e_i = p_i - v be its spokes, and n any
+/// vector. Project everything along n onto a plane. Seen against n, spoke e_i+1 is to the left of
+/// spoke e_i if det(n, e_i, e_i+1) > 0. If this holds for all triangles, they become wedges of less
+/// than a half turn, which follow each other counter-clockwise.
+///
+/// The wedges do not overlap if they make at most one turn in all. A wedge of less than a half turn
+/// is the intersection of two half-planes: it contains e_0 if and only if e_i is not to the left of
+/// e_0 and e_i+1 is not to the right. If no wedge contains e_0 except the first, which begins
+/// there, and in a closed fan the last, which ends there, then the wedges make one turn, or less.
+///
+/// Two triangles of such a fan meet only where they should. Let x be a common point. Its projection
+/// is in both wedges. If the triangles have no spoke in common, the wedges share only the
+/// projection of v, so x is on the line through v along n. A triangle that projects onto a wedge
+/// contains only one point of each such line; therefore x = v. In the same way, if they share a
+/// spoke, x is on the shared edge.
+///
+/// Rounding. n is any float vector, so only the spokes and the determinants are rounded. Let e =
+/// 2^-24, and X, Y, Z the largest |x|, |y|, |z| of all spokes. A determinant is a sum of six
+/// products; each has at most 7 relative errors e: two spokes, two multiplications, one difference,
+/// two sums. Its error is at most 2 * 7.1 e B < 15 e B, with B = |n.x| Y Z + |n.y| X Z + |n.z| X Y;
+/// 32 e B = 2^-19 B covers this and the rounding of B. n is scaled to a largest coordinate of 1. A
+/// product that underflows therefore adds at most 2^-150 times 1, or times the largest coordinate L
+/// of a spoke; 2^-140 (1 + L) covers all of them. Nothing overflows, because spokes are below
+/// 2^61.1. If n is zero, no comparison holds, and the fan is not certified.
+#include "self/flat_fans.hpp"
+
+#include "geometry/points8.hpp"
+#include "query/triangle_batch.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_INSTRUCTION_SET {
+namespace {
+
+Float8 max3(const Points8& p) { return max(max(p.x, p.y), p.z); }
+Points8 abs(const Points8& p) { return {abs(p.x), abs(p.y), abs(p.z)}; }
+Points8 max(const Points8& p, const Points8& q) {
+  return {max(p.x, q.x), max(p.y, q.y), max(p.z, q.z)};
+}
+
+/// The spokes of eight fans with the same number of triangles.
+class Spokes {
+ public:
+  Spokes(const Fans& fans, FanKind kind, std::uint32_t first, std::uint32_t count,
+         Positions positions)
+      : triangles_(fans.triangles.data() + fans.begin.data()[first]),
+        corners_(fans.corners.data()),
+        positions_(positions),
+        size_(fans.begin.data()[first + 1] - fans.begin.data()[first]),
+        lane_count_(count),
+        is_closed_(kind == FanKind::closed) {
+    const Points8 centre = corners(0, 0);
+    for (std::uint32_t i = 0; i < size_; ++i) spokes_[i] = corners(i, 1) - centre;
+    spokes_[size_] = is_closed_ ? spokes_[0] : corners(size_ - 1, 2) - centre;
+  }
+
+  /// Which fans are certified, one bit per fan.
+  unsigned flat() const {
+    const Points8 normal = common_normal();
+    const Float8 error = largest_error(normal);
+    const Float8 minus_error = Float8(0.0f) - error;
+    unsigned flat = (1u << lane_count_) - 1;
+    for (std::uint32_t i = 0; i < size_; ++i)
+      flat &= (error < dot(normal, cross(spokes_[i], spokes_[i + 1]))).bits();
+    // The wedge i contains the first spoke unless `left` is true of i, or `right` of i + 1.
+    const Points8 across = cross(normal, spokes_[0]);
+    const std::uint32_t wedge_count = is_closed_ ? size_ - 1 : size_;
+    for (std::uint32_t i = 1; i < wedge_count && flat != 0; ++i) {
+      const Mask8 left = error < dot(across, spokes_[i]);
+      const Mask8 right = dot(across, spokes_[i + 1]) < minus_error;
+      flat &= (left | right).bits();
+    }
+    return flat;
+  }
+
+ private:
+  /// Triangle i's corner that comes `step` after the fan's vertex.
+  Points8 corners(std::uint32_t i, std::uint32_t step) const {
+    constexpr std::uint32_t kNext[] = {0, 1, 2, 0, 1};
+    return gather_points([&](std::uint32_t lane) {
+      const FanTriangle& t = triangles_[(lane < lane_count_ ? lane : 0) * size_ + i];
+      return positions_[corners_[t.place()][kNext[t.corner() + step]]].data();
+    });
+  }
+
+  /// The direction of the sum of the triangles' area vectors, with a largest coordinate of 1.
+  Points8 common_normal() const {
+    Points8 sum = cross(spokes_[0], spokes_[1]);
+    for (std::uint32_t i = 1; i < size_; ++i) sum = sum + cross(spokes_[i], spokes_[i + 1]);
+    return Float8(1.0f) / max3(abs(sum)) * sum;
+  }
+
+  Float8 largest_error(const Points8& normal) const {
+    Points8 largest = abs(spokes_[0]);
+    for (std::uint32_t i = 1; i <= size_; ++i) largest = max(largest, abs(spokes_[i]));
+    const Points8 n = abs(normal);
+    const Float8 bound = n.x * largest.y * largest.z + n.y * largest.x * largest.z +
+                         n.z * largest.x * largest.y;
+    return Float8(0x1p-19f) * bound + Float8(0x1p-140f) * (Float8(1.0f) + max3(largest));
+  }
+
+  const FanTriangle* triangles_;
+  const std::array<std::uint32_t, 3>* corners_;
+  Positions positions_;
+  std::uint32_t size_, lane_count_;
+  bool is_closed_;
+  Points8 spokes_[kMaxFan + 1];
+};
+
+}  // namespace
+
+unsigned flat_fans(const Fans& fans, FanKind kind, std::uint32_t first, std::uint32_t count,
+                   Positions positions) {
+  return Spokes(fans, kind, first, count, positions).flat();
+}
+
+}  // namespace PELT_INSTRUCTION_SET
+}  // namespace pelt::detail

@@ -1,0 +1,40 @@
+#pragma once
+
+/// The filters of self-collision: which pairs of triangles are left out of the answer.
+
+#include <pelt/self_collide.hpp>
+
+#include "query/stack.hpp"
+#include "self/fans.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pelt::detail {
+
+inline constexpr std::uint32_t kMaxRings = 64;
+
+/// Arrays [T] are indexed by the caller's triangle numbers. Pairs have the lesser number first.
+struct PairFilters {
+  /// Precondition: the options are valid for the model.
+  PairFilters(const SkinnedModel& model, const Fans& fans, const SelfFilterOptions& options);
+
+  /// The first filter that leaves out a pair of different triangles. `ring` is working memory.
+  LeftOutBy left_out_by(const Tree& tree, const Fans& fans, Contact pair,
+                        Stack<std::uint32_t>& ring) const;
+
+  std::uint32_t rings = 0;
+  std::vector<std::uint32_t> fan_of_vertex;  // by surface vertex; empty unless rings > 1
+  std::vector<bool> takes_part;              // [T] or empty
+  std::vector<Contact> at_rest, always;      // ascending
+  std::vector<std::uint16_t> joints;         // [T] main joints, or empty
+  std::vector<NumberPair> joint_pairs;       // ascending
+  std::vector<std::uint16_t> groups;         // [T] or empty
+  std::vector<NumberPair> group_pairs;       // ascending
+
+ private:
+  bool are_within_rings(const Tree& tree, const Fans& fans, Contact pair,
+                        Stack<std::uint32_t>& ring) const;
+};
+
+}  // namespace pelt::detail

@@ -1,0 +1,142 @@
+#include "self/pair_masks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pelt::detail {
+namespace {
+
+/// Masks cover this number of pairs per triangle. A closed surface has six: triangles share 1.5
+/// edges each, and in a fan of six, each triangle has three that are not its neighbours.
+constexpr std::uint64_t kMaxPairsPerTriangle = 24;
+
+std::uint64_t pairs_of(std::uint64_t count) { return count * (count - 1) / 2; }
+
+/// A pair of triangles in two clusters, ordered by the clusters.
+class PackedPair {
+ public:
+  PackedPair(std::uint32_t low, std::uint32_t row, std::uint32_t high, std::uint32_t lane)
+      : bits_(std::uint64_t{low} << 36 | std::uint64_t{high} << 8 | row << 4 | lane) {}
+
+  std::uint32_t low() const { return static_cast<std::uint32_t>(bits_ >> 36); }
+  std::uint32_t high() const { return static_cast<std::uint32_t>(bits_ >> 8) & 0xFFFFFFF; }
+  std::uint32_t row() const { return bits_ >> 4 & 15; }
+  std::uint32_t lane() const { return bits_ & 15; }
+
+  friend auto operator<=>(const PackedPair&, const PackedPair&) = default;
+
+ private:
+  std::uint64_t bits_;
+};
+
+/// Finds the clusters of triangles.
+class Clusters {
+ public:
+  explicit Clusters(const Tree& tree) : tree_(tree), cluster_of_(tree.triangle_count()) {
+    for (std::uint32_t c = 0; c < tree.clusters.size(); ++c)
+      for (std::uint32_t i = 0; i < tree.clusters[c].triangle_count; ++i)
+        cluster_of_[tree.clusters[c].first_triangle + i] = c;
+  }
+
+  std::uint32_t of(std::uint32_t place) const { return cluster_of_[place]; }
+
+  PackedPair pair(std::uint32_t s, std::uint32_t t) const {
+    if (t < s) std::swap(s, t);
+    return {of(s), s - first(s), of(t), t - first(t)};
+  }
+
+ private:
+  std::uint32_t first(std::uint32_t place) const {
+    return tree_.clusters[of(place)].first_triangle;
+  }
+
+  const Tree& tree_;
+  std::vector<std::uint32_t> cluster_of_;  // [T] by place
+};
+
+/// Returns the fans that masks cover: as many as possible, small ones first.
+std::vector<std::uint32_t> choose_fans(const Fans& fans, std::uint64_t triangle_count) {
+  std::vector<std::uint32_t> order(fans.count());
+  for (std::uint32_t fan = 0; fan < fans.count(); ++fan) order[fan] = fan;
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return fans[a].size() < fans[b].size();
+  });
+  std::uint64_t pairs = 0;
+  std::size_t covered = 0;
+  while (covered < order.size()) {
+    pairs += pairs_of(fans[order[covered]].size());
+    if (pairs > kMaxPairsPerTriangle * triangle_count + pairs_of(kMaxFan)) break;
+    ++covered;
+  }
+  order.resize(covered);
+  return order;
+}
+
+std::vector<PackedPair> sharing_pairs(const Fans& fans, const std::vector<std::uint32_t>& chosen,
+                                      const Clusters& clusters) {
+  std::vector<PackedPair> pairs;
+  for (const std::uint32_t fan : chosen) {
+    const auto triangles = fans[fan];
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        pairs.push_back(clusters.pair(triangles[i].place(), triangles[j].place()));
+  }
+  return pairs;
+}
+
+/// Adds the pairs within each cluster that must not be tested twice.
+void add_lower_halves(const Tree& tree, std::vector<PackedPair>& pairs) {
+  for (std::uint32_t c = 0; c < tree.clusters.size(); ++c)
+    for (std::uint32_t s = 0; s < tree.clusters[c].triangle_count; ++s)
+      for (std::uint32_t t = 0; t <= s; ++t) pairs.emplace_back(c, s, c, t);
+}
+
+bool share_corner(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b) {
+  for (const std::uint32_t vertex : a)
+    if (vertex == b[0] || vertex == b[1] || vertex == b[2]) return true;
+  return false;
+}
+
+}  // namespace
+
+PairMasks::PairMasks(const Tree& tree, const Fans& fans) {
+  const Clusters clusters(tree);
+  const std::vector<std::uint32_t> chosen = choose_fans(fans, tree.triangle_count());
+  std::vector<bool> is_covered(fans.count(), false);
+  for (const std::uint32_t fan : chosen) is_covered[fan] = true;
+  has_hub.assign(tree.clusters.size(), 0);
+  for (std::uint32_t fan = 0; fan < fans.count(); ++fan) {
+    if (is_covered[fan]) continue;
+    for (const FanTriangle& t : fans[fan]) has_hub[clusters.of(t.place())] = 1;
+  }
+
+  std::vector<PackedPair> pairs = sharing_pairs(fans, chosen, clusters);
+  add_lower_halves(tree, pairs);
+  std::sort(pairs.begin(), pairs.end());
+  begin.assign(tree.clusters.size() + 1, 0);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PackedPair& pair = pairs[i];
+    if (i == 0 || pairs[i - 1].low() != pair.low() || pairs[i - 1].high() != pair.high()) {
+      partners.push_back(pair.high());
+      masks.emplace_back();
+      ++begin[pair.low() + 1];
+    }
+    masks.back().set(pair.row(), pair.lane());
+  }
+  for (std::size_t c = 0; c < tree.clusters.size(); ++c) begin[c + 1] += begin[c];
+  partners.shrink_to_fit();
+  masks.shrink_to_fit();
+}
+
+void PairMasks::write_mask(const Tree& tree, const Fans& fans, std::uint32_t low,
+                           std::uint32_t high, PairMask& mask) const {
+  const PairMask* known = find(low, high);
+  mask = known ? *known : PairMask();
+  const Cluster &a = tree.clusters[low], &b = tree.clusters[high];
+  for (std::uint32_t s = 0; s < a.triangle_count; ++s)
+    for (std::uint32_t t = 0; t < b.triangle_count; ++t)
+      if (share_corner(fans.corners[a.first_triangle + s], fans.corners[b.first_triangle + t]))
+        mask.set(s, t);
+}
+
+}  // namespace pelt::detail

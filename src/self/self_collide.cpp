@@ -1,0 +1,36 @@
+#include <pelt/self_collide.hpp>
+
+#include "base/require.hpp"
+#include "pose/pose.hpp"
+#include "query/scratch.hpp"
+#include "query/sort_contacts.hpp"
+#include "query/yes_or_no.hpp"
+#include "self/self_filter.hpp"
+#include "self/self_tree.hpp"
+
+namespace pelt {
+namespace {
+
+bool is_filter_of(const SelfFilter& filter, const Pose& pose) {
+  return &filter.model().detail() == &pose.model().detail();
+}
+
+}  // namespace
+
+SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& scratch,
+                       std::vector<Contact>& contacts, const CollideOptions& options) {
+  detail::require(is_filter_of(filter, pose), "self_collide: the filter is of another model");
+  const SelfStats stats = detail::self_collide_tree(pose.detail().posed_tree(), filter.detail(),
+                                                    scratch.detail(), options.max_contacts);
+  detail::append_sorted(scratch.detail(), contacts);
+  return stats;
+}
+
+YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& scratch) {
+  detail::require(is_filter_of(filter, pose), "self_intersects: the filter is of another model");
+  const SelfStats stats = detail::self_collide_tree(pose.detail().posed_tree(), filter.detail(),
+                                                    scratch.detail(), 1);
+  return detail::yes_or_no(!scratch.detail().found.empty(), stats);
+}
+
+}  // namespace pelt

@@ -1,0 +1,137 @@
+#include "self/self_filter.hpp"
+
+#include "base/assert.hpp"
+#include "base/bytes_held.hpp"
+#include "base/problem.hpp"
+
+#include <utility>
+
+namespace pelt {
+namespace detail {
+namespace {
+
+Problem check_size(const char* name, std::size_t size, std::size_t expected) {
+  if (size == 0 || size == expected) return {};
+  return problem("%s has %zu elements, expected %zu or none", name, size, expected);
+}
+
+Problem check_pairs(const char* name, std::span<const Contact> pairs, std::uint32_t count) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [s, t] = pairs[i];
+    if (s >= count || t >= count)
+      return problem("%s[%zu] refers to triangle %u, but the model has %u triangles", name, i,
+                     s >= count ? s : t, count);
+  }
+  return {};
+}
+
+Problem check_joint(const char* name, std::size_t i, std::uint32_t joint, std::uint32_t count) {
+  if (joint < count) return {};
+  return problem("%s[%zu] refers to joint %u, but the model has %u joints", name, i, joint, count);
+}
+
+Problem check_joints(const SelfFilterOptions& options, std::uint32_t count) {
+  for (std::size_t i = 0; i < options.joint_parents.size(); ++i)
+    if (const std::uint16_t parent = options.joint_parents[i]; parent != kNoJoint)
+      if (Problem found = check_joint("joint_parents", i, parent, count); !found.empty())
+        return found;
+  for (std::size_t i = 0; i < options.joint_pairs.size(); ++i)
+    for (const std::uint16_t joint : {options.joint_pairs[i].first, options.joint_pairs[i].second})
+      if (Problem found = check_joint("joint_pairs", i, joint, count); !found.empty()) return found;
+  return {};
+}
+
+Problem check_options(const SkinnedModel& model, const SelfFilterOptions& options) {
+  const std::uint32_t triangles = model.triangle_count(), joints = model.joint_count();
+  if (triangles > kMaxFanTriangles)
+    return problem("the model has %u triangles; self-collision supports at most 2^28", triangles);
+  if (options.rings > kMaxRings)
+    return problem("rings is %u, expected 0 to %u", options.rings, kMaxRings);
+  if (options.groups.empty() && !options.group_pairs.empty())
+    return problem("group_pairs needs groups");
+  Problem found = check_size("takes_part", options.takes_part.size(), triangles);
+  if (found.empty()) found = check_size("groups", options.groups.size(), triangles);
+  if (found.empty()) found = check_size("joint_parents", options.joint_parents.size(), joints);
+  if (found.empty()) found = check_pairs("at_rest", options.at_rest, triangles);
+  if (found.empty()) found = check_pairs("always", options.always, triangles);
+  if (found.empty()) found = check_joints(options, joints);
+  return found;
+}
+
+std::uint64_t& counter_of(LeftOut& left_out, LeftOutBy by) {
+  switch (by) {
+    case LeftOutBy::takes_part:
+      return left_out.takes_part;
+    case LeftOutBy::rings:
+      return left_out.rings;
+    case LeftOutBy::at_rest:
+      return left_out.at_rest;
+    case LeftOutBy::always:
+      return left_out.always;
+    case LeftOutBy::joints:
+      return left_out.joints;
+    case LeftOutBy::groups:
+    case LeftOutBy::none:
+      break;
+  }
+  return left_out.groups;
+}
+
+}  // namespace
+
+void leave_out(const SelfFilter& filter, std::size_t first, Stack<Contact>& contacts,
+               Stack<std::uint32_t>& ring, LeftOut& left_out) {
+  std::size_t kept = first;
+  for (std::size_t i = first; i < contacts.size(); ++i) {
+    Contact contact = contacts.begin()[i];
+    if (contact.triangle_b < contact.triangle_a) std::swap(contact.triangle_a, contact.triangle_b);
+    const LeftOutBy by =
+        filter.filters.left_out_by(filter.tree(), filter.fans, contact, ring);
+    if (by == LeftOutBy::none)
+      contacts.begin()[kept++] = contact;
+    else
+      ++counter_of(left_out, by);
+  }
+  contacts.shrink(kept);
+}
+
+}  // namespace detail
+
+LeftOut& LeftOut::operator+=(const LeftOut& other) {
+  takes_part += other.takes_part;
+  rings += other.rings;
+  at_rest += other.at_rest;
+  always += other.always;
+  joints += other.joints;
+  groups += other.groups;
+  return *this;
+}
+
+SelfFilter::SelfFilter(std::shared_ptr<const detail::SelfFilter> filter)
+    : filter_(std::move(filter)) {}
+
+const SkinnedModel& SelfFilter::model() const { return filter_->model; }
+
+LeftOutBy SelfFilter::left_out_by(std::uint32_t s, std::uint32_t t) const {
+  PELT_ASSERT(s != t && s < model().triangle_count() && t < model().triangle_count());
+  detail::Stack<std::uint32_t> ring;
+  return filter_->filters.left_out_by(filter_->tree(), filter_->fans, {s, t}, ring);
+}
+
+std::size_t SelfFilter::memory_bytes() const {
+  const auto& [model, fans, masks, filters] = *filter_;
+  return sizeof(detail::SelfFilter) +
+         detail::bytes_held(fans.corners, fans.begin, fans.triangles, masks.begin, masks.partners,
+                            masks.masks, masks.has_hub) +
+         detail::bytes_held(filters.fan_of_vertex, filters.at_rest, filters.always, filters.joints,
+                            filters.joint_pairs, filters.groups, filters.group_pairs) +
+         filters.takes_part.capacity() / 8;
+}
+
+Result<SelfFilter> build_self_filter(const SkinnedModel& model, const SelfFilterOptions& options) {
+  if (detail::Problem found = detail::check_options(model, options); !found.empty())
+    return detail::invalid_argument(std::move(found));
+  return SelfFilter(std::make_shared<const detail::SelfFilter>(model, options));
+}
+
+}  // namespace pelt

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <pelt/self_collide.hpp>
+
+#include "model/model.hpp"
+#include "self/fans.hpp"
+#include "self/pair_filters.hpp"
+#include "self/pair_masks.hpp"
+
+namespace pelt::detail {
+
+/// The data that copies of a pelt::SelfFilter share.
+struct SelfFilter {
+  SelfFilter(const SkinnedModel& m, const SelfFilterOptions& options)
+      : model(m), fans(tree()), masks(tree(), fans), filters(model, fans, options) {}
+
+  const Tree& tree() const { return model.detail().tree; }
+
+  SkinnedModel model;
+  Fans fans;
+  PairMasks masks;
+  PairFilters filters;
+};
+
+/// Removes from the contacts those from number `first` on that the filter leaves out, and counts
+/// them. Orders the triangles of each contact. `ring` is working memory.
+void leave_out(const SelfFilter& filter, std::size_t first, Stack<Contact>& contacts,
+               Stack<std::uint32_t>& ring, LeftOut& left_out);
+
+}  // namespace pelt::detail

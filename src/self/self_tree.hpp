@@ -1,0 +1,17 @@
+#pragma once
+
+#include "base/instruction_set.hpp"
+#include "pose/posed_tree.hpp"
+#include "query/scratch.hpp"
+#include "self/self_filter.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_INSTRUCTION_SET {
+
+/// Writes at most `max_contacts` pairs of intersecting triangles of one pose that the filter does
+/// not leave out to `scratch.found`, in no particular order.
+SelfStats self_collide_tree(const PosedTree& posed, const SelfFilter& filter, Scratch& scratch,
+                            std::uint32_t max_contacts);
+
+}  // namespace PELT_INSTRUCTION_SET
+}  // namespace pelt::detail
