@@ -90,9 +90,10 @@ class PELT_API Scratch {
   ///   touching pair counts. `distance` from a solid reports only one triangle, but each triangle
   ///   that touches the solid counts.
   /// `ray_hits`: largest number of hits of `cast_all`.
+  /// `self_vertices`: largest `SelfFilter::scratch_vertices` of the filters of `self_collide`.
   ///
-  /// Memory: 156 KB, plus 28 bytes per contact and 36 bytes per hit.
-  void reserve(std::size_t contacts, std::size_t ray_hits = 0);
+  /// Memory: 156 KB, plus 28 bytes per contact, 36 bytes per hit and 16 bytes per vertex.
+  void reserve(std::size_t contacts, std::size_t ray_hits = 0, std::size_t self_vertices = 0);
 
   /// For internal use.
   detail::Scratch& detail() { return *scratch_; }

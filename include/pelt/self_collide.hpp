@@ -27,11 +27,11 @@ namespace detail {
 struct SelfFilter;
 }
 
-/// An unordered pair of joints, of groups, or of other things with numbers.
-struct NumberPair {
+/// An unordered pair of joints or of groups.
+struct IndexPair {
   std::uint16_t first = 0, second = 0;
 
-  friend auto operator<=>(const NumberPair&, const NumberPair&) = default;
+  friend auto operator<=>(const IndexPair&, const IndexPair&) = default;
 };
 
 /// Which intersecting pairs of triangles to leave out. By default, none. `build_self_filter` copies
@@ -59,12 +59,12 @@ struct SelfFilterOptions {
   std::span<const std::uint16_t> joint_parents = {};
 
   /// Leaves out pairs whose main joints are listed here.
-  std::span<const NumberPair> joint_pairs = {};
+  std::span<const IndexPair> joint_pairs = {};
 
   /// Leaves out pairs whose groups are listed in `group_pairs`. Groups are any numbers of the
   /// caller, such as materials. [T]
   std::span<const std::uint16_t> groups = {};
-  std::span<const NumberPair> group_pairs = {};
+  std::span<const IndexPair> group_pairs = {};
 };
 
 inline constexpr std::uint16_t kNoJoint = 0xFFFF;
@@ -99,6 +99,9 @@ class PELT_API SelfFilter {
   ///
   /// Cost: O(log P) for lists of P pairs; `rings` costs O(rings^2) or less.
   LeftOutBy left_out_by(std::uint32_t s, std::uint32_t t) const;
+
+  /// Number of vertices to pass to `Scratch::reserve`, so that `self_collide` does not allocate.
+  std::size_t scratch_vertices() const;
 
   /// Bytes of memory shared by all copies, without the model: 40 bytes per triangle or less, plus
   /// the lists of pairs, 8 bytes per pair.

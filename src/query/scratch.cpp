@@ -33,7 +33,7 @@ Scratch::Scratch(Scratch&&) noexcept = default;
 Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 Scratch::~Scratch() = default;
 
-void Scratch::reserve(std::size_t contacts, std::size_t ray_hits) {
+void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, std::size_t self_vertices) {
   scratch_->slot_pairs.reserve(kMaxSlotPairs);
   scratch_->near_part.reserve(kMaxNearParts);
   scratch_->near_parts.reserve(2 * kMaxNearParts);
@@ -44,6 +44,8 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits) {
   scratch_->touching.reserve(contacts);
   scratch_->inside.reserve(contacts);
   scratch_->sorting_numbers.reserve(contacts);
+  scratch_->positions.reserve(self_vertices);
+  scratch_->ring.reserve(self_vertices);
 }
 
 }  // namespace pelt

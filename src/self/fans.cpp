@@ -71,10 +71,9 @@ class FanBuilder {
   bool is_chained(std::span<FanTriangle> fan) const {
     bring_start(fan);
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
-      const auto next = std::find_if(fan.begin() + static_cast<std::ptrdiff_t>(i) + 1, fan.end(),
-                                     [&](const FanTriangle& t) {
-                                       return after(t) == before(fan[i]);
-                                     });
+      const auto next =
+          std::find_if(fan.begin() + static_cast<std::ptrdiff_t>(i) + 1, fan.end(),
+                       [&](const FanTriangle& t) { return after(t) == before(fan[i]); });
       if (next == fan.end()) return false;
       std::swap(*next, fan[i + 1]);
     }
@@ -101,8 +100,8 @@ class FanBuilder {
 };
 
 /// Returns each triangle with each of its surface vertices, grouped by vertex.
-std::vector<FanTriangle> group_by_vertex(
-    const std::vector<std::array<std::uint32_t, 3>>& corners, std::vector<std::uint32_t>& begin) {
+std::vector<FanTriangle> group_by_vertex(const std::vector<std::array<std::uint32_t, 3>>& corners,
+                                         std::vector<std::uint32_t>& begin) {
   std::uint32_t vertex_count = 0;
   for (const auto& triangle : corners)
     for (const std::uint32_t vertex : triangle) vertex_count = std::max(vertex_count, vertex + 1);

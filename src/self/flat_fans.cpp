@@ -93,8 +93,8 @@ class Spokes {
     Points8 largest = abs(spokes_[0]);
     for (std::uint32_t i = 1; i <= size_; ++i) largest = max(largest, abs(spokes_[i]));
     const Points8 n = abs(normal);
-    const Float8 bound = n.x * largest.y * largest.z + n.y * largest.x * largest.z +
-                         n.z * largest.x * largest.y;
+    const Float8 bound =
+        n.x * largest.y * largest.z + n.y * largest.x * largest.z + n.z * largest.x * largest.y;
     return Float8(0x1p-19f) * bound + Float8(0x1p-140f) * (Float8(1.0f) + max3(largest));
   }
 

@@ -10,15 +10,15 @@
 namespace pelt::detail {
 namespace {
 
-NumberPair ordered(std::uint16_t a, std::uint16_t b) {
-  return a < b ? NumberPair{a, b} : NumberPair{b, a};
+IndexPair ordered(std::uint16_t a, std::uint16_t b) {
+  return a < b ? IndexPair{a, b} : IndexPair{b, a};
 }
 
 Contact ordered(const Contact& c) {
   return c.triangle_a < c.triangle_b ? c : Contact{c.triangle_b, c.triangle_a};
 }
 
-NumberPair ordered(const NumberPair& pair) { return ordered(pair.first, pair.second); }
+IndexPair ordered(const IndexPair& pair) { return ordered(pair.first, pair.second); }
 
 /// Sorts pairs and removes repetitions.
 template <typename Pair>
@@ -43,8 +43,8 @@ bool contains(const std::vector<Pair>& set, const Pair& pair) {
 }
 
 /// The listed pairs, each joint with itself, and each joint with its parent.
-std::vector<NumberPair> near_joints(const SelfFilterOptions& options) {
-  std::vector<NumberPair> pairs = ordered_set(options.joint_pairs);
+std::vector<IndexPair> near_joints(const SelfFilterOptions& options) {
+  std::vector<IndexPair> pairs = ordered_set(options.joint_pairs);
   const auto& parents = options.joint_parents;
   for (std::size_t joint = 0; joint < parents.size(); ++joint) {
     const auto number = static_cast<std::uint16_t>(joint);

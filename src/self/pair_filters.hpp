@@ -28,9 +28,9 @@ struct PairFilters {
   std::vector<bool> takes_part;              // [T] or empty
   std::vector<Contact> at_rest, always;      // ascending
   std::vector<std::uint16_t> joints;         // [T] main joints, or empty
-  std::vector<NumberPair> joint_pairs;       // ascending
+  std::vector<IndexPair> joint_pairs;        // ascending
   std::vector<std::uint16_t> groups;         // [T] or empty
-  std::vector<NumberPair> group_pairs;       // ascending
+  std::vector<IndexPair> group_pairs;        // ascending
 
  private:
   bool are_within_rings(const Tree& tree, const Fans& fans, Contact pair,

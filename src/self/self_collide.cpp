@@ -28,8 +28,8 @@ SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& scratch,
 
 YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& scratch) {
   detail::require(is_filter_of(filter, pose), "self_intersects: the filter is of another model");
-  const SelfStats stats = detail::self_collide_tree(pose.detail().posed_tree(), filter.detail(),
-                                                    scratch.detail(), 1);
+  const SelfStats stats =
+      detail::self_collide_tree(pose.detail().posed_tree(), filter.detail(), scratch.detail(), 1);
   return detail::yes_or_no(!scratch.detail().found.empty(), stats);
 }
 

@@ -85,8 +85,7 @@ void leave_out(const SelfFilter& filter, std::size_t first, Stack<Contact>& cont
   for (std::size_t i = first; i < contacts.size(); ++i) {
     Contact contact = contacts.begin()[i];
     if (contact.triangle_b < contact.triangle_a) std::swap(contact.triangle_a, contact.triangle_b);
-    const LeftOutBy by =
-        filter.filters.left_out_by(filter.tree(), filter.fans, contact, ring);
+    const LeftOutBy by = filter.filters.left_out_by(filter.tree(), filter.fans, contact, ring);
     if (by == LeftOutBy::none)
       contacts.begin()[kept++] = contact;
     else
@@ -116,6 +115,10 @@ LeftOutBy SelfFilter::left_out_by(std::uint32_t s, std::uint32_t t) const {
   PELT_ASSERT(s != t && s < model().triangle_count() && t < model().triangle_count());
   detail::Stack<std::uint32_t> ring;
   return filter_->filters.left_out_by(filter_->tree(), filter_->fans, {s, t}, ring);
+}
+
+std::size_t SelfFilter::scratch_vertices() const {
+  return filter_->model.detail().tree.rest_positions.size();
 }
 
 std::size_t SelfFilter::memory_bytes() const {

@@ -21,8 +21,9 @@ namespace {
 class SeparateTriangles : public BoxOverlap {
  public:
   SeparateTriangles(const SelfFilter& filter, SelfAnswer& answer, QueryStats& work)
-      : filter_(filter), answer_(answer), triangles_(filter.tree(), filter.tree(),
-                                                     answer.contacts(), work) {}
+      : filter_(filter),
+        answer_(answer),
+        triangles_(filter.tree(), filter.tree(), answer.contacts(), work) {}
 
   bool is_full() const { return answer_.is_full(); }
   bool is_impatient() const { return answer_.is_impatient(); }
