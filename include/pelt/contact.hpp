@@ -1,9 +1,9 @@
 #pragma once
 
 /// Geometry of contacts, for solvers, reports and pictures. Call `describe_contacts` after
-/// `collide`. For each contact, it computes positions, a normal, a depth and joints. It also chains
-/// the segments in which triangles intersect into curves, and gathers connected contacts into
-/// patches.
+/// `collide` or `self_collide`. For each contact, it computes positions, a normal, a depth and
+/// joints. It also chains the segments in which triangles intersect into curves, and gathers
+/// connected contacts into patches.
 
 #include <pelt/cxx20.hpp>
 
@@ -97,6 +97,13 @@ struct ContactCurve {
 ///
 /// `point` and `normal` are computed from means over the patch's traces. In these means, each trace
 /// is weighted by the length of its segment, or all traces equally if all lengths are zero.
+///
+/// Contacts of a pose with itself: triangle_a is the triangle with the lower number, so the two
+/// sides of a patch can be numbered in any order. `normal`, `joint_a` and `joint_b` follow the
+/// sides of the patch: side a is that of triangle_a of the patch's first trace. Where a trace has
+/// its triangles on the other sides, its normal counts with the opposite sign, and its joints are
+/// exchanged. If a patch is so folded that its sides change into each other, each trace counts as
+/// it is.
 struct ContactPatch {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::members
   float length = 0;                    ///< sum of the lengths of all segments
@@ -126,7 +133,8 @@ struct ContactGeometry {
 /// the surfaces have parts in common.
 ///
 /// Preconditions:
-/// `a`, `b`: the poses of that call of `collide`, with unchanged palettes and morph weights.
+/// `a`, `b`: the poses of that call of `collide`, with unchanged palettes and morph weights. The
+///   same pose twice aborts the program, in every build.
 /// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`. The surface of another model
 ///   aborts the program, in every build.
 /// `contacts`: ascending, without repetition, and in range.
@@ -141,5 +149,32 @@ struct ContactGeometry {
 PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b,
                                       const Surface& surface_b, std::span<const Contact> contacts,
                                       Scratch& scratch, ContactGeometry& geometry);
+
+/// Computes the geometry of contacts of a pose with itself, which `self_collide` has found, like
+/// the function above. A trace describes the whole intersection of its two closed triangles,
+/// including the corners that they share:
+/// - If the triangles share no corner, the trace is that of any two triangles.
+/// - If they share one corner and are not in one plane, they intersect in a segment that starts at
+///   that corner.
+/// - If they share an edge or all corners, or are in one plane, or a triangle has collapsed, the
+///   kind is `coplanar` or `collapsed`, without a segment.
+///
+/// A curve may pass from triangles s and t to triangles t and u: steps are then reversed where the
+/// triangle numbers change their order. In general position, the curves of a closed surface are
+/// closed, or start and end at corners that two intersecting triangles share, as creases do.
+///
+/// If contacts are missing because a filter left them out, curves end there.
+///
+/// Preconditions:
+/// `pose`: the pose of that call of `self_collide`, with unchanged palette and morph weights.
+/// `surface`: the surface of the model of `pose`. The surface of another model aborts the program,
+///   in every build. Unlike in `self_collide`, vertices with different influences are not one
+///   vertex: a curve ends at a seam between them.
+/// `contacts`: ascending, without repetition, in range, and triangle_a < triangle_b.
+///
+/// Cost, allocation: as above.
+PELT_API QueryStats describe_contacts(Pose& pose, const Surface& surface,
+                                      std::span<const Contact> contacts, Scratch& scratch,
+                                      ContactGeometry& geometry);
 
 }  // namespace pelt

@@ -9,17 +9,6 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 using Link = ContactLinks::Link;
 
-/// Identifies a corner, an edge or a face by three numbers, of which the last is the kind.
-std::array<std::uint32_t, 3> name_of(Feature feature, std::uint32_t triangle,
-                                     const Surface& surface) {
-  if (feature == Feature::face) return {triangle, 0, 2};
-  const Triangle& corners = surface.corners[triangle];
-  const auto number = static_cast<std::size_t>(feature);
-  if (feature <= Feature::corner2) return {corners[number], 0, 0};
-  const auto [less, more] = std::minmax(corners[number - 3], corners[(number - 2) % 3]);
-  return {less, more, 1};
-}
-
 /// Finds for each end the end with the same key; kNone if there is none or more than one.
 void find_partners(std::size_t trace_count, ContactLinks& work) {
   std::vector<Link>& links = work.links;
@@ -51,13 +40,6 @@ void walk(std::uint32_t entered, ContactLinks& work, ContactGeometry& geometry) 
 }
 
 }  // namespace
-
-std::array<std::uint32_t, 6> key_of(const CrossingEnd& end, const Contact& contact,
-                                    const Surface& a, const Surface& b) {
-  const auto in_a = name_of(end.a, contact.triangle_a, a);
-  const auto in_b = name_of(end.b, contact.triangle_b, b);
-  return {in_a[0], in_a[1], in_a[2], in_b[0], in_b[1], in_b[2]};
-}
 
 void chain_curves(ContactLinks& work, ContactGeometry& geometry) {
   find_partners(geometry.traces.size(), work);

@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "base/vec3.hpp"
 #include "geometry/ray_triangle.hpp"
+#include "geometry/triangle_crossing.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -32,6 +33,12 @@ double depth_along(const Vec3d& direction, const TriangleCorners& a, const Trian
   return std::max({at(b[0]), at(b[1]), at(b[2])}) - std::min({at(a[0]), at(a[1]), at(a[2])});
 }
 
+/// Positions depend on the order of the features, by rounding.
+Vec3 position_of(const CrossingEnd& end, const EndKey& key, const ContactCorners& corners) {
+  return key.is_swapped ? crossing_position({end.b, end.a}, corners.b, corners.a)
+                        : crossing_position(end, corners.a, corners.b);
+}
+
 ContactKind kind_of(const Crossing& crossing) {
   switch (crossing.kind) {
     case CrossingKind::segment:
@@ -51,24 +58,25 @@ ContactKind kind_of(const Crossing& crossing) {
 
 }  // namespace
 
-ContactTrace trace_of(const Contact& contact, const ContactCorners& corners, const Surface& a,
-                      const Surface& b, Crossing& crossing) {
+ContactTrace trace_of(const Contact& contact, const ContactCorners& corners,
+                      const ContactSurfaces& surfaces, std::array<EndKey, 2>& ends) {
   const auto& [corners_a, corners_b] = corners;
-  crossing = cross_triangles(corners_a, corners_b);
+  const Crossing crossing = cross_triangles(corners_a, corners_b);
   ContactTrace trace;
   trace.contact = contact;
   trace.kind = kind_of(crossing);
   if (trace.kind == ContactKind::segment || trace.kind == ContactKind::point) {
-    trace.from = crossing_position(crossing.ends[0], corners_a, corners_b);
-    trace.to = crossing_position(crossing.ends[1], corners_a, corners_b);
+    for (const std::size_t i : {0u, 1u}) ends[i] = key_of(crossing.ends[i], contact, surfaces);
+    trace.from = position_of(crossing.ends[0], ends[0], corners);
+    trace.to = position_of(crossing.ends[1], ends[1], corners);
   } else {
     trace.from = trace.to = to_float(0.5 * (centre(corners_a) + centre(corners_b)));
   }
   const Vec3d normal = leaving_direction(corners_a, corners_b);
   trace.normal = to_float(normal);
   trace.depth = static_cast<float>(depth_along(normal, corners_a, corners_b));
-  trace.joint_a = a.joints[contact.triangle_a];
-  trace.joint_b = b.joints[contact.triangle_b];
+  trace.joint_a = surfaces.a.joints[contact.triangle_a];
+  trace.joint_b = surfaces.b.joints[contact.triangle_b];
   return trace;
 }
 

@@ -2,8 +2,10 @@
 
 /// Intersections of pairs of triangles.
 
-#include "geometry/triangle_crossing.hpp"
-#include "model/surface.hpp"
+#include "contact/end_key.hpp"
+#include "geometry/triangle_pair.hpp"
+
+#include <array>
 
 namespace pelt::detail {
 
@@ -12,8 +14,9 @@ struct ContactCorners {
   TriangleCorners a, b;
 };
 
-/// Writes the crossing of a contact's triangles, and returns it as `ContactTrace` has it.
-ContactTrace trace_of(const Contact& contact, const ContactCorners& corners, const Surface& a,
-                      const Surface& b, Crossing& crossing);
+/// Describes the intersection of a contact's triangles. Also writes the keys of its ends, if it is
+/// a segment or a point.
+ContactTrace trace_of(const Contact& contact, const ContactCorners& corners,
+                      const ContactSurfaces& surfaces, std::array<EndKey, 2>& ends);
 
 }  // namespace pelt::detail

@@ -24,6 +24,7 @@ TEST_F(RefusedCalls, OnePoseTwice) {
   Distance closest;
   Penetration deepest;
   Containment containing = Containment::none;
+  ContactGeometry geometry;
   EXPECT_DEATH(collide(a, a, scratch, contacts), message);
   EXPECT_DEATH(intersects(a, a, scratch), message);
   EXPECT_DEATH(distance(a, a, scratch, closest), message);
@@ -31,6 +32,7 @@ TEST_F(RefusedCalls, OnePoseTwice) {
   EXPECT_DEATH(is_within(a, a, 1, scratch), message);
   EXPECT_DEATH(deepest_vertex(a, of_a, a, of_a, scratch, deepest), message);
   EXPECT_DEATH(containment(a, of_a, a, of_a, scratch, containing), message);
+  EXPECT_DEATH(describe_contacts(a, of_a, a, of_a, {}, scratch, geometry), message);
 }
 
 TEST_F(RefusedCalls, ASurfaceOfAnotherModel) {
@@ -39,6 +41,7 @@ TEST_F(RefusedCalls, ASurfaceOfAnotherModel) {
   PointSide side = PointSide::outside;
   Containment containing = Containment::none;
   EXPECT_DEATH(describe_contacts(a, of_b, b, of_b, {}, scratch, geometry), message);
+  EXPECT_DEATH(describe_contacts(a, of_b, {}, scratch, geometry), message);
   EXPECT_DEATH(side_of(a, of_b, {}, scratch, side), message);
   EXPECT_DEATH(containment(a, of_a, b, of_a, scratch, containing), message);
 }
