@@ -2,6 +2,8 @@
 #include "asset/little_endian.hpp"
 #include "asset/message.hpp"
 
+#include <algorithm>
+
 namespace pelt::asset {
 
 namespace {
@@ -18,21 +20,28 @@ Error cut_short(const std::string& how) {
   return malformed("the .glb is truncated: " + how + ": copy or export it again");
 }
 
-/// Whether the text could be a JSON object, after white space and the mark of UTF-8.
-bool begins_like_object(std::string_view text) {
+/// Returns the text without the mark of UTF-8 and white space at its start.
+std::string_view without_space(std::string_view text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   if (text.substr(0, kMark.size()) == kMark) text.remove_prefix(kMark.size());
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  return begin != text.npos && text[begin] == '{';
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+Error not_gltf() {
+  return malformed(
+      std::string("the file starts neither like a .glb nor like the JSON object of a .gltf") +
+      kExportGltf2);
+}
+
+bool begins_like_glb(std::span<const std::byte> file) {
+  return file.size() >= 4 && load<std::uint32_t>(file.data()) == kMagic;
 }
 
 /// Reads a .gltf file.
 Result<Container> read_text(std::string_view text) {
-  if (begins_like_object(text)) return Container{text, {}};
+  if (without_space(text).starts_with('{')) return Container{text, {}};
   if (text.empty()) return malformed("the file is empty: copy or export it again");
-  return malformed(
-      std::string("the file starts neither like a .glb nor like the JSON object of a .gltf") +
-      kExportGltf2);
+  return not_gltf();
 }
 
 struct Chunk {
@@ -73,8 +82,7 @@ Result<Container> read_chunks(std::span<const std::byte> rest) {
 
 Result<Container> open_container(std::span<const std::byte> file) {
   constexpr std::size_t kHeader = 12;
-  if (file.size() < 4 || load<std::uint32_t>(file.data()) != kMagic)
-    return read_text(as_text(file));
+  if (!begins_like_glb(file)) return read_text(as_text(file));
   if (file.size() < kHeader) return cut_short("it ends inside its header");
   const auto version = load<std::uint32_t>(file.data() + 4);
   const auto length = load<std::uint32_t>(file.data() + 8);
@@ -91,6 +99,12 @@ Result<Container> open_container(std::span<const std::byte> file) {
                      std::to_string(file.size()));
   }
   return read_chunks(file.subspan(kHeader, length - kHeader));
+}
+
+Result<void> check_beginning(std::span<const std::byte> beginning) {
+  const std::string_view text = without_space(as_text(beginning));
+  if (begins_like_glb(beginning) || text.empty() || text.starts_with('{')) return {};
+  return not_gltf();
 }
 
 }  // namespace pelt::asset

@@ -19,4 +19,8 @@ struct Container {
 /// .gltf if it starts like a JSON object. O(number of chunks); copies nothing.
 Result<Container> open_container(std::span<const std::byte> file);
 
+/// Returns an error if no file with this beginning is a .glb or a .gltf. A file of 4 bytes or more
+/// needs only its beginning for this, so that other large files need not be read.
+Result<void> check_beginning(std::span<const std::byte> beginning);
+
 }  // namespace pelt::asset

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <new>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -23,7 +24,13 @@ std::invoke_result_t<Read> within_memory(const std::filesystem::path& path, cons
   PELT_CATCH(std::bad_alloc) { return out_of_memory(path); }
 }
 
-/// Reads all bytes of a regular file. A file larger than the free memory is an error.
-Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
+/// Validates the beginning of a file: its first `kBeginning` bytes, or all of a shorter file.
+using CheckBeginning = Result<void>(std::span<const std::byte> beginning);
+inline constexpr std::size_t kBeginning = 4096;
+
+/// Reads all bytes of a regular file. A file larger than the free memory is an error, and so is an
+/// error of `check`, which is called before the rest of the file is read.
+Result<std::vector<std::byte>> read_file(const std::filesystem::path& path,
+                                         CheckBeginning* check = nullptr);
 
 }  // namespace pelt::asset

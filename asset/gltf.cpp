@@ -45,7 +45,7 @@ Result<Asset> read_asset(GltfDocument& document, Buffers& buffers, Budget& budge
 
 Result<Asset> load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
   return within_memory(path, [&]() -> Result<Asset> {
-    const Result<std::vector<std::byte>> file = read_file(path);
+    const Result<std::vector<std::byte>> file = read_file(path, check_beginning);
     if (!file) return file.error();
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     Result<Asset> asset = load_gltf(*file, folder, options);

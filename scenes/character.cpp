@@ -1,5 +1,6 @@
 #include <pelt/prepared.hpp>
 
+#include "asset/container.hpp"
 #include "asset/file_bytes.hpp"
 #include "asset/message.hpp"
 #include "asset/read_gltf.hpp"
@@ -25,12 +26,15 @@ Character generated(const char* name, const std::string& source, asset::Asset&& 
   return {name, source, hash_of(std::as_bytes(std::span(source))), std::move(asset), options};
 }
 
+Result<void> check_beginning(std::span<const std::byte> beginning) {
+  if (is_prepared_model(beginning)) return asset::unsupported(kPrepared);
+  return asset::check_beginning(beginning);
+}
+
 Result<Character> read_character(const std::filesystem::path& path,
                                  const asset::GltfOptions& options) {
-  const Result<std::vector<std::byte>> file = asset::read_file(path);
+  const Result<std::vector<std::byte>> file = asset::read_file(path, check_beginning);
   if (!file) return file.error();
-  if (is_prepared_model(*file))
-    return asset::prefixed(path.string(), asset::unsupported(kPrepared));
   // A path without a folder is relative to the working directory; an empty folder would mean that
   // there are no external files.
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";

@@ -26,6 +26,19 @@ TEST(Container, GlbAndGltfGiveTheSame) {
   EXPECT_EQ(glb->weights, gltf->weights);
 }
 
+TEST(Container, ChecksABeginningLikeTheWholeFile) {
+  for (const std::string text :
+       {"", "{", " \r\n\t", "\xEF\xBB\xBF", "glTF", "\xEF\xBB\xBF {", "glTF\x02"})
+    EXPECT_TRUE(check_beginning(std::as_bytes(std::span(text)))) << text;
+  for (const std::string text : {"solid", "glTX", "[1]", "  x", "g"}) {
+    const Result<void> checked = check_beginning(std::as_bytes(std::span(text)));
+    ASSERT_FALSE(checked) << text;
+    const Result<Container> opened = open_container(std::as_bytes(std::span(text)));
+    ASSERT_FALSE(opened) << text;
+    EXPECT_EQ(checked.error().message, opened.error().message);
+  }
+}
+
 TEST(Container, PassesOverUnknownChunksAndWhatFollowsTheFile) {
   std::vector<std::byte> file = test::paper_strip().glb();
   append_u32(file, 4);

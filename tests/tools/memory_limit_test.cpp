@@ -4,17 +4,48 @@
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
 namespace pelt::test {
 namespace {
 
-/// A sparse file, larger than the memory limit of `run_limited`.
-void write_huge(const TestFolder& folder, const std::string& name) {
-  std::ofstream(folder / name);
-  std::filesystem::resize_file(folder / name, std::uintmax_t{1} << 36);
+/// Writes a sparse file, which by default is larger than the memory limit of `run_limited`.
+void write_huge(const TestFolder& folder, const std::string& name, const std::string& beginning,
+                std::uintmax_t bytes = std::uintmax_t{1} << 36) {
+  std::ofstream(folder / name) << beginning;
+  std::filesystem::resize_file(folder / name, bytes);
 }
+
+/// A memory cgroup with a limit, for programs of this test. Only root can make one.
+class MemoryGroup {
+ public:
+  explicit MemoryGroup(std::uint64_t bytes) {
+    const std::string name = "pelt-test-" + std::to_string(getpid());
+    const bool version1 = std::filesystem::exists("/sys/fs/cgroup/memory");
+    path_ = std::filesystem::path(version1 ? "/sys/fs/cgroup/memory" : "/sys/fs/cgroup") / name;
+    std::error_code error;
+    if (!std::filesystem::create_directory(path_, error)) return;
+    std::ofstream limit(path_ / (version1 ? "memory.limit_in_bytes" : "memory.max"));
+    exists_ = static_cast<bool>(limit << bytes << std::flush);
+  }
+  MemoryGroup(const MemoryGroup&) = delete;
+  MemoryGroup& operator=(const MemoryGroup&) = delete;
+  ~MemoryGroup() { rmdir(path_.c_str()); }
+
+  bool exists() const { return exists_; }
+
+  Ended run(const TestFolder& folder, const std::string& arguments) const {
+    const std::string join = "echo $$ > '" + (path_ / "cgroup.procs").string() + "' && ";
+    return run_program(folder.path(), {"sh", "-c", join + "exec '" PELT_COMMAND "' " + arguments});
+  }
+
+ private:
+  std::filesystem::path path_;
+  bool exists_ = false;
+};
 
 Ended run_limited(const TestFolder& folder, const std::string& arguments,
                   std::uint32_t megabytes = 4000) {
@@ -57,18 +88,49 @@ class MemoryLimit : public ::testing::Test {
 };
 
 TEST_F(MemoryLimit, NamesAHugeModel) {
-  write_huge(folder_, "huge.glb");
+  write_huge(folder_, "huge.glb", "glTF");
   expect_named("info huge.glb", "huge.glb");
   expect_named("check huge.glb", "huge.glb");
 }
 
+TEST_F(MemoryLimit, RefusesAHugeFileOfAnotherFormatByItsBeginning) {
+  write_huge(folder_, "huge.glb", "solid");
+  for (const char* verb : {"info huge.glb", "check huge.glb"}) {
+    const Ended run = run_limited(folder_, verb);
+    EXPECT_EQ(run.exit_code, 2) << run.err;
+    EXPECT_NE(run.err.find("huge.glb: the file starts neither like a .glb"), run.err.npos)
+        << run.err;
+  }
+}
+
+/// Linux grants memory beyond the limit of a cgroup, and kills the process that uses it.
+TEST_F(MemoryLimit, NamesAModelLargerThanItsMemoryGroup) {
+  const MemoryGroup group(100'000'000);
+  if (!group.exists()) GTEST_SKIP() << "cannot make a memory cgroup";
+  write_huge(folder_, "huge.glb", "glTF", 1'000'000'000);
+  for (const char* verb : {"info huge.glb", "check huge.glb"}) {
+    const Ended run = group.run(folder_, verb);
+    EXPECT_EQ(run.exit_code, 2) << run.err;
+    EXPECT_NE(run.err.find("huge.glb: needs more memory than there is"), run.err.npos) << run.err;
+  }
+  // The tree of a model whose file is small.
+  write_text(folder_ / "scene.json", R"({"models": {"a": {"creature": {"triangles": 1000000}}},
+                                         "instances": [{"model": "a"}]})");
+  const Ended run = group.run(folder_, "bounds scene.json");
+  EXPECT_EQ(run.exit_code, 2) << run.err;
+  EXPECT_NE(run.err.find("scene.json: "), run.err.npos) << run.err;
+  EXPECT_NE(run.err.find("needs more memory than there is"), run.err.npos) << run.err;
+  write_bytes(folder_ / "limb.glb", swaying_limb(8));
+  EXPECT_EQ(group.run(folder_, "info limb.glb").exit_code, 0);
+}
+
 TEST_F(MemoryLimit, NamesAHugeScene) {
-  write_huge(folder_, "scene.json");
+  write_huge(folder_, "scene.json", "{");
   expect_named("check scene.json", "scene.json");
 }
 
 TEST_F(MemoryLimit, NamesAHugeBuffer) {
-  write_huge(folder_, "body.bin");
+  write_huge(folder_, "body.bin", "");
   std::ofstream(folder_ / "body.gltf")
       << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
       << R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
