@@ -4,6 +4,7 @@
 
 #include <pelt/collide.hpp>
 #include <pelt/export.hpp>
+#include <pelt/self_collide.hpp>
 
 #include <compare>
 #include <cstdint>
@@ -26,16 +27,17 @@ struct CollisionMask {
   std::uint32_t collides_with = 0xFFFFFFFF;  ///< one bit per layer
 };
 
-/// Two intersecting instances, a < b.
+/// Two intersecting instances, a < b, or an instance that intersects itself, a == b.
 struct CrowdPair {
   std::uint32_t instance_a = 0, instance_b = 0;
 
   friend auto operator<=>(const CrowdPair&, const CrowdPair&) = default;
 };
 
-/// Two intersecting triangles of two instances, with their indices in the instances' models.
+/// Two intersecting triangles of two instances, or of one, with their indices in the instances'
+/// models. For one instance, triangle_a < triangle_b.
 struct CrowdContact {
-  std::uint32_t instance_a = 0, instance_b = 0;  ///< a < b
+  std::uint32_t instance_a = 0, instance_b = 0;  ///< a <= b
   std::uint32_t triangle_a = 0, triangle_b = 0;
 
   friend auto operator<=>(const CrowdContact&, const CrowdContact&) = default;
@@ -46,7 +48,8 @@ struct CrowdOptions {
   /// depend on it.
   std::uint32_t threads = 0;
 
-  /// Stop each pair of instances after this number of contacts; see CollideOptions.
+  /// Stop each pair of instances, and each instance against itself, after this number of contacts;
+  /// see CollideOptions.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 
   /// Called for pairs a < b whose bounds overlap and whose collision masks match; return false to
@@ -55,12 +58,22 @@ struct CrowdOptions {
   /// because it is called once per pair of instances. It allocates nothing for a lambda that
   /// captures by reference.)
   std::function<bool(std::uint32_t instance_a, std::uint32_t instance_b)> filter = nullptr;
+
+  /// Called for each instance; return the filter with which to test the instance against itself, or
+  /// null for no such test. Empty: no instance is tested against itself. `filter` and collision
+  /// masks do not matter for these tests. The SelfFilter must be of the model of the instance
+  /// (otherwise the program aborts, in every build), and must live until the query returns. Runs on
+  /// the caller's thread, like `filter`.
+  std::function<const SelfFilter*(std::uint32_t instance)> self_filter = nullptr;
 };
 
 /// Work of a query of a crowd, summed over all threads.
 struct CrowdStats : QueryStats {
   std::uint64_t candidate_pairs = 0;     ///< pairs of instances that were tested for contacts
   std::uint64_t intersecting_pairs = 0;  ///< candidate pairs with contacts
+  std::uint64_t self_tests = 0;          ///< instances that were tested against themselves
+  std::uint64_t self_intersecting = 0;   ///< of these, instances with contacts
+  LeftOut left_out;                      ///< what the filters of these tests have left out
 };
 
 /// Up to tens of thousands of instances of a few models, which are queried together. An instance
@@ -114,14 +127,16 @@ class PELT_API Crowd {
   /// Cost: O(M + J). Each weight other than 0 adds at most O(J). Allocates nothing.
   Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
 
-  /// Appends all contacts of all pairs of instances to `contacts`, in ascending order. Exact like
-  /// `collide` of two poses.
+  /// Appends all contacts of all pairs of instances to `contacts`, in ascending order, with those
+  /// of instances with themselves if `CrowdOptions::self_filter` asks for them. Exact like
+  /// `collide` of two poses and like `self_collide`.
   ///
   /// Cost: the broad phase runs on one thread. For n instances it takes O(n log n) to sort the
   /// boxes along the axis with the largest spread, and one comparison per pair of boxes that
   /// overlap along this axis. Eight pairs are compared at a time. The remaining work runs on all
-  /// threads: each pair with overlapping boxes costs as much as `collide`, but an instance that is
-  /// in several pairs opens each node only once.
+  /// threads: each pair with overlapping boxes costs as much as `collide`, and each instance that
+  /// is tested against itself as much as `self_collide`, but an instance that is in several tests
+  /// opens each node only once. One thread tests an instance against itself.
   ///
   /// Allocates if there are more pairs, more contacts or more nodes to open than in any earlier
   /// query, and for the first query with more threads. A frame that resembles earlier frames
@@ -133,9 +148,9 @@ class PELT_API Crowd {
   /// `contacts` is then unchanged, and the crowd can be queried again.
   CrowdStats collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options = {});
 
-  /// Appends the pairs of intersecting instances to `pairs`, in ascending order. Like `collide`,
-  /// but cheaper, because each pair of instances is tested only until its first contact. Ignores
-  /// `max_contacts`.
+  /// Appends the pairs of intersecting instances to `pairs`, in ascending order, with a pair (i, i)
+  /// for each tested instance i that intersects itself. Like `collide`, but cheaper, because each
+  /// test ends at its first contact. Ignores `max_contacts`.
   CrowdStats intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
 
   /// Bytes of memory of the crowd, without its models. O(n).

@@ -1,8 +1,11 @@
 #include "crowd/crowd_query.hpp"
 
 #include "base/bytes_held.hpp"
+#include "base/require.hpp"
 #include "collide/collide_trees.hpp"
 #include "query/sort_contacts.hpp"
+#include "self/self_filter.hpp"
+#include "self/self_tree.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -15,6 +18,8 @@ namespace {
 bool agree(const CollisionMask& a, const CollisionMask& b) {
   return (a.member_of & b.collides_with) != 0 && (b.member_of & a.collides_with) != 0;
 }
+
+bool is_self(const CrowdPair& pair) { return pair.instance_a == pair.instance_b; }
 
 /// Applies an action to both instances of each pair.
 template <typename Action>
@@ -44,10 +49,13 @@ CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& option
   box_instances(instances);
   sweep_.find_pairs(pairs_);
   filter_pairs(instances, options);
+  add_self_tests(instances, options);
   islands_.form(pairs_, instances.end());
   start_workers(options.threads);
   share_out();
-  collide(instances, max_contacts);
+  const Question question = {instances, self_filters_, max_contacts};
+  collide_shared_selves(question);
+  collide(question);
   CrowdStats stats = gather();
   stats.refits += std::exchange(moved_, 0);
   even_out();
@@ -75,44 +83,82 @@ void CrowdQuery::filter_pairs(CrowdInstances& instances, const CrowdOptions& opt
   });
 }
 
+/// Puts the self-tests before all other pairs. Islands keep this order.
+void CrowdQuery::add_self_tests(CrowdInstances& instances, const CrowdOptions& options) {
+  self_filters_.clear();
+  self_tests_.clear();
+  if (!options.self_filter) return;
+  self_filters_.resize(instances.end());
+  for (std::uint32_t number = 0; number < instances.end(); ++number) {
+    if (!instances.has(number)) continue;
+    const pelt::SelfFilter* const filter = options.self_filter(number);
+    if (!filter) continue;
+    require(&filter->model().detail() == &instances[number].model.detail(),
+            "Crowd: self_filter returned a filter of another model than that of the instance");
+    self_filters_[number] = &filter->detail();
+    self_tests_.push_back({number, number});
+  }
+  pairs_.insert(pairs_.begin(), self_tests_.begin(), self_tests_.end());
+}
+
 void CrowdQuery::start_workers(std::uint32_t threads) {
   if (threads == 0) threads = Workers::available();
   worker_count_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(pairs_.size(), 1, threads));
   if (workers_.size() < worker_count_) workers_.resize(worker_count_);
-  for (Worker& worker : workers_) {
-    worker.nodes.clear();
-    worker.shared_nodes.clear();
-    worker.contacts.clear();
-    worker.most_nodes = 0;
-    worker.touching.clear();
-    worker.work = {};
-  }
+  for (Worker& worker : workers_) worker.clear();
+}
+
+void CrowdQuery::Worker::clear() {
+  nodes.clear();
+  shared_nodes.clear();
+  contacts.clear();
+  most_nodes = 0;
+  touching.clear();
+  work = {};
+  left_out = {};
 }
 
 /// An island is large if it is a considerable part of the work of each worker.
 void CrowdQuery::share_out() {
   const std::size_t large = worker_count_ == 1 ? pairs_.size() : pairs_.size() / worker_count_ / 8;
+  shared_selves_.clear();
   shared_pairs_.clear();
   small_islands_.clear();
   for (std::uint32_t g = 0; g < islands_.count(); ++g) {
     const std::span<const CrowdPair> island = islands_[g];
-    if (island.size() <= large)
+    if (island.size() <= large) {
       small_islands_.push_back(g);
-    else
-      shared_pairs_.insert(shared_pairs_.end(), island.begin(), island.end());
+      continue;
+    }
+    const auto first_pair = std::partition_point(island.begin(), island.end(), is_self);
+    shared_selves_.insert(shared_selves_.end(), island.begin(), first_pair);
+    shared_pairs_.insert(shared_pairs_.end(), first_pair, island.end());
   }
+  self_shares_.deal(static_cast<std::uint32_t>(shared_selves_.size()), worker_count_);
   pair_shares_.deal(static_cast<std::uint32_t>(shared_pairs_.size()), worker_count_);
   island_shares_.deal(static_cast<std::uint32_t>(small_islands_.size()), worker_count_);
 }
 
-void CrowdQuery::collide(CrowdInstances& instances, std::uint32_t max_contacts) {
+/// Returns when all of these tests are done, before other tests use the nodes.
+void CrowdQuery::collide_shared_selves(const Question& question) {
+  if (shared_selves_.empty()) return;
+  const auto job = [&](std::uint32_t number) {
+    Worker& worker = workers_[number];
+    while (const auto self = self_shares_.take(number))
+      worker.collide_self(question, shared_selves_[*self].instance_a, worker.shared_nodes);
+  };
+  threads_.run(worker_count_, std::ref(job));
+}
+
+void CrowdQuery::collide(const Question& question) {
+  CrowdInstances& instances = question.instances;
   for_both(instances, shared_pairs_, [this](CrowdInstance& instance) {
     make_table(instance.posed_tree(workers_[0].shared_nodes));
   });
   const auto job = [&](std::uint32_t number) {
     Worker& worker = workers_[number];
     while (const auto pair = pair_shares_.take(number))
-      worker.collide_pair(instances, shared_pairs_[*pair], worker.shared_nodes, max_contacts);
+      worker.collide_pair(question, shared_pairs_[*pair], worker.shared_nodes);
     const auto take_island = [&] {
       const auto island = island_shares_.take(number);
       return island ? islands_[small_islands_[*island]] : std::span<const CrowdPair>();
@@ -120,27 +166,44 @@ void CrowdQuery::collide(CrowdInstances& instances, std::uint32_t max_contacts) 
     for (auto island = take_island(), next = island; !island.empty(); island = next) {
       next = take_island();
       for_both(instances, next, prefetch_palette);
-      worker.collide_island(instances, island, max_contacts);
+      worker.collide_island(question, island);
     }
   };
   threads_.run(worker_count_, std::ref(job));
-  for_both(instances, shared_pairs_, [](CrowdInstance& instance) { instance.close(); });
+  const auto close = [](CrowdInstance& instance) { instance.close(); };
+  for_both(instances, shared_selves_, close);
+  for_both(instances, shared_pairs_, close);
 }
 
-void CrowdQuery::Worker::collide_island(CrowdInstances& instances,
-                                        std::span<const CrowdPair> island,
-                                        std::uint32_t max_contacts) {
-  for (const CrowdPair& pair : island) collide_pair(instances, pair, nodes, max_contacts);
-  for_both(instances, island, [](CrowdInstance& instance) { instance.close(); });
+void CrowdQuery::Worker::collide_island(const Question& question,
+                                        std::span<const CrowdPair> island) {
+  for (const CrowdPair& pair : island)
+    is_self(pair) ? collide_self(question, pair.instance_a, nodes)
+                  : collide_pair(question, pair, nodes);
+  for_both(question.instances, island, [](CrowdInstance& instance) { instance.close(); });
   most_nodes = std::max(most_nodes, nodes.used());
   nodes.clear();
 }
 
-void CrowdQuery::Worker::collide_pair(CrowdInstances& instances, const CrowdPair& pair,
-                                      Arena& arena, std::uint32_t max_contacts) {
-  const PosedTree a = instances[pair.instance_a].posed_tree(arena);
-  const PosedTree b = instances[pair.instance_b].posed_tree(arena);
-  work += collide_trees(a, b, scratch, max_contacts);
+void CrowdQuery::Worker::collide_pair(const Question& question, const CrowdPair& pair,
+                                      Arena& arena) {
+  const PosedTree a = question.instances[pair.instance_a].posed_tree(arena);
+  const PosedTree b = question.instances[pair.instance_b].posed_tree(arena);
+  work += collide_trees(a, b, scratch, question.max_contacts);
+  keep_found(pair);
+}
+
+void CrowdQuery::Worker::collide_self(const Question& question, std::uint32_t instance,
+                                      Arena& arena) {
+  const SelfStats stats =
+      self_collide_tree(question.instances[instance].posed_tree(arena),
+                        *question.self_filters[instance], scratch, question.max_contacts);
+  work += stats;
+  left_out += stats.left_out;
+  keep_found({instance, instance});
+}
+
+void CrowdQuery::Worker::keep_found(const CrowdPair& pair) {
   Stack<Contact>& found = scratch.found;
   if (found.empty()) return;
   sort_contacts(found, scratch.sorting);
@@ -155,11 +218,16 @@ CrowdStats CrowdQuery::gather() {
   for (const Worker& worker : workers_) {
     touching_.insert(touching_.end(), worker.touching.begin(), worker.touching.end());
     stats += worker.work;
+    stats.left_out += worker.left_out;
   }
   std::sort(touching_.begin(), touching_.end(),
             [](const TouchingPair& a, const TouchingPair& b) { return a.instances < b.instances; });
-  stats.candidate_pairs = pairs_.size();
-  stats.intersecting_pairs = touching_.size();
+  stats.self_tests = self_tests_.size();
+  stats.candidate_pairs = pairs_.size() - self_tests_.size();
+  stats.self_intersecting = static_cast<std::uint64_t>(
+      std::count_if(touching_.begin(), touching_.end(),
+                    [](const TouchingPair& pair) { return is_self(pair.instances); }));
+  stats.intersecting_pairs = touching_.size() - stats.self_intersecting;
   return stats;
 }
 
@@ -167,7 +235,7 @@ CrowdStats CrowdQuery::gather() {
 void CrowdQuery::even_out() {
   if (worker_count_ == 1) return;
   std::size_t shared_nodes = 0, nodes = 0, contacts = 0;
-  std::size_t slot_pairs = 0, found = 0, sorting = 0;
+  std::size_t slot_pairs = 0, found = 0, sorting = 0, positions = 0, ring = 0;
   for (Worker& worker : workers_) {
     shared_nodes += worker.shared_nodes.used();
     nodes = std::max(nodes, worker.most_nodes);
@@ -175,6 +243,8 @@ void CrowdQuery::even_out() {
     slot_pairs = std::max(slot_pairs, worker.scratch.slot_pairs.capacity());
     found = std::max(found, worker.scratch.found.capacity());
     sorting = std::max(sorting, worker.scratch.sorting.capacity());
+    positions = std::max(positions, worker.scratch.positions.capacity());
+    ring = std::max(ring, worker.scratch.ring.capacity());
   }
   for (std::uint32_t w = 0; w < worker_count_; ++w) {
     Worker& worker = workers_[w];
@@ -184,20 +254,24 @@ void CrowdQuery::even_out() {
     worker.scratch.slot_pairs.reserve(slot_pairs);
     worker.scratch.found.reserve(found);
     worker.scratch.sorting.reserve(sorting);
+    worker.scratch.positions.reserve(positions);
+    worker.scratch.ring.reserve(ring);
     worker.touching.reserve(touching_.size());
   }
 }
 
 std::size_t CrowdQuery::memory_bytes() const {
   std::size_t bytes = sweep_.memory_bytes() + islands_.memory_bytes() +
-                      bytes_held(pairs_, shared_pairs_, small_islands_, touching_, workers_);
+                      bytes_held(self_filters_, self_tests_, pairs_, shared_selves_, shared_pairs_,
+                                 small_islands_, touching_, workers_);
   for (const Worker& worker : workers_) bytes += worker.memory_bytes();
   return bytes;
 }
 
 std::size_t CrowdQuery::Worker::memory_bytes() const {
   return nodes.capacity() + shared_nodes.capacity() + contacts.capacity() +
-         bytes_held(touching, scratch.slot_pairs, scratch.found, scratch.sorting);
+         bytes_held(touching, scratch.slot_pairs, scratch.found, scratch.sorting, scratch.positions,
+                    scratch.ring);
 }
 
 }  // namespace pelt::detail

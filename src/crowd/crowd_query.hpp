@@ -7,7 +7,9 @@
 ///
 /// Answers and stats do not depend on the number of threads. A descent depends only on the two
 /// palettes: every thread opens a node to the same bits, and the thread that publishes the node
-/// counts it. The results of the descents are sorted at the end.
+/// counts it. The results of the descents are sorted at the end. A test of an instance against
+/// itself opens all nodes at once, with tighter boxes than a descent would. So it always precedes
+/// the tests of its instance against others.
 ///
 /// An allocation may fail in any pass and on any thread. The exception then leaves `run`. Every
 /// pass of the next query starts again from the palettes, so unfinished data is never used.
@@ -27,7 +29,7 @@
 
 namespace pelt::detail {
 
-/// Two instances in contact.
+/// Two instances in contact, or an instance in contact with itself.
 struct TouchingPair {
   CrowdPair instances;
   std::span<const Contact> contacts;
@@ -45,6 +47,13 @@ class CrowdQuery {
   std::size_t memory_bytes() const;
 
  private:
+  /// What the workers share.
+  struct Question {
+    CrowdInstances& instances;
+    std::span<const SelfFilter* const> self_filters;  // see self_filters_
+    std::uint32_t max_contacts;
+  };
+
   /// Memory and results of one thread.
   struct alignas(64) Worker {
     Arena nodes;                 // of the island that the worker processes alone
@@ -54,29 +63,35 @@ class CrowdQuery {
     std::vector<TouchingPair> touching;
     Scratch scratch;
     QueryStats work;
+    LeftOut left_out;
 
-    void collide_island(CrowdInstances& instances, std::span<const CrowdPair> island,
-                        std::uint32_t max_contacts);
-    void collide_pair(CrowdInstances& instances, const CrowdPair& pair, Arena& arena,
-                      std::uint32_t max_contacts);
+    void clear();
+    void collide_island(const Question& question, std::span<const CrowdPair> island);
+    void collide_pair(const Question& question, const CrowdPair& pair, Arena& arena);
+    void collide_self(const Question& question, std::uint32_t instance, Arena& arena);
+    void keep_found(const CrowdPair& pair);
     std::size_t memory_bytes() const;
   };
 
   void box_instances(CrowdInstances& instances);
   void filter_pairs(CrowdInstances& instances, const CrowdOptions& options);
+  void add_self_tests(CrowdInstances& instances, const CrowdOptions& options);
   void start_workers(std::uint32_t threads);
   void share_out();
-  void collide(CrowdInstances& instances, std::uint32_t max_contacts);
+  void collide_shared_selves(const Question& question);
+  void collide(const Question& question);
   CrowdStats gather();
   void even_out();
 
   Sweep sweep_;
-  std::uint64_t moved_ = 0;                   // instances since the last successful query
-  std::vector<CrowdPair> pairs_;              // pairs to test
-  Islands islands_;                           // of the pairs to test
-  std::vector<CrowdPair> shared_pairs_;       // of the large islands
-  std::vector<std::uint32_t> small_islands_;  // all other islands
-  WorkShares pair_shares_, island_shares_;    // of shared pairs and of small islands
+  std::uint64_t moved_ = 0;                      // instances since the last successful query
+  std::vector<const SelfFilter*> self_filters_;  // of each instance, or null; empty if not asked
+  std::vector<CrowdPair> self_tests_;            // pairs (i, i) to test
+  std::vector<CrowdPair> pairs_;                 // pairs to test, after the self-tests
+  Islands islands_;                              // of the pairs to test
+  std::vector<CrowdPair> shared_selves_, shared_pairs_;  // of the large islands
+  std::vector<std::uint32_t> small_islands_;             // all other islands
+  WorkShares self_shares_, pair_shares_, island_shares_;
   std::vector<Worker> workers_;
   std::uint32_t worker_count_ = 1;  // of this query
   std::vector<TouchingPair> touching_;

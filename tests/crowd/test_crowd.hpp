@@ -51,11 +51,22 @@ struct TestCrowd {
            (masks[b].member_of & masks[a].collides_with) != 0;
   }
 
+  /// The contacts of an instance with itself, if asked for.
+  void add_self_contacts(std::uint32_t a, const CrowdOptions& options, Scratch& scratch,
+                         std::vector<CrowdContact>& all) {
+    const SelfFilter* filter = options.self_filter ? options.self_filter(a) : nullptr;
+    if (!present[a] || !filter) return;
+    std::vector<Contact> contacts;
+    pelt::self_collide(poses[a], *filter, scratch, contacts, {options.max_contacts});
+    for (const Contact& c : contacts) all.push_back({a, a, c.triangle_a, c.triangle_b});
+  }
+
   /// The contacts of every pair, queried separately.
   std::vector<CrowdContact> expected(const CrowdOptions& options = {}) {
     std::vector<CrowdContact> all;
     Scratch scratch;
-    for (std::uint32_t a = 0; a < poses.size(); ++a)
+    for (std::uint32_t a = 0; a < poses.size(); ++a) {
+      add_self_contacts(a, options, scratch, all);
       for (std::uint32_t b = a + 1; b < poses.size(); ++b) {
         if (!present[a] || !present[b] || !may_touch(a, b)) continue;
         if (options.filter && !options.filter(a, b)) continue;
@@ -63,6 +74,7 @@ struct TestCrowd {
         pelt::collide(poses[a], poses[b], scratch, contacts, {options.max_contacts});
         for (const Contact& c : contacts) all.push_back({a, b, c.triangle_a, c.triangle_b});
       }
+    }
     return all;
   }
 
@@ -70,6 +82,14 @@ struct TestCrowd {
     std::vector<CrowdContact> found;
     crowd.collide(found, options);
     return found;
+  }
+
+  /// One filter per model, each leaving out neighbours in this number of rings.
+  std::vector<SelfFilter> self_filters(std::uint32_t rings = 0) const {
+    std::vector<SelfFilter> filters;
+    for (const SkinnedModel& model : models)
+      filters.push_back(*build_self_filter(model, {.rings = rings}));
+    return filters;
   }
 
   std::vector<SkinnedModel> models;

@@ -7,20 +7,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 namespace pelt::test {
 namespace {
 
-/// Limbs in a row: each touches its neighbours, and some are apart.
+/// Limbs in a row: each touches its neighbours, and some are apart. Some fold onto themselves.
 class Limbs {
  public:
-  Limbs() : model_(*build_model(make_limb(12, 8, 3).view())) {
+  Limbs() : model_(*build_model(make_limb(12, 8, 3).view())), filter_(*build_self_filter(model_)) {
     Random random(31);
     for (std::uint32_t i = 0; i < 8; ++i) {
       const float x = i < 5 ? 0.08f * static_cast<float>(i) : 5 * static_cast<float>(i);
-      palettes_.push_back(bend_limb(random, 3, 0.3, {x, 0, 0}));
+      palettes_.push_back(bend_limb(random, 3, i % 2 == 0 ? 0.3 : 1.8, {x, 0, 0}));
     }
   }
 
@@ -36,11 +37,19 @@ class Limbs {
     return crowd;
   }
 
-  std::vector<CrowdContact> contacts(std::uint32_t shift) const {
+  /// `with_self`: each instance also against itself.
+  CrowdOptions options(std::uint32_t threads, bool with_self) const {
+    CrowdOptions options;
+    options.threads = threads;
+    if (with_self) options.self_filter = [this](std::uint32_t) { return &filter_; };
+    return options;
+  }
+
+  std::vector<CrowdContact> contacts(std::uint32_t shift, bool with_self) const {
     Crowd crowd = make_crowd();
     move(crowd, shift);
     std::vector<CrowdContact> found;
-    crowd.collide(found, {.threads = 1});
+    crowd.collide(found, options(1, with_self));
     return found;
   }
 
@@ -48,6 +57,7 @@ class Limbs {
 
  private:
   SkinnedModel model_;
+  SelfFilter filter_;
   std::vector<std::vector<Matrix4>> palettes_;
 };
 
@@ -73,36 +83,41 @@ TEST(CrowdMemory, NeedsNoneToRemove) {
   EXPECT_FALSE(failing.has_failed());
 }
 
-class CrowdMemoryOfThreads : public testing::TestWithParam<std::tuple<std::uint32_t, bool>> {};
+class CrowdMemoryOfThreads : public testing::TestWithParam<std::tuple<std::uint32_t, bool, bool>> {
+};
 
 /// Fails each allocation of a first query once, alone or with all that follow. Palettes change in
 /// between, so nodes that were left open would give wrong answers.
 TEST_P(CrowdMemoryOfThreads, CollidesAsBeforeWhenMemoryIsBack) {
-  const auto [threads, for_ever] = GetParam();
+  const auto [threads, for_ever, with_self] = GetParam();
   const Limbs limbs;
+  const CrowdOptions options = limbs.options(threads, with_self);
   std::vector<std::vector<CrowdContact>> expected;
-  for (std::uint32_t shift = 0; shift < 3; ++shift) expected.push_back(limbs.contacts(shift));
+  for (std::uint32_t shift = 0; shift < 3; ++shift)
+    expected.push_back(limbs.contacts(shift, with_self));
   ASSERT_GT(expected[0].size(), 100u);
+  const auto is_self = [](const CrowdContact& c) { return c.instance_a == c.instance_b; };
+  ASSERT_EQ(std::any_of(expected[0].begin(), expected[0].end(), is_self), with_self);
   const std::ptrdiff_t before = live_allocations();
   std::size_t failures = 0;
   {
     std::optional<Crowd> crowd(limbs.make_crowd());
     std::vector<CrowdContact> found(1);
-    const auto check = [&, threads = threads] {
+    const auto check = [&] {
       ++failures;
       EXPECT_EQ(found.size(), 1u);
       found = std::vector<CrowdContact>(1);
       const std::uint32_t shift = 1 + failures % 2;
       limbs.move(*crowd, shift);
       std::vector<CrowdContact> again;
-      const CrowdStats stats = crowd->collide(again, {.threads = threads});
+      const CrowdStats stats = crowd->collide(again, options);
       EXPECT_TRUE(again == expected[shift]);
       EXPECT_GT(stats.posed_vertices, 0u);
       crowd.emplace(limbs.make_crowd());  // without memory of earlier queries
     };
-    const auto collide = [&, threads = threads] {
+    const auto collide = [&] {
       found.resize(1);  // failing to start a thread is not an error
-      crowd->collide(found, {.threads = threads});
+      crowd->collide(found, options);
     };
     fail_each_allocation(collide, check, for_ever);
     found.erase(found.begin());
@@ -113,7 +128,8 @@ TEST_P(CrowdMemoryOfThreads, CollidesAsBeforeWhenMemoryIsBack) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, CrowdMemoryOfThreads,
-                         testing::Combine(testing::Values(1u, 2u, 4u), testing::Bool()));
+                         testing::Combine(testing::Values(1u, 2u, 4u), testing::Bool(),
+                                          testing::Bool()));
 
 }  // namespace
 }  // namespace pelt::test
