@@ -9,8 +9,9 @@
 ///      +- cluster           |   +- child        cluster, child     the node of a x that child
 ///            +- child       +- cluster
 ///
-/// The caller pushes the pairs to start with. A tree against itself starts with pairs of different
-/// slots of each node (push_pairs_within).
+/// The caller pushes the pairs to start with. For a tree against itself, `visit_within` visits the
+/// pairs of different slots of one node; all nodes together then cover each pair of different
+/// clusters exactly once.
 ///
 /// `Rule` decides what is pruned and what happens at the leaves:
 ///   bool overlaps(const OpenedNode& a, const OpenedNode& b) const     the whole nodes
@@ -52,6 +53,28 @@ class PairDescent {
     }
   }
 
+  /// Visits the pairs of different slots of one node, and all pairs below them. Preconditions: both
+  /// trees are one, and the stack is empty.
+  void visit_within(std::uint32_t index) {
+    ++work_.node_pairs;
+    const OpenedNode& opened = open_a(index);
+    const Node& node = a_.tree.nodes.data()[index];
+    ClustersNear near;
+    for (SetBits slot(slots_of(node)); slot; ++slot) {
+      const unsigned later = slots_of(node) & ~((2u << *slot) - 1);
+      const unsigned near_slot = later & rule_.slots_near(opened, opened, *slot);
+      if (*slot < node.cluster_count) {
+        if (!test_cluster(node, opened, *slot, node, opened, near_slot, near)) return;
+        continue;
+      }
+      for (SetBits other(near_slot); other; ++other)
+        pairs_.push({child(node, *slot), kAllSlots, child(node, *other), kAllSlots, false,
+                     rule_.depth(opened, *slot, opened)});
+    }
+    push_children(index, opened, node, opened, near);
+    run();
+  }
+
   /// Whether pairs are left that were not visited.
   bool is_unfinished() const { return is_unfinished_ || !pairs_.empty(); }
 
@@ -70,6 +93,37 @@ class PairDescent {
     }
   }
 
+  /// The clusters of a's node that each child of b's node overlaps.
+  struct ClustersNear {
+    unsigned child[kMaxSlots] = {};
+  };
+
+  /// Tests a cluster of a's node against the clusters among the slots `near_b` of b's node, and
+  /// notes the children. Returns false if the rule is full.
+  bool test_cluster(const Node& node_a, const OpenedNode& opened_a, unsigned slot,
+                    const Node& node_b, const OpenedNode& opened_b, unsigned near_b,
+                    ClustersNear& near) {
+    for (SetBits other(near_b & clusters_of(node_b)); other; ++other) {
+      rule_.test({a_, node_a, opened_a, slot}, {b_, node_b, opened_b, *other});
+      if (rule_.is_full()) {
+        is_unfinished_ = true;
+        return false;
+      }
+    }
+    for (SetBits other(near_b & ~clusters_of(node_b)); other; ++other)
+      near.child[*other] |= 1u << slot;
+    return true;
+  }
+
+  /// Pushes each child of b's node with the clusters of a's node that it overlaps.
+  void push_children(std::uint32_t index_a, const OpenedNode& opened_a, const Node& node_b,
+                     const OpenedNode& opened_b, const ClustersNear& near) {
+    for (std::uint32_t slot = node_b.cluster_count; slot < kMaxSlots; ++slot)
+      if (const unsigned slots_a = near.child[slot])
+        pairs_.push({index_a, slots_a, child(node_b, slot), kAllSlots, false,
+                     rule_.depth(opened_b, slot, opened_a)});
+  }
+
   /// Compares the slots of two nodes.
   void compare(const SlotPair& pair) {
     ++work_.node_pairs;
@@ -77,26 +131,18 @@ class PairDescent {
     if (!rule_.overlaps(opened_a, opened_b)) return;
     const Node &node_a = a_.tree.nodes[pair.node_a], &node_b = b_.tree.nodes[pair.node_b];
     const unsigned near_a = pair.slots_a & rule_.slots_near(opened_a, opened_b);
-    unsigned slots_of_child_b[kMaxSlots] = {};  // clusters of a that each child of b overlaps
+    ClustersNear near;
     for (SetBits slot(near_a); slot; ++slot) {
       const unsigned near_b = pair.slots_b & rule_.slots_near(opened_b, opened_a, *slot);
       if (near_b == 0) continue;
       if (*slot >= node_a.cluster_count) {
         pairs_.push({child(node_a, *slot), kAllSlots, pair.node_b, near_b, true,
                      rule_.depth(opened_a, *slot, opened_b)});
-        continue;
+      } else if (!test_cluster(node_a, opened_a, *slot, node_b, opened_b, near_b, near)) {
+        return;
       }
-      for (SetBits other(near_b & clusters_of(node_b)); other; ++other) {
-        rule_.test({a_, node_a, opened_a, *slot}, {b_, node_b, opened_b, *other});
-        if (rule_.is_full()) return void(is_unfinished_ = true);
-      }
-      for (SetBits other(near_b & ~clusters_of(node_b)); other; ++other)
-        slots_of_child_b[*other] |= 1u << *slot;
     }
-    for (std::uint32_t slot = node_b.cluster_count; slot < kMaxSlots; ++slot)
-      if (const unsigned slots_a = slots_of_child_b[slot])
-        pairs_.push({pair.node_a, slots_a, child(node_b, slot), kAllSlots, false,
-                     rule_.depth(opened_b, slot, opened_a)});
+    push_children(pair.node_a, opened_a, node_b, opened_b, near);
   }
 
   /// Pushes a child of a's node with the slots of b's node that its box overlaps. After opening,
@@ -119,15 +165,6 @@ class PairDescent {
   QueryStats& work_;
   bool is_unfinished_ = false;  // a visit ended early
 };
-
-/// Pushes the pairs of a node's slots with its later slots. Used for a tree against itself: all
-/// nodes together then cover each pair of different clusters exactly once.
-inline void push_pairs_within(const PosedTree& posed, std::uint32_t node, Stack<SlotPair>& pairs) {
-  for (SetBits slot(slots_of(posed.tree.nodes.data()[node])); slot; ++slot) {
-    const unsigned later = kAllSlots & ~((2u << *slot) - 1);
-    if (later != 0) pairs.push({node, 1u << *slot, node, later});
-  }
-}
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

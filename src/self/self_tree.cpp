@@ -72,8 +72,7 @@ void test_separate_triangles(const PosedTree& posed, const SelfFilter& filter, S
       const PosedCluster cluster = {posed, node, opened, slot};
       rule.test(cluster, cluster);
     }
-    push_pairs_within(posed, n, scratch.slot_pairs);
-    descent.run();
+    descent.visit_within(n);
     if (rule.is_full()) return;
   }
   rule.flush();

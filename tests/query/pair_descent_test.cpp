@@ -119,10 +119,8 @@ TEST_F(PairDescentTest, VisitsOverlappingClustersOfOneTreeOnce) {
           expected.emplace_back(index_of(clusters[i]), index_of(clusters[j]));
     VisitClusters rule;
     PairDescent descent(a, a, pairs_, rule, work_);
-    for (std::uint32_t node = 0; node < a.tree.nodes.size(); ++node) {
-      push_pairs_within(a, node, pairs_);
-      descent.run();
-    }
+    make_table(a);
+    for (std::uint32_t node = 0; node < a.tree.nodes.size(); ++node) descent.visit_within(node);
     EXPECT_EQ(sorted(rule.pairs, true), sorted(expected, true));
     visited += expected.size();
     all += clusters.size() * (clusters.size() - 1) / 2;
@@ -139,8 +137,7 @@ TEST_F(PairDescentTest, EndsWhenTheRuleIsFull) {
   VisitClusters rule;
   rule.limit = 3;
   PairDescent descent(a, a, pairs_, rule, work_);
-  push_pairs_within(a, 0, pairs_);
-  descent.run();
+  descent.visit_within(0);
   EXPECT_EQ(rule.pairs.size(), 3u);
   EXPECT_TRUE(descent.is_unfinished());
 }
