@@ -21,7 +21,8 @@ Box8 intersection(const PosedCluster& a, const PosedCluster& b) {
 }
 
 /// Returns the candidates whose boxes overlap `box`, one bit per candidate.
-unsigned overlapping(unsigned candidates, const TriangleBoxes& boxes, const Box8& box) {
+[[gnu::always_inline]] inline unsigned overlapping(unsigned candidates, const TriangleBoxes& boxes,
+                                                   const Box8& box) {
   return candidates & (overlapping(boxes.low, boxes.high, 0, box) |
                        overlapping(boxes.low, boxes.high, 8, box) << 8);
 }
@@ -63,10 +64,16 @@ void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b,
   const Box8 both = intersection(a, b);
   const unsigned near_b = triangles_in(b.cluster(), boxes_b, both);
   if (near_b == 0) return;
+  const unsigned near_a = triangles_in(a.cluster(), boxes_a, both);
+  unsigned found[kMaxClusterTriangles], any = 0;
+  for (SetBits row(near_a); row; ++row) {
+    const unsigned lanes = near_b & ~unsigned{skipped[*row]};
+    found[*row] = overlapping(lanes, boxes_b, lane_box(boxes_a.low, boxes_a.high, *row));
+    any |= found[*row];
+  }
+  if (any == 0) return;  // most neighbours
   RowLanes pairs;
-  for (SetBits row(triangles_in(a.cluster(), boxes_a, both)); row; ++row)
-    if (const unsigned lanes = near_b & ~unsigned{skipped[*row]})
-      pairs.add(*row, overlapping(lanes, boxes_b, lane_box(boxes_a.low, boxes_a.high, *row)));
+  for (SetBits row(near_a); row; ++row) pairs.add(*row, found[*row]);
   keep(pairs, a, a_, b, b_);
   test_full_batches();
 }

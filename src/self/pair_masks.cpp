@@ -124,6 +124,8 @@ PairMasks::PairMasks(const Tree& tree, const Fans& fans) {
     masks.back().set(pair.row(), pair.lane());
   }
   for (std::size_t c = 0; c < tree.clusters.size(); ++c) begin[c + 1] += begin[c];
+  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n)
+    cluster_nodes.insert(cluster_nodes.end(), tree.nodes[n].cluster_count, n);
   partners.shrink_to_fit();
   masks.shrink_to_fit();
 }

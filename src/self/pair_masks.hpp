@@ -29,6 +29,7 @@ struct PairMasks {
   std::vector<std::uint32_t> begin;  // [C + 1] into partners and masks
   std::vector<std::uint32_t> partners;
   std::vector<PairMask> masks;
+  std::vector<std::uint32_t> cluster_nodes;  // [C] node of each cluster
 
   /// A hub is a surface vertex with so many triangles that the masks of their clusters would need
   /// too much memory. `masks` does not cover pairs that share only hubs.
@@ -38,8 +39,7 @@ struct PairMasks {
   void write_mask(const Tree& tree, const Fans& fans, std::uint32_t low, std::uint32_t high,
                   PairMask& mask) const;
 
-  /// Returns the mask of two clusters, or null if they share no surface vertex that is not a hub.
-  /// Precondition: low <= high.
+  /// Returns the mask of two clusters, or null if there is none. Precondition: low <= high.
   const PairMask* find(std::uint32_t low, std::uint32_t high) const {
     for (std::uint32_t i = begin.data()[low]; i < begin.data()[low + 1]; ++i)
       if (partners.data()[i] == high) return &masks.data()[i];

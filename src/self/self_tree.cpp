@@ -28,11 +28,35 @@ class SeparateTriangles : public BoxOverlap {
   bool is_full() const { return answer_.is_full(); }
   bool is_impatient() const { return answer_.is_impatient(); }
 
+  /// Clusters with a mask are left to `test_neighbours`.
   void test(const PosedCluster& a, const PosedCluster& b) {
     const std::uint32_t in_a = a.node.first_cluster + a.slot, in_b = b.node.first_cluster + b.slot;
-    in_a <= in_b ? add(a, in_a, b, in_b) : add(b, in_b, a, in_a);
-    if (is_impatient()) triangles_.flush();
-    answer_.settle();
+    const auto [low, high] = in_a < in_b ? std::pair(in_a, in_b) : std::pair(in_b, in_a);
+    const PairMasks& masks = filter_.masks;
+    if (masks.find(low, high)) return;
+    if (masks.has_hub.data()[low] & masks.has_hub.data()[high])
+      in_a < in_b ? test_hubs(a, low, b, high) : test_hubs(b, low, a, high);
+    else
+      triangles_.add(a, b);
+    settle();
+  }
+
+  /// Tests a cluster against itself and against the neighbours with higher numbers.
+  void test_neighbours(const PosedTree& posed, const PosedCluster& cluster) {
+    const PairMasks& masks = filter_.masks;
+    const std::uint32_t low = cluster.node.first_cluster + cluster.slot;
+    const std::uint32_t end = masks.begin.data()[low + 1];
+    for (std::uint32_t i = masks.begin.data()[low]; i < end && !is_full(); ++i) {
+      const std::uint32_t high = masks.partners.data()[i];
+      const std::uint32_t n = masks.cluster_nodes.data()[high];
+      const Node& node = posed.tree.nodes.data()[n];
+      const PosedCluster other = {posed, node, *posed.opened[n], high - node.first_cluster};
+      if (masks.has_hub.data()[low] & masks.has_hub.data()[high])
+        test_hubs(cluster, low, other, high);
+      else
+        triangles_.add(cluster, other, masks.masks.data()[i].rows);
+      settle();
+    }
   }
 
   void flush() {
@@ -41,17 +65,16 @@ class SeparateTriangles : public BoxOverlap {
   }
 
  private:
-  void add(const PosedCluster& a, std::uint32_t low, const PosedCluster& b, std::uint32_t high) {
-    const PairMasks& masks = filter_.masks;
-    if (masks.has_hub.data()[low] & masks.has_hub.data()[high]) {
-      PairMask mask;
-      masks.write_mask(filter_.tree(), filter_.fans, low, high, mask);
-      triangles_.add(a, b, mask.rows);
-    } else if (const PairMask* mask = masks.find(low, high)) {
-      triangles_.add(a, b, mask->rows);
-    } else {
-      triangles_.add(a, b);
-    }
+  void settle() {
+    if (is_impatient()) triangles_.flush();
+    answer_.settle();
+  }
+
+  void test_hubs(const PosedCluster& a, std::uint32_t low, const PosedCluster& b,
+                 std::uint32_t high) {
+    PairMask mask;
+    filter_.masks.write_mask(filter_.tree(), filter_.fans, low, high, mask);
+    triangles_.add(a, b, mask.rows);
   }
 
   const SelfFilter& filter_;
@@ -59,23 +82,21 @@ class SeparateTriangles : public BoxOverlap {
   TrianglePairs triangles_;
 };
 
-/// Finds the pairs that share no surface vertex, until the answer is full.
+/// Finds the pairs that share no surface vertex, until the answer is full. Distant pairs come
+/// first, because neighbours rarely intersect.
 void test_separate_triangles(const PosedTree& posed, const SelfFilter& filter, Scratch& scratch,
                              SelfAnswer& answer, QueryStats& work) {
   SeparateTriangles rule(filter, answer, work);
   scratch.slot_pairs.clear();
   PairDescent descent(posed, posed, scratch.slot_pairs, rule, work);
-  for (std::uint32_t n = 0; n < posed.tree.nodes.size(); ++n) {
+  const std::size_t node_count = posed.tree.nodes.size();
+  for (std::uint32_t n = 0; n < node_count && !rule.is_full(); ++n) descent.visit_within(n);
+  for (std::uint32_t n = 0; n < node_count && !rule.is_full(); ++n) {
     const Node& node = posed.tree.nodes.data()[n];
-    const OpenedNode& opened = *posed.opened[n];
-    for (std::uint32_t slot = 0; slot < node.cluster_count; ++slot) {
-      const PosedCluster cluster = {posed, node, opened, slot};
-      rule.test(cluster, cluster);
-    }
-    descent.visit_within(n);
-    if (rule.is_full()) return;
+    for (std::uint32_t slot = 0; slot < node.cluster_count; ++slot)
+      rule.test_neighbours(posed, {posed, node, *posed.opened[n], slot});
   }
-  rule.flush();
+  if (!rule.is_full()) rule.flush();
 }
 
 /// Copies the posed vertices of all pools to one array, by place.
