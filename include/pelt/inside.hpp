@@ -57,6 +57,11 @@ struct Penetration {
 /// triangles of `a` are small. The depth is not the distance by which the bodies must be moved to
 /// separate them.
 ///
+/// A pose has no deepest vertex in itself: all its vertices lie on its surface, at depth 0. Where a
+/// closed surface overlaps itself, the winding number is 2 instead of 1, and both are inside. For
+/// one closed part of a character in another, build a model of each part. For single triangles, see
+/// `ContactTrace::depth`.
+///
 /// Preconditions (otherwise the program aborts, in every build):
 /// `a`, `b`: different poses.
 /// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`; `surface_b` is closed.

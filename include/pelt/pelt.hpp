@@ -23,6 +23,7 @@
 /// Queries are declared in these headers:
 ///
 ///     one or two poses              bounds, collide, contact, distance, inside
+///     a pose and itself             self_collide, contact
 ///     a pose and a point            distance, inside
 ///     a pose and a direction        farthest
 ///     a pose and a ray              ray

@@ -24,6 +24,10 @@ bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
                                     pelt::Scratch& scratch);
 double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch& scratch);
+pelt::Result<pelt::SelfFilter> only_new(pelt::Pose& rest, pelt::Scratch& scratch);
+std::vector<pelt::ContactPatch> cuts(pelt::Pose& pose, const pelt::SelfFilter& filter,
+                                     const pelt::Surface& surface, pelt::Scratch& scratch,
+                                     pelt::LeftOut& left_out);
 
 namespace pelt::test {
 namespace {
@@ -89,6 +93,37 @@ TEST_F(QueryExamples, Contact) {
   const auto patches = pushes(pose_, surface, other, surface_of_other, scratch_);
   ASSERT_FALSE(patches.empty());
   EXPECT_GT(patches[0].depth, 0);
+}
+
+TEST_F(QueryExamples, SelfCollide) {
+  // Two limbs in one mesh, which intersect at the lower ends at rest.
+  Shape shape = make_limb(16, 12, 1);
+  const auto first = static_cast<std::uint32_t>(shape.rest_positions.size());
+  const std::vector<Triangle> triangles = shape.triangles;
+  for (std::uint32_t v = 0; v < first; ++v) {
+    const Vec3 at = shape.rest_positions[v];
+    shape.rest_positions.push_back({at.x + 0.06f + 0.5f * at.y, at.y, at.z + 0.01f});
+  }
+  for (const Triangle& t : triangles)
+    shape.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  shape.joint_count = 2;
+  shape.joints.resize(2 * shape.joints.size(), 1);
+  shape.weights.insert(shape.weights.end(), shape.weights.begin(), shape.weights.end());
+
+  Pose pose(*build_model(shape.view()));
+  const Surface surface(pose.model());
+  const Result<SelfFilter> filter = only_new(pose, scratch_);
+  ASSERT_TRUE(filter);
+  LeftOut left_out;
+  EXPECT_TRUE(cuts(pose, *filter, surface, scratch_, left_out).empty());
+  EXPECT_GT(left_out.at_rest, 10u);
+  std::vector<Matrix4> palette(2);
+  palette[1].m[12] = -0.25f;  // moves the second limb into the first
+  ASSERT_TRUE(pose.set_palette(palette));
+  const auto patches = cuts(pose, *filter, surface, scratch_, left_out);
+  ASSERT_FALSE(patches.empty());
+  EXPECT_EQ(patches[0].joint_a, 0);
+  EXPECT_EQ(patches[0].joint_b, 1);
 }
 
 TEST_F(QueryExamples, Inside) {
