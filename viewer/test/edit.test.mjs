@@ -205,6 +205,18 @@ test('a click on the bar of a frame goes to this frame', async () => {
   }
 });
 
+test('characters that never touch can be put in the same place', async () => {
+  await page.keyboard.press('0');
+  await field('x').fill('9');
+  await page.locator('.nothing').filter({ hasText: 'Nothing touches in any frame.' }).waitFor();
+  assert.ok(await button('Next contact').isDisabled());
+  assert.match(await page.locator('.facts').innerText(), /0 contacts in 0 of 40 frames/);
+  await button('Put all in the same place').click();
+  await page.waitForSelector('[data-fact=total]:not(:text-is("0"))');
+  assert.equal(await arrangement(), 'together');
+  assert.ok(await button('Next contact').isEnabled());
+});
+
 test('the play button stays visible under the mouse', async () => {
   await button('Play').hover();
   await page.waitForTimeout(200);

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import * as browsing from './browser.mjs';
 import { check, checkFiles } from './command.mjs';
-import { character, compressed, inTwoFiles, inTwoParts } from './models.mjs';
+import { character, compressed, inTwoFiles, inTwoParts, withLightWeights } from './models.mjs';
 
 const { answered, counted, dropFiles, fact, goToFrame, number, pixels, savedScene } = browsing;
 const built = path.resolve(process.env.PELT_PAGE ?? 'dist/index.html');
@@ -54,7 +54,7 @@ test('two that are dropped walk in, and the page says what it has chosen', async
     { name: 'coat.glb', bytes: coat },
   ]);
   assert.equal(await rashWords(), 0, 'said before it was known');
-  assert.match(await page.locator('.note').innerText(), /Clips chosen by the page: “walk”/);
+  assert.match(await page.locator('.note').last().innerText(), /Clips chosen by the page: “walk”/);
   assert.equal(await page.getByLabel('arrangement').inputValue(), 'walking');
   const scene = await savedScene(page);
   assert.ok(scene.instances.every(({ velocity }) => Math.hypot(...velocity) > 0.1));
@@ -147,8 +147,8 @@ describe('what plays, and where', () => {
 describe('what touches', () => {
   test('is listed in full, and leads to its worst frame and its triangles', async () => {
     const rows = page.locator('.touch');
-    await page.locator('.touches .more').click();
-    const sum = (await rows.locator('output').allInnerTexts())
+    await page.locator('.touches > li > .more').click();
+    const sum = (await rows.locator('.count').allInnerTexts())
       .map(asNumber)
       .reduce((a, b) => a + b);
     assert.equal(sum, await number(page, 'total'));
@@ -161,6 +161,8 @@ describe('what touches', () => {
     await page.keyboard.press('Enter');
     await answered(page, frame);
     assert.equal(await number(page, 'frame'), Number(frame));
+    const more = page.locator('.details .more');
+    if (await more.count()) await more.click();
     const triangles = await page.locator('.triangles').innerText();
     assert.equal(triangles.match(/×/g).length, Number(contacts));
     await page.waitForTimeout(600); // until the camera has arrived
@@ -192,6 +194,20 @@ test('files of several parts, in several files and compressed are what the comma
   const touches = (await page.locator('.touches').innerText()).split('\n');
   assert.ok(touches.some((text) => text.includes('cloth')));
   assert.ok(touches.some((text) => text.includes('skin')));
+});
+
+test('weights that do not sum to 1 are divided by their sums on request', async (t) => {
+  const light = withLightWeights(Buffer.from(body));
+  await dropFiles(page, [{ name: 'light.glb', bytes: light }]);
+  const problem = page.locator('.problem');
+  assert.match(await problem.innerText(), /light\.glb[^]*sum to 0\.9, expected 1/);
+  await problem.getByRole('button', { name: 'Read again, with weights divided' }).click();
+  await page.waitForSelector('.subject:has-text("light.glb"):not(:has-text("reading"))');
+  await counted(page);
+  assert.equal(await problem.count(), 0);
+  assert.match(await page.locator('.same code').innerText(), /--renormalise$/);
+  const scene = await savedScene(page);
+  await agreesWith(check(t, scene, { 'light.glb': light }, ['--renormalise']));
 });
 
 test('a scene finds the files that it names in folders', async (t) => {

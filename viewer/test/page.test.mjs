@@ -6,6 +6,7 @@ import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import * as browsing from './browser.mjs';
 import { check, posedWalker } from './command.mjs';
+import { announcements } from './reading.mjs';
 
 const {
   answered,
@@ -58,9 +59,24 @@ describe('the page from disk', () => {
     await page.waitForFunction((frame) => {
       return Number(document.querySelector('[data-fact=frame]').textContent) !== frame;
     }, first);
+    assert.equal(await announcements(page), 0, 'screen readers are not flooded');
     await page.keyboard.press('Space');
     await page.waitForSelector('[aria-label=Play]');
+    await page
+      .locator('[role=status]')
+      .filter({ hasText: /^frame \d+: [\d,]+ contacts?$/ })
+      .waitFor();
     assert.equal(await page.locator('.card').count(), 2);
+  });
+
+  test('says what is looked at, in regions with plain names', async () => {
+    assert.match(
+      await page.locator('.lead').innerText(),
+      /^Orange marks every triangle of one character that [^.]*180 frames of two generated/,
+    );
+    for (const name of ['Characters', 'Work', 'Contacts']) {
+      assert.equal(await page.getByRole('region', { name, exact: true }).count(), 1, name);
+    }
   });
 
   test('finds the contacts that the command finds', async (t) => {
@@ -86,6 +102,7 @@ describe('the page from disk', () => {
 
   test("tells the work, which is the command's, and less than refitting all", async (t) => {
     await goToFrame(page, TOGETHER);
+    await page.getByRole('button', { name: 'Work', exact: true }).click();
     const { counters } = check(t, await savedScene(page), {}, [
       '--frames',
       `${TOGETHER}:${TOGETHER + 1}`,
@@ -100,11 +117,14 @@ describe('the page from disk', () => {
     }
     assert.ok((await number(page, 'all-tests')) > 0);
     assert.ok((await number(page, 'microseconds')) > 0);
+    assert.match(await page.locator('h2:has(#work)').innerText(), /faster|slower|as fast/);
+    await page.getByRole('button', { name: 'Work', exact: true }).click();
+    await page.locator('.work').waitFor({ state: 'detached' });
   });
 
   test('lists the joints that touch', async () => {
     await goToFrame(page, TOGETHER);
-    const counts = await page.locator('.touches output').allInnerTexts();
+    const counts = await page.locator('.touches .count').allInnerTexts();
     assert.ok(counts.length > 1);
     assert.ok(counts.every((count) => Number(count) > 0));
   });

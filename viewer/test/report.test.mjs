@@ -6,6 +6,7 @@ import { existsSync, mkdirSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import * as browsing from './browser.mjs';
+import { poorContrasts, smallTargets } from './reading.mjs';
 import { SCENE, STONES, Workshop } from './reports.mjs';
 
 const { counted, dropFiles, fact, goToFrame, number, pixels, savedScene } = browsing;
@@ -61,11 +62,58 @@ test('a report of parts shows what is ignored, and what is worse than in a basel
   );
   const [{ worst, known }] = worse.filter((touch) => touch.known > 0);
   assert.equal(ofRows[fresh], `grown ${worst.contacts} in frame ${worst.frame}, was ${known}`);
+  await filters(page, answer);
+  await page.locator('.card .title').first().click();
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    await page.waitForTimeout(200); // until colours have changed
+    assert.deepEqual(await poorContrasts(page), [], colorScheme);
+  }
+  assert.deepEqual(await smallTargets(page), []);
+  assert.equal(await alignedSwitches(page), 1, 'the switches stand in one line');
   const { ignore: saved, models } = await savedScene(page);
   assert.deepEqual(saved, IGNORE);
   assert.deepEqual(models, { cairn: 'models/cairn.gltf' });
   assert.deepEqual(page.complaints, []);
 });
+
+/** The list can be restricted to what is new, grown, known or gone, and searched. */
+async function filters(page, { verdict: { worse, gone }, touches }) {
+  const rows = page.locator('.touches .touch');
+  const choose = (name) => page.getByRole('button', { name: new RegExp(`^\\d+ ${name}$`) }).click();
+  await choose('grown');
+  assert.equal(await rows.count(), worse.filter(({ known }) => known > 0).length);
+  await choose('known');
+  assert.equal(await rows.count(), touches.length - worse.length);
+  await choose('gone');
+  assert.equal(await page.locator('.gone li').count(), gone.length);
+  assert.ok(gone.length > 0, 'a baseline worth testing');
+  await choose('gone');
+  const search = page.getByRole('searchbox', { name: 'Search contacts' });
+  await search.fill('top 1');
+  const places = ({ a, b }) =>
+    [a, b].map(({ instance, part, joint }) => `${instance}${part}${joint}`);
+  const wanted = touches
+    .map((touch) => places(touch).join())
+    .filter((text) => {
+      return text.includes('top') && text.includes('1');
+    });
+  assert.ok(wanted.length > 0 && wanted.length < touches.length, 'a search worth testing');
+  assert.equal(await rows.count(), wanted.length);
+  await search.fill('no such joint');
+  await page.locator('.nothing').filter({ hasText: 'No contact matches' }).waitFor();
+  await search.fill('');
+  await says(page, 'compared with known.jsonl');
+}
+
+/** Number of lines that the switches of the query take. */
+async function alignedSwitches(page) {
+  const boxes = await Promise.all(
+    (await page.locator('.switches .switch').all()).map((one) => one.boundingBox()),
+  );
+  assert.equal(boxes.length, 2);
+  return new Set(boxes.map(({ y }) => y)).size;
+}
 
 test('a report of some frames counts and marks just these', async (t) => {
   const shop = new Workshop(t);
@@ -122,7 +170,6 @@ test('a report plays, glows, tells the work and takes other files', async (t) =>
   }, first);
   await goToFrame(page, 45);
   assert.ok((await pixels(page)).count > 100);
-  assert.ok((await number(page, 'tests')) > 0);
   for (const still of await page.locator('.stills img').all()) {
     assert.ok((await pixels(page, browsing.GLOWING, still)).count > 20, 'a still of contacts');
   }
@@ -156,14 +203,39 @@ test('a report of models and one frame has their names, and nothing to play', as
 });
 
 test('a report tells which of many instances touch', async (t) => {
-  const far = { model: 'cairn', clip: 'roll', translation: [9, 0, 0] };
-  const shop = new Workshop(t, { ...SCENE, instances: [...SCENE.instances, far] });
+  const far = SCENE.instances.map(({ translation: [x, ...rest] = [0, 0, 0], ...instance }) => {
+    return { ...instance, translation: [x + 9, ...rest] };
+  });
+  const alone = { model: 'cairn', clip: 'roll', translation: [0, 0, 9] };
+  const shop = new Workshop(t, { ...SCENE, instances: [...SCENE.instances, ...far, alone] });
   const { contacts } = shop.check().totals;
   const page = await open(t, browsing.urlOf(shop.at('report.html')));
-  const rows = await page.locator('.pairs tr').allInnerTexts();
-  const numbers = contacts.toLocaleString('en');
-  assert.equal(rows.length, 1);
-  assert.match(rows[0], new RegExp(`0\\s*cairn\\s+1\\s*cairn\\s+${numbers}`));
+  const rows = await page.locator('.pairs li').allInnerTexts();
+  assert.equal(rows.length, 2);
+  const counts = rows.map((row) => Number(row.split(/\s+/).at(-1)));
+  assert.equal(counts[0] + counts[1], contacts);
+  assert.ok(rows.some((row) => /^0\s*cairn\s+1\s*cairn\s/.test(row)));
+  const touching = page.locator('.touches .touch');
+  const all = await touching.count();
+  await page.getByRole('button', { name: /^2\s*cairn\s*3/ }).click();
+  assert.ok((await touching.count()) < all);
+  assert.match(await touching.first().innerText(), /^2/);
+  await page.getByRole('button', { name: /^only 2 and 3/ }).click();
+  assert.equal(await touching.count(), all);
+  assert.equal(await page.locator('.card').count(), 0, 'many cards are folded');
+  await page.getByRole('button', { name: '5 characters' }).click();
+  assert.equal(await page.locator('.card').count(), 5);
+});
+
+test('a report tells which bodies are inside others', async (t) => {
+  const small = { model: 'cairn', scale: 0.1, translation: [0.1, 0.1, 0.1] };
+  const shop = new Workshop(t, { ...SCENE, instances: [{ model: 'cairn' }, small] });
+  const { held } = shop.check('--inside');
+  assert.equal(held.length, 1);
+  const page = await open(t, browsing.urlOf(shop.at('report.html')));
+  await says(page, '1 cairn is wholly inside 0 cairn in 12 frames, first in frame 0');
+  await page.locator('.nothing').filter({ hasText: 'Nothing touches in any frame.' }).waitFor();
+  assert.ok(await page.getByRole('button', { name: 'Next contact' }).isDisabled());
 });
 
 test('a report says where the page finds something else', async (t) => {

@@ -200,6 +200,20 @@ describe('what the page has chosen', () => {
   });
 });
 
+describe('characters of very different sizes', () => {
+  test('are named, as long as they are so', async () => {
+    const { arrange } = await load('scene/arrange.ts');
+    const { notesOn } = await load('scene/notes.ts');
+    const small = { low: [-0.04, 0, -0.01], high: [0.04, 0.09, 0.01] };
+    const cast = [character('dragon', 1), { ...character('fly', 1), extent: small }];
+    const scene = arrange(cast, 'walking');
+    const [note] = notesOn(scene, cast);
+    assert.match(note, /^dragon is 20 times as large as fly: change “scale”/);
+    scene.instances[1].scale = 10;
+    assert.ok(!notesOn(scene, cast).some((text) => text.includes('times as large')));
+  });
+});
+
 describe('the command with the same numbers', () => {
   const nothing = { by: 'instance', firstContact: false, readingOptions: {} };
 

@@ -287,7 +287,14 @@ describe('costs', () => {
   async function meterOf(state, reply) {
     const { Meter } = await load('flow/meter.ts');
     const { Store } = await load('state/store.ts');
-    const store = new Store({ scene, answer: null, costs: null, reading: null, ...state });
+    const store = new Store({
+      scene,
+      answer: null,
+      costs: null,
+      reading: null,
+      isWorkOpen: true,
+      ...state,
+    });
     const asked = [];
     const ask = async (_, { id, shot: wanted }) => {
       asked.push({ id, frame: wanted.frame });
@@ -325,7 +332,7 @@ describe('costs', () => {
     await passing(700);
     assert.equal(store.state.costs.onDemand.microseconds, 100);
     assert.equal(store.state.costs.eager.microseconds, 200);
-    assert.equal(store.state.costs.ratio, 2);
+    assert.equal(store.state.costs.frames, 1);
   });
 
   test('are told by a mean while the scene plays, as single ones leap', async () => {
@@ -336,10 +343,34 @@ describe('costs', () => {
     });
     store.update(() => ({ answer: answer(0) }));
     await passing(50);
-    assert.equal(store.state.costs.ratio, 2);
+    assert.equal(store.state.costs.eager.microseconds, 200);
     store.update(() => ({ answer: answer(1) }));
     await passing(700);
-    assert.ok(store.state.costs.ratio > 2 && store.state.costs.ratio < 4);
+    const { onDemand, eager, frames } = store.state.costs;
+    assert.deepEqual([onDemand.microseconds, frames], [100, 2]);
+    assert.ok(eager.microseconds > 200 && eager.microseconds < 1000);
+  });
+
+  test('are compared in words that say something', async () => {
+    const { ratioInWords } = await load('panels/work_panel.tsx');
+    assert.deepEqual([5.04, 1.02, 0.98, 0.5, 15.7].map(ratioInWords), [
+      '5.0× faster',
+      'as fast',
+      'as fast',
+      '2.0× slower',
+      '16× faster',
+    ]);
+  });
+
+  test('are not measured while the numbers are folded', async () => {
+    const { store, asked } = await meterOf({ isPlaying: false, isWorkOpen: false }, () => costs(9));
+    store.update(() => ({ answer: answer(0) }));
+    await passing(20);
+    assert.equal(asked.length, 0);
+    store.update(() => ({ isWorkOpen: true }));
+    await passing(20);
+    assert.equal(asked.length, 1);
+    store.update(() => ({ reading: 'the end of the test' }));
   });
 
   test('of very many vertices are not measured while the scene plays', async () => {

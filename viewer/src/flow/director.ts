@@ -23,7 +23,8 @@ export class Director {
     private readonly asker: Asker,
   ) {
     store.listen((state, before) => {
-      if (state.answer !== before.answer) this.spares = sparesOf(before.answer);
+      // Without an answer, the picture is still that of the answer before.
+      if (state.answer && state.answer !== before.answer) this.spares = sparesOf(before.answer);
       if (sweepsDiffer(state, before)) this.sweepSoon();
       void this.pose();
     });

@@ -28,7 +28,8 @@ export class Meter {
     private readonly asker: Asker,
   ) {
     store.listen((state, before) => {
-      if (state.answer !== before.answer) void this.measure();
+      const wasFolded = state.isWorkOpen && !before.isWorkOpen;
+      if (state.answer !== before.answer || wasFolded) void this.measure();
     });
   }
 
@@ -45,8 +46,8 @@ export class Meter {
   }
 
   private wanted(): Shot | null {
-    const { answer, costs, isPlaying, reading, scene } = this.store.state;
-    if (!answer || reading || answer.shot.scene !== scene) return null;
+    const { answer, costs, isPlaying, isWorkOpen, reading, scene } = this.store.state;
+    if (!isWorkOpen || !answer || reading || answer.shot.scene !== scene) return null;
     if (answer.work.allVertices > MOST_VERTICES[isPlaying ? 'playing' : 'still']) return null;
     const isMeasured = costs !== null && isSameQuery(costs.shot, answer.shot);
     if (!isMeasured) this.rounds = 0;
@@ -67,25 +68,30 @@ export class Meter {
 }
 
 function better({ costs: before, isPlaying }: State, costs: Costs, shot: Shot): MeasuredShot {
-  if (!before || !isSameQuery(before.shot, shot)) {
-    const ratio = ratioOf(costs);
-    const goesOn = isPlaying && before?.shot.scene === shot.scene;
+  if (before && isSameQuery(before.shot, shot)) {
+    const least = (a: Cost, b: Cost) => (a.microseconds < b.microseconds ? a : b);
     return {
       ...costs,
       shot,
-      ratio: goesOn ? before.ratio ** MEMORY * ratio ** (1 - MEMORY) : ratio,
+      frames: before.frames,
+      onDemand: least(before.onDemand, costs.onDemand),
+      eager: least(before.eager, costs.eager),
     };
   }
-  const least = (a: Cost, b: Cost) => (a.microseconds < b.microseconds ? a : b);
-  const both = {
-    onDemand: least(before.onDemand, costs.onDemand),
-    eager: least(before.eager, costs.eager),
+  if (!before || !isPlaying || before.shot.scene !== shot.scene)
+    return { ...costs, shot, frames: 1 };
+  return {
+    ...costs,
+    shot,
+    frames: before.frames + 1,
+    onDemand: mean(before.onDemand, costs.onDemand),
+    eager: mean(before.eager, costs.eager),
   };
-  return { ...costs, ...both, shot, ratio: ratioOf(both) };
 }
 
-function ratioOf({ onDemand, eager }: Pick<Costs, 'onDemand' | 'eager'>): number {
-  return eager.microseconds / onDemand.microseconds;
+/** Later frames weigh more. */
+function mean(before: Cost, { microseconds, ...cost }: Cost): Cost {
+  return { ...cost, microseconds: MEMORY * before.microseconds + (1 - MEMORY) * microseconds };
 }
 
 function pause(milliseconds: number): Promise<void> {

@@ -3,9 +3,15 @@
 import { originalPath, stopsAtFirst, type Report } from '../report/report';
 import { framesToCheck, worstFrame } from '../report/verdict';
 import * as changes from '../state/changes';
-import type { State } from '../state/state';
+import type { Problem, State } from '../state/state';
 import type { Store } from '../state/store';
-import { isCharacter, type NamedFile, type Opened, type ReadCharacters } from '../worker/protocol';
+import {
+  isCharacter,
+  type NamedFile,
+  type Opened,
+  type ReadCharacters,
+  type ReadingOptions,
+} from '../worker/protocol';
 import type { Client } from './client';
 import type { DroppedFile } from './drops';
 
@@ -14,6 +20,8 @@ const FIRST_FRAME_OF_DEMO = 76;
 
 export class Opener {
   private opening = Promise.resolve();
+  /** The files on the stage, if they were dropped. */
+  private dropped: readonly DroppedFile[] = [];
 
   constructor(
     private readonly store: Store<State>,
@@ -22,7 +30,8 @@ export class Opener {
 
   openDemo(): void {
     const ask = () => this.client.ask('openDemo', {});
-    this.open('the generated characters', ask, { frame: FIRST_FRAME_OF_DEMO });
+    const begin = { frame: FIRST_FRAME_OF_DEMO };
+    this.read('the generated characters', async () => changes.open(await ask(), begin));
   }
 
   /** Opens a report, paused at its worst frame if it has contacts. */
@@ -51,23 +60,42 @@ export class Opener {
   }
 
   /** Characters, or a scene with its characters; on the stage they replace all others. */
-  openFiles(files: readonly DroppedFile[]): void {
-    this.open(namesOf(files), async () => this.ask(await Promise.all(files.map(readFile))));
+  openFiles(files: readonly DroppedFile[], options: ReadingOptions = {}): void {
+    const remedy = renormalising(() => this.openFiles(files, { ...options, renormalise: true }));
+    this.read(
+      namesOf(files),
+      async () => {
+        const opened = await this.ask(await Promise.all(files.map(readFile)), options);
+        this.dropped = files;
+        return changes.open(opened, { readingOptions: options });
+      },
+      remedy,
+    );
   }
 
   /** Characters beside those on the stage. */
   addFiles(files: readonly DroppedFile[]): void {
-    this.read(namesOf(files), async () => changes.add(await this.askToAdd(files)));
+    const options = { ...this.store.state.readingOptions, renormalise: true };
+    const remedy = renormalising(() => this.openFiles([...this.dropped, ...files], options));
+    this.read(
+      namesOf(files),
+      async () => {
+        const added = await this.askToAdd(files);
+        this.dropped = [...this.dropped, ...files];
+        return changes.add(added);
+      },
+      remedy,
+    );
   }
 
-  private ask(files: NamedFile[]): Promise<Opened> {
+  private ask(files: NamedFile[], options: ReadingOptions): Promise<Opened> {
     const scenes = files.filter(isScene);
     if (scenes.length > 1) {
       throw new Error(`There are several scenes: drop only one of ${pathsOf(scenes)}.`);
     }
     const [scene] = scenes;
-    if (scene) return this.client.ask('openScene', { path: scene.path, files, options: {} });
-    if (files.some(isCharacter)) return this.client.ask('readCharacters', { files });
+    if (scene) return this.client.ask('openScene', { path: scene.path, files, options });
+    if (files.some(isCharacter)) return this.client.ask('readCharacters', { files, options });
     throw new Error('There is no character: drop .glb files, or a scene.json with its files.');
   }
 
@@ -82,26 +110,31 @@ export class Opener {
     return this.client.ask('addCharacters', { files, options });
   }
 
-  private open(
-    what: string,
-    ask: () => Promise<Opened>,
-    beginning: Partial<changes.Beginning> = {},
-  ): void {
-    this.read(what, async () => changes.open(await ask(), beginning));
-  }
-
   /** Reads one selection after the other. The scene is unchanged until everything is read. */
-  private read(what: string, ask: () => Promise<changes.Change>): void {
+  private read(
+    what: string,
+    ask: () => Promise<changes.Change>,
+    remedyFor: (message: string) => Problem['remedy'] = () => undefined,
+  ): void {
     this.opening = this.opening.then(async () => {
       this.store.update(() => ({ reading: what }));
       try {
         this.store.update(await ask());
+        this.store.update(changes.offerRemedies(remedyFor));
       } catch (error) {
         this.store.update(() => ({ reading: null }));
-        this.store.update(changes.refuse(`${what} could not be opened`, (error as Error).message));
+        const { message } = error as Error;
+        const title = `${what} could not be opened`;
+        this.store.update(changes.refuse(title, message, remedyFor(message)));
       }
     });
   }
+}
+
+/** Weights that do not sum to 1 can be divided by their sums. */
+function renormalising(act: () => void): (message: string) => Problem['remedy'] {
+  const label = 'Read again, with weights divided by their sums';
+  return (message) => (message.includes('renormalise: true') ? { label, act } : undefined);
 }
 
 async function readFile({ path, file }: DroppedFile): Promise<NamedFile> {

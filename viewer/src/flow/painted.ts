@@ -4,7 +4,7 @@
 export const HEAD = 'head';
 
 /** Browsers do not tell of every paint, for example in a hidden tab. */
-const LONGEST_MILLISECONDS = 1000;
+const LONGEST_MILLISECONDS = 5000;
 
 /** Resolves once the head of the page has been painted. */
 export function painted(): Promise<void> {

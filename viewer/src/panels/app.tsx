@@ -6,6 +6,7 @@ import { Header } from './header';
 import { Help } from './help';
 import { Hover } from './hover';
 import type { PanelProps } from './panel_props';
+import { Lead } from './lead';
 import { PictureBar } from './picture_bar';
 import { Problems } from './problems';
 import { ReportPanel } from './report_panel';
@@ -16,6 +17,7 @@ import { WorkPanel } from './work_panel';
 /** Each panel rerenders by itself; see `watch`. */
 const panels = {
   Header: watch(Header),
+  Lead: watch(Lead),
   Report: watch(ReportPanel),
   Characters: watch(CharactersPanel),
   Contacts: watch(ContactsPanel),
@@ -38,13 +40,14 @@ export function App({ state, update, openFiles, addFiles }: AppProps) {
   const characters = (
     <panels.Characters key="characters" state={state} update={update} addFiles={addFiles} />
   );
+  const work = <panels.Work key="work" state={state} update={update} />;
   return (
     <>
       <panels.Header state={state} update={update} openFiles={openFiles} />
       <aside class="side" aria-label="Scene and answers">
+        <panels.Lead state={state} update={update} />
         <panels.Report state={state} update={update} />
-        {state.report?.answer ? [contacts, characters] : [characters, contacts]}
-        <panels.Work state={state} update={update} />
+        {state.report?.answer ? [contacts, characters, work] : [characters, work, contacts]}
       </aside>
       <panels.PictureBar state={state} update={update} />
       <panels.Timeline state={state} update={update} />

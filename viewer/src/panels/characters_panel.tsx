@@ -1,4 +1,6 @@
 import { notesOn } from '../scene/notes';
+import { toggleCards } from '../state/changes';
+import { counted } from '../words';
 import type { PanelProps } from './panel_props';
 import { CharacterCard } from './character_card';
 import { StageFields } from './stage_fields';
@@ -11,8 +13,19 @@ export function CharactersPanel({
   update,
   addFiles,
 }: PanelProps & { addFiles: () => void }) {
-  const { scene, opened, arranged, arrangement, characters, selected, gizmo, hidden } = state;
+  const {
+    scene,
+    opened,
+    arranged,
+    arrangement,
+    characters,
+    selected,
+    gizmo,
+    hidden,
+    areCardsOpen,
+  } = state;
   const isMany = (scene?.instances.length ?? 0) > FEW;
+  const isOpen = !isMany || areCardsOpen || selected !== null;
   return (
     <section aria-labelledby="characters">
       <h2>
@@ -36,8 +49,13 @@ export function CharactersPanel({
         />
       )}
       {scene && !opened && <Notes notes={notesOn(scene, characters)} />}
-      <div class={isMany ? 'many' : ''}>
-        {scene?.instances.map((instance, i) => (
+      {isMany && (
+        <button class="fold" aria-expanded={isOpen} onClick={() => update(toggleCards)}>
+          {counted(scene!.instances.length, 'character')}
+        </button>
+      )}
+      {isOpen &&
+        scene?.instances.map((instance, i) => (
           <CharacterCard
             key={i}
             index={i}
@@ -51,7 +69,6 @@ export function CharactersPanel({
             update={update}
           />
         ))}
-      </div>
     </section>
   );
 }

@@ -13,14 +13,14 @@ export function FrameFacts({ state, frame }: { state: State; frame: number }) {
   const count = scene!.frameCount;
   return (
     <p>
-      <output>
+      <span>
         frame <b data-fact="frame">{frame}</b>
         <small>
           {count > 1 ? ` of 0–${count - 1}` : ', the only one'} ·{' '}
           {frameTime(scene!, frame).toFixed(3)} s ·{' '}
         </small>
-      </output>
-      <output
+      </span>
+      <span
         class={isLate(state) ? 'late' : ''}
         data-answered={isInStep(state) ? answer!.shot.frame : 'earlier'}
       >
@@ -29,7 +29,18 @@ export function FrameFacts({ state, frame }: { state: State; frame: number }) {
           {answer?.contacts === 1 ? ' contact' : ' contacts'}
           {!isInRange(frame, checkedFrames(state)) && ', not checked'}
         </small>
-      </output>
+      </span>
+    </p>
+  );
+}
+
+/** For screen readers. While the scene plays, it would be too much to follow. */
+export function Announcement({ state, frame }: { state: State; frame: number }) {
+  const { answer, isPlaying } = state;
+  const isKnown = !isPlaying && isInStep(state) && answer!.shot.frame === frame;
+  return (
+    <p class="unseen" role="status">
+      {isKnown && `frame ${frame}: ${counted(answer!.contacts, 'contact')}`}
     </p>
   );
 }

@@ -1,9 +1,12 @@
-import { checkAllFrames } from '../state/changes';
+import { checkAllFrames, rearrange } from '../state/changes';
 import { totalsOf } from '../state/counts';
 import { checkedFrames, rangeInWords } from '../state/frames';
+import { filtered, listedTouches } from '../state/listing';
 import { isLate } from '../state/shots';
 import type { State } from '../state/state';
 import { withCommas } from '../words';
+import { Filters } from './filters';
+import { Gone } from './gone';
 import type { PanelProps } from './panel_props';
 import { Pairs } from './pairs';
 import { QuerySwitches } from './query_switches';
@@ -11,13 +14,13 @@ import { SameNumbers } from './same_numbers';
 import { Stills } from './stills';
 import { Touches } from './touches';
 
+/** The question, and one list of contacts for each kind of answer. */
 export function ContactsPanel({ state, update }: PanelProps) {
   const { answer, sweep, listing } = state;
-  const touches = listing === 'clip' ? sweep.total?.touches : answer?.touches;
   return (
     <section class="contacts" aria-labelledby="contacts">
-      <h2 id="contacts">
-        Contacts
+      <h2>
+        <span id="contacts">Contacts</span>
         <Count state={state} />
       </h2>
       <div class="row">
@@ -31,19 +34,52 @@ export function ContactsPanel({ state, update }: PanelProps) {
             </button>
           ))}
         </div>
-        <QuerySwitches state={state} update={update} />
       </div>
+      <QuerySwitches state={state} update={update} />
       <Checked state={state} update={update} />
       <Ignored count={listing === 'clip' ? sweep.total?.ignored : answer?.ignored} />
       <Stills state={state} update={update} />
-      {listing === 'clip' && touches && <Pairs state={state} touches={touches} />}
-      {touches ? (
-        <Touches touches={touches} state={state} update={update} />
-      ) : (
-        <p class="nothing quiet">Not counted yet …</p>
-      )}
+      <BetweenCharacters state={state} update={update} />
       <SameNumbers state={state} />
     </section>
+  );
+}
+
+/** Contacts of different instances or parts. */
+function BetweenCharacters({ state, update }: PanelProps) {
+  const { filter, report } = state;
+  const touches = listedTouches(state);
+  if (!touches) return <p class="nothing quiet">Not counted yet …</p>;
+  if (touches.length === 0 && filter.standing !== 'gone') {
+    return <Nothing state={state} update={update} />;
+  }
+  return (
+    <>
+      {state.listing === 'clip' && <Pairs state={state} touches={touches} update={update} />}
+      <Filters state={state} update={update} />
+      {filter.standing === 'gone' ? (
+        <Gone gone={report?.answer?.verdict.gone ?? []} words={filter.words} />
+      ) : (
+        <Touches touches={filtered(touches, state)} state={state} update={update} />
+      )}
+    </>
+  );
+}
+
+/** Says that nothing touches, and how characters meet that walk past each other. */
+function Nothing({ state, update }: PanelProps) {
+  const { sweep, arrangement, scene } = state;
+  const isNever = sweep.total !== null && totalsOf(sweep.counts).contacts === 0;
+  const walksPast = isNever && arrangement === 'walking' && scene!.instances.length > 1;
+  return (
+    <div class="nothing quiet">
+      <p>{isNever ? 'Nothing touches in any frame.' : 'Nothing touches.'}</p>
+      {walksPast && (
+        <button class="link" onClick={() => update(rearrange('together'))}>
+          Put all in the same place
+        </button>
+      )}
+    </div>
   );
 }
 
@@ -53,7 +89,7 @@ function Checked({ state, update }: PanelProps) {
   if (!range) return null;
   return (
     <p class="quiet checked">
-      Checked: frames {rangeInWords(range)} of 0 to {state.scene!.frameCount - 1}.{' '}
+      Checked: frames {rangeInWords(range)}, of 0 to {state.scene!.frameCount - 1}.{' '}
       <button class="link" onClick={() => update(checkAllFrames)}>
         Check all frames
       </button>
@@ -72,9 +108,9 @@ function Count({ state }: { state: State }) {
     ...(listing === 'frame' && isLate(state) ? ['late'] : []),
   ];
   return (
-    <output class={classes.join(' ')} data-fact="listed">
+    <span class={classes.join(' ')} data-fact="listed">
       {count === undefined || count === null ? '–' : withCommas(count)}
-    </output>
+    </span>
   );
 }
 

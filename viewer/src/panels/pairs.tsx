@@ -1,30 +1,58 @@
-import type { State } from '../state/state';
+import { filterBy } from '../state/changes';
+import type { State, Update } from '../state/state';
 import type { Touch } from '../worker/protocol';
 import { withCommas } from '../words';
 import { Badge } from './badge';
+import { useFew } from './few';
 
-/** Lists the touching instances if they may be others than the first two. */
-export function Pairs({ state, touches }: { state: State; touches: readonly Touch[] }) {
+/** Number of rows, unless all are shown. */
+const FEW = 4;
+
+interface PairsProps {
+  state: State;
+  touches: readonly Touch[];
+  update: Update;
+}
+
+/**
+ * Lists the touching instances if they may be others than the first two. A click restricts the
+ * list of contacts to a pair.
+ */
+export function Pairs({ state, touches, update }: PairsProps) {
   const pairs = contactsOfPairs(touches);
+  const { shown, more } = useFew(pairs, FEW);
   if (pairs.length === 0 || (pairs.length === 1 && state.scene?.instances.length === 2))
     return null;
   return (
-    <div class="pairs">
-      <table>
-        <caption class="quiet">characters that touch</caption>
-        {pairs.map(({ a, b, contacts }) => (
-          <tr>
-            <td>
-              <Name state={state} instance={a} />
-            </td>
-            <td>
-              <Name state={state} instance={b} />
-            </td>
-            <td>{withCommas(contacts)}</td>
-          </tr>
+    <>
+      <h3>Characters that touch</h3>
+      <ol class="pairs">
+        {shown.map((pair) => (
+          <Row pair={pair} state={state} update={update} />
         ))}
-      </table>
-    </div>
+        {more && <li>{more}</li>}
+      </ol>
+    </>
+  );
+}
+
+function Row({ pair, state, update }: { pair: PairCount; state: State; update: Update }) {
+  const { a, b, contacts } = pair;
+  const { pair: listed } = state.filter;
+  const isListed = listed?.[0] === a && listed[1] === b;
+  return (
+    <li>
+      <button
+        class="touch"
+        aria-pressed={isListed}
+        title={isListed ? 'List all pairs' : 'List only the contacts of this pair'}
+        onClick={() => update(filterBy({ pair: isListed ? null : [a, b] }))}
+      >
+        <Name state={state} instance={a} />
+        <Name state={state} instance={b} />
+        <span class="count">{withCommas(contacts)}</span>
+      </button>
+    </li>
   );
 }
 

@@ -7,7 +7,7 @@ export function QuerySwitches({ state, update }: PanelProps) {
   const haveParts = characters.some(({ partCount }) => partCount > 1);
   const ignores = (scene?.ignore.length ?? 0) > 0;
   return (
-    <>
+    <div class="row switches">
       {(haveParts || by === 'part') && (
         <label
           class="switch"
@@ -39,6 +39,6 @@ export function QuerySwitches({ state, update }: PanelProps) {
         />
         first only
       </label>
-    </>
+    </div>
   );
 }

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { comparisonOf } from '../report/baseline';
-import type { Report, ReportAnswer } from '../report/report';
+import { baselineOf, type HeldBody, type Report, type ReportAnswer } from '../report/report';
 import { headlineOf, isAsItCame, worstFrame } from '../report/verdict';
 import { pauseAt } from '../state/changes';
 import type { State } from '../state/state';
@@ -14,12 +14,13 @@ export function ReportPanel({ state, update }: PanelProps) {
   const { command, answer } = report;
   return (
     <section class={answer.verdict.failed ? 'report failed' : 'report'} aria-labelledby="report">
-      <h2 id="report">
-        {verdictInWords(answer)}
+      <h2>
+        <span id="report">{verdictInWords(answer)}</span>
         <small role="status">{findingInWords(state)}</small>
       </h2>
       <p class="headline">{headlineOf(answer)}</p>
-      <Comparison answer={answer} />
+      <Comparison report={report} answer={answer} />
+      <Held answer={answer} update={update} />
       <Found answer={answer} update={update} />
       <code>{command}</code>
       <Origin report={report} answer={answer} />
@@ -39,7 +40,7 @@ function findingInWords(state: State): string {
 }
 
 /** Shown if there is a baseline. */
-function Comparison({ answer }: { answer: ReportAnswer }) {
+function Comparison({ report, answer }: { report: Report; answer: ReportAnswer }) {
   const comparison = comparisonOf(answer);
   if (!comparison) return null;
   const { fresh, grown, known, gone, newlyHeld } = comparison;
@@ -51,8 +52,38 @@ function Comparison({ answer }: { answer: ReportAnswer }) {
       , {withCommas(known)} as known
       {gone > 0 && `, ${withCommas(gone)} gone`}
       {newlyHeld > 0 && `, ${withCommas(newlyHeld)} newly contained`}
+      <small> compared with {baselineOf(report)}</small>
     </p>
   );
+}
+
+/** Bodies that are wholly inside others, with --inside. */
+function Held({
+  answer: { held },
+  update,
+}: {
+  answer: ReportAnswer;
+  update: PanelProps['update'];
+}) {
+  if (!held) return null;
+  if (held.length === 0) return <p class="held quiet">No body is wholly inside another.</p>;
+  return (
+    <ul class="held">
+      {held.map(({ inner, outer, frames, first_frame: first }) => (
+        <li>
+          {bodyInWords(inner)} is wholly inside {bodyInWords(outer)} in {counted(frames, 'frame')}
+          {', first in '}
+          <button class="link" onClick={() => update(pauseAt(first))}>
+            frame {first}
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function bodyInWords({ instance, model, part = '' }: HeldBody['inner']): string {
+  return [instance, model, part].filter((word) => word !== '').join(' ');
 }
 
 function Found({ answer, update }: { answer: ReportAnswer; update: PanelProps['update'] }) {

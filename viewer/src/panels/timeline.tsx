@@ -6,7 +6,7 @@ import type { Update } from '../state/state';
 import { counted } from '../words';
 import type { PanelProps } from './panel_props';
 import { Chart } from './chart';
-import { FrameFacts, SweepFacts } from './clip_facts';
+import { Announcement, FrameFacts, SweepFacts } from './clip_facts';
 
 export function Timeline({ state, update }: PanelProps) {
   const { scene, sweep } = state;
@@ -30,6 +30,7 @@ export function Timeline({ state, update }: PanelProps) {
       </div>
       <div class="facts">
         <FrameFacts state={state} frame={frame} />
+        <Announcement state={state} frame={frame} />
         <SweepFacts sweep={sweep} frameCount={scene.frameCount} />
       </div>
     </footer>

@@ -1,9 +1,9 @@
-import { useState } from 'preact/hooks';
 import { worstFirst } from '../report/baseline';
 import { lookAt } from '../state/changes';
 import type { State, Update } from '../state/state';
 import type { Spot, Surface, Touch } from '../worker/protocol';
 import { counted, withCommas } from '../words';
+import { useFew } from './few';
 import type { PanelProps } from './panel_props';
 import { Place } from './place';
 import { Worse } from './worse';
@@ -11,16 +11,17 @@ import { Worse } from './worse';
 /** Number of rows, unless all are shown. */
 const FEW = 40;
 
+/** Number of triangles listed as text, unless all are. */
+const FEW_TRIANGLES = 60;
+
 /** Largest number of triangles listed as text. */
 const MOST_TRIANGLES = 2000;
 
 /** Places that touch; each leads to where it is worst. */
 export function Touches({ touches, state, update }: PanelProps & { touches: readonly Touch[] }) {
-  const [areAllShown, showAll] = useState(false);
-  if (touches.length === 0) return <p class="nothing quiet">Nothing touches.</p>;
+  const { shown, more } = useFew(worstFirst(touches, state), FEW);
+  if (touches.length === 0) return <p class="nothing quiet">No contact matches.</p>;
   const several = ofSeveralParts(touches);
-  const sorted = worstFirst(touches, state);
-  const shown = areAllShown ? sorted : sorted.slice(0, FEW);
   return (
     <ol class="touches" onKeyDown={moveFocus}>
       {shown.map((touch, i) => (
@@ -33,13 +34,7 @@ export function Touches({ touches, state, update }: PanelProps & { touches: read
           update={update}
         />
       ))}
-      {touches.length > FEW && (
-        <li>
-          <button class="quiet more" onClick={() => showAll(!areAllShown)}>
-            {areAllShown ? 'fewer' : `${touches.length - FEW} more`}
-          </button>
-        </li>
-      )}
+      {more && <li>{more}</li>}
     </ol>
   );
 }
@@ -76,7 +71,7 @@ function Row({ touch, several, isFirst, isOpen, state, update }: RowProps) {
       >
         <Place surface={a} withPart={several.has(a.instance)} />
         <Place surface={b} withPart={several.has(b.instance)} />
-        <output>{withCommas(contacts)}</output>
+        <span class="count">{withCommas(contacts)}</span>
         <Worse state={state} touch={touch} />
       </button>
       {isOpen && <Details touch={touch} state={state} update={update} />}
@@ -99,9 +94,7 @@ function Details({ touch: { a, b }, state, update }: Pick<RowProps, 'touch' | ke
           <Worst worst={inClip.worst} spot={{ a, b }} update={update} />
         )}
       </p>
-      <p class="triangles" aria-label="Triangles">
-        {trianglesInWords(pairs)}
-      </p>
+      <Triangles pairs={pairs} />
     </div>
   );
 }
@@ -120,13 +113,25 @@ function Worst({ worst, spot, update }: WorstProps) {
   );
 }
 
-function trianglesInWords(pairs: Uint32Array): string {
+function Triangles({ pairs }: { pairs: Uint32Array }) {
+  const { shown, more } = useFew(trianglesInWords(pairs), FEW_TRIANGLES);
+  return (
+    <>
+      <p class="triangles" aria-label="Triangles">
+        {shown.join('  ')}
+      </p>
+      {more}
+    </>
+  );
+}
+
+function trianglesInWords(pairs: Uint32Array): string[] {
   const words: string[] = [];
   for (let i = 0; i < Math.min(pairs.length, 2 * MOST_TRIANGLES); i += 2) {
     words.push(`${pairs[i]}\u202f×\u202f${pairs[i + 1]}`);
   }
   if (pairs.length > 2 * MOST_TRIANGLES) words.push('…');
-  return words.join('  ');
+  return words;
 }
 
 function isAt(spot: State['spot'], { a, b }: Spot): boolean {

@@ -1,70 +1,99 @@
+import { toggleWork } from '../state/changes';
 import { isSameQuery } from '../state/shots';
-import type { MeasuredShot } from '../state/state';
-import { withCommas } from '../words';
+import type { MeasuredShot, State } from '../state/state';
+import { counted, withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 
-/** Shows the counts of the displayed frame. Measurements may belong to an earlier frame, which is named. */
-export function WorkPanel({ state: { scene, answer, costs, isPlaying } }: PanelProps) {
+/** Compares the work of the displayed frame with that of refitting everything; folded at first. */
+export function WorkPanel({ state, update }: PanelProps) {
+  const { scene, costs, isWorkOpen } = state;
   if (!scene) return null;
-  const work = answer?.work;
-  const isOfFrame = costs !== null && answer !== null && isSameQuery(costs.shot, answer.shot);
-  // While the scene plays, the frames coincide only by chance, and the note would flicker.
-  const isEarlier = costs !== null && (isPlaying || !isOfFrame);
-  const measured = isEarlier ? `in frame ${costs.shot.frame}` : null;
   return (
     <section aria-labelledby="work">
-      <h2 id="work">
-        Work of this frame
-        {costs && <Ratio costs={costs} />}
+      <h2>
+        <button
+          class="fold"
+          aria-expanded={isWorkOpen}
+          title="Compare the work of this frame with that of refitting all boxes first"
+          onClick={() => update(toggleWork)}
+        >
+          <span id="work">Work</span>
+        </button>
+        {isWorkOpen && costs && <Ratio costs={costs} />}
       </h2>
-      <table class="work">
-        <thead>
-          <tr>
-            <th />
-            <th scope="col">on demand</th>
-            <th scope="col">refit all</th>
-          </tr>
-        </thead>
-        <tbody>
-          <Row name="boxes refitted" fact="boxes" value={work?.refits} whole={work?.allRefits} />
-          <Row
-            name="vertices skinned"
-            fact="vertices"
-            value={work?.posedVertices}
-            whole={work?.allVertices}
-          />
-          <Row
-            name="triangle tests"
-            fact="tests"
-            value={work?.trianglePairs}
-            whole={isEarlier ? undefined : costs?.eager.trianglePairs}
-          />
-          <Row
-            name="nodes opened"
-            fact="nodes"
-            note={measured}
-            value={costs?.openedNodes}
-            whole={costs?.nodes}
-          />
-          <Row
-            name="microseconds"
-            fact="microseconds"
-            note={measured}
-            value={costs?.onDemand.microseconds}
-            whole={costs?.eager.microseconds}
-          />
-        </tbody>
-      </table>
+      {isWorkOpen && <Numbers state={state} />}
     </section>
   );
 }
 
-function Ratio({ costs: { ratio } }: { costs: MeasuredShot }) {
+/** Counts are those of the displayed frame, measurements those of the named ones. */
+function Numbers({ state: { answer, costs, isPlaying } }: { state: State }) {
+  const work = answer?.work;
+  const isOfFrame = costs !== null && answer !== null && isSameQuery(costs.shot, answer.shot);
+  // While the scene plays, the frames coincide only by chance, and the note would flicker.
+  const isEarlier = costs !== null && (isPlaying || !isOfFrame);
+  const measured = isEarlier ? measuredIn(costs) : null;
   return (
-    <small class="number" title="Time on demand, compared with refitting everything first">
-      {ratio >= 1 ? `${shortened(ratio)}× less` : `${shortened(1 / ratio)}× more`}
+    <table class="work">
+      <thead>
+        <tr>
+          <th scope="col">this frame</th>
+          <th scope="col">on demand</th>
+          <th scope="col">refit all</th>
+        </tr>
+      </thead>
+      <tbody>
+        <Row name="boxes refitted" fact="boxes" value={work?.refits} whole={work?.allRefits} />
+        <Row
+          name="vertices skinned"
+          fact="vertices"
+          value={work?.posedVertices}
+          whole={work?.allVertices}
+        />
+        <Row
+          name="triangle tests"
+          fact="tests"
+          value={work?.trianglePairs}
+          whole={isEarlier ? undefined : costs?.eager.trianglePairs}
+        />
+        <Row
+          name="nodes opened"
+          fact="nodes"
+          note={measured}
+          value={costs?.openedNodes}
+          whole={costs?.nodes}
+        />
+        <Row
+          name="microseconds"
+          fact="microseconds"
+          note={measured}
+          value={costs?.onDemand.microseconds}
+          whole={costs?.eager.microseconds}
+        />
+      </tbody>
+    </table>
+  );
+}
+
+function measuredIn({ frames, shot }: MeasuredShot): string {
+  return frames > 1 ? `mean of ${counted(frames, 'frame')}` : `in frame ${shot.frame}`;
+}
+
+/** Compares the microseconds below it. */
+function Ratio({ costs: { onDemand, eager } }: { costs: MeasuredShot }) {
+  return (
+    <small class="number" title="Microseconds of “on demand”, compared with “refit all”">
+      {ratioInWords(eager.microseconds / onDemand.microseconds)}
     </small>
   );
+}
+
+/** Differences below this share are within what measurements vary by. */
+const SMALL_DIFFERENCE = 0.05;
+
+export function ratioInWords(ratio: number): string {
+  if (Math.abs(ratio - 1) < SMALL_DIFFERENCE) return 'as fast';
+  return ratio > 1 ? `${shortened(ratio)}× faster` : `${shortened(1 / ratio)}× slower`;
 }
 
 interface RowProps {

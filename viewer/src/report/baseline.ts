@@ -32,22 +32,36 @@ export function comparisonOf({ verdict, touches }: ReportAnswer): Comparison | n
  * a baseline, and for another scene than the compared one.
  */
 export function worseTouch({ a, b }: Pick<Touch, 'a' | 'b'>, state: Asked): WorseTouch | null {
-  const worse = state.report?.answer?.verdict.worse;
-  if (!worse || !isAsItCame(state)) return null;
+  const worse = comparedAnswer(state)?.verdict.worse;
+  if (!worse) return null;
   const found = byPlaces(worse);
   return found.get(`${nameOf(a)}\n${nameOf(b)}`) ?? found.get(`${nameOf(b)}\n${nameOf(a)}`) ?? null;
+}
+
+export type Standing = 'new' | 'grown' | 'known';
+
+/** Returns null without a baseline, and for another scene than the compared one. */
+export function standingOf(touch: Pick<Touch, 'a' | 'b'>, state: Asked): Standing | null {
+  if (!comparedAnswer(state)) return null;
+  const worse = worseTouch(touch, state);
+  return worse === null ? 'known' : worse.known === 0 ? 'new' : 'grown';
+}
+
+/** The answer of a report that was compared with a baseline, if it is of this scene and query. */
+export function comparedAnswer(state: Asked): ReportAnswer | null {
+  const answer = state.report?.answer;
+  return answer?.verdict.worse && isAsItCame(state) ? answer : null;
 }
 
 /** Sorts new touches first, then grown ones, then the others. The sort is stable. */
 export function worstFirst(touches: readonly Touch[], state: Asked): readonly Touch[] {
   if (!state.report?.answer?.verdict.worse) return touches;
-  const rankOf = (touch: Touch) => {
-    const worse = worseTouch(touch, state);
-    return worse === null ? 2 : worse.known === 0 ? 0 : 1;
-  };
+  const rankOf = (touch: Touch) => RANKS[standingOf(touch, state) ?? 'known'];
   const ranked = touches.map((touch) => ({ touch, rank: rankOf(touch) }));
   return ranked.sort((one, other) => one.rank - other.rank).map(({ touch }) => touch);
 }
+
+const RANKS = { new: 0, grown: 1, known: 2 };
 
 const known = new WeakMap<readonly WorseTouch[], Map<string, WorseTouch>>();
 

@@ -53,6 +53,8 @@ export interface ReportAnswer {
   /** Null if contacts were limited. */
   hash: string | null;
   touches: KnownTouch[];
+  /** Bodies wholly inside others, with --inside. */
+  held?: HeldBody[];
   verdict: {
     fail_on: string;
     failed: boolean;
@@ -61,7 +63,7 @@ export interface ReportAnswer {
     /** Null without a baseline, like the members below. */
     worse: WorseTouch[] | null;
     /** Touches of the baseline that this check did not find. */
-    gone: unknown[] | null;
+    gone: GoneTouch[] | null;
     /** Bodies that another one holds whole, with --inside. */
     newly_held: unknown[] | null;
     /** Differences of the earlier check from this one. */
@@ -81,11 +83,40 @@ export interface WorseTouch extends KnownTouch {
   known: number;
 }
 
-export interface KnownPlace {
+/** A name that does not depend on numbers of instances. */
+export interface KnownName {
+  model: string;
+  /** Index among the instances of the model. */
+  copy: number;
+  part?: string;
+  joint: string;
+}
+
+export interface KnownPlace extends KnownName {
+  instance: number;
+  part: string;
+}
+
+export interface GoneTouch {
+  a: KnownName;
+  b: KnownName;
+  /** Contacts of its worst frame in the baseline. */
+  known: number;
+}
+
+export interface HeldBody {
+  inner: Body;
+  outer: Body;
+  /** Number of frames, and the first of them. */
+  frames: number;
+  first_frame: number;
+}
+
+/** An instance, or a part of one. */
+interface Body {
   instance: number;
   model: string;
-  part: string;
-  joint: string;
+  part?: string;
 }
 
 /**
@@ -126,4 +157,10 @@ export function stopsAtFirst({ answer }: Report): boolean {
 /** Returns the original path of a file of the report. */
 export function originalPath({ inputs }: Report, file: string): string {
   return inputs.find((input) => input.file === file)?.path ?? file;
+}
+
+/** Returns the file of `--baseline`, as in the command line. */
+export function baselineOf({ command }: Report): string {
+  const [, file = 'the baseline'] = command.match(/--baseline[ =]('[^']*'|\S+)/) ?? [];
+  return file;
 }

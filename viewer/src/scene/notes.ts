@@ -1,7 +1,7 @@
 /** Notes about choices of the page for characters without a scene. */
 
 import type { CharacterFacts } from '../worker/protocol';
-import { chooseClip } from './arrange';
+import { chooseClip, sizeOf } from './arrange';
 import type { Scene } from './scene';
 
 /** Whether a single character appears twice. */
@@ -15,11 +15,26 @@ export function notesOn(scene: Scene, characters: readonly CharacterFacts[]): st
   if (meetsItself(scene)) {
     notes.push('A single character meets itself: 1 is a copy of 0 until you add another one.');
   }
+  const sizes = sizesApart(scene, characters);
+  if (sizes) notes.push(sizes);
   if (playsChosenClips(scene, characters)) {
     const clips = clipsInWords(scene);
     notes.push(`Clips chosen by the page: ${clips}. The command plays a clip only with --clip.`);
   }
   return notes;
+}
+
+/** Ratio of sizes from which characters hardly meet. */
+const FAR_APART = 5;
+
+/** A note if one character is many times as large as another, as in files of different units. */
+function sizesApart({ instances }: Scene, characters: readonly CharacterFacts[]): string | null {
+  const sizes = instances.map(({ character, scale }) => scale * sizeOf(characters[character]));
+  const [most, least] = [Math.max(...sizes), Math.min(...sizes)];
+  if (most < FAR_APART * least) return null;
+  const nameOf = (size: number) => characters[instances[sizes.indexOf(size)].character].name;
+  const times = Math.round(most / least);
+  return `${nameOf(most)} is ${times} times as large as ${nameOf(least)}: change “scale” on a card.`;
 }
 
 function playsChosenClips({ instances }: Scene, characters: readonly CharacterFacts[]): boolean {

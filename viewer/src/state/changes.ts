@@ -17,6 +17,7 @@ import type {
 import { isDark, wantsStillness } from '../theme';
 import type { Counts } from './counts';
 import { edit } from './history';
+import { NO_FILTER, type Filter } from './listing';
 import type { CameraMove, Problem, State } from './state';
 
 export type Change = (state: State) => Partial<State>;
@@ -65,6 +66,13 @@ export const toggleFirstContact: Change = ({ firstContact, scene }) => ({
 export const checkAllFrames: Change = () => ({ frames: null });
 export const toggleTheme: Change = ({ theme }) => ({ theme: isDark(theme) ? 'light' : 'dark' });
 export const toggleHelp: Change = ({ isHelpOpen }) => ({ isHelpOpen: !isHelpOpen });
+
+export const toggleWork: Change = ({ isWorkOpen }) => ({ isWorkOpen: !isWorkOpen });
+export const toggleCards: Change = ({ areCardsOpen }) => ({ areCardsOpen: !areCardsOpen });
+
+export function filterBy(change: Partial<Filter>): Change {
+  return ({ filter }) => ({ filter: { ...filter, ...change } });
+}
 
 export const toggleBoxes: Change = (state) =>
   state.boxLevel === null ? toBoxLevel(state.lastBoxLevel)(state) : { boxLevel: null };
@@ -119,7 +127,7 @@ export function changeInstance(instance: number, change: Partial<Instance>): Cha
 
 /** Does nothing to the only character. */
 export function removeInstance(instance: number): Change {
-  return edit(null, ({ scene, characters, opened, frame, hidden }) => {
+  return edit(null, ({ scene, characters, opened, frame, hidden, filter }) => {
     if (!scene || scene.instances.length < 2) return {};
     const left = without(scene, instance, characters);
     const remaining = inWholeClips(
@@ -132,6 +140,7 @@ export function removeInstance(instance: number): Change {
       frame: Math.min(frame, remaining.frameCount - 1),
       selected: null,
       spot: null,
+      filter: { ...filter, pair: null },
       hidden: new Set([...hidden].flatMap((i) => (i === instance ? [] : i > instance ? i - 1 : i))),
     };
   });
@@ -225,6 +234,7 @@ export function open(
       past: [],
       future: [],
       hidden: new Set(),
+      filter: NO_FILTER,
       selected: null,
       gizmo,
       spot: null,
@@ -270,11 +280,25 @@ function problemOf({ path, message }: Refusal): Problem {
 }
 
 /** Adds a problem. Leaves the scene unchanged, and does not repeat a visible problem. */
-export function refuse(title: string, message: string): Change {
+export function refuse(
+  title: string,
+  message: string,
+  remedy: Problem['remedy'] = undefined,
+): Change {
   return ({ problems }) => {
     const others = problems.filter((problem) => problem.message !== message);
-    return { problems: [...others, { title, message }] };
+    return { problems: [...others, { title, message, ...(remedy && { remedy }) }] };
   };
+}
+
+/** Adds remedies to the problems that have one. */
+export function offerRemedies(remedyFor: (message: string) => Problem['remedy']): Change {
+  return ({ problems }) => ({
+    problems: problems.map((problem) => {
+      const remedy = remedyFor(problem.message);
+      return remedy ? { ...problem, remedy } : problem;
+    }),
+  });
 }
 
 export function dismiss(problem: Problem): Change {

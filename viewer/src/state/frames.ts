@@ -17,8 +17,8 @@ export function isInRange(frame: number, range: FrameRange | null): boolean {
   return frame >= first && frame < end && (frame - first) % step === 0;
 }
 
-/** "85 to 89", "10 to 58, every third": first, last and step. */
+/** "85 to 89", "10 to 58 in steps of 3" */
 export function rangeInWords([first, end, step]: FrameRange): string {
   const last = first + step * (Math.ceil((end - first) / step) - 1);
-  return `${first} to ${last}${step > 1 ? `, step ${step}` : ''}`;
+  return `${first} to ${last}${step > 1 ? ` in steps of ${step}` : ''}`;
 }

@@ -5,6 +5,7 @@ import type { Finding } from '../report/verdict';
 import type { Arrangement } from '../scene/arrange';
 import type { Scene, Vector3 } from '../scene/scene';
 import type { Edit } from './history';
+import { NO_FILTER, type Filter } from './listing';
 import type {
   By,
   CharacterFacts,
@@ -55,6 +56,12 @@ export interface State {
   lastBoxLevel: number;
   /** The contacts that are listed. */
   listing: 'frame' | 'clip';
+  /** Restricts the listed contacts. */
+  filter: Filter;
+  /** Whether the numbers of work are shown, and measured. */
+  isWorkOpen: boolean;
+  /** Whether the cards of many characters are shown. */
+  areCardsOpen: boolean;
   /** The selected contact; every selection creates a new object. */
   spot: Spot | null;
   /** The side from which the characters are seen at first, once that is known. */
@@ -97,10 +104,10 @@ export interface AnsweredShot extends FrameAnswer {
 export interface MeasuredShot extends Costs {
   shot: Shot;
   /**
-   * How many times as long refitting everything takes. While the scene plays, a mean of the last
-   * frames, because single frames vary much.
+   * Number of frames that the times are a mean of: more than one while the scene plays, because
+   * single frames vary much.
    */
-  ratio: number;
+  frames: number;
 }
 
 export interface SweepState {
@@ -120,6 +127,8 @@ export interface Still {
 export interface Problem {
   title: string;
   message: string;
+  /** What the user can do about it. */
+  remedy?: { label: string; act: () => void } | undefined;
 }
 
 export const initialState: State = {
@@ -143,6 +152,9 @@ export const initialState: State = {
   boxLevel: null,
   lastBoxLevel: 3,
   listing: 'frame',
+  filter: NO_FILTER,
+  isWorkOpen: false,
+  areCardsOpen: false,
   spot: null,
   side: null,
   cameraMove: null,

@@ -53,7 +53,7 @@ export class Desk {
         return this.replaceCast(readSceneFile(this.pelt, { ...question, files }));
       }
       case 'readCharacters':
-        return this.replaceCast(readCharacters(this.pelt, question.files));
+        return this.replaceCast(readCharacters(this.pelt, question.files, question.options));
       case 'addCharacters':
         return this.addCast(readCharacters(this.pelt, question.files, question.options));
       case 'pose': {

@@ -51,7 +51,7 @@ export interface Questions {
   /** The same from a report, whose files are base64 by their paths. */
   openReport: { path: string; files: Record<string, string>; options: ReadingOptions };
   /** Characters without a scene; replaces all others. */
-  readCharacters: { files: NamedFile[] };
+  readCharacters: { files: NamedFile[]; options: ReadingOptions };
   /** The same, beside those that there are. */
   addCharacters: { files: NamedFile[]; options: ReadingOptions };
   pose: { shot: Shot; spares: Spare[] };

@@ -1,0 +1,46 @@
+/** The contacts that are listed: of a frame or of the clip, without those that a filter leaves out. */
+
+import { standingOf, type Standing } from '../report/baseline';
+import type { CharacterFacts, Spot, Surface, Touch } from '../worker/protocol';
+import type { State } from './state';
+
+export interface Filter {
+  /** Each word must occur in the names of one of the two places. */
+  words: string;
+  /** Instances that touch, in ascending order; null for all. */
+  pair: readonly [number, number] | null;
+  /** Standing beside the baseline; null for all. */
+  standing: Standing | 'gone' | null;
+}
+
+export const NO_FILTER: Filter = { words: '', pair: null, standing: null };
+
+/** Returns undefined as long as the contacts are not known. */
+export function listedTouches({ listing, sweep, answer }: State): readonly Touch[] | undefined {
+  return listing === 'clip' ? sweep.total?.touches : answer?.touches;
+}
+
+export function filtered(touches: readonly Touch[], state: State): readonly Touch[] {
+  const { words, pair, standing } = state.filter;
+  if (words === '' && !pair && !standing) return touches;
+  return touches.filter(
+    (touch) =>
+      (!pair || (touch.a.instance === pair[0] && touch.b.instance === pair[1])) &&
+      (!standing || standingOf(touch, state) === standing) &&
+      matches(words, namesOf(touch, state)),
+  );
+}
+
+export function matches(words: string, names: string): boolean {
+  const wanted = words.toLowerCase().split(/\s+/);
+  return wanted.every((word) => names.toLowerCase().includes(word));
+}
+
+function namesOf({ a, b }: Spot, { scene, characters }: State): string {
+  const nameOf = ({ instance, part, joint }: Surface) => {
+    const character: CharacterFacts | undefined =
+      characters[scene?.instances[instance]?.character ?? -1];
+    return `${instance} ${character?.name} ${part} ${joint}`;
+  };
+  return `${nameOf(a)} ${nameOf(b)}`;
+}
