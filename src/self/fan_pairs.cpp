@@ -26,16 +26,17 @@ class FanPairs {
     const FanTriangle* const begin = fans_.triangles.data() + fans_.begin.data()[fan];
     const FanTriangle* const end = fans_.triangles.data() + fans_.begin.data()[fan + 1];
     const std::uint32_t vertex = fans_.corners.data()[begin->place()][begin->corner()];
-    for (const FanTriangle* a = begin; a != end && !answer_.is_full(); ++a) {
+    for (const FanTriangle* a = begin; a != end; ++a) {
       const SurfaceTriangle triangle = read(a->place(), is_cracked);
       for (const FanTriangle* b = begin; b != a; ++b) {
         // Of several vertices that the triangles share, only the lowest tests the pair.
         if (shares_lower(triangle, fans_.corners.data()[b->place()], vertex)) continue;
         ++work_.triangle_pairs;
-        if (surface_triangles_intersect(triangle, read(b->place(), is_cracked)))
-          answer_.contacts().push(Contact{ids_[a->place()], ids_[b->place()]});
+        if (!surface_triangles_intersect(triangle, read(b->place(), is_cracked))) continue;
+        answer_.contacts().push(Contact{ids_[a->place()], ids_[b->place()]});
+        answer_.settle();
+        if (answer_.is_full()) return;
       }
-      answer_.settle();
     }
   }
 
