@@ -42,8 +42,10 @@ std::uint32_t ContactTally::pose_count() const { return tally_->pose_count; }
 
 std::vector<Contact> ContactTally::in_share_of_poses(double share) const {
   std::vector<Contact> pairs;
+  const double pose_count = tally_->pose_count;
+  // A quotient is rounded like the literal: 55 of 100 poses are a share of 0.55.
   for (const Tally::Count& count : tally_->counts)
-    if (count.poses >= share * tally_->pose_count) pairs.push_back(count.pair);
+    if (count.poses / pose_count >= share) pairs.push_back(count.pair);
   return pairs;
 }
 

@@ -1,9 +1,414 @@
 #include <pelt/self_collide.hpp>
 
 #include "self_brute_force.hpp"
+#include "support/instruction_sets.hpp"
+#include "surface_shapes.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pelt {
-namespace {}  // namespace
-}  // namespace pelt
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace pelt::test {
+namespace {
+
+/// The options with arrays behind them.
+struct Options {
+  std::uint32_t rings = 0;
+  std::vector<std::uint8_t> takes_part;
+  std::vector<Contact> at_rest, always;
+  std::vector<std::uint16_t> joint_parents;
+  std::vector<IndexPair> joint_pairs;
+  std::vector<std::uint16_t> groups;
+  std::vector<IndexPair> group_pairs;
+
+  SelfFilterOptions view() const {
+    return {.rings = rings,
+            .takes_part = takes_part,
+            .at_rest = at_rest,
+            .always = always,
+            .joint_parents = joint_parents,
+            .joint_pairs = joint_pairs,
+            .groups = groups,
+            .group_pairs = group_pairs};
+  }
+};
+
+/// Which filter leaves out a pair, straight from the definitions.
+class Classification {
+ public:
+  Classification(const Shape& shape, const Options& options) : options_(options) {
+    const std::vector<std::uint32_t> surface = surface_vertices(shape);
+    for (const Triangle& t : shape.triangles) {
+      corners_.push_back({surface[t[0]], surface[t[1]], surface[t[2]]});
+      main_joints_.push_back(main_joint(shape, t));
+    }
+    neighbours_.resize(corners_.size());
+    for (std::uint32_t s = 0; s < corners_.size(); ++s)
+      for (std::uint32_t t = 0; t < corners_.size(); ++t)
+        if (share(s, t)) neighbours_[s].push_back(t);
+  }
+
+  LeftOutBy by(std::uint32_t s, std::uint32_t t) {
+    const auto& o = options_;
+    if (!o.takes_part.empty() && (o.takes_part[s] == 0 || o.takes_part[t] == 0))
+      return LeftOutBy::takes_part;
+    if (o.rings > 0 && steps_from(s)[t] <= o.rings) return LeftOutBy::rings;
+    if (lists(o.at_rest, s, t)) return LeftOutBy::at_rest;
+    if (lists(o.always, s, t)) return LeftOutBy::always;
+    if (are_near(main_joints_[s], main_joints_[t])) return LeftOutBy::joints;
+    if (!o.groups.empty() && lists(o.group_pairs, o.groups[s], o.groups[t]))
+      return LeftOutBy::groups;
+    return LeftOutBy::none;
+  }
+
+ private:
+  static std::uint16_t main_joint(const Shape& shape, const Triangle& t) {
+    std::vector<float> sums(shape.joint_count, 0);
+    const std::uint32_t k = shape.influences_per_vertex;
+    for (const std::uint32_t v : t)
+      for (std::uint32_t i = v * k; i < (v + 1) * k; ++i) sums[shape.joints[i]] += shape.weights[i];
+    return static_cast<std::uint16_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+  }
+
+  template <typename Pair>
+  static bool lists(const std::vector<Pair>& pairs, std::uint32_t a, std::uint32_t b) {
+    return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+      const auto& [first, second] = pair;
+      return (first == a && second == b) || (first == b && second == a);
+    });
+  }
+
+  bool are_near(std::uint16_t a, std::uint16_t b) const {
+    const auto& parents = options_.joint_parents;
+    return lists(options_.joint_pairs, a, b) ||
+           (!parents.empty() && (a == b || parents[a] == b || parents[b] == a));
+  }
+
+  /// The number of steps to each triangle, from neighbour to neighbour.
+  const std::vector<std::uint32_t>& steps_from(std::uint32_t s) {
+    if (s == from_ && !steps_.empty()) return steps_;
+    from_ = s;
+    steps_.assign(corners_.size(), UINT32_MAX);
+    steps_[s] = 0;
+    std::vector<std::uint32_t> queue = {s};
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (const std::uint32_t t : neighbours_[queue[i]])
+        if (steps_[t] == UINT32_MAX) {
+          steps_[t] = steps_[queue[i]] + 1;
+          queue.push_back(t);
+        }
+    return steps_;
+  }
+
+  bool share(std::uint32_t s, std::uint32_t t) const {
+    for (const std::uint32_t v : corners_[s])
+      for (const std::uint32_t w : corners_[t])
+        if (v == w) return true;
+    return false;
+  }
+
+  const Options& options_;
+  std::vector<std::array<std::uint32_t, 3>> corners_;
+  std::vector<std::uint16_t> main_joints_;
+  std::vector<std::vector<std::uint32_t>> neighbours_;
+  std::uint32_t from_ = 0;
+  std::vector<std::uint32_t> steps_;
+};
+
+using Counts = std::array<std::uint64_t, 7>;
+
+Counts counts_of(const LeftOut& left_out) {
+  return {0,
+          left_out.takes_part,
+          left_out.rings,
+          left_out.at_rest,
+          left_out.always,
+          left_out.joints,
+          left_out.groups};
+}
+
+/// Shapes that intersect themselves, with their poses.
+struct Body {
+  Body(const Shape& s, const std::vector<Matrix4>& palette)
+      : shape(s), pose(*build_model(s.view())), contacts(self_contacts(palette)) {}
+
+  std::vector<Contact> self_contacts(const std::vector<Matrix4>& palette) {
+    EXPECT_TRUE(pose.set_palette(palette));
+    return brute_force_self(shape, pose);
+  }
+
+  Shape shape;
+  Pose pose;
+  std::vector<Contact> contacts;
+};
+
+Body folded_limb(Random& random) {
+  return {make_limb(24, 8, 6), bend_limb(random, 6, random.uniform(0.8, 1.6), {})};
+}
+
+Body soup(Random& random) {
+  return {make_soup(random, 150, 6, 4, Weights::random),
+          make_palette(random, 6, Motion::affine, 0.3)};
+}
+
+Body grid_soup(Random& random) {
+  return {make_grid_soup(random, 100, 4, 6), make_palette(random, 6, Motion::rigid, 0.3)};
+}
+
+constexpr Body (*kBodies[])(Random&) = {folded_limb, soup, grid_soup};
+
+/// Checks `left_out_by` for all pairs, and what `self_collide` leaves out. Returns the number of
+/// contacts by the filter that leaves them out.
+Counts expect_filtered(Body& body, const Options& options) {
+  const SelfFilter filter = *build_self_filter(body.pose.model(), options.view());
+  Classification expected(body.shape, options);
+  const auto count = static_cast<std::uint32_t>(body.shape.triangles.size());
+  for (std::uint32_t s = 0; s < count; ++s)
+    for (std::uint32_t t = s + 1; t < count; ++t) {
+      const LeftOutBy by = expected.by(s, t);
+      EXPECT_EQ(filter.left_out_by(s, t), by);
+      EXPECT_EQ(filter.left_out_by(t, s), by);
+    }
+  std::vector<Contact> kept, found;
+  Counts left_out{};
+  for (const Contact& contact : body.contacts) {
+    const LeftOutBy by = expected.by(contact.triangle_a, contact.triangle_b);
+    if (by == LeftOutBy::none)
+      kept.push_back(contact);
+    else
+      ++left_out[static_cast<std::size_t>(by)];
+  }
+  Scratch scratch;
+  const SelfStats stats = self_collide(body.pose, filter, scratch, found);
+  EXPECT_EQ(found, kept);
+  EXPECT_EQ(counts_of(stats.left_out), left_out);
+  EXPECT_EQ(stats.left_out.total(), body.contacts.size() - kept.size());
+  EXPECT_EQ(self_intersects(body.pose, filter, scratch).answer, !kept.empty());
+  left_out[0] = kept.size();
+  return left_out;
+}
+
+/// Draws each option.
+struct Draw {
+  Random& random;
+  const Body& body;
+
+  std::uint32_t triangles() const {
+    return static_cast<std::uint32_t>(body.shape.triangles.size());
+  }
+
+  std::uint16_t joint() const {
+    return static_cast<std::uint16_t>(random.index(body.shape.joint_count));
+  }
+
+  void takes_part(Options& options) const {
+    for (std::uint32_t t = 0; t < triangles(); ++t)
+      options.takes_part.push_back(random.chance(0.8) ? static_cast<std::uint8_t>(1 + t % 255) : 0);
+  }
+
+  void rings(Options& options) const { options.rings = 1 + random.index(5); }
+
+  /// Contacts and other pairs, in any order, some twice and in both directions.
+  std::vector<Contact> pairs() const {
+    std::vector<Contact> listed;
+    for (int i = 0; i < 40; ++i) {
+      Contact pair = {random.index(triangles()), random.index(triangles())};
+      if (!body.contacts.empty() && random.chance(0.8))
+        pair = body.contacts[random.index(static_cast<std::uint32_t>(body.contacts.size()))];
+      if (random.chance(0.5)) std::swap(pair.triangle_a, pair.triangle_b);
+      listed.insert(listed.end(), 1 + random.index(2), pair);
+    }
+    return listed;
+  }
+
+  void at_rest(Options& options) const { options.at_rest = pairs(); }
+  void always(Options& options) const { options.always = pairs(); }
+
+  void joint_parents(Options& options) const {
+    for (std::uint32_t j = 0; j < body.shape.joint_count; ++j)
+      options.joint_parents.push_back(random.chance(0.3) ? kNoJoint : joint());
+  }
+
+  std::vector<IndexPair> index_pairs() const {
+    std::vector<IndexPair> pairs;
+    for (int i = 0; i < 3; ++i) pairs.push_back({joint(), joint()});
+    return pairs;
+  }
+
+  void joint_pairs(Options& options) const { options.joint_pairs = index_pairs(); }
+
+  void groups(Options& options) const {
+    for (std::uint32_t t = 0; t < triangles(); ++t) options.groups.push_back(joint());
+    options.group_pairs = index_pairs();
+  }
+};
+
+using DrawOption = void (Draw::*)(Options&) const;
+
+struct Case {
+  const char* name;
+  DrawOption draw;
+  LeftOutBy by;
+};
+
+constexpr Case kCases[] = {{"takes_part", &Draw::takes_part, LeftOutBy::takes_part},
+                           {"rings", &Draw::rings, LeftOutBy::rings},
+                           {"at_rest", &Draw::at_rest, LeftOutBy::at_rest},
+                           {"always", &Draw::always, LeftOutBy::always},
+                           {"joint_parents", &Draw::joint_parents, LeftOutBy::joints},
+                           {"joint_pairs", &Draw::joint_pairs, LeftOutBy::joints},
+                           {"groups", &Draw::groups, LeftOutBy::groups}};
+
+class EachFilter : public testing::TestWithParam<Case> {};
+
+TEST_P(EachFilter, LeavesOutWhatTheDefinitionSays) {
+  Random random(1740);
+  Counts sums{};
+  for (int round = 0; round < 6; ++round)
+    for (const auto make : kBodies) {
+      Body body = make(random);
+      Options options;
+      (Draw{random, body}.*GetParam().draw)(options);
+      const Counts counts = expect_filtered(body, options);
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += counts[i];
+    }
+  const auto by = static_cast<std::size_t>(GetParam().by);
+  EXPECT_GT(sums[0], 100u) << "kept";
+  EXPECT_GT(sums[by], 100u) << "left out";
+  for (std::size_t i = 1; i < sums.size(); ++i) EXPECT_TRUE(i == by || sums[i] == 0) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Options, EachFilter, testing::ValuesIn(kCases),
+                         [](const auto& param_info) { return param_info.param.name; });
+
+TEST(SelfFilter, CountsAPairForTheFirstFilterThatLeavesItOut) {
+  Random random(1741);
+  Counts sums{};
+  for (int round = 0; round < 5; ++round)
+    for (const auto make : kBodies) {
+      Body body = make(random);
+      Options options;
+      for (const Case& option : kCases)
+        if (random.chance(0.8)) (Draw{random, body}.*option.draw)(options);
+      on_each_instruction_set([&](InstructionSet) {
+        const Counts counts = expect_filtered(body, options);
+        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += counts[i];
+      });
+    }
+  for (const std::uint64_t sum : sums) EXPECT_GT(sum, 20u);
+}
+
+TEST(SelfFilter, RingsReachAcrossHubsAndEndAtTheBorder) {
+  Random random(1742);
+  Shape shape;
+  shape.influences_per_vertex = 1;
+  add_fan(random, shape, 60, false, {});
+  add_fan(random, shape, 5, true, {9, 0, 0});
+  shape.triangles.push_back({0, 0, 1});
+  shape.triangles.push_back({0, 0, 0});
+  Body body(shape, std::vector<Matrix4>(1));
+  for (const std::uint32_t rings : {1u, 2u, 3u, 64u}) {
+    Options options;
+    options.rings = rings;
+    expect_filtered(body, options);
+  }
+}
+
+/// The message of the error, or nothing.
+std::string message_of(const SkinnedModel& model, const SelfFilterOptions& options) {
+  const Result<SelfFilter> filter = build_self_filter(model, options);
+  if (filter) return "";
+  EXPECT_EQ(filter.error().code, ErrorCode::invalid_argument);
+  return filter.error().message;
+}
+
+TEST(SelfFilter, RefusesOptionsThatDoNotFitTheModel) {
+  const Shape limb = make_limb(5, 4, 3);
+  const SkinnedModel model = *build_model(limb.view());
+  const auto triangles = static_cast<std::uint32_t>(limb.triangles.size());
+  const std::vector<std::uint8_t> few(triangles - 1);
+  const std::vector<std::uint16_t> many(triangles + 1), groups(triangles),
+      parents = {kNoJoint, 0, 3};
+  const std::vector<Contact> pairs = {{0, 1}, {triangles, 2}}, others = {{1, triangles + 1}};
+  const std::vector<IndexPair> joints = {{0, 1}, {0, 3}};
+  const std::string of_triangles = std::to_string(triangles);
+
+  EXPECT_EQ(message_of(model, {}), "");
+  EXPECT_EQ(message_of(model, {.rings = 64}), "");
+  EXPECT_EQ(message_of(model, {.rings = 65}), "rings is 65, expected 0 to 64");
+  EXPECT_EQ(message_of(model, {.takes_part = few}), "takes_part has " + std::to_string(few.size()) +
+                                                        " elements, expected " + of_triangles +
+                                                        " or none");
+  EXPECT_EQ(message_of(model, {.groups = many}), "groups has " + std::to_string(many.size()) +
+                                                     " elements, expected " + of_triangles +
+                                                     " or none");
+  EXPECT_EQ(message_of(model, {.joint_parents = std::span(parents).first(2)}),
+            "joint_parents has 2 elements, expected 3 or none");
+  EXPECT_EQ(message_of(model, {.joint_parents = parents}),
+            "joint_parents[2] refers to joint 3, but the model has 3 joints");
+  EXPECT_EQ(message_of(model, {.joint_pairs = joints}),
+            "joint_pairs[1] refers to joint 3, but the model has 3 joints");
+  EXPECT_EQ(message_of(model, {.at_rest = pairs}), "at_rest[1] refers to triangle " + of_triangles +
+                                                       ", but the model has " + of_triangles +
+                                                       " triangles");
+  EXPECT_EQ(message_of(model, {.always = others}),
+            "always[0] refers to triangle " + std::to_string(triangles + 1) +
+                ", but the model has " + of_triangles + " triangles");
+  EXPECT_EQ(message_of(model, {.group_pairs = joints}), "group_pairs needs groups");
+  EXPECT_EQ(message_of(model, {.groups = groups, .group_pairs = joints}), "");
+}
+
+TEST(SelfFilter, CopiesTheArraysAndIsSharedByCopies) {
+  Random random(1743);
+  Body body = soup(random);
+  Options options;
+  for (const Case& option : kCases) (Draw{random, body}.*option.draw)(options);
+  const SelfFilter filter = *build_self_filter(body.pose.model(), options.view());
+  const SelfFilter copy = filter;
+  const auto answers = [](const SelfFilter& of) {
+    std::vector<LeftOutBy> by;
+    for (std::uint32_t t = 1; t < 150; ++t) by.push_back(of.left_out_by(0, t));
+    return by;
+  };
+  const auto before = answers(filter);
+  options = {};
+  EXPECT_EQ(answers(filter), before);
+  EXPECT_EQ(answers(copy), before);
+  EXPECT_EQ(&copy.detail(), &filter.detail());
+}
+
+TEST(SelfFilter, AddsCountsOfSeveralPoses) {
+  LeftOut sum = {1, 2, 3, 4, 5, 6};
+  sum += {10, 20, 30, 40, 50, 60};
+  EXPECT_EQ(counts_of(sum), (Counts{0, 11, 22, 33, 44, 55, 66}));
+  EXPECT_EQ(sum.total(), 231u);
+}
+
+TEST(ContactTally, CountsThePosesOfEachPair) {
+  Random random(1744);
+  ContactTally tally;
+  EXPECT_EQ(tally.pose_count(), 0u);
+  EXPECT_TRUE(tally.in_share_of_poses(0).empty());
+  std::map<Contact, std::uint32_t> counts;
+  for (std::uint32_t pose = 1; pose <= 100; ++pose) {
+    std::set<Contact> contacts;
+    for (std::uint32_t i = 0; i < 30; ++i)
+      if (random.index(30) <= i) contacts.insert({i % 7, 10 + i});
+    for (const Contact& contact : contacts) ++counts[contact];
+    tally.add(std::vector<Contact>(contacts.begin(), contacts.end()));
+    EXPECT_EQ(tally.pose_count(), pose);
+    ContactTally moved = std::move(tally);
+    tally = std::move(moved);
+  }
+  for (std::uint32_t hundredths = 0; hundredths <= 100; ++hundredths) {
+    std::vector<Contact> expected;
+    for (const auto& [contact, count] : counts)
+      if (count >= hundredths) expected.push_back(contact);
+    EXPECT_EQ(tally.in_share_of_poses(hundredths / 100.0), expected) << hundredths << " %";
+  }
+}
+
+}  // namespace
+}  // namespace pelt::test
