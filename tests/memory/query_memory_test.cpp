@@ -64,7 +64,10 @@ class Question {
   using Ask = std::function<Answer(Pose& a, Pose& b, Scratch& scratch)>;
 
   Question(const Vec3& offset, Ask ask)
-      : model_(*build_model(limb().view())), ask_(std::move(ask)) {
+      : Question(offset, *build_model(limb().view()), std::move(ask)) {}
+
+  Question(const Vec3& offset, const SkinnedModel& model, Ask ask)
+      : model_(model), ask_(std::move(ask)) {
     Random random(7);
     palette_a_ = bend_limb(random, 3, 0.3, {0, 0, 0});
     palette_b_ = bend_limb(random, 3, 0.3, offset);
@@ -117,6 +120,38 @@ TEST(Memory, EndsWhilePosesCollide) {
     EXPECT_GT(contacts.size(), 10u);
     return contacts;
   }).check();
+}
+
+TEST(Memory, EndsWhileAPoseCollidesWithItself) {
+  const SkinnedModel model = *build_model(limb().view());
+  const std::vector<std::uint16_t> parents = {kNoJoint, 0, 1};
+  const std::vector<Contact> pairs = {{0, 1}, {5, 3}};
+  fail_and_leak_nothing([&] {
+    EXPECT_TRUE(build_self_filter(
+        model, {.rings = 2, .at_rest = pairs, .always = pairs, .joint_parents = parents}));
+  });
+  const SelfFilter filter = *build_self_filter(model),
+                   left_out = *build_self_filter(model, {.rings = 1});
+  Question<std::vector<Contact>>({}, model, [&](Pose& a, Pose&, Scratch& scratch) {
+    Matrix4 flat;
+    flat.m[0] = 0;
+    EXPECT_TRUE(a.set_palette(std::vector<Matrix4>(3, flat)));
+    std::vector<Contact> contacts, others;
+    self_collide(a, filter, scratch, contacts);
+    self_collide(a, left_out, scratch, others);
+    EXPECT_GT(others.size(), 10u);
+    EXPECT_GT(contacts.size(), others.size());
+    return contacts;
+  }).check();
+}
+
+TEST(Memory, EndsWhileContactsAreTallied) {
+  const std::vector<Contact> contacts = {{1, 2}, {3, 4}};
+  fail_and_leak_nothing([&] {
+    ContactTally tally;
+    for (int pose = 0; pose < 3; ++pose) tally.add(contacts);
+    EXPECT_EQ(tally.in_share_of_poses(1), contacts);
+  });
 }
 
 TEST(Memory, EndsWhileDistancesAreMeasured) {
