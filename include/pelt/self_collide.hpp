@@ -103,8 +103,9 @@ class PELT_API SelfFilter {
   /// Number of vertices to pass to `Scratch::reserve`, so that `self_collide` does not allocate.
   std::size_t scratch_vertices() const;
 
-  /// Bytes of memory shared by all copies, without the model: 40 bytes per triangle or less, plus
-  /// the lists of pairs, 8 bytes per pair.
+  /// Bytes of memory shared by all copies, without the model: 34 to 40 bytes per triangle of a
+  /// character, and less than 1 KB per triangle of any mesh, plus the lists of pairs, 8 bytes per
+  /// pair.
   std::size_t memory_bytes() const;
 
   /// For internal use.

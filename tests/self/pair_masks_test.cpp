@@ -127,6 +127,7 @@ TEST(PairMasks, NeedBoundedMemoryForAnyMesh) {
     const Masked masked(make_tangle(random, 3000, vertices));
     std::printf("%u vertices: %zu bytes per triangle\n", vertices, bytes_of(masked.masks) / 3000);
     EXPECT_LE(bytes_of(masked.masks), 3000 * 900);
+    EXPECT_LE(build_self_filter(masked.model)->memory_bytes(), 3000 * 1000);
   }
   Shape star;
   star.influences_per_vertex = 1;
