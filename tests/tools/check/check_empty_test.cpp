@@ -28,6 +28,7 @@ TEST(CheckEmpty, IsNoSuccess) {
     EXPECT_EQ(run.exit_code, 2);
     EXPECT_NE(run.out.find("contact    nothing was compared\n"), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("none is tested against itself"), std::string::npos) << run.out;
+    EXPECT_EQ(run.out.find("contained"), std::string::npos) << run.out;
     EXPECT_NE(run.err.find("INPUT: nothing was compared"), std::string::npos) << run.err;
     EXPECT_NE(run.err.find("--allow-empty"), std::string::npos) << run.err;
   }

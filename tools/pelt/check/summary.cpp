@@ -227,7 +227,8 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   print_touching(staged.scene, report, tally, out);
   if (report.patches > 0) print_deepest(staged.scene, report, out);
-  if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, out);
+  if (report.inside && staged.colliders.size() > 1)
+    print_inside(staged, *report.inside, settings.frames.stride, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';
 }
