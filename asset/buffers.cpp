@@ -11,23 +11,23 @@ Buffers::Buffers(const GltfDocument& document, std::optional<Bytes> binary_chunk
     : document_(document), binary_chunk_(binary_chunk), folder_(folder), budget_(budget) {}
 
 Result<Buffers::Bytes> Buffers::view(std::uint32_t view, const std::string& what) {
-  const GltfView& source = document_.views[view];
+  views_read_.insert(view);
   const std::string name = what + ": " + label("bufferView", view);
-  if (source.meshopt) return compressed_view(view, name);
-  return range(source.buffer, source.offset, source.length, name);
+  return document_.views[view].meshopt ? compressed_view(view, name) : stored_view(view, name);
 }
 
-std::vector<std::filesystem::path> Buffers::files_read() const {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& [path, bytes] : files_) paths.push_back(path);
-  return paths;
+Result<Buffers::Bytes> Buffers::stored_view(std::uint32_t view, const std::string& what) {
+  const GltfView& source = document_.views[view];
+  if (!source.meshopt) return range(source.buffer, source.offset, source.length, what);
+  const GltfMeshopt& meshopt = *source.meshopt;
+  return range(meshopt.buffer, meshopt.offset, meshopt.length, what);
 }
 
 Result<Buffers::Bytes> Buffers::compressed_view(std::uint32_t view, const std::string& what) {
   const auto known = decompressed_.find(view);
   if (known != decompressed_.end()) return Bytes(known->second);
   const GltfMeshopt& meshopt = *document_.views[view].meshopt;
-  const Result<Bytes> compressed = range(meshopt.buffer, meshopt.offset, meshopt.length, what);
+  const Result<Bytes> compressed = stored_view(view, what);
   if (!compressed) return compressed.error();
   Result<std::vector<std::byte>> bytes = decode_meshopt(meshopt, *compressed, budget_, what);
   if (!bytes) return bytes.error();

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 
 namespace pelt::asset {
@@ -21,8 +22,11 @@ class Buffers {
   /// Returns the decompressed bytes of a view. `what` names the user of the view in messages.
   Result<std::span<const std::byte>> view(std::uint32_t view, const std::string& what);
 
-  /// The external files that have been read.
-  std::vector<std::filesystem::path> files_read() const;
+  /// Returns the bytes of a view as they are in its buffer, which may be compressed.
+  Result<std::span<const std::byte>> stored_view(std::uint32_t view, const std::string& what);
+
+  /// The views that `view` was called for.
+  const std::set<std::uint32_t>& views_read() const { return views_read_; }
 
  private:
   using Bytes = std::span<const std::byte>;
@@ -39,6 +43,7 @@ class Buffers {
   std::optional<Bytes> binary_chunk_;
   const std::filesystem::path& folder_;
   Budget& budget_;
+  std::set<std::uint32_t> views_read_;
   std::map<std::uint32_t, Bytes> fetched_;
   std::map<std::uint32_t, std::vector<std::byte>> data_uris_;
   std::map<std::filesystem::path, std::vector<std::byte>> files_;

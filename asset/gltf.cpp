@@ -72,7 +72,8 @@ Result<ReadGltf> read_gltf(std::span<const std::byte> file, const std::filesyste
   Buffers buffers(*document, container->binary, folder, budget);
   Result<Asset> asset = read_asset(*document, buffers, budget, options);
   if (!asset) return with_remedy(asset.error());
-  return ReadGltf{*std::move(asset), buffers.files_read()};
+  const std::set<std::uint32_t>& views = buffers.views_read();
+  return ReadGltf{*std::move(asset), {views.begin(), views.end()}};
 }
 
 }  // namespace pelt::asset

@@ -3,6 +3,7 @@
 #include <pelt/asset.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <vector>
@@ -11,10 +12,10 @@ namespace pelt::asset {
 
 struct ReadGltf {
   Asset asset;
-  std::vector<std::filesystem::path> files;  ///< external buffers that meshes and clips use
+  std::vector<std::uint32_t> views;  ///< buffer views that meshes and clips use, ascending
 };
 
-/// Like `load_gltf`, and also returns the other files that it has read.
+/// Like `load_gltf`, and also returns the views that it has read.
 Result<ReadGltf> read_gltf(std::span<const std::byte> file, const std::filesystem::path& folder,
                            const GltfOptions& options);
 

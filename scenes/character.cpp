@@ -41,7 +41,7 @@ Result<Character> read_character(const std::filesystem::path& path,
   Result<asset::ReadGltf> read = asset::read_gltf(*file, folder, options);
   if (!read) return asset::prefixed(path.string(), read.error());
   return Character{path.stem().string(),   path.string(), hash_of(*file),
-                   std::move(read->asset), path,          std::move(read->files)};
+                   std::move(read->asset), path,          std::move(read->views)};
 }
 
 }  // namespace

@@ -47,6 +47,19 @@ void add_bounds(std::span<const Vec3> positions, ordered_json& accessor) {
 
 }  // namespace
 
+std::vector<std::byte> make_glb_file(std::string_view json, std::span<const std::byte> binary) {
+  constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJson = 0x4E4F534A, kBin = 0x004E4942;
+  std::vector<std::byte> chunks;
+  append_chunk(chunks, std::as_bytes(std::span(json)), kJson, ' ');
+  append_chunk(chunks, binary, kBin, '\0');
+  std::vector<std::byte> file;
+  append_u32(file, kMagic);
+  append_u32(file, kVersion);
+  append_u32(file, 12 + chunks.size());
+  file.insert(file.end(), chunks.begin(), chunks.end());
+  return file;
+}
+
 GlbBuilder::GlbBuilder() {
   json["asset"] = {{"version", "2.0"}, {"generator", "pelt " PELT_VERSION}};
   json["scene"] = 0;
@@ -104,16 +117,7 @@ std::size_t GlbBuilder::add_sparse(std::size_t count, std::span<const std::uint3
 std::vector<std::byte> GlbBuilder::file() {
   json["buffers"][0]["byteLength"] = binary_.size();
   const std::string text = json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJson = 0x4E4F534A, kBin = 0x004E4942;
-  std::vector<std::byte> chunks;
-  append_chunk(chunks, std::as_bytes(std::span(text)), kJson, ' ');
-  append_chunk(chunks, binary_, kBin, '\0');
-  std::vector<std::byte> file;
-  append_u32(file, kMagic);
-  append_u32(file, kVersion);
-  append_u32(file, 12 + chunks.size());
-  file.insert(file.end(), chunks.begin(), chunks.end());
-  return file;
+  return make_glb_file(text, binary_);
 }
 
 std::size_t GlbBuilder::add_view(std::span<const std::byte> bytes) {

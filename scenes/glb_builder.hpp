@@ -10,9 +10,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace pelt::scenes {
+
+/// Returns a .glb file with this JSON text and binary chunk. Precondition: less than 4 GB.
+std::vector<std::byte> make_glb_file(std::string_view json, std::span<const std::byte> binary);
 
 class GlbBuilder {
  public:

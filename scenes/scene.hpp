@@ -29,8 +29,7 @@ struct Character {
   /// Path of its file, relative to the working directory, or the options that it was generated
   /// with.
   std::variant<std::filesystem::path, CreatureOptions, FaceOptions> origin = {};
-  /// The other files that its meshes and clips lie in.
-  std::vector<std::filesystem::path> buffer_files = {};
+  std::vector<std::uint32_t> buffer_views = {};  ///< of its file, used by meshes and clips
 };
 
 /// A fixed weight of a morph target, which overrides the clip.

@@ -4,18 +4,17 @@
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "base/hash.hpp"
+#include "tools/pelt/page/geometry_copy.hpp"
 
 namespace pelt::tools::page {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_utf8(const std::string& text) { return asset::as_utf8(text) == text; }
-
 /// The page is text, and so are the paths in it.
 std::string name_in_page(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return is_utf8(name) ? name : "model" + path.extension().string();
+  const std::string name = path.stem().string();
+  return (asset::as_utf8(name) == name ? name : "model") + ".glb";
 }
 
 /// Another process may have changed the file since it was read.
@@ -27,24 +26,17 @@ Result<void> check_unchanged(const scenes::Character& character, std::span<const
                character.source + ": was changed after it was read: try again"};
 }
 
-Result<void> add_file(const fs::path& path, const std::string& name, CharacterFiles& files) {
-  auto bytes = asset::read_file(path);
-  if (!bytes) return bytes.error();
-  files.bytes[name] = std::move(*bytes);
-  return {};
-}
-
-/// Adds the buffers under the names that the model uses, which the page's reader looks up.
-Result<void> add_buffers(const scenes::Character& character, const fs::path& beside,
-                         const std::string& folder, CharacterFiles& files) {
-  for (const fs::path& file : character.buffer_files) {
-    const std::string name = file.lexically_relative(beside).generic_string();
-    if (!is_utf8(name))
-      return Error{ErrorCode::unsupported,
-                   character.source + ": its buffer " + asset::quoted(name) +
-                       " has a name that is not UTF-8, which a page cannot have: rename it"};
-    if (const auto added = add_file(file, folder + name, files); !added) return added.error();
-  }
+Result<void> add_character(const scenes::Character& character, const fs::path& path,
+                           const std::string& folder, CharacterFiles& files) {
+  const auto original = asset::read_file(path);
+  if (!original) return original.error();
+  if (const auto unchanged = check_unchanged(character, *original); !unchanged) return unchanged;
+  const fs::path beside = path.has_parent_path() ? path.parent_path() : ".";
+  auto copy = copy_geometry(*original, beside, character.buffer_views);
+  if (!copy) return asset::prefixed(character.source, copy.error());
+  files.paths.back() = folder + name_in_page(path);
+  files.original_sizes.back() = original->size();
+  files.bytes[files.paths.back()] = *std::move(copy);
   return {};
 }
 
@@ -54,16 +46,11 @@ Result<CharacterFiles> read_character_files(const scenes::Scene& scene) {
   CharacterFiles files;
   for (std::size_t c = 0; c < scene.characters.size(); ++c) {
     const scenes::Character& character = scene.characters[c];
-    const auto* path = std::get_if<fs::path>(&character.origin);
     files.paths.emplace_back();
+    files.original_sizes.emplace_back();
+    const auto* path = std::get_if<fs::path>(&character.origin);
     if (!path) continue;
-    const std::string folder = std::to_string(c) + "/";
-    files.paths.back() = folder + name_in_page(*path);
-    if (const auto added = add_file(*path, files.paths.back(), files); !added) return added.error();
-    const auto unchanged = check_unchanged(character, files.bytes[files.paths.back()]);
-    if (!unchanged) return unchanged.error();
-    const fs::path beside = path->has_parent_path() ? path->parent_path() : ".";
-    const auto added = add_buffers(character, beside, folder, files);
+    const auto added = add_character(character, *path, std::to_string(c) + "/", files);
     if (!added) return added.error();
   }
   return files;

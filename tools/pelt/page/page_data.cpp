@@ -65,7 +65,7 @@ ordered_json inputs_json(const scenes::Scene& scene, const CharacterFiles& files
     input["hash"] = output::hex16(character.hash);
     if (files.paths[c].empty()) continue;
     input["file"] = files.paths[c];
-    input["bytes"] = files.bytes.at(files.paths[c]).size();
+    input["bytes"] = files.original_sizes[c];
   }
   return inputs;
 }
