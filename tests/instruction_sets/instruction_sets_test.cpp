@@ -2,8 +2,10 @@
 /// are on planes and edges of other triangles, which only exact arithmetic can decide.
 
 #include <pelt/collide.hpp>
+#include <pelt/self_collide.hpp>
 
 #include "geometry/predicates.hpp"
+#include "self/self_brute_force.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 #include "tools/pelt/methods/brute_force.hpp"
@@ -128,6 +130,7 @@ struct Case {
   const char* name;
   Body (*make)(Random&);
   bool needs_exact_signs;
+  bool is_smooth = false;  ///< hardly intersects itself
 };
 
 constexpr Case kCases[] = {
@@ -137,8 +140,8 @@ constexpr Case kCases[] = {
     {"tiny_on_the_grid", tiny_on_the_grid, true},
     {"huge_on_the_grid", huge_on_the_grid, true},
     {"in_one_plane", in_one_plane, true},
-    {"twins", twin, true},
-    {"bent_limbs", bent_limb, false},
+    {"twins", twin, true, true},
+    {"bent_limbs", bent_limb, false, true},
     {"rigid_soups", soup<Motion::rigid>, false},
     {"affine_soups", soup<Motion::affine>, false},
     {"collapsed_soups", soup<Motion::collapsed>, false},
@@ -247,6 +250,59 @@ TEST_P(InstructionSets, StopAtTheLimitAfterTheSameWork) {
       cut_short += first.work.cut_short;
     }
   EXPECT_GT(cut_short, 0);
+}
+
+/// One body that is queried in a new pose each time.
+class Single {
+ public:
+  explicit Single(const Body& body)
+      : body_(body),
+        pose_(*build_model(body.shape.view())),
+        filter_(*build_self_filter(pose_.model())) {}
+
+  Answer collide(std::uint32_t max_contacts) {
+    EXPECT_TRUE(pose_.set_palette(body_.palette));
+    Answer answer;
+    const std::uint64_t before = detail::exact_sign_count();
+    answer.work =
+        self_collide(pose_, filter_, scratch_, answer.contacts, {.max_contacts = max_contacts});
+    answer.exact_signs = detail::exact_sign_count() - before;
+    return answer;
+  }
+
+  std::vector<Contact> brute_force() const { return test::brute_force_self(body_.shape, pose_); }
+
+ private:
+  const Body& body_;
+  Pose pose_;
+  SelfFilter filter_;
+  Scratch scratch_;
+};
+
+TEST_P(InstructionSets, FindWhatBruteForceFindsInOneBodyByTheSameWork) {
+  Random random(82);
+  std::size_t contacts = 0;
+  for (int round = 0; round < 12; ++round)
+    for (const std::uint32_t limit : {UINT32_MAX, 1u, 20u}) {
+      SCOPED_TRACE(testing::Message() << "round " << round << ", limit " << limit);
+      const Body body = GetParam().make(random);
+      Single single(body);
+      Answer first;
+      test::on_each_instruction_set([&](InstructionSet set) {
+        const Answer answer = single.collide(limit);
+        if (set == available_instruction_sets().front()) first = answer;
+        EXPECT_EQ(answer.contacts, first.contacts);
+        EXPECT_EQ(counts(answer.work), counts(first.work));
+        EXPECT_EQ(answer.exact_signs, first.exact_signs);
+      });
+      if (limit < UINT32_MAX) continue;
+      EXPECT_EQ(first.contacts, single.brute_force());
+      contacts += first.contacts.size();
+    }
+  std::printf("%zu contacts\n", contacts);
+  if (!GetParam().is_smooth) {
+    EXPECT_GT(contacts, 100u);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Inputs, InstructionSets, testing::ValuesIn(kCases),
