@@ -23,7 +23,7 @@ constexpr void (*kQuestions[])(Question&) = {
     ask_ray,        ask_region,         ask_solid_distance,    ask_solid_cast,
     ask_side,       ask_deepest_vertex, ask_containment,       ask_bounds,
     ask_groups,     ask_farthest,       ask_field_contacts,    ask_field_distance,
-    ask_field_cast, ask_crowd};
+    ask_field_cast, ask_crowd,          ask_self_contacts};
 
 void ask_all(FuzzBytes& bytes) {
   const auto sets = available_instruction_sets();

@@ -36,5 +36,6 @@ void ask_field_contacts(Question& question);
 void ask_field_distance(Question& question);
 void ask_field_cast(Question& question);
 void ask_crowd(Question& question);
+void ask_self_contacts(Question& question);
 
 }  // namespace pelt::test

@@ -3,7 +3,7 @@
 /// table must amount to: a common point that is not in the hull of the shared corners.
 #include "geometry/neighbour_pair.hpp"
 
-#include "common_points.hpp"
+#include "exact_neighbours.hpp"
 #include "finite_floats.hpp"
 #include "geometry/predicates.hpp"
 #include "triangle_cases.hpp"
@@ -20,84 +20,6 @@ namespace {
 
 using detail::surface_triangles_intersect;
 using detail::SurfaceTriangle;
-
-/// A corner with its surface vertex. Equal corners are shared.
-struct Corner {
-  std::uint32_t vertex;
-  RationalPoint point;
-
-  friend bool operator==(const Corner& a, const Corner& b) {
-    return a.vertex == b.vertex && a.point == b.point;
-  }
-};
-
-using Corners = std::vector<Corner>;
-
-Corners distinct_corners(const SurfaceTriangle& t) {
-  Corners corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Corner corner = {t.vertices[i], to_rational(t.corners[i])};
-    if (std::find(corners.begin(), corners.end(), corner) == corners.end())
-      corners.push_back(corner);
-  }
-  return corners;
-}
-
-/// The points of the corners of `a` that `b` also has, or does not have.
-RationalPoints points(const Corners& a, const Corners& b, bool shared) {
-  RationalPoints chosen;
-  for (const Corner& corner : a)
-    if ((std::find(b.begin(), b.end(), corner) != b.end()) == shared)
-      chosen.push_back(corner.point);
-  return chosen;
-}
-
-RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// A pair of triangles in exact arithmetic.
-struct ExactPair {
-  ExactPair(const SurfaceTriangle& a, const SurfaceTriangle& b) {
-    const Corners of_a = distinct_corners(a), of_b = distinct_corners(b);
-    all_a = points(of_a, {}, false), all_b = points(of_b, {}, false);
-    shared = points(of_a, of_b, true);
-    own_a = points(of_a, of_b, false), own_b = points(of_b, of_a, false);
-  }
-
-  static bool has_collapsed(const RationalPoints& t) {
-    return t.size() < 3 ||
-           cross(difference(t[1], t[0]), difference(t[2], t[0])) == RationalPoint{0, 0, 0};
-  }
-  bool has_collapsed() const { return has_collapsed(all_a) || has_collapsed(all_b); }
-
-  /// Whether two shared corners exist, and the other corners lie in one plane with them, strictly
-  /// on the same side.
-  bool is_folded_flat() const {
-    if (shared.size() != 2 || own_a.size() != 1 || own_b.size() != 1) return false;
-    const RationalPoint edge = difference(shared[1], shared[0]);
-    const RationalPoint to_a = cross(edge, difference(own_a[0], shared[0]));
-    const RationalPoint to_b = cross(edge, difference(own_b[0], shared[0]));
-    return cross(to_a, to_b) == RationalPoint{0, 0, 0} && dot(to_a, to_b) > 0;
-  }
-
-  bool by_table() const {
-    if (shared.empty()) return hulls_intersect(all_a, all_b);
-    if (own_a.empty() && own_b.empty()) return true;
-    return is_folded_flat() || (!own_a.empty() && hulls_intersect(own_a, all_b)) ||
-           (!own_b.empty() && hulls_intersect(own_b, all_a));
-  }
-
-  /// Precondition: the triangles have not collapsed.
-  bool by_rule() const {
-    if (shared.size() == 3) return true;
-    for (const RationalPoint& point : common_points(all_a, all_b))
-      if (shared.empty() || !hulls_intersect({point}, shared)) return true;
-    return false;
-  }
-
-  RationalPoints all_a, all_b, shared, own_a, own_b;
-};
 
 std::string text_of(const SurfaceTriangle& t) {
   std::ostringstream text;
@@ -116,11 +38,11 @@ class Comparison {
 
   void add(const SurfacePair& pair) {
     const auto& [a, b] = pair;
-    const ExactPair exact(a, b);
-    const bool expected = exact.by_table();
+    const ExactNeighbours exact(a, b);
+    const bool expected = exact.intersect_by_table();
     SCOPED_TRACE(testing::Message() << "seed " << seed_ << ": " << text_of(a) << text_of(b));
     if (!exact.has_collapsed()) {
-      ASSERT_EQ(exact.by_rule(), expected) << "the table is wrong";
+      ASSERT_EQ(exact.intersect_by_rule(), expected) << "the table is wrong";
     }
     ASSERT_EQ(surface_triangles_intersect(a, b), expected);
     for (std::size_t order = 0; order < 36; ++order) expect_in_order(a, b, order, expected);
@@ -158,20 +80,14 @@ class Comparison {
     ASSERT_EQ(surface_triangles_intersect(of_b, of_a), expected) << "swapped, order " << order;
   }
 
-  void count(const ExactPair& exact, bool hit) {
+  void count(const ExactNeighbours& exact, bool hit) {
     const bool has_collapsed = exact.has_collapsed();
     std::ostringstream kind;
-    kind << (has_collapsed ? "collapsed, " : "") << "share " << exact.shared.size()
+    kind << (has_collapsed ? "collapsed, " : "") << "share " << exact.shared_count()
          << (hit ? ", hit" : ", no hit");
     ++counts_[kind.str()];
-    if (has_collapsed || exact.shared.size() != 2) return;
-    if (is_coplanar(exact)) ++counts_[exact.is_folded_flat() ? "folded flat" : "flat, not folded"];
-  }
-
-  static bool is_coplanar(const ExactPair& exact) {
-    const RationalPoint normal = cross(difference(exact.all_a[1], exact.all_a[0]),
-                                       difference(exact.all_a[2], exact.all_a[0]));
-    return dot(normal, difference(exact.own_b[0], exact.shared[0])) == 0;
+    if (has_collapsed || exact.shared_count() != 2) return;
+    if (exact.is_flat()) ++counts_[exact.is_folded_flat() ? "folded flat" : "flat, not folded"];
   }
 
   std::uint64_t seed_, exact_before_;
