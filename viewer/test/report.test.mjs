@@ -169,7 +169,9 @@ test('a report plays, glows, tells the work and takes other files', async (t) =>
     return Number(document.querySelector('[data-fact=frame]').textContent) !== frame;
   }, first);
   await goToFrame(page, 45);
-  assert.ok((await pixels(page)).count > 100);
+  const contacts = await pixels(page);
+  assert.ok(contacts.count > 100);
+  await selectsWithoutHandles(page, contacts);
   for (const still of await page.locator('.stills img').all()) {
     assert.ok((await pixels(page, browsing.GLOWING, still)).count > 20, 'a still of contacts');
   }
@@ -183,6 +185,23 @@ test('a report plays, glows, tells the work and takes other files', async (t) =>
   );
   assert.deepEqual(page.complaints, []);
 });
+
+/** A click on a body shows its card, and moves nothing: handles come on demand. */
+async function selectsWithoutHandles(page, { x, y }) {
+  const handles = async () => (await pixels(page, browsing.RED_HANDLE)).count;
+  await page.mouse.click(x, y);
+  const { y: top, height } = await page.locator('.card.selected').boundingBox();
+  const panel = await page.locator('.side').boundingBox();
+  assert.ok(
+    top >= panel.y && top + height <= panel.y + panel.height,
+    `card ${top} + ${height} in ${panel.y} + ${panel.height}`,
+  );
+  assert.equal(await handles(), 0);
+  await page.keyboard.press('g');
+  await page.waitForTimeout(300);
+  assert.ok((await handles()) > 0);
+  await page.keyboard.press('Escape');
+}
 
 async function picture(page, name) {
   mkdirSync(process.env.PELT_PICTURES, { recursive: true });

@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { Instance } from '../scene/scene';
 import { turnOf, withTurn } from '../scene/turn';
 import {
@@ -35,7 +35,7 @@ export const CharacterCard = memo((props: CardProps) => {
   const { name, triangles, warnings } = character;
   const size = counted(triangles.length / 3, 'triangle');
   const card = useRef<HTMLElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (isSelected) card.current?.scrollIntoView({ block: 'nearest' });
   }, [isSelected]);
   return (
