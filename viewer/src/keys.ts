@@ -111,7 +111,7 @@ function pressedKey({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string 
 
 function isTaken({ target, key, ctrlKey, metaKey }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false;
-  if (target.closest('dialog')) return true;
+  if (target.closest('dialog')) return key !== '?';
   if (target.matches('[type=search]')) return key !== 'Escape';
   if (ctrlKey || metaKey) return false; // a number that is typed is an edit of the scene
   if (key === 'Escape') return false;

@@ -186,8 +186,15 @@ describe('the keyboard', () => {
     const dialog = page.getByRole('dialog', { name: 'Help' });
     await dialog.waitFor();
     assert.match(await dialog.innerText(), /Opened: [^]*Untouched: [^]*next frame/);
+    const closings = [() => press('Escape'), () => press('?'), () => page.mouse.click(9, 300)];
+    for (const close of closings) {
+      await close();
+      await dialog.waitFor({ state: 'hidden' });
+      await page.waitForTimeout(200); // until the page knows
+      await press('?');
+      await dialog.waitFor();
+    }
     await press('Escape');
-    await dialog.waitFor({ state: 'hidden' });
   });
 
   test('reaches every control, and shows where it is', async () => {

@@ -1,4 +1,4 @@
-import type { ComponentChildren } from 'preact';
+import type { ComponentChildren, JSX } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { ACCENT, cssColour, OPENED, REFITTED, UNTOUCHED } from '../draw/colours';
 import { KEYS } from '../keys';
@@ -11,7 +11,12 @@ export function Help({ state: { isHelpOpen }, update }: PanelProps) {
     else dialog.current?.close();
   }, [isHelpOpen]);
   return (
-    <dialog ref={dialog} aria-label="Help" onClose={() => update(() => ({ isHelpOpen: false }))}>
+    <dialog
+      ref={dialog}
+      aria-label="Help"
+      onClose={() => update(() => ({ isHelpOpen: false }))}
+      onClick={(event) => isBeside(event) && event.currentTarget.close()}
+    >
       <h2>What is shown</h2>
       <Shown />
       <h2>Keys</h2>
@@ -21,6 +26,12 @@ export function Help({ state: { isHelpOpen }, update }: PanelProps) {
       </form>
     </dialog>
   );
+}
+
+/** Whether a click is on the backdrop. */
+function isBeside({ currentTarget, clientX: x, clientY: y }: JSX.TargetedMouseEvent<Element>) {
+  const { left, right, top, bottom } = currentTarget.getBoundingClientRect();
+  return x < left || x > right || y < top || y > bottom;
 }
 
 function Shown() {

@@ -45,7 +45,7 @@ function contactsInWords(count: number | null | undefined): string {
 /** Goes to the frame whose bar is under the pressed pointer. */
 function scrubbing(frameCount: number, update: Update) {
   const goTo = ({ currentTarget, clientX, buttons }: JSX.TargetedPointerEvent<HTMLElement>) => {
-    if (buttons === 0) return;
+    if ((buttons & 1) === 0) return; // only the main button
     const { left, width } = currentTarget.getBoundingClientRect();
     const frame = Math.floor(((clientX - left) / width) * frameCount);
     update(pauseAt(Math.min(Math.max(0, frame), frameCount - 1)));
