@@ -106,7 +106,7 @@ std::string write_strip(const TestFolder& folder, const std::string& name) {
 
 std::string viewer_page(const std::string& version) {
   return R"(<html><meta name="generator" content="Pelt )" + version +
-         R"("><script type="application/json" id="pelt-data"></script><p>viewer</p></html>)";
+         R"("><p id="pelt-verdict"></p><script type="application/json" id="pelt-data"></script><p>viewer</p></html>)";
 }
 
 }  // namespace pelt::test

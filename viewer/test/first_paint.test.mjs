@@ -53,12 +53,14 @@ test('the verdict of a report, in the theme of the system, comes before WebGL', 
   }
 });
 
-test('without JavaScript, a page says what it needs', async (t) => {
+test('without JavaScript, a report has its verdict, and says what it needs', async (t) => {
   const context = await browser.newContext({ javaScriptEnabled: false });
   t.after(() => context.close());
   const page = await context.newPage();
   await page.goto(browsing.urlOf(shop.at('report.html')));
-  assert.match(await page.locator('body').innerText(), /^Pelt\s+This page needs JavaScript/);
+  const text = await page.locator('body').innerText();
+  assert.match(text, /^Pelt\s+Check failed: \d+ of 12 frames in contact, [\d,]+ contacts\./);
+  assert.match(text, /This page needs JavaScript/);
 });
 
 test('a report that was cut short says so', async (t) => {

@@ -77,6 +77,21 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
   EXPECT_EQ(parse_check_file(again.out).totals["hash"], file.totals["hash"]);
 }
 
+TEST_F(CheckHtml, TellsTheResultWithoutTheScript) {
+  const Ended run =
+      run_pelt(folder_, {"check", "scene.json", "--frames", "2:12:2", "--html", "a<b&c.html"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const std::string page = read_text(folder_ / "a<b&c.html");
+  const json totals = data_of(page)["answer"]["totals"];
+  EXPECT_EQ(totals["frames"], 5);
+  EXPECT_GT(totals["contacts"], 0);
+  const auto words = [&](const char* key) { return totals[key].dump(); };
+  const std::string result = "Check failed: " + words("frames_in_contact") +
+                             " of 5 frames in contact, " + words("contacts") + " contacts.";
+  EXPECT_NE(page.find(R"(<p id="pelt-verdict">)" + result), page.npos) << page.substr(0, 400);
+  EXPECT_NE(page.find("a&lt;b&amp;c.html"), page.npos);
+}
+
 /// Writes the files of a page to `again` and checks their scene.
 CheckFile check_again(const TestFolder& folder, const json& data) {
   for (const auto& [path, bytes] : data["files"].items()) {

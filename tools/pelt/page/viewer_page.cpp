@@ -3,6 +3,7 @@
 #include <pelt/version.hpp>
 
 #include "asset/file_bytes.hpp"
+#include "tools/pelt/page/verdict_html.hpp"
 
 #include <cstdlib>
 
@@ -12,6 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPlace = R"(<script type="application/json" id="pelt-data">)";
+
+/// Where the result stands until the script runs.
+constexpr std::string_view kVerdict = R"(<p id="pelt-verdict">)";
 
 /// Version mark of the page.
 constexpr std::string_view kMaker = R"(<meta name="generator" content="Pelt )" PELT_VERSION "\"";
@@ -78,6 +82,8 @@ Result<std::string> page_of_scene(const scenes::Scene& scene,
   Result<std::string> json = page_data(scene, models, data);
   if (!json) return json;
   page->insert(page->find(kPlace) + kPlace.size(), for_script(*json));
+  const std::size_t verdict = page->find(kVerdict);
+  if (verdict != page->npos) page->insert(verdict + kVerdict.size(), verdict_html(data));
   return page;
 }
 
