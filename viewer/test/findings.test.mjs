@@ -75,6 +75,26 @@ describe('beside a baseline', () => {
     assert.equal(worseTouch({ a: b, b: a }, state), grown, 'in no order');
   });
 
+  test('the list can be restricted to words, a pair and a standing', async () => {
+    const { filtered, NO_FILTER } = await load('state/listing.ts');
+    const scene = { instances: [{ character: 0 }, { character: 1 }] };
+    const characters = [{ name: 'Knight' }, { name: 'Horse' }];
+    const listed = (filter) => {
+      const full = { ...state, scene, reported: scene, characters };
+      const found = filtered(touches, { ...full, filter: { ...NO_FILTER, ...filter } });
+      return found.map(({ a }) => a.joint).join();
+    };
+    assert.equal(listed({}), 'head,hand,foot');
+    assert.equal(listed({ words: 'HAND horse' }), 'hand');
+    assert.equal(listed({ words: 'knight foot skin 1 ' }), 'foot');
+    assert.equal(listed({ words: 'tail' }), '');
+    assert.equal(listed({ pair: [0, 1] }), 'head,hand,foot');
+    assert.equal(listed({ pair: [1, 2] }), '');
+    assert.equal(listed({ standing: 'new' }), 'foot');
+    assert.equal(listed({ standing: 'grown' }), 'hand');
+    assert.equal(listed({ standing: 'known', words: 'head' }), 'head');
+  });
+
   test('nothing is said of another scene than the one compared', async () => {
     const { worstFirst, worseTouch } = await load('report/baseline.ts');
     for (const changed of [

@@ -244,6 +244,14 @@ test('a report tells which of many instances touch', async (t) => {
   assert.equal(await page.locator('.card').count(), 0, 'many cards are folded');
   await page.getByRole('button', { name: '5 characters' }).click();
   assert.equal(await page.locator('.card').count(), 5);
+  const areas = await page
+    .locator('.side, .side *')
+    .evaluateAll((all) =>
+      all
+        .filter((one) => /auto|scroll/.test(getComputedStyle(one).overflowY))
+        .map((one) => one.className),
+    );
+  assert.deepEqual(areas, ['side'], 'the panel scrolls as a whole');
 });
 
 test('a report tells which bodies are inside others', async (t) => {
