@@ -50,7 +50,7 @@ void add_bounds(std::span<const Vec3> positions, ordered_json& accessor) {
 std::vector<std::byte> make_glb_file(std::string_view json, std::span<const std::byte> binary) {
   constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJson = 0x4E4F534A, kBin = 0x004E4942;
   std::vector<std::byte> chunks;
-  append_chunk(chunks, std::as_bytes(std::span(json)), kJson, ' ');
+  append_chunk(chunks, std::as_bytes(std::span(json.data(), json.size())), kJson, ' ');
   append_chunk(chunks, binary, kBin, '\0');
   std::vector<std::byte> file;
   append_u32(file, kMagic);
