@@ -70,6 +70,12 @@ bool has_corner(const Corners& triangle, std::uint32_t vertex) {
   return vertex == triangle[0] || vertex == triangle[1] || vertex == triangle[2];
 }
 
+/// Adds the corners that are not in the ring.
+void add_corners(Stack<std::uint32_t>& ring, const Corners& triangle) {
+  for (const std::uint32_t vertex : triangle)
+    if (std::find(ring.begin(), ring.end(), vertex) == ring.end()) ring.push(vertex);
+}
+
 /// Whether any of the vertices is a corner of the triangle.
 bool reaches(Stack<std::uint32_t>& vertices, const Corners& triangle) {
   return std::any_of(vertices.begin(), vertices.end(),
@@ -114,7 +120,7 @@ bool PairFilters::are_within_rings(const Tree& tree, const Fans& fans, Contact p
   const Corners& from = fans.corners[tree.triangle_places[pair.triangle_a]];
   const Corners& to = fans.corners[tree.triangle_places[pair.triangle_b]];
   ring.clear();
-  for (const std::uint32_t vertex : from) ring.push(vertex);
+  add_corners(ring, from);
   std::size_t begin = 0;
   for (std::uint32_t round = 1;; ++round) {
     if (reaches(ring, to)) return true;
@@ -122,8 +128,7 @@ bool PairFilters::are_within_rings(const Tree& tree, const Fans& fans, Contact p
     const std::size_t end = ring.size();
     for (; begin < end; ++begin)
       for (const FanTriangle& t : fans[fan_of_vertex[ring.begin()[begin]]])
-        for (const std::uint32_t vertex : fans.corners[t.place()])
-          if (std::find(ring.begin(), ring.end(), vertex) == ring.end()) ring.push(vertex);
+        add_corners(ring, fans.corners[t.place()]);
     if (ring.size() == end) return false;
   }
 }

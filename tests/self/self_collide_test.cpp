@@ -283,7 +283,7 @@ TEST(SelfCollide, AllocatesNothingWhenReserved) {
         EXPECT_EQ(allocations_when_reserved(disc, {flat}, limit, rings), 0u);
       }
     }
-  EXPECT_EQ(allocations_when_reserved(make_pinned(3, {{0, 0, 0}, {0, 1, 1}, {0, 1, 2}}),
+  EXPECT_EQ(allocations_when_reserved(make_pinned(3, {{0, 0, 0}, {0, 1, 2}, {1, 2, 2}}),
                                       pin(std::vector<Vec3>(3)), 20, 3),
             0u);
 }
