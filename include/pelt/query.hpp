@@ -92,7 +92,7 @@ class PELT_API Scratch {
   /// `ray_hits`: largest number of hits of `cast_all`.
   /// `self_vertices`: largest `SelfFilter::scratch_vertices` of the filters of `self_collide`.
   ///
-  /// Memory: 156 KB, plus 28 bytes per contact, 36 bytes per hit and 20 bytes per vertex.
+  /// Memory: 156 KB, plus 28 bytes per contact, 36 bytes per hit and 24 bytes per vertex.
   void reserve(std::size_t contacts, std::size_t ray_hits = 0, std::size_t self_vertices = 0);
 
   /// For internal use.

@@ -97,7 +97,7 @@ class PELT_API SelfFilter {
   ///
   /// Preconditions: `s` and `t` are different triangles of the model.
   ///
-  /// Cost: O(log P) for lists of P pairs; `rings` costs O(rings^2) or less.
+  /// Cost: O(log P) for lists of P pairs; O(V) for more than one ring.
   LeftOutBy left_out_by(std::uint32_t s, std::uint32_t t) const;
 
   /// Number of vertices to pass to `Scratch::reserve`, so that `self_collide` does not allocate.
@@ -150,7 +150,8 @@ PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
 ///
 /// Cost: poses all vertices and computes all boxes, O(V + T), unless this has been done since the
 /// last palette. The descent of the tree against itself then also costs O(T), because neighbours
-/// always touch. Pairs that the filter leaves out cost as much as others.
+/// always touch. Pairs that the filter leaves out cost as much as others. With several rings, each
+/// intersecting pair also costs O(triangles in the rings).
 ///
 /// Allocates only if it needs more memory in the pose, in `scratch` or in `contacts` than any
 /// earlier query.

@@ -45,7 +45,7 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, std::size_t se
   scratch_->inside.reserve(contacts);
   scratch_->sorting_numbers.reserve(contacts);
   scratch_->positions.reserve(self_vertices);
-  scratch_->ring.reserve(self_vertices);
+  if (self_vertices > 0) scratch_->ring.reserve(2 * self_vertices + 1);
 }
 
 }  // namespace pelt

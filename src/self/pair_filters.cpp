@@ -70,17 +70,42 @@ bool has_corner(const Corners& triangle, std::uint32_t vertex) {
   return vertex == triangle[0] || vertex == triangle[1] || vertex == triangle[2];
 }
 
-/// Adds the corners that are not in the ring.
-void add_corners(Stack<std::uint32_t>& ring, const Corners& triangle) {
-  for (const std::uint32_t vertex : triangle)
-    if (std::find(ring.begin(), ring.end(), vertex) == ring.end()) ring.push(vertex);
+bool share_corner(const Corners& a, const Corners& b) {
+  return has_corner(a, b[0]) || has_corner(a, b[1]) || has_corner(a, b[2]);
 }
 
-/// Whether any of the vertices is a corner of the triangle.
-bool reaches(Stack<std::uint32_t>& vertices, const Corners& triangle) {
-  return std::any_of(vertices.begin(), vertices.end(),
-                     [&](std::uint32_t vertex) { return has_corner(triangle, vertex); });
-}
+/// A set of surface vertices, in memory that is used for one set after the other: the number of
+/// this set, for each vertex the number of the last set that contained it, and the vertices of this
+/// set.
+class VertexSet {
+ public:
+  /// `memory`: empty, or used for the last set of vertices below `vertex_count`.
+  VertexSet(Stack<std::uint32_t>& memory, std::size_t vertex_count)
+      : memory_(memory), first_(vertex_count + 1) {
+    constexpr std::uint32_t kLastNumber = UINT32_MAX;
+    if (memory.empty() || memory.begin()[0] == kLastNumber) {
+      memory.clear();
+      for (std::size_t i = 0; i < first_; ++i) memory.push(0);
+    }
+    memory.shrink(first_);
+    number_ = ++memory.begin()[0];
+  }
+
+  std::size_t size() const { return memory_.size() - first_; }
+  std::uint32_t operator[](std::size_t i) const { return memory_.begin()[first_ + i]; }
+
+  void add(std::uint32_t vertex) {
+    std::uint32_t& last_number = memory_.begin()[1 + vertex];
+    if (last_number == number_) return;
+    last_number = number_;
+    memory_.push(vertex);
+  }
+
+ private:
+  Stack<std::uint32_t>& memory_;
+  std::size_t first_;
+  std::uint32_t number_;
+};
 
 }  // namespace
 
@@ -112,25 +137,25 @@ LeftOutBy PairFilters::left_out_by(const Tree& tree, const Fans& fans, Contact p
   return LeftOutBy::none;
 }
 
-/// `ring` first contains the corners of one triangle. Each round adds the corners of all triangles
-/// around the vertices that the round before has added. Tests of repetition compare all vertices of
-/// the ring, which are few: rings are meant for nearby triangles.
+/// The set first contains the corners of one triangle. Each round adds the corners of all triangles
+/// around the vertices that the round before has added.
 bool PairFilters::are_within_rings(const Tree& tree, const Fans& fans, Contact pair,
                                    Stack<std::uint32_t>& ring) const {
   const Corners& from = fans.corners[tree.triangle_places[pair.triangle_a]];
   const Corners& to = fans.corners[tree.triangle_places[pair.triangle_b]];
-  ring.clear();
-  add_corners(ring, from);
+  if (share_corner(from, to)) return true;
+  if (rings == 1) return false;
+  VertexSet near(ring, fan_of_vertex.size());
+  for (const std::uint32_t vertex : from) near.add(vertex);
   std::size_t begin = 0;
-  for (std::uint32_t round = 1;; ++round) {
-    if (reaches(ring, to)) return true;
-    if (round == rings) return false;
-    const std::size_t end = ring.size();
-    for (; begin < end; ++begin)
-      for (const FanTriangle& t : fans[fan_of_vertex[ring.begin()[begin]]])
-        add_corners(ring, fans.corners[t.place()]);
-    if (ring.size() == end) return false;
-  }
+  for (std::uint32_t round = 2; round <= rings && begin < near.size(); ++round)
+    for (const std::size_t end = near.size(); begin < end; ++begin)
+      for (const FanTriangle& t : fans[fan_of_vertex[near[begin]]])
+        for (const std::uint32_t vertex : fans.corners[t.place()]) {
+          if (has_corner(to, vertex)) return true;
+          near.add(vertex);
+        }
+  return false;
 }
 
 }  // namespace pelt::detail

@@ -19,7 +19,8 @@ struct PairFilters {
   /// Precondition: the options are valid for the model.
   PairFilters(const SkinnedModel& model, const Fans& fans, const SelfFilterOptions& options);
 
-  /// The first filter that leaves out a pair of different triangles. `ring` is working memory.
+  /// The first filter that leaves out a pair of different triangles. `ring` is working memory:
+  /// empty, or from the last call for this object.
   LeftOutBy left_out_by(const Tree& tree, const Fans& fans, Contact pair,
                         Stack<std::uint32_t>& ring) const;
 

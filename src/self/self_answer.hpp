@@ -13,7 +13,9 @@ class SelfAnswer {
  public:
   SelfAnswer(const SelfFilter& filter, Stack<Contact>& contacts, Stack<std::uint32_t>& ring,
              std::uint32_t max_contacts, LeftOut& left_out)
-      : filter_(filter), sink_(contacts, max_contacts), ring_(ring), left_out_(left_out) {}
+      : filter_(filter), sink_(contacts, max_contacts), ring_(ring), left_out_(left_out) {
+    ring.clear();
+  }
 
   /// To append contacts; `settle` must be called before the next question to this object.
   Stack<Contact>& contacts() const { return sink_.contacts(); }

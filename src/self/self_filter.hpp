@@ -23,7 +23,8 @@ struct SelfFilter {
 };
 
 /// Removes from the contacts those from number `first` on that the filter leaves out, and counts
-/// them. Orders the triangles of each contact. `ring` is working memory.
+/// them. Orders the triangles of each contact. `ring` is working memory: empty, or from the last
+/// call for this filter.
 void leave_out(const SelfFilter& filter, std::size_t first, Stack<Contact>& contacts,
                Stack<std::uint32_t>& ring, LeftOut& left_out);
 
