@@ -21,8 +21,8 @@ using CharacterSpan = std::span<const Character* const>;
 
 std::vector<const Character*> characters_of(const Scene& scene);
 
-/// Returns an error for a name that matches no part and no joint of the characters. O(names times
-/// parts and joints).
+/// Returns an error for a name that matches no part and no joint of the characters. O(n log n) for
+/// n names, of pairs and of characters, and the names that start like a pattern with a star.
 Result<void> check_names(CharacterSpan characters, std::span<const NamePair> pairs);
 
 /// Copies what it needs, so characters and pairs need not outlive it.
@@ -40,18 +40,19 @@ class IgnoredPairs {
   IgnoredPairs() = default;  ///< nothing is ignored
 
   /// Creates the list. Names that match nothing have no effect (see check_names). Returns the
-  /// errors of `label_triangles`. O(names times triangles, parts and joints).
+  /// errors of `label_triangles`. Cost: as of `check_names`, and O(triangles).
   static Result<IgnoredPairs> make(CharacterSpan characters, std::span<const NamePair> pairs);
 
-  bool is_empty() const { return rules_.empty(); }
+  bool is_empty() const { return partners_.empty(); }
 
   /// Whether a contact of two triangles, of one character or of two, is ignored. Triangles are
-  /// numbered as in the assets. O(pairs of names).
+  /// numbered as in the assets. Cost: O(names that match them), and for each of these a search
+  /// among its pairs.
   bool is_ignored(std::uint32_t character_a, std::uint32_t triangle_a, std::uint32_t character_b,
                   std::uint32_t triangle_b) const;
 
-  /// Whether one pair of names matches all triangles of both bodies. O(pairs of names times
-  /// triangles).
+  /// Whether one pair of names matches all triangles of both bodies. O(triangles and names that
+  /// match them).
   bool are_ignored(const Body& a, const Body& b) const;
 
   /// Moves the contacts that count to the front, in their order, and returns their number.
@@ -60,14 +61,18 @@ class IgnoredPairs {
                            std::span<Contact> contacts) const;
 
  private:
-  /// [character][triangle] whether a name matches the triangle.
-  using Meant = std::vector<std::vector<bool>>;
+  /// Indices of distinct names, ascending.
+  using NameList = std::vector<std::uint32_t>;
 
-  struct Rule {
-    Meant a, b;
-  };
+  void add_labels(const TriangleLabels& labels, std::uint32_t part_count,
+                  std::span<const NameList> names_of);
+  const NameList& names_of(std::uint32_t character, std::uint32_t triangle) const;
+  NameList names_of(const Body& body) const;
+  bool are_paired(const NameList& a, const NameList& b) const;
 
-  std::vector<Rule> rules_;
+  std::vector<NameList> partners_;  // [name] the names that it is paired with
+  std::vector<NameList> names_;     // [label] the names that match; a label is a part and a joint
+  std::vector<std::vector<std::uint32_t>> labels_;  // [character][triangle]
 };
 
 }  // namespace pelt::scenes

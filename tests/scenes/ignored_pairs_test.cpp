@@ -1,6 +1,11 @@
 #include "scenes/ignored_pairs.hpp"
 
+#include "scenes/name_pattern.hpp"
+#include "support/random.hpp"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace pelt::scenes {
 namespace {
@@ -95,6 +100,86 @@ TEST_F(IgnoredPairsOfTwo, RefuseNamesThatNothingHas) {
   EXPECT_EQ(refusal("*wing*"), R"(no part and no joint is named "*wing*", expected one of "body", )"
                                R"("cape", "hips", "arm", "spine")");
   EXPECT_EQ(refusal("thief/*i*"), "");
+}
+
+/// Part p has triangle p; all follow one joint.
+Character many_parts(std::uint32_t count) {
+  Character character;
+  character.name = character.source = "crowd";
+  asset::Asset& asset = character.asset;
+  asset.rest_positions.resize(3, Vec3{0, 0, 0});
+  asset.triangles.resize(count, Triangle{0, 1, 2});
+  asset.joint_indices = {0, 0, 0};
+  asset.weights = {1, 1, 1};
+  asset.joints.resize(1);
+  asset.nodes.resize(1);
+  asset.nodes[0].name = "root";
+  for (std::uint32_t p = 0; p < count; ++p)
+    asset.parts.push_back({"part " + std::to_string(p), "", "", p, 1, true});
+  return character;
+}
+
+/// Comparing all parts with all names would take 10^10 steps, which is minutes.
+TEST(IgnoredPairsOfMany, AreFoundInTimeLinearInNames) {
+  constexpr std::uint32_t kCount = 50'000;
+  const Character crowd = many_parts(kCount);
+  const std::vector<const Character*> characters = {&crowd, &crowd};
+  std::vector<NamePair> pairs;
+  for (std::uint32_t p = 0; p < kCount; ++p)
+    pairs.push_back({"crowd/part " + std::to_string(p), p % 2 == 0 ? "part 7" : "part 8*"});
+  ASSERT_TRUE(check_names(characters, pairs));
+  const auto ignored = IgnoredPairs::make(characters, pairs);
+  ASSERT_TRUE(ignored);
+  std::size_t count = 0;
+  for (std::uint32_t p = 0; p < kCount; ++p) count += ignored->is_ignored(0, 7, 1, p);
+  // "part 7" is paired with the even parts, and "crowd/part 7" with "part 8*", which matches 5 + 50
+  // + 500 odd parts.
+  EXPECT_EQ(count, kCount / 2 + 5 + 50 + 500);
+  EXPECT_TRUE(ignored->are_ignored({0, 7, 1}, {1, 80, 1}));
+  EXPECT_FALSE(ignored->are_ignored({0, 7, 2}, {1, 11, 1}));
+}
+
+/// All rules are tried for all triangles.
+bool is_ignored_by_rules(const std::vector<NamePair>& pairs, const Character& a,
+                         std::uint32_t triangle_a, const Character& b, std::uint32_t triangle_b) {
+  const auto is_meant = [](const std::string& pattern, const Character& character,
+                           std::uint32_t triangle) {
+    const asset::Part& part = character.asset.part_of(triangle);
+    const std::uint32_t vertex = character.asset.triangles[triangle][0];
+    for (const std::string& name :
+         {part.node, character.asset.joint_name(character.asset.joint_indices[vertex])})
+      if (matches(pattern, name) || matches(pattern, character.name + "/" + name)) return true;
+    return false;
+  };
+  return std::any_of(pairs.begin(), pairs.end(), [&](const NamePair& pair) {
+    return (is_meant(pair.a, a, triangle_a) && is_meant(pair.b, b, triangle_b)) ||
+           (is_meant(pair.b, a, triangle_a) && is_meant(pair.a, b, triangle_b));
+  });
+}
+
+TEST(IgnoredPairsOfMany, AreThoseOfTheRules) {
+  const Character knight = person("knight"), thief = person("thief");
+  const std::vector<const Character*> characters = {&knight, &thief};
+  const char* names[] = {"cape",       "body",  "hips", "*",          "arm*",    "*i*", "knight/*",
+                         "thief/cape", "spine", "t*e",  "knight/b*y", "nothing", "c*",  "thief/*s"};
+  test::Random random(20261123);
+  std::size_t ignored_count = 0, cases = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::vector<NamePair> pairs(1 + random.index(4));
+    for (NamePair& pair : pairs)
+      pair = {names[random.index(std::size(names))], names[random.index(std::size(names))]};
+    const auto ignored = IgnoredPairs::make(characters, pairs);
+    ASSERT_TRUE(ignored);
+    for (std::uint32_t i = 0; i < 64; ++i) {
+      const std::uint32_t a = i / 32, b = i / 16 % 2, s = i / 4 % 4, t = i % 4;
+      const bool expected = is_ignored_by_rules(pairs, *characters[a], s, *characters[b], t);
+      EXPECT_EQ(ignored->is_ignored(a, s, b, t), expected);
+      ignored_count += expected;
+      ++cases;
+    }
+  }
+  EXPECT_GT(ignored_count, cases / 10);
+  EXPECT_LT(ignored_count, cases / 10 * 9);
 }
 
 /// Comparing all names with each other would take 10^11 steps, which is minutes.
