@@ -72,8 +72,10 @@ bool is_folded_flat(const Vec3& u, const Vec3& v, const Vec3& c, const Vec3& d) 
   return false;  // u, v and c are on one line
 }
 
-/// Whether all own corners are strictly on one side of the other triangle's plane. The triangles
-/// then meet only in shared corners. Decides most pairs of neighbours.
+/// Whether all own corners are strictly on one side of the other triangle's plane. Decides most
+/// pairs of neighbours: no rule of the table then holds. A triangle with a plane has not collapsed,
+/// and the first triangle meets the plane only in the hull of the shared corners. No own corner or
+/// opposite edge of the other triangle reaches this hull: a shared corner or the shared edge.
 bool own_part_is_aside(const Distinct& part, const SurfaceTriangle& other) {
   if (part.own_count == 0) return false;
   const OrientedPlane plane(other.corners[0], other.corners[1], other.corners[2]);
