@@ -4,8 +4,10 @@
 #include "model/model.hpp"
 #include "model/triangle_places.hpp"
 #include "query/access.hpp"
+#include "query/reserve_more.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace pelt {
@@ -35,10 +37,16 @@ QueryStats influences_at(const SkinnedModel& model, const RayHit& hit,
   detail::require(place < tree.triangle_count() && tree.triangle_ids[place] == hit.triangle,
                   "influences_at: the hit belongs to another model, or to none");
   const Node& node = tree.nodes[node_of_triangle(tree, place)];
+  std::array<std::uint32_t, 3> vertices;
+  std::size_t influences = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    vertices[k] = node.first_vertex + tree.corners[place][k] / detail::kFloatsPerVertex;
+    influences += tree.influence_begin[vertices[k] + 1] - tree.influence_begin[vertices[k]];
+  }
+  detail::reserve_more(shares, influences);  // if memory runs out, the list has not changed
   const std::size_t begin = shares.size();
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t vertex =
-        node.first_vertex + tree.corners[place][k] / detail::kFloatsPerVertex;
+    const std::uint32_t vertex = vertices[k];
     for (std::uint32_t i = tree.influence_begin[vertex]; i < tree.influence_begin[vertex + 1]; ++i)
       if (const float share = hit.weights[k] * tree.weights[i]; share > 0)
         add_share(tree.joints[i], share, begin, shares);

@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "base/require.hpp"
 #include "pose/pose.hpp"
+#include "query/reserve_more.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_numbers.hpp"
 #include "query/yes_or_no.hpp"
@@ -30,9 +31,7 @@ Placement placement_of(const RegionAnswer& answer) {
   return answer.leaves ? Placement::partly : Placement::inside;
 }
 
-void append_sorted(detail::Stack<std::uint32_t>& found, Scratch& scratch,
-                   std::vector<std::uint32_t>& triangles) {
-  detail::sort_numbers(found, scratch.detail().sorting_numbers);
+void append(detail::Stack<std::uint32_t>& found, std::vector<std::uint32_t>& triangles) {
   triangles.insert(triangles.end(), found.begin(), found.end());
 }
 
@@ -73,15 +72,24 @@ QueryStats classify(std::span<Pose* const> poses, const Region& region, Scratch&
 QueryStats find_triangles(Pose& pose, const Region& region, Scratch& scratch,
                           TrianglesInRegion& triangles) {
   const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionGoal::triangles);
-  append_sorted(scratch.detail().touching, scratch, triangles.intersecting);
-  append_sorted(scratch.detail().inside, scratch, triangles.inside);
+  detail::Stack<std::uint32_t>& intersecting = scratch.detail().touching;
+  detail::Stack<std::uint32_t>& inside = scratch.detail().inside;
+  detail::sort_numbers(intersecting, scratch.detail().sorting_numbers);
+  detail::sort_numbers(inside, scratch.detail().sorting_numbers);
+  // If memory runs out, neither list has changed.
+  detail::reserve_more(triangles.intersecting, intersecting.size());
+  detail::reserve_more(triangles.inside, inside.size());
+  append(intersecting, triangles.intersecting);
+  append(inside, triangles.inside);
   return answer.work;
 }
 
 QueryStats collide(Pose& pose, const Region& region, Scratch& scratch,
                    std::vector<std::uint32_t>& triangles) {
   const RegionAnswer answer = descend(pose, PreparedRegion(region), scratch, RegionGoal::triangles);
-  append_sorted(scratch.detail().touching, scratch, triangles);
+  detail::Stack<std::uint32_t>& found = scratch.detail().touching;
+  detail::sort_numbers(found, scratch.detail().sorting_numbers);
+  append(found, triangles);
   return answer.work;
 }
 

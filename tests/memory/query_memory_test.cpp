@@ -12,6 +12,8 @@
 #include <functional>
 #include <new>
 #include <optional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace pelt::test {
@@ -159,6 +161,140 @@ TEST(Memory, EndsWhileDistancesAreMeasured) {
     Distance closest;
     distance(a, b, scratch, closest);
     EXPECT_GT(closest.distance, 0.5);
+    return closest.distance;
+  }).check();
+}
+
+/// Appends to lists that already have elements, failing each allocation. A failed query must leave
+/// the lists as they were.
+template <typename Lists, typename Append>
+void fail_and_append_nothing(const Lists& before, const Append& append) {
+  Lists expected = before;
+  append(expected);
+  ASSERT_NE(expected, before);
+  Lists lists = before;
+  const auto fresh = [&] {
+    lists = before;
+    std::apply([](auto&... list) { (list.shrink_to_fit(), ...); }, lists);
+  };
+  fresh();
+  const std::size_t failures = fail_each_allocation(
+      [&] {
+        fresh();
+        append(lists);
+        EXPECT_EQ(lists, expected);
+      },
+      [&] { EXPECT_EQ(lists, before); });
+  EXPECT_GT(failures, std::tuple_size_v<Lists>);
+}
+
+/// The posed limb of a query, made anew for each attempt.
+class FreshPose {
+ public:
+  explicit FreshPose(const Vec3& offset) {
+    Random random(7);
+    palette_ = bend_limb(random, 3, 0.3, offset);
+  }
+
+  Pose make() const {
+    Pose pose(model());
+    EXPECT_TRUE(pose.set_palette(palette_));
+    return pose;
+  }
+
+  static const SkinnedModel& model() {
+    static const SkinnedModel model = *build_model(limb().view());
+    return model;
+  }
+
+ private:
+  std::vector<Matrix4> palette_;
+};
+
+TEST(Memory, EndsWhileTrianglesOfARegionAreFound) {
+  using Triangles = std::vector<std::uint32_t>;
+  const FreshPose limb({});
+  const Region region = Box{{-5, -5, -5}, {5, 0.5f, 5}};
+  fail_and_append_nothing(std::tuple(Triangles{7}, Triangles{8}), [&](auto& lists) {
+    Pose pose = limb.make();
+    Scratch scratch;
+    auto& [intersecting, inside] = lists;
+    TrianglesInRegion triangles = {std::move(intersecting), std::move(inside)};
+    const auto give_back = [&] {
+      intersecting = std::move(triangles.intersecting);
+      inside = std::move(triangles.inside);
+    };
+    try {
+      find_triangles(pose, region, scratch, triangles);
+    } catch (...) {
+      give_back();
+      throw;
+    }
+    give_back();
+  });
+  fail_and_append_nothing(std::tuple(Triangles{7}), [&](auto& lists) {
+    Pose pose = limb.make();
+    Scratch scratch;
+    collide(pose, region, scratch, std::get<0>(lists));
+  });
+}
+
+TEST(Memory, EndsWhileRaysAreCast) {
+  const FreshPose limb({});
+  const Ray ray = {.origin = {0.01f, -5, 0.02f}, .direction = {0, 1, 0}};
+  fail_and_append_nothing(std::tuple(std::vector<RayHit>(1)), [&](auto& lists) {
+    Pose pose = limb.make();
+    Scratch scratch;
+    cast_all(pose, ray, scratch, std::get<0>(lists));
+  });
+  Pose pose = limb.make();
+  RayHit hit;
+  cast(pose, {.origin = {-5, 0.5f, 0.02f}, .direction = {1, 0, 0}}, hit);
+  ASSERT_TRUE(hit);
+  std::vector<JointShare> shares;
+  influences_at(FreshPose::model(), hit, shares);
+  EXPECT_GT(shares.size(), 1u);
+  fail_and_append_nothing(std::tuple(std::vector<JointShare>{{9, 0.5f}}), [&](auto& lists) {
+    Pose(FreshPose::model());  // allocates, so that several attempts fail
+    influences_at(FreshPose::model(), hit, std::get<0>(lists));
+  });
+}
+
+TEST(Memory, EndsWhileNearPairsAreFound) {
+  const FreshPose a({}), b({0.1f, 0.05f, 0});
+  fail_and_append_nothing(std::tuple(std::vector<NearPair>(1)), [&](auto& lists) {
+    Pose pose_a = a.make(), pose_b = b.make();
+    Scratch scratch;
+    clearance(pose_a, pose_b, 0.01, scratch, std::get<0>(lists));
+  });
+}
+
+TEST(Memory, EndsWhileAFieldIsMadeOrHit) {
+  const std::vector<float> heights(9 * 9, 0.3f);
+  const HeightGrid grid = {.heights = heights, .columns = 9, .rows = 9, .origin = {-4, 0, -4}};
+  fail_and_leak_nothing([&] { EXPECT_TRUE(build_height_field(grid)); });
+  const HeightField field = *build_height_field(grid);
+  const FreshPose limb({});
+  fail_and_append_nothing(std::tuple(std::vector<Contact>(1)), [&](auto& lists) {
+    Pose pose = limb.make();
+    Scratch scratch;
+    collide(pose, field, scratch, std::get<0>(lists));
+  });
+}
+
+TEST(Memory, EndsWhileASolidOrAGroupIsMeasured) {
+  fail_and_leak_nothing([&] {
+    const VertexGroups groups = group_by_joint(FreshPose::model());
+    const FreshPose limb({});
+    Pose pose = limb.make();
+    Box box;
+    exact_group_bounds(pose, groups, 1, box);
+    EXPECT_LT(box.low.y, box.high.y);
+  });
+  Question<double>({2, 0.5f, 0}, [](Pose& a, Pose&, Scratch& scratch) {
+    SolidDistance closest;
+    distance(a, Sphere{{0, 0, 5}, 1}, scratch, closest);
+    EXPECT_GT(closest.distance, 1);
     return closest.distance;
   }).check();
 }
