@@ -1,6 +1,7 @@
 /** Keyboard shortcuts. The help shows the same table. */
 
 import * as changes from './state/changes';
+import * as edits from './state/edits';
 import { redo, undo } from './state/history';
 import type { State, Update } from './state/state';
 
@@ -52,7 +53,7 @@ export const KEYS: Key[] = [
     keys: ['delete'],
     shown: 'Del',
     meaning: 'remove the character',
-    change: ofSelected(changes.removeInstance),
+    change: ofSelected(edits.removeInstance),
   },
   {
     keys: ['h'],

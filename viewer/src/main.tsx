@@ -16,6 +16,7 @@ import { watchKeys } from './keys';
 import { App } from './panels/app';
 import { findReport, type Report } from './report/report';
 import * as changes from './state/changes';
+import { changeInstance } from './state/edits';
 import { endEdit } from './state/history';
 import { initialState, type State } from './state/state';
 import { Store } from './state/store';
@@ -43,7 +44,7 @@ let view: View | null = null;
 function makeView(place: HTMLElement): View | null {
   try {
     return new View(place, {
-      onPlace: (instance, change) => update(changes.changeInstance(instance, change)),
+      onPlace: (instance, change) => update(changeInstance(instance, change)),
       onPlaced: () => update(endEdit),
       onPoint: (ray, x, y) => {
         panels.style.setProperty('--x', `${x}px`);

@@ -90,7 +90,8 @@ describe('characters without a scene', () => {
 
 describe('characters that come one after the other', () => {
   test('take the place of the double that one alone has met, and are to be placed', async () => {
-    const { add, open } = await load('state/changes.ts');
+    const { open } = await load('state/changes.ts');
+    const { add } = await load('state/edits.ts');
     const state = { boxLevel: null, firstContact: false };
     const alone = open({ characters: [character('a', 1)], scene: null, refused: [] })(state);
     assert.equal(alone.scene.instances.length, 2);
@@ -105,7 +106,7 @@ describe('characters that come one after the other', () => {
   });
 
   test('stand beside all of a scene that was opened', async () => {
-    const { add } = await load('state/changes.ts');
+    const { add } = await load('state/edits.ts');
     const { arrange } = await load('scene/arrange.ts');
     const characters = [character('a', 1)];
     const opened = { ...arrange(characters, 'walking'), name: 'duel.json' };
@@ -123,6 +124,7 @@ describe('edits', () => {
   /** Two characters that walk, and functions that change them. */
   async function stage() {
     const changes = await load('state/changes.ts');
+    const edits = await load('state/edits.ts');
     const history = await load('state/history.ts');
     const { initialState } = await load('state/state.ts');
     const opening = {
@@ -133,7 +135,7 @@ describe('edits', () => {
     const state = { ...initialState, ...changes.open(opening)(initialState) };
     const after = (begin, ...all) =>
       all.reduce((now, change) => ({ ...now, ...change(now) }), begin);
-    return { ...changes, ...history, state, after };
+    return { ...changes, ...edits, ...history, state, after };
   }
 
   test('are undone and redone one by one, and steps of a drag are one', async () => {
@@ -276,7 +278,7 @@ describe('the sides of a scene', () => {
 describe('the length of a scene', () => {
   test('follows its clips as long as it is theirs', async () => {
     const { arrange } = await load('scene/arrange.ts');
-    const { changeInstance, changeFps } = await load('state/changes.ts');
+    const { changeInstance, changeFps } = await load('state/edits.ts');
     const characters = [character('body', 1), character('coat', 2)];
     const scene = arrange(characters, 'together');
     const { initialState } = await load('state/state.ts');

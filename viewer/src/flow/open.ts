@@ -3,6 +3,7 @@
 import { originalPath, stopsAtFirst, type Report } from '../report/report';
 import { framesToCheck, worstFrame } from '../report/verdict';
 import * as changes from '../state/changes';
+import * as edits from '../state/edits';
 import type { Problem, State } from '../state/state';
 import type { Store } from '../state/store';
 import {
@@ -82,7 +83,7 @@ export class Opener {
       async () => {
         const added = await this.askToAdd(files);
         this.dropped = [...this.dropped, ...files];
-        return changes.add(added);
+        return edits.add(added);
       },
       remedy,
     );

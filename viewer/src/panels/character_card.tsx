@@ -1,13 +1,8 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { Instance } from '../scene/scene';
 import { turnOf, withTurn } from '../scene/turn';
-import {
-  changeInstance,
-  duplicateInstance,
-  removeInstance,
-  select,
-  toggleHidden,
-} from '../state/changes';
+import { select, toggleHidden } from '../state/changes';
+import { changeInstance, duplicateInstance, removeInstance } from '../state/edits';
 import { endEdit } from '../state/history';
 import type { State, Update } from '../state/state';
 import type { CharacterFacts } from '../worker/protocol';

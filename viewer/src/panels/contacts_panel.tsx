@@ -1,5 +1,6 @@
-import { checkAllFrames, rearrange } from '../state/changes';
+import { checkAllFrames } from '../state/changes';
 import { totalsOf } from '../state/counts';
+import { rearrange } from '../state/edits';
 import { checkedFrames, rangeInWords } from '../state/frames';
 import { filtered, listedTouches } from '../state/listing';
 import { isLate } from '../state/shots';
@@ -38,9 +39,9 @@ export function ContactsPanel({ state, update }: PanelProps) {
       <QuerySwitches state={state} update={update} />
       <Checked state={state} update={update} />
       <Ignored count={listing === 'clip' ? sweep.total?.ignored : answer?.ignored} />
+      <SameNumbers state={state} />
       <Stills state={state} update={update} />
       <BetweenCharacters state={state} update={update} />
-      <SameNumbers state={state} />
     </section>
   );
 }

@@ -11,12 +11,12 @@ export function SameNumbers({ state }: { state: State }) {
   const { words, needsFile } = checkCommand({ ...state, scene, frames: checkedFrames(state) });
   return (
     <p class="same quiet">
-      Same as <code>{words}</code>
+      Same result: <code>{words}</code>
       {needsFile && (
         <>
-          {', once '}
+          {' with the '}
           <button class="link" onClick={() => saveScene(state)}>
-            saved
+            saved scene
           </button>
         </>
       )}

@@ -1,5 +1,5 @@
 import { MOST_FRAMES, type Scene } from '../scene/scene';
-import { changeFps, changeFrameCount, rearrange } from '../state/changes';
+import { changeFps, changeFrameCount, rearrange } from '../state/edits';
 import { endEdit } from '../state/history';
 import type { State, Update } from '../state/state';
 import { memo } from './memo';
