@@ -64,10 +64,16 @@ function(pelt_compiled_quickly target)
   endif()
 endfunction()
 
-# pelt_compiled_small(TARGET): for WebAssembly, which is downloaded, prefers size to speed. For code
-# that runs once per file and has no hot loops.
+# pelt_compiled_small(TARGET [ONLY sources...]): for WebAssembly, which is downloaded, prefers size to
+# speed. For code that runs once per file or call and has no hot loops.
 function(pelt_compiled_small target)
-  if(EMSCRIPTEN)
+  cmake_parse_arguments(ARG "" "" "ONLY" ${ARGN})
+  if(NOT EMSCRIPTEN)
+    return()
+  endif()
+  if(ARG_ONLY)
+    set_source_files_properties(${ARG_ONLY} PROPERTIES COMPILE_OPTIONS -Os)
+  else()
     target_compile_options(${target} PRIVATE -Os)
   endif()
 endfunction()

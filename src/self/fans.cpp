@@ -5,7 +5,6 @@
 #include "model/weld.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace pelt::detail {
 namespace {
@@ -125,9 +124,25 @@ std::vector<FanTriangle> group_by_vertex(const std::vector<std::array<std::uint3
   return triangles;
 }
 
-struct Range {
-  FanKind kind;
-  std::uint32_t first, count;
+/// The triangles of a fan, by their first index and their number. Ranges are sorted as integers: by
+/// kind, then by count.
+class Range {
+ public:
+  Range(FanKind kind, std::uint32_t first, std::uint32_t count)
+      : bits_(std::uint64_t{static_cast<std::uint8_t>(kind)} << 60 | std::uint64_t{count} << 30 |
+              first) {}
+  explicit Range(std::uint64_t bits) : bits_(bits) {}
+
+  std::size_t kind() const { return static_cast<std::size_t>(bits_ >> 60); }
+  std::uint32_t count() const { return bits_ >> 30 & kMask; }
+  std::uint32_t first() const { return bits_ & kMask; }
+  std::uint64_t bits() const { return bits_; }
+
+ private:
+  static constexpr std::uint32_t kMask = (std::uint32_t{1} << 30) - 1;
+  static_assert(3 * std::uint64_t{kMaxFanTriangles} <= kMask);
+
+  std::uint64_t bits_;
 };
 
 }  // namespace
@@ -140,25 +155,24 @@ Fans::Fans(const Tree& tree) {
   std::vector<FanTriangle> grouped = group_by_vertex(corners, vertex_begin);
 
   const FanBuilder builder(corners, is_split);
-  std::vector<Range> ranges;
+  std::vector<std::uint64_t> ranges;
   for (std::size_t v = 0; v + 1 < vertex_begin.size(); ++v) {
     const std::uint32_t first = vertex_begin[v], size = vertex_begin[v + 1] - first;
     if (size == 0) continue;
-    ranges.push_back({builder.order(std::span(grouped).subspan(first, size)), first, size});
+    const FanKind kind = builder.order(std::span(grouped).subspan(first, size));
+    ranges.push_back(Range(kind, first, size).bits());
   }
-  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) {
-    return std::tie(a.kind, a.count, a.first) < std::tie(b.kind, b.count, b.first);
-  });
+  std::sort(ranges.begin(), ranges.end());
 
   triangles.reserve(grouped.size());
   begin.reserve(ranges.size() + 1);
   begin.push_back(0);
-  for (const Range& range : ranges) {
-    const auto first = grouped.begin() + range.first;
-    triangles.insert(triangles.end(), first, first + range.count);
+  for (const std::uint64_t bits : ranges) {
+    const Range range(bits);
+    const auto first = grouped.begin() + range.first();
+    triangles.insert(triangles.end(), first, first + range.count());
     begin.push_back(static_cast<std::uint32_t>(triangles.size()));
-    for (auto kind = static_cast<std::size_t>(range.kind) + 1; kind <= kFanKinds; ++kind)
-      ++kind_begin[kind];
+    for (std::size_t kind = range.kind() + 1; kind <= kFanKinds; ++kind) ++kind_begin[kind];
   }
 }
 

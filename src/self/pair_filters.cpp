@@ -10,48 +10,32 @@
 namespace pelt::detail {
 namespace {
 
-IndexPair ordered(std::uint16_t a, std::uint16_t b) {
-  return a < b ? IndexPair{a, b} : IndexPair{b, a};
-}
-
-Contact ordered(const Contact& c) {
-  return c.triangle_a < c.triangle_b ? c : Contact{c.triangle_b, c.triangle_a};
-}
-
-IndexPair ordered(const IndexPair& pair) { return ordered(pair.first, pair.second); }
-
-/// Sorts pairs and removes repetitions.
-template <typename Pair>
-std::vector<Pair> as_set(std::vector<Pair> pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  pairs.shrink_to_fit();
-  return pairs;
-}
-
-template <typename Pair>
-std::vector<Pair> ordered_set(std::span<const Pair> pairs) {
-  std::vector<Pair> set;
+PairSet set_of(std::span<const Contact> pairs) {
+  PairSet set;
   set.reserve(pairs.size());
-  for (const Pair& pair : pairs) set.push_back(ordered(pair));
-  return as_set(std::move(set));
+  for (const Contact& pair : pairs) set.add(pair.triangle_a, pair.triangle_b);
+  set.finish();
+  return set;
 }
 
-template <typename Pair>
-bool contains(const std::vector<Pair>& set, const Pair& pair) {
-  return std::binary_search(set.begin(), set.end(), pair);
+PairSet set_of(std::span<const IndexPair> pairs) {
+  PairSet set;
+  for (const IndexPair& pair : pairs) set.add(pair.first, pair.second);
+  set.finish();
+  return set;
 }
 
 /// The listed pairs, each joint with itself, and each joint with its parent.
-std::vector<IndexPair> near_joints(const SelfFilterOptions& options) {
-  std::vector<IndexPair> pairs = ordered_set(options.joint_pairs);
+PairSet near_joints(const SelfFilterOptions& options) {
+  PairSet set;
+  for (const IndexPair& pair : options.joint_pairs) set.add(pair.first, pair.second);
   const auto& parents = options.joint_parents;
-  for (std::size_t joint = 0; joint < parents.size(); ++joint) {
-    const auto number = static_cast<std::uint16_t>(joint);
-    pairs.push_back({number, number});
-    if (parents[joint] != kNoJoint) pairs.push_back(ordered(number, parents[joint]));
+  for (std::uint32_t joint = 0; joint < parents.size(); ++joint) {
+    set.add(joint, joint);
+    if (parents[joint] != kNoJoint) set.add(joint, parents[joint]);
   }
-  return as_set(std::move(pairs));
+  set.finish();
+  return set;
 }
 
 std::vector<std::uint32_t> index_fans(const Fans& fans) {
@@ -113,27 +97,24 @@ PairFilters::PairFilters(const SkinnedModel& model, const Fans& fans,
                          const SelfFilterOptions& options)
     : rings(options.rings),
       takes_part(options.takes_part.begin(), options.takes_part.end()),
-      at_rest(ordered_set(options.at_rest)),
-      always(ordered_set(options.always)),
+      at_rest(set_of(options.at_rest)),
+      always(set_of(options.always)),
       joint_pairs(near_joints(options)),
       groups(options.groups.begin(), options.groups.end()),
-      group_pairs(ordered_set(options.group_pairs)) {
+      group_pairs(set_of(options.group_pairs)) {
   if (rings > 1) fan_of_vertex = index_fans(fans);
   if (!joint_pairs.empty()) joints = main_joints(unpack_mesh(model.detail().tree));
 }
 
 LeftOutBy PairFilters::left_out_by(const Tree& tree, const Fans& fans, Contact pair,
                                    Stack<std::uint32_t>& ring) const {
-  pair = ordered(pair);
   const auto [s, t] = pair;
   if (!takes_part.empty() && !(takes_part[s] && takes_part[t])) return LeftOutBy::takes_part;
   if (rings > 0 && are_within_rings(tree, fans, pair, ring)) return LeftOutBy::rings;
-  if (contains(at_rest, pair)) return LeftOutBy::at_rest;
-  if (contains(always, pair)) return LeftOutBy::always;
-  if (!joints.empty() && contains(joint_pairs, ordered(joints[s], joints[t])))
-    return LeftOutBy::joints;
-  if (!groups.empty() && contains(group_pairs, ordered(groups[s], groups[t])))
-    return LeftOutBy::groups;
+  if (at_rest.contains(s, t)) return LeftOutBy::at_rest;
+  if (always.contains(s, t)) return LeftOutBy::always;
+  if (!joints.empty() && joint_pairs.contains(joints[s], joints[t])) return LeftOutBy::joints;
+  if (!groups.empty() && group_pairs.contains(groups[s], groups[t])) return LeftOutBy::groups;
   return LeftOutBy::none;
 }
 

@@ -6,6 +6,7 @@
 
 #include "query/stack.hpp"
 #include "self/fans.hpp"
+#include "self/pair_set.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +15,7 @@ namespace pelt::detail {
 
 inline constexpr std::uint32_t kMaxRings = 64;
 
-/// Arrays [T] are indexed by the caller's triangle numbers. Pairs have the lesser number first.
+/// Arrays [T] are indexed by the caller's triangle numbers.
 struct PairFilters {
   /// Precondition: the options are valid for the model.
   PairFilters(const SkinnedModel& model, const Fans& fans, const SelfFilterOptions& options);
@@ -27,11 +28,11 @@ struct PairFilters {
   std::uint32_t rings = 0;
   std::vector<std::uint32_t> fan_of_vertex;  // by surface vertex; empty unless rings > 1
   std::vector<bool> takes_part;              // [T] or empty
-  std::vector<Contact> at_rest, always;      // ascending
+  PairSet at_rest, always;                   // of triangles
   std::vector<std::uint16_t> joints;         // [T] main joints, or empty
-  std::vector<IndexPair> joint_pairs;        // ascending
-  std::vector<std::uint16_t> groups;         // [T] or empty
-  std::vector<IndexPair> group_pairs;        // ascending
+  PairSet joint_pairs;
+  std::vector<std::uint16_t> groups;  // [T] or empty
+  PairSet group_pairs;
 
  private:
   bool are_within_rings(const Tree& tree, const Fans& fans, Contact pair,

@@ -12,18 +12,20 @@ constexpr std::uint64_t kMaxPairsPerTriangle = 24;
 
 std::uint64_t pairs_of(std::uint64_t count) { return count * (count - 1) / 2; }
 
-/// A pair of triangles in two clusters, ordered by the clusters.
+/// A pair of triangles in two clusters. Pairs are sorted as integers: by the clusters.
 class PackedPair {
  public:
   PackedPair(std::uint32_t low, std::uint32_t row, std::uint32_t high, std::uint32_t lane)
       : bits_(std::uint64_t{low} << 36 | std::uint64_t{high} << 8 | row << 4 | lane) {}
+  explicit PackedPair(std::uint64_t bits) : bits_(bits) {}
 
   std::uint32_t low() const { return static_cast<std::uint32_t>(bits_ >> 36); }
   std::uint32_t high() const { return static_cast<std::uint32_t>(bits_ >> 8) & 0xFFFFFFF; }
   std::uint32_t row() const { return bits_ >> 4 & 15; }
   std::uint32_t lane() const { return bits_ & 15; }
+  std::uint64_t bits() const { return bits_; }
 
-  friend auto operator<=>(const PackedPair&, const PackedPair&) = default;
+  bool has_clusters_of(const PackedPair& other) const { return (bits_ ^ other.bits_) >> 8 == 0; }
 
  private:
   std::uint64_t bits_;
@@ -56,39 +58,38 @@ class Clusters {
 
 /// Returns the fans that masks cover: as many as possible, small ones first.
 std::vector<std::uint32_t> choose_fans(const Fans& fans, std::uint64_t triangle_count) {
-  std::vector<std::uint32_t> order(fans.count());
-  for (std::uint32_t fan = 0; fan < fans.count(); ++fan) order[fan] = fan;
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return fans[a].size() < fans[b].size();
-  });
+  std::vector<std::uint64_t> by_size;  // the size, and the fan
+  for (std::uint32_t fan = 0; fan < fans.count(); ++fan)
+    by_size.push_back(std::uint64_t{fans[fan].size()} << 32 | fan);
+  std::sort(by_size.begin(), by_size.end());
+  std::vector<std::uint32_t> chosen;
   std::uint64_t pairs = 0;
-  std::size_t covered = 0;
-  while (covered < order.size()) {
-    pairs += pairs_of(fans[order[covered]].size());
+  for (const std::uint64_t fan : by_size) {
+    pairs += pairs_of(fan >> 32);
     if (pairs > kMaxPairsPerTriangle * triangle_count + pairs_of(kMaxFan)) break;
-    ++covered;
+    chosen.push_back(static_cast<std::uint32_t>(fan));
   }
-  order.resize(covered);
-  return order;
+  return chosen;
 }
 
-std::vector<PackedPair> sharing_pairs(const Fans& fans, const std::vector<std::uint32_t>& chosen,
-                                      const Clusters& clusters) {
-  std::vector<PackedPair> pairs;
+/// Returns the bits of packed pairs.
+std::vector<std::uint64_t> sharing_pairs(const Fans& fans, const std::vector<std::uint32_t>& chosen,
+                                         const Clusters& clusters) {
+  std::vector<std::uint64_t> pairs;
   for (const std::uint32_t fan : chosen) {
     const auto triangles = fans[fan];
     for (std::size_t i = 0; i < triangles.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        pairs.push_back(clusters.pair(triangles[i].place(), triangles[j].place()));
+        pairs.push_back(clusters.pair(triangles[i].place(), triangles[j].place()).bits());
   }
   return pairs;
 }
 
 /// Adds the pairs within each cluster that must not be tested twice.
-void add_lower_halves(const Tree& tree, std::vector<PackedPair>& pairs) {
+void add_lower_halves(const Tree& tree, std::vector<std::uint64_t>& pairs) {
   for (std::uint32_t c = 0; c < tree.clusters.size(); ++c)
     for (std::uint32_t s = 0; s < tree.clusters[c].triangle_count; ++s)
-      for (std::uint32_t t = 0; t <= s; ++t) pairs.emplace_back(c, s, c, t);
+      for (std::uint32_t t = 0; t <= s; ++t) pairs.push_back(PackedPair(c, s, c, t).bits());
 }
 
 bool share_corner(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b) {
@@ -110,13 +111,13 @@ PairMasks::PairMasks(const Tree& tree, const Fans& fans) {
     for (const FanTriangle& t : fans[fan]) has_hub[clusters.of(t.place())] = 1;
   }
 
-  std::vector<PackedPair> pairs = sharing_pairs(fans, chosen, clusters);
+  std::vector<std::uint64_t> pairs = sharing_pairs(fans, chosen, clusters);
   add_lower_halves(tree, pairs);
   std::sort(pairs.begin(), pairs.end());
   begin.assign(tree.clusters.size() + 1, 0);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const PackedPair& pair = pairs[i];
-    if (i == 0 || pairs[i - 1].low() != pair.low() || pairs[i - 1].high() != pair.high()) {
+    const PackedPair pair(pairs[i]);
+    if (i == 0 || !pair.has_clusters_of(PackedPair(pairs[i - 1]))) {
       partners.push_back(pair.high());
       masks.emplace_back();
       ++begin[pair.low() + 1];
