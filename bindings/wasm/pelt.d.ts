@@ -15,7 +15,7 @@
  * later call of the engine and of its objects throws a PeltError with the code 'engine_ended'.
  * `delete()` may still be called, and returned arrays stay valid.
  *
- * Characters, poses, crowds and hashes live in the memory of the engine, which is limited to 2 GB.
+ * Characters, poses, filters, crowds and hashes live in the memory of the engine, which is limited to 2 GB.
  * `delete()` frees an object at once. Otherwise it is freed when the garbage collector finalises it.
  */
 
@@ -32,12 +32,14 @@ import type { CollideOptions, ContactGeometry, Contacts, QueryStats } from './ty
 import type { Distance, DistanceOptions, Penetration } from './types/distances.js';
 import type { Pose } from './types/pose.js';
 import type { ContactHash, Crowd, Scene, SceneParts } from './types/scene.js';
+import type { SelfContacts, SelfFilter } from './types/self.js';
 export * from './types/character.js';
 export * from './types/pose.js';
 export * from './types/solids.js';
 export * from './types/contacts.js';
 export * from './types/distances.js';
 export * from './types/scene.js';
+export * from './types/self.js';
 
 /** Loads an engine. Each Web Worker must load its own engine. */
 export function loadPelt(): Promise<Pelt>;
@@ -125,6 +127,25 @@ export interface Pelt {
    * Precondition: `pairs` is the result of `collide` for the current poses.
    */
   describeContacts(a: Pose, b: Pose, pairs: Uint32Array): ContactGeometry;
+
+  /**
+   * Finds every pair of triangles of one pose that intersect, apart from the corners that neighbours
+   * share, and that the filter does not leave out. Pairs are in ascending order, and the first triangle
+   * of a pair has the lower number. Precondition: the filter was made for the character and the part of
+   * the pose. Cost: computes all vertices and boxes of the pose, unless this has been done since the last
+   * palette.
+   */
+  selfCollide(pose: Pose, filter: SelfFilter, options?: CollideOptions): SelfContacts;
+
+  /** Returns whether `selfCollide` would find any pair. */
+  selfIntersects(pose: Pose, filter: SelfFilter): boolean;
+
+  /**
+   * Describes the contacts of a pose with itself, like `describeContacts`. Curves may end at corners that
+   * two intersecting triangles share. Precondition: `pairs` is the result of `selfCollide` for the current
+   * pose.
+   */
+  describeSelfContacts(pose: Pose, pairs: Uint32Array): ContactGeometry;
 
   /** Returns the least distance of two posed surfaces, or null if it exceeds `maxDistance`. */
   distance(a: Pose, b: Pose, options?: DistanceOptions): Distance | null;

@@ -26,7 +26,9 @@ import {
   mostContacts,
   readContacts,
 } from './lib/queries.mjs';
+import { Pose } from './lib/pose.mjs';
 import { Scene } from './lib/scene.mjs';
+import { selfCollide, selfIntersects } from './lib/self.mjs';
 import { requireSimd } from './lib/simd.mjs';
 import { readStats } from './lib/stats.mjs';
 
@@ -129,7 +131,20 @@ class Pelt {
   }
 
   describeContacts(a, b, pairs) {
-    return describeContacts(this.#memory, a, b, pairs);
+    return describeContacts(this.#memory, different(this.#memory, a, b), pairs);
+  }
+
+  selfCollide(pose, filter, options = undefined) {
+    return selfCollide(this.#memory, pose, filter, options);
+  }
+
+  selfIntersects(pose, filter) {
+    return selfIntersects(this.#memory, pose, filter);
+  }
+
+  describeSelfContacts(pose, pairs) {
+    const handle = this.#memory.handles.given(pose, Pose, 'pose');
+    return describeContacts(this.#memory, [handle, handle], pairs);
   }
 
   distance(a, b, options = undefined) {

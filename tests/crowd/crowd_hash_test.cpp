@@ -1,5 +1,6 @@
 /// Whole scenes as a crowd, frame by frame: the hash of the contacts is the same with any number of
-/// threads, and equals the hash that `pelt check` prints.
+/// threads, and equals the hash that `pelt check` prints. With contacts of instances with
+/// themselves, it equals the hash of tests/wasm/self.test.mjs.
 
 #include <pelt/crowd.hpp>
 
@@ -21,6 +22,7 @@ struct Golden {
   const char* scene;
   std::size_t contacts;
   std::uint64_t hash;
+  bool with_self = false;
 };
 
 class CrowdHash : public testing::TestWithParam<Golden> {};
@@ -28,10 +30,15 @@ class CrowdHash : public testing::TestWithParam<Golden> {};
 /// The crowd of a scene on a number of threads, and the hash of its contacts so far.
 class AskedCrowd {
  public:
+  /// `filters`: those of the models, or none if instances are not tested against themselves.
   AskedCrowd(const scenes::Scene& scene, std::span<const SkinnedModel> models,
-             std::uint32_t threads)
-      : threads_(threads) {
+             std::span<const SelfFilter> filters, std::uint32_t threads) {
+    options_.threads = threads;
     for (const scenes::Instance& instance : scene.instances) crowd_.add(models[instance.character]);
+    if (!filters.empty())
+      options_.self_filter = [&scene, filters](std::uint32_t i) {
+        return &filters[scene.instances[i].character];
+      };
   }
 
   void set_palette(std::uint32_t instance, std::span<const Matrix4> palette) {
@@ -40,20 +47,20 @@ class AskedCrowd {
 
   void ask(std::uint32_t frame) {
     found_.clear();
-    crowd_.collide(found_, {.threads = threads_});
+    crowd_.collide(found_, options_);
     EXPECT_TRUE(std::is_sorted(found_.begin(), found_.end()));
     contacts_ += found_.size();
     for (const auto& [a, b, triangle_a, triangle_b] : found_)
       for (const std::uint32_t value : {frame, a, b, triangle_a, triangle_b}) hash_.add_u32(value);
   }
 
-  std::uint32_t threads() const { return threads_; }
+  std::uint32_t threads() const { return options_.threads; }
   std::size_t contacts() const { return contacts_; }
   std::uint64_t hash() const { return hash_.value(); }
 
  private:
   Crowd crowd_;
-  std::uint32_t threads_;
+  CrowdOptions options_;
   std::vector<CrowdContact> found_;
   std::size_t contacts_ = 0;
   detail::Fnv1a64 hash_;
@@ -76,9 +83,12 @@ TEST_P(CrowdHash, IsTheSameOnAnyNumberOfThreads) {
   const auto scene = scenes::load_scene(golden.folder + std::string("/") + golden.scene + ".json");
   ASSERT_TRUE(scene) << scene.error().message;
   const std::vector<SkinnedModel> models = build_models(*scene);
+  std::vector<SelfFilter> filters;
+  if (golden.with_self)
+    for (const SkinnedModel& model : models) filters.push_back(*build_self_filter(model));
   std::vector<AskedCrowd> crowds;
   for (const std::uint32_t threads : test::kThreadCounts)
-    crowds.emplace_back(*scene, models, threads);
+    crowds.emplace_back(*scene, models, filters, threads);
 
   asset::SampleScratch scratch;
   for (std::uint32_t frame = 0; frame < 30; ++frame) {
@@ -98,8 +108,11 @@ TEST_P(CrowdHash, IsTheSameOnAnyNumberOfThreads) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, CrowdHash,
     testing::Values(Golden{PELT_SCENES_DIR, "crowd", 142896, 0xf8c731fea98d6a36},
-                    Golden{PELT_SHARED_DIR "/scenes", "crowd50", 152545, 0x7c803b38920623de}),
-    [](const auto& golden) { return std::string(golden.param.scene); });
+                    Golden{PELT_SHARED_DIR "/scenes", "crowd50", 152545, 0x7c803b38920623de},
+                    Golden{PELT_SCENES_DIR, "passing_through", 769, 0xb69179c7a678acb4, true}),
+    [](const auto& golden) {
+      return golden.param.scene + std::string(golden.param.with_self ? "_with_self" : "");
+    });
 
 }  // namespace
 }  // namespace pelt

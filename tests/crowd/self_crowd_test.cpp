@@ -77,7 +77,7 @@ TEST(SelfCrowd, EqualsPosesOneByOneWithAnyInstructionSetAndNumberOfThreads) {
   EXPECT_GT(others, 30u);
 }
 
-TEST(SelfCrowd, StatsDoNotDependOnThreads) {
+TEST(CrowdCostOfSelf, StatsDoNotDependOnThreads) {
   Random random(61);
   TestCrowd crowd = make_folding_crowd(random, 40, 1.2);
   const std::vector<SelfFilter> filters = crowd.self_filters(1);
@@ -185,7 +185,7 @@ TEST(SelfCrowd, FollowsMovesAndRemovals) {
   EXPECT_GT(contacts, 5000u);
 }
 
-TEST(SelfCrowd, ARepeatedFrameAllocatesNothing) {
+TEST(CrowdCostOfSelf, ARepeatedFrameAllocatesNothing) {
   for (const std::uint32_t threads : kThreadCounts) {
     Random random(66);
     TestCrowd crowd = make_folding_crowd(random, 40, 1);

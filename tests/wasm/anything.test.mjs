@@ -57,7 +57,8 @@ const kOthers = [
 test('calls with anything are answered, or refused in words', async () => {
   const pelt = await loadPelt();
   const objects = makeObjects(pelt);
-  const values = [...kNumbers, ...kArrays, ...kOthers, ...objects];
+  const filter = objects[1].makeSelfFilter();
+  const values = [...kNumbers, ...kArrays, ...kOthers, ...objects, filter];
   const throwDie = dice(kSeed);
   const draw = (array) => array[throwDie(array.length)];
   const ended = { answered: 0, refused: 0 };

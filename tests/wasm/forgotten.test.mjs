@@ -14,13 +14,14 @@ function useAndForget() {
   const face = pelt.generateFace({ triangles: 1000 });
   const [a, b] = [face.makePose(), face.makePose()];
   pelt.collide(a, b);
+  pelt.selfCollide(a, face.makeSelfFilter());
   const crowd = pelt.makeCrowd();
   crowd.add(face);
   crowd.collide();
   pelt.makeContactHash();
 }
 
-test('characters, poses, crowds and hashes that are forgotten are given back', async () => {
+test('characters, poses, filters, crowds and hashes that are forgotten are given back', async () => {
   useAndForget();
   for (let turn = 0; turn < 20; ++turn) {
     collectGarbage();

@@ -26,6 +26,9 @@ function useEverything() {
   pelt.collideEagerly(...poses);
   pelt.describeContacts(...poses, pairs);
   pelt.distance(...poses);
+  const filter = poses[0].character.makeSelfFilter({ rings: 1, atRest: new Uint32Array([0, 1]) });
+  pelt.selfCollide(poses[0], filter);
+  pelt.describeSelfContacts(poses[0], Uint32Array.of());
   for (const pose of poses) {
     pose.normals();
     pose.nodeBoxes(1);
@@ -34,8 +37,9 @@ function useEverything() {
   const crowd = pelt.makeCrowd();
   const hash = pelt.makeContactHash();
   for (const { character } of scene.instances) crowd.add(scene.characters[character]);
+  if (poses[0].character === poses[1].character) crowd.setSelfFilter(0, filter);
   hash.addCrowd(0, crowd.collide().contacts);
-  for (const made of [crowd, hash, ...poses, scene]) made.delete();
+  for (const made of [filter, crowd, hash, ...poses, scene]) made.delete();
   refuseBroken();
 }
 

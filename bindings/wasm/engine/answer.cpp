@@ -39,6 +39,7 @@ constexpr Field kFields[] = {
     {"insideCount", offsetof(Answer, inside_count), 1},
     {"instance", offsetof(Answer, instance), 1},
     {"ignored", offsetof(Answer, ignored), 1},
+    {"leftOut", offsetof(Answer, left_out), 6},
     {"hashHigh", offsetof(Answer, hash_high), 1},
     {"hashLow", offsetof(Answer, hash_low), 1},
     {"low", offsetof(Answer, low), 3},
@@ -83,6 +84,13 @@ void answer_stats(const QueryStats& stats) {
 std::uint32_t answer_yes_no(const YesNo& yes_no) {
   answer_stats(yes_no);
   return yes_no ? 1 : 0;
+}
+
+void answer_left_out(const LeftOut& left_out) {
+  const auto number = [](std::uint64_t count) { return static_cast<double>(count); };
+  answer().left_out = {number(left_out.takes_part), number(left_out.rings),
+                       number(left_out.at_rest),    number(left_out.always),
+                       number(left_out.joints),     number(left_out.groups)};
 }
 
 void answer_box(const Box& box) {

@@ -6,6 +6,7 @@
 #include <pelt/math.hpp>
 #include <pelt/query.hpp>
 #include <pelt/result.hpp>
+#include <pelt/self_collide.hpp>
 #include <pelt/shapes.hpp>
 
 #include <nlohmann/json_fwd.hpp>
@@ -36,6 +37,7 @@ struct Answer {
   double inside_count = 0;               ///< number of triangles inside
   double instance = 0;                   ///< number of an instance of a crowd
   double ignored = 0;                    ///< number of ignored contacts
+  std::array<double, 6> left_out = {};   ///< see LeftOut
   double hash_high = 0, hash_low = 0;    ///< the halves of a hash
   Numbers3 low = {}, high = {};          ///< a box
   Numbers3 centre = {};                  ///< a sphere
@@ -52,6 +54,7 @@ void answer_stats(const QueryStats& stats);
 /// Sets the fields of the work. Returns 1 for yes, 0 for no.
 std::uint32_t answer_yes_no(const YesNo& yes_no);
 
+void answer_left_out(const LeftOut& left_out);
 void answer_box(const Box& box);
 
 template <typename T>

@@ -22,7 +22,7 @@ std::vector<Contact> in_models(std::span<const Contact> contacts, const Body& a,
 
 /// Validates contacts from JavaScript. Returns null if they are valid.
 const char* problem_of(std::span<const Contact> contacts, const SkinnedModel& a,
-                       const SkinnedModel& b) {
+                       const SkinnedModel& b, bool is_self) {
   const auto in_range = [&](const Contact& contact) {
     return contact.triangle_a < a.triangle_count() && contact.triangle_b < b.triangle_count();
   };
@@ -31,6 +31,9 @@ const char* problem_of(std::span<const Contact> contacts, const SkinnedModel& a,
   const auto not_less = [](const Contact& x, const Contact& y) { return !(x < y); };
   if (std::adjacent_find(contacts.begin(), contacts.end(), not_less) != contacts.end())
     return "pairs: expected the pairs of collide, in ascending order";
+  const auto is_ordered = [](const Contact& c) { return c.triangle_a < c.triangle_b; };
+  if (is_self && !std::all_of(contacts.begin(), contacts.end(), is_ordered))
+    return "pairs: expected the pairs of selfCollide, with the lower triangle first";
   return nullptr;
 }
 
@@ -110,13 +113,16 @@ void write_columns(const ContactGeometry& geometry, Columns& columns) {
 }  // namespace
 
 /// Describes contacts. Read the arrays with pelt_contact_column.
+/// The same pose twice: contacts of the pose with itself.
 PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
                                                  const Contact* contacts, std::uint32_t count) {
   const std::vector<Contact> given = in_models({contacts, count}, a->body, b->body);
-  if (const char* problem = problem_of(given, a->pose.model(), b->pose.model()))
+  if (const char* problem = problem_of(given, a->pose.model(), b->pose.model(), a == b))
     return refuse({ErrorCode::invalid_argument, problem});
-  answer_stats(describe_contacts(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(),
-                                 given, scratch(), geometry()));
+  const Surface &of_a = a->body.get_surface(), &of_b = b->body.get_surface();
+  answer_stats(a == b
+                   ? describe_contacts(a->pose, of_a, given, scratch(), geometry())
+                   : describe_contacts(a->pose, of_a, b->pose, of_b, given, scratch(), geometry()));
   write_columns(geometry(), columns());
   return 1;
 }

@@ -20,6 +20,7 @@ namespace {
 struct Member {
   std::uint32_t character = 0;  ///< index into the crowd's characters
   std::uint32_t first_triangle = 0;
+  std::optional<SelfFilter> self_filter;  ///< whether and how it is tested against itself
 };
 
 struct CrowdHandle {
@@ -87,8 +88,15 @@ PELT_EXPORT std::uint32_t pelt_add_to_crowd(CrowdHandle* handle, const Character
   const Result<Body*> body = character->character->body(part);
   if (!body) return refuse(body.error());
   answer().instance = handle->crowd.add((*body)->model);
-  handle->members.push_back({handle->number_of(character->character), (*body)->first_triangle});
+  handle->members.push_back({handle->number_of(character->character), (*body)->first_triangle, {}});
   return 1;
+}
+
+/// Precondition: the filter is of the instance's body, or null for no test against itself.
+PELT_EXPORT void pelt_set_crowd_self_filter(CrowdHandle* handle, std::uint32_t instance,
+                                            const FilterHandle* filter) {
+  handle->members[instance].self_filter =
+      filter != nullptr ? std::optional(filter->filter) : std::nullopt;
 }
 
 /// `pairs` is the JSON of an array of pairs of names.
@@ -115,13 +123,20 @@ PELT_EXPORT std::uint32_t pelt_set_crowd_weights(CrowdHandle* handle, std::uint3
   return done(handle->crowd.set_morph_weights(instance, handle->input));
 }
 
-/// Answers with the stats, the number of ignored contacts, and all other contacts.
+/// Answers with the stats, the numbers of ignored contacts and of those that filters have left out,
+/// and all other contacts.
 PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t most) {
   if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
   handle->found.clear();
   CrowdOptions options;
   options.max_contacts = most;
-  answer_stats(handle->crowd.collide(handle->found, options));
+  options.self_filter = [handle](std::uint32_t instance) {
+    const std::optional<SelfFilter>& own = handle->members[instance].self_filter;
+    return own ? &*own : nullptr;
+  };
+  const CrowdStats stats = handle->crowd.collide(handle->found, options);
+  answer_stats(stats);
+  answer_left_out(stats.left_out);
   number_triangles(*handle);
   answer().ignored = static_cast<double>(take_ignored_out(*handle));
   answer_data<CrowdContact>(handle->found);

@@ -4,6 +4,7 @@
 
 #include <pelt/contact.hpp>
 #include <pelt/pose.hpp>
+#include <pelt/self_collide.hpp>
 
 #include "pose/exact_pose.hpp"
 #include "scenes/scene.hpp"
@@ -78,6 +79,12 @@ struct PoseHandle {
 
   /// Call after the palette or the weights have changed.
   void moved() { has_vertices = is_refitted = false; }
+};
+
+/// A filter of a character or of one of its parts.
+struct FilterHandle {
+  std::shared_ptr<Character> character;
+  SelfFilter filter;
 };
 
 /// Handle of an object for JavaScript.

@@ -1,6 +1,7 @@
 import * as check from './checks.mjs';
 import { clipNumber } from './lookup.mjs';
 import { Pose } from './pose.mjs';
+import { SelfFilter } from './self.mjs';
 
 const kRemove = '_pelt_delete_character';
 const kIdentity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -63,6 +64,10 @@ export class Character {
 
   makePose(part = null) {
     return new Pose(this.#memory, this, part);
+  }
+
+  makeSelfFilter(options = undefined, part = null) {
+    return new SelfFilter(this.#memory, this, options, part);
   }
 
   delete() {

@@ -101,9 +101,9 @@ export function vector(value, length, name, most = Number.MAX_VALUE) {
   return value;
 }
 
-/** Checks indices of triangles or instances, in rows of `width`. */
-export function rows(value, width, name) {
-  if (!(value instanceof Uint32Array)) refuse(name, 'a Uint32Array', value);
+/** Checks indices, such as those of triangles or instances, in rows of `width`. */
+export function rows(value, width, name, type = Uint32Array) {
+  if (!(value instanceof type)) refuse(name, `a ${type.name}`, value);
   if (value.length % width === 0) return value;
   throw invalid(`${name}: expected a multiple of ${width} numbers, found ${value.length}`);
 }

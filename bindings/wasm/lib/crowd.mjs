@@ -3,11 +3,12 @@ import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
 import { partNumber } from './lookup.mjs';
 import { mostContacts } from './queries.mjs';
+import { filterOf, readLeftOut } from './self.mjs';
 import { readStats } from './stats.mjs';
 
 export class Crowd {
   #memory;
-  #characters = [];
+  #members = [];
   #ignores = false;
 
   constructor(memory) {
@@ -21,21 +22,28 @@ export class Crowd {
     const named = partNumber(character, part);
     this.#memory.accepted(module._pelt_add_to_crowd(this.#handle, given, named));
     const number = this.#memory.field('instance');
-    this.#characters[number] = character;
+    this.#members[number] = { character, part };
     return number;
   }
 
   setPalette(instance, palette) {
-    const floats = 16 * this.#character(instance).jointCount;
+    const floats = 16 * this.#member(instance).character.jointCount;
     this.#write(palette, floats, 'palette');
     const { module } = this.#memory;
     this.#memory.accepted(module._pelt_set_crowd_palette(this.#handle, instance));
   }
 
   setMorphWeights(instance, weights) {
-    this.#write(weights, this.#character(instance).morphTargetNames.length, 'weights');
+    const { character } = this.#member(instance);
+    this.#write(weights, character.morphTargetNames.length, 'weights');
     const { module } = this.#memory;
     this.#memory.accepted(module._pelt_set_crowd_weights(this.#handle, instance));
+  }
+
+  setSelfFilter(instance, filter) {
+    const { character, part } = this.#member(instance);
+    const given = filter === null ? 0 : filterOf(this.#memory, filter, character, part);
+    this.#memory.module._pelt_set_crowd_self_filter(this.#handle, instance, given);
   }
 
   ignore(pairs) {
@@ -60,6 +68,7 @@ export class Crowd {
       count: contacts.length / 4,
       contacts,
       ignored: this.#memory.field('ignored'),
+      leftOut: readLeftOut(this.#memory),
       stats: readStats(this.#memory),
     };
   }
@@ -72,9 +81,9 @@ export class Crowd {
     return this.#memory.handles.of(this);
   }
 
-  #character(instance) {
-    const character = this.#characters[check.count(instance, 'instance')];
-    if (character !== undefined) return character;
+  #member(instance) {
+    const member = this.#members[check.count(instance, 'instance')];
+    if (member !== undefined) return member;
     throw invalid(`instance: the crowd has no instance ${instance}`);
   }
 

@@ -67,8 +67,7 @@ function readColumns(memory) {
   );
 }
 
-export function describeContacts(memory, a, b, pairs) {
-  const handles = different(memory, a, b);
+export function describeContacts(memory, handles, pairs) {
   memory.withBytes(check.rows(pairs, 2, 'pairs'), (address) =>
     memory.accepted(memory.module._pelt_describe_contacts(...handles, address, pairs.length / 2)),
   );

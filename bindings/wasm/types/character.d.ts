@@ -1,6 +1,7 @@
 /** Characters: options for reading and generating them, and their properties. */
 
 import type { Box, Pose } from './pose.js';
+import type { SelfFilter, SelfFilterOptions } from './self.js';
 
 export type Bytes = ArrayBuffer | ArrayBufferView;
 
@@ -130,6 +131,14 @@ export interface Character {
    * triangles.
    */
   makePose(part?: number | null): Pose;
+
+  /**
+   * Prepares `Pelt.selfCollide` for poses of this character, or of one part. Copies the arrays of the
+   * options. Triangle numbers refer to the whole character; the arrays `takesPart` and `groups` have one
+   * element for each triangle of the part, if one is given. Filters may outlive `delete` of their
+   * character.
+   */
+  makeSelfFilter(options?: SelfFilterOptions, part?: number | null): SelfFilter;
 
   delete(): void;
 }

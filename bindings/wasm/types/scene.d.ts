@@ -3,6 +3,7 @@
 import type { Character } from './character.js';
 import type { CollideOptions, QueryStats } from './contacts.js';
 import type { Pose } from './pose.js';
+import type { LeftOut, SelfFilter } from './self.js';
 
 /**
  * Placement and clip of a character in a scene, as in a scene file. Plain data, which is validated
@@ -70,23 +71,36 @@ export interface Crowd {
   setPalette(instance: number, palette: Float32Array): void;
   setMorphWeights(instance: number, weights: Float32Array): void;
   /**
+   * With a filter, `collide` also tests the instance against itself. With null, it does not. The filter
+   * must have been made for the character and the part of the instance, and may be deleted afterwards.
+   */
+  setSelfFilter(instance: number, filter: SelfFilter | null): void;
+  /**
    * Replaces the list of ignored pairs. `collide` then leaves out all contacts that match a pair. The
    * list also applies to instances that are added later. A name that matches nothing has no effect here,
    * but `readScene` rejects such a name. While the list is not empty, `collide` rejects the options
    * `firstContact` and `maxContacts`, because the contacts found first may be ignored.
    */
   ignore(pairs: readonly NamePair[]): void;
-  /** Finds all intersecting triangles of any two instances. `maxContacts` applies to each pair. */
+  /**
+   * Finds all intersecting triangles of any two instances, and of instances with a self filter.
+   * `maxContacts` applies to each pair of instances, and to each instance with itself.
+   */
   collide(options?: CollideOptions): CrowdContacts;
   delete(): void;
 }
 
 export interface CrowdContacts {
   readonly count: number;
-  /** [N][4] Instance a, instance b, triangle of a, triangle of b. a < b. Rows ascend. */
+  /**
+   * [N][4] Instance a, instance b, triangle of a, triangle of b. a < b, or a = b for contacts of an
+   * instance with itself. Rows ascend.
+   */
   readonly contacts: Uint32Array;
   /** Number of contacts that were left out. */
   readonly ignored: number;
+  /** What the self filters have left out. */
+  readonly leftOut: LeftOut;
   readonly stats: QueryStats;
 }
 

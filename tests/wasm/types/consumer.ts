@@ -34,6 +34,7 @@ import {
   type Frustum,
   type HalfSpace,
   type Instance,
+  type LeftOut,
   loadPelt,
   type MeshoptDecode,
   type ModelOptions,
@@ -52,6 +53,9 @@ import {
   type Region,
   type Scene,
   type SceneParts,
+  type SelfContacts,
+  type SelfFilter,
+  type SelfFilterOptions,
   type Sphere,
   type SurfacePoint,
   type TrianglesInRegion,
@@ -243,6 +247,31 @@ function useContacts(pelt: Pelt, a: Pose, b: Pose): void {
   }
 }
 
+function useSelf(pelt: Pelt, pose: Pose): void {
+  const triangles = pose.character.triangleCount;
+  const options: SelfFilterOptions = {
+    rings: 1,
+    takesPart: new Uint8Array(triangles).fill(1),
+    atRest: Uint32Array.of(0, 1),
+    always: Uint32Array.of(2, 3),
+    nearJoints: true,
+    jointPairs: Uint16Array.of(0, 1),
+    groups: new Uint16Array(triangles),
+    groupPairs: Uint16Array.of(1, 1),
+  };
+  const filter: SelfFilter = pose.character.makeSelfFilter(options, pose.part);
+  check(filter.character === pose.character && filter.part === pose.part, 'filter');
+  const { count, pairs, stats, leftOut }: SelfContacts = pelt.selfCollide(pose, filter);
+  useStats(stats);
+  const { takesPart, rings, atRest, always, joints, groups }: LeftOut = leftOut;
+  check(takesPart + rings + atRest + always + joints + groups >= 0, 'leftOut');
+  const intersects: boolean = pelt.selfIntersects(pose, filter);
+  check(intersects === count > 0, 'selfIntersects');
+  const geometry: ContactGeometry = pelt.describeSelfContacts(pose, pairs);
+  check(geometry.depths.length === count, 'describeSelfContacts');
+  filter.delete();
+}
+
 function useDistance(pelt: Pelt, a: Pose, b: Pose): void {
   const options: DistanceOptions = { maxDistance: 50, tolerance: 0 };
   const closest: Distance | null = pelt.distance(a, b, options);
@@ -292,6 +321,7 @@ function useScene(pelt: Pelt, walker: Character): void {
   check(a.character === walker, 'character');
   usePose(a);
   useContacts(pelt, a, b);
+  useSelf(pelt, a);
   useDistance(pelt, a, b);
   useCrowd(pelt, scene);
   for (const pose of poses) pose.delete();
@@ -303,11 +333,12 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
     const instance: number = crowd.add(scene.characters[character]!, null);
     crowd.setPalette(instance, scene.palette(instance, 3));
     crowd.setMorphWeights(instance, scene.morphWeights(instance, 3));
+    crowd.setSelfFilter(instance, null);
   }
   const pairs: NamePair[] = [['nobody', 'no*'], ...scene.ignore];
   crowd.ignore(pairs);
-  const { count, contacts, ignored, stats }: CrowdContacts = crowd.collide();
-  check(contacts.length === 4 * count && ignored === 0, 'crowd');
+  const { count, contacts, ignored, leftOut, stats }: CrowdContacts = crowd.collide();
+  check(contacts.length === 4 * count && ignored + leftOut.rings === 0, 'crowd');
   useStats(stats);
   const hash: ContactHash = pelt.makeContactHash();
   hash.addCrowd(3, contacts);

@@ -1,0 +1,108 @@
+/// Contacts of a pose with itself, and their filters.
+
+#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/handles.hpp"
+#include "scenes/near_joints.hpp"
+
+#include <array>
+#include <span>
+
+namespace pelt::wasm {
+namespace {
+
+/// Arrays that JavaScript writes before it makes a filter. Same order as in self.mjs.
+enum FilterArray : std::uint32_t {
+  kTakesPart,
+  kAtRest,  // with the character's triangle numbers, like kAlways
+  kAlways,
+  kJointPairs,
+  kGroups,
+  kGroupPairs,
+  kFilterArrays,
+};
+
+/// The memory of the arrays.
+using FilterInput = std::array<std::vector<std::uint32_t>, kFilterArrays>;
+
+FilterInput& filter_input() {
+  static FilterInput input;
+  return input;
+}
+
+/// The first number of an array is its size in bytes.
+template <typename T>
+std::span<T> elements(std::vector<std::uint32_t>& numbers) {
+  if (numbers.empty()) return {};
+  return {reinterpret_cast<T*>(numbers.data() + 1), numbers[0] / sizeof(T)};
+}
+
+std::span<const Contact> pairs_in_model(std::vector<std::uint32_t>& numbers, const Body& body) {
+  const std::span<Contact> pairs = elements<Contact>(numbers);
+  for (Contact& pair : pairs) {
+    pair.triangle_a -= body.first_triangle;
+    pair.triangle_b -= body.first_triangle;
+  }
+  return pairs;
+}
+
+Result<SelfFilter> make_filter(const Character& character, const Body& body, std::uint32_t rings,
+                               bool has_near_joints, FilterInput input) {
+  const std::span<const IndexPair> listed = elements<IndexPair>(input[kJointPairs]);
+  std::vector<IndexPair> joint_pairs;
+  if (has_near_joints) joint_pairs = scenes::near_joints(character.asset());
+  joint_pairs.insert(joint_pairs.end(), listed.begin(), listed.end());
+  SelfFilterOptions options;
+  options.rings = rings;
+  options.takes_part = elements<std::uint8_t>(input[kTakesPart]);
+  options.at_rest = pairs_in_model(input[kAtRest], body);
+  options.always = pairs_in_model(input[kAlways], body);
+  options.joint_pairs = joint_pairs;
+  options.groups = elements<std::uint16_t>(input[kGroups]);
+  options.group_pairs = elements<IndexPair>(input[kGroupPairs]);
+  return build_self_filter(body.model, options);
+}
+
+}  // namespace
+
+/// Returns where to write an array of `bytes`.
+PELT_EXPORT void* pelt_self_filter_input(FilterArray array, std::uint32_t bytes) {
+  std::vector<std::uint32_t>& numbers = filter_input()[array];
+  numbers.assign(1 + (bytes + 3) / 4, bytes);
+  return numbers.data() + 1;
+}
+
+/// Makes a filter from the arrays, which are released.
+PELT_EXPORT std::uint32_t pelt_make_self_filter(const CharacterHandle* character,
+                                                std::uint32_t part, std::uint32_t rings,
+                                                std::uint32_t has_near_joints) {
+  FilterInput input = std::exchange(filter_input(), {});
+  const Result<Body*> body = character->character->body(part);
+  if (!body) return refuse(body.error());
+  Result<SelfFilter> filter =
+      make_filter(*character->character, **body, rings, has_near_joints != 0, std::move(input));
+  if (!filter) return refuse(filter.error());
+  return address_of(new FilterHandle{character->character, std::move(*filter)});
+}
+
+PELT_EXPORT void pelt_delete_self_filter(FilterHandle* handle) { delete handle; }
+
+/// Precondition, also of the next function: the filter is of the pose's body.
+PELT_EXPORT void pelt_self_collide(PoseHandle* pose, const FilterHandle* filter,
+                                   std::uint32_t most) {
+  static std::vector<Contact> found;
+  found.clear();
+  const SelfStats stats = self_collide(pose->pose, filter->filter, scratch(), found, {most});
+  answer_stats(stats);
+  answer_left_out(stats.left_out);
+  for (Contact& contact : found) {
+    contact.triangle_a += pose->body.first_triangle;
+    contact.triangle_b += pose->body.first_triangle;
+  }
+  answer_data<Contact>(found);
+}
+
+PELT_EXPORT std::uint32_t pelt_self_intersects(PoseHandle* pose, const FilterHandle* filter) {
+  return answer_yes_no(self_intersects(pose->pose, filter->filter, scratch()));
+}
+
+}  // namespace pelt::wasm

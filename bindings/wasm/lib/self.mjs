@@ -1,0 +1,109 @@
+/** Contacts of a pose with itself, and their filters. */
+
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+import { partNumber } from './lookup.mjs';
+import { readOptions } from './options.mjs';
+import { Pose } from './pose.mjs';
+import { mostContacts, readContacts } from './queries.mjs';
+
+const kRemove = '_pelt_delete_self_filter';
+
+const rowsOf = (type, width) => (value, name) => check.rows(value, width, name, type);
+
+/** Same order as in self.cpp. */
+const kArrays = [
+  ['takesPart', Uint8Array, 1],
+  ['atRest', Uint32Array, 2],
+  ['always', Uint32Array, 2],
+  ['jointPairs', Uint16Array, 2],
+  ['groups', Uint16Array, 1],
+  ['groupPairs', Uint16Array, 2],
+];
+
+const kFilterRules = {
+  rings: (rings, name) => check.count(rings, name, 0, 64),
+  nearJoints: check.flag,
+  ...Object.fromEntries(kArrays.map(([name, type, width]) => [name, rowsOf(type, width)])),
+};
+
+function checkRange(numbers, name, first, count) {
+  numbers?.forEach((number, i) => check.count(number, `${name}[${i}]`, first, first + count - 1));
+}
+
+/** Checks what depends on the character. */
+function checkFilter(options, character, part) {
+  const whole = { firstTriangle: 0, triangleCount: character.triangleCount };
+  const { firstTriangle, triangleCount } = part === null ? whole : character.parts[part];
+  for (const name of ['takesPart', 'groups']) {
+    if (options[name] !== undefined) check.numbers(options[name], triangleCount, name);
+  }
+  for (const name of ['atRest', 'always']) {
+    checkRange(options[name], name, firstTriangle, triangleCount);
+  }
+  checkRange(options.jointPairs, 'jointPairs', 0, character.jointCount);
+  if (options.groupPairs?.length > 0 && options.groups === undefined) {
+    throw invalid('groupPairs: needs the option groups');
+  }
+}
+
+function makeFilter(memory, character, options, part) {
+  const { module, handles } = memory;
+  kArrays.forEach(([name, type], array) => {
+    const numbers = options[name] ?? new type();
+    const address = module._pelt_self_filter_input(array, numbers.byteLength);
+    memory.write(type, address, numbers, numbers.length, name);
+  });
+  const { rings = 0, nearJoints = false } = options;
+  const number = partNumber(character, part);
+  return memory.accepted(
+    module._pelt_make_self_filter(handles.of(character), number, rings, nearJoints ? 1 : 0),
+  );
+}
+
+export class SelfFilter {
+  #memory;
+
+  constructor(memory, character, options, part) {
+    this.#memory = memory;
+    const read = readOptions(memory, options, kFilterRules);
+    partNumber(character, part);
+    checkFilter(read, character, part);
+    const made = makeFilter(memory, character, read, part);
+    memory.handles.own(this, made, kRemove, `self filter of ${character.name}`);
+    this.character = character;
+    this.part = part;
+    Object.freeze(this);
+  }
+
+  delete() {
+    this.#memory.handles.delete(this);
+  }
+}
+
+/** Returns the handle of a filter, which must be of a character, or of a part of it. */
+export function filterOf(memory, filter, character, part) {
+  const handle = memory.handles.given(filter, SelfFilter, 'filter');
+  if (filter.character === character && filter.part === part) return handle;
+  throw invalid('filter: it was made for another character or part');
+}
+
+function posedWith(memory, pose, filter) {
+  const handle = memory.handles.given(pose, Pose, 'pose');
+  return [handle, filterOf(memory, filter, pose.character, pose.part)];
+}
+
+export function readLeftOut(memory) {
+  const [takesPart, rings, atRest, always, joints, groups] = memory.field('leftOut');
+  return { takesPart, rings, atRest, always, joints, groups };
+}
+
+export function selfCollide(memory, pose, filter, options) {
+  const most = mostContacts(memory, options);
+  memory.module._pelt_self_collide(...posedWith(memory, pose, filter), most);
+  return { ...readContacts(memory), leftOut: readLeftOut(memory) };
+}
+
+export function selfIntersects(memory, pose, filter) {
+  return memory.module._pelt_self_intersects(...posedWith(memory, pose, filter)) !== 0;
+}

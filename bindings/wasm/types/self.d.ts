@@ -1,0 +1,54 @@
+/** Contacts of a pose with itself, and their filters. */
+
+import type { Character } from './character.js';
+import type { Contacts } from './contacts.js';
+
+/** Which intersecting pairs of triangles to leave out. By default, none. */
+export interface SelfFilterOptions {
+  /**
+   * Leaves out neighbours: 1 for triangles that share a vertex, k for triangles that are connected by a
+   * chain of at most k - 1 others. 0 to 64; default 0.
+   */
+  rings?: number;
+  /** [T] Leaves out pairs of which one triangle has the value 0, such as hidden triangles. */
+  takesPart?: Uint8Array;
+  /** [N][2] Leaves out these pairs: those that `selfCollide` finds in a reference pose. */
+  atRest?: Uint32Array;
+  /** [N][2] Leaves out these pairs: those that intersect in nearly all poses. */
+  always?: Uint32Array;
+  /** Leaves out triangles that follow the same joint, or a joint and its parent, most. */
+  nearJoints?: boolean;
+  /** [N][2] Leaves out triangles that follow these joints most: indices into `jointNames`. */
+  jointPairs?: Uint16Array;
+  /** [T] Groups of triangles, for `groupPairs`: any numbers of the caller. */
+  groups?: Uint16Array;
+  /** [N][2] Leaves out triangles of these pairs of groups. */
+  groupPairs?: Uint16Array;
+}
+
+/** A filter for `Pelt.selfCollide`. */
+export interface SelfFilter {
+  readonly character: Character;
+  /** Index of the part that the filter was made for, or null for the whole character. */
+  readonly part: number | null;
+  delete(): void;
+}
+
+/**
+ * How many intersecting pairs each filter has left out. A pair counts only for the first filter in this
+ * order.
+ */
+export interface LeftOut {
+  readonly takesPart: number;
+  readonly rings: number;
+  readonly atRest: number;
+  readonly always: number;
+  /** By `nearJoints` and `jointPairs`. */
+  readonly joints: number;
+  readonly groups: number;
+}
+
+/** In `pairs`, the first triangle of each pair has the lower number. */
+export interface SelfContacts extends Contacts {
+  readonly leftOut: LeftOut;
+}
