@@ -199,6 +199,22 @@ def outlasts_silent_connections(command, folder):
         assert end(running) == 0
 
 
+def answers_beside_silent_connections(command, folder):
+    """A browser replaces a client that has sent nothing, and does not wait for its end after 10 s."""
+    with start(command, folder, "--no-browser") as running:
+        address = address_of(running)
+        with contextlib.ExitStack() as stack:
+            silent = [stack.enter_context(connect(address)) for _ in range(40)]
+            assert answer(address)[0] == PAGE
+            silent[-1].setblocking(False)
+            try:
+                closed = silent[-1].recv(1) == b""
+            except BlockingIOError:
+                closed = False
+            assert not closed, "waited until the silent connections ended"
+        assert end(running) == 0
+
+
 def stops_beside_a_waiting_connection(command, folder):
     with start(command, folder, "--no-browser") as running:
         with connect(address_of(running)):
@@ -260,9 +276,9 @@ def main(command):
         (folder / "scene.json").write_text(SCENE)
         for promise in (serves_page, serves_scene, refuses_other_names, ends_at_once,
                         refuses_taken_port, answers_ranges_whole, refuses_what_it_does_not_serve,
-                        outlasts_silent_connections, stops_beside_a_waiting_connection,
-                        answers_bytes_that_come_slowly, opens_browser,
-                        says_where_no_browser_opens):
+                        outlasts_silent_connections, answers_beside_silent_connections,
+                        stops_beside_a_waiting_connection, answers_bytes_that_come_slowly,
+                        opens_browser, says_where_no_browser_opens):
             promise(command, folder)
 
 

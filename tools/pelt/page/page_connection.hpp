@@ -31,6 +31,9 @@ class PageConnection {
   /// The events to poll for.
   short events() const;
 
+  /// Whether the client has sent nothing yet.
+  bool is_silent() const { return state_ == State::reading && request_.empty(); }
+
   /// The time at which the connection is closed if nothing happens.
   Clock::time_point deadline() const { return deadline_; }
 

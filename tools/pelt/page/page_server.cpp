@@ -26,7 +26,7 @@ using Clock = PageConnection::Clock;
 
 constexpr const char* kLoopback = "127.0.0.1";
 
-/// Further connections wait until one of these ends.
+/// Further connections replace one that has sent nothing, or wait until one of these ends.
 constexpr std::size_t kMaxConnections = 32;
 
 /// Owns a file descriptor. Child processes do not inherit it.
@@ -115,9 +115,13 @@ class PageServer {
     return Clock::now() >= connection.deadline();
   }
 
+  static bool is_silent(const Connection& connection) { return connection->is_silent(); }
+
   /// Waits until something can be done. Order: `stop`, the listener, each connection.
   std::vector<pollfd> wait() const {
-    const short accepting = connections_.size() < kMaxConnections ? POLLIN : 0;
+    const bool has_room = connections_.size() < kMaxConnections ||
+                          std::any_of(connections_.begin(), connections_.end(), is_silent);
+    const short accepting = has_room ? POLLIN : 0;
     std::vector<pollfd> waiting = {{stop_, POLLIN, 0}, {listener_, accepting, 0}};
     Clock::time_point next = Clock::now() + std::chrono::minutes(1);
     for (const Connection& connection : connections_) {
@@ -138,6 +142,9 @@ class PageServer {
     }
     fcntl(socket, F_SETFD, FD_CLOEXEC);
     fcntl(socket, F_SETFL, O_NONBLOCK);
+    // Otherwise, clients that send nothing would keep others waiting. The first one is the oldest.
+    if (connections_.size() >= kMaxConnections)
+      connections_.erase(std::find_if(connections_.begin(), connections_.end(), is_silent));
     connections_.push_back(std::make_unique<PageConnection>(socket, site_));
   }
 
