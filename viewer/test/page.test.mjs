@@ -190,7 +190,6 @@ describe('the keyboard', () => {
     for (const close of closings) {
       await close();
       await dialog.waitFor({ state: 'hidden' });
-      await page.waitForTimeout(200); // until the page knows
       await press('?');
       await dialog.waitFor();
     }

@@ -1,12 +1,13 @@
 import type { ComponentChildren, JSX } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { ACCENT, cssColour, OPENED, REFITTED, UNTOUCHED } from '../draw/colours';
 import { KEYS } from '../keys';
 import type { PanelProps } from './panel_props';
 
 export function Help({ state: { isHelpOpen }, update }: PanelProps) {
   const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  const close = () => update(() => ({ isHelpOpen: false }));
+  useLayoutEffect(() => {
     if (isHelpOpen) dialog.current?.showModal();
     else dialog.current?.close();
   }, [isHelpOpen]);
@@ -14,8 +15,9 @@ export function Help({ state: { isHelpOpen }, update }: PanelProps) {
     <dialog
       ref={dialog}
       aria-label="Help"
-      onClose={() => update(() => ({ isHelpOpen: false }))}
-      onClick={(event) => isBeside(event) && event.currentTarget.close()}
+      onCancel={close}
+      onClose={({ currentTarget }) => currentTarget.open || close()} // it may be open again
+      onClick={(event) => isBeside(event) && close()}
     >
       <h2>What is shown</h2>
       <Shown />
