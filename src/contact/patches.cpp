@@ -46,7 +46,7 @@ void label_patches(std::uint32_t count, ContactLinks& work) {
     if (work.links[i].key == work.links[i - 1].key)
       sets.join(work.links[i].owner, work.links[i - 1].owner);
   for (std::uint32_t i = 0; i < 2 * count; ++i) labels[i] = sets.find(i);
-  for (std::uint32_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i)
     labels[i] = labels[2 * i] <= labels[2 * i + 1] ? labels[2 * i] : labels[2 * i + 1] + 1;
 }
 
