@@ -169,20 +169,20 @@ TEST(SelfContact, OfTwoPartsEqualsThatOfTwoPoses) {
     ASSERT_EQ(geometry.patches.size(), expected.patches.size());
     for (std::size_t p = 0; p < expected.patches.size(); ++p) {
       // The sides are numbered as in the first trace: joints below 4 belong to the first limb.
-      const auto& [first, count, length, at, normal, depth, joint_a, joint_b] = geometry.patches[p];
+      const ContactPatch& patch = geometry.patches[p];
       const auto same = std::find_if(
           expected.patches.begin(), expected.patches.end(), [&](const ContactPatch& other) {
-            return other.count == count && std::abs(other.length - length) < 1e-5f;
+            return other.count == patch.count && std::abs(other.length - patch.length) < 1e-5f;
           });
       ASSERT_NE(same, expected.patches.end());
-      const bool is_swapped = joint_a >= 4;
-      EXPECT_EQ(depth, same->depth);
-      EXPECT_EQ(is_swapped ? joint_b : joint_a, same->joint_a);
-      EXPECT_EQ((is_swapped ? joint_a : joint_b) - 4, same->joint_b);
+      const bool is_swapped = patch.joint_a >= 4;
+      EXPECT_EQ(patch.depth, same->depth);
+      EXPECT_EQ(is_swapped ? patch.joint_b : patch.joint_a, same->joint_a);
+      EXPECT_EQ((is_swapped ? patch.joint_a : patch.joint_b) - 4, same->joint_b);
       const float sign = is_swapped ? -1.0f : 1.0f;
-      EXPECT_NEAR(sign * normal.x, same->normal.x, 1e-4f);
-      EXPECT_NEAR(sign * normal.y, same->normal.y, 1e-4f);
-      EXPECT_NEAR(sign * normal.z, same->normal.z, 1e-4f);
+      EXPECT_NEAR(sign * patch.normal.x, same->normal.x, 1e-4f);
+      EXPECT_NEAR(sign * patch.normal.y, same->normal.y, 1e-4f);
+      EXPECT_NEAR(sign * patch.normal.z, same->normal.z, 1e-4f);
     }
     curves += geometry.curves.size();
     hits += !geometry.curves.empty();
