@@ -29,7 +29,13 @@ import type {
   ReadOptions,
 } from './types/character.js';
 import type { CollideOptions, ContactGeometry, Contacts, QueryStats } from './types/contacts.js';
-import type { Distance, DistanceOptions, Penetration } from './types/distances.js';
+import type {
+  ClearanceOptions,
+  Distance,
+  DistanceOptions,
+  NearPairs,
+  Penetration,
+} from './types/distances.js';
 import type { Pose } from './types/pose.js';
 import type { ContactHash, Crowd, Scene, SceneParts } from './types/scene.js';
 import type { SelfContacts, SelfFilter } from './types/self.js';
@@ -154,7 +160,7 @@ export interface Pelt {
    * Finds every pair of triangles that are at most `tolerance` apart, in ascending order. With a
    * tolerance of 0 these are the pairs of `collide`.
    */
-  clearance(a: Pose, b: Pose, tolerance: number, options?: CollideOptions): Contacts;
+  clearance(a: Pose, b: Pose, tolerance: number, options?: ClearanceOptions): NearPairs;
 
   /** Returns whether `clearance` would find any pair. */
   isWithin(a: Pose, b: Pose, tolerance: number): boolean;

@@ -12,6 +12,21 @@ export interface DistanceOptions extends ClosestPointOptions {
   tolerance?: number;
 }
 
+export interface ClearanceOptions {
+  /** Stop at the first pair. `stats.cutShort` says whether any may be missing. */
+  firstContact?: boolean;
+  /** Stop after this number of pairs, at least 1. `stats.cutShort` says whether any may be missing. */
+  maxContacts?: number;
+}
+
+/** Triangles within the tolerance of `clearance`. They need not intersect. */
+export interface NearPairs {
+  readonly count: number;
+  /** [N][2] Triangles of `a` and `b`, in ascending order. */
+  readonly pairs: Uint32Array;
+  readonly stats: QueryStats;
+}
+
 export interface SurfacePoint {
   readonly triangle: number;
   readonly position: readonly [number, number, number];

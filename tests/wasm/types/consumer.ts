@@ -12,6 +12,7 @@ import {
   type Bytes,
   type Character,
   type Clip,
+  type ClearanceOptions,
   type ClosestPoint,
   type ClosestPointOptions,
   type ContactCurve,
@@ -39,6 +40,7 @@ import {
   type MeshoptDecode,
   type ModelOptions,
   type NamePair,
+  type NearPairs,
   type NodeBoxes,
   NodeState,
   type OrientedBox,
@@ -280,7 +282,9 @@ function useDistance(pelt: Pelt, a: Pose, b: Pose): void {
   const points: SurfacePoint[] = [closest.a, closest.b];
   for (const { triangle, position } of points) check(triangle + position[0] > -9, 'point');
   check(closest.distance === 0 && closest.lowerBound === 0, 'they touch');
-  const near: Contacts = pelt.clearance(a, b, 0.01, { maxContacts: 9 });
+  const within: ClearanceOptions = { maxContacts: 9 };
+  const near: NearPairs = pelt.clearance(a, b, 0.01, within);
+  useStats(near.stats);
   check(near.count === 9 && pelt.isWithin(a, b, 0), 'clearance');
   check(pelt.containment(a, b) === 'none', 'containment');
   const deepest: Penetration | null = pelt.deepestVertex(a, b);
