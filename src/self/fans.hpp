@@ -45,12 +45,22 @@ class FanTriangle {
   std::uint32_t packed_ = 0;
 };
 
+/// Surface vertices of the corners of a triangle. A surface vertex is named by the lowest place of
+/// its vertices in Tree::rest_positions.
+using SurfaceCorners = std::array<std::uint32_t, 3>;
+
+inline bool has_corner(const SurfaceCorners& triangle, std::uint32_t vertex) {
+  return vertex == triangle[0] || vertex == triangle[1] || vertex == triangle[2];
+}
+
+inline bool share_corner(const SurfaceCorners& a, const SurfaceCorners& b) {
+  return has_corner(a, b[0]) || has_corner(a, b[1]) || has_corner(a, b[2]);
+}
+
 struct Fans {
   explicit Fans(const Tree& tree);
 
-  /// [T] Surface vertices of the corners, by place of the triangle. A surface vertex is named by
-  /// the lowest place of its vertices in Tree::rest_positions.
-  std::vector<std::array<std::uint32_t, 3>> corners;
+  std::vector<SurfaceCorners> corners;  // [T] by place of the triangle
 
   /// Fans, sorted by kind and then by number of triangles. The triangles of a closed or open fan
   /// are in counter-clockwise order. A triangle with equal corners is listed once.

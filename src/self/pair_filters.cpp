@@ -48,16 +48,6 @@ std::vector<std::uint32_t> index_fans(const Fans& fans) {
   return fan_of_vertex;
 }
 
-using Corners = std::array<std::uint32_t, 3>;
-
-bool has_corner(const Corners& triangle, std::uint32_t vertex) {
-  return vertex == triangle[0] || vertex == triangle[1] || vertex == triangle[2];
-}
-
-bool share_corner(const Corners& a, const Corners& b) {
-  return has_corner(a, b[0]) || has_corner(a, b[1]) || has_corner(a, b[2]);
-}
-
 /// A set of surface vertices, in memory that is used for one set after the other: the number of
 /// this set, for each vertex the number of the last set that contained it, and the vertices of this
 /// set.
@@ -122,8 +112,8 @@ LeftOutBy PairFilters::left_out_by(const Tree& tree, const Fans& fans, Contact p
 /// around the vertices that the round before has added.
 bool PairFilters::are_within_rings(const Tree& tree, const Fans& fans, Contact pair,
                                    Stack<std::uint32_t>& ring) const {
-  const Corners& from = fans.corners[tree.triangle_places[pair.triangle_a]];
-  const Corners& to = fans.corners[tree.triangle_places[pair.triangle_b]];
+  const SurfaceCorners& from = fans.corners[tree.triangle_places[pair.triangle_a]];
+  const SurfaceCorners& to = fans.corners[tree.triangle_places[pair.triangle_b]];
   if (share_corner(from, to)) return true;
   if (rings == 1) return false;
   VertexSet near(ring, fan_of_vertex.size());

@@ -92,12 +92,6 @@ void add_lower_halves(const Tree& tree, std::vector<std::uint64_t>& pairs) {
       for (std::uint32_t t = 0; t <= s; ++t) pairs.push_back(PackedPair(c, s, c, t).bits());
 }
 
-bool share_corner(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b) {
-  for (const std::uint32_t vertex : a)
-    if (vertex == b[0] || vertex == b[1] || vertex == b[2]) return true;
-  return false;
-}
-
 }  // namespace
 
 PairMasks::PairMasks(const Tree& tree, const Fans& fans) {
