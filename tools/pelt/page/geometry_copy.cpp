@@ -16,35 +16,35 @@
 namespace pelt::tools::page {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 using Bytes = std::span<const std::byte>;
 
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
 /// Moves these members of an object to a new object.
-json take_members(json& object, std::initializer_list<const char*> keys) {
-  json taken = json::object();
+Json take_members(Json& object, std::initializer_list<const char*> keys) {
+  Json taken = Json::object();
   for (const char* key : keys)
     if (const auto found = object.find(key); found != object.end()) taken[key] = std::move(*found);
   return taken;
 }
 
 /// Returns the elements of an array of the document, which may be absent.
-json::array_t& elements(json& document, const char* key) {
-  return document.emplace(key, json::array()).first->get_ref<json::array_t&>();
+Json::array_t& elements(Json& document, const char* key) {
+  return document.emplace(key, Json::array()).first->get_ref<Json::array_t&>();
 }
 
-void remove_custom_data(json& value) {
+void remove_custom_data(Json& value) {
   if (value.is_object()) {
     value.erase("extras");
     value.erase("extensions");
   }
-  for (json& child : value)
+  for (Json& child : value)
     if (child.is_structured()) remove_custom_data(child);
 }
 
-void keep_attributes(json& object) {
+void keep_attributes(Json& object) {
   for (auto it = object.begin(); it != object.end();) {
     const std::string& name = it.key();
     const bool is_read =
@@ -53,27 +53,27 @@ void keep_attributes(json& object) {
   }
 }
 
-void reduce_primitive(json& primitive) {
+void reduce_primitive(Json& primitive) {
   primitive = take_members(primitive, {"attributes", "indices", "material", "mode", "targets"});
   if (primitive.contains("attributes")) keep_attributes(primitive["attributes"]);
-  for (json& target : elements(primitive, "targets")) keep_attributes(target);
+  for (Json& target : elements(primitive, "targets")) keep_attributes(target);
   if (primitive["targets"].empty()) primitive.erase("targets");
 }
 
 /// Keeps the names of morph targets, which exporters write to the extras.
-void reduce_mesh(json& mesh) {
-  json names = json::object();
+void reduce_mesh(Json& mesh) {
+  Json names = Json::object();
   if (mesh.contains("extras") && mesh["extras"].is_object())
     names = take_members(mesh["extras"], {"targetNames"});
   mesh = take_members(mesh, {"name", "weights", "primitives"});
-  for (json& primitive : elements(mesh, "primitives")) reduce_primitive(primitive);
+  for (Json& primitive : elements(mesh, "primitives")) reduce_primitive(primitive);
   remove_custom_data(mesh);
   if (!names.empty()) mesh["extras"] = std::move(names);
 }
 
 /// Makes accessors of other views zeros, so that they need no bytes.
-void reduce_accessor(json& accessor, std::span<const std::uint32_t> views) {
-  const auto is_used = [&](const json& view) {
+void reduce_accessor(Json& accessor, std::span<const std::uint32_t> views) {
+  const auto is_used = [&](const Json& view) {
     return std::binary_search(views.begin(), views.end(), view.get<std::uint32_t>());
   };
   remove_custom_data(accessor);
@@ -89,13 +89,13 @@ void reduce_accessor(json& accessor, std::span<const std::uint32_t> views) {
 class PackedBuffer {
  public:
   /// Appends the stored bytes of a view, and lets the view refer to them. Borrows the bytes.
-  void add(json& view, Bytes stored) {
+  void add(Json& view, Bytes stored) {
     const std::size_t offset = place_of(stored);
-    json meshopt;
+    Json meshopt;
     if (view.contains("extensions") && view["extensions"].contains(kMeshopt))
       meshopt = std::move(view["extensions"][kMeshopt]);
     remove_custom_data(view);
-    json& place = meshopt.is_null() ? view : meshopt;
+    Json& place = meshopt.is_null() ? view : meshopt;
     place["buffer"] = 0;
     place["byteOffset"] = offset;
     if (meshopt.is_null()) return;
@@ -105,8 +105,8 @@ class PackedBuffer {
     view["extensions"][kMeshopt] = std::move(meshopt);
   }
 
-  json buffers() const {
-    json all = json::array({{{"byteLength", bytes_.size()}}});
+  Json buffers() const {
+    Json all = Json::array({{{"byteLength", bytes_.size()}}});
     if (decompressed_ > 0)
       all.push_back(
           {{"byteLength", decompressed_}, {"extensions", {{kMeshopt, {{"fallback", true}}}}}});
@@ -130,23 +130,23 @@ class PackedBuffer {
   std::uint64_t decompressed_ = 0;  // length of the longest view
 };
 
-void reduce_structure(json& document, std::span<const std::uint32_t> views) {
+void reduce_structure(Json& document, std::span<const std::uint32_t> views) {
   document = take_members(
       document, {"asset", "extensionsUsed", "extensionsRequired", "scene", "scenes", "nodes",
                  "meshes", "skins", "animations", "materials", "accessors", "bufferViews"});
-  for (json& material : elements(document, "materials"))
+  for (Json& material : elements(document, "materials"))
     material = take_members(material, {"name"});
-  for (json& mesh : elements(document, "meshes")) reduce_mesh(mesh);
-  for (json& node : elements(document, "nodes")) node.erase("camera");
+  for (Json& mesh : elements(document, "meshes")) reduce_mesh(mesh);
+  for (Json& node : elements(document, "nodes")) node.erase("camera");
   for (const char* key : {"asset", "scenes", "nodes", "skins", "animations"})
     if (document.contains(key)) remove_custom_data(document[key]);
-  for (json& accessor : elements(document, "accessors")) reduce_accessor(accessor, views);
+  for (Json& accessor : elements(document, "accessors")) reduce_accessor(accessor, views);
 }
 
 /// Packs the used views. The other ones keep their place, because accessors count views.
-Result<PackedBuffer> pack_views(json::array_t& all, std::span<const std::uint32_t> used,
+Result<PackedBuffer> pack_views(Json::array_t& all, std::span<const std::uint32_t> used,
                                 asset::Buffers& buffers) {
-  std::vector<json> unused(all.size(), {{"buffer", 0}, {"byteLength", 1}});
+  std::vector<Json> unused(all.size(), {{"buffer", 0}, {"byteLength", 1}});
   PackedBuffer packed;
   for (const std::uint32_t view : used) {
     const auto stored = buffers.stored_view(view, asset::label("bufferView", view));
@@ -159,7 +159,7 @@ Result<PackedBuffer> pack_views(json::array_t& all, std::span<const std::uint32_
 }
 
 /// glTF has no empty arrays.
-void remove_empty_arrays(json& document) {
+void remove_empty_arrays(Json& document) {
   for (auto it = document.begin(); it != document.end();)
     it = it->is_array() && it->empty() ? document.erase(it) : std::next(it);
 }
@@ -170,13 +170,13 @@ Result<std::vector<std::byte>> copy_geometry(Bytes file, const std::filesystem::
                                              std::span<const std::uint32_t> views) {
   const auto container = asset::open_container(file);
   if (!container) return container.error();
-  const auto gltf = asset::read_document(container->json);
+  const auto gltf = asset::read_document(container->Json);
   if (!gltf) return gltf.error();
-  const auto parsed = asset::parse_json(container->json);
+  const auto parsed = asset::parse_json(container->Json);
   if (!parsed) return parsed.error();
   asset::Budget budget;
   asset::Buffers buffers(*gltf, container->binary, folder, budget);
-  json& document = **parsed;
+  Json& document = **parsed;
   reduce_structure(document, views);
   const auto packed = pack_views(elements(document, "bufferViews"), views, buffers);
   if (!packed) return packed.error();
