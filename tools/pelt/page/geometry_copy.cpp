@@ -170,9 +170,9 @@ Result<std::vector<std::byte>> copy_geometry(Bytes file, const std::filesystem::
                                              std::span<const std::uint32_t> views) {
   const auto container = asset::open_container(file);
   if (!container) return container.error();
-  const auto gltf = asset::read_document(container->Json);
+  const auto gltf = asset::read_document(container->json);
   if (!gltf) return gltf.error();
-  const auto parsed = asset::parse_json(container->Json);
+  const auto parsed = asset::parse_json(container->json);
   if (!parsed) return parsed.error();
   asset::Budget budget;
   asset::Buffers buffers(*gltf, container->binary, folder, budget);
