@@ -38,6 +38,7 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
   scene.frame_count = file.frame_count;
   scene.fps = file.fps;
   scene.ignore = file.ignore;
+  scene.self = file.self;
   for (const SceneFile::Model& model : file.models) {
     Result<Character> character = make_character(model, folder, options);
     if (!character) {

@@ -8,6 +8,7 @@
 
 #include "scenes/creature.hpp"
 #include "scenes/face.hpp"
+#include "scenes/self_options.hpp"
 
 #include <array>
 #include <cstdint>
@@ -71,6 +72,7 @@ struct Scene {
   std::uint32_t frame_count = 1;
   double fps = 30;
   std::vector<NamePair> ignore;
+  SelfOptions self = {};           ///< contacts of characters with themselves
   std::vector<std::string> notes;  ///< hints about probable mistakes, with remedies, for reports
   /// One for each clip, for all frames, if an instance plays all clips; otherwise empty. Set by
   /// `plan_takes` (scenes/takes.hpp).

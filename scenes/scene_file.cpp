@@ -161,6 +161,45 @@ std::vector<NamePair> read_ignore(const StrictObject& file) {
   return pairs;
 }
 
+std::optional<SelfContacts> read_self(const StrictObject& file) {
+  const json* value = file.find("self");
+  if (value == nullptr) return std::nullopt;
+  if (value->is_boolean()) return value->get<bool>() ? SelfContacts::beside : SelfContacts::none;
+  if (*value == "only") return SelfContacts::only;
+  file.refuse("self", "expected true, false or \"only\"");
+  return std::nullopt;
+}
+
+/// Reads "keep" or "drop".
+std::optional<bool> read_drops(const StrictObject& file, std::string_view key) {
+  const json* value = file.find(key);
+  if (value == nullptr) return std::nullopt;
+  if (*value == "keep" || *value == "drop") return *value == "drop";
+  file.refuse(key, "expected \"keep\" or \"drop\"");
+  return std::nullopt;
+}
+
+std::optional<double> read_always(const StrictObject& file) {
+  constexpr std::string_view kKey = "self_always";
+  const json* value = file.find(kKey);
+  if (value == nullptr) return std::nullopt;
+  if (*value == "keep") return 0;
+  const double share = value->is_number() ? value->get<double>() : 0;
+  if (share > 0 && share <= 1) return share;
+  file.refuse(kKey, "expected \"keep\" or a share of the frames, more than 0 and at most 1");
+  return std::nullopt;
+}
+
+SelfOptions read_self_options(const StrictObject& file) {
+  SelfOptions self;
+  self.wanted = read_self(file);
+  if (file.has("self_rings")) self.rings = file.count("self_rings", 0, {0, kMaxSelfRings});
+  self.drops_at_rest = read_drops(file, "self_at_rest");
+  self.always = read_always(file);
+  self.drops_near_joints = read_drops(file, "self_near_joints");
+  return self;
+}
+
 }  // namespace
 
 Result<SceneFile> parse_scene_file(std::string_view text) {
@@ -180,6 +219,7 @@ Result<SceneFile> parse_scene_file(std::string_view text) {
                   "cannot be combined with \"clip\": \"*\", which plays each clip once: "
                   "leave it out");
   scene.ignore = read_ignore(file);
+  scene.self = read_self_options(file);
   if (problem) return asset::malformed(*problem);
   return scene;
 }

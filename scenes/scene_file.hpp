@@ -23,6 +23,7 @@ struct SceneFile {
   std::uint32_t frame_count = 1;
   double fps = 30;
   std::vector<NamePair> ignore;
+  SelfOptions self;
 };
 
 /// Parses a scene file. Error messages start with the place in the file. O(text), and O(instances

@@ -47,7 +47,7 @@ TEST(CheckOptions, SummarySaysWhereThereIsNothingToTouch) {
   const TestFolder folder;
   const std::string strip = write_strip(folder, "strip.glb");
   const std::string note = "nothing can touch";
-  const Ended alone = run_pelt(folder, {"check", strip});
+  const Ended alone = run_pelt(folder, {"check", strip, "--self", "no"});
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_NE(alone.out.find(note + ": none is tested against itself; --by part"), std::string::npos)
       << alone.out;
@@ -156,7 +156,9 @@ TEST(CheckOptions, WeightsAreRenormalisedOnDemand) {
   EXPECT_NE(refused.err.find("off.glb: weights of vertex 0 sum to 1.5"), std::string::npos)
       << refused.err;
   EXPECT_NE(refused.err.find("--renormalise"), std::string::npos);
-  EXPECT_EQ(run_pelt(folder, {"check", "off.glb", "--renormalise", "--allow-empty"}).exit_code, 0);
+  EXPECT_EQ(run_pelt(folder, {"check", "off.glb", "--renormalise", "--self", "no", "--allow-empty"})
+                .exit_code,
+            0);
 }
 
 /// Number of triangles of the material "contact" in a file of --glb.

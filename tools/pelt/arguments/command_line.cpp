@@ -7,6 +7,7 @@
 #include "scenes/closest_name.hpp"
 #include "tools/pelt/arguments/memory_limit.hpp"
 #include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/output/unfinished_files.hpp"
 
 #include <CLI/CLI.hpp>
@@ -137,6 +138,35 @@ int run_verb(const Program& program, const CLI::App& app, const Command& command
   }
 }
 
+/// The choices of an option that may be given without a value (see Verb::choice), or none.
+std::vector<std::string_view> choices_of(const CLI::App* verb, const std::string& argument) {
+  const CLI::Option* option = verb == nullptr ? nullptr : verb->get_option_no_throw(argument);
+  if (option == nullptr || option->get_expected_min() != 0 || option->get_expected_max() != 1)
+    return {};
+  return output::split(option->get_type_name(), '|');
+}
+
+/// Returns the arguments in reverse order, as CLI11 expects them, and with "--self only" and
+/// "--self" as "--self=only" and "--self=yes". Otherwise, CLI11 reads any argument after "--self"
+/// as its value.
+std::vector<std::string> arguments_of(const CLI::App& app, int argc, char** argv) {
+  const std::vector<std::string> given(argv + 1, argv + argc);
+  const auto verbs = app.get_subcommands(
+      [&](const CLI::App* one) { return !given.empty() && one->get_name() == given[0]; });
+  const CLI::App* const verb = verbs.empty() ? nullptr : verbs[0];
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    arguments.push_back(given[i]);
+    const std::vector<std::string_view> choices = choices_of(verb, given[i]);
+    if (choices.empty()) continue;
+    const bool has_value = i + 1 < given.size() &&
+                           std::find(choices.begin(), choices.end(), given[i + 1]) != choices.end();
+    arguments.back().append("=").append(has_value ? given[++i] : std::string(choices[0]));
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
 int run(const Program& program, int argc, char** argv) {
   CLI::App app(program.description, program.name);
   app.set_version_flag("--version", std::string(program.name) + " " PELT_VERSION);
@@ -146,7 +176,7 @@ int run(const Program& program, int argc, char** argv) {
   Command command;
   program.add_verbs(app, command);
   try {
-    app.parse(argc, argv);
+    app.parse(arguments_of(app, argc, argv));
   } catch (const CLI::ParseError& error) {
     return end_of_parse(program, app, error);
   }

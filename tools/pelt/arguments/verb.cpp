@@ -77,6 +77,10 @@ template void Verb::option(const char*, std::vector<std::string>&, const std::st
 template void Verb::option(const char*, std::vector<double>&, const std::string&,
                            const OptionSyntax&);
 
+void Verb::choice(const char* name, std::string& value, const char* choices, const char* help) {
+  verb_.add_option(name, value, help)->type_name(choices)->expected(0, 1);
+}
+
 void Verb::flag(const char* name, bool& value, const char* help) {
   verb_.add_flag(name, value, help);
 }

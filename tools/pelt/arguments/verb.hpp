@@ -35,6 +35,12 @@ class Verb {
   template <typename T>
   void option(const char* name, T& value, const std::string& help, const OptionSyntax& syntax = {});
 
+  /// Adds an option that may be given without a value, which then is the first one of `choices`.
+  /// The next argument is its value only if it is one of them.
+  ///
+  /// `choices`: separated by bars, such as "yes|only|no".
+  void choice(const char* name, std::string& value, const char* choices, const char* help);
+
   /// Adds an option without a value.
   void flag(const char* name, bool& value, const char* help);
 

@@ -60,6 +60,30 @@ Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
   return arguments.clearance;
 }
 
+/// Returns the option that excludes tests of bodies against themselves, or null.
+const char* excluded_by(const CheckArguments& arguments, const CheckSettings& settings) {
+  if (settings.method != methods::kOnDemand) return "--method";
+  if (settings.clearance) return "--clearance";
+  if (!arguments.html.empty()) return "--html";
+  return nullptr;
+}
+
+/// Precondition: `settings` has its method, clearance and granularity.
+Result<SelfChoice> choose_self(const CheckArguments& arguments, const CheckSettings& settings,
+                               const scenes::Scene& scene) {
+  const Result<scenes::SelfOptions> given = parse_self(arguments.self);
+  if (!given) return given.error();
+  const char* const excluded = excluded_by(arguments, settings);
+  const bool by_default = is_one_body(scene, settings.granularity) && excluded == nullptr;
+  const SelfChoice choice =
+      with_defaults(scenes::chosen_first(*given, scene.self), scene,
+                    by_default ? scenes::SelfContacts::beside : scenes::SelfContacts::none);
+  if (choice.asks_self() && excluded != nullptr)
+    return output::bad_argument("--self", std::string("cannot be combined with ") + excluded,
+                                "give one of the two");
+  return choice;
+}
+
 /// Parses "A,B"; the last comma separates the names.
 Result<scenes::NamePair> parse_name_pair(const std::string& text) {
   const std::size_t comma = text.rfind(',');
@@ -159,7 +183,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option(
       "--by", arguments.by,
       "What is tested: every two instances, or every two parts, including parts of the same "
-      "instance; neither is tested against itself",
+      "instance",
       {.type = "instance|part"});
   verb.option("--method", arguments.method, "One of " + methods::listed(arguments.known_methods),
               {.type = "NAME"});
@@ -168,6 +192,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--max-contacts", arguments.max_contacts,
               "Stop after N contacts of each pair in each frame",
               {.type = "N", .excludes = "--first"});
+  add_self_options(verb, arguments.self);
   verb.option("--ignore", arguments.ignore,
               "Do not count contacts between two parts or joints (repeatable)", {.type = "A,B"});
   verb.option(
@@ -215,6 +240,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   choices.take(choose_method(arguments.method, arguments.known_methods), settings.method);
   choices.take(choose_clearance(arguments, settings.method), settings.clearance);
   choices.take(scene::choose_granularity(arguments.by), settings.granularity);
+  choices.take(choose_self(arguments, settings, scene), settings.self);
   choices.take(choose_limit(arguments), settings.max_contacts);
   choices.take(arguments::choose_frames(arguments.frames, arguments.scene, scene), settings.frames);
   choices.take(choose_ignored(arguments, scene), settings.ignore);

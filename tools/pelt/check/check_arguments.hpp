@@ -4,6 +4,7 @@
 
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/check/check_settings.hpp"
+#include "tools/pelt/check/self_arguments.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -20,6 +21,7 @@ struct CheckArguments {
   std::optional<double> clearance;
   std::optional<std::uint32_t> max_contacts, glb_frame;
   std::vector<std::string> ignore;
+  SelfArguments self;
   std::string baseline, fail_on;
   std::string jsonl, glb, html, simd, words;
 };

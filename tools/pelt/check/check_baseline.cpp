@@ -68,6 +68,11 @@ Result<void> compare_questions(const json& theirs, const json& ours) {
                               option_words(option, ours[key]),
                           "use the same options, or write a new baseline");
   }
+  const bool asked_self = !value_of(theirs, "self").is_null();
+  if (asked_self == ours["self"].is_null())
+    return incomparable(asked_self ? "was written with --self, which this check leaves out"
+                                   : "was written without --self, but this check is with it",
+                        "use the same options, or write a new baseline");
   const bool played_all = !value_of(theirs, "clips").is_null();
   if (played_all != !value_of(ours, "clips").is_null())
     return incomparable(played_all ? "was written with all clips of a model ('*')"
@@ -85,7 +90,7 @@ Result<void> compare_questions(const json& theirs, const json& ours) {
 /// Notes differences that do not prevent a comparison.
 void note_differences(const json& theirs, const json& ours, std::vector<std::string>& notes) {
   for (const char* key :
-       {"clips", "frames", "fps", "ignore", "exclude", "no_unskinned", "renormalise"}) {
+       {"clips", "frames", "self", "fps", "ignore", "exclude", "no_unskinned", "renormalise"}) {
     const json then = value_of(theirs, key);
     if (then.is_null() || then == ours[key]) continue;
     notes.push_back(std::string(key) + " was " + then.dump() + " in the baseline and is " +

@@ -3,6 +3,24 @@
 #include <nlohmann/json.hpp>
 
 namespace pelt::tools::check {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Null if bodies are not tested against themselves.
+ordered_json self_json(const SelfChoice& self) {
+  if (!self.asks_self()) return nullptr;
+  const auto kept_or_dropped = [](bool drops) { return drops ? "drop" : "keep"; };
+  ordered_json json = {{"only", !self.asks_pairs()},
+                       {"rings", self.rules.rings},
+                       {"at_rest", kept_or_dropped(self.rules.drops_at_rest)},
+                       {"always", "keep"},
+                       {"near_joints", kept_or_dropped(self.rules.drops_near_joints)}};
+  if (self.rules.always) json["always"] = *self.rules.always;
+  return json;
+}
+
+}  // namespace
 
 nlohmann::ordered_json question_json(const CheckQuestion& question) {
   nlohmann::ordered_json json = {
@@ -15,6 +33,7 @@ nlohmann::ordered_json question_json(const CheckQuestion& question) {
       {"contacts", question.contacts},
       {"inside", question.inside},
       {"clearance", nullptr},
+      {"self", self_json(question.self)},
       {"ignore", nlohmann::ordered_json::array()},
       {"exclude", question.exclude},
       {"no_unskinned", question.no_unskinned},

@@ -4,6 +4,7 @@
 
 #include "scenes/scene.hpp"
 #include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/check/self_arguments.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,6 +23,7 @@ struct CheckQuestion {
   std::optional<std::uint32_t> max_contacts;
   std::optional<double> clearance;
   bool pairs = false, contacts = false, inside = false;
+  SelfChoice self;
   std::vector<scenes::NamePair> ignore;
   std::vector<std::string> exclude;
   bool no_unskinned = false, renormalise = false;

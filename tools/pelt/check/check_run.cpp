@@ -5,6 +5,7 @@
 #include "tools/pelt/check/clearance_query.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
+#include "tools/pelt/scene/self_query.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -123,6 +124,23 @@ class ExtraQueries {
   std::optional<DepthTally> depths_;
 };
 
+/// Returns nullopt if bodies are not tested against themselves.
+Result<std::optional<scene::SelfQuery>> make_self_query(const scene::StagedScene& staged,
+                                                        const CheckSettings& settings) {
+  if (!settings.self.asks_self()) return std::optional<scene::SelfQuery>();
+  auto filters = scene::make_self_filters(staged, settings.self.rules, settings.frames);
+  if (!filters) return filters.error();
+  return std::optional<scene::SelfQuery>(std::in_place, staged.colliders, std::move(*filters));
+}
+
+Result<void> ask_self(std::optional<scene::SelfQuery>& query, const scene::Palettes& palettes,
+                      const CollideOptions& options, scene::FrameContacts& found) {
+  if (!query) return {};
+  if (const auto posed = query->set_palettes(palettes); !posed) return posed;
+  query->collide(options, found);
+  return {};
+}
+
 /// `Query` is SceneQuery or ClearanceQuery.
 template <typename Query>
 Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
@@ -138,19 +156,25 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   scene::FrameContacts found;
   scene::ContactHash hash;
   ExtraQueries extras(staged, settings, *ignored);
+  Result<std::optional<scene::SelfQuery>> self = make_self_query(staged, settings);
+  if (!self) return self.error();
   const auto ask = [&](const scene::Palettes& palettes) -> Result<QueryStats> {
     if (const auto posed = query.set_palettes(palettes); !posed) return posed.error();
     query.collide(options, found);
-    return QueryStats{};  // `query` counts its work itself
+    if (const auto asked = ask_self(*self, palettes, options, found); !asked) return asked.error();
+    return QueryStats{};  // the queries count their work themselves
   };
   const auto record = [&](std::uint32_t frame, const scene::Palettes& palettes) -> Result<void> {
     if (const auto asked = extras.ask_inside(frame, palettes, found); !asked) return asked;
     report.totals.ignored += take_ignored_out(*ignored, staged, found);
+    if (*self) report.totals.left_out += (*self)->left_out();
     count_frame(staged.scene, frame, found, report);
     tally.add(frame, found);
     hash.add(frame, found);
     if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked;
-    jsonl.frame(frame, found, extras.of_frame());
+    FrameExtras of_frame = extras.of_frame();
+    if (*self) of_frame.left_out = &(*self)->left_out();
+    jsonl.frame(frame, found, of_frame);
     if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
     return {};
   };
@@ -158,9 +182,16 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   if (!costs) return costs.error();
   report.frame_seconds = std::move(costs->seconds);
   report.totals.work = query.work();
+  if (*self) report.totals.work += (*self)->work();
   extras.report(report);
   if (!settings.max_contacts) report.totals.hash = hash.value();
   return report;
+}
+
+/// Number of pairs of colliders that each frame compares; a collider and itself are a pair.
+std::uint64_t bodies_compared(std::uint64_t colliders, const SelfChoice& self) {
+  const std::uint64_t pairs = colliders < 2 ? 0 : colliders * (colliders - 1) / 2;
+  return (self.asks_pairs() ? pairs : 0) + (self.asks_self() ? colliders : 0);
 }
 
 /// Sets the totals, which are known after the last frame.
@@ -170,7 +201,9 @@ void conclude(const scene::StagedScene& staged, const CheckSettings& settings,
   Findings found = {touches, {}};
   if (report.inside) found.held = report.inside->held;
   const CheckBaseline* const baseline = settings.baseline ? &*settings.baseline : nullptr;
-  report.verdict = judge(staged, found, {settings.fail_on, settings.allows_empty, baseline});
+  report.verdict = judge(staged, found,
+                         {settings.fail_on, settings.allows_empty, baseline,
+                          bodies_compared(staged.colliders.size(), settings.self)});
   jsonl.totals(report.totals, found, report.verdict);
 }
 
@@ -180,7 +213,8 @@ Result<CheckReport> run_chosen(const scene::StagedScene& staged, const CheckSett
     ClearanceQuery query(staged.colliders, *settings.clearance);
     return run_query(query, staged, settings, tally, jsonl);
   }
-  scene::SceneQuery query(staged.colliders, settings.method);
+  const std::span<const scene::Collider> none;
+  scene::SceneQuery query(settings.self.asks_pairs() ? staged.colliders : none, settings.method);
   return run_query(query, staged, settings, tally, jsonl);
 }
 

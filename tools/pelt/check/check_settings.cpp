@@ -15,6 +15,7 @@ CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& sc
   question.pairs = settings.lists_triangles;
   question.contacts = settings.describes_contacts;
   question.inside = settings.asks_inside;
+  question.self = settings.self;
   question.ignore = settings.ignore;
   question.exclude = models.exclude;
   question.no_unskinned = models.no_unskinned;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tools/pelt/check/check_question.hpp"
+#include "tools/pelt/check/self_arguments.hpp"
 #include "tools/pelt/check/verdict.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/scene/colliders.hpp"
@@ -20,6 +21,7 @@ struct CheckSettings {
   bool lists_triangles = false;     ///< all pairs of them, not only their number
   bool describes_contacts = false;  ///< describe the geometry of contacts
   bool asks_inside = false;         ///< test which bodies are inside others
+  SelfChoice self;                  ///< whether bodies are tested against themselves
   std::vector<scenes::NamePair> ignore;
   std::optional<CheckBaseline> baseline;
   FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline

@@ -32,11 +32,19 @@ Result<void> ContactDetails::describe(const scene::Palettes& palettes,
     for (const Contact& contact : found.of(found.pairs[i])) {
       contacts_.push_back(scene::numbered_in_models(contact, colliders_[a], colliders_[b]));
     }
-    describe_contacts(posed_.poses()[a], surfaces_[a], posed_.poses()[b], surfaces_[b], contacts_,
-                      scratch_, geometry_[i]);
+    describe_pair(a, b, geometry_[i]);
     number_joints_in_assets(geometry_[i], colliders_[a], colliders_[b]);
   }
   return {};
+}
+
+void ContactDetails::describe_pair(std::uint32_t a, std::uint32_t b, ContactGeometry& geometry) {
+  const std::span<Pose> poses = posed_.poses();
+  if (a == b)
+    describe_contacts(poses[a], surfaces_[a], contacts_, scratch_, geometry);
+  else
+    describe_contacts(poses[a], surfaces_[a], poses[b], surfaces_[b], contacts_, scratch_,
+                      geometry);
 }
 
 }  // namespace pelt::tools::check

@@ -26,6 +26,8 @@ class ContactDetails {
   const ContactGeometry& of_pair(std::size_t pair) const { return geometry_[pair]; }
 
  private:
+  void describe_pair(std::uint32_t a, std::uint32_t b, ContactGeometry& geometry);
+
   std::span<const scene::Collider> colliders_;
   std::vector<Surface> surfaces_;  // of each collider; shared if the model is
   scene::ScenePoses posed_;

@@ -50,6 +50,7 @@ Result<void> InsideQuery::ask(const scene::Palettes& palettes, const scene::Fram
   if (const Result<void> taken = posed_.set_palettes(palettes); !taken) return taken;
   auto touching = found.pairs.begin();
   for (const auto& [a, b] : near_pairs_.find(posed_.poses(), 0)) {
+    while (touching != found.pairs.end() && touching->a == touching->b) ++touching;
     const bool touches = touching != found.pairs.end() && touching->a == a && touching->b == b;
     if (touches) ++touching;
     if (!is_ignored(a, b)) ask_pair(a, b, touches);

@@ -34,6 +34,13 @@ ordered_json held_names_json(const CheckBaseline::HeldNames& names) {
   return json;
 }
 
+ordered_json left_out_json(const LeftOut& left_out) {
+  return {{"rings", left_out.rings},
+          {"at_rest", left_out.at_rest},
+          {"always", left_out.always},
+          {"near_joints", left_out.joints}};
+}
+
 ordered_json takes_json(const scenes::Scene& scene, std::span<const TakeTotals> takes) {
   ordered_json list = ordered_json::array();
   for (const TakeTotals& totals : takes) {
@@ -63,6 +70,7 @@ void JsonlWriter::frame(std::uint32_t frame, const scene::FrameContacts& found,
   ordered_json line = scene::frame_json(staged_.scene, frame);
   line["contacts"] = found.contacts.size();
   line["pairs"] = pairs_json(found, extras.details);
+  if (extras.left_out != nullptr) line["left_out"] = left_out_json(*extras.left_out);
   if (extras.inside != nullptr) line["inside"] = inside_json(*extras.inside);
   scene::write_line(line, *out_);
 }
@@ -145,6 +153,7 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
   } else {
     last["cut_short"] = true;
   }
+  if (question_.self.asks_self()) last["totals"]["left_out"] = left_out_json(totals.left_out);
   if (!totals.takes.empty()) last["clips"] = takes_json(staged_.scene, totals.takes);
   last["touches"] = ordered_json::array();
   for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(staged_, touch));

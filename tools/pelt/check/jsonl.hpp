@@ -2,6 +2,8 @@
 
 /// Output of `pelt check --jsonl`: a header, a line per frame, the totals.
 
+#include <pelt/self_collide.hpp>
+
 #include "scenes/scene.hpp"
 #include "tools/pelt/check/check_question.hpp"
 #include "tools/pelt/check/contact_details.hpp"
@@ -30,6 +32,7 @@ struct TakeTotals {
 struct CheckTotals {
   std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
   std::uint64_t ignored = 0;  ///< contacts that do not count
+  LeftOut left_out;           ///< contacts of bodies with themselves that do not count
   QueryStats work;
   std::vector<TakeTotals> takes;      ///< of checked frames; empty if the scene has no takes
   std::optional<std::uint64_t> hash;  ///< nullopt if contacts were limited
@@ -39,6 +42,7 @@ struct CheckTotals {
 struct FrameExtras {
   const ContactDetails* details = nullptr;
   const InsideQuery* inside = nullptr;
+  const LeftOut* left_out = nullptr;  ///< by the filters of contacts of bodies with themselves
 };
 
 /// Writes the lines of a check, or nothing if there is no stream.

@@ -39,6 +39,36 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
                                 << '\n';
 }
 
+/// Prints whether bodies are tested against themselves.
+void print_self(const CheckSettings& settings, std::size_t colliders, std::ostream& out) {
+  if (!settings.self.asks_self()) return;
+  const char* const body = settings.granularity == scene::Granularity::part ? "part" : "instance";
+  scene::label(out, "self");
+  if (colliders == 1)
+    out << "the " << body << " is tested against itself\n";
+  else if (settings.self.asks_pairs())
+    out << "each " << body << " is also tested against itself\n";
+  else
+    out << "each " << body << " is tested against itself only\n";
+}
+
+/// Prints how many contacts of bodies with themselves the filters have left out.
+void print_left_out(const LeftOut& left_out, const scene::SelfRules& rules, std::ostream& out) {
+  if (left_out.total() == 0) return;
+  scene::label(out, "dropped") << output::counted(left_out.total(), "self-contact");
+  const char* separator = ": ";
+  const auto print = [&](std::uint64_t count, const std::string& option) {
+    if (count == 0) return;
+    out << separator << output::with_commas(count) << " by " << option;
+    separator = ", ";
+  };
+  print(left_out.rings, "--self-rings " + std::to_string(rules.rings));
+  print(left_out.at_rest, "--self-at-rest");
+  print(left_out.always, "--self-always");
+  print(left_out.joints, "--self-near-joints");
+  out << '\n';
+}
+
 /// Prints the number of rows that a list leaves out.
 void print_rest(std::size_t count, std::ostream& out) {
   if (count > kMaxRows)
@@ -125,8 +155,8 @@ void print_worse(const scene::StagedScene& staged, std::span<const Worse> worse,
     const auto& [touch, known] = worse[i];
     out << std::right << std::setw(12) << output::with_commas(touch.worst) << " ("
         << (known == 0 ? "new" : "was " + output::with_commas(known)) << ")  "
-        << scene::frame_words(staged.scene, touch.worst_frame) << "  " << in_words(staged, touch.a)
-        << "  " << in_words(staged, touch.b) << '\n';
+        << scene::frame_words(staged.scene, touch.worst_frame) << "  " << touch_words(staged, touch)
+        << '\n';
   }
   print_rest(worse.size(), out);
 }
@@ -215,7 +245,9 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
                    const CheckReport& report, const TouchTally& tally, std::ostream& out) {
   scene::print_scene(staged, out);
   scene::label(out, "method") << settings.method.name << '\n';
-  if (staged.colliders.size() < 2) scene::print_too_few(staged.scene, settings.granularity, out);
+  print_self(settings, staged.colliders.size(), out);
+  if (report.verdict.pairs_compared == 0)
+    scene::print_too_few(staged.scene, settings.granularity, out);
   if (settings.clearance)
     scene::label(out, "clearance")
         << "counts triangles at most " << *settings.clearance << " apart\n";
@@ -223,6 +255,7 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
   if (!report.totals.takes.empty()) print_takes(staged.scene, report.totals.takes, out);
   if (report.totals.ignored > 0)
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
+  print_left_out(report.totals.left_out, settings.self.rules, out);
   // Failures come first.
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   print_touching(staged.scene, report, tally, out);

@@ -27,6 +27,12 @@ std::string joint_name(const scene::StagedScene& staged, const TouchPlace& place
   return scenes::joint_name(staged.scene.characters[character].asset, place.joint);
 }
 
+/// "Cape Spine"
+std::string words_in_instance(const scene::StagedScene& staged, const TouchPlace& place) {
+  return asset::printable_name(part_name(staged, place.instance, place.part)) + " " +
+         asset::printable_name(joint_name(staged, place));
+}
+
 ordered_json with_instance(std::uint32_t instance, const ordered_json& name) {
   ordered_json place = {{"instance", instance}};
   place.update(name);
@@ -54,12 +60,24 @@ TouchName touch_name(const scene::StagedScene& staged, const TouchPlace& place) 
   return name;
 }
 
-std::string in_words(const scene::StagedScene& staged, const TouchPlace& place) {
-  const std::uint32_t character = staged.scene.instances[place.instance].character;
+std::string instance_words(const scene::StagedScene& staged, std::uint32_t instance) {
+  const std::uint32_t character = staged.scene.instances[instance].character;
   return asset::printable_name(staged.scene.characters[character].name) + " " +
-         std::to_string(place.instance) + " " +
-         asset::printable_name(part_name(staged, place.instance, place.part)) + " " +
-         asset::printable_name(joint_name(staged, place));
+         std::to_string(instance);
+}
+
+bool is_of_itself(const scene::StagedScene& staged, std::uint32_t a, std::uint32_t b) {
+  return a == b && !staged.colliders[0].part;
+}
+
+std::string in_words(const scene::StagedScene& staged, const TouchPlace& place) {
+  return instance_words(staged, place.instance) + " " + words_in_instance(staged, place);
+}
+
+std::string touch_words(const scene::StagedScene& staged, const Touch& touch) {
+  const bool is_itself = is_of_itself(staged, touch.a.instance, touch.b.instance);
+  return in_words(staged, touch.a) + "  " +
+         (is_itself ? kItself + words_in_instance(staged, touch.b) : in_words(staged, touch.b));
 }
 
 ordered_json touch_json(const scene::StagedScene& staged, const Touch& touch) {

@@ -39,8 +39,20 @@ std::optional<std::string> clip_name(const scenes::Scene& scene, std::uint32_t t
 BodyName body_name(const scene::StagedScene& staged, const scene::Collider& collider);
 TouchName touch_name(const scene::StagedScene& staged, const TouchPlace& place);
 
+/// "knight 0", with the number of the instance in the scene; printable.
+std::string instance_words(const scene::StagedScene& staged, std::uint32_t instance);
+
+/// Whether a touch of two instances is one of an instance with itself, and not of two of its parts.
+bool is_of_itself(const scene::StagedScene& staged, std::uint32_t a, std::uint32_t b);
+
+/// Replaces the name of the instance at the second place of a touch of an instance with itself.
+inline const std::string kItself = "itself ";
+
 /// "knight 0 Cape Spine", with the number of the instance in the scene; printable.
 std::string in_words(const scene::StagedScene& staged, const TouchPlace& place);
+
+/// Both places: "knight 0 Hand  itself Cape" if they are of one instance.
+std::string touch_words(const scene::StagedScene& staged, const Touch& touch);
 
 /// As in `pelt check --jsonl`; `instance` is the number in the scene. With the clip if the scene
 /// has takes.

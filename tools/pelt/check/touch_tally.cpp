@@ -4,6 +4,7 @@
 #include "asset/printable.hpp"
 #include "scenes/names.hpp"
 #include "scenes/takes.hpp"
+#include "tools/pelt/check/touch_name.hpp"
 
 #include <algorithm>
 #include <string>
@@ -104,18 +105,21 @@ std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index,
     const auto places = ascending(Place{a.instance, a.*index}, Place{b.instance, b.*index});
     counts[{touch.take, places}] += touch.contacts;
   }
-  const auto full_name = [&](const Place& place) {
+  const auto name_in = [&](const Place& place) {
     const std::uint32_t character = staged_.scene.instances[place.first].character;
-    return asset::printable_name(staged_.scene.characters[character].name) + " " +
-           std::to_string(place.first) + " " +
-           asset::printable_name(name_of(character, place.second));
+    return asset::printable_name(name_of(character, place.second));
+  };
+  const auto full_name = [&](const Place& place) {
+    return instance_words(staged_, place.first) + " " + name_in(place);
   };
   std::vector<Row> rows;
   const std::vector<scenes::Take>& takes = staged_.scene.takes;
   for (const auto& [key, contacts] : counts) {
     const auto& [take, places] = key;
-    rows.push_back({takes.empty() ? "" : asset::quoted(takes[take].clip), full_name(places.first),
-                    full_name(places.second), contacts});
+    const auto& [a, b] = places;
+    rows.push_back({takes.empty() ? "" : asset::quoted(takes[take].clip), full_name(a),
+                    is_of_itself(staged_, a.first, b.first) ? kItself + name_in(b) : full_name(b),
+                    contacts});
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.contacts > b.contacts; });

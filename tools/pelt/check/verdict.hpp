@@ -59,7 +59,7 @@ Comparison compare(const scene::StagedScene& staged, const Findings& found,
 struct Verdict {
   FailOn fail_on = FailOn::contact;
   bool is_failed = false;
-  std::uint64_t pairs_compared = 0;      ///< of colliders, in each frame; 0: nothing was checked
+  std::uint64_t pairs_compared = 0;      ///< see Demand; 0: nothing was checked
   std::optional<Comparison> comparison;  ///< with a baseline
 };
 
@@ -68,6 +68,7 @@ struct Demand {
   FailOn fail_on = FailOn::contact;
   bool allows_empty = false;                ///< otherwise comparing nothing fails
   const CheckBaseline* baseline = nullptr;  ///< not null if `fail_on` needs a baseline
+  std::uint64_t pairs_compared = 0;         ///< of colliders, or of one with itself, in each frame
 };
 
 Verdict judge(const scene::StagedScene& staged, const Findings& found, const Demand& demand);

@@ -21,7 +21,8 @@ namespace pelt::tools::scene {
 
 /// The contacts of one frame, pair after pair.
 struct FrameContacts {
-  /// Colliders a < b and their contacts: [begin, end) of `contacts`, not empty.
+  /// Colliders a < b, or one collider a = b, and their contacts: [begin, end) of `contacts`, not
+  /// empty.
   struct Pair {
     std::uint32_t a = 0, b = 0;
     std::size_t begin = 0, end = 0;

@@ -19,12 +19,14 @@ constexpr const char* kFooter = R"(
 Examples:
   pelt check scene.json
   pelt check knight.glb barbarian.glb --clip Walk --clip Attack --at 0,0,-0.5 --at 0,0,0.5 --turn 0 --turn 180
+  pelt check knight.glb --clip Walk
   pelt check knight.glb --clip Walk --by part
   pelt check knight.glb --clip '*' --by part --jsonl clips.jsonl
   pelt check scene.json --frames 20:40 --jsonl contacts.jsonl --pairs
   pelt check scene.json --contacts --jsonl contacts.jsonl
   pelt check scene.json --clearance 0.02
   pelt check scene.json --inside
+  pelt check scene.json --self --self-rings 2 --self-near-joints drop
   pelt check scene.json --first --jsonl - > contacts.jsonl
   pelt check scene.json --glb worst.glb
   pelt check scene.json --html report.html
@@ -38,8 +40,10 @@ With --by part, a and b are indices of the header's "instances", which has one e
 --ignore takes two names of parts or joints. A name like knight/hand_r applies to one model only, and
 * matches any characters. With --baseline, the --jsonl output of an earlier check, only contacts that
 are new or have grown fail the check.
-No instance and no part is tested against itself. A check of a single instance or part compares nothing
-and fails with exit code 2, unless --allow-empty is given.
+A single character is tested against itself; several are only with --self. The filters --self-... say
+which contacts of a character with itself do not count; the summary tells how many each one drops. A
+check that compares nothing, such as one of a single character with --self no, fails with exit code 2,
+unless --allow-empty is given.
 Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside also a contained
 body), 2 bad input or arguments, or nothing compared, 3 internal error.)";
 
@@ -75,9 +79,9 @@ Result<void> check_outputs(const check::CheckArguments& arguments, const scenes:
 /// Users who forgot a model must not read "no contact" as a clean result.
 Error nothing_compared() {
   return output::bad_argument(
-      "INPUT", "nothing was compared, because nothing is tested against itself",
-      "give another model, or use --by part if the model has several parts, or accept this with "
-      "--allow-empty");
+      "INPUT", "nothing was compared, because a single body was not tested against itself",
+      "leave out --self no, --method, --clearance and --html, or give another model, or use --by "
+      "part if the model has several parts, or accept this with --allow-empty");
 }
 
 Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {

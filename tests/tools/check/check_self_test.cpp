@@ -1,0 +1,341 @@
+/// Contacts of characters with themselves.
+
+#include <pelt/version.hpp>
+
+#include "geometry/neighbour_pair.hpp"
+#include "tools/answer.hpp"
+#include "tools/test_scenes.hpp"
+
+#include <cstdlib>
+#include <map>
+#include <tuple>
+
+namespace pelt::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words self_words(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+CheckFile check_self(const TestFolder& folder, const Words& more, int exit_code) {
+  const Ended run =
+      run_pelt(folder, self_words({"check"}, self_words(more, {"--pairs", "--jsonl", "-"})));
+  EXPECT_EQ(run.exit_code, exit_code) << run.err;
+  return parse_check_file(run.out);
+}
+
+/// Numbers of surface vertices: equal rest positions have equal numbers.
+std::vector<std::uint32_t> self_surface(const asset::Asset& asset) {
+  std::map<std::tuple<float, float, float>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> surface;
+  for (const Vec3& p : asset.rest_positions) {
+    const auto count = static_cast<std::uint32_t>(numbers.size());
+    surface.push_back(numbers.try_emplace({p.x, p.y, p.z}, count).first->second);
+  }
+  return surface;
+}
+
+/// All pairs of triangles of one instance, by the exact predicate.
+json brute_force_self(const scenes::Scene& scene, std::uint32_t instance, std::uint32_t frame) {
+  const auto posed = tools::scene::pose_instances(scene, frame, {});
+  EXPECT_TRUE(posed);
+  const asset::Asset& asset = scene.characters[scene.instances[instance].character].asset;
+  const std::vector<std::uint32_t> surface = self_surface(asset);
+  const std::vector<Vec3>& at = (*posed)[instance].positions;
+  std::vector<detail::SurfaceTriangle> triangles;
+  for (const Triangle& t : asset.triangles)
+    triangles.push_back(
+        {{at[t[0]], at[t[1]], at[t[2]]}, {surface[t[0]], surface[t[1]], surface[t[2]]}});
+  json contacts = json::array();
+  for (std::uint32_t s = 0; s < triangles.size(); ++s)
+    for (std::uint32_t t = s + 1; t < triangles.size(); ++t)
+      if (detail::surface_triangles_intersect(triangles[s], triangles[t]))
+        contacts.push_back({s, t});
+  return contacts;
+}
+
+/// The contacts of instance `a` with instance `b` in a frame's line.
+json triangles_of(const json& line, std::uint32_t a, std::uint32_t b) {
+  for (const json& pair : line["pairs"])
+    if (pair["a"] == a && pair["b"] == b) return pair["triangles"];
+  return json::array();
+}
+
+/// A limb that bends so far that it passes through itself.
+GltfBuilder build_curl() {
+  GltfBuilder builder = build_limb(8);
+  const std::vector<float> quaternions = {0, 0, 0, 1, 0.966f, 0, 0, 0.259f, 0, 0, 0, 1};
+  const std::size_t output = builder.add_accessor(quaternions, "VEC4");
+  builder.document["animations"][0]["samplers"][0]["output"] = output;
+  return builder;
+}
+
+void write_curl(const TestFolder& folder) { write_bytes(folder / "curl.glb", build_curl().glb()); }
+
+/// The limb with an unskinned sheet on its second joint, which crosses the limb at rest.
+void write_pierced_curl(const TestFolder& folder) {
+  GltfBuilder builder = build_curl();
+  const std::vector<float> sheet = {-1, 0, 0, 1, 0, 0, 0, 0.05f, 0};
+  const json attributes = {{"POSITION", builder.add_accessor(sheet, "VEC3")}};
+  const json primitive = {{"attributes", attributes}};
+  const std::size_t mesh = builder.add("meshes", {{"primitives", {primitive}}});
+  const std::size_t node = builder.add("nodes", {{"name", "sheet"}, {"mesh", mesh}});
+  builder.document["nodes"][1]["children"].push_back(node);
+  write_bytes(folder / "curl.glb", builder.glb());
+}
+
+constexpr const char* kTwoCurls = R"({
+  "models": {"curl": "curl.glb"},
+  "frames": {"count": 12, "fps": 12},
+  "instances": [{"model": "curl", "clip": "sway"},
+                {"model": "curl", "clip": "sway", "start": 0.3, "translation": [0.1, 0.1, 0]}]
+})";
+
+TEST(CheckSelf, EqualsBruteForceInEveryFrame) {
+  const TestFolder folder;
+  write_curl(folder);
+  write_text(folder / "scene.json", kTwoCurls);
+  const auto scene = scenes::load_scene(folder / "scene.json");
+  ASSERT_TRUE(scene) << scene.error().message;
+  const Words all = {"scene.json",     "--self", "--self-rings",       "0",
+                     "--self-at-rest", "keep",   "--self-near-joints", "keep"};
+  const CheckFile file = check_self(folder, all, 1);
+  ASSERT_EQ(file.frames.size(), 12u);
+  std::size_t with_contact = 0, without = 0;
+  for (std::uint32_t frame = 0; frame < 12; ++frame)
+    for (const std::uint32_t instance : {0u, 1u}) {
+      const json expected = brute_force_self(*scene, instance, frame);
+      EXPECT_EQ(triangles_of(file.frames[frame], instance, instance), expected) << frame;
+      ++(expected.empty() ? without : with_contact);
+    }
+  EXPECT_GT(with_contact, 2u);
+  EXPECT_GT(without, 1u);
+  EXPECT_EQ(file.totals["verdict"]["pairs_compared"], 3);
+  EXPECT_EQ(file.totals["hash"], hash_of(file));
+}
+
+TEST(CheckSelf, LeavesThePairsOfInstancesAsTheyAre) {
+  const TestFolder folder;
+  write_curl(folder);
+  write_text(folder / "scene.json", kTwoCurls);
+  const CheckFile without = check_self(folder, {"scene.json"}, 1);
+  const CheckFile with_self = check_self(folder, {"scene.json", "--self"}, 1);
+  const CheckFile only = check_self(folder, {"scene.json", "--self", "only"}, 1);
+  std::size_t pairs = 0, selves = 0;
+  for (std::size_t f = 0; f < 12; ++f) {
+    const json both = triangles_of(with_self.frames[f], 0, 1);
+    EXPECT_EQ(both, triangles_of(without.frames[f], 0, 1));
+    pairs += both.size();
+    EXPECT_EQ(triangles_of(only.frames[f], 0, 1), json::array());
+    for (const std::uint32_t i : {0u, 1u}) {
+      const json self = triangles_of(only.frames[f], i, i);
+      EXPECT_EQ(self, triangles_of(with_self.frames[f], i, i));
+      EXPECT_EQ(triangles_of(without.frames[f], i, i), json::array());
+      selves += self.size();
+    }
+  }
+  EXPECT_GT(pairs, 10u);
+  EXPECT_GT(selves, 10u);
+  EXPECT_EQ(without.header["options"]["self"], json());
+  EXPECT_EQ(with_self.header["options"]["self"]["only"], false);
+  EXPECT_EQ(only.header["options"]["self"]["only"], true);
+  EXPECT_EQ(only.totals["verdict"]["pairs_compared"], 2);
+}
+
+TEST(CheckSelf, IsTheCheckOfASingleCharacter) {
+  const TestFolder folder;
+  write_curl(folder);
+  write_strip(folder, "strip.glb");
+  const Ended bent = run_pelt(folder, {"check", "curl.glb", "--clip", "sway"});
+  EXPECT_EQ(bent.exit_code, 1) << bent.err;
+  EXPECT_NE(bent.out.find("self       the instance is tested against itself\n"), std::string::npos)
+      << bent.out;
+  EXPECT_NE(bent.out.find("  itself joint 3\n"), std::string::npos) << bent.out;
+  EXPECT_EQ(bent.out.find("nothing"), std::string::npos) << bent.out;
+  const Ended kept = run_pelt(folder, {"check", "strip.glb", "--self-near-joints", "keep"});
+  EXPECT_EQ(kept.exit_code, 1) << "at rest, without a clip: " << kept.out;
+  const Ended straight = run_pelt(folder, {"check", "curl.glb"});
+  EXPECT_EQ(straight.exit_code, 0) << straight.err;
+  EXPECT_NE(straight.out.find("contact    none in 1 frame\n"), std::string::npos) << straight.out;
+  EXPECT_EQ(run_pelt(folder, {"check", "curl.glb", "--by", "part"}).exit_code, 0);
+  EXPECT_EQ(run_pelt(folder, {"check", "curl.glb", "--self", "no"}).exit_code, 2);
+}
+
+TEST(CheckSelf, IsChosenByTheSceneToo) {
+  const TestFolder folder;
+  write_curl(folder);
+  const auto scene_with = [](const std::string& members) {
+    return "{" + members + std::string(kTwoCurls).substr(1);
+  };
+  write_text(folder / "scene.json",
+             scene_with(R"("self": "only", "self_rings": 2, "self_at_rest": "keep",
+                           "self_always": 0.5, "self_near_joints": "drop",)"));
+  const json chosen = {
+      {"only", true}, {"rings", 2}, {"at_rest", "keep"}, {"always", 0.5}, {"near_joints", "drop"}};
+  const Words scene = {"check", "scene.json", "--fail-on", "never", "--jsonl", "-"};
+  const Ended run = run_pelt(folder, scene);
+  EXPECT_EQ(parse_check_file(run.out).header["options"]["self"], chosen) << run.err;
+  const Ended replaced =
+      run_pelt(folder, self_words(scene, {"--self", "yes", "--self-always", "keep"}));
+  const json options = parse_check_file(replaced.out).header["options"]["self"];
+  EXPECT_EQ(options["only"], false);
+  EXPECT_EQ(options["always"], "keep");
+  EXPECT_EQ(options["rings"], 2);
+  for (const char* wrong : {"\"self\": 1,", "\"self_rings\": 65,", "\"self_at_rest\": true,",
+                            "\"self_always\": 0,", "\"self_near_joints\": \"no\","}) {
+    write_text(folder / "scene.json", scene_with(wrong));
+    const Ended refused = run_pelt(folder, scene);
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_NE(refused.err.find("scene.json: self"), std::string::npos) << refused.err;
+  }
+}
+
+/// The number of contacts, and how many each filter has left out.
+std::map<std::string, std::uint64_t> counts_of(const CheckFile& file) {
+  std::map<std::string, std::uint64_t> counts = file.totals["totals"]["left_out"];
+  counts["contacts"] = file.totals["totals"]["contacts"];
+  for (const auto& [filter, count] : file.totals["totals"]["left_out"].items()) {
+    std::uint64_t sum = 0;
+    for (const json& line : file.frames) sum += line["left_out"][filter].get<std::uint64_t>();
+    EXPECT_EQ(sum, count) << filter;
+  }
+  return counts;
+}
+
+TEST(CheckSelf, FiltersTellWhatTheyLeaveOut) {
+  const TestFolder folder;
+  write_pierced_curl(folder);
+  const Words curl = {"curl.glb", "--clip", "sway", "--frames", "1:30:4"};
+  const Words full = {"--self-rings", "0", "--self-at-rest", "keep"};
+  const Words keep = self_words(full, {"--self-near-joints", "keep"});
+  const auto counts = [&](const Words& options, int exit_code) {
+    return counts_of(check_self(folder, self_words(curl, options), exit_code));
+  };
+  auto all = counts(keep, 1);
+  ASSERT_GT(all["contacts"], 8u);
+  auto at_rest = counts({"--self-rings", "0", "--self-near-joints", "keep"}, 1);
+  EXPECT_GT(at_rest["at_rest"], 0u);
+  EXPECT_GT(at_rest["contacts"], 0u);
+  EXPECT_EQ(at_rest["at_rest"] + at_rest["contacts"], all["contacts"]);
+  auto always = counts(self_words(keep, {"--self-always", "1"}), 1);
+  EXPECT_GT(always["always"], 0u);
+  EXPECT_EQ(always["always"] % 8, 0u);
+  EXPECT_EQ(always["always"] + always["contacts"], all["contacts"]);
+  // The sheet touches its own joint only; the limb touches itself farther away.
+  auto near = counts(self_words(full, {"--self-near-joints", "drop"}), 1);
+  EXPECT_GT(near["near_joints"], 0u);
+  EXPECT_GT(near["contacts"], 0u);
+  EXPECT_EQ(near["near_joints"] + near["contacts"], all["contacts"]);
+  const Ended words = run_pelt(folder, self_words({"check"}, curl));
+  EXPECT_NE(words.out.find(" by --self-near-joints"), std::string::npos) << words.out;
+}
+
+TEST(CheckSelf, RingsLeaveOutNeighbours) {
+  const TestFolder folder;
+  write_curl(folder);
+  const Words curl = {"curl.glb", "--clip", "sway", "--self-near-joints", "keep"};
+  std::uint64_t all = 0, last = 0;
+  for (const char* rings : {"0", "1", "2", "5"}) {
+    auto counts = counts_of(check_self(folder, self_words(curl, {"--self-rings", rings}), 1));
+    if (all == 0) last = all = counts["contacts"];
+    EXPECT_EQ(counts["rings"] + counts["contacts"], all) << rings;
+    EXPECT_LE(counts["contacts"], last) << rings;
+    last = counts["contacts"];
+  }
+  EXPECT_LT(last, all);
+}
+
+TEST(CheckSelf, WorksWithNamesBaselinesAndLimits) {
+  const TestFolder folder;
+  write_curl(folder);
+  const Words curl = {"curl.glb", "--clip", "sway"};
+  const CheckFile all = check_self(folder, curl, 1);
+  const std::uint64_t contacts = all.totals["totals"]["contacts"];
+  const CheckFile ignoring =
+      check_self(folder, self_words(curl, {"--ignore", "joint 0,joint*", "--fail-on", "never"}), 0);
+  const std::uint64_t ignored = ignoring.totals["totals"]["ignored"];
+  EXPECT_GT(ignored, 0u);
+  EXPECT_EQ(ignored + ignoring.totals["totals"]["contacts"].get<std::uint64_t>(), contacts);
+  check_self(folder, self_words(curl, {"--ignore", "joint*,joint*"}), 0);
+
+  run_pelt(folder, self_words({"check", "--jsonl", "known.jsonl"}, curl));
+  check_self(folder, self_words(curl, {"--baseline", "known.jsonl"}), 0);
+  const Ended grown = run_pelt(
+      folder, self_words({"check", "--baseline", "known.jsonl", "--self-rings", "0"}, curl));
+  EXPECT_NE(grown.out.find("note       self was {"), std::string::npos) << grown.out;
+  const Ended other =
+      run_pelt(folder, self_words({"check", "--baseline", "known.jsonl", "--self", "no"}, curl));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("was written with --self"), std::string::npos) << other.err;
+
+  for (const Words& limit : {Words{"--first"}, Words{"--max-contacts", "1"}}) {
+    const CheckFile limited = check_self(folder, self_words(curl, limit), 1);
+    ASSERT_EQ(limited.frames.size(), all.frames.size());
+    for (std::size_t f = 0; f < all.frames.size(); ++f)
+      EXPECT_EQ(limited.frames[f]["contacts"], all.frames[f]["contacts"] > 0 ? 1 : 0);
+  }
+}
+
+TEST(CheckSelf, DescribesContacts) {
+  const TestFolder folder;
+  write_curl(folder);
+  const CheckFile file =
+      check_self(folder, {"curl.glb", "--clip", "sway", "--contacts", "--glb", "worst.glb"}, 1);
+  std::size_t traces = 0;
+  for (const json& line : file.frames)
+    for (const json& pair : line["pairs"]) {
+      EXPECT_EQ(pair["traces"].size(), pair["contacts"]);
+      EXPECT_FALSE(pair["patches"].empty());
+      for (std::size_t i = 0; i < pair["traces"].size(); ++i)
+        EXPECT_EQ(pair["traces"][i]["triangles"], pair["triangles"][i]);
+      traces += pair["traces"].size();
+    }
+  EXPECT_GT(traces, 10u);
+  EXPECT_GT(std::filesystem::file_size(folder / "worst.glb"), 1000u);
+}
+
+TEST(CheckSelf, OfPartsIsBesideTheirPairs) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const Words strip = {"strip.glb", "--clip", "bend", "--by", "part", "--frames", "0:30:4"};
+  const CheckFile pairs = check_self(folder, strip, 1);
+  const CheckFile both = check_self(folder, self_words(strip, {"--self", "--self-rings", "0"}), 1);
+  EXPECT_EQ(pairs.header["options"]["self"], json());
+  EXPECT_EQ(both.totals["verdict"]["pairs_compared"], 3);
+  for (std::size_t f = 0; f < 8; ++f)
+    EXPECT_EQ(triangles_of(both.frames[f], 0, 1), triangles_of(pairs.frames[f], 0, 1));
+}
+
+TEST(CheckSelf, RefusesWhatItCannotDo) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const auto refused = [&](const Words& options, const std::string& words) {
+    const Ended run = run_pelt(folder, self_words({"check", "strip.glb"}, options));
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+  };
+  refused({"--self", "--method", "brute"}, "--self: cannot be combined with --method");
+  refused({"--self", "--clearance", "0.1"}, "--self: cannot be combined with --clearance");
+  write_text(folder / "viewer.html", viewer_page(PELT_VERSION));
+  ASSERT_EQ(setenv("PELT_VIEWER", (folder / "viewer.html").c_str(), 1), 0);
+  refused({"--self", "--html", "a.html"}, "--self: cannot be combined with --html");
+  unsetenv("PELT_VIEWER");
+  refused({"--self=many"}, "--self: unknown value \"many\"");
+  refused({"--self-rings", "65"}, "--self-rings: 65 is out of range");
+  refused({"--self-at-rest", "on"}, "--self-at-rest: unknown value \"on\"");
+  refused({"--self-always", "2"}, "--self-always: unknown value \"2\"");
+  refused({"--self-near-joints", "no"}, "--self-near-joints: unknown value \"no\"");
+}
+
+TEST(CheckSelf, TakesNoInputAsItsValue) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  EXPECT_EQ(run_pelt(folder, {"check", "--self", "strip.glb"}).exit_code, 1);
+  EXPECT_EQ(run_pelt(folder, {"check", "--self", "only", "strip.glb"}).exit_code, 1);
+}
+
+}  // namespace
+}  // namespace pelt::test

@@ -1,0 +1,31 @@
+#pragma once
+
+/// Filters of the contacts of colliders with themselves.
+
+#include <pelt/self_collide.hpp>
+
+#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pelt::tools::scene {
+
+/// Contacts that do not count.
+struct SelfRules {
+  std::uint32_t rings = 5;        ///< see SelfFilterOptions::rings
+  bool drops_at_rest = true;      ///< those of the rest pose and of the default pose of the nodes
+  std::optional<double> always;   ///< those of at least this share of the poses of a model
+  bool drops_near_joints = true;  ///< of a joint with itself, its parent or its child
+};
+
+/// Returns the filter of each collider. Colliders of one model share a filter.
+///
+/// With `rules.always`, first finds the contacts of all `frames`, which takes as long as the check
+/// itself. Error messages name the file or the frame.
+Result<std::vector<SelfFilter>> make_self_filters(const StagedScene& staged, const SelfRules& rules,
+                                                  const arguments::FrameRange& frames);
+
+}  // namespace pelt::tools::scene
