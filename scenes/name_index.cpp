@@ -41,7 +41,8 @@ std::span<const NameIndex::Entry> NameIndex::range_of(std::string_view pattern) 
   const auto last = std::partition_point(first, entries_.end(), [&](const Entry& entry) {
     return star == pattern.npos ? entry.name == pattern : entry.name.starts_with(beginning);
   });
-  return {first, last};
+  return std::span(entries_).subspan(static_cast<std::size_t>(first - entries_.begin()),
+                                     static_cast<std::size_t>(last - first));
 }
 
 }  // namespace pelt::scenes
