@@ -11,13 +11,13 @@ using nlohmann::ordered_json;
 ordered_json self_json(const SelfChoice& self) {
   if (!self.asks_self()) return nullptr;
   const auto kept_or_dropped = [](bool drops) { return drops ? "drop" : "keep"; };
-  ordered_json json = {{"only", !self.asks_pairs()},
-                       {"rings", self.rules.rings},
-                       {"at_rest", kept_or_dropped(self.rules.drops_at_rest)},
-                       {"always", "keep"},
-                       {"near_joints", kept_or_dropped(self.rules.drops_near_joints)}};
-  if (self.rules.always) json["always"] = *self.rules.always;
-  return json;
+  ordered_json object = {{"only", !self.asks_pairs()},
+                         {"rings", self.rules.rings},
+                         {"at_rest", kept_or_dropped(self.rules.drops_at_rest)},
+                         {"always", "keep"},
+                         {"near_joints", kept_or_dropped(self.rules.drops_near_joints)}};
+  if (self.rules.always) object["always"] = *self.rules.always;
+  return object;
 }
 
 }  // namespace
