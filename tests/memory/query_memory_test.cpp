@@ -218,11 +218,10 @@ TEST(Memory, EndsWhileTrianglesOfARegionAreFound) {
   fail_and_append_nothing(std::tuple(Triangles{7}, Triangles{8}), [&](auto& lists) {
     Pose pose = limb.make();
     Scratch scratch;
-    auto& [intersecting, inside] = lists;
-    TrianglesInRegion triangles = {std::move(intersecting), std::move(inside)};
+    TrianglesInRegion triangles = {std::move(std::get<0>(lists)), std::move(std::get<1>(lists))};
     const auto give_back = [&] {
-      intersecting = std::move(triangles.intersecting);
-      inside = std::move(triangles.inside);
+      std::get<0>(lists) = std::move(triangles.intersecting);
+      std::get<1>(lists) = std::move(triangles.inside);
     };
     try {
       find_triangles(pose, region, scratch, triangles);
@@ -255,7 +254,7 @@ TEST(Memory, EndsWhileRaysAreCast) {
   influences_at(FreshPose::model(), hit, shares);
   EXPECT_GT(shares.size(), 1u);
   fail_and_append_nothing(std::tuple(std::vector<JointShare>{{9, 0.5f}}), [&](auto& lists) {
-    Pose(FreshPose::model());  // allocates, so that several attempts fail
+    const Pose allocates(FreshPose::model());  // so that several attempts fail
     influences_at(FreshPose::model(), hit, std::get<0>(lists));
   });
 }

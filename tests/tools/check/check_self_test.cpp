@@ -13,14 +13,14 @@
 namespace pelt::test {
 namespace {
 
-using Words = std::vector<std::string>;
+using CommandWords = std::vector<std::string>;
 
-Words self_words(Words words, const Words& more) {
+CommandWords self_words(CommandWords words, const CommandWords& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
 
-CheckFile check_self(const TestFolder& folder, const Words& more, int exit_code) {
+CheckFile check_self(const TestFolder& folder, const CommandWords& more, int exit_code) {
   const Ended run =
       run_pelt(folder, self_words({"check"}, self_words(more, {"--pairs", "--jsonl", "-"})));
   EXPECT_EQ(run.exit_code, exit_code) << run.err;
@@ -100,8 +100,8 @@ TEST(CheckSelf, EqualsBruteForceInEveryFrame) {
   write_text(folder / "scene.json", kTwoCurls);
   const auto scene = scenes::load_scene(folder / "scene.json");
   ASSERT_TRUE(scene) << scene.error().message;
-  const Words all = {"scene.json",     "--self", "--self-rings",       "0",
-                     "--self-at-rest", "keep",   "--self-near-joints", "keep"};
+  const CommandWords all = {"scene.json",     "--self", "--self-rings",       "0",
+                            "--self-at-rest", "keep",   "--self-near-joints", "keep"};
   const CheckFile file = check_self(folder, all, 1);
   ASSERT_EQ(file.frames.size(), 12u);
   std::size_t with_contact = 0, without = 0;
@@ -175,7 +175,7 @@ TEST(CheckSelf, IsChosenByTheSceneToo) {
                            "self_always": 0.5, "self_near_joints": "drop",)"));
   const json chosen = {
       {"only", true}, {"rings", 2}, {"at_rest", "keep"}, {"always", 0.5}, {"near_joints", "drop"}};
-  const Words scene = {"check", "scene.json", "--fail-on", "never", "--jsonl", "-"};
+  const CommandWords scene = {"check", "scene.json", "--fail-on", "never", "--jsonl", "-"};
   const Ended run = run_pelt(folder, scene);
   EXPECT_EQ(parse_check_file(run.out).header["options"]["self"], chosen) << run.err;
   const Ended replaced =
@@ -208,10 +208,10 @@ std::map<std::string, std::uint64_t> counts_of(const CheckFile& file) {
 TEST(CheckSelf, FiltersTellWhatTheyLeaveOut) {
   const TestFolder folder;
   write_pierced_curl(folder);
-  const Words curl = {"curl.glb", "--clip", "sway", "--frames", "1:30:4"};
-  const Words full = {"--self-rings", "0", "--self-at-rest", "keep"};
-  const Words keep = self_words(full, {"--self-near-joints", "keep"});
-  const auto counts = [&](const Words& options, int exit_code) {
+  const CommandWords curl = {"curl.glb", "--clip", "sway", "--frames", "1:30:4"};
+  const CommandWords full = {"--self-rings", "0", "--self-at-rest", "keep"};
+  const CommandWords keep = self_words(full, {"--self-near-joints", "keep"});
+  const auto counts = [&](const CommandWords& options, int exit_code) {
     return counts_of(check_self(folder, self_words(curl, options), exit_code));
   };
   auto all = counts(keep, 1);
@@ -236,7 +236,7 @@ TEST(CheckSelf, FiltersTellWhatTheyLeaveOut) {
 TEST(CheckSelf, RingsLeaveOutNeighbours) {
   const TestFolder folder;
   write_curl(folder);
-  const Words curl = {"curl.glb", "--clip", "sway", "--self-near-joints", "keep"};
+  const CommandWords curl = {"curl.glb", "--clip", "sway", "--self-near-joints", "keep"};
   std::uint64_t all = 0, last = 0;
   for (const char* rings : {"0", "1", "2", "5"}) {
     auto counts = counts_of(check_self(folder, self_words(curl, {"--self-rings", rings}), 1));
@@ -251,7 +251,7 @@ TEST(CheckSelf, RingsLeaveOutNeighbours) {
 TEST(CheckSelf, WorksWithNamesBaselinesAndLimits) {
   const TestFolder folder;
   write_curl(folder);
-  const Words curl = {"curl.glb", "--clip", "sway"};
+  const CommandWords curl = {"curl.glb", "--clip", "sway"};
   const CheckFile all = check_self(folder, curl, 1);
   const std::uint64_t contacts = all.totals["totals"]["contacts"];
   const CheckFile ignoring =
@@ -271,7 +271,7 @@ TEST(CheckSelf, WorksWithNamesBaselinesAndLimits) {
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.err.find("was written with --self"), std::string::npos) << other.err;
 
-  for (const Words& limit : {Words{"--first"}, Words{"--max-contacts", "1"}}) {
+  for (const CommandWords& limit : {CommandWords{"--first"}, CommandWords{"--max-contacts", "1"}}) {
     const CheckFile limited = check_self(folder, self_words(curl, limit), 1);
     ASSERT_EQ(limited.frames.size(), all.frames.size());
     for (std::size_t f = 0; f < all.frames.size(); ++f)
@@ -300,7 +300,7 @@ TEST(CheckSelf, DescribesContacts) {
 TEST(CheckSelf, OfPartsIsBesideTheirPairs) {
   const TestFolder folder;
   write_strip(folder, "strip.glb");
-  const Words strip = {"strip.glb", "--clip", "bend", "--by", "part", "--frames", "0:30:4"};
+  const CommandWords strip = {"strip.glb", "--clip", "bend", "--by", "part", "--frames", "0:30:4"};
   const CheckFile pairs = check_self(folder, strip, 1);
   const CheckFile both = check_self(folder, self_words(strip, {"--self", "--self-rings", "0"}), 1);
   EXPECT_EQ(pairs.header["options"]["self"], json());
@@ -312,7 +312,7 @@ TEST(CheckSelf, OfPartsIsBesideTheirPairs) {
 TEST(CheckSelf, RefusesWhatItCannotDo) {
   const TestFolder folder;
   write_strip(folder, "strip.glb");
-  const auto refused = [&](const Words& options, const std::string& words) {
+  const auto refused = [&](const CommandWords& options, const std::string& words) {
     const Ended run = run_pelt(folder, self_words({"check", "strip.glb"}, options));
     EXPECT_EQ(run.exit_code, 2);
     EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
