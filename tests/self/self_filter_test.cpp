@@ -1,5 +1,6 @@
 #include <pelt/self_collide.hpp>
 
+#include "model/surface.hpp"
 #include "self_brute_force.hpp"
 #include "surface_shapes.hpp"
 
@@ -41,8 +42,9 @@ class Classification {
     const std::vector<std::uint32_t> surface = surface_vertices(shape);
     for (const Triangle& t : shape.triangles) {
       corners_.push_back({surface[t[0]], surface[t[1]], surface[t[2]]});
-      main_joints_.push_back(main_joint(shape, t));
     }
+    // Of nearly equal sums of weights, rounding decides which joint is the main one.
+    main_joints_ = Surface(*build_model(shape.view())).detail().joints;
     neighbours_.resize(corners_.size());
     for (std::uint32_t s = 0; s < corners_.size(); ++s)
       for (std::uint32_t t = 0; t < corners_.size(); ++t)
@@ -63,14 +65,6 @@ class Classification {
   }
 
  private:
-  static std::uint16_t main_joint(const Shape& shape, const Triangle& t) {
-    std::vector<float> sums(shape.joint_count, 0);
-    const std::uint32_t k = shape.influences_per_vertex;
-    for (const std::uint32_t v : t)
-      for (std::uint32_t i = v * k; i < (v + 1) * k; ++i) sums[shape.joints[i]] += shape.weights[i];
-    return static_cast<std::uint16_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
-  }
-
   template <typename Pair>
   static bool lists(const std::vector<Pair>& pairs, std::uint32_t a, std::uint32_t b) {
     return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& pair) {
