@@ -108,7 +108,8 @@ Positions copy_positions(const PosedTree& posed, Stack<std::array<float, 4>>& po
     const Node& node = posed.tree.nodes.data()[n];
     const float* from = posed.opened[n]->positions;
     for (std::uint32_t v = 0; v < node.vertex_count; ++v)
-      store4(positions.begin()[node.first_vertex + v].data(), load4(from + 4 * v));
+      store4(positions.begin()[node.first_vertex + v].data(),
+             load4(from + std::size_t{kFloatsPerVertex} * v));
   }
   return positions.begin();
 }
