@@ -4,6 +4,7 @@
 #include "scenes/names.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pelt::scenes {
 
@@ -19,7 +20,9 @@ void NameIndex::add(const std::string& model, std::span<const std::string> names
   for (const std::string& name : names) {
     const auto number = static_cast<std::uint32_t>(entries_.size() / 2);
     entries_.push_back({name, number});
-    entries_.push_back({model + "/" + name, number});
+    std::string full = model;
+    full.append("/").append(name);
+    entries_.push_back({std::move(full), number});
   }
 }
 
