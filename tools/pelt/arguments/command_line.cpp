@@ -139,11 +139,13 @@ int run_verb(const Program& program, const CLI::App& app, const Command& command
 }
 
 /// The choices of an option that may be given without a value (see Verb::choice), or none.
-std::vector<std::string_view> choices_of(const CLI::App* verb, const std::string& argument) {
+std::vector<std::string> choices_of(const CLI::App* verb, const std::string& argument) {
   const CLI::Option* option = verb == nullptr ? nullptr : verb->get_option_no_throw(argument);
   if (option == nullptr || option->get_expected_min() != 0 || option->get_expected_max() != 1)
     return {};
-  return output::split(option->get_type_name(), '|');
+  const std::string names = option->get_type_name();
+  const std::vector<std::string_view> choices = output::split(names, '|');
+  return {choices.begin(), choices.end()};
 }
 
 /// Returns the arguments in reverse order, as CLI11 expects them, and with "--self only" and
@@ -157,11 +159,11 @@ std::vector<std::string> arguments_of(const CLI::App& app, int argc, char** argv
   std::vector<std::string> arguments;
   for (std::size_t i = 0; i < given.size(); ++i) {
     arguments.push_back(given[i]);
-    const std::vector<std::string_view> choices = choices_of(verb, given[i]);
+    const std::vector<std::string> choices = choices_of(verb, given[i]);
     if (choices.empty()) continue;
     const bool has_value = i + 1 < given.size() &&
                            std::find(choices.begin(), choices.end(), given[i + 1]) != choices.end();
-    arguments.back().append("=").append(has_value ? given[++i] : std::string(choices[0]));
+    arguments.back().append("=").append(has_value ? given[++i] : choices[0]);
   }
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
