@@ -7,7 +7,7 @@
 
 namespace pelt::scenes {
 
-/// What is tested: bodies against each other, or each body against itself.
+/// Whether a check tests bodies against each other, against themselves, or both.
 enum class SelfContacts : std::uint8_t {
   none,    ///< pairs of bodies only
   beside,  ///< pairs of bodies, and each body against itself

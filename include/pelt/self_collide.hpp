@@ -42,7 +42,7 @@ struct SelfFilterOptions {
   /// which shares a surface vertex with the next. At most 64.
   std::uint32_t rings = 0;
 
-  /// Leaves out pairs of which one triangle has the value 0: hidden triangles. [T]
+  /// [T] Leaves out pairs with a triangle of value 0, for example a hidden one.
   std::span<const std::uint8_t> takes_part = {};
 
   /// Leaves out these pairs, in any order: pairs that intersect in a reference pose, such as the
@@ -53,16 +53,16 @@ struct SelfFilterOptions {
   /// layers of clothes. `ContactTally` finds them.
   std::span<const Contact> always = {};
 
-  /// Leaves out pairs whose main joints are the same, or parent and child. The main joint of a
-  /// triangle is the joint with the largest sum of weights over its vertices. [J] parent of each
-  /// joint, or `kNoJoint`
+  /// [J] The parent of each joint, or `kNoJoint`. Leaves out pairs whose main joints are the same,
+  /// or parent and child. The main joint of a triangle is the joint with the largest sum of weights
+  /// over its vertices.
   std::span<const std::uint16_t> joint_parents = {};
 
   /// Leaves out pairs whose main joints are listed here.
   std::span<const IndexPair> joint_pairs = {};
 
-  /// Leaves out pairs whose groups are listed in `group_pairs`. Groups are any numbers of the
-  /// caller, such as materials. [T]
+  /// [T] The group of each triangle: any number of the caller, such as that of a material. Leaves
+  /// out pairs whose groups are listed in `group_pairs`.
   std::span<const std::uint16_t> groups = {};
   std::span<const IndexPair> group_pairs = {};
 };
@@ -126,9 +126,9 @@ class PELT_API SelfFilter {
 PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
                                               const SelfFilterOptions& options = {});
 
-/// Appends every pair s < t of triangles of `pose` that intersect, apart from what they share, and
-/// that `filter` does not leave out, to `contacts`, in ascending order: triangle_a = s, triangle_b
-/// = t.
+/// Appends the pairs of intersecting triangles of `pose` to `contacts`, in ascending order. In each
+/// pair, triangle_a < triangle_b. Corners and edges that two triangles share do not count as
+/// intersection. Pairs that `filter` leaves out are not appended.
 ///
 /// Vertices with the same bits in rest position and displacements of morph targets are one surface
 /// vertex, whatever their influences. Two triangles share a corner if their corners are one surface

@@ -47,7 +47,7 @@ class CrowdQuery {
   std::size_t memory_bytes() const;
 
  private:
-  /// What the workers share.
+  /// The input of a run, which all workers read.
   struct Question {
     CrowdInstances& instances;
     std::span<const SelfFilter* const> self_filters;  // see self_filters_

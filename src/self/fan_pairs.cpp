@@ -29,7 +29,7 @@ class FanPairs {
     for (const FanTriangle* a = begin; a != end; ++a) {
       const SurfaceTriangle triangle = read(a->place(), is_cracked);
       for (const FanTriangle* b = begin; b != a; ++b) {
-        // Of several vertices that the triangles share, only the lowest tests the pair.
+        // Triangles that share several vertices are tested once, in the fan of the lowest.
         if (shares_lower(triangle, fans_.corners.data()[b->place()], vertex)) continue;
         ++work_.triangle_pairs;
         if (!surface_triangles_intersect(triangle, read(b->place(), is_cracked))) continue;

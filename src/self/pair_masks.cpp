@@ -92,47 +92,58 @@ void add_lower_halves(const Tree& tree, std::vector<std::uint64_t>& pairs) {
       for (std::uint32_t t = 0; t <= s; ++t) pairs.push_back(PackedPair(c, s, c, t).bits());
 }
 
+/// Returns for each cluster whether a triangle has a vertex whose fan is not covered.
+std::vector<std::uint8_t> mark_hubs(const Tree& tree, const Fans& fans,
+                                    const std::vector<std::uint32_t>& covered,
+                                    const Clusters& clusters) {
+  std::vector<bool> is_covered(fans.count(), false);
+  for (const std::uint32_t fan : covered) is_covered[fan] = true;
+  std::vector<std::uint8_t> has_hub(tree.clusters.size(), 0);
+  for (std::uint32_t fan = 0; fan < fans.count(); ++fan) {
+    if (is_covered[fan]) continue;
+    for (const FanTriangle& t : fans[fan]) has_hub[clusters.of(t.place())] = 1;
+  }
+  return has_hub;
+}
+
 }  // namespace
 
 PairMasks::PairMasks(const Tree& tree, const Fans& fans) {
   const Clusters clusters(tree);
   const std::vector<std::uint32_t> chosen = choose_fans(fans, tree.triangle_count());
-  std::vector<bool> is_covered(fans.count(), false);
-  for (const std::uint32_t fan : chosen) is_covered[fan] = true;
-  has_hub.assign(tree.clusters.size(), 0);
-  for (std::uint32_t fan = 0; fan < fans.count(); ++fan) {
-    if (is_covered[fan]) continue;
-    for (const FanTriangle& t : fans[fan]) has_hub[clusters.of(t.place())] = 1;
-  }
-
+  has_hub = mark_hubs(tree, fans, chosen, clusters);
   std::vector<std::uint64_t> pairs = sharing_pairs(fans, chosen, clusters);
   add_lower_halves(tree, pairs);
   std::sort(pairs.begin(), pairs.end());
-  begin.assign(tree.clusters.size() + 1, 0);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const PackedPair pair(pairs[i]);
-    if (i == 0 || !pair.has_clusters_of(PackedPair(pairs[i - 1]))) {
+  write_masks(pairs, tree.clusters.size());
+  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n)
+    cluster_nodes.insert(cluster_nodes.end(), tree.nodes[n].cluster_count, n);
+}
+
+void PairMasks::write_masks(const std::vector<std::uint64_t>& sorted, std::size_t cluster_count) {
+  begin.assign(cluster_count + 1, 0);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const PackedPair pair(sorted[i]);
+    if (i == 0 || !pair.has_clusters_of(PackedPair(sorted[i - 1]))) {
       partners.push_back(pair.high());
       masks.emplace_back();
       ++begin[pair.low() + 1];
     }
     masks.back().set(pair.row(), pair.lane());
   }
-  for (std::size_t c = 0; c < tree.clusters.size(); ++c) begin[c + 1] += begin[c];
-  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n)
-    cluster_nodes.insert(cluster_nodes.end(), tree.nodes[n].cluster_count, n);
+  for (std::size_t c = 0; c < cluster_count; ++c) begin[c + 1] += begin[c];
   partners.shrink_to_fit();
   masks.shrink_to_fit();
 }
 
 void PairMasks::write_mask(const Tree& tree, const Fans& fans, std::uint32_t low,
                            std::uint32_t high, PairMask& mask) const {
-  const PairMask* known = find(low, high);
-  mask = known ? *known : PairMask();
+  mask = PairMask();
   const Cluster &a = tree.clusters[low], &b = tree.clusters[high];
   for (std::uint32_t s = 0; s < a.triangle_count; ++s)
     for (std::uint32_t t = 0; t < b.triangle_count; ++t)
-      if (share_corner(fans.corners[a.first_triangle + s], fans.corners[b.first_triangle + t]))
+      if ((low == high && t <= s) ||
+          share_corner(fans.corners[a.first_triangle + s], fans.corners[b.first_triangle + t]))
         mask.set(s, t);
 }
 

@@ -35,7 +35,7 @@ struct PairMasks {
   /// too much memory. `masks` does not cover pairs that share only hubs.
   std::vector<std::uint8_t> has_hub;  // [C] whether a triangle of the cluster has a hub
 
-  /// Writes the pairs of two clusters that share a surface vertex. Precondition: low <= high.
+  /// Writes a mask as in `masks`, for clusters with hubs. Precondition: low <= high.
   void write_mask(const Tree& tree, const Fans& fans, std::uint32_t low, std::uint32_t high,
                   PairMask& mask) const;
 
@@ -45,6 +45,10 @@ struct PairMasks {
       if (partners.data()[i] == high) return &masks.data()[i];
     return nullptr;
   }
+
+ private:
+  /// Writes `masks`, `partners` and `begin` from packed pairs.
+  void write_masks(const std::vector<std::uint64_t>& sorted, std::size_t cluster_count);
 };
 
 }  // namespace pelt::detail

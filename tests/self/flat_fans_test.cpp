@@ -64,7 +64,7 @@ Spokes around_axis(Random& random, const std::vector<double>& angles, const Heig
   return spokes;
 }
 
-/// As on a smooth surface: most must be certified.
+/// Spokes of a smooth surface. Most of these fans must be certified.
 Spokes smooth(Random& random, std::uint32_t count, bool is_closed) {
   const double turns = is_closed ? 1 : random.uniform(0.1, 0.9), slope = random.uniform(-1, 1);
   return around_axis(random, random_angles(random, count, is_closed, turns),

@@ -217,7 +217,7 @@ TEST(SelfCollide, CountsItsWork) {
   });
 }
 
-/// What another query has opened does not change the answer.
+/// The answer does not depend on the nodes that other queries have opened.
 TEST(SelfCollide, GivesTheSameAnswerAfterOtherQueries) {
   on_touching_bodies(908, [](Body& body) {
     const auto expected = self_contacts_of(body.pose, body.filter, body.scratch);

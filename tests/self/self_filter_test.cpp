@@ -43,7 +43,8 @@ class Classification {
     for (const Triangle& t : shape.triangles) {
       corners_.push_back({surface[t[0]], surface[t[1]], surface[t[2]]});
     }
-    // Of nearly equal sums of weights, rounding decides which joint is the main one.
+    // If the sums of weights of two joints are nearly equal, rounding decides which one is the main
+    // joint. The test therefore reads the main joints from the library.
     main_joints_ = Surface(*build_model(shape.view())).detail().joints;
     neighbours_.resize(corners_.size());
     for (std::uint32_t s = 0; s < corners_.size(); ++s)

@@ -1,5 +1,5 @@
-// What is visible before the picture is: panels, the verdict of a report, the theme of the system,
-// and text if the script does not run.
+// The page shows panels, the verdict of a report and the theme of the system before the picture. If
+// the script does not run, the page shows text.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';

@@ -24,7 +24,7 @@ class SelfQuery {
   /// Adds the contacts of each collider with itself to `found`, as those of the pair a, a.
   void collide(const CollideOptions& options, FrameContacts& found);
 
-  /// What the filters have left out of the latest frame.
+  /// Number of contacts that each filter has left out of the latest frame.
   const LeftOut& left_out() const { return left_out_; }
 
   /// The work so far.
