@@ -106,3 +106,17 @@ describe('beside a baseline', () => {
     }
   });
 });
+
+test('nothing is compared unless two instances or parts are there', async () => {
+  const { whyNothingIsCompared } = await load('state/compared.ts');
+  const characters = [{ partCount: 1 }, { partCount: 2 }];
+  const reason = (by, ...cast) => {
+    const scene = { instances: cast.map((character) => ({ character })) };
+    return whyNothingIsCompared({ scene, characters, by });
+  };
+  assert.equal(reason('instance', 1), 'the scene has fewer than two characters');
+  assert.equal(reason('instance', 0, 0), null);
+  assert.equal(reason('part', 0), 'the scene has fewer than two parts');
+  assert.equal(reason('part', 1), null);
+  assert.equal(reason('part', 0, 0), null);
+});

@@ -48,9 +48,11 @@ export function Announcement({ state, frame }: { state: State; frame: number }) 
 interface SweepFactsProps {
   sweep: SweepState;
   frameCount: number;
+  /** Whether the query compares anything. */
+  compares: boolean;
 }
 
-export const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
+export const SweepFacts = memo(({ sweep, frameCount, compares }: SweepFactsProps) => {
   const { counts, total } = sweep;
   if (!total) {
     return <small>counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
@@ -62,6 +64,7 @@ export const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
       {contacts === 1 ? ' contact' : ' contacts'} in{' '}
       {frameCount > 1 && `${withCommas(inContact)} of `}
       {counted(checked, checked === frameCount ? 'frame' : 'checked frame')}
+      {!compares && ' · nothing was compared'}
       {total.hash && (
         <>
           {' · '}

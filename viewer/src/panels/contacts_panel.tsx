@@ -1,4 +1,5 @@
 import { checkAllFrames } from '../state/changes';
+import { whyNothingIsCompared } from '../state/compared';
 import { totalsOf } from '../state/counts';
 import { rearrange } from '../state/edits';
 import { checkedFrames, rangeInWords } from '../state/frames';
@@ -67,8 +68,10 @@ function BetweenCharacters({ state, update }: PanelProps) {
   );
 }
 
-/** Says that nothing touches, and how characters meet that walk past each other. */
+/** Says that nothing touches or was compared, and how characters meet that walk past each other. */
 function Nothing({ state, update }: PanelProps) {
+  const reason = whyNothingIsCompared(state);
+  if (reason) return <p class="nothing quiet">Nothing was compared: {reason}.</p>;
   const { sweep, arrangement, scene } = state;
   const isNever = sweep.total !== null && totalsOf(sweep.counts).contacts === 0;
   const walksPast = isNever && arrangement === 'walking' && scene!.instances.length > 1;

@@ -1,5 +1,6 @@
 import type { JSX } from 'preact';
 import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../state/changes';
+import { whyNothingIsCompared } from '../state/compared';
 import { checkedFrames } from '../state/frames';
 import { frameInPicture } from '../state/shots';
 import type { Update } from '../state/state';
@@ -31,7 +32,11 @@ export function Timeline({ state, update }: PanelProps) {
       <div class="facts">
         <FrameFacts state={state} frame={frame} />
         <Announcement state={state} frame={frame} />
-        <SweepFacts sweep={sweep} frameCount={scene.frameCount} />
+        <SweepFacts
+          sweep={sweep}
+          frameCount={scene.frameCount}
+          compares={whyNothingIsCompared(state) === null}
+        />
       </div>
     </footer>
   );
