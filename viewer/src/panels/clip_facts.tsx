@@ -53,10 +53,12 @@ interface SweepFactsProps {
 }
 
 export const SweepFacts = memo(({ sweep, frameCount, compares }: SweepFactsProps) => {
-  const { counts, total } = sweep;
-  if (!total) {
-    return <small>counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
+  const { counts, searched, total } = sweep;
+  const percentOf = (frames: number) => `${Math.floor((100 * frames) / frameCount)} %`;
+  if (!total && searched > 0 && counts.length === 0) {
+    return <small>looking for what always touches {percentOf(searched)}</small>;
   }
+  if (!total) return <small>counting {percentOf(counts.length)}</small>;
   const { contacts, inContact, checked } = totalsOf(counts);
   return (
     <small title="The same numbers as in `pelt check`">

@@ -17,7 +17,12 @@ export function Timeline({ state, update }: PanelProps) {
     <footer class="time">
       <Transport state={state} update={update} />
       <div class="chart" {...scrubbing(scene.frameCount, update)}>
-        <Chart counts={sweep.counts} frameCount={scene.frameCount} checked={checkedFrames(state)} />
+        <Chart
+          counts={sweep.counts}
+          selfCounts={sweep.selfCounts}
+          frameCount={scene.frameCount}
+          checked={checkedFrames(state)}
+        />
         <i class="playhead" style={{ left: `${(100 * (frame + 0.5)) / scene.frameCount}%` }} />
         <input
           type="range"

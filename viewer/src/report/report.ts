@@ -45,6 +45,8 @@ export interface ReportAnswer {
     /** First, end, step. */
     frames: FrameRange;
     max_contacts: number | null;
+    /** Null or absent: no body was tested against itself. */
+    self?: ReportedSelf | null;
     ignore: NamePair[];
   };
   /** Contacts of each of these frames. */
@@ -69,6 +71,15 @@ export interface ReportAnswer {
     /** Differences of the earlier check from this one. */
     notes: string[] | null;
   };
+}
+
+/** Options of tests of bodies against themselves. */
+export interface ReportedSelf {
+  only: boolean;
+  rings: number;
+  at_rest: 'keep' | 'drop';
+  always: 'keep' | number;
+  near_joints: 'keep' | 'drop';
 }
 
 export interface KnownTouch {

@@ -1,8 +1,9 @@
 /** The result of the command, and whether the page agrees. */
 
 import type { Scene } from '../scene/scene';
+import { isSameSelf, selfQuestion } from '../scene/self';
 import type { State, SweepState } from '../state/state';
-import type { FrameRange } from '../worker/protocol';
+import type { FrameRange, SelfQuestion } from '../worker/protocol';
 import { counted, withCommas } from '../words';
 import { stopsAtFirst, type ReportAnswer } from './report';
 
@@ -33,7 +34,10 @@ function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
 }
 
 /** Query of the page, and the report that it was opened with. */
-export type Asked = Pick<State, 'report' | 'reported' | 'scene' | 'firstContact' | 'by' | 'frames'>;
+export type Asked = Pick<
+  State,
+  'report' | 'reported' | 'scene' | 'firstContact' | 'by' | 'frames' | 'self' | 'characters'
+>;
 
 /** Whether scene and query are still those of the report. */
 export function isAsItCame(asked: Asked): boolean {
@@ -43,8 +47,27 @@ export function isAsItCame(asked: Asked): boolean {
     scene === reported &&
     (!report.answer || frames === framesToCheck(report.answer, scene)) &&
     firstContact === stopsAtFirst(report) &&
-    by === report.answer?.options.by
+    by === report.answer?.options.by &&
+    asksSelfAsReported(asked, report.answer)
   );
+}
+
+function asksSelfAsReported({ scene, by, characters, self }: Asked, { options }: ReportAnswer) {
+  if (!scene) return false;
+  return isSameSelf(selfQuestion({ scene, by, characters, self }, null), reportedSelf(options));
+}
+
+/** What the command asked, as the page asks it; without frames. */
+function reportedSelf({ self }: ReportAnswer['options']): SelfQuestion | null {
+  if (!self) return null;
+  return {
+    isOnly: self.only,
+    rings: self.rings,
+    dropsAtRest: self.at_rest === 'drop',
+    always: self.always === 'keep' ? null : self.always,
+    dropsNearJoints: self.near_joints === 'drop',
+    frames: null,
+  };
 }
 
 /** The report in five words. */
