@@ -14,8 +14,10 @@ namespace {
 /// Returns the pairs of near joints, numbered as in the collider's model.
 std::vector<IndexPair> near_joints(const asset::Asset& asset, const Collider& collider) {
   std::map<std::uint16_t, std::uint16_t> numbers;
-  for (std::uint32_t j = 0; j < collider.model.joint_count(); ++j)
-    numbers[collider.joint_in_asset(j)] = static_cast<std::uint16_t>(j);
+  for (std::uint32_t j = 0; j < collider.model.joint_count(); ++j) {
+    const auto joint = static_cast<std::uint16_t>(j);
+    numbers[collider.joint_in_asset(joint)] = joint;
+  }
   std::vector<IndexPair> pairs;
   for (const auto& [first, second] : scenes::near_joints(asset)) {
     const auto a = numbers.find(first), b = numbers.find(second);
