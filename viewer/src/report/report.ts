@@ -51,7 +51,14 @@ export interface ReportAnswer {
   };
   /** Contacts of each of these frames. */
   counts: number[];
-  totals: { frames: number; frames_in_contact: number; contacts: number; ignored: number };
+  totals: {
+    frames: number;
+    frames_in_contact: number;
+    contacts: number;
+    ignored: number;
+    /** Contacts of bodies with themselves that filters have left out, if they were tested. */
+    left_out?: Record<'rings' | 'at_rest' | 'always' | 'near_joints', number>;
+  };
   /** Null if contacts were limited. */
   hash: string | null;
   touches: KnownTouch[];

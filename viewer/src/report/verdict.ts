@@ -3,7 +3,7 @@
 import type { Scene } from '../scene/scene';
 import { isSameSelf, selfQuestion } from '../scene/self';
 import type { State, SweepState } from '../state/state';
-import type { FrameRange, SelfQuestion } from '../worker/protocol';
+import type { FrameRange, SelfQuestion, SweepTotal } from '../worker/protocol';
 import { counted, withCommas } from '../words';
 import { stopsAtFirst, type ReportAnswer } from './report';
 
@@ -30,7 +30,19 @@ export function findingOf(state: State): Finding | null {
 function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
   const frames = framesOf(answer.options.frames);
   const sameCounts = answer.counts.every((count, i) => counts[frames[i]] === count);
-  return sameCounts && total?.hash === answer.hash;
+  return sameCounts && total?.hash === answer.hash && leavesOutTheSame(answer, total);
+}
+
+function leavesOutTheSame({ totals }: ReportAnswer, total: SweepTotal): boolean {
+  if (!totals.left_out) return true;
+  const { rings, at_rest: atRest, always, near_joints: joints } = totals.left_out;
+  const { leftOut } = total;
+  return (
+    rings === leftOut.rings &&
+    atRest === leftOut.atRest &&
+    always === leftOut.always &&
+    joints === leftOut.joints
+  );
 }
 
 /** Query of the page, and the report that it was opened with. */
