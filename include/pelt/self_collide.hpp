@@ -53,6 +53,10 @@ struct SelfFilterOptions {
   /// layers of clothes. `ContactTally` finds them.
   std::span<const Contact> always = {};
 
+  /// [J] Numbers of rigid bodies: joints of one number count as one joint in the next two arrays,
+  /// for example those that no clip moves against each other. Any numbers of the caller.
+  std::span<const std::uint16_t> joint_bodies = {};
+
   /// [J] The parent of each joint, or `kNoJoint`. Leaves out pairs whose main joints are the same,
   /// or parent and child. The main joint of a triangle is the joint with the largest sum of weights
   /// over its vertices.
@@ -92,8 +96,8 @@ class PELT_API SelfFilter {
  public:
   const SkinnedModel& model() const;
 
-  /// The first filter that leaves out a pair of triangles, whether they intersect or not. Also
-  /// serves pairs that another query has found, for example between two parts of a character.
+  /// The first filter that leaves out a pair of triangles, whether they intersect or not. For many
+  /// pairs, see `leave_out`.
   ///
   /// Preconditions: `s` and `t` are different triangles of the model.
   ///
@@ -161,6 +165,19 @@ PELT_API SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& s
 /// Returns whether any triangles of `pose` intersect each other. Like `self_collide`, but stops at
 /// the first contact that the filter does not leave out.
 PELT_API YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& scratch);
+
+/// Removes the pairs that `filter` leaves out from contacts that another query has found between
+/// parts of a character, for example `collide` of a coat and the body below it. The filter is that
+/// of the whole character, and the contacts have its triangle numbers. In each remaining pair,
+/// triangle_a < triangle_b. The order of the pairs stays. Returns how many each filter has removed.
+///
+/// Preconditions: the triangles of each pair are different ones of the filter's model. `scratch` is
+/// not used by another thread at the same time.
+///
+/// Cost: O(log P) per contact for lists of P pairs; with several rings, also O(triangles in the
+/// rings). Allocates only if `scratch` needs more memory than for any earlier query.
+PELT_API LeftOut leave_out(const SelfFilter& filter, Scratch& scratch,
+                           std::vector<Contact>& contacts);
 
 /// Counts in how many poses pairs of triangles intersect.
 class PELT_API ContactTally {

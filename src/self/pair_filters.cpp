@@ -25,14 +25,23 @@ PairSet set_of(std::span<const IndexPair> pairs) {
   return set;
 }
 
-/// The listed pairs, each joint with itself, and each joint with its parent.
-PairSet near_joints(const SelfFilterOptions& options) {
+/// Returns the number of a joint's body.
+std::uint16_t body_of(const SelfFilterOptions& options, std::uint16_t joint) {
+  return options.joint_bodies.empty() ? joint : options.joint_bodies[joint];
+}
+
+/// The listed pairs, each joint with itself, and each joint with its parent, as pairs of bodies.
+PairSet near_bodies(const SelfFilterOptions& options) {
   PairSet set;
-  for (const IndexPair& pair : options.joint_pairs) set.add(pair.first, pair.second);
+  const auto add = [&](std::uint16_t a, std::uint16_t b) {
+    set.add(body_of(options, a), body_of(options, b));
+  };
+  for (const IndexPair& pair : options.joint_pairs) add(pair.first, pair.second);
   const auto& parents = options.joint_parents;
-  for (std::uint32_t joint = 0; joint < parents.size(); ++joint) {
-    set.add(joint, joint);
-    if (parents[joint] != kNoJoint) set.add(joint, parents[joint]);
+  for (std::size_t j = 0; j < parents.size(); ++j) {
+    const auto joint = static_cast<std::uint16_t>(j);
+    add(joint, joint);
+    if (parents[j] != kNoJoint) add(joint, parents[j]);
   }
   set.finish();
   return set;
@@ -89,11 +98,13 @@ PairFilters::PairFilters(const SkinnedModel& model, const Fans& fans,
       takes_part(options.takes_part.begin(), options.takes_part.end()),
       at_rest(set_of(options.at_rest)),
       always(set_of(options.always)),
-      joint_pairs(near_joints(options)),
+      body_pairs(near_bodies(options)),
       groups(options.groups.begin(), options.groups.end()),
       group_pairs(set_of(options.group_pairs)) {
   if (rings > 1) fan_of_vertex = index_fans(fans);
-  if (!joint_pairs.empty()) joints = main_joints(unpack_mesh(model.detail().tree));
+  if (body_pairs.empty()) return;
+  bodies = main_joints(unpack_mesh(model.detail().tree));
+  for (std::uint16_t& joint : bodies) joint = body_of(options, joint);
 }
 
 LeftOutBy PairFilters::left_out_by(const Tree& tree, const Fans& fans, Contact pair,
@@ -103,7 +114,7 @@ LeftOutBy PairFilters::left_out_by(const Tree& tree, const Fans& fans, Contact p
   if (rings > 0 && are_within_rings(tree, fans, pair, ring)) return LeftOutBy::rings;
   if (at_rest.contains(s, t)) return LeftOutBy::at_rest;
   if (always.contains(s, t)) return LeftOutBy::always;
-  if (!joints.empty() && joint_pairs.contains(joints[s], joints[t])) return LeftOutBy::joints;
+  if (!bodies.empty() && body_pairs.contains(bodies[s], bodies[t])) return LeftOutBy::joints;
   if (!groups.empty() && group_pairs.contains(groups[s], groups[t])) return LeftOutBy::groups;
   return LeftOutBy::none;
 }

@@ -29,8 +29,8 @@ struct PairFilters {
   std::vector<std::uint32_t> fan_of_vertex;  // by surface vertex; empty unless rings > 1
   std::vector<bool> takes_part;              // [T] or empty
   PairSet at_rest, always;                   // of triangles
-  std::vector<std::uint16_t> joints;         // [T] main joints, or empty
-  PairSet joint_pairs;
+  std::vector<std::uint16_t> bodies;         // [T] those of the main joints, or empty
+  PairSet body_pairs;
   std::vector<std::uint16_t> groups;  // [T] or empty
   PairSet group_pairs;
 

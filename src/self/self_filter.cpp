@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"
+#include "query/scratch.hpp"
 
 #include <utility>
 
@@ -51,6 +52,7 @@ Problem check_options(const SkinnedModel& model, const SelfFilterOptions& option
     return problem("group_pairs needs groups");
   Problem found = check_size("takes_part", options.takes_part.size(), triangles);
   if (found.empty()) found = check_size("groups", options.groups.size(), triangles);
+  if (found.empty()) found = check_size("joint_bodies", options.joint_bodies.size(), joints);
   if (found.empty()) found = check_size("joint_parents", options.joint_parents.size(), joints);
   if (found.empty()) found = check_pairs("at_rest", options.at_rest, triangles);
   if (found.empty()) found = check_pairs("always", options.always, triangles);
@@ -126,9 +128,20 @@ std::size_t SelfFilter::memory_bytes() const {
   return sizeof(detail::SelfFilter) +
          detail::bytes_held(fans.corners, fans.begin, fans.triangles, masks.begin, masks.partners,
                             masks.masks, masks.cluster_nodes, masks.has_hub) +
-         detail::bytes_held(filters.fan_of_vertex, filters.at_rest, filters.always, filters.joints,
-                            filters.joint_pairs, filters.groups, filters.group_pairs) +
+         detail::bytes_held(filters.fan_of_vertex, filters.at_rest, filters.always, filters.bodies,
+                            filters.body_pairs, filters.groups, filters.group_pairs) +
          filters.takes_part.capacity() / 8;
+}
+
+LeftOut leave_out(const SelfFilter& filter, Scratch& scratch, std::vector<Contact>& contacts) {
+  detail::Scratch& memory = scratch.detail();
+  memory.found.clear();
+  memory.ring.clear();
+  for (const Contact& contact : contacts) memory.found.push(contact);
+  LeftOut left_out;
+  detail::leave_out(filter.detail(), 0, memory.found, memory.ring, left_out);
+  contacts.assign(memory.found.begin(), memory.found.end());
+  return left_out;
 }
 
 Result<SelfFilter> build_self_filter(const SkinnedModel& model, const SelfFilterOptions& options) {

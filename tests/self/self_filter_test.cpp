@@ -9,6 +9,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
 
 namespace pelt::test {
 namespace {
@@ -18,7 +19,7 @@ struct Options {
   std::uint32_t rings = 0;
   std::vector<std::uint8_t> takes_part;
   std::vector<Contact> at_rest, always;
-  std::vector<std::uint16_t> joint_parents;
+  std::vector<std::uint16_t> joint_bodies, joint_parents;
   std::vector<IndexPair> joint_pairs;
   std::vector<std::uint16_t> groups;
   std::vector<IndexPair> group_pairs;
@@ -28,6 +29,7 @@ struct Options {
             .takes_part = takes_part,
             .at_rest = at_rest,
             .always = always,
+            .joint_bodies = joint_bodies,
             .joint_parents = joint_parents,
             .joint_pairs = joint_pairs,
             .groups = groups,
@@ -74,7 +76,17 @@ class Classification {
     });
   }
 
+  /// Whether any joints of the two joints' bodies are near.
   bool are_near(std::uint16_t a, std::uint16_t b) const {
+    const auto& bodies = options_.joint_bodies;
+    if (bodies.empty()) return are_near_alone(a, b);
+    for (std::uint16_t c = 0; c < bodies.size(); ++c)
+      for (std::uint16_t d = 0; d < bodies.size(); ++d)
+        if (bodies[c] == bodies[a] && bodies[d] == bodies[b] && are_near_alone(c, d)) return true;
+    return false;
+  }
+
+  bool are_near_alone(std::uint16_t a, std::uint16_t b) const {
     const auto& parents = options_.joint_parents;
     return lists(options_.joint_pairs, a, b) ||
            (!parents.empty() && (a == b || parents[a] == b || parents[b] == a));
@@ -233,6 +245,12 @@ struct Draw {
 
   void joint_pairs(Options& options) const { options.joint_pairs = index_pairs(); }
 
+  void joint_bodies(Options& options) const {
+    for (std::uint32_t j = 0; j < body.shape.joint_count; ++j)
+      options.joint_bodies.push_back(static_cast<std::uint16_t>(500 + random.index(3)));
+    joint_pairs(options);
+  }
+
   void groups(Options& options) const {
     for (std::uint32_t t = 0; t < triangles(); ++t) options.groups.push_back(joint());
     options.group_pairs = index_pairs();
@@ -253,6 +271,7 @@ constexpr Case kCases[] = {{"takes_part", &Draw::takes_part, LeftOutBy::takes_pa
                            {"always", &Draw::always, LeftOutBy::always},
                            {"joint_parents", &Draw::joint_parents, LeftOutBy::joints},
                            {"joint_pairs", &Draw::joint_pairs, LeftOutBy::joints},
+                           {"joint_bodies", &Draw::joint_bodies, LeftOutBy::joints},
                            {"groups", &Draw::groups, LeftOutBy::groups}};
 
 class EachFilter : public testing::TestWithParam<Case> {};
@@ -290,6 +309,45 @@ TEST(SelfFilter, CountsAPairForTheFirstFilterThatLeavesItOut) {
       for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += counts[i];
     }
   for (const std::uint64_t sum : sums) EXPECT_GT(sum, 20u);
+}
+
+TEST(SelfFilter, LeavesOutContactsOfOtherQueries) {
+  Random random(1744);
+  LeftOut sums;
+  std::size_t kept = 0;
+  Scratch scratch;
+  for (int round = 0; round < 5; ++round)
+    for (const auto make : kBodies) {
+      Body body = make(random);
+      const Draw draw{random, body};
+      Options options;
+      for (const Case& option : kCases)
+        if (random.chance(0.5)) (draw.*option.draw)(options);
+      const SelfFilter filter = *build_self_filter(body.pose.model(), options.view());
+      std::vector<Contact> expected, contacts;
+      LeftOut expected_out;
+      Classification classification(body.shape, options);
+      for (int i = 0; i < 60; ++i) {
+        std::uint32_t s = random.index(draw.triangles()), t = random.index(draw.triangles());
+        if (!options.at_rest.empty() && random.chance(0.3))
+          std::tie(s, t) = std::pair(options.at_rest[0].triangle_a, options.at_rest[0].triangle_b);
+        if (s == t) continue;
+        contacts.push_back({s, t});
+        const LeftOutBy by = classification.by(s, t);
+        expected_out.rings += by == LeftOutBy::rings;
+        expected_out.joints += by == LeftOutBy::joints;
+        if (by == LeftOutBy::none) expected.push_back({std::min(s, t), std::max(s, t)});
+      }
+      const LeftOut left_out = leave_out(filter, scratch, contacts);
+      EXPECT_EQ(contacts, expected);
+      EXPECT_EQ(left_out.rings, expected_out.rings);
+      EXPECT_EQ(left_out.joints, expected_out.joints);
+      sums += left_out;
+      kept += contacts.size();
+    }
+  EXPECT_GT(kept, 50u);
+  for (const std::uint64_t sum : {sums.rings, sums.at_rest, sums.joints, sums.groups})
+    EXPECT_GT(sum, 5u);
 }
 
 TEST(SelfFilter, RingsReachAcrossHubsAndEndAtTheBorder) {
@@ -336,6 +394,8 @@ TEST(SelfFilter, RefusesOptionsThatDoNotFitTheModel) {
   EXPECT_EQ(message_of(model, {.groups = many}), "groups has " + std::to_string(many.size()) +
                                                      " elements, expected " + of_triangles +
                                                      " or none");
+  EXPECT_EQ(message_of(model, {.joint_bodies = std::span(parents).first(1)}),
+            "joint_bodies has 1 elements, expected 3 or none");
   EXPECT_EQ(message_of(model, {.joint_parents = std::span(parents).first(2)}),
             "joint_parents has 2 elements, expected 3 or none");
   EXPECT_EQ(message_of(model, {.joint_parents = parents}),
