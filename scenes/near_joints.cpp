@@ -1,39 +1,131 @@
 #include "scenes/near_joints.hpp"
 
+#include "scenes/rigid_nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <tuple>
+
 namespace pelt::scenes {
 namespace {
 
-using JointsOfNodes = std::vector<std::vector<std::uint16_t>>;
+using Body = std::uint16_t;  // its lowest joint
 
-JointsOfNodes joints_of_nodes(const asset::Asset& asset) {
-  JointsOfNodes joints(asset.nodes.size());
-  for (std::size_t j = 0; j < asset.joints.size(); ++j)
-    joints[asset.joints[j].node].push_back(static_cast<std::uint16_t>(j));
-  return joints;
+/// The rigid bodies of a character in their hierarchy.
+class Bodies {
+ public:
+  Bodies(const asset::Asset& asset, std::span<const std::uint16_t> main_joints)
+      : asset_(asset), highest_(rigid_nodes(asset)), at_node_(asset.nodes.size()) {
+    for (std::size_t j = asset.joints.size(); j-- > 0;)
+      at_node_[highest_node(j)] = static_cast<Body>(j);
+    of_joint_.reserve(asset.joints.size());
+    for (std::size_t j = 0; j < asset.joints.size(); ++j)
+      of_joint_.push_back(*at_node_[highest_node(j)]);
+    has_triangles_.resize(asset.joints.size());
+    for (const std::uint16_t joint : main_joints) has_triangles_[of_joint_[joint]] = true;
+  }
+
+  const std::vector<Body>& of_joints() const { return of_joint_; }
+
+  /// The next body above that moves triangles.
+  std::optional<Body> above(Body body) const {
+    std::uint32_t node = asset_.nodes[highest_node(body)].parent;
+    while (node != asset::kNoParent) {
+      const std::uint32_t highest = highest_[node];
+      if (const auto found = at_node_[highest]; found && has_triangles_[*found]) return found;
+      node = asset_.nodes[highest].parent;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::uint32_t highest_node(std::size_t joint) const {
+    return highest_[asset_.joints[joint].node];
+  }
+
+  const asset::Asset& asset_;
+  std::vector<std::uint32_t> highest_;        // [nodes] see rigid_nodes
+  std::vector<std::optional<Body>> at_node_;  // [nodes] by highest node
+  std::vector<Body> of_joint_;                // [J]
+  std::vector<bool> has_triangles_;           // [J] by body
+};
+
+/// A body with a triangle corner at a rest position.
+struct BodyAt {
+  std::array<float, 3> position;
+  Body body;
+
+  friend bool operator<(const BodyAt& a, const BodyAt& b) {
+    return std::tie(a.position, a.body) < std::tie(b.position, b.body);
+  }
+  friend bool operator==(const BodyAt& a, const BodyAt& b) {
+    return std::tie(a.position, a.body) == std::tie(b.position, b.body);
+  }
+};
+
+/// Returns the bodies of all corners, ascending.
+std::vector<BodyAt> bodies_at_corners(const asset::Asset& asset,
+                                      std::span<const std::uint16_t> main_joints,
+                                      const Bodies& bodies) {
+  std::vector<BodyAt> corners;
+  corners.reserve(3 * asset.triangles.size());
+  for (std::size_t t = 0; t < asset.triangles.size(); ++t)
+    for (const std::uint32_t vertex : asset.triangles[t]) {
+      const Vec3& p = asset.rest_positions[vertex];
+      corners.push_back({{p.x, p.y, p.z}, bodies.of_joints()[main_joints[t]]});
+    }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
 }
 
-/// Returns the nearest node above that has joints, or kNoParent.
-std::uint32_t joint_node_above(const asset::Asset& asset, const JointsOfNodes& joints,
-                               std::uint32_t node) {
-  do node = asset.nodes[node].parent;
-  while (node != asset::kNoParent && joints[node].empty());
-  return node;
+/// Adds the pairs of bodies of one position of which one is above the other.
+void add_adjoining(std::span<const BodyAt> here, const Bodies& bodies,
+                   std::vector<IndexPair>& pairs) {
+  constexpr int kMostSteps = 64;  // limits the cost of hostile files
+  const auto is_here = [&](Body body) {
+    return std::any_of(here.begin(), here.end(), [&](const BodyAt& b) { return b.body == body; });
+  };
+  if (here.size() < 2 || here.size() > kMostSteps) return;
+  for (const BodyAt& corner : here) {
+    std::optional<Body> above = bodies.above(corner.body);
+    for (int step = 0; above && step < kMostSteps; ++step, above = bodies.above(*above))
+      if (is_here(*above)) pairs.push_back({corner.body, *above});
+  }
+}
+
+void add_all_adjoining(std::span<const BodyAt> corners, const Bodies& bodies,
+                       std::vector<IndexPair>& pairs) {
+  for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
+    while (end < corners.size() && corners[end].position == corners[begin].position) ++end;
+    add_adjoining(corners.subspan(begin, end - begin), bodies, pairs);
+  }
+}
+
+void add_hierarchy(const Bodies& bodies, std::vector<IndexPair>& pairs) {
+  for (std::size_t j = 0; j < bodies.of_joints().size(); ++j) {
+    const auto body = static_cast<Body>(j);
+    if (bodies.of_joints()[j] != body) continue;
+    pairs.push_back({body, body});
+    if (const auto above = bodies.above(body)) pairs.push_back({body, *above});
+  }
 }
 
 }  // namespace
 
-std::vector<IndexPair> near_joints(const asset::Asset& asset) {
-  const JointsOfNodes joints = joints_of_nodes(asset);
-  std::vector<IndexPair> pairs;
-  for (std::size_t j = 0; j < asset.joints.size(); ++j) {
-    const auto joint = static_cast<std::uint16_t>(j);
-    const std::uint32_t node = asset.joints[j].node;
-    for (const std::uint16_t other : joints[node]) pairs.push_back({joint, other});
-    const std::uint32_t above = joint_node_above(asset, joints, node);
-    if (above == asset::kNoParent) continue;
-    for (const std::uint16_t other : joints[above]) pairs.push_back({joint, other});
-  }
-  return pairs;
+NearJoints near_joints(const asset::Asset& asset, std::span<const std::uint16_t> main_joints,
+                       std::span<const Contact> at_rest) {
+  const Bodies bodies(asset, main_joints);
+  NearJoints near = {bodies.of_joints(), {}};
+  add_hierarchy(bodies, near.pairs);
+  add_all_adjoining(bodies_at_corners(asset, main_joints, bodies), bodies, near.pairs);
+  for (const Contact& contact : at_rest)
+    near.pairs.push_back({near.bodies[main_joints[contact.triangle_a]],
+                          near.bodies[main_joints[contact.triangle_b]]});
+  std::sort(near.pairs.begin(), near.pairs.end());
+  near.pairs.erase(std::unique(near.pairs.begin(), near.pairs.end()), near.pairs.end());
+  return near;
 }
 
 }  // namespace pelt::scenes

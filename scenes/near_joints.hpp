@@ -3,13 +3,30 @@
 #include <pelt/asset.hpp>
 #include <pelt/self_collide.hpp>
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace pelt::scenes {
 
-/// Returns the pairs of joints that follow one node, or a node and the nearest joint above it, for
-/// `SelfFilterOptions::joint_pairs`. Includes each joint with itself. Several joints may follow one
-/// node: those of different skins.
-std::vector<IndexPair> near_joints(const asset::Asset& asset);
+/// For `SelfFilterOptions::joint_bodies` and `joint_pairs`.
+struct NearJoints {
+  std::vector<std::uint16_t> bodies;  ///< [J] the lowest joint of each joint's body
+  std::vector<IndexPair> pairs;       ///< of bodies; contains each body with itself
+};
+
+/// Returns which joints are neighbours in the body of a character, whatever its rig looks like.
+/// Joints that no clip moves against each other are one rigid body, such as a bone and the armour
+/// that is attached to it. Two bodies are near
+/// - if one is the next above the other in the hierarchy, without bodies that move no triangles;
+/// - if one is anywhere above the other, and triangles of both share a corner, as at an armpit;
+/// - if triangles of both touch in `at_rest`, as in a ball joint, or at a foot that is no child of
+///   its leg.
+///
+/// `main_joints`: [T] the joint that each triangle follows most (see TriangleLabels).
+///
+/// Cost: O(T log T + keys of all clips).
+NearJoints near_joints(const asset::Asset& asset, std::span<const std::uint16_t> main_joints,
+                       std::span<const Contact> at_rest);
 
 }  // namespace pelt::scenes

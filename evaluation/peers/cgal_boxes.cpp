@@ -7,13 +7,53 @@
 /// query early, as in CGAL's own does_self_intersect.
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"
-#include "evaluation/peers/cgal_box.hpp"
 
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/version.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace pelt::peers {
 namespace {
+
+/// A model of CGAL's concept BoxIntersectionBox_d.
+struct Box {
+  using NT = float;
+  using ID = std::uint32_t;
+
+  static int dimension() { return 3; }
+  float min_coord(int axis) const { return low[axis]; }
+  float max_coord(int axis) const { return high[axis]; }
+  /// Distinct in both sets together.
+  ID id() const { return triangle | body << 31; }
+
+  void include(const Vec3& p) {
+    const float at[3] = {p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], at[axis]);
+      high[axis] = std::max(high[axis], at[axis]);
+    }
+  }
+  void include(const Box& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+  }
+  bool meets(const Box& other) const {
+    bool all = true;
+    for (int axis = 0; axis < 3; ++axis)
+      all = all && low[axis] <= other.high[axis] && other.low[axis] <= high[axis];
+    return all;
+  }
+
+  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  float low[3] = {kInfinity, kInfinity, kInfinity};
+  float high[3] = {-kInfinity, -kInfinity, -kInfinity};
+  std::uint32_t triangle = 0;
+  std::uint32_t body = 0;  ///< 0 or 1, within a query
+};
 
 struct Body {
   Body(std::span<const Triangle> triangles, std::span<const Vec3> rest) : mesh(triangles, rest) {
@@ -22,9 +62,9 @@ struct Body {
 
   void take_boxes() {
     boxes.clear();
-    whole = CgalBox();
+    whole = Box();
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      CgalBox box;
+      Box box;
       for (const Vec3& corner : mesh.corners(t)) box.include(corner);
       box.triangle = t;
       whole.include(box);
@@ -33,16 +73,15 @@ struct Body {
   }
 
   PosedBody mesh;
-  std::vector<CgalBox> boxes;
-  CgalBox whole;
+  std::vector<Box> boxes;
+  Box whole;
 };
 
 /// Copies the boxes that overlap `where`: the algorithm changes the order of its input.
-void select(const Body& body, const CgalBox& where, std::uint32_t number,
-            std::vector<CgalBox>& out) {
+void select(const Body& body, const Box& where, std::uint32_t number, std::vector<Box>& out) {
   out.clear();
   if (!body.whole.meets(where)) return;
-  for (const CgalBox& box : body.boxes) {
+  for (const Box& box : body.boxes) {
     if (!box.meets(where)) continue;
     out.push_back(box);
     out.back().body = number;
@@ -74,7 +113,7 @@ class CgalBoxesMethod final : public rivals::PosedMeshMethod {
 
  private:
   void find(Candidates& candidates) {
-    const auto take = [&](const CgalBox& a, const CgalBox& b) {
+    const auto take = [&](const Box& a, const Box& b) {
       candidates.add(a.triangle, b.triangle);
       if (!candidates.wants_more()) throw Enough();
     };
@@ -89,7 +128,7 @@ class CgalBoxesMethod final : public rivals::PosedMeshMethod {
   static constexpr std::ptrdiff_t kCutoff = 10;
 
   std::vector<std::unique_ptr<Body>> bodies_;
-  std::vector<CgalBox> boxes_a_, boxes_b_;
+  std::vector<Box> boxes_a_, boxes_b_;
 };
 
 }  // namespace

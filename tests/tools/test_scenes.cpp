@@ -83,6 +83,14 @@ std::string write_limbs(const TestFolder& folder) {
   return folder / "scene.json";
 }
 
+GltfBuilder build_curl() {
+  GltfBuilder builder = build_limb(8);
+  const std::vector<float> quaternions = {0, 0, 0, 1, 0.966f, 0, 0, 0.259f, 0, 0, 0, 1};
+  const std::size_t output = builder.add_accessor(quaternions, "VEC4");
+  builder.document["animations"][0]["samplers"][0]["output"] = output;
+  return builder;
+}
+
 GltfBuilder strip_with_fan() {
   GltfBuilder builder = paper_strip();
   const std::vector<float> sheet = {0.5f, 0, -1, 0.5f, 0, 1, 0.5f, 1, -1, 0.5f, 1, 1};

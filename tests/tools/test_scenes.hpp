@@ -18,6 +18,9 @@ std::vector<std::byte> swaying_limb(std::uint32_t sides);
 /// The same for modification: one primitive in mesh 0, and "limb" as the last node.
 GltfBuilder build_limb(std::uint32_t sides);
 
+/// The limb, which bends so far that it passes through itself.
+GltfBuilder build_curl();
+
 /// Two limbs that pass through each other: apart in the first and last frames, in contact between.
 inline constexpr const char* kLimbsScene = R"({
   "models": {"one": "one.glb", "two": "two.glb"},

@@ -3,6 +3,7 @@
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 #include "scenes/near_joints.hpp"
+#include "scenes/triangle_labels.hpp"
 
 #include <array>
 #include <span>
@@ -48,15 +49,20 @@ std::span<const Contact> pairs_in_model(std::vector<std::uint32_t>& numbers, con
 Result<SelfFilter> make_filter(const Character& character, const Body& body, std::uint32_t rings,
                                bool has_near_joints, FilterInput input) {
   const std::span<const IndexPair> listed = elements<IndexPair>(input[kJointPairs]);
-  std::vector<IndexPair> joint_pairs;
-  if (has_near_joints) joint_pairs = scenes::near_joints(character.asset());
-  joint_pairs.insert(joint_pairs.end(), listed.begin(), listed.end());
+  scenes::NearJoints near;
+  if (has_near_joints) {
+    const auto labels = scenes::label_triangles(character.asset());
+    if (!labels) return labels.error();
+    near = scenes::near_joints(character.asset(), labels->joint, elements<Contact>(input[kAtRest]));
+  }
+  near.pairs.insert(near.pairs.end(), listed.begin(), listed.end());
   SelfFilterOptions options;
   options.rings = rings;
   options.takes_part = elements<std::uint8_t>(input[kTakesPart]);
   options.at_rest = pairs_in_model(input[kAtRest], body);
   options.always = pairs_in_model(input[kAlways], body);
-  options.joint_pairs = joint_pairs;
+  options.joint_bodies = near.bodies;
+  options.joint_pairs = near.pairs;
   options.groups = elements<std::uint16_t>(input[kGroups]);
   options.group_pairs = elements<IndexPair>(input[kGroupPairs]);
   return build_self_filter(body.model, options);

@@ -16,7 +16,12 @@ export interface SelfFilterOptions {
   atRest?: Uint32Array;
   /** [N][2] Leaves out these pairs: those that intersect in nearly all poses. */
   always?: Uint32Array;
-  /** Leaves out triangles that follow the same joint, or a joint and its parent, most. */
+  /**
+   * Leaves out triangles that follow the same joint or neighbouring joints most. Joints that no
+   * clip moves against each other count as one. Neighbours are a joint and the next one above it
+   * that any triangle follows, a joint and any one above it if triangles of both share a corner,
+   * and two joints whose triangles are a pair of `atRest`.
+   */
   nearJoints?: boolean;
   /** [N][2] Leaves out triangles that follow these joints most: indices into `jointNames`. */
   jointPairs?: Uint16Array;

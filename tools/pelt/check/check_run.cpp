@@ -84,7 +84,7 @@ class ExtraQueries {
     depths_.emplace(staged);
   }
 
-  /// `found` has all contacts, including ignored ones.
+  /// `found` has all contacts of pairs, including dropped and ignored ones.
   Result<void> ask_inside(std::uint32_t frame, const scene::Palettes& palettes,
                           const scene::FrameContacts& found) {
     if (!inside_) return {};
@@ -153,19 +153,21 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   report.worst_frame = settings.frames.begin;
   CollideOptions options;
   if (settings.max_contacts) options.max_contacts = *settings.max_contacts;
-  scene::FrameContacts found;
+  scene::FrameContacts found, unfiltered;
   scene::ContactHash hash;
   ExtraQueries extras(staged, settings, *ignored);
   Result<std::optional<scene::SelfQuery>> self = make_self_query(staged, settings);
   if (!self) return self.error();
   const auto ask = [&](const scene::Palettes& palettes) -> Result<QueryStats> {
     if (const auto posed = query.set_palettes(palettes); !posed) return posed.error();
-    query.collide(options, found);
+    query.collide(*self ? (*self)->limit_of_pairs(options) : options, found);
+    if (settings.asks_inside && *self) unfiltered = found;
     if (const auto asked = ask_self(*self, palettes, options, found); !asked) return asked.error();
     return QueryStats{};  // the queries count their work themselves
   };
   const auto record = [&](std::uint32_t frame, const scene::Palettes& palettes) -> Result<void> {
-    if (const auto asked = extras.ask_inside(frame, palettes, found); !asked) return asked;
+    const auto asked_inside = extras.ask_inside(frame, palettes, *self ? unfiltered : found);
+    if (!asked_inside) return asked_inside;
     report.totals.ignored += take_ignored_out(*ignored, staged, found);
     if (*self) report.totals.left_out += (*self)->left_out();
     count_frame(staged.scene, frame, found, report);

@@ -74,8 +74,8 @@ void add_self_options(arguments::Verb& verb, SelfArguments& arguments) {
               "keep)",
               {.type = "SHARE|keep", .group = kGroup});
   verb.option("--self-near-joints", arguments.near_joints,
-              "Contacts of triangles that follow the same joint, or a joint and its parent "
-              "(default: drop)",
+              "Contacts of triangles that follow the same joint or neighbouring joints (default: "
+              "drop)",
               {.type = "keep|drop", .group = kGroup});
 }
 
@@ -103,17 +103,6 @@ SelfChoice with_defaults(const scenes::SelfOptions& options, const scenes::Scene
   if (options.always && *options.always > 0) rules.always = options.always;
   rules.drops_near_joints = options.drops_near_joints.value_or(rules.drops_near_joints);
   return choice;
-}
-
-scenes::SelfOptions without_defaults(const SelfChoice& choice) {
-  scenes::SelfOptions options;
-  options.wanted = choice.wanted;
-  if (!choice.asks_self()) return options;
-  options.rings = choice.rules.rings;
-  options.drops_at_rest = choice.rules.drops_at_rest;
-  options.always = choice.rules.always.value_or(0);
-  options.drops_near_joints = choice.rules.drops_near_joints;
-  return options;
 }
 
 bool is_one_body(const scenes::Scene& scene, scene::Granularity granularity) {

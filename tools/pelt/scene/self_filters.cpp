@@ -1,30 +1,14 @@
 #include "tools/pelt/scene/self_filters.hpp"
 
 #include "asset/message.hpp"
-#include "scenes/near_joints.hpp"
-#include "tools/pelt/scene/self_query.hpp"
+#include "tools/pelt/scene/character_filters.hpp"
+#include "tools/pelt/scene/own_contacts.hpp"
+#include "tools/pelt/scene/scene_poses.hpp"
 
-#include <algorithm>
-#include <map>
 #include <utility>
 
 namespace pelt::tools::scene {
 namespace {
-
-/// Returns the pairs of near joints, numbered as in the collider's model.
-std::vector<IndexPair> near_joints(const asset::Asset& asset, const Collider& collider) {
-  std::map<std::uint16_t, std::uint16_t> numbers;
-  for (std::uint32_t j = 0; j < collider.model.joint_count(); ++j) {
-    const auto joint = static_cast<std::uint16_t>(j);
-    numbers[collider.joint_in_asset(joint)] = joint;
-  }
-  std::vector<IndexPair> pairs;
-  for (const auto& [first, second] : scenes::near_joints(asset)) {
-    const auto a = numbers.find(first), b = numbers.find(second);
-    if (a != numbers.end() && b != numbers.end()) pairs.push_back({a->second, b->second});
-  }
-  return pairs;
-}
 
 /// Returns palettes that leave all instances in the rest poses of their files.
 Palettes rest_poses(const scenes::Scene& scene) {
@@ -49,125 +33,122 @@ Palettes default_poses(const scenes::Scene& scene) {
   return palettes;
 }
 
-/// Contacts of a model, numbered as in the model.
-using ContactList = std::vector<Contact>;
-
-void sort_unique(ContactList& contacts) {
-  std::sort(contacts.begin(), contacts.end());
-  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
-}
-
-/// Builds the filters of the models of a scene.
+/// Builds the filters of all characters of a scene.
 class Builder {
  public:
   Builder(const StagedScene& staged, const SelfRules& rules) : staged_(staged), rules_(rules) {
-    std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, std::size_t> known;
-    for (std::uint32_t c = 0; c < staged.colliders.size(); ++c) {
-      const auto key = std::pair(staged.character_of(c), staged.colliders[c].part);
-      const auto [model, is_new] = known.try_emplace(key, models_.size());
-      if (is_new) models_.push_back({c, {}, {}});
-      model_of_.push_back(model->second);
+    std::vector<std::optional<std::size_t>> known(staged.scene.characters.size());
+    for (const std::span<const Collider> own : by_instance(staged.colliders)) {
+      const std::uint32_t character = staged.scene.instances[own[0].instance].character;
+      if (!known[character]) {
+        known[character] = characters_.size();
+        characters_.push_back({own, staged.scene.characters[character], {}, {}, {}});
+      }
+      instances_.push_back({own, *known[character]});
     }
   }
 
-  Result<void> find_at_rest() {
-    const auto filters = build();
-    if (!filters) return filters.error();
-    SelfQuery query(staged_.colliders, *filters);
-    for (const Palettes& palettes : {rest_poses(staged_.scene), default_poses(staged_.scene)}) {
-      FrameContacts found;
-      if (const auto posed = query.set_palettes(palettes); !posed) return posed.error();
-      query.collide({}, found);
-      for (const FrameContacts::Pair& pair : found.pairs)
-        if (Model& model = models_[model_of_[pair.a]]; model.collider == pair.a)
-          for (const Contact& contact : found.of(pair))
-            model.at_rest.push_back(numbered(contact, pair.a));
+  /// Builds filters without lists of contacts.
+  Result<void> start() {
+    for (Member& member : characters_) {
+      auto prepared = CharacterFilters::make(member.character, member.own, rules_);
+      if (!prepared) return prepared.error();
+      member.filters = std::move(*prepared);
     }
-    for (Model& model : models_) sort_unique(model.at_rest);
+    return {};
+  }
+
+  Result<void> find_at_rest() {
+    for (Member& member : characters_) {
+      Result<OwnContacts> query = query_of(member, member.own);
+      if (!query) return query.error();
+      for (const Palettes& palettes : {rest_poses(staged_.scene), default_poses(staged_.scene)}) {
+        if (const auto posed = query->set_palettes(palettes); !posed) return posed.error();
+        query->append(member.at_rest);
+      }
+      sort_unique(member.at_rest);
+    }
     return {};
   }
 
   Result<void> find_always(double share, const arguments::FrameRange& frames) {
-    const auto filters = build();
-    if (!filters) return filters.error();
-    SelfQuery query(staged_.colliders, *filters);
-    std::vector<ContactTally> tallies(models_.size());
-    FrameContacts found;
-    const auto ask = [&](const Palettes& palettes) -> Result<QueryStats> {
-      if (const auto posed = query.set_palettes(palettes); !posed) return posed.error();
-      found = {};
-      query.collide({}, found);
+    std::vector<OwnContacts> queries;
+    for (const auto& [own, character] : instances_) {
+      Result<OwnContacts> query = query_of(characters_[character], own);
+      if (!query) return query.error();
+      queries.push_back(std::move(*query));
+    }
+    std::vector<ContactTally> tallies(characters_.size());
+    const auto count = [&](const Palettes& palettes) -> Result<QueryStats> {
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        if (const auto posed = queries[i].set_palettes(palettes); !posed) return posed.error();
+        ContactList found;
+        queries[i].append(found);
+        sort_unique(found);
+        tallies[instances_[i].character].add(found);
+      }
       return QueryStats{};
     };
-    const auto count = [&](std::uint32_t, const Palettes&) -> Result<void> {
-      tally(found, tallies);
-      return {};
-    };
-    const auto run = run_frames(staged_.scene, frames, {ask, count});
+    const auto nothing = [](std::uint32_t, const Palettes&) -> Result<void> { return {}; };
+    const auto run = run_frames(staged_.scene, frames, {count, nothing});
     if (!run) return run.error();
-    for (std::size_t m = 0; m < models_.size(); ++m)
-      models_[m].always = tallies[m].in_share_of_poses(share);
+    for (std::size_t c = 0; c < tallies.size(); ++c)
+      characters_[c].always = tallies[c].in_share_of_poses(share);
     return {};
   }
 
-  Result<std::vector<SelfFilter>> build() const {
-    std::vector<SelfFilter> of_models;
-    for (const Model& model : models_) {
-      Result<SelfFilter> filter = build_one(model);
-      if (!filter)
-        return asset::prefixed(
-            staged_.scene.characters[staged_.character_of(model.collider)].source, filter.error());
-      of_models.push_back(std::move(*filter));
+  Result<SelfFilters> build() const {
+    std::vector<SelfFilters> of_characters;
+    for (const Member& member : characters_) {
+      Result<SelfFilters> filters = filters_of(member);
+      if (!filters) return filters.error();
+      of_characters.push_back(std::move(*filters));
     }
-    std::vector<SelfFilter> filters;
-    for (const std::size_t model : model_of_) filters.push_back(of_models[model]);
-    return filters;
+    SelfFilters all;
+    all.of_parts.reserve(instances_.size());
+    for (const auto& [own, character] : instances_) {
+      const auto& [of_colliders, of_parts] = of_characters[character];
+      all.of_colliders.insert(all.of_colliders.end(), of_colliders.begin(), of_colliders.end());
+      all.of_parts.insert(all.of_parts.end(), of_parts.begin(), of_parts.end());
+    }
+    return all;
   }
 
  private:
-  struct Model {
-    std::uint32_t collider = 0;  // the first one with this model
+  struct Member {
+    std::span<const Collider> own;  // of its first instance
+    const scenes::Character& character;
+    std::optional<CharacterFilters> filters;
     ContactList at_rest, always;
   };
 
-  Contact numbered(const Contact& contact, std::uint32_t collider) const {
-    const Collider& own = staged_.colliders[collider];
-    return numbered_in_models(contact, own, own);
+  struct Placed {
+    std::span<const Collider> own;
+    std::size_t character;  // index into `characters_`
+  };
+
+  Result<SelfFilters> filters_of(const Member& member) const {
+    return member.filters->build(member.at_rest, member.always);
   }
 
-  void tally(const FrameContacts& found, std::vector<ContactTally>& tallies) const {
-    std::vector<ContactList> of_colliders(staged_.colliders.size());
-    for (const FrameContacts::Pair& pair : found.pairs)
-      for (const Contact& contact : found.of(pair))
-        of_colliders[pair.a].push_back(numbered(contact, pair.a));
-    for (std::size_t c = 0; c < of_colliders.size(); ++c)
-      tallies[model_of_[c]].add(of_colliders[c]);
-  }
-
-  Result<SelfFilter> build_one(const Model& model) const {
-    const Collider& collider = staged_.colliders[model.collider];
-    SelfFilterOptions options;
-    options.rings = rules_.rings;
-    options.at_rest = model.at_rest;
-    options.always = model.always;
-    std::vector<IndexPair> joint_pairs;
-    if (rules_.drops_near_joints)
-      joint_pairs = near_joints(staged_.asset_of(model.collider), collider);
-    options.joint_pairs = joint_pairs;
-    return build_self_filter(collider.model, options);
+  Result<OwnContacts> query_of(const Member& member, std::span<const Collider> own) const {
+    Result<SelfFilters> filters = filters_of(member);
+    if (!filters) return filters.error();
+    return OwnContacts(own, std::move(*filters));
   }
 
   StagedScene staged_;
   SelfRules rules_;
-  std::vector<Model> models_;
-  std::vector<std::size_t> model_of_;  // each collider's index into `models_`
+  std::vector<Member> characters_;
+  std::vector<Placed> instances_;
 };
 
 }  // namespace
 
-Result<std::vector<SelfFilter>> make_self_filters(const StagedScene& staged, const SelfRules& rules,
-                                                  const arguments::FrameRange& frames) {
+Result<SelfFilters> make_self_filters(const StagedScene& staged, const SelfRules& rules,
+                                      const arguments::FrameRange& frames) {
   Builder builder(staged, rules);
+  if (const auto started = builder.start(); !started) return started.error();
   if (rules.drops_at_rest)
     if (const auto found = builder.find_at_rest(); !found) return found.error();
   if (rules.always)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Filters of the contacts of colliders with themselves.
+/// Filters of the contacts of characters with themselves.
 
 #include <pelt/self_collide.hpp>
 
@@ -17,15 +17,23 @@ namespace pelt::tools::scene {
 struct SelfRules {
   std::uint32_t rings = 5;        ///< see SelfFilterOptions::rings
   bool drops_at_rest = true;      ///< those of the rest pose and of the default pose of the nodes
-  std::optional<double> always;   ///< those of at least this share of the poses of a model
-  bool drops_near_joints = true;  ///< of a joint with itself, its parent or its child
+  std::optional<double> always;   ///< those of at least this share of the poses of a character
+  bool drops_near_joints = true;  ///< see scenes::near_joints
 };
 
-/// Returns the filter of each collider. Colliders of one model share a filter.
+struct SelfFilters {
+  std::vector<SelfFilter> of_colliders;  ///< of each collider with itself
+
+  /// Of the parts of each instance with each other, numbered as in the whole character. Empty if
+  /// colliders are whole instances.
+  std::vector<SelfFilter> of_parts;
+};
+
+/// Returns the filters of a scene. Instances of one character share them.
 ///
 /// With `rules.always`, first finds the contacts of all `frames`, which takes as long as the check
 /// itself. Error messages name the file or the frame.
-Result<std::vector<SelfFilter>> make_self_filters(const StagedScene& staged, const SelfRules& rules,
-                                                  const arguments::FrameRange& frames);
+Result<SelfFilters> make_self_filters(const StagedScene& staged, const SelfRules& rules,
+                                      const arguments::FrameRange& frames);
 
 }  // namespace pelt::tools::scene

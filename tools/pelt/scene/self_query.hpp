@@ -1,12 +1,15 @@
 #pragma once
 
-/// Finds the contacts of each collider with itself in one frame of a scene.
+/// Finds the contacts of each collider with itself in one frame of a scene, and filters those of
+/// the parts of an instance.
 
 #include <pelt/self_collide.hpp>
 
 #include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/self_filters.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,14 +17,21 @@ namespace pelt::tools::scene {
 
 class SelfQuery {
  public:
-  /// `filters`: one per collider. `colliders` must outlive the query.
-  SelfQuery(std::span<const Collider> colliders, std::vector<SelfFilter> filters)
-      : colliders_(colliders), filters_(std::move(filters)), posed_(colliders) {}
+  /// `colliders` must outlive the query. `threads`: 0 means all cores.
+  SelfQuery(std::span<const Collider> colliders, SelfFilters filters, std::uint32_t threads = 0);
 
   /// Error messages name the instance.
   Result<void> set_palettes(const Palettes& palettes) { return posed_.set_palettes(palettes); }
 
-  /// Adds the contacts of each collider with itself to `found`, as those of the pair a, a.
+  /// The limit of the query of pairs whose contacts `collide` filters. Filters may drop any
+  /// contacts, so that all are needed.
+  CollideOptions limit_of_pairs(const CollideOptions& options) const {
+    return filters_.of_parts.empty() ? options : CollideOptions{};
+  }
+
+  /// Removes from `found` the contacts of parts of one instance that its filter drops, and those
+  /// beyond the limit of each pair. Then adds the contacts of each collider with itself, as those
+  /// of the pair a, a.
   void collide(const CollideOptions& options, FrameContacts& found);
 
   /// Number of contacts that each filter has left out of the latest frame.
@@ -31,14 +41,27 @@ class SelfQuery {
   QueryStats work() const { return work_; }
 
  private:
+  /// Results of one collider.
+  struct Own {
+    std::vector<Contact> contacts;
+    SelfStats stats;
+  };
+
+  void filter_parts(const CollideOptions& options, FrameContacts& found);
+  void filter_parts_of(std::uint32_t instance, std::vector<Contact>& contacts);
   void find(const CollideOptions& options);
+  void find_of(std::uint32_t collider, const CollideOptions& options, Scratch& scratch);
 
   std::span<const Collider> colliders_;
-  std::vector<SelfFilter> filters_;
+  SelfFilters filters_;
+  std::vector<std::size_t> filter_of_instance_;  // index into `filters_.of_parts`
   ScenePoses posed_;
-  Scratch scratch_;
-  FrameContacts own_;     // of the colliders with themselves
-  FrameContacts merged_;  // working memory of `collide`
+  std::unique_ptr<detail::Workers> workers_;
+  detail::WorkShares shares_;       // of the colliders
+  std::vector<Scratch> scratches_;  // of each worker
+  std::vector<Own> own_;            // of each collider
+  FrameContacts merged_;            // working memory of `collide`
+  std::vector<Contact> kept_;       // of `filter_parts`
   LeftOut left_out_;
   QueryStats work_;
 };

@@ -1,21 +1,17 @@
-/**
- * Triangles in contact: lit where they are seen, a shimmer where something is before them. Contacts of
- * characters with themselves have their own colour.
- */
+/** Triangles in contact: lit where they are seen, a shimmer where something is before them. */
 
 import {
   BufferGeometry,
-  Color,
   DoubleSide,
   Group,
   Mesh,
   MeshBasicMaterial,
   Points,
   ShaderMaterial,
-  type MeshBasicMaterialParameters,
+  Color,
 } from 'three';
 import type { Glow as Contacts } from '../worker/protocol';
-import { ACCENT, SELF_ACCENT } from './colours';
+import { ACCENT } from './colours';
 import { upload } from './upload';
 
 const SHIMMER = 0.22;
@@ -43,27 +39,38 @@ const FRAGMENT = `
     #include <colorspace_fragment>
   }`;
 
-/** Colours of the two groups of triangles. */
-const COLOURS = [SELF_ACCENT, ACCENT];
-
-const IN_FRONT = { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 };
-
 export class Glow extends Group {
   private readonly triangles = new BufferGeometry();
   private readonly beside: Mesh;
   private readonly centres = new BufferGeometry();
-  private readonly halos = COLOURS.map(makeHalo);
+  private readonly halo = new ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms: {
+      colour: { value: new Color(ACCENT) },
+      opacity: { value: HALO_OPACITY },
+      size: { value: HALO_SIZE },
+      heightInPixels: { value: 1 },
+    },
+    transparent: true,
+    depthWrite: false,
+    depthTest: false,
+  });
 
   constructor() {
     super();
-    const seen = surfaces(IN_FRONT);
-    const faint = surfaces({
-      ...IN_FRONT,
+    const surface = { color: ACCENT, side: DoubleSide, toneMapped: false };
+    const before = { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 };
+    const seen = new MeshBasicMaterial({ ...surface, ...before });
+    const faint = new MeshBasicMaterial({
+      ...surface,
+      ...before,
       transparent: true,
       opacity: BESIDE,
       depthWrite: false,
     });
-    const hidden = surfaces({
+    const hidden = new MeshBasicMaterial({
+      ...surface,
       transparent: true,
       opacity: SHIMMER,
       depthTest: false,
@@ -74,53 +81,28 @@ export class Glow extends Group {
       this.beside,
       new Mesh(this.triangles, seen),
       new Mesh(this.triangles, hidden),
-      new Points(this.centres, this.halos),
+      new Points(this.centres, this.halo),
     );
     for (const child of this.children) child.frustumCulled = false;
   }
 
   scaleTo(height: number): void {
-    for (const { uniforms } of this.halos) uniforms.size.value = HALO_SIZE * height;
+    this.halo.uniforms.size.value = HALO_SIZE * height;
+  }
+
+  resize(heightInPixels: number): void {
+    this.halo.uniforms.heightInPixels.value = heightInPixels;
   }
 
   /** Shows the contacts of the spot, if there is one, and all others. */
   show(all: Contacts, spot: Contacts | null): void {
-    const shown = spot ?? all;
+    const { triangles, corners, centres } = spot ?? all;
     this.beside.visible = spot !== null;
     if (spot) upload(this.beside.geometry, 'position', all.corners);
-    divide(this.beside.geometry, all, 3);
-    upload(this.triangles, 'position', shown.corners);
-    upload(this.centres, 'position', shown.centres);
-    divide(this.triangles, shown, 3);
-    divide(this.centres, shown, 1);
+    this.beside.geometry.setDrawRange(0, 3 * all.triangles);
+    upload(this.triangles, 'position', corners);
+    upload(this.centres, 'position', centres);
+    this.triangles.setDrawRange(0, 3 * triangles);
+    this.centres.setDrawRange(0, triangles);
   }
-}
-
-/** Colours contacts of characters with themselves apart from the others. */
-function divide(geometry: BufferGeometry, { triangles, ofSelf }: Contacts, each: number): void {
-  geometry.clearGroups();
-  geometry.addGroup(0, each * ofSelf, 0);
-  geometry.addGroup(each * ofSelf, each * (triangles - ofSelf), 1);
-}
-
-function surfaces(look: MeshBasicMaterialParameters): MeshBasicMaterial[] {
-  return COLOURS.map(
-    (color) => new MeshBasicMaterial({ color, side: DoubleSide, toneMapped: false, ...look }),
-  );
-}
-
-function makeHalo(colour: number): ShaderMaterial {
-  return new ShaderMaterial({
-    vertexShader: VERTEX,
-    fragmentShader: FRAGMENT,
-    uniforms: {
-      colour: { value: new Color(colour) },
-      opacity: { value: HALO_OPACITY },
-      size: { value: HALO_SIZE },
-      heightInPixels: { value: 1 },
-    },
-    transparent: true,
-    depthWrite: false,
-    depthTest: false,
-  });
 }

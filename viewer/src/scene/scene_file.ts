@@ -3,13 +3,8 @@
 import type { CharacterFacts } from '../worker/protocol';
 import { castOf } from './cast';
 import type { Instance, Scene } from './scene';
-import { selfKeys, type SelfChoices } from './self';
 
-export function sceneFile(
-  scene: Scene,
-  characters: readonly CharacterFacts[],
-  self: SelfChoices,
-): string {
+export function sceneFile(scene: Scene, characters: readonly CharacterFacts[]): string {
   const names = distinct(characters.map(({ name }) => name));
   const cast = new Set(castOf(scene));
   const models = Object.fromEntries(
@@ -22,8 +17,7 @@ export function sceneFile(
     ...keptWeights(morphWeights),
   }));
   const ignore = scene.ignore.length > 0 ? { ignore: scene.ignore } : {};
-  const file = { models, frames, instances, ...ignore, ...selfKeys(self) };
-  return JSON.stringify(file, null, 2) + '\n';
+  return JSON.stringify({ models, frames, instances, ...ignore }, null, 2) + '\n';
 }
 
 /** Weights by name, or in the order of the targets if these have no names. */

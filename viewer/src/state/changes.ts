@@ -5,7 +5,6 @@
 
 import { findingOf } from '../report/verdict';
 import { arrange, USUAL_ARRANGEMENT } from '../scene/arrange';
-import { wantedSelf, type SelfChoices } from '../scene/self';
 import type {
   CharacterFacts,
   Opened,
@@ -62,21 +61,6 @@ export const toggleBy: Change = ({ by }) => ({ by: by === 'part' ? 'instance' : 
 export const toggleFirstContact: Change = ({ firstContact, scene }) => ({
   firstContact: !firstContact && scene?.ignore.length === 0,
 });
-export function chooseSelf(change: SelfChoices): Change {
-  return ({ self }) => ({ self: { ...self, ...change }, spot: null });
-}
-
-/** Off, or on. */
-export const toggleSelf: Change = (state) => {
-  if (!state.scene) return {};
-  const isOff = wantedSelf({ ...state, scene: state.scene }) === 'off';
-  return chooseSelf({ wanted: isOff ? 'also' : 'off' })(state);
-};
-
-export const toggleSelfFilters: Change = ({ areSelfFiltersOpen }) => ({
-  areSelfFiltersOpen: !areSelfFiltersOpen,
-});
-
 export const checkAllFrames: Change = () => ({ frames: null });
 export const toggleTheme: Change = ({ theme }) => ({ theme: isDark(theme) ? 'light' : 'dark' });
 export const toggleHelp: Change = ({ isHelpOpen }) => ({ isHelpOpen: !isHelpOpen });
@@ -146,7 +130,7 @@ export interface Beginning {
 
 /** The new characters take the stage. */
 export function open(
-  { characters, scene, self, refused }: Opened,
+  { characters, scene, refused }: Opened,
   {
     frame = 0,
     plays = true,
@@ -160,7 +144,6 @@ export function open(
     return {
       characters,
       readingOptions,
-      self,
       scene: placed,
       opened: scene,
       firstContact: firstContact && !scene?.ignore.length,
@@ -218,16 +201,10 @@ export function dismiss(problem: Problem): Change {
 }
 
 /** Progress of a sweep that has been given up is passed over. */
-export function sweepOn({ id, searched, counts, selfCounts, total }: SweepProgress): Change {
+export function sweepOn({ id, counts, total }: SweepProgress): Change {
   return (state) => {
     if (id !== state.sweep.id) return {};
-    const sweep = {
-      id,
-      searched,
-      counts: [...state.sweep.counts, ...counts],
-      selfCounts: [...state.sweep.selfCounts, ...selfCounts],
-      total,
-    };
+    const sweep = { id, counts: [...state.sweep.counts, ...counts], total };
     return { sweep, finding: state.finding ?? findingOf({ ...state, sweep }) };
   };
 }

@@ -3,7 +3,6 @@
 import type { Character, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import type { ModelSource, Scene } from '../scene/scene';
-import { readSelf, type SelfChoices, type SelfKeys } from '../scene/self';
 import { buffersOf, filesOfScene } from './find_files';
 import {
   isCharacter,
@@ -18,8 +17,6 @@ export interface Cast {
   /** The model of each character in a scene file. */
   sources: ModelSource[];
   scene: Scene | null;
-  /** Choices of the scene file. */
-  self: SelfChoices;
   /** Files that are no good, beside those that are. */
   refused: Refusal[];
 }
@@ -31,7 +28,7 @@ export function readDemo(pelt: Pelt): Cast {
   const file = JSON.parse(pelt.demoScene);
   file.frames = { count: 2 * file.frames.count, fps: 2 * file.frames.fps };
   const text = new TextEncoder().encode(JSON.stringify(file));
-  return castOf(pelt.readScene(DEMO, { [DEMO]: text }), file, DEMO);
+  return castOf(pelt.readScene(DEMO, { [DEMO]: text }), file.models, DEMO);
 }
 
 export function readSceneFile(
@@ -40,7 +37,8 @@ export function readSceneFile(
 ): Cast {
   const { path: place, files } = filesOfScene(path, dropped);
   const scene = pelt.readScene(place, files, { ...options, meshoptDecode });
-  return castOf(scene, JSON.parse(new TextDecoder().decode(files.get(place))), path);
+  const { models } = JSON.parse(new TextDecoder().decode(files.get(place)));
+  return castOf(scene, models, path);
 }
 
 /** Returns the readable characters. Throws the errors of the others if there are none. */
@@ -49,7 +47,7 @@ export function readCharacters(
   files: readonly NamedFile[],
   reading: ReadingOptions = {},
 ): Cast {
-  const cast: Cast = { characters: [], sources: [], scene: null, self: {}, refused: [] };
+  const cast: Cast = { characters: [], sources: [], scene: null, refused: [] };
   for (const model of files.filter(isCharacter)) {
     const { path } = model;
     const options = { ...reading, name: path, files: buffersOf(model, files), meshoptDecode };
@@ -67,14 +65,13 @@ export function readCharacters(
 
 function castOf(
   { characters, frameCount, fps, instances, ignore }: EngineScene,
-  file: { models: Record<string, ModelSource> } & SelfKeys,
+  models: Record<string, ModelSource>,
   name: string,
 ): Cast {
   return {
     characters,
-    sources: characters.map((character) => file.models[character.name]),
+    sources: characters.map((character) => models[character.name]),
     scene: { name, frameCount, fps, instances, ignore },
-    self: readSelf(file),
     refused: [],
   };
 }

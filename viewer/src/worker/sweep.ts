@@ -1,10 +1,8 @@
 /** Counts the contacts of every checked frame in the background, a few milliseconds at a time. */
 
-import type { ContactHash, LeftOut, Pelt, Scene as EngineScene } from 'pelt';
-import { AlwaysSearch } from './always_search';
+import type { ContactHash, Pelt, Scene as EngineScene } from 'pelt';
 import type { FrameRange, Questions, SweepProgress, SweepTotal } from './protocol';
-import { countSelf, SceneCrowd, sumOf } from './scene_crowd';
-import type { SelfFilters } from './self_filters';
+import { SceneCrowd } from './scene_crowd';
 import { TouchTally } from './touches';
 
 /** Longest time that counting may delay a requested frame. */
@@ -12,43 +10,29 @@ const SLICE_MILLISECONDS = 6;
 
 const REPORT_MILLISECONDS = 100;
 
-const NOTHING_LEFT_OUT: LeftOut = {
-  takesPart: 0,
-  rings: 0,
-  atRest: 0,
-  always: 0,
-  joints: 0,
-  groups: 0,
-};
-
 export class Sweep {
   /** Settled when all is counted or given up, rejected when a frame cannot be. */
   readonly ended: Promise<null>;
-  /** Null until the filters are ready. */
-  private crowd: SceneCrowd | null = null;
-  /** Null once the filters are ready. */
-  private search: AlwaysSearch | null = null;
+  private readonly crowd: SceneCrowd;
   private readonly hash: ContactHash;
-  private tally: TouchTally | null = null;
-  private searched = 0;
+  private readonly tally: TouchTally;
   private next = 0;
   private ignored = 0;
-  private leftOut: LeftOut = NOTHING_LEFT_OUT;
   /** Counts not reported yet, and the time of the last report. */
   private counts: (number | null)[] = [];
-  private selfCounts: (number | null)[] = [];
   private reported = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private end!: (problem?: unknown) => void;
 
   constructor(
-    private readonly pelt: Pelt,
-    private readonly filters: SelfFilters,
+    pelt: Pelt,
     private readonly scene: EngineScene,
     private readonly question: Questions['sweep'],
     private readonly report: (progress: SweepProgress) => void,
   ) {
+    this.crowd = new SceneCrowd(pelt, scene, question.by);
     this.hash = pelt.makeContactHash();
+    this.tally = new TouchTally(this.crowd.characters);
     this.ended = new Promise((resolve, reject) => {
       this.end = (problem) => (problem === undefined ? resolve(null) : reject(problem));
     });
@@ -57,8 +41,7 @@ export class Sweep {
 
   stop(): void {
     clearTimeout(this.timer);
-    this.crowd?.delete();
-    this.search?.delete();
+    this.crowd.delete();
     this.hash.delete();
     this.end();
   }
@@ -75,8 +58,7 @@ export class Sweep {
 
   private advance(): void {
     const end = performance.now() + SLICE_MILLISECONDS;
-    if (!this.crowd && !this.search) this.begin();
-    while (!this.isDone() && performance.now() < end) this.step();
+    while (!this.isDone() && performance.now() < end) this.counts.push(this.countFrame());
     if (this.isDone() || end - this.reported > REPORT_MILLISECONDS) this.reportCounts();
     if (this.isDone()) this.end();
     else this.goOn();
@@ -84,9 +66,8 @@ export class Sweep {
 
   private reportCounts(): void {
     const total = this.isDone() ? this.total() : null;
-    const { searched, counts, selfCounts } = this;
-    this.report({ id: this.question.id, searched, counts, selfCounts, total });
-    [this.counts, this.selfCounts] = [[], []];
+    this.report({ id: this.question.id, counts: this.counts, total });
+    this.counts = [];
     this.reported = performance.now();
   }
 
@@ -94,56 +75,22 @@ export class Sweep {
     return this.next === this.scene.frameCount;
   }
 
-  /** Finds what nearly all frames have in common, if that is not to count; then counts. */
-  private begin(): void {
-    const { pelt, filters, scene, question } = this;
-    const { by, self } = question;
-    if (filters.areReady(scene, by, self)) {
-      this.crowd = new SceneCrowd(pelt, scene, by, { question: self, filters });
-      this.tally = new TouchTally(this.crowd.characters);
-    } else {
-      this.search = new AlwaysSearch(pelt, filters, scene, by, self!);
-    }
-  }
-
-  private step(): void {
-    if (this.search) this.searchFrame(this.search);
-    else this.countFrame(this.crowd!);
-  }
-
-  private searchFrame(search: AlwaysSearch): void {
-    const frame = this.searched++;
-    if (isIn(this.question.frames, frame)) search.addFrame(frame);
-    if (this.searched < this.scene.frameCount) return;
-    search.end();
-    search.delete();
-    this.search = null;
-    this.begin();
-  }
-
-  private countFrame(crowd: SceneCrowd): void {
+  private countFrame(): number | null {
     const frame = this.next++;
-    if (!isIn(this.question.frames, frame)) {
-      this.counts.push(null);
-      this.selfCounts.push(null);
-      return;
-    }
-    crowd.set(this.scene, frame);
-    const found = crowd.collide(this.question.firstContact);
+    if (!isIn(this.question.frames, frame)) return null;
+    this.crowd.set(this.scene, frame);
+    const found = this.crowd.collide(this.question.firstContact);
     this.hash.addCrowd(frame, found.ofBodies);
-    this.tally!.addAll(frame, found.contacts);
+    this.tally.addAll(frame, found.contacts);
     this.ignored += found.ignored;
-    this.leftOut = sumOf([this.leftOut, found.leftOut]);
-    this.counts.push(found.count);
-    this.selfCounts.push(this.question.self ? countSelf(found) : 0);
+    return found.count;
   }
 
   private total(): SweepTotal {
     return {
       hash: this.question.firstContact ? null : this.hash.value,
       ignored: this.ignored,
-      leftOut: this.leftOut,
-      touches: this.tally!.sorted(),
+      touches: this.tally.sorted(),
     };
   }
 }
