@@ -16,6 +16,7 @@ constexpr std::array kExperiments = {
     Experiment{"crowd", "A crowd of fifty creatures (Figure 1)", crowd_of_fifty},
     Experiment{"real_pairs", "Intersecting real characters", real_pairs},
     Experiment{"growth", "How queries grow", growth},
+    Experiment{"self_collision", "Characters against themselves", self_collision},
     Experiment{"comparison", "The open comparison: trees, hashing, image space", comparison},
 };
 

@@ -19,6 +19,14 @@ std::string shown_name(const std::string& method) {
   return ours ? title_of(*ours) : method;
 }
 
+std::string own_skinning(tools::Contest contest) {
+  if (contest == tools::Contest::self)
+    return "Pelt skins during its query, and its tree asked as if it were two characters (Pelt "
+           "eager) while it is updated. The cost over Pelt includes skinning only for Pelt.";
+  return title_of(methods::kOnDemand) + " skins during its query, " + title_of(methods::kEager) +
+         " while it updates its structure.";
+}
+
 Table table_of(const std::string& id, const std::string& title, const tools::ScenePeers& scene) {
   Table table = {id,
                  title,
@@ -33,7 +41,8 @@ Table table_of(const std::string& id, const std::string& title, const tools::Sce
                   {"first_us", "query, first [us]"},
                   {"first_frame_us", "frame, first [us]"},
                   {"missing", "missing pairs"},
-                  {"extra", "extra pairs"}},
+                  {"extra", "extra pairs"},
+                  {"of_pelt", "cost over Pelt"}},
                  {},
                  tools::output::counted(scene.frames, "frame") + ", " +
                      std::to_string(scene.frames_in_contact) + " of them in contact, with " +
@@ -41,14 +50,13 @@ Table table_of(const std::string& id, const std::string& title, const tools::Sce
                      std::to_string(scene.repetitions) +
                      " repetitions, means over the frames; one thread, hot caches. Skinning is "
                      "measured as a separate method; " +
-                     title_of(methods::kOnDemand) + " skins during its query, " +
-                     title_of(methods::kEager) + " while it updates its structure."};
+                     own_skinning(scene.contest)};
   for (const tools::PeerFigures& of : scene.methods)
-    table.rows.push_back({shown_name(of.method), of.version, of.update, of.narrow_phase,
-                          of.skinning_us > 0 ? Cell(of.skinning_us) : Cell(), of.update_us,
-                          of.all_us, of.frame_us, of.first_us, of.first_frame_us,
-                          static_cast<double>(of.difference.missing),
-                          static_cast<double>(of.difference.extra)});
+    table.rows.push_back(
+        {shown_name(of.method), of.version, of.update, of.narrow_phase,
+         of.skinning_us > 0 ? Cell(of.skinning_us) : Cell(), of.update_us, of.all_us, of.frame_us,
+         of.first_us, of.first_frame_us, static_cast<double>(of.difference.missing),
+         static_cast<double>(of.difference.extra), tools::cost_over_pelt(scene, of)});
   return table;
 }
 
@@ -56,6 +64,7 @@ struct PeerWalk {
   const char *id, *title;
   std::string_view scene;
   std::uint32_t frame_count;
+  tools::Contest contest = tools::Contest::pairs;
 };
 
 Result<Table> measure_peer_walk(const PeerWalk& walk, const Conditions& conditions) {
@@ -68,8 +77,8 @@ Result<Table> measure_peer_walk(const PeerWalk& walk, const Conditions& conditio
   const std::vector<std::uint32_t> frames =
       tools::arguments::FrameRange{0, scene->frame_count, (scene->frame_count + most - 1) / most}
           .frames();
-  const auto figures =
-      tools::measure_peers({*scene, *colliders, frames}, conditions.is_quick ? 3 : 9, [] {});
+  const auto figures = tools::measure_peers(
+      {*scene, *colliders, frames}, conditions.is_quick ? 3 : 9, [] {}, walk.contest);
   if (!figures) return figures.error();
   return table_of(walk.id, walk.title, *figures);
 }
@@ -83,11 +92,17 @@ Result<Section> peers(const Conditions& conditions) {
       "runs with the best settings for deforming meshes that we know. Its answer is compared with "
       "the exact one as a set of pairs of triangles: missing pairs touch but are not reported; "
       "extra pairs are reported but do not touch. If the narrow phase is ours, the library only "
-      "finds candidate pairs, which are tested as in Pelt."};
+      "finds candidate pairs, which are tested as in Pelt. Against itself, cgal_mesh is CGAL's "
+      "self_intersections, whose rule for triangles that share a corner or an edge is that of Pelt "
+      "for manifold meshes without collapsed triangles and open cracks. cgal_boxes is "
+      "box_self_intersection_d; cgal_boxes_apart and cgal_boxes_own leave out pairs of triangles "
+      "that share a corner, and miss those that are folded into each other."};
   for (const PeerWalk& walk : {PeerWalk{"peers_two_men", "Two men", approaching_scene(), 6},
                                PeerWalk{"peers_worst_case", "Two creatures through each other",
                                         passing_through_scene(), 12},
-                               PeerWalk{"peers_crowd", "Fifty creatures", crowd_scene(), 1}}) {
+                               PeerWalk{"peers_crowd", "Fifty creatures", crowd_scene(), 1},
+                               PeerWalk{"peers_self", "Two creatures, each against itself",
+                                        passing_through_scene(), 6, tools::Contest::self}}) {
     auto table = measure_peer_walk(walk, conditions);
     if (!table) return table.error();
     section.tables.push_back(std::move(*table));

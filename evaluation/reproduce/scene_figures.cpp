@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "evaluation/reproduce/method_title.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/methods/self_methods.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
@@ -52,6 +53,22 @@ tools::arguments::FrameRange frames_of(const scenes::Scene& scene, std::uint32_t
   return {0, scene.frame_count, (scene.frame_count + most - 1) / most};
 }
 
+Result<SceneFigures> measure(const scenes::Scene& scene, tools::bench::BenchSettings settings,
+                             std::uint32_t most_frames, const Conditions& conditions) {
+  settings.program = "pelt-lab";
+  settings.questions = {Question::all, Question::first};
+  settings.caches = {tools::bench::Cache::hot};
+  settings.repetitions = conditions.is_quick ? 3 : 9;
+  settings.frames =
+      frames_of(scene, conditions.is_quick ? std::max(most_frames / 4, 1u) : most_frames);
+  std::vector<SceneFigures> figures;
+  std::ostringstream errors;
+  const auto exit = tools::bench::bench_scene(scene, settings, figures, errors);
+  if (!exit) return exit.error();
+  if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
+  return std::move(figures[0]);
+}
+
 }  // namespace
 
 const Figures& figures_of(const SceneFigures& scene, std::string_view method, Question question) {
@@ -74,19 +91,17 @@ Result<SceneFigures> measure_scene(const scenes::Scene& scene,
                                    std::vector<tools::bench::Engine> engines,
                                    std::uint32_t most_frames, const Conditions& conditions) {
   tools::bench::BenchSettings settings;
-  settings.program = "pelt-lab";
   settings.engines = std::move(engines);
-  settings.questions = {Question::all, Question::first};
-  settings.caches = {tools::bench::Cache::hot};
-  settings.repetitions = conditions.is_quick ? 3 : 9;
-  settings.frames =
-      frames_of(scene, conditions.is_quick ? std::max(most_frames / 4, 1u) : most_frames);
-  std::vector<SceneFigures> figures;
-  std::ostringstream errors;
-  const auto exit = tools::bench::bench_scene(scene, settings, figures, errors);
-  if (!exit) return exit.error();
-  if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
-  return std::move(figures[0]);
+  return measure(scene, std::move(settings), most_frames, conditions);
+}
+
+Result<SceneFigures> measure_against_itself(const scenes::Scene& scene, std::uint32_t most_frames,
+                                            const Conditions& conditions) {
+  tools::bench::BenchSettings settings;
+  settings.engines = {tools::bench::self_engine(methods::kBoxes),
+                      tools::bench::self_engine(methods::kSelf)};
+  settings.is_self = true;
+  return measure(scene, std::move(settings), most_frames, conditions);
 }
 
 double mean_us(const SceneFigures& figures, MethodKind method, Question question) {

@@ -24,6 +24,12 @@ Result<tools::bench::SceneFigures> measure_scene(const scenes::Scene& scene,
                                                  std::uint32_t most_frames,
                                                  const Conditions& conditions);
 
+/// The methods boxes and self on the instances of a scene against themselves. Fails if self does
+/// not give the contacts of brute force.
+Result<tools::bench::SceneFigures> measure_against_itself(const scenes::Scene& scene,
+                                                          std::uint32_t most_frames,
+                                                          const Conditions& conditions);
+
 /// The figures of one engine. Precondition: the engine was measured.
 const tools::bench::Figures& figures_of(const tools::bench::SceneFigures& scene,
                                         std::string_view engine, tools::bench::Question question);

@@ -1,0 +1,208 @@
+/// Characters against themselves: how the time grows with the number of triangles, and how it
+/// splits.
+
+#include "evaluation/reproduce/self_collision.hpp"
+
+#include "evaluation/reproduce/power_law.hpp"
+#include "evaluation/reproduce/real_models.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
+#include "evaluation/reproduce/self_stages.hpp"
+#include "scenes/takes.hpp"
+
+#include <algorithm>
+
+namespace pelt::reproduce {
+namespace {
+
+using tools::bench::Figures;
+using tools::bench::Question;
+using tools::bench::SceneFigures;
+
+constexpr std::array<std::uint32_t, 6> kSelfSizes = {1000, 3162, 10000, 31623, 100000, 316228};
+constexpr std::size_t kQuickSizes = 3;
+constexpr std::uint32_t kSelfFrames = 12;
+
+double per_frame(std::uint64_t count, const SceneFigures& figures) {
+  return static_cast<double>(count) / static_cast<double>(figures.frames);
+}
+
+std::vector<Cell> growth_row(std::uint32_t triangles, const SceneFigures& figures) {
+  const Figures& all = figures_of(figures, "self", Question::all);
+  const double boxes_us = figures_of(figures, "boxes", Question::all).times.mean_us;
+  const auto filter_bytes = static_cast<double>(figures.self_filters->bytes);
+  return {static_cast<double>(triangles),
+          contact_count(figures),
+          boxes_us,
+          all.times.mean_us,
+          figures_of(figures, "self", Question::first).times.mean_us,
+          all.times.mean_us / boxes_us,
+          per_frame(all.answer.work.node_pairs, figures),
+          per_frame(all.answer.work.triangle_pairs, figures),
+          filter_bytes / static_cast<double>(figures.models.triangles),
+          1000 * figures.self_filters->build_seconds};
+}
+
+/// The share of a stage, in per cent.
+double share(double stage_us, const SelfStages& stages) { return 100 * stage_us / stages.all_us; }
+
+std::vector<Cell> stage_row(const scenes::Character& character, const SelfStages& stages) {
+  return {character.name,
+          static_cast<double>(character.asset.triangles.size()),
+          stages.all_us,
+          share(stages.open_us, stages),
+          share(stages.triangle_boxes_us, stages),
+          share(stages.descent_us, stages),
+          share(stages.fans_us, stages),
+          share(stages.cluster_pairs_us(), stages)};
+}
+
+/// The power of a column of `self_exponents`.
+std::string power(const Table& exponents, const char* key) {
+  return shown(exponents.rows[0][column_of(exponents, key)]);
+}
+
+std::string text_of_self_growth(const Table& growth, const Table& exponents) {
+  const auto ratio = [&](const std::vector<Cell>& row) {
+    return shown(row[column_of(growth, "of_boxes")]);
+  };
+  return "The time for all contacts grows with the power " + power(exponents, "self_us") +
+         " of the number of triangles, that of skinning and boxes with " +
+         power(exponents, "boxes_us") + ", and the first contact with " +
+         power(exponents, "first_us") + ". All contacts take " + ratio(growth.rows.front()) +
+         " times skinning and boxes for the smallest character, and " + ratio(growth.rows.back()) +
+         " times for the largest.";
+}
+
+/// The generated creature, and the real characters that Pelt accepts.
+Result<std::vector<scenes::Character>> staged_characters(const Conditions& conditions) {
+  auto creature = scenes::generate_character(scenes::kCreature);
+  if (!creature) return creature.error();
+  std::vector<scenes::Character> all = {std::move(*creature)};
+  if (conditions.models.empty()) return all;
+  std::vector<std::filesystem::path> files = model_files(conditions.models);
+  if (conditions.is_quick && files.size() > 2) files.resize(2);
+  for (const std::filesystem::path& file : files)
+    if (Result<scenes::Character> character = scenes::load_character(file))
+      all.push_back(std::move(*character));
+  return all;
+}
+
+Chart chart_of_growth(const Table& growth) {
+  Chart chart;
+  chart.id = "self_growth";
+  chart.title = growth.title;
+  chart.table = growth.id;
+  chart.x = "triangles";
+  chart.y = {"boxes_us", "self_us", "first_us"};
+  chart.y_title = "time [us]";
+  return chart;
+}
+
+}  // namespace
+
+scenes::Scene lone_walker(const scenes::Character& character) {
+  scenes::Scene scene;
+  scene.name = character.name;
+  scene.characters = {character};
+  scenes::Instance instance;
+  const auto& clips = character.asset.clips;
+  const auto walk = std::find_if(clips.begin(), clips.end(),
+                                 [](const asset::Clip& clip) { return clip.name == "walk"; });
+  if (!clips.empty()) instance.clip = (walk == clips.end() ? clips.begin() : walk)->name;
+  scene.instances = {instance};
+  scene.frame_count = scenes::frames_of_longest_clip(scene);
+  return scene;
+}
+
+Result<Table> self_growth(std::span<const std::uint32_t> triangles, const Conditions& conditions) {
+  Table table = {"self_growth",
+                 "Time of a character against itself, by number of triangles",
+                 {{"triangles", "triangles"},
+                  {"contacts", "contacts per frame"},
+                  {"boxes_us", "skinning and boxes [us]"},
+                  {"self_us", "all contacts [us]"},
+                  {"first_us", "first contact [us]"},
+                  {"of_boxes", "all contacts over skinning and boxes"},
+                  {"node_pairs", "node pairs"},
+                  {"triangle_pairs", "triangle pairs"},
+                  {"filter_bytes", "filter [bytes per triangle]"},
+                  {"filter_ms", "filter built in [ms]"}},
+                 {},
+                 "A walking creature of 56 joints, without filters; means over frames of its clip. "
+                 "Brute force gives the same contacts. Frames without contact cost the same for "
+                 "the first contact as for all."};
+  for (const std::uint32_t count : triangles) {
+    scenes::CreatureOptions options = scenes::kCreature;
+    options.triangles = count;
+    const Result<scenes::Character> character = scenes::generate_character(options);
+    if (!character) return character.error();
+    const auto figures = measure_against_itself(lone_walker(*character), kSelfFrames, conditions);
+    if (!figures) return figures.error();
+    table.rows.push_back(growth_row(count, *figures));
+  }
+  return table;
+}
+
+Table self_exponents(const Table& growth) {
+  Table table = {"self_exponents",
+                 "Times and contacts as powers of the number of triangles",
+                 {},
+                 {{}},
+                 "The exponent b of a x^b, by least squares of the logarithms."};
+  for (const char* key : {"contacts", "boxes_us", "self_us", "first_us"}) {
+    const std::size_t x = column_of(growth, "triangles"), y = column_of(growth, key);
+    std::vector<Measured> points;
+    for (const std::vector<Cell>& row : growth.rows)
+      points.push_back({*row[x].figure, *row[y].figure});
+    const auto known = std::count_if(points.begin(), points.end(),
+                                     [](const Measured& point) { return point.value > 0; });
+    table.columns.push_back(growth.columns[y]);
+    table.rows[0].push_back(known < 2 ? Cell() : Cell(fitted_exponent(points)));
+  }
+  return table;
+}
+
+Result<Table> self_stage_table(std::span<const scenes::Character> characters,
+                               const Conditions& conditions) {
+  Table table = {
+      "self_stages",
+      "How the time for all contacts splits",
+      {{"character", "character"},
+       {"triangles", "triangles"},
+       {"all_us", "all contacts [us]"},
+       {"open", "skinning and boxes [%]"},
+       {"triangle_boxes", "boxes of triangles [%]"},
+       {"descent", "descent [%]"},
+       {"fans", "fans [%]"},
+       {"cluster_pairs", "pairs of clusters [%]"}},
+      {},
+      "The clip \"walk\", or the first clip. Each stage is measured in a run of its own, "
+      "without clocks in the library: the descent ends at overlapping clusters, and the "
+      "time of fans (pairs that share a vertex) is the difference to a query without "
+      "fans. Pairs of clusters are the rest: boxes of triangles are compared, and "
+      "triangles tested."};
+  for (const scenes::Character& character : characters) {
+    const auto stages = measure_self_stages(lone_walker(character), kSelfFrames, conditions);
+    if (!stages) return stages.error();
+    table.rows.push_back(stage_row(character, *stages));
+  }
+  return table;
+}
+
+Result<Section> self_collision(const Conditions& conditions) {
+  const std::span sizes(kSelfSizes);
+  auto growth = self_growth(conditions.is_quick ? sizes.first(kQuickSizes) : sizes, conditions);
+  if (!growth) return growth.error();
+  const auto characters = staged_characters(conditions);
+  if (!characters) return characters.error();
+  auto stages = self_stage_table(*characters, conditions);
+  if (!stages) return stages.error();
+  Section section;
+  Table exponents = self_exponents(*growth);
+  section.text = {text_of_self_growth(*growth, exponents)};
+  section.charts = {chart_of_growth(*growth)};
+  section.tables = {std::move(*growth), std::move(exponents), std::move(*stages)};
+  return section;
+}
+
+}  // namespace pelt::reproduce

@@ -1,0 +1,40 @@
+#include "evaluation/rivals/tree_stages.hpp"
+
+#include <pelt/instruction_set.hpp>
+
+namespace pelt::rivals {
+
+namespace scalar {
+DescendSelf descend_self;
+BoxAllTriangles box_all_triangles;
+}  // namespace scalar
+namespace simd128 {
+DescendSelf descend_self;
+BoxAllTriangles box_all_triangles;
+}  // namespace simd128
+namespace avx2 {
+DescendSelf descend_self;
+BoxAllTriangles box_all_triangles;
+}  // namespace avx2
+
+DescendSelf* active_descend_self() {
+#ifdef PELT_HAS_AVX2
+  if (active_instruction_set() == InstructionSet::avx2) return avx2::descend_self;
+#endif
+#ifdef PELT_HAS_SIMD128
+  if (active_instruction_set() == InstructionSet::simd128) return simd128::descend_self;
+#endif
+  return scalar::descend_self;
+}
+
+BoxAllTriangles* active_box_all_triangles() {
+#ifdef PELT_HAS_AVX2
+  if (active_instruction_set() == InstructionSet::avx2) return avx2::box_all_triangles;
+#endif
+#ifdef PELT_HAS_SIMD128
+  if (active_instruction_set() == InstructionSet::simd128) return simd128::box_all_triangles;
+#endif
+  return scalar::box_all_triangles;
+}
+
+}  // namespace pelt::rivals
