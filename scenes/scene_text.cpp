@@ -65,6 +65,20 @@ ordered_json instance_json(const Instance& instance, const std::string& model) {
   return json;
 }
 
+/// Adds the choices that are set.
+void add_self(const SelfOptions& self, ordered_json& file) {
+  const auto kept_or_dropped = [](bool drops) { return drops ? "drop" : "keep"; };
+  if (self.wanted == SelfContacts::only)
+    file["self"] = "only";
+  else if (self.wanted)
+    file["self"] = self.wanted == SelfContacts::beside;
+  if (self.rings) file["self_rings"] = *self.rings;
+  if (self.drops_at_rest) file["self_at_rest"] = kept_or_dropped(*self.drops_at_rest);
+  if (self.always && *self.always > 0) file["self_always"] = *self.always;
+  if (self.always && *self.always <= 0) file["self_always"] = "keep";
+  if (self.drops_near_joints) file["self_near_joints"] = kept_or_dropped(*self.drops_near_joints);
+}
+
 }  // namespace
 
 std::string scene_text(const Scene& scene, std::span<const std::string> paths) {
@@ -81,6 +95,7 @@ std::string scene_text(const Scene& scene, std::span<const std::string> paths) {
                        {"frames", std::move(frames)},
                        {"instances", std::move(instances)}};
   for (const NamePair& pair : scene.ignore) file["ignore"].push_back({pair.a, pair.b});
+  add_self(scene.self, file);
   return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

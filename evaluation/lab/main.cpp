@@ -1,6 +1,7 @@
 /// The program `pelt-lab`: compares Pelt with methods from other papers. It is not installed.
 
 #include "evaluation/methods/lab_methods.hpp"
+#include "evaluation/methods/lab_self_methods.hpp"
 #include "evaluation/reproduce/command.hpp"
 #include "tools/pelt/arguments/command_line.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -15,12 +16,17 @@ input or arguments, 3 internal error.)";
 constexpr const char* kBenchNotes = R"(
 
 rigid and paper_rigid show the cost of the same query between rigid bodies: building their trees is
-not timed. The column "of rigid" is the cost over that of rigid.)";
+not timed. The column "of rigid" is the cost over that of rigid.
+
+With --self, eager queries the tree of boxes against itself as if it were two characters, and decides
+neighbours one by one.)";
 
 void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
   using namespace pelt::tools::verbs;
   add_bench(app, chosen,
-            {pelt::methods::kLabMethods, "paper,paper_eager,eager,on_demand,rigid", kBenchNotes});
+            {{pelt::methods::kLabMethods, "paper,paper_eager,eager,on_demand,rigid"},
+             {pelt::methods::kLabSelfMethods, "boxes,self,eager"},
+             kBenchNotes});
   add_check(app, chosen, pelt::methods::kLabMethods);
   add_reproduce(app, chosen);
 }

@@ -7,53 +7,13 @@
 /// query early, as in CGAL's own does_self_intersect.
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"
+#include "evaluation/peers/cgal_box.hpp"
 
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/version.h>
 
-#include <algorithm>
-#include <limits>
-
 namespace pelt::peers {
 namespace {
-
-/// A model of CGAL's concept BoxIntersectionBox_d.
-struct Box {
-  using NT = float;
-  using ID = std::uint32_t;
-
-  static int dimension() { return 3; }
-  float min_coord(int axis) const { return low[axis]; }
-  float max_coord(int axis) const { return high[axis]; }
-  /// Distinct in both sets together.
-  ID id() const { return triangle | body << 31; }
-
-  void include(const Vec3& p) {
-    const float at[3] = {p.x, p.y, p.z};
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], at[axis]);
-      high[axis] = std::max(high[axis], at[axis]);
-    }
-  }
-  void include(const Box& other) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], other.low[axis]);
-      high[axis] = std::max(high[axis], other.high[axis]);
-    }
-  }
-  bool meets(const Box& other) const {
-    bool all = true;
-    for (int axis = 0; axis < 3; ++axis)
-      all = all && low[axis] <= other.high[axis] && other.low[axis] <= high[axis];
-    return all;
-  }
-
-  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  float low[3] = {kInfinity, kInfinity, kInfinity};
-  float high[3] = {-kInfinity, -kInfinity, -kInfinity};
-  std::uint32_t triangle = 0;
-  std::uint32_t body = 0;  ///< 0 or 1, within a query
-};
 
 struct Body {
   Body(std::span<const Triangle> triangles, std::span<const Vec3> rest) : mesh(triangles, rest) {
@@ -62,9 +22,9 @@ struct Body {
 
   void take_boxes() {
     boxes.clear();
-    whole = Box();
+    whole = CgalBox();
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      Box box;
+      CgalBox box;
       for (const Vec3& corner : mesh.corners(t)) box.include(corner);
       box.triangle = t;
       whole.include(box);
@@ -73,15 +33,16 @@ struct Body {
   }
 
   PosedBody mesh;
-  std::vector<Box> boxes;
-  Box whole;
+  std::vector<CgalBox> boxes;
+  CgalBox whole;
 };
 
 /// Copies the boxes that overlap `where`: the algorithm changes the order of its input.
-void select(const Body& body, const Box& where, std::uint32_t number, std::vector<Box>& out) {
+void select(const Body& body, const CgalBox& where, std::uint32_t number,
+            std::vector<CgalBox>& out) {
   out.clear();
   if (!body.whole.meets(where)) return;
-  for (const Box& box : body.boxes) {
+  for (const CgalBox& box : body.boxes) {
     if (!box.meets(where)) continue;
     out.push_back(box);
     out.back().body = number;
@@ -113,7 +74,7 @@ class CgalBoxesMethod final : public rivals::PosedMeshMethod {
 
  private:
   void find(Candidates& candidates) {
-    const auto take = [&](const Box& a, const Box& b) {
+    const auto take = [&](const CgalBox& a, const CgalBox& b) {
       candidates.add(a.triangle, b.triangle);
       if (!candidates.wants_more()) throw Enough();
     };
@@ -128,7 +89,7 @@ class CgalBoxesMethod final : public rivals::PosedMeshMethod {
   static constexpr std::ptrdiff_t kCutoff = 10;
 
   std::vector<std::unique_ptr<Body>> bodies_;
-  std::vector<Box> boxes_a_, boxes_b_;
+  std::vector<CgalBox> boxes_a_, boxes_b_;
 };
 
 }  // namespace

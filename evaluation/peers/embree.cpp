@@ -1,78 +1,20 @@
 /// Embree's user geometry: a tree with four or eight boxes per node, refitted.
 ///
-/// A geometry of quality REFIT is refitted only in a scene of quality LOW; in any other scene it is
-/// silently built again, which takes 30 times as long. `rtcCollide` accepts only user geometries,
+/// `rtcCollide` accepts only user geometries,
 /// reports pairs of primitives from overlapping leaves, and cannot be stopped: once there are
 /// enough contacts, other pairs are ignored. The narrow phase is ours. One thread, like all
 /// methods in the comparison.
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"
-
-#include <embree3/rtcore.h>
-
-#include <algorithm>
+#include "evaluation/peers/embree_body.hpp"
 
 namespace pelt::peers {
 namespace {
-
-void bound(const RTCBoundsFunctionArguments* arguments) {
-  const auto& body = *static_cast<const PosedBody*>(arguments->geometryUserPtr);
-  const auto [a, b, c] = body.corners(arguments->primID);
-  RTCBounds& box = *arguments->bounds_o;
-  box.lower_x = std::min(std::min(a.x, b.x), c.x);
-  box.lower_y = std::min(std::min(a.y, b.y), c.y);
-  box.lower_z = std::min(std::min(a.z, b.z), c.z);
-  box.upper_x = std::max(std::max(a.x, b.x), c.x);
-  box.upper_y = std::max(std::max(a.y, b.y), c.y);
-  box.upper_z = std::max(std::max(a.z, b.z), c.z);
-}
 
 void take(void* candidates, RTCCollision* pairs, unsigned int count) {
   for (unsigned int i = 0; i < count; ++i)
     static_cast<Candidates*>(candidates)->add(pairs[i].primID0, pairs[i].primID1);
 }
-
-/// A body in a scene of its own.
-class Body {
- public:
-  Body(RTCDevice device, std::span<const Triangle> triangles, std::span<const Vec3> rest)
-      : mesh_(triangles, rest),
-        scene_(rtcNewScene(device)),
-        geometry_(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
-    rtcSetGeometryUserPrimitiveCount(geometry_, static_cast<unsigned int>(triangles.size()));
-    rtcSetGeometryUserData(geometry_, &mesh_);
-    rtcSetGeometryBoundsFunction(geometry_, bound, nullptr);
-    rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
-    rtcAttachGeometry(scene_, geometry_);
-    commit();
-  }
-  Body(const Body&) = delete;
-  Body& operator=(const Body&) = delete;
-  ~Body() {
-    rtcReleaseGeometry(geometry_);
-    rtcReleaseScene(scene_);
-  }
-
-  void update(std::span<const Vec3> positions) {
-    mesh_.positions = positions;
-    commit();
-  }
-
-  const PosedBody& mesh() const { return mesh_; }
-  RTCScene scene() const { return scene_; }
-
- private:
-  void commit() {
-    rtcCommitGeometry(geometry_);
-    rtcCommitScene(scene_);
-  }
-
-  PosedBody mesh_;
-  RTCScene scene_;
-  RTCGeometry geometry_;
-};
 
 class EmbreeMethod final : public rivals::PosedMeshMethod {
  public:
@@ -85,7 +27,7 @@ class EmbreeMethod final : public rivals::PosedMeshMethod {
   }
 
   void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<Body>(device_, triangles, rest));
+    bodies_.push_back(std::make_unique<EmbreeBody>(device_, triangles, rest));
   }
 
   void update(std::uint32_t body, std::span<const Vec3> positions) override {
@@ -101,7 +43,7 @@ class EmbreeMethod final : public rivals::PosedMeshMethod {
 
  private:
   RTCDevice device_;
-  std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<std::unique_ptr<EmbreeBody>> bodies_;
 };
 
 }  // namespace

@@ -1,8 +1,5 @@
 #include "evaluation/peers/peer_figures.hpp"
 
-#include "evaluation/methods/posed_mesh_adapter.hpp"
-#include "tools/pelt/methods/command_methods.hpp"
-
 #include <algorithm>
 #include <array>
 
@@ -11,50 +8,23 @@ namespace {
 
 using bench::Cache;
 using bench::Engine;
-using bench::engine_of;
 using bench::in_frame;
 using bench::Question;
 using bench::Runner;
 using bench::Subject;
 using bench::Times;
 using bench::Variant;
-using methods::MethodKind;
-using peers::Peer;
 using scene::Collider;
 using scene::FrameContacts;
 using scene::Palettes;
-using scene::SceneQuery;
 
-constexpr std::array kOwn = {methods::kOnDemand, methods::kEager};
 constexpr std::array kVariants = {Variant{Question::all, Cache::hot},
                                   Variant{Question::first, Cache::hot}};
 
-/// A method that only skins all vertices, which every peer needs.
-class SkinningOnly final : public rivals::PosedMeshMethod {
- public:
-  void add(std::span<const Triangle>, std::span<const Vec3>) override {}
-  void update(std::uint32_t, std::span<const Vec3>) override {}
-  QueryStats collide(std::uint32_t, std::uint32_t, std::vector<Contact>&, std::uint32_t) override {
-    return {};
-  }
-};
-
-using MakeMethod = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
-
-Engine engine_from(std::string_view name, const MakeMethod& make) {
-  return {std::string(name), [make](std::span<const Collider> colliders) {
-            return SceneQuery(colliders, methods::adapt(make()));
-          }};
-}
-
-/// Skinning alone, Pelt's methods, then the peers.
-std::vector<Engine> all_engines() {
-  std::vector<Engine> engines = {
-      engine_from("skinning", [] { return std::make_unique<SkinningOnly>(); })};
-  for (const MethodKind kind : kOwn) engines.push_back(engine_of(kind));
-  for (const Peer& peer : peers::all_peers())
-    engines.push_back(
-        engine_from(peer.name, [name = peer.name] { return peers::make_peer(name); }));
+/// Skinning alone, then the contestants.
+std::vector<Engine> all_engines(Contest contest) {
+  std::vector<Engine> engines = {skinning_engine()};
+  for (const Contestant& contestant : contestants(contest)) engines.push_back(contestant.engine);
   return engines;
 }
 
@@ -83,11 +53,11 @@ Result<void> ask_all(Runner& runner, const Palettes& palettes) {
 }
 
 /// Counts the contacts of brute force, and how the others differ from them.
-Result<void> compare_all(const Subject& subject, const std::function<void()>& advance,
-                         ScenePeers& scene) {
-  Runner exact(subject.colliders, engine_of(methods::kBrute));
+Result<void> compare_all(const Subject& subject, Contest contest,
+                         const std::function<void()>& advance, ScenePeers& scene) {
+  Runner exact(subject.colliders, exact_engine(contest));
   std::vector<Runner> runners;
-  for (const Engine& engine : all_engines()) runners.emplace_back(subject.colliders, engine);
+  for (const Engine& engine : all_engines(contest)) runners.emplace_back(subject.colliders, engine);
   asset::SampleScratch scratch;
   Palettes palettes;
   for (const std::uint32_t frame : subject.frames) {
@@ -116,35 +86,42 @@ void set_times(const std::vector<Times>& times, double skinning_us, PeerFigures&
   figures.first_frame_us = first.mean_us;
 }
 
-std::vector<PeerFigures> all_methods() {
-  std::vector<PeerFigures> methods = {{"pelt on_demand", "", "palettes", "ours"},
-                                      {"pelt eager", "", "skin, refit", "ours"}};
-  for (const Peer& peer : peers::all_peers())
-    methods.push_back({std::string(peer.name), peer.version, std::string(peer.update),
-                       peer.narrow_phase == peers::NarrowPhase::ours ? "ours" : "its own"});
+std::vector<PeerFigures> without_figures(std::span<const Contestant> contestants) {
+  std::vector<PeerFigures> methods;
+  for (const Contestant& of : contestants)
+    methods.push_back({of.name, of.version, of.update, of.narrow_phase});
   return methods;
 }
 
 }  // namespace
 
-std::size_t peer_steps(std::size_t frames) { return frames * (all_engines().size() + 1); }
+double cost_over_pelt(const ScenePeers& scene, const PeerFigures& figures) {
+  const double skinning_us = scene.contest == Contest::self ? figures.skinning_us : 0;
+  return (figures.frame_us - skinning_us) / scene.methods[0].frame_us;
+}
+
+std::size_t peer_steps(std::size_t frames, Contest contest) {
+  return frames * (all_engines(contest).size() + 1);
+}
 
 Result<ScenePeers> measure_peers(const Subject& subject, std::uint32_t repetitions,
-                                 const std::function<void()>& advance) {
+                                 const std::function<void()>& advance, Contest contest) {
+  const std::vector<Contestant> all = contestants(contest);
   ScenePeers scene;
+  scene.contest = contest;
   scene.scene = subject.scene.name;
   for (const Collider& collider : subject.colliders)
     scene.triangles += collider.model.triangle_count();
   scene.frames = subject.frames.size();
   scene.repetitions = repetitions;
-  scene.methods = all_methods();
-  if (const auto compared = compare_all(subject, advance, scene); !compared)
+  scene.methods = without_figures(all);
+  if (const auto compared = compare_all(subject, contest, advance, scene); !compared)
     return compared.error();
-  const auto times = bench::measure(subject, all_engines(), kVariants, repetitions, advance);
+  const auto times = bench::measure(subject, all_engines(contest), kVariants, repetitions, advance);
   if (!times) return times.error();
   const double skinning_us = (*times)[0][0].mean_update_us;
   for (std::size_t m = 0; m < scene.methods.size(); ++m)
-    set_times((*times)[m + 1], m < kOwn.size() ? 0 : skinning_us, scene.methods[m]);
+    set_times((*times)[m + 1], all[m].is_ours ? 0 : skinning_us, scene.methods[m]);
   return scene;
 }
 

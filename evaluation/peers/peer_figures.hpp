@@ -7,7 +7,7 @@
 /// cost of each peer.
 
 #include "evaluation/peers/compare.hpp"
-#include "evaluation/peers/peers.hpp"
+#include "evaluation/peers/contests.hpp"
 #include "tools/pelt/bench/bench_measure.hpp"
 
 #include <ostream>
@@ -30,19 +30,26 @@ struct PeerFigures {
 
 struct ScenePeers {
   std::string scene;
+  Contest contest = Contest::pairs;
   std::uint64_t triangles = 0;  ///< of all instances
   std::size_t frames = 0, frames_in_contact = 0;
   std::size_t contacts = 0;  ///< the exact answer, over all frames
   std::uint32_t repetitions = 0;
-  std::vector<PeerFigures> methods;  ///< Pelt on demand, Pelt eager, then the peers
+  std::vector<PeerFigures> methods;  ///< Pelt on demand or self, Pelt eager, then the peers
 };
 
+/// Cost of a method over that of the first one, for all contacts. For pairs, the cost of skinning
+/// counts for all. For instances against themselves, it only counts for Pelt's methods, because
+/// libraries for self-intersections start from meshes.
+double cost_over_pelt(const ScenePeers& scene, const PeerFigures& figures);
+
 /// Number of times that measure_peers calls `advance`.
-std::size_t peer_steps(std::size_t frames);
+std::size_t peer_steps(std::size_t frames, Contest contest = Contest::pairs);
 
 /// Precondition: `subject` has at least one frame.
 Result<ScenePeers> measure_peers(const bench::Subject& subject, std::uint32_t repetitions,
-                                 const std::function<void()>& advance);
+                                 const std::function<void()>& advance,
+                                 Contest contest = Contest::pairs);
 
 void print_peers(const ScenePeers& scene, std::ostream& out);
 

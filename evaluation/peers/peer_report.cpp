@@ -6,7 +6,7 @@
 namespace pelt::tools {
 namespace {
 
-constexpr int kName = 16, kWord = 13, kColumn = 12;
+constexpr int kName = 18, kWord = 13, kColumn = 12;
 
 void print_head(std::ostream& out) {
   out << std::left << std::setw(kName) << "method" << std::setw(kWord) << "update"
@@ -17,13 +17,13 @@ void print_head(std::ostream& out) {
   out << '\n';
 }
 
-void print_row(const PeerFigures& figures, const PeerFigures& pelt, std::ostream& out) {
+void print_row(const ScenePeers& scene, const PeerFigures& figures, std::ostream& out) {
   out << std::left << std::setw(kName) << figures.method << std::setw(kWord) << figures.update
       << std::setw(kWord) << figures.narrow_phase << std::right;
   for (const double time : {figures.skinning_us, figures.update_us, figures.all_us,
                             figures.first_us, figures.frame_us, figures.first_frame_us})
     out << std::setw(kColumn) << output::fixed(time, 1);
-  out << std::setw(kColumn) << output::fixed(figures.frame_us / pelt.frame_us, 1);
+  out << std::setw(kColumn) << output::fixed(cost_over_pelt(scene, figures), 1);
   for (const std::size_t count : {figures.difference.missing, figures.difference.extra})
     out << std::setw(kColumn) << output::with_commas(count);
   out << '\n';
@@ -36,9 +36,11 @@ void print_peers(const ScenePeers& scene, std::ostream& out) {
       << output::counted(scene.frames, "frame") << " of which " << scene.frames_in_contact
       << " in contact, " << output::with_commas(scene.contacts) << " contacts in all\n"
       << "microseconds a frame on one thread, medians of " << scene.repetitions
-      << ", means over the frames; less is better\n";
+      << ", means over the frames; less is better"
+      << (scene.contest == Contest::self ? "; \"of pelt's\" without the skinning of others\n"
+                                         : "\n");
   print_head(out);
-  for (const PeerFigures& figures : scene.methods) print_row(figures, scene.methods[0], out);
+  for (const PeerFigures& figures : scene.methods) print_row(scene, figures, out);
   out << '\n';
 }
 

@@ -1,7 +1,9 @@
-/// Compares Pelt with other libraries on scenes; prints a table and writes a CSV file.
+/// Compares Pelt with other libraries on scenes, and on characters against themselves; prints a
+/// table and writes a CSV file.
 
 #include "evaluation/peers/peer_figures.hpp"
 #include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/progress.hpp"
@@ -17,7 +19,8 @@ namespace pelt::tools {
 namespace {
 
 struct Arguments {
-  std::vector<std::string> scenes;
+  std::vector<std::string> inputs, clips;
+  bool is_self = false;
   std::string frames, csv;
   std::uint32_t repetitions = 5;
 };
@@ -32,18 +35,24 @@ Result<std::vector<std::uint32_t>> chosen_frames(const std::string& text,
                               scene.name + " has frames 0:" + std::to_string(scene.frame_count));
 }
 
-Result<ScenePeers> measure_scene(const std::string& path, const Arguments& arguments) {
-  const Result<scenes::Scene> scene = scenes::load_scene(path);
+Result<ScenePeers> measure_input(const Arguments& arguments, std::size_t i) {
+  arguments::SceneArguments alone;
+  alone.inputs = {arguments.inputs[i]};
+  if (i < arguments.clips.size()) alone.clips = {arguments.clips[i]};
+  Result<scenes::Scene> scene = arguments::open_scene(alone);
   if (!scene) return scene.error();
+  const bool is_model = !arguments::asks_for_scene(alone);
+  if (is_model) scene->name = alone.inputs[0];
+  const Contest contest = is_model || arguments.is_self ? Contest::self : Contest::pairs;
   const auto frames = chosen_frames(arguments.frames, *scene);
   if (!frames) return frames.error();
   arguments::ModelArguments models;
   models.renormalise = true;
   const auto colliders = scene::make_colliders(*scene, scene::Granularity::instance, models);
   if (!colliders) return colliders.error();
-  output::Progress progress(peer_steps(frames->size()));
-  return measure_peers({*scene, *colliders, *frames}, arguments.repetitions,
-                       [&] { progress.advance(); });
+  output::Progress progress(peer_steps(frames->size(), contest));
+  return measure_peers(
+      {*scene, *colliders, *frames}, arguments.repetitions, [&] { progress.advance(); }, contest);
 }
 
 int fail(const std::string& message) {
@@ -53,7 +62,7 @@ int fail(const std::string& message) {
 
 Result<void> check_csv(const Arguments& arguments) {
   std::vector<output::InputFile> inputs;
-  for (const std::string& scene : arguments.scenes) inputs.push_back({scene, "the scene " + scene});
+  for (const std::string& input : arguments.inputs) inputs.push_back({input, "the input " + input});
   const output::NamedOutput csv = {"--csv", arguments.csv};
   return output::check_outputs({&csv, 1}, inputs);
 }
@@ -63,8 +72,8 @@ int run(const Arguments& arguments) {
   output::OutputFile csv;
   if (const auto opened = csv.open(arguments.csv); !opened) return fail(opened.error().message);
   std::vector<ScenePeers> scenes;
-  for (const std::string& path : arguments.scenes) {
-    const Result<ScenePeers> scene = measure_scene(path, arguments);
+  for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
+    const Result<ScenePeers> scene = measure_input(arguments, i);
     if (!scene) return fail(scene.error().message);
     print_peers(*scene, std::cout);
     scenes.push_back(*scene);
@@ -77,7 +86,11 @@ int run(const Arguments& arguments) {
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Compare times and answers of other libraries with those of Pelt on scenes");
   Arguments arguments;
-  app.add_option("SCENE", arguments.scenes, "Scene files (.json)")->required();
+  app.add_option("INPUT", arguments.inputs, "Scene files (.json), or models against themselves")
+      ->required();
+  app.add_option("--clip", arguments.clips, "Clip of a model, in the order of the models")
+      ->allow_extra_args(false);
+  app.add_flag("--self", arguments.is_self, "Each instance of a scene against itself");
   app.add_option("--frames", arguments.frames, "A:B or A:B:STEP; all frames");
   app.add_option("--repetitions", arguments.repetitions, "The median of so many counts")
       ->capture_default_str()

@@ -1,6 +1,7 @@
 #include "evaluation/peers/peers.hpp"
 
 #include "evaluation/peers/adapters.hpp"
+#include "evaluation/peers/self_adapters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,10 +40,38 @@ const std::vector<Entry>& entries() {
   return all;
 }
 
+const std::vector<Entry>& self_entries() {
+  static const std::vector<Entry> all = {
+      {{"cgal_mesh", "CGAL, self_intersections", cgal_version(), "points", NarrowPhase::theirs,
+        Answers::exact},
+       make_self_cgal_mesh},
+      {{"cgal_boxes", "CGAL, box_self_intersection_d", cgal_version(), "boxes", NarrowPhase::ours,
+        Answers::exact},
+       make_self_cgal_boxes},
+      {{"cgal_boxes_apart", "the same without neighbours", cgal_version(), "boxes",
+        NarrowPhase::ours, Answers::fewer},
+       make_self_cgal_boxes_apart},
+      {{"cgal_boxes_own", "the same without neighbours", cgal_version(), "boxes",
+        NarrowPhase::theirs, Answers::fewer},
+       make_self_cgal_boxes_own},
+      {{"embree", "Embree, rtcCollide", embree_version(), "refit", NarrowPhase::ours,
+        Answers::exact},
+       make_self_embree},
+  };
+  return all;
+}
+
 std::vector<Peer> peers_of(const std::vector<Entry>& entries) {
   std::vector<Peer> peers;
   for (const Entry& entry : entries) peers.push_back(entry.peer);
   return peers;
+}
+
+std::unique_ptr<rivals::PosedMeshMethod> make_named(const std::vector<Entry>& entries,
+                                                    std::string_view name) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const Entry& entry) { return entry.peer.name == name; });
+  return found == entries.end() ? nullptr : found->make();
 }
 
 constexpr std::array<std::string_view, 4> kAnswers = {"exact", "nearly", "more", "fewer"};
@@ -57,9 +86,16 @@ std::span<const Peer> all_peers() {
 }
 
 std::unique_ptr<rivals::PosedMeshMethod> make_peer(std::string_view name) {
-  const auto found = std::find_if(entries().begin(), entries().end(),
-                                  [&](const Entry& entry) { return entry.peer.name == name; });
-  return found == entries().end() ? nullptr : found->make();
+  return make_named(entries(), name);
+}
+
+std::span<const Peer> all_self_peers() {
+  static const std::vector<Peer> peers = peers_of(self_entries());
+  return peers;
+}
+
+std::unique_ptr<rivals::PosedMeshMethod> make_self_peer(std::string_view name) {
+  return make_named(self_entries(), name);
 }
 
 }  // namespace pelt::peers

@@ -67,7 +67,8 @@ struct ClosestPointOptions {
 /// the same as for two triangles (see above), but the distance of a point on the surface may be
 /// slightly more than 0.
 ///
-/// Precondition: the coordinates of `point` are finite and at most 2^60.
+/// Precondition: the coordinates of `point` are finite and at most 2^60. A NaN or infinite
+/// coordinate aborts the program, in every build.
 ///
 /// Cost: grows with the number of triangles that are about as close as the closest point. Allocates
 /// only if it needs more memory in the pose or in `scratch` than any earlier query.

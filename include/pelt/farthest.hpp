@@ -30,7 +30,8 @@ struct FarthestVertex {
 /// corners with the greatest dot product, the one with the lowest triangle and then the lowest
 /// corner.
 ///
-/// Precondition: `direction` is finite and not zero. Its length need not be 1.
+/// Precondition: `direction` is finite and not zero. Otherwise the program aborts, in every build.
+/// The length of `direction` need not be 1.
 ///
 /// Cost: opens only nodes whose boxes reach beyond the farthest vertex so far. Of the boxes in a
 /// node, the first to be visited is the one that reaches farthest. Often one node is opened for

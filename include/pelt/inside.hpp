@@ -25,7 +25,8 @@ enum class PointSide : std::uint8_t {
 ///
 /// Preconditions:
 /// `surface`: closed, and of the model of `pose`. Otherwise the program aborts, in every build.
-/// `point`: coordinates are finite and at most 2^60.
+/// `point`: coordinates are finite and at most 2^60. A NaN or infinite coordinate aborts the
+///   program, in every build.
 ///
 /// Cost: a search for triangles that contain the point and, if there are none, one ray. Neither is
 /// needed if the point is outside the box that is computed from the joint palette alone.

@@ -26,9 +26,11 @@
 namespace pelt {
 
 /// The points origin + t * direction with t_min <= t <= t_max, in the frame of the joint palette. t
-/// is in units of the direction's length, which need not be 1. Precondition of queries: coordinates
-/// are finite; t_min and t_max may be infinite, but are not NaN. A ray with direction zero hits no
+/// is in units of the direction's length, which need not be 1. A ray with direction zero hits no
 /// triangle.
+///
+/// Precondition of queries: coordinates are finite; t_min and t_max may be infinite, but are not
+/// NaN. Otherwise the program aborts, in every build.
 struct Ray {
   Vec3 origin, direction;
   float t_min = 0;

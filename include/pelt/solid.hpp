@@ -26,7 +26,7 @@ namespace pelt {
 /// A part of space: a closed convex set of points, stored by value.
 ///
 /// Preconditions of queries: all numbers are finite, and radii and half extents are not negative.
-/// Builds without NDEBUG check these preconditions.
+/// Otherwise the program aborts, in every build.
 using Region = std::variant<HalfSpace, Box, OrientedBox, ConvexPolyhedron, Sphere, Capsule>;
 
 /// Position of the posed surface, which is the union of all triangles, relative to a region.
@@ -79,9 +79,9 @@ PELT_API YesNo intersects(Pose& pose, const Region& region, Scratch& scratch);
 
 /// A simple solid: a region for which Pelt can also compute distances and cast rays.
 ///
-/// Preconditions of queries: all numbers are finite, radii and half extents are not negative, the
-/// normal of a half-space is not zero, the low corner of a box is not above its high corner on any
-/// axis, and the axes of an oriented box are linearly independent.
+/// Preconditions of queries: as for `Region`; the normal of a half-space is not zero; the low
+/// corner of a box is not above its high corner on any axis. Otherwise the program aborts, in every
+/// build. In addition, the axes of an oriented box are linearly independent, which is not checked.
 using Solid = std::variant<HalfSpace, Box, OrientedBox, Sphere, Capsule>;
 
 /// Result of `distance` from a solid.
@@ -133,7 +133,7 @@ struct SolidHit {
 ///
 /// Preconditions:
 /// `solid`: see `Solid`.
-/// `ray`: see `Ray`. In addition, t_min is finite.
+/// `ray`: see `Ray`. In addition, t_min is finite. Otherwise the program aborts, in every build.
 ///
 /// Cost: O(1). Allocates nothing.
 PELT_API QueryStats cast(const Solid& solid, const Ray& ray, SolidHit& result);

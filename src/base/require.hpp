@@ -6,7 +6,8 @@ namespace pelt::detail {
 [[noreturn]] void abort_call(const char* message);
 
 /// Checks a precondition in every build. For preconditions whose violation would give wrong answers
-/// and whose check takes constant time. `message` names the function, the cause and the remedy.
+/// and whose check takes constant time. `message` names the function or the argument, and the cause
+/// or the remedy.
 /// Preconditions that take longer to check are asserts (base/assert.hpp).
 inline void require(bool holds, const char* message) {
   if (!holds) [[unlikely]]

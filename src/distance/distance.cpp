@@ -11,6 +11,7 @@
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
+#include "query/valid_numbers.hpp"
 #include "query/yes_or_no.hpp"
 
 #include <cmath>
@@ -53,6 +54,7 @@ QueryStats find_within(Pose& a, Pose& b, double tolerance, Scratch& scratch,
 QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch, ClosestPoint& result,
                          const ClosestPointOptions& options) {
   require(options.max_distance >= 0, "closest_point: the maximum distance is negative or NaN");
+  require(detail::is_finite(point), "closest_point: the point is NaN or infinite");
   detail::PointGap gap;
   const QueryStats stats = detail::closest_to_point(pose.detail().posed_tree(), point,
                                                     scratch.detail(), options.max_distance, gap);

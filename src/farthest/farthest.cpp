@@ -1,17 +1,15 @@
 #include <pelt/farthest.hpp>
 
-#include "base/assert.hpp"
+#include "base/require.hpp"
 #include "farthest/farthest_search.hpp"
 #include "pose/pose.hpp"
-
-#include <cmath>
+#include "query/valid_numbers.hpp"
 
 namespace pelt {
 
 QueryStats farthest_vertex(Pose& pose, const Vec3& direction, FarthestVertex& farthest) {
-  PELT_ASSERT(std::isfinite(direction.x) && std::isfinite(direction.y) &&
-              std::isfinite(direction.z));
-  PELT_ASSERT(direction.x != 0 || direction.y != 0 || direction.z != 0);
+  detail::require(detail::is_finite(direction) && !detail::is_zero(direction),
+                  "farthest_vertex: the direction is zero, NaN or infinite");
   return detail::find_farthest(pose.detail().posed_tree(), direction, farthest);
 }
 

@@ -10,6 +10,7 @@
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
+#include "query/valid_numbers.hpp"
 #include "query/yes_or_no.hpp"
 
 namespace pelt {
@@ -57,6 +58,7 @@ QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Dist
 QueryStats cast(const HeightField& field, std::span<const Ray> rays, std::span<RayHit> hits,
                 const CastOptions& options) {
   detail::require(hits.size() == rays.size(), "cast: give one hit for each ray");
+  detail::require(detail::are_valid(rays), "cast: a ray has a NaN or infinite coordinate");
   QueryStats stats;
   for (std::size_t i = 0; i < rays.size(); ++i)
     hits[i] = detail::cast_at_field(field.detail(), rays[i], options.facing, stats);

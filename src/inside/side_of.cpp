@@ -19,6 +19,7 @@
 #include "model/surface.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
+#include "query/valid_numbers.hpp"
 #include "ray/ray_descent.hpp"
 
 namespace pelt {
@@ -36,6 +37,7 @@ QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratc
   detail::require(detail::is_surface_of(surface, pose),
                   "side_of: the surface belongs to another model than the pose");
   detail::require(surface.is_closed(), "side_of: the surface is not closed");
+  detail::require(detail::is_finite(point), "side_of: the point is NaN or infinite");
   const detail::PosedTree posed = pose.detail().posed_tree();
   QueryStats work;
   work.node_pairs = 1;

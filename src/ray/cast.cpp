@@ -1,30 +1,16 @@
 #include <pelt/ray.hpp>
 
-#include "base/assert.hpp"
 #include "base/require.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
+#include "query/valid_numbers.hpp"
 #include "ray/ray_descent.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace pelt {
 namespace {
-
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool is_valid(const Ray& ray) {
-  return is_finite(ray.origin) && is_finite(ray.direction) && !std::isnan(ray.t_min) &&
-         !std::isnan(ray.t_max);
-}
-
-bool are_valid(std::span<const Ray> rays) {
-  return std::all_of(rays.begin(), rays.end(), is_valid);
-}
 
 bool comes_before(const RayHit& a, const RayHit& b) {
   return a.t < b.t || (a.t == b.t && a.triangle < b.triangle);
@@ -39,7 +25,7 @@ Ray segment(const Vec3& from, const Vec3& to) {
 QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
                 const CastOptions& options) {
   detail::require(hits.size() == rays.size(), "cast: give one hit for each ray");
-  PELT_ASSERT(are_valid(rays));
+  detail::require(detail::are_valid(rays), "cast: a ray has a NaN or infinite coordinate");
   return detail::first_hits(pose.detail().posed_tree(), rays, options.facing, hits);
 }
 
@@ -50,13 +36,13 @@ QueryStats cast(Pose& pose, const Ray& ray, RayHit& result, const CastOptions& o
 QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
                     const CastOptions& options) {
   detail::require(hit.size() == rays.size(), "cast_any: give one answer for each ray");
-  PELT_ASSERT(are_valid(rays));
+  detail::require(detail::are_valid(rays), "cast_any: a ray has a NaN or infinite coordinate");
   return detail::any_hits(pose.detail().posed_tree(), rays, options.facing, hit);
 }
 
 QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch, std::vector<RayHit>& hits,
                     const CastOptions& options) {
-  PELT_ASSERT(is_valid(ray));
+  detail::require(detail::is_valid(ray), "cast_all: the ray has a NaN or infinite coordinate");
   detail::Stack<RayHit>& found = scratch.detail().ray_hits;
   found.clear();
   const QueryStats work = detail::all_hits(pose.detail().posed_tree(), ray, options.facing, found);

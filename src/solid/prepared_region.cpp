@@ -1,7 +1,9 @@
 #include "solid/prepared_region.hpp"
 
 #include "base/assert.hpp"
+#include "base/require.hpp"
 #include "geometry/capsule_triangle.hpp"
+#include "query/valid_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +11,6 @@
 
 namespace pelt::detail {
 namespace {
-
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 FloatFace to_float_face(const Face& face) {
   const Vec3& n = face.normal;
@@ -47,7 +45,7 @@ struct Prepare {
   void operator()(const OrientedBox& box) const {
     const float half[] = {box.half.x, box.half.y, box.half.z};
     for (std::size_t i = 0; i < 3; ++i) {
-      PELT_ASSERT(half[i] >= 0);
+      require(half[i] >= 0, "a half extent of the region is negative or NaN");
       add_slab(box.axes[i], box.centre, -half[i], half[i], prepared.faces);
     }
   }
@@ -61,8 +59,10 @@ struct Prepare {
   }
 
   void operator()(const Capsule& capsule) const {
-    PELT_ASSERT(is_finite(capsule.a) && is_finite(capsule.b) && std::isfinite(capsule.radius) &&
-                capsule.radius >= 0);
+    require(is_finite(capsule.a) && is_finite(capsule.b),
+            "a point of the region is NaN or infinite");
+    require(std::isfinite(capsule.radius) && capsule.radius >= 0,
+            "the radius of the region is negative, NaN or infinite");
     prepared.is_capsule = true;
     prepared.capsule.capsule = capsule;
     const float a[] = {capsule.a.x, capsule.a.y, capsule.a.z};
@@ -77,11 +77,24 @@ struct Prepare {
   }
 };
 
+void check_solid(const HalfSpace& half) {
+  require(!is_zero(half.normal), "the normal of the half-space is zero");
+}
+
+void check_solid(const Box& box) {
+  require(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z,
+          "the low corner of the box is above its high corner, or NaN");
+}
+
+template <typename Shape>
+void check_solid(const Shape&) {}
+
 }  // namespace
 
 void FacesRegion::add(const Face& face) {
   PELT_ASSERT(count < ConvexPolyhedron::kMaxFaces);
-  PELT_ASSERT(is_finite(face.normal) && is_finite(face.origin) && std::isfinite(face.offset));
+  require(is_finite(face.normal) && is_finite(face.origin) && std::isfinite(face.offset),
+          "a number of the region is NaN or infinite");
   exact[count] = face;
   scaled[count] = to_float_face(face);
   ++count;
@@ -96,5 +109,14 @@ TrianglePlace place_in(const CapsuleRegion& region, const TriangleCorners& trian
 }
 
 PreparedRegion::PreparedRegion(const Region& region) { std::visit(Prepare{*this}, region); }
+
+Region region_of(const Solid& solid) {
+  return std::visit(
+      [](const auto& shape) {
+        check_solid(shape);
+        return Region(shape);
+      },
+      solid);
+}
 
 }  // namespace pelt::detail

@@ -35,12 +35,16 @@ TrianglePlace place_in(const FacesRegion& region, const TriangleCorners& triangl
 TrianglePlace place_in(const CapsuleRegion& region, const TriangleCorners& triangle);
 
 struct PreparedRegion {
-  /// Precondition: finite numbers, radii and half extents not negative.
+  /// Aborts if a number is NaN or infinite, or if a radius or half extent is negative.
   explicit PreparedRegion(const Region& region);
 
   bool is_capsule = false;
   FacesRegion faces;      ///< unless the region is a capsule
   CapsuleRegion capsule;  ///< if the region is a capsule
 };
+
+/// Returns the region of a solid. Aborts if the normal of a half-space is zero, or if a box has its
+/// low corner above its high corner.
+Region region_of(const Solid& solid);
 
 }  // namespace pelt::detail

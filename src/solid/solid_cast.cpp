@@ -4,8 +4,9 @@
 
 #include <pelt/solid.hpp>
 
-#include "base/assert.hpp"
+#include "base/require.hpp"
 #include "base/vec3.hpp"
+#include "query/valid_numbers.hpp"
 #include "solid/prepared_region.hpp"
 
 #include <algorithm>
@@ -114,8 +115,9 @@ SolidHit cast_at(const Capsule& capsule, const Ray& ray) {
 }  // namespace
 
 QueryStats cast(const Solid& solid, const Ray& ray, SolidHit& result) {
-  const Region region = std::visit([](const auto& shape) { return Region(shape); }, solid);
-  const detail::PreparedRegion prepared(region);
+  detail::require(detail::is_valid(ray) && std::isfinite(ray.t_min),
+                  "cast: the ray has a NaN or infinite coordinate or start");
+  const detail::PreparedRegion prepared(detail::region_of(solid));
   result =
       prepared.is_capsule ? cast_at(prepared.capsule.capsule, ray) : cast_at(prepared.faces, ray);
   return {};

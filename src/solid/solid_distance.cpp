@@ -14,10 +14,6 @@ namespace pelt {
 namespace detail {
 namespace {
 
-Region region_of(const Solid& solid) {
-  return std::visit([](const auto& shape) { return Region(shape); }, solid);
-}
-
 /// Writes the touching triangles to `scratch.touching`.
 QueryStats find_touching(const PosedTree& posed, const PreparedRegion& region, Scratch& scratch) {
   return (region.is_capsule

@@ -49,6 +49,30 @@ TEST(SceneText, IsReadAsTheSameScene) {
   }
 }
 
+TEST(SceneText, HasTheChoicesOfContactsOfCharactersWithThemselves) {
+  const auto text_of = [](const std::string& keys) {
+    const auto scene = parse_scene(R"({"models": {"man": {"creature": {"triangles": 1000}}},
+        "instances": [{"model": "man"}])" +
+                                       keys + "}",
+                                   ".");
+    EXPECT_TRUE(scene) << scene.error().message;
+    return scene_text(*scene, std::vector<std::string>(1));
+  };
+  const std::string none = text_of("");
+  EXPECT_EQ(none.find("self"), std::string::npos);
+  for (const std::string keys :
+       {R"(, "self": true, "self_rings": 0, "self_always": 0.95)",
+        R"(, "self": "only", "self_at_rest": "keep", "self_always": "keep")",
+        R"(, "self": false, "self_at_rest": "drop", "self_near_joints": "keep")",
+        R"(, "self_near_joints": "drop")"}) {
+    std::string text = text_of(keys);
+    std::erase_if(text, [](char c) { return c == '\n' || c == ' '; });
+    std::string wanted = keys;
+    std::erase(wanted, ' ');
+    EXPECT_NE(text.find(wanted + "}"), std::string::npos) << text;
+  }
+}
+
 TEST(SceneText, LeavesTheNumberOfFramesToTheClips) {
   const auto first = parse_scene(R"({"models": {"man": {"creature": {"triangles": 1000}}},
       "frames": {"fps": 10}, "instances": [{"model": "man", "clip": "*"}]})",

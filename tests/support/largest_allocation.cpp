@@ -22,6 +22,8 @@ void* allocate_or_throw(std::size_t size) {
 
 std::size_t pelt::test::largest_allocation() { return g_largest; }
 
+void pelt::test::reset_largest_allocation() { g_largest = 0; }
+
 // Replaces every form except the aligned ones, because a sanitizer has forms of its own that do not
 // call another.
 void* operator new(std::size_t size) { return allocate_or_throw(size); }

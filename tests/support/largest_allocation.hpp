@@ -4,8 +4,11 @@
 
 namespace pelt::test {
 
-/// The largest number of bytes in one call of operator new. Add largest_allocation.cpp to the
-/// program, which replaces operator new.
+/// The largest number of bytes in one call of operator new, since the start or since
+/// `reset_largest_allocation`. Add largest_allocation.cpp to the program, which replaces operator
+/// new.
 std::size_t largest_allocation();
+
+void reset_largest_allocation();
 
 }  // namespace pelt::test

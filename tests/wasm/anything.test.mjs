@@ -51,6 +51,7 @@ const kOthers = [
   new Date(0),
   { firstContact: true },
   { maxContacts: 2 },
+  { maxPairs: 2 },
   { triangles: 5 },
 ];
 

@@ -47,6 +47,15 @@ test('bad palettes are refused and leave the pose as it was', () => {
   assert.throws(() => character.palette('wlak', 0), /has no clip "wlak", did you mean "walk"\?$/);
 });
 
+test('doubles of a palette are rounded once, to the nearest float', () => {
+  const [a, b] = twoPoses();
+  const doubles = Float64Array.from(character.palette('walk', 0.3), (x) => x * (1 + 2 ** -26));
+  a.setPalette(doubles);
+  b.setPalette(Float32Array.from(doubles, Math.fround));
+  assert.notDeepEqual(Float64Array.from(doubles, Math.fround), doubles, 'a palette worth testing');
+  assert.deepEqual(a.posedVertices(), b.posedVertices());
+});
+
 test('exact bounds are those of the vertices, and others enclose them', () => {
   const [a] = twoPoses();
   const exact = boxOf(a.posedVertices());

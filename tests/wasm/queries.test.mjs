@@ -268,7 +268,7 @@ test('what is within a clearance is what the command finds', () => {
       const near = pelt.clearance(a, b, 0.05);
       assert.deepEqual(Array.from(near.pairs), (pairs[0]?.triangles ?? []).flat());
       found += near.count;
-      if (near.count > 3) assert.equal(pelt.clearance(a, b, 0.05, { maxContacts: 3 }).count, 3);
+      if (near.count > 3) assert.equal(pelt.clearance(a, b, 0.05, { maxPairs: 3 }).count, 3);
     },
     ...['check', '--clearance', '0.05', '--pairs'],
   );
@@ -400,11 +400,14 @@ test('regions, rays and distances that break a rule are refused', () => {
   refused(() => a.classify({ kind: 'box', low: [0, 0, 0] }), /region.high/);
   const faces = Array.from({ length: 65 }, () => ({ normal: [0, 1, 0], offset: 0 }));
   refused(() => a.classify({ kind: 'polyhedron', faces }), /region.faces.*64/);
+  const viewProjection = new Array(16).fill(3e38);
+  refused(() => a.classify({ kind: 'frustum', viewProjection }), /region.viewProjection\[0\]/);
   refused(() => a.cast([0, 0, 0], [0, 0, 1], { facing: 'left' }), /facing.*"left"/);
   refused(() => a.cast([0, 0, 0], [0, 0, 1], { minT: NaN }), /minT/);
   refused(() => a.castAll([0, 0], [0, 0, 1]), /origin: expected 3 numbers/);
   refused(() => a.closestPoint([0, 0, NaN]), /point/);
   refused(() => pelt.clearance(a, b, -1), /tolerance/);
+  refused(() => pelt.clearance(a, b, 1, { maxContacts: 3 }), /unknown option "maxContacts"/);
   refused(() => pelt.isWithin(a, a, 1), /different poses/);
   refused(() => pelt.distance(a, b, { tolerance: -1 }), /tolerance/);
 });

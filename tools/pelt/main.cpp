@@ -2,6 +2,7 @@
 
 #include "tools/pelt/arguments/command_line.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
+#include "tools/pelt/methods/self_methods.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
 namespace {
@@ -26,7 +27,10 @@ void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
   add_prepare(app, chosen);
   add_pose(app, chosen);
   add_demo(app, chosen);
-  add_bench(app, chosen, {pelt::methods::kCommandMethods, "paper,eager,on_demand", kBenchNotes});
+  add_bench(app, chosen,
+            {{pelt::methods::kCommandMethods, "paper,eager,on_demand"},
+             {pelt::methods::kSelfMethods, "boxes,self"},
+             kBenchNotes});
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ export const KEYS: Key[] = [
   { keys: ['g'], shown: 'G', meaning: 'move the character', change: () => ({ gizmo: 'move' }) },
   { keys: ['r'], shown: 'R', meaning: 'turn the character', change: () => ({ gizmo: 'turn' }) },
   { keys: ['f'], shown: 'F', meaning: 'first contact only', change: changes.toggleFirstContact },
+  { keys: ['x'], shown: 'X', meaning: 'self-contacts on or off', change: changes.toggleSelf },
   { keys: ['b'], shown: 'B', meaning: 'draw bounds', change: changes.toggleBoxes },
   { keys: ['['], shown: '[', meaning: 'coarser bounds', change: changes.changeBoxLevel(-1) },
   { keys: [']'], shown: ']', meaning: 'finer bounds', change: changes.changeBoxLevel(1) },

@@ -102,6 +102,7 @@ export async function savedScene(page) {
 
 /** Least and most red, green and blue. */
 export const GLOWING = { least: [220, 60, 0], most: [255, 150, 90] };
+export const VIOLET = { least: [170, 30, 200], most: [215, 110, 255] };
 export const BLUE = { least: [20, 80, 190], most: [90, 150, 255] };
 export const RED = { least: [90, 20, 20], most: [255, 90, 90] };
 export const RED_HANDLE = { least: [209, 64, 75], most: [219, 74, 85] };

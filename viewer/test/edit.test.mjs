@@ -167,6 +167,13 @@ describe('a character', () => {
     await card(1).waitFor({ state: 'detached' });
     assert.match(await page.locator('.subject').innerText(), /^coat\.glb$/);
     await page.waitForSelector('[data-fact=total]:text-is("0")');
+    assert.equal(await page.locator('.nothing').innerText(), 'Nothing touches in any frame.');
+    await page.keyboard.press('x');
+    const none =
+      'Nothing was compared: the scene has fewer than two characters, and “self” is off.';
+    await page.locator('.nothing').filter({ hasText: none }).waitFor();
+    await counted(page);
+    assert.match(await page.locator('.facts').innerText(), /0 contacts .*· nothing was compared/);
     assert.deepEqual(Object.keys((await savedScene(page)).models), ['coat.glb']);
     await page.keyboard.press('0');
     assert.ok(await button('Remove').isDisabled());

@@ -52,9 +52,10 @@ describe('beside a baseline', () => {
   const touches = [touch('head', 'head', 500), touch('hand', 'hip', 90), touch('foot', 'foot', 2)];
   const verdict = { worse: [grown, fresh], gone: [{}], newly_held: [{}, {}] };
   const report = { answer: { ...answerOf([5], [0, 1, 1], verdict), touches } };
-  const scene = {};
+  const scene = { instances: [{ character: 0 }, { character: 1 }] };
   const frames = report.answer.options.frames;
-  const state = { report, reported: scene, scene, firstContact: false, by: 'instance', frames };
+  const asked = { firstContact: false, by: 'instance', frames, self: {}, characters: [] };
+  const state = { ...asked, report, reported: scene, scene };
 
   test('touches are counted as the command counts them', async () => {
     const { comparisonOf } = await load('report/baseline.ts');
@@ -77,10 +78,9 @@ describe('beside a baseline', () => {
 
   test('the list can be restricted to words, a pair and a standing', async () => {
     const { filtered, NO_FILTER } = await load('state/listing.ts');
-    const scene = { instances: [{ character: 0 }, { character: 1 }] };
     const characters = [{ name: 'Knight' }, { name: 'Horse' }];
     const listed = (filter) => {
-      const full = { ...state, scene, reported: scene, characters };
+      const full = { ...state, characters };
       const found = filtered(touches, { ...full, filter: { ...NO_FILTER, ...filter } });
       return found.map(({ a }) => a.joint).join();
     };
@@ -98,11 +98,28 @@ describe('beside a baseline', () => {
   test('nothing is said of another scene than the one compared', async () => {
     const { worstFirst, worseTouch } = await load('report/baseline.ts');
     for (const changed of [
-      { ...state, scene: {} },
+      { ...state, scene: { ...scene } },
       { ...state, frames: null },
+      { ...state, self: { wanted: 'also' } },
     ]) {
       assert.equal(worseTouch(touches[1], changed), null);
       assert.deepEqual(worstFirst(touches, changed), touches);
     }
   });
+});
+
+test('nothing is compared unless two instances or parts are there', async () => {
+  const { whyNothingIsCompared } = await load('state/compared.ts');
+  const characters = [{ partCount: 1 }, { partCount: 2 }];
+  const reason = (by, ...cast) => {
+    const scene = { instances: cast.map((character) => ({ character })) };
+    return whyNothingIsCompared({ scene, characters, by, self: { wanted: 'off' } });
+  };
+  const alone = { scene: { instances: [{ character: 0 }] }, characters, by: 'instance', self: {} };
+  assert.equal(whyNothingIsCompared(alone), null, 'it is tested against itself');
+  assert.equal(reason('instance', 1), 'the scene has fewer than two characters, and “self” is off');
+  assert.equal(reason('instance', 0, 0), null);
+  assert.equal(reason('part', 0), 'the scene has fewer than two parts, and “self” is off');
+  assert.equal(reason('part', 1), null);
+  assert.equal(reason('part', 0, 0), null);
 });

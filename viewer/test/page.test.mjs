@@ -311,17 +311,16 @@ describe('files', () => {
     await page.getByRole('button', { name: 'Dismiss' }).click();
   });
 
-  test('a character that is dropped meets itself, as the command finds', async (t) => {
+  test('a character that is dropped stands alone, as in the command', async (t) => {
     const bytes = posedWalker(t);
     await dropFiles(page, [{ name: 'walker.glb', bytes }]);
     await page.waitForSelector('.card:has-text("walker.glb")');
     await counted(page);
     const scene = await savedScene(page);
     const answer = check(t, scene, { 'walker.glb': bytes });
-    assert.equal(scene.instances.length, 2);
-    assert.ok(answer.totals.contacts > 0);
+    assert.equal(scene.instances.length, 1);
     assert.equal(await fact(page, 'hash'), answer.hash);
-    assert.match(await page.locator('.note').first().innerText(), /meets itself/);
+    assert.match(await page.locator('.lead').innerText(), /its own character, in 1 frame/);
   });
 
   test('another joins it when Shift is held, and what is no character does not', async (t) => {

@@ -265,10 +265,66 @@ test('a report tells which bodies are inside others', async (t) => {
   assert.ok(await page.getByRole('button', { name: 'Next contact' }).isDisabled());
 });
 
+test('a report of characters that touch themselves agrees, whatever the options', async (t) => {
+  const walker = { creature: { triangles: 2000, joints: 45, seed: 5 } };
+  const instances = [...SCENE.instances, { model: 'walker', clip: 'walk', translation: [3, 0, 0] }];
+  const models = { ...SCENE.models, walker };
+  const shop = new Workshop(t, { ...SCENE, models, instances, self: true, self_rings: 1 });
+  const opened = ['--self-near-joints', 'keep', '--self-at-rest', 'keep'];
+  const runs = [
+    [],
+    ['--self=only', ...opened],
+    [...opened, '--self-always', '0.5', '--frames', '2:12:3'],
+  ];
+  for (const words of runs) {
+    const answer = shop.check(...words);
+    assert.ok(Object.values(answer.totals.left_out).some((count) => count > 0));
+    const page = await open(t, browsing.urlOf(shop.at('report.html')));
+    await agreesWith(page, answer);
+    assert.match(await page.locator('.lead').innerText(), /iolet marks every triangle/);
+    const own = answer.touches.filter(({ a, b }) => a.instance === b.instance);
+    const count = own.reduce((sum, { contacts }) => sum + contacts, 0);
+    if (count > 0) assert.equal(await number(page, 'listed-self'), count);
+    await page.getByText('Inputs and options').click();
+    await says(page, /self-rings\s*1/);
+    await page.keyboard.press('x');
+    await says(page, 'the page agrees; changed since');
+    await page.context().close();
+  }
+});
+
+test('a report of one character says where it touches itself', async (t) => {
+  const models = { walker: { creature: { triangles: 2000, joints: 45, seed: 5 } } };
+  const shop = new Workshop(t, {
+    models,
+    frames: SCENE.frames,
+    instances: [{ model: 'walker', clip: 'walk' }],
+  });
+  const answer = shop.check('--self-rings', '1', '--self-near-joints', 'keep');
+  assert.ok(answer.totals.contacts > 0, 'a character worth testing');
+  const page = await open(t, browsing.urlOf(shop.at('report.html')));
+  await agreesWith(page, answer);
+  await says(page, 'Check failed');
+  await says(
+    page,
+    `${Object.values(answer.totals.left_out).reduce((a, b) => a + b)} self-contacts dropped`,
+  );
+  if (process.env.PELT_PICTURES) await picture(page, 'report_self');
+  shop.check('--self=no', '--allow-empty');
+  const none = await open(t, browsing.urlOf(shop.at('report.html')));
+  await says(none, 'the page agrees');
+  await none.locator('.nothing').filter({ hasText: 'Nothing was compared' }).waitFor();
+});
+
 test('a report says where the page finds something else', async (t) => {
-  const shop = new Workshop(t);
-  const { hash } = shop.check();
+  const shop = new Workshop(t, { ...SCENE, self: true });
+  const { hash, totals } = shop.check();
   shop.edit((data) => data.replace(hash, '0123456789abcdef'));
+  await says(await open(t, browsing.urlOf(shop.at('report.html'))), 'the page differs');
+  shop.check();
+  const { at_rest: dropped } = totals.left_out;
+  assert.ok(dropped > 0, 'a filter worth testing');
+  shop.edit((data) => data.replace(`"at_rest":${dropped}`, `"at_rest":${dropped + 1}`));
   await says(await open(t, browsing.urlOf(shop.at('report.html'))), 'the page differs');
 });
 

@@ -89,18 +89,26 @@ describe('characters without a scene', () => {
 });
 
 describe('characters that come one after the other', () => {
-  test('take the place of the double that one alone has met, and are to be placed', async () => {
+  test('walk with one that stood alone, unless that was edited', async () => {
     const { open } = await load('state/changes.ts');
     const { add } = await load('state/edits.ts');
-    const state = { boxLevel: null, firstContact: false };
-    const alone = open({ characters: [character('a', 1)], scene: null, refused: [] })(state);
-    assert.equal(alone.scene.instances.length, 2);
-    const both = add({ characters: [character('b', 1)], refused: [] })({ ...state, ...alone });
+    const { changeInstance } = await load('state/edits.ts');
+    const { initialState: state } = await load('state/state.ts');
+    const opened = { characters: [character('a', 1)], scene: null, self: {}, refused: [] };
+    const alone = { ...state, ...open(opened)(state) };
+    const [one, ...others] = alone.scene.instances;
+    assert.deepEqual([one.velocity, others], [[0, 0, 0], []]);
+    assert.equal(alone.scene.frameCount, 30, 'as long as the clip');
+    const added = { characters: [character('b', 1)], refused: [] };
+    const both = add(added)(alone);
     assert.deepEqual(
       both.scene.instances.map((instance) => instance.character),
       [0, 1],
     );
+    assert.ok(both.scene.instances[0].velocity.some((speed) => speed !== 0));
     assert.equal(both.selected, 1);
+    const edited = { ...alone, ...changeInstance(0, { scale: 2 })(alone) };
+    assert.deepEqual(add(added)(edited).scene.instances[0], edited.scene.instances[0]);
     const three = add({ characters: [character('c', 1)], refused: [] })({ ...alone, ...both });
     assert.equal(three.scene.instances.length, 3);
   });
@@ -114,8 +122,9 @@ describe('characters that come one after the other', () => {
     const state = { ...initialState, characters, opened, scene: opened, arrangement: 'opened' };
     const refused = [{ path: 'torn.glb', message: 'is torn' }];
     const { scene, opened: kept, problems } = add({ characters, refused })(state);
-    assert.equal(scene.instances.length, 3);
-    assert.equal(kept.instances.length, 3);
+    assert.equal(scene.instances.length, 2);
+    assert.deepEqual(scene.instances[0], opened.instances[0]);
+    assert.equal(kept.instances.length, 2);
     assert.deepEqual(problems, [{ title: 'torn.glb was left out', message: 'is torn' }]);
   });
 });
@@ -130,6 +139,7 @@ describe('edits', () => {
     const opening = {
       characters: [character('a', 1), character('b', 1)],
       scene: null,
+      self: {},
       refused: [],
     };
     const state = { ...initialState, ...changes.open(opening)(initialState) };
@@ -196,9 +206,6 @@ describe('what the page has chosen', () => {
     assert.deepEqual(rest, []);
     scene.instances[1].clip = null;
     assert.deepEqual(notesOn(scene, two), []);
-    const one = [{ ...character('a', 1), clips: [] }];
-    const [double] = notesOn(arrange(one, 'walking'), one);
-    assert.match(double, /meets itself/);
   });
 });
 
@@ -217,7 +224,7 @@ describe('characters of very different sizes', () => {
 });
 
 describe('the command with the same numbers', () => {
-  const nothing = { by: 'instance', firstContact: false, readingOptions: {} };
+  const nothing = { by: 'instance', firstContact: false, self: {}, readingOptions: {} };
 
   test('names the models where it places them so', async () => {
     const { arrange } = await load('scene/arrange.ts');
@@ -254,6 +261,66 @@ describe('the command with the same numbers', () => {
         needsFile: true,
       });
     }
+  });
+});
+
+describe('contacts of characters with themselves', () => {
+  const one = [{ ...character('a', 1), partCount: 2 }];
+  const two = [...one, character('b', 1)];
+
+  /** Arguments of the functions of scene/self.ts. */
+  async function asking(characters, change = {}) {
+    const { arrange } = await load('scene/arrange.ts');
+    const scene = arrange(characters, 'walking');
+    return { scene, characters, by: 'instance', self: {}, ...change };
+  }
+
+  test('count for a character that is alone, and by choice for several', async () => {
+    const { wantedSelf, selfQuestion } = await load('scene/self.ts');
+    assert.equal(wantedSelf(await asking(one)), 'also');
+    assert.equal(wantedSelf(await asking(one, { by: 'part' })), 'off', 'of two parts');
+    assert.equal(wantedSelf(await asking(two)), 'off');
+    assert.equal(selfQuestion(await asking(two), null), null);
+    const only = await asking(two, { self: { wanted: 'only' } });
+    assert.deepEqual(selfQuestion(only, [0, 9, 1]), {
+      isOnly: true,
+      rings: 5,
+      dropsAtRest: true,
+      always: null,
+      dropsNearJoints: true,
+      frames: null,
+    });
+    const always = await asking(two, { self: { wanted: 'only', always: 0.9 } });
+    assert.deepEqual(selfQuestion(always, [0, 9, 1]).frames, [0, 9, 1]);
+  });
+
+  test('at rest are kept where nothing moves', async () => {
+    const { selfRules } = await load('scene/self.ts');
+    const still = await asking([{ ...one[0], clips: [] }]);
+    assert.equal(selfRules(still).dropsAtRest, false);
+    assert.equal(selfRules(await asking(one)).dropsAtRest, true);
+  });
+
+  test('are asked by words of the command and keys of a scene', async () => {
+    const { readSelf, selfKeys, selfWords } = await load('scene/self.ts');
+    const keys = {
+      self: 'only',
+      self_rings: 1,
+      self_at_rest: 'keep',
+      self_always: 0.95,
+      self_near_joints: 'keep',
+    };
+    const self = readSelf(keys);
+    assert.deepEqual(selfKeys(self), keys);
+    const words =
+      '--self=only --self-rings 1 --self-at-rest keep --self-always 0.95 --self-near-joints keep';
+    assert.equal(selfWords(await asking(two, { self })).join(' '), words);
+    assert.deepEqual(JSON.parse(JSON.stringify(selfKeys(readSelf({})))), {});
+    assert.deepEqual(selfKeys(readSelf({ self: false, self_always: 'keep' })).self_always, 'keep');
+    assert.deepEqual(selfWords(await asking(one)), []);
+    assert.deepEqual(selfWords(await asking(one, { self: { wanted: 'off' } })), ['--self=no']);
+    assert.deepEqual(selfWords(await asking(two, { self: { wanted: 'also' } })), ['--self']);
+    assert.deepEqual(selfWords(await asking(two, { self: { rings: 1 } })), [], 'while it is off');
   });
 });
 
@@ -297,7 +364,7 @@ describe('a saved scene', () => {
     const { sceneFile } = await load('scene/scene_file.ts');
     const characters = [character('coat.glb', 1), character('coat.glb', 2)];
     const { models, instances } = JSON.parse(
-      sceneFile(arrange(characters, 'together'), characters),
+      sceneFile(arrange(characters, 'together'), characters, {}),
     );
     assert.deepEqual(Object.keys(models), ['coat.glb', 'coat.glb (2)']);
     assert.deepEqual(

@@ -73,6 +73,46 @@ describe('the tally of touches', () => {
   });
 });
 
+describe('contacts of a character with itself', () => {
+  const character = {
+    parts: [{ name: 'coat' }, { name: 'arm' }],
+    jointNames: ['hip'],
+    jointCount: 1,
+    triangleParts: Uint16Array.of(1, 0, 0),
+    triangleJoints: Uint16Array.of(0, 0, 0),
+  };
+  const contacts = Uint32Array.of(0, 0, 0, 1, 0, 0, 1, 2, 0, 1, 0, 0);
+
+  test('have no sides: the tally puts places in order', async () => {
+    const { TouchTally } = await load('worker/touches.ts');
+    const tally = new TouchTally([character, character]);
+    tally.addAll(0, contacts);
+    assert.deepEqual(
+      tally.sorted().map(({ a, b }) => `${a.instance} ${a.part}, ${b.instance} ${b.part}`),
+      ['0 coat, 0 arm', '0 coat, 0 coat', '0 arm, 1 arm'],
+    );
+  });
+
+  test('are found in a spot in any order', async () => {
+    const { contactsInSpot } = await load('worker/spots.ts');
+    const place = (part) => ({ instance: 0, part, joint: 'hip' });
+    const spot = { a: place('coat'), b: place('arm') };
+    assert.deepEqual([...contactsInSpot([character, character], contacts, spot)], [0, 0, 1, 0]);
+  });
+
+  test('are told from others by bodies', async () => {
+    const { split } = await load('worker/scene_crowd.ts');
+    const ofBodies = Uint32Array.of(1, 0, 0, 1, 0, 0, 1, 2, 2, 3, 0, 0);
+    const { ofSelf, ofPairs } = split({ contacts, ofBodies });
+    assert.deepEqual([...ofSelf], [0, 0, 1, 2]);
+    assert.deepEqual([...ofPairs], [0, 0, 0, 1, 0, 1, 0, 0]);
+    const { isOfSelf } = await load('state/listing.ts');
+    const spot = { a: { instance: 0, part: 'coat' }, b: { instance: 0, part: 'arm' } };
+    assert.equal(isOfSelf(spot, 'instance'), true);
+    assert.equal(isOfSelf(spot, 'part'), false);
+  });
+});
+
 describe('triangles in contact', () => {
   test('are gathered once each, by instances, also in the next frame', async () => {
     const { TriangleSets } = await load('worker/triangle_sets.ts');
@@ -98,14 +138,16 @@ describe('triangles in contact', () => {
     const glow = glowOf(
       [{ triangles }, { triangles }],
       [{ positions }, { positions }],
+      [Uint32Array.of(), Uint32Array.of(0)],
       [Uint32Array.of(1), Uint32Array.of(0)],
     );
-    assert.equal(glow.triangles, 2);
+    assert.deepEqual([glow.triangles, glow.ofSelf], [3, 1]);
     assert.deepEqual(
-      [...glow.corners.subarray(0, 18)],
+      [...glow.corners.subarray(9, 27)],
       [0, 3, 0, 3, 0, 0, 3, 3, 3, 0, 0, 0, 3, 0, 0, 0, 3, 0],
     );
-    assert.deepEqual([...glow.centres.subarray(0, 6)], [2, 2, 1, 1, 1, 0]);
+    assert.deepEqual([...glow.corners.subarray(0, 9)], [...glow.corners.subarray(18, 27)]);
+    assert.deepEqual([...glow.centres.subarray(0, 9)], [1, 1, 0, 2, 2, 1, 1, 1, 0]);
     assert.deepEqual([0, 64, 65, 1000].map(roomFor), [64, 64, 128, 1024]);
     assert.equal(glow.corners.length, 9 * 64);
   });

@@ -8,10 +8,9 @@ import { readStats } from './stats.mjs';
 
 export const ContactKind = Object.freeze({ segment: 0, point: 1, coplanar: 2, collapsed: 3 });
 
-const kCollideRules = {
-  firstContact: check.flag,
-  maxContacts: (most, name) => (most === Infinity ? check.kMaxCount : check.count(most, name, 1)),
-};
+const limit = (most, name) => (most === Infinity ? check.kMaxCount : check.count(most, name, 1));
+const kCollideRules = { firstContact: check.flag, maxContacts: limit };
+const kClearanceRules = { firstPair: check.flag, maxPairs: limit };
 
 export function mostContacts(memory, options) {
   const read = readOptions(memory, options, kCollideRules);
@@ -32,7 +31,8 @@ export function readContacts(memory) {
 
 /** Finds the pairs within a tolerance. */
 export function clearance(memory, a, b, tolerance, options) {
-  const most = mostContacts(memory, options);
+  const read = readOptions(memory, options, kClearanceRules);
+  const most = read.firstPair ? 1 : read.maxPairs ?? check.kMaxCount;
   const handles = different(memory, a, b);
   check.number(tolerance, 'tolerance', 0, Infinity);
   memory.module._pelt_clearance(...handles, tolerance, most);

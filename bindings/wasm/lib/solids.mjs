@@ -13,7 +13,8 @@ const kMaxFaces = 64;
 
 const { float } = check;
 const vector = (value, name) => Array.from(check.vector(value, 3, name, check.kMaxFloat));
-const matrix = (value, name) => Array.from(check.vector(value, 16, name, check.kMaxFloat));
+/** Faces of a frustum are sums of two elements, and must be finite. */
+const matrix = (value, name) => Array.from(check.vector(value, 16, name, check.kMaxFloat / 2));
 const size = (value, name) => check.number(value, name, 0, check.kMaxFloat);
 const sizes = (value, name) => vector(value, name).map((x, axis) => size(x, `${name}[${axis}]`));
 

@@ -14,9 +14,9 @@ export interface DistanceOptions extends ClosestPointOptions {
 
 export interface ClearanceOptions {
   /** Stop at the first pair. `stats.cutShort` says whether any may be missing. */
-  firstContact?: boolean;
+  firstPair?: boolean;
   /** Stop after this number of pairs, at least 1. `stats.cutShort` says whether any may be missing. */
-  maxContacts?: number;
+  maxPairs?: number;
 }
 
 /** Triangles within the tolerance of `clearance`. They need not intersect. */

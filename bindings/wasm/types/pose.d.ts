@@ -11,8 +11,8 @@ export interface Pose {
   /** The part that collides, or null for the whole character. */
   readonly part: number | null;
 
-  /** Copies [J] matrices of a joint palette. */
-  setPalette(palette: Float32Array): void;
+  /** Copies [J] matrices of a joint palette. Each double is rounded once, to the nearest float. */
+  setPalette(palette: Float32Array | Float64Array): void;
   /** Copies [M] morph weights. */
   setMorphWeights(weights: Float32Array): void;
 

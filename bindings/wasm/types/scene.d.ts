@@ -68,7 +68,8 @@ export interface Scene {
 export interface Crowd {
   /** Adds an instance and returns its number. If `part` is given, only that part collides. */
   add(character: Character, part?: number | null): number;
-  setPalette(instance: number, palette: Float32Array): void;
+  /** Like `Pose.setPalette`. */
+  setPalette(instance: number, palette: Float32Array | Float64Array): void;
   setMorphWeights(instance: number, weights: Float32Array): void;
   /**
    * With a filter, `collide` also tests the instance against itself. With null, it does not. The filter

@@ -2,6 +2,7 @@
 
 #include "evaluation/peers/peer_figures.hpp"
 
+#include "evaluation/peers/peers.hpp"
 #include "scenes/creature.hpp"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,36 @@ TEST(PeerFigures, SplitTheTimeOfAFrame) {
     EXPECT_GT(figures.first_us, 0);
     EXPECT_EQ(figures.skinning_us > 0, !figures.method.starts_with("pelt"));
     EXPECT_GE(figures.skinning_us + figures.update_us + figures.all_us, 0.999 * figures.frame_us);
+  }
+}
+
+/// A creature that touches itself in some frames of its walk.
+TEST(PeerFigures, CompareACharacterWithItself) {
+  scenes::Scene scene = dwarfs();
+  scene.characters[0] = *scenes::generate_character(scenes::kCreature);
+  scene.instances.resize(1);
+  scene.frame_count = 40;
+  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
+  ASSERT_TRUE(colliders);
+  const std::vector<std::uint32_t> frames = {0, 8, 16, 24};
+  std::size_t steps = 0;
+  const auto figures = measure_peers(
+      {scene, *colliders, frames}, 1, [&] { ++steps; }, Contest::self);
+  ASSERT_TRUE(figures);
+  EXPECT_EQ(steps, peer_steps(frames.size(), Contest::self));
+  EXPECT_GT(figures->contacts, 0u);
+  ASSERT_EQ(figures->methods.size(), peers::all_self_peers().size() + 2);
+  EXPECT_EQ(figures->methods[0].method, "pelt self");
+  for (std::size_t m = 0; m < figures->methods.size(); ++m) {
+    const PeerFigures& one = figures->methods[m];
+    SCOPED_TRACE(one.method);
+    EXPECT_EQ(one.difference.extra + one.difference.repeated, 0u);
+    if (m < 2 || peers::all_self_peers()[m - 2].answers == peers::Answers::exact) {
+      EXPECT_EQ(one.difference.missing, 0u);
+    }
+    EXPECT_EQ(one.skinning_us > 0, m >= 2);
+    EXPECT_LT(cost_over_pelt(*figures, one) * figures->methods[0].frame_us,
+              one.frame_us + (m < 2 ? 1e-6 : 0));
   }
 }
 

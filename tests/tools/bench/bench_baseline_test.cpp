@@ -98,6 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"/scenes/0/engines/1/query", "some", "engines[1].query: must be all or first"},
         Damage{"/scenes/0/engines/1/cache", "warm", "engines[1].cache: must be hot or cold"},
         Damage{"/scenes/0/engines/1/asked", "", "engines[1].asked: is missing"},
+        Damage{"/scenes/0/engines/1/asked", "all", "must be pairs or crowd or self or none"},
         Damage{"/scenes/0/engines/1/threads", 1.5, "engines[1].threads: must be a whole number"},
         Damage{"/scenes/0/engines/1/hash", "abc", "hash: must be 16 hexadecimal digits"},
         Damage{"/scenes/0/engines/1/hash", "0123456789abcdeg", "hash: must be 16 hexadecimal"},

@@ -3,6 +3,7 @@
 #include "tools/pelt/bench/bench_scene.hpp"
 
 #include "evaluation/methods/lab_methods.hpp"
+#include "evaluation/methods/lab_self_methods.hpp"
 
 #include <gtest/gtest.h>
 
@@ -185,6 +186,92 @@ TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {
     EXPECT_GT(one.times.mean_us, 0);
   }
   EXPECT_NE(scene.figures[0].answer.hash, scene.figures[8].answer.hash);
+}
+
+/// Omits the last contact of a character with itself.
+class SelfForgetful final : public methods::Method {
+ public:
+  void add(const SkinnedModel& model) override { method_->add(model); }
+  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
+    return method_->set_morph_weights(body, weights);
+  }
+  Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
+    return method_->set_palette(body, palette);
+  }
+  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
+                     const CollideOptions& options) override {
+    EXPECT_EQ(a, b);
+    const QueryStats work = method_->collide(a, b, contacts, options);
+    if (!contacts.empty()) contacts.pop_back();
+    return work;
+  }
+  QueryStats update_work() const override { return method_->update_work(); }
+
+ private:
+  std::unique_ptr<methods::Method> method_ = methods::kSelf.make();
+};
+
+/// A creature that touches itself in some frames of its walk.
+scenes::Scene lone_walker() {
+  scenes::Scene scene = walkers();
+  scene.characters[0] = *scenes::generate_character(scenes::kCreature);
+  scene.instances.resize(1);
+  scene.fps = 30;
+  return scene;
+}
+
+BenchSettings self_settings(std::vector<Engine> engines) {
+  BenchSettings settings = settings_with(std::move(engines));
+  settings.is_self = true;
+  settings.frames = arguments::FrameRange{0, 40, 8};
+  return settings;
+}
+
+TEST(BenchScene, MeasuresACharacterAgainstItself) {
+  BenchSettings settings = self_settings({});
+  for (const auto method :
+       {methods::kBoxes, methods::kSelf, methods::kSelfEager, methods::kSelfBrute})
+    settings.engines.push_back(self_engine(method));
+  settings.questions = {Question::all, Question::first};
+  std::vector<SceneFigures> figures;
+  std::ostringstream errors;
+  const Result<arguments::ExitCode> exit = bench_scene(lone_walker(), settings, figures, errors);
+  ASSERT_TRUE(exit);
+  ASSERT_EQ(*exit, arguments::ExitCode::success) << errors.str();
+  const SceneFigures& scene = figures.at(0);
+  ASSERT_TRUE(scene.self_filters);
+  EXPECT_GT(scene.self_filters->bytes, scene.models.triangles);
+  ASSERT_EQ(scene.figures.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Figures& one = scene.figures[i];
+    EXPECT_EQ(one.asked, i % 4 == 0 ? Asked::none : Asked::self);
+    EXPECT_EQ(one.answer.hash, scene.figures[i < 4 ? 0 : 4].answer.hash);
+    EXPECT_GT(one.answer.frames_in_contact, 0u);
+    EXPECT_LT(one.answer.frames_in_contact, 5u);
+    EXPECT_GT(one.times.mean_us, 0);
+  }
+  EXPECT_NE(scene.figures[0].answer.hash, scene.figures[4].answer.hash);
+}
+
+TEST(BenchScene, RefusesASelfCollisionThatForgetsOneContact) {
+  const Engine forgetful = {"forgetful",
+                            [](std::span<const scene::Collider> colliders) {
+                              return scene::SceneQuery::of_each(colliders,
+                                                                std::make_unique<SelfForgetful>());
+                            },
+                            Asked::self};
+  for (const Question question : {Question::all, Question::first}) {
+    BenchSettings settings = self_settings({self_engine(methods::kSelf), forgetful});
+    settings.questions = {question};
+    std::vector<SceneFigures> figures;
+    std::ostringstream errors;
+    const Result<arguments::ExitCode> exit = bench_scene(lone_walker(), settings, figures, errors);
+    ASSERT_TRUE(exit);
+    EXPECT_EQ(*exit, arguments::ExitCode::internal);
+    EXPECT_TRUE(figures.empty());
+    EXPECT_NE(errors.str().find("forgetful gives the hash "), std::string::npos);
+    EXPECT_NE(errors.str().find(", brute gives "), std::string::npos) << errors.str();
+  }
 }
 
 /// The update of rigid bodies counts neither as their time nor as their work.

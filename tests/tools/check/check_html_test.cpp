@@ -199,6 +199,33 @@ TEST_F(CheckHtml, TellsWhatIsIgnoredAndWhatIsWorse) {
   EXPECT_EQ(scene["ignore"], json::array({json::array({"one/*", "two/joint 1"})}));
 }
 
+TEST_F(CheckHtml, AsksThePageForTheSameContactsOfCharactersWithThemselves) {
+  const auto scene_with = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"check", "scene.json", "--html", "report.html"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended run = run_pelt(folder_, words);
+    EXPECT_LE(run.exit_code, 1) << run.err;
+    const json data = data_of(read_text(folder_ / "report.html"));
+    EXPECT_EQ(check_again(folder_, data).totals["hash"], data["answer"]["hash"]);
+    EXPECT_EQ(check_again(folder_, data).header["options"]["self"],
+              data["answer"]["options"]["self"]);
+    return json::parse(decode(data["files"]["scene.json"]));
+  };
+  const auto says = [&](const char* sentence) {
+    return read_text(folder_ / "report.html").find(sentence) != std::string::npos;
+  };
+  EXPECT_EQ(scene_with({})["self"], false);
+  EXPECT_FALSE(says("contacts. Only") || says("with themselves count, too."));
+  const json only = scene_with({"--self=only", "--self-rings", "0", "--self-near-joints", "keep"});
+  EXPECT_EQ(only["self"], "only");
+  EXPECT_TRUE(says(" contacts. Only contacts of characters with themselves count. Command:"));
+  EXPECT_EQ(only["self_rings"], 0);
+  EXPECT_EQ(only["self_always"], "keep");
+  EXPECT_EQ(only["self_near_joints"], "keep");
+  EXPECT_EQ(scene_with({"--self", "--self-always", "0.5"})["self_always"], 0.5);
+  EXPECT_TRUE(says(" contacts. Contacts of characters with themselves count, too. Command:"));
+}
+
 TEST_F(CheckHtml, NamesItsInputsAsTheyWereGiven) {
   std::filesystem::create_directory(folder_ / "models");
   write_bytes(folder_ / "models/one.glb", swaying_limb(24));

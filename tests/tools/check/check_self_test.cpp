@@ -419,10 +419,6 @@ TEST(CheckSelf, RefusesWhatItCannotDo) {
   };
   refused({"--self", "--method", "brute"}, "--self: cannot be combined with --method");
   refused({"--self", "--clearance", "0.1"}, "--self: cannot be combined with --clearance");
-  write_text(folder / "viewer.html", viewer_page(PELT_VERSION));
-  ASSERT_EQ(setenv("PELT_VIEWER", (folder / "viewer.html").c_str(), 1), 0);
-  refused({"--self", "--html", "a.html"}, "--self: cannot be combined with --html");
-  unsetenv("PELT_VIEWER");
   refused({"--self=many"}, "--self: unknown value \"many\"");
   refused({"--self-rings", "65"}, "--self-rings: 65 is out of range");
   refused({"--self-at-rest", "on"}, "--self-at-rest: unknown value \"on\"");

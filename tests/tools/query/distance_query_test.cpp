@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <random>
+#include <set>
 #include <sstream>
 
 namespace pelt::tools::query {
@@ -30,10 +32,12 @@ json written(const Write& write) {
 
 /// A query of a scene, frame by frame.
 struct Asked {
-  Asked(const scenes::Scene& scene, std::span<const scene::Collider> colliders, double within)
+  Asked(const scenes::Scene& scene, std::span<const scene::Collider> colliders, double within,
+        std::size_t most_hints = DistanceQuery::kMostHints)
       : staged(scene, colliders),
         poses(colliders),
-        query(staged, {scene::Granularity::instance, within}, DistanceQuery::Lists::all) {}
+        query(staged, {scene::Granularity::instance, within}, DistanceQuery::Lists::all,
+              most_hints) {}
 
   json pairs_of(std::uint32_t frame) {
     scene::sample_palettes(staged.scene, frame, scratch, palettes);
@@ -103,6 +107,53 @@ TEST(DistanceQuery, AsksOnlyPairsThatAreNear) {
   EXPECT_EQ(near.least().size(), 1u);
   EXPECT_GT(near.work.node_pairs, 0u);
   EXPECT_LT(near.work.node_pairs, 2000u);  // of 1,999,000 pairs
+}
+
+/// Instances that walk away from each other or towards each other.
+scenes::Scene walkers(std::uint32_t count) {
+  scenes::Scene scene = creatures(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    scene.instances[i].translation = {2.0 * (i % 8), 0, 2.0 * (i / 8)};
+    scene.instances[i].velocity = {i % 2 == 0 ? 0.5 : -0.5, 0, 0};
+  }
+  return scene;
+}
+
+TEST(DistanceQuery, AnswersDoNotDependOnTheNumberOfPairsInMemory) {
+  const scenes::Scene scene = walkers(50);
+  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  const double within = DistanceSettings().within;
+  Asked in_memory(scene, *colliders, within), in_file(scene, *colliders, within, 8);
+  for (const std::uint32_t frame : {0u, 20u, 40u}) {
+    const json pairs = in_memory.pairs_of(frame);
+    EXPECT_EQ(pairs.size(), 1225u);  // more than one block of the file
+    EXPECT_EQ(in_file.pairs_of(frame), pairs) << "frame " << frame;
+  }
+  const json least = in_memory.least();
+  EXPECT_EQ(in_file.least(), least);
+  std::set<int> frames;
+  for (const json& pair : least) frames.insert(pair["frame"].get<int>());
+  EXPECT_GT(frames.size(), 1u) << "a scene worth testing";
+  EXPECT_TRUE(in_file.query.status());
+}
+
+TEST(DistanceQuery, StoresPairsThatExceedMemoryInAFile) {
+  const scenes::Scene scene = walkers(50);
+  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  ASSERT_EQ(setenv("TMPDIR", "/nowhere/at all", 1), 0);
+  Asked in_memory(scene, *colliders, DistanceSettings().within);
+  in_memory.pairs_of(0);
+  EXPECT_TRUE(in_memory.query.status());
+  Asked in_file(scene, *colliders, DistanceSettings().within, 8);
+  in_file.pairs_of(0);
+  unsetenv("TMPDIR");
+  const auto status = in_file.query.status();
+  ASSERT_FALSE(status);
+  EXPECT_NE(status.error().message.find("/nowhere/at all: cannot hold a temporary file: No such"),
+            std::string::npos)
+      << status.error().message;
 }
 
 }  // namespace

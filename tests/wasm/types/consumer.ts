@@ -282,9 +282,11 @@ function useDistance(pelt: Pelt, a: Pose, b: Pose): void {
   const points: SurfacePoint[] = [closest.a, closest.b];
   for (const { triangle, position } of points) check(triangle + position[0] > -9, 'point');
   check(closest.distance === 0 && closest.lowerBound === 0, 'they touch');
-  const within: ClearanceOptions = { maxContacts: 9 };
+  const within: ClearanceOptions = { maxPairs: 9 };
   const near: NearPairs = pelt.clearance(a, b, 0.01, within);
   check(near.count === 9 && near.stats.cutShort, 'clearance');
+  const first: ClearanceOptions = { firstPair: true };
+  check(pelt.clearance(a, b, 0.01, first).count === 1, 'firstPair');
   check(pelt.isWithin(a, b, 0), 'isWithin');
   check(pelt.containment(a, b) === 'none', 'containment');
   const deepest: Penetration | null = pelt.deepestVertex(a, b);
@@ -335,7 +337,7 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
   const crowd: Crowd = pelt.makeCrowd();
   for (const { character } of scene.instances) {
     const instance: number = crowd.add(scene.characters[character]!, null);
-    crowd.setPalette(instance, scene.palette(instance, 3));
+    crowd.setPalette(instance, Float64Array.from(scene.palette(instance, 3)));
     crowd.setMorphWeights(instance, scene.morphWeights(instance, 3));
     crowd.setSelfFilter(instance, null);
   }
@@ -381,8 +383,8 @@ export function misuse(pelt: Pelt, pose: Pose, character: Character, scene: Scen
   pose.classify({ kind: 'sphere', centre: [0, 0, 0] });
   // @ts-expect-error nothing may be near enough
   pose.closestPoint([0, 0, 0]).distance;
-  // @ts-expect-error floats
-  pose.setPalette(new Float64Array(16));
+  // @ts-expect-error floats or doubles
+  pose.setPalette(new Int32Array(16));
   // @ts-expect-error a clip is a name or null
   character.palette(3, 0);
   // @ts-expect-error for reading only

@@ -25,19 +25,23 @@ struct Column {
 
 constexpr Column kColumns[] = {{"vs paper", "paper", &Ratios::vs_paper, Better::higher},
                                {"vs eager", "eager", &Ratios::vs_eager, Better::higher},
-                               {"of rigid", "rigid", &Ratios::of_rigid, Better::lower}};
+                               {"of rigid", "rigid", &Ratios::of_rigid, Better::lower},
+                               {"of boxes", "boxes", &Ratios::of_boxes, Better::lower}};
 
-/// Only a program with the method rigid compares with rigid bodies.
+/// Speed-ups over the methods of pairs, and costs over the methods that were measured.
 std::vector<Column> columns_of(const SceneFigures& scene) {
   std::vector<Column> columns(std::begin(kColumns), std::end(kColumns));
-  if (!has_engine(scene, "rigid")) columns.pop_back();
+  std::erase_if(columns, [&](const Column& column) {
+    const bool is_of_pairs = column.better == Better::higher && !scene.self_filters;
+    return !is_of_pairs && !has_engine(scene, column.yardstick);
+  });
   return columns;
 }
 
 /// These rows would repeat the other rows with the opposite meaning: worse if another method has
 /// become faster.
 bool is_yardstick_only(const Figures& figures) {
-  return figures.engine == "paper" || figures.engine == "rigid";
+  return figures.engine == "paper" || figures.engine == "rigid" || figures.asked == Asked::none;
 }
 
 std::string variant_name(const Variant& variant) {
@@ -46,7 +50,7 @@ std::string variant_name(const Variant& variant) {
 }
 
 std::string engine_name(const Figures& figures) {
-  if (figures.asked == Asked::pairs) return "method " + figures.engine;
+  if (figures.asked != Asked::crowd) return "method " + figures.engine;
   return "crowd of " + figures.engine + " on " + output::counted(figures.threads, "thread");
 }
 

@@ -8,10 +8,13 @@ namespace {
 /// Hashes which pairs touch, because the first contact of a pair is unspecified.
 class TouchHash {
  public:
+  explicit TouchHash(Asked asked) : of_each_(asked == Asked::self) {}
+
   void add(std::uint32_t frame, std::size_t collider_count, const scene::FrameContacts& found) {
     auto pair = found.pairs.begin();
     for (std::uint32_t a = 0; a < collider_count; ++a) {
-      for (std::uint32_t b = a + 1; b < collider_count; ++b) {
+      const auto end = of_each_ ? a + 1 : static_cast<std::uint32_t>(collider_count);
+      for (std::uint32_t b = of_each_ ? a : a + 1; b < end; ++b) {
         const bool touch = pair != found.pairs.end() && pair->a == a && pair->b == b;
         if (touch) ++pair;
         for (const std::uint32_t value : {frame, a, b, std::uint32_t{touch}}) hash_.add_u32(value);
@@ -22,6 +25,7 @@ class TouchHash {
   std::uint64_t value() const { return hash_.value(); }
 
  private:
+  bool of_each_;
   detail::Fnv1a64 hash_;
 };
 
@@ -35,6 +39,8 @@ QueryStats difference(QueryStats after, const QueryStats& before) {
 
 /// The answer of the frames added so far.
 struct AnswerSoFar {
+  explicit AnswerSoFar(Asked asked) : touches(asked) {}
+
   void add(std::uint32_t frame, std::size_t collider_count, const scene::FrameContacts& found) {
     contacts.add(frame, found);
     touches.add(frame, collider_count, found);
@@ -60,7 +66,7 @@ Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
   Runner runner(subject.colliders, engine);
   asset::SampleScratch scratch;
   scene::Palettes palettes;
-  std::vector<AnswerSoFar> answers(questions.size());
+  std::vector<AnswerSoFar> answers(questions.size(), AnswerSoFar(engine.asked));
   for (const std::uint32_t frame : subject.frames) {
     scene::sample_palettes(subject.scene, frame, scratch, palettes);
     for (std::size_t q = 0; q < questions.size(); ++q) {

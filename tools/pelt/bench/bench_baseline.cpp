@@ -23,14 +23,17 @@ std::string required_text(const JsonObject& object, const char* key) {
   return text;
 }
 
-/// Returns the one of two values that has the name.
+/// Returns the one of several values that has the name.
 template <typename T>
-T one_of(const JsonObject& object, const char* key, T a, T b) {
+T one_of(const JsonObject& object, const char* key, std::initializer_list<T> values) {
   const std::string name = required_text(object, key);
-  if (name == name_of(a)) return a;
-  if (name != name_of(b))
-    object.refuse(key, std::string("must be ") + name_of(a) + " or " + name_of(b));
-  return b;
+  std::string names;
+  for (const T value : values) {
+    if (name == name_of(value)) return value;
+    names += (names.empty() ? "must be " : " or ") + std::string(name_of(value));
+  }
+  object.refuse(key, names);
+  return *values.begin();
 }
 
 /// Reads a time, which must be positive because it is a divisor.
@@ -50,9 +53,9 @@ std::uint64_t hash(const JsonObject& object) {
 Figures read_figures(const JsonObject& object) {
   Figures figures;
   figures.engine = required_text(object, "engine");
-  figures.variant = {one_of(object, "query", Question::all, Question::first),
-                     one_of(object, "cache", Cache::hot, Cache::cold)};
-  figures.asked = one_of(object, "asked", Asked::pairs, Asked::crowd);
+  figures.variant = {one_of(object, "query", {Question::all, Question::first}),
+                     one_of(object, "cache", {Cache::hot, Cache::cold})};
+  figures.asked = one_of(object, "asked", {Asked::pairs, Asked::crowd, Asked::self, Asked::none});
   figures.threads = static_cast<std::uint32_t>(object.count("threads"));
   figures.answer.hash = hash(object);
   figures.times.mean_us = positive(object, "mean_us");
@@ -63,7 +66,7 @@ SceneFigures read_scene(const JsonObject& object) {
   SceneFigures scene;
   scene.scene = required_text(object, "scene");
   scene.frames = object.count("frames");
-  scene.time = one_of(object, "time", Time::thread, Time::wall);
+  scene.time = one_of(object, "time", {Time::thread, Time::wall});
   for (const JsonObject& engine : object.objects("engines"))
     scene.figures.push_back(read_figures(engine));
   return scene;

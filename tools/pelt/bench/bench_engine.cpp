@@ -2,6 +2,7 @@
 
 #include "asset/message.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
+#include "tools/pelt/methods/self_methods.hpp"
 
 #include <algorithm>
 
@@ -11,6 +12,13 @@ Engine engine_of(methods::MethodKind method) {
   return {std::string(method.name), [method](std::span<const scene::Collider> colliders) {
             return scene::SceneQuery(colliders, method.make());
           }};
+}
+
+Engine self_engine(methods::MethodKind method) {
+  const auto make = [method](std::span<const scene::Collider> colliders) {
+    return scene::SceneQuery::of_each(colliders, method.make());
+  };
+  return {std::string(method.name), make, method == methods::kBoxes ? Asked::none : Asked::self};
 }
 
 Engine crowd_engine(std::uint32_t threads) {

@@ -1,9 +1,9 @@
 #pragma once
 
 /// The engines of `pelt bench` and their queries. An engine is a method that is queried pair by
-/// pair on one thread, or on_demand queried as a crowd on any number of threads, which share
-/// palettes and pairs. Times of several threads are wall times, and so are then the times of all
-/// engines of the run.
+/// pair, or instance by instance against itself, on one thread, or on_demand queried as a crowd on
+/// any number of threads, which share palettes and pairs. Times of several threads are wall times,
+/// and so are then the times of all engines of the run.
 
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
@@ -21,6 +21,8 @@ enum class Question {
 enum class Asked {
   pairs,  ///< each pair of instances separately
   crowd,  ///< all pairs at once
+  self,   ///< each instance against itself
+  none,   ///< nothing, see methods::kBoxes
 };
 
 struct Engine {
@@ -31,6 +33,9 @@ struct Engine {
 };
 
 Engine engine_of(methods::MethodKind method);
+
+/// A method of self_methods.hpp.
+Engine self_engine(methods::MethodKind method);
 
 /// The method on_demand as a crowd.
 Engine crowd_engine(std::uint32_t threads);

@@ -38,20 +38,28 @@ ordered_json engine_json(const Figures& figures) {
           {"counters", scene::counters_json(figures.answer.work)}};
 }
 
+ordered_json models_json(const SceneFigures& scene) {
+  const ModelFigures& models = scene.models;
+  ordered_json json = {{"triangles", models.triangles},
+                       {"bytes", models.bytes},
+                       {"build_seconds", models.build_seconds}};
+  if (scene.self_filters) {
+    json["self_filter_bytes"] = scene.self_filters->bytes;
+    json["self_filter_build_seconds"] = scene.self_filters->build_seconds;
+  }
+  return json;
+}
+
 ordered_json scene_json(const SceneFigures& scene) {
   ordered_json engines = ordered_json::array();
   for (const Figures& figures : scene.figures) engines.push_back(engine_json(figures));
-  const ModelFigures& models = scene.models;
   const Skinning& skinning = scene.skinning;
   return {{"scene", scene.scene},
           {"frames", scene.frames},
           {"frames_in_contact", scene.figures[0].answer.frames_in_contact},
           {"repetitions", scene.repetitions},
           {"time", name_of(scene.time)},
-          {"models",
-           {{"triangles", models.triangles},
-            {"bytes", models.bytes},
-            {"build_seconds", models.build_seconds}}},
+          {"models", models_json(scene)},
           {"skinning",
            {{"vertices", skinning.vertices},
             {"mean_us", skinning.mean_us},

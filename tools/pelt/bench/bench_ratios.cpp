@@ -38,7 +38,8 @@ Ratios ratios_of(const SceneFigures& scene, const Figures& figures) {
   const double* own = &figures.times.mean_us;
   return {ratio(mean_of(scene, "paper", figures.variant), own),
           ratio(mean_of(scene, "eager", figures.variant), own),
-          ratio(own, mean_of(scene, "rigid", figures.variant))};
+          ratio(own, mean_of(scene, "rigid", figures.variant)),
+          ratio(own, mean_of(scene, "boxes", figures.variant))};
 }
 
 std::string in_words(const std::optional<double>& ratio) {

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Ratios, which can be compared between machines: of an engine to the paper's method, to eager and
-/// to rigid.
+/// Ratios, which can be compared between machines: of an engine to the paper's method, to eager, to
+/// rigid and to boxes.
 
 #include "tools/pelt/bench/bench_report.hpp"
 
@@ -12,7 +12,7 @@ namespace pelt::tools::bench {
 /// Nullopt if the other method was not measured.
 struct Ratios {
   std::optional<double> vs_paper, vs_eager;  ///< speed-ups
-  std::optional<double> of_rigid;            ///< cost over that of rigid
+  std::optional<double> of_rigid, of_boxes;  ///< costs over these methods
 };
 
 bool is_same(const Variant& a, const Variant& b);

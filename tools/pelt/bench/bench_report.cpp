@@ -6,6 +6,7 @@
 #include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <set>
 
@@ -27,9 +28,29 @@ void print_cells(const std::string& name, const std::vector<std::string>& cells,
   out << '\n';
 }
 
-/// The cell of a column that only programs with a rigid method have.
-std::string of_rigid(const SceneFigures& scene, const std::string& cell) {
-  return has_engine(scene, "rigid") ? cell : "";
+/// The cell of a column that is shown only if another method was measured.
+std::string if_measured(const SceneFigures& scene, const char* engine, const std::string& cell) {
+  return has_engine(scene, engine) ? cell : "";
+}
+
+/// The cell of a column that is empty for self-collision.
+std::string of_pairs(const SceneFigures& scene, const std::string& cell) {
+  return scene.self_filters ? "" : cell;
+}
+
+std::string of_eager(const SceneFigures& scene, const std::string& cell) {
+  return scene.self_filters ? if_measured(scene, "eager", cell) : cell;
+}
+
+/// The cell of a column of tables of the first contact.
+std::string of_first(const SceneFigures& scene, const Figures& figures, const std::string& cell) {
+  return scene.self_filters && figures.variant.question == Question::first ? cell : "";
+}
+
+/// The speed-up of a query over that for all contacts.
+std::optional<double> speed_up_over_all(const SceneFigures& scene, const Figures& figures) {
+  return ratio(mean_of(scene, figures.engine, {Question::all, figures.variant.cache}),
+               &figures.times.mean_us);
 }
 
 void print_scene(const SceneFigures& scene, std::ostream& out) {
@@ -41,6 +62,10 @@ void print_scene(const SceneFigures& scene, std::ostream& out) {
       << "models: " << output::with_commas(scene.models.triangles) << " triangles, built in "
       << output::fixed(scene.models.build_seconds, 3) << " s, "
       << output::fixed(bytes / triangles, 1) << " bytes per triangle\n";
+  if (!scene.self_filters) return;
+  out << "self filters: built in " << output::fixed(scene.self_filters->build_seconds, 3) << " s, "
+      << output::fixed(static_cast<double>(scene.self_filters->bytes) / triangles, 1)
+      << " bytes per triangle\n";
 }
 
 void print_repetitions(const SceneFigures& scene, std::ostream& out) {
@@ -72,8 +97,10 @@ void print_head(const SceneFigures& scene, const Figures& figures, std::ostream&
         << output::with_commas(scene.frames);
   out << "; hash " << output::hex16(figures.answer.hash) << " by every method\n";
   print_cells("method",
-              {"threads", "mean us", "in contact", "95 %", "update", "query", "vs paper",
-               "vs eager", of_rigid(scene, "of rigid"), "vs 1 thread"},
+              {"threads", "mean us", "in contact", "95 %", "update", "query",
+               of_pairs(scene, "vs paper"), of_eager(scene, "vs eager"),
+               if_measured(scene, "rigid", "of rigid"), if_measured(scene, "boxes", "of boxes"),
+               of_first(scene, figures, "vs all"), of_pairs(scene, "vs 1 thread")},
               out);
 }
 
@@ -82,14 +109,18 @@ void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& 
   const Ratios ratios = ratios_of(scene, figures);
   const double* one_thread =
       figures.asked == Asked::crowd ? mean_of(scene, figures.engine, figures.variant) : nullptr;
-  print_cells(figures.engine,
-              {std::to_string(figures.threads), output::fixed(times.mean_us, 1),
-               times.frames_in_contact > 0 ? output::fixed(times.mean_contact_us, 1) : "-",
-               output::fixed(times.p95_us, 1), output::fixed(times.mean_update_us, 1),
-               output::fixed(times.mean_us - times.mean_update_us, 1), in_words(ratios.vs_paper),
-               in_words(ratios.vs_eager), of_rigid(scene, in_words(ratios.of_rigid)),
-               in_words(ratio(one_thread, &times.mean_us))},
-              out);
+  print_cells(
+      figures.engine,
+      {std::to_string(figures.threads), output::fixed(times.mean_us, 1),
+       times.frames_in_contact > 0 ? output::fixed(times.mean_contact_us, 1) : "-",
+       output::fixed(times.p95_us, 1), output::fixed(times.mean_update_us, 1),
+       output::fixed(times.mean_us - times.mean_update_us, 1),
+       of_pairs(scene, in_words(ratios.vs_paper)), of_eager(scene, in_words(ratios.vs_eager)),
+       if_measured(scene, "rigid", in_words(ratios.of_rigid)),
+       if_measured(scene, "boxes", in_words(ratios.of_boxes)),
+       of_first(scene, figures, in_words(speed_up_over_all(scene, figures))),
+       of_pairs(scene, in_words(ratio(one_thread, &times.mean_us)))},
+      out);
 }
 
 void print_tables(const SceneFigures& scene, std::ostream& out) {
@@ -137,7 +168,10 @@ const char* name_of(Question question) { return question == Question::all ? "all
 
 const char* name_of(Cache cache) { return cache == Cache::hot ? "hot" : "cold"; }
 
-const char* name_of(Asked asked) { return asked == Asked::pairs ? "pairs" : "crowd"; }
+const char* name_of(Asked asked) {
+  constexpr std::array kNames = {"pairs", "crowd", "self", "none"};
+  return kNames[static_cast<std::size_t>(asked)];
+}
 
 const char* name_of(Time time) { return time == Time::thread ? "thread" : "wall"; }
 

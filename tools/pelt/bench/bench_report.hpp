@@ -4,8 +4,10 @@
 
 #include "tools/pelt/bench/bench_answer.hpp"
 #include "tools/pelt/bench/bench_measure.hpp"
+#include "tools/pelt/bench/bench_self.hpp"
 #include "tools/pelt/bench/bench_skinning.hpp"
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -35,6 +37,7 @@ struct SceneFigures {
   std::uint32_t repetitions = 0;
   Time time = Time::thread;
   ModelFigures models;
+  std::optional<SelfFilterFigures> self_filters;  ///< if instances are queried against themselves
   Skinning skinning;
   std::vector<Figures> figures;  ///< not empty; grouped by variant
 };

@@ -1,8 +1,10 @@
 #include "tools/pelt/bench/bench_scene.hpp"
 
 #include "asset/printable.hpp"
+#include "tools/pelt/bench/bench_self.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
+#include "tools/pelt/methods/self_methods.hpp"
 #include "tools/pelt/output/progress.hpp"
 #include "tools/pelt/output/text.hpp"
 
@@ -12,7 +14,9 @@ namespace pelt::tools::bench {
 namespace {
 
 /// The reference for all answers; shares no tree with the fast engines.
-constexpr methods::MethodKind kReference = methods::kPaper;
+Engine reference_of(const BenchSettings& settings) {
+  return settings.is_self ? self_engine(methods::kSelfBrute) : engine_of(methods::kPaper);
+}
 
 Result<std::vector<std::uint32_t>> choose_frames(
     const scenes::Scene& scene, const std::optional<arguments::FrameRange>& chosen) {
@@ -49,21 +53,28 @@ using Answers = std::vector<Answer>;  // [questions]
 
 /// Whether an engine gives the answers of the reference. Prints a message if not.
 bool agrees(const std::string& where, const std::string& engine, const Answers& answers,
-            const Answers& reference, std::ostream& errors) {
+            const std::string& reference_name, const Answers& reference, std::ostream& errors) {
   for (std::size_t q = 0; q < answers.size(); ++q) {
     if (answers[q].hash == reference[q].hash) continue;
     errors << where << ": " << engine << " gives the hash " << output::hex16(answers[q].hash)
-           << ", " << kReference.name << " gives " << output::hex16(reference[q].hash)
+           << ", " << reference_name << " gives " << output::hex16(reference[q].hash)
            << ": please report this with the scene\n";
     return false;
   }
   return true;
 }
 
+/// The answers of the reference, with the work of an engine that answers nothing: all figures of a
+/// query have the same hash.
+Answers with_work_of(const Answers& answers, Answers reference) {
+  for (std::size_t q = 0; q < answers.size(); ++q) reference[q].work = answers[q].work;
+  return reference;
+}
+
 /// Returns the answers [engines], or an empty list if engines disagree.
 Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings& settings,
                                      std::ostream& errors) {
-  const Engine reference = engine_of(kReference);
+  const Engine reference = reference_of(settings);
   const std::string where =
       settings.program + ": internal error: " + asset::printable(subject.scene.name);
   const Result<Answers> expected = answer(subject, reference, settings.questions);
@@ -73,7 +84,11 @@ Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings
     const Result<Answers> answers =
         engine.name == reference.name ? expected : answer(subject, engine, settings.questions);
     if (!answers) return answers.error();
-    if (!agrees(where, engine.name, *answers, *expected, errors)) {
+    if (engine.asked == Asked::none) {
+      all.push_back(with_work_of(*answers, *expected));
+      continue;
+    }
+    if (!agrees(where, engine.name, *answers, reference.name, *expected, errors)) {
       return std::vector<Answers>();
     }
     all.push_back(*answers);
@@ -111,11 +126,13 @@ Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSett
 
 Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
                                         std::vector<SceneFigures>& figures, std::ostream& errors) {
-  if (scene.instances.size() < 2)
-    return output::bad_argument(asset::printable(scene.name),
-                                "has " + output::counted(scene.instances.size(), "instance") +
-                                    ", so there is no pair to measure",
-                                "add instances until there are at least two");
+  if (!settings.is_self && scene.instances.size() < 2)
+    return output::bad_argument(
+        asset::printable(scene.name),
+        "has " + output::counted(scene.instances.size(), "instance") +
+            ", so there is no pair to measure",
+        "add instances until there are at least two, or measure each instance "
+        "against itself with --self");
   const auto frames = choose_frames(scene, settings.frames);
   if (!frames) return frames.error();
   const Result<Prepared> prepared = prepare(scene, settings.models);
@@ -128,11 +145,18 @@ Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchS
   if (!measured) return measured.error();
   const Result<Skinning> skinning = measure_skinning(subject, settings.repetitions);
   if (!skinning) return skinning.error();
+  std::optional<SelfFilterFigures> self_filters;
+  if (settings.is_self) {
+    const auto filters = measure_self_filters(prepared->colliders);
+    if (!filters) return filters.error();
+    self_filters = *filters;
+  }
   std::uint64_t triangles = 0;
   for (const scene::Collider& collider : prepared->colliders)
     triangles += collider.model.triangle_count();
   figures.push_back({scene.name, triangles, frames->size(), settings.repetitions,
-                     time_of(settings.engines), prepared->models, *skinning, *measured});
+                     time_of(settings.engines), prepared->models, self_filters, *skinning,
+                     *measured});
   return arguments::ExitCode::success;
 }
 

@@ -15,6 +15,7 @@ namespace pelt::tools::bench {
 struct BenchSettings {
   std::string program = "pelt";  ///< for messages
   std::vector<Engine> engines;
+  bool is_self = false;  ///< each instance against itself, with engines of `self_engine`
   std::vector<Question> questions;
   std::vector<Cache> caches;
   std::uint32_t repetitions = kEnoughRepetitions;
@@ -22,7 +23,8 @@ struct BenchSettings {
   arguments::ModelArguments models;
 };
 
-/// Appends the scene's figures. If an engine's answers differ from the paper's, prints its name to
+/// Appends the scene's figures. If an engine's answers differ from
+/// those of the reference (the method paper, or brute force for self-collision), prints its name to
 /// `errors`, measures nothing, and returns ExitCode::internal.
 Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
                                         std::vector<SceneFigures>& figures, std::ostream& errors);

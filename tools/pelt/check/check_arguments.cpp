@@ -61,10 +61,9 @@ Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
 }
 
 /// Returns the option that excludes tests of bodies against themselves, or null.
-const char* excluded_by(const CheckArguments& arguments, const CheckSettings& settings) {
+const char* excluded_by(const CheckSettings& settings) {
   if (settings.method != methods::kOnDemand) return "--method";
   if (settings.clearance) return "--clearance";
-  if (!arguments.html.empty()) return "--html";
   return nullptr;
 }
 
@@ -73,7 +72,7 @@ Result<SelfChoice> choose_self(const CheckArguments& arguments, const CheckSetti
                                const scenes::Scene& scene) {
   const Result<scenes::SelfOptions> given = parse_self(arguments.self);
   if (!given) return given.error();
-  const char* const excluded = excluded_by(arguments, settings);
+  const char* const excluded = excluded_by(settings);
   const bool by_default = is_one_body(scene, settings.granularity) && excluded == nullptr;
   const SelfChoice choice =
       with_defaults(scenes::chosen_first(*given, scene.self), scene,

@@ -105,6 +105,17 @@ SelfChoice with_defaults(const scenes::SelfOptions& options, const scenes::Scene
   return choice;
 }
 
+scenes::SelfOptions without_defaults(const SelfChoice& choice) {
+  scenes::SelfOptions options;
+  options.wanted = choice.wanted;
+  if (!choice.asks_self()) return options;
+  options.rings = choice.rules.rings;
+  options.drops_at_rest = choice.rules.drops_at_rest;
+  options.always = choice.rules.always.value_or(0);
+  options.drops_near_joints = choice.rules.drops_near_joints;
+  return options;
+}
+
 bool is_one_body(const scenes::Scene& scene, scene::Granularity granularity) {
   if (scene.instances.size() != 1) return false;
   if (granularity == scene::Granularity::instance) return true;

@@ -39,6 +39,9 @@ struct SelfChoice {
 SelfChoice with_defaults(const scenes::SelfOptions& options, const scenes::Scene& scene,
                          scenes::SelfContacts otherwise);
 
+/// Returns the choice as options that leave no default open.
+scenes::SelfOptions without_defaults(const SelfChoice& choice);
+
 /// Whether the scene has only one collider, so that the contacts with itself are its only ones.
 bool is_one_body(const scenes::Scene& scene, scene::Granularity granularity);
 

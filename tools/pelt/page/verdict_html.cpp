@@ -32,6 +32,13 @@ const char* headline(const ordered_json& verdict) {
   return verdict["failed"] == true ? "Check failed" : "Check passed";
 }
 
+/// Says what was tested against itself.
+const char* self_sentence(const ordered_json& options) {
+  if (options["self"].is_null()) return "";
+  if (options["self"]["only"] == true) return " Only contacts of characters with themselves count.";
+  return " Contacts of characters with themselves count, too.";
+}
+
 }  // namespace
 
 std::string verdict_html(const PageData& data) {
@@ -42,7 +49,8 @@ std::string verdict_html(const PageData& data) {
   const ordered_json& totals = last["totals"];
   return std::string(headline(last["verdict"])) + ": " + number(totals["frames_in_contact"]) +
          " of " + number(totals["frames"]) + " frames in contact, " + number(totals["contacts"]) +
-         " contacts. Command: <code>" + escaped(data.command) + "</code>";
+         " contacts." + self_sentence(first["options"]) + " Command: <code>" +
+         escaped(data.command) + "</code>";
 }
 
 }  // namespace pelt::tools::page

@@ -7,37 +7,43 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <iomanip>
 #include <tuple>
+#include <utility>
 
 namespace pelt::tools::query {
 namespace {
 
 using nlohmann::ordered_json;
 
-/// Later pairs have no hint. A hint saves time and does not change the answer.
-constexpr std::size_t kMaxHints = 1 << 18;
-
 bool is_before(const PairDistance& x, const PairDistance& y) {
   return std::tie(x.a, x.b) < std::tie(y.a, y.b);
 }
 
-/// Replaces distances in `least` by shorter ones of `found`, and adds the pairs that are new. Both
-/// are in order of pairs.
-void keep_least(std::span<const PairDistance> found, std::vector<PairDistance>& least) {
-  const auto known_end = static_cast<std::ptrdiff_t>(least.size());
-  std::size_t known = 0;
-  for (const PairDistance& pair : found) {
-    const auto end = static_cast<std::size_t>(known_end);
-    while (known < end && is_before(least[known], pair)) ++known;
-    if (known == end || is_before(pair, least[known]))
-      least.push_back(pair);
-    else if (pair.distance.distance < least[known].distance.distance)
-      least[known] = pair;
-  }
-  std::inplace_merge(least.begin(), least.begin() + known_end, least.end(), is_before);
+PairDistance in_frame(PairDistance pair, std::uint32_t frame) {
+  pair.frame = frame;
+  return pair;
 }
+
+/// Appends the pairs of `least`, with shorter distances of `found` in their place, and the pairs
+/// that only `found` has. All lists are in order of pairs.
+void merge_least(const PairList& found, std::uint32_t frame, const PairList& least,
+                 PairList& merged) {
+  PairReader new_pairs(found), known_pairs(least);
+  const PairDistance *pair = new_pairs.next(), *known = known_pairs.next();
+  while (pair != nullptr || known != nullptr) {
+    const bool is_known = known != nullptr && (pair == nullptr || !is_before(*pair, *known));
+    const bool is_found = pair != nullptr && (known == nullptr || !is_before(*known, *pair));
+    if (is_found && !(is_known && known->distance.distance <= pair->distance.distance))
+      merged.push_back(in_frame(*pair, frame));
+    else
+      merged.push_back(*known);
+    if (is_found) pair = new_pairs.next();
+    if (is_known) known = known_pairs.next();
+  }
+}
+
+void set_vector(ordered_json& json, const Vec3& v) { json[0] = v.x, json[1] = v.y, json[2] = v.z; }
 
 }  // namespace
 
@@ -62,7 +68,7 @@ QueryStats DistanceQuery::ask_pair(std::span<Pose> poses, std::uint32_t a, std::
   const QueryStats work = pelt::distance(poses[a], poses[b], scratch_, pair.distance, options);
   if (!pair.distance) return work;
   closest_now_.add(pair);
-  if (lists_ == Lists::all || found_.size() < kMaxHints) found_.push_back(pair);
+  if (lists_ == Lists::all || found_.size() < most_hints_) found_.push_back(pair);
   return work;
 }
 
@@ -76,14 +82,19 @@ const Distance* DistanceQuery::find_hint(const PairDistance& pair) {
 /// Adding the closest pairs of each frame suffices: a pair that is among the closest of all frames
 /// is among the closest in the frame of its least distance.
 void DistanceQuery::keep(std::uint32_t frame) {
-  for (PairDistance pair : closest_now_.pairs()) {
-    pair.frame = frame;
-    closest_.add(pair);
+  for (const PairDistance& pair : closest_now_.pairs()) closest_.add(in_frame(pair, frame));
+  if (lists_ == Lists::all) {
+    merged_.clear();
+    merge_least(found_, frame, least_, merged_);
+    std::swap(least_, merged_);
   }
-  for (PairDistance& pair : found_) pair.frame = frame;
-  if (lists_ == Lists::all) keep_least(found_, least_);
-  hints_.assign(found_.begin(),
-                found_.begin() + static_cast<std::ptrdiff_t>(std::min(found_.size(), kMaxHints)));
+  hints_.assign(found_.first().begin(), found_.first().end());
+}
+
+Result<void> DistanceQuery::status() const {
+  for (const PairList* list : {&found_, &least_, &merged_})
+    if (const auto stored = list->status(); !stored) return stored;
+  return {};
 }
 
 ordered_json DistanceQuery::options_json() const {
@@ -93,34 +104,45 @@ ordered_json DistanceQuery::options_json() const {
 
 void DistanceQuery::write_frame(scene::JsonLine& line) const {
   line.begin_list("pairs");
-  for (const PairDistance& pair : found_) line.item(pair_json(pair));
-  line.end_list();
-}
-
-void DistanceQuery::write_totals(scene::JsonLine& line) const {
-  line.begin_list("least");
-  for (const PairDistance& pair : least_) {
-    ordered_json entry = pair_json(pair);
-    entry["frame"] = pair.frame;
+  PairReader pairs(found_);
+  ordered_json entry;
+  while (const PairDistance* pair = pairs.next()) {
+    set_pair(*pair, entry);
     line.item(entry);
   }
   line.end_list();
 }
 
-ordered_json DistanceQuery::pair_json(const PairDistance& pair) const {
+void DistanceQuery::write_totals(scene::JsonLine& line) const {
+  line.begin_list("least");
+  PairReader pairs(least_);
+  ordered_json entry;
+  while (const PairDistance* pair = pairs.next()) {
+    set_pair(*pair, entry);
+    entry["frame"] = pair->frame;
+    line.item(entry);
+  }
+  line.end_list();
+}
+
+/// All pairs of a list use one object: building an object costs more than writing its text.
+void DistanceQuery::set_pair(const PairDistance& pair, ordered_json& entry) const {
   const Distance& distance = pair.distance;
   const auto named = [&](std::uint32_t collider, const SurfacePoint& point) {
     return scene::name_point(staged_, staged_.colliders[collider], point);
   };
-  const scene::NamedPoint a = named(pair.a, distance.a), b = named(pair.b, distance.b);
-  return {{"a", pair.a},
-          {"b", pair.b},
-          {"distance", distance.distance},
-          {"triangles", {a.triangle, b.triangle}},
-          {"points",
-           {scene::vector_json(distance.a.position), scene::vector_json(distance.b.position)}},
-          {"parts", {a.part, b.part}},
-          {"joints", {a.joint, b.joint}}};
+  scene::NamedPoint a = named(pair.a, distance.a), b = named(pair.b, distance.b);
+  entry["a"] = pair.a;
+  entry["b"] = pair.b;
+  entry["distance"] = distance.distance;
+  entry["triangles"][0] = a.triangle;
+  entry["triangles"][1] = b.triangle;
+  set_vector(entry["points"][0], distance.a.position);
+  set_vector(entry["points"][1], distance.b.position);
+  entry["parts"][0] = std::move(a.part);
+  entry["parts"][1] = std::move(b.part);
+  entry["joints"][0] = std::move(a.joint);
+  entry["joints"][1] = std::move(b.joint);
 }
 
 void DistanceQuery::print(std::size_t frames, std::ostream& out) const {

@@ -6,6 +6,7 @@
 
 #include "tools/pelt/query/frame_query.hpp"
 #include "tools/pelt/query/least_distances.hpp"
+#include "tools/pelt/query/pair_list.hpp"
 #include "tools/pelt/scene/near_pairs.hpp"
 
 #include <limits>
@@ -20,17 +21,22 @@ struct DistanceSettings {
 
 /// Distances of all pairs of colliders, or, if `within` is given, of those that are near each
 /// other. Memory: O(n) for n colliders, plus the pairs that NearPairs finds and a bounded number of
-/// others; with Lists::all also the pairs that are within the distance in any frame, once for their
-/// least distance and once for the current frame.
+/// others. With Lists::all, the pairs beyond that number are stored in temporary files.
 class DistanceQuery final : public FrameQuery {
  public:
   enum class Lists { closest, all };  ///< `all`: for `write_frame` and `write_totals`
 
-  DistanceQuery(const scene::StagedScene& staged, const DistanceSettings& settings, Lists lists)
-      : staged_(staged), settings_(settings), lists_(lists) {}
+  /// Number of pairs of a frame in memory. They are the hints of the next frame: later pairs have
+  /// none. A hint saves time and does not change the answer.
+  static constexpr std::size_t kMostHints = 1 << 18;
+
+  DistanceQuery(const scene::StagedScene& staged, const DistanceSettings& settings, Lists lists,
+                std::size_t most_hints = kMostHints)
+      : staged_(staged), settings_(settings), lists_(lists), most_hints_(most_hints) {}
 
   QueryStats ask(std::span<Pose> poses) override;
   void keep(std::uint32_t frame) override;
+  Result<void> status() const override;
 
   const char* format() const override { return "pelt-distance"; }
   nlohmann::ordered_json options_json() const override;
@@ -43,19 +49,19 @@ class DistanceQuery final : public FrameQuery {
 
   QueryStats ask_pair(std::span<Pose> poses, std::uint32_t a, std::uint32_t b);
   const Distance* find_hint(const PairDistance& pair);
-  nlohmann::ordered_json pair_json(const PairDistance& pair) const;
+  void set_pair(const PairDistance& pair, nlohmann::ordered_json& entry) const;
 
   scene::StagedScene staged_;
   DistanceSettings settings_;
   Lists lists_;
+  std::size_t most_hints_;
   Scratch scratch_;
   scene::NearPairs near_pairs_;
   std::vector<PairDistance> hints_;  // the first pairs of the frame before
   std::size_t next_hint_ = 0;
   LeastDistances closest_now_ = LeastDistances(kMaxRows), closest_ = LeastDistances(kMaxRows);
-  std::vector<PairDistance>
-      found_;  // in this frame; if not all are listed, those of the next hints
-  std::vector<PairDistance> least_;  // of all frames, if all are listed
+  PairList found_{most_hints_};  // in this frame; if not all are listed, those of the next hints
+  PairList least_{most_hints_ / 4}, merged_{most_hints_ / 4};  // of all frames, if all are listed
 };
 
 }  // namespace pelt::tools::query

@@ -62,7 +62,7 @@ Result<scene::FrameCosts> ask_frames(const scene::StagedScene& staged,
   const auto record = [&](std::uint32_t frame, const scene::Palettes&) -> Result<void> {
     query.keep(frame);
     lines.frame(frame);
-    return {};
+    return query.status();
   };
   return scene::run_frames(staged.scene, frames, {ask, record});
 }
@@ -78,6 +78,7 @@ Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::
   const Result<scene::FrameCosts> costs = ask_frames(staged, frames, query, lines);
   if (!costs) return asset::prefixed(staged.scene.name, costs.error());
   lines.totals(*costs);
+  if (const auto stored = query.status(); !stored) return stored.error();
   if (const auto closed = file.close(); !closed) return closed.error();
   scene::print_scene(staged, outputs.words);
   query.print(costs->seconds.size(), outputs.words);

@@ -27,6 +27,10 @@ class FrameQuery {
   /// Adds the results of this frame to the results of all frames.
   virtual void keep(std::uint32_t frame) = 0;
 
+  /// Error if results were lost, for example because a temporary file could not be written. Checked
+  /// after each line.
+  virtual Result<void> status() const { return {}; }
+
   /// `format` of the JSON lines, such as "pelt-bounds".
   virtual const char* format() const = 0;
 

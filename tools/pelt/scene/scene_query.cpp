@@ -29,6 +29,13 @@ SceneQuery::SceneQuery(std::span<const Collider> colliders, std::unique_ptr<meth
   for (const Collider& collider : colliders_) method_->add(collider.model);
 }
 
+SceneQuery SceneQuery::of_each(std::span<const Collider> colliders,
+                               std::unique_ptr<methods::Method> method) {
+  SceneQuery query(colliders, std::move(method));
+  query.of_each_ = true;
+  return query;
+}
+
 SceneQuery SceneQuery::as_crowd(std::span<const Collider> colliders, std::uint32_t threads) {
   SceneQuery query(colliders);
   query.make_crowd(threads);
@@ -77,6 +84,10 @@ void SceneQuery::collide(const CollideOptions& options, FrameContacts& found) {
   found.contacts.clear();
   if (crowd_) return collide_crowd(options, found);
   for (std::uint32_t a = 0; a < colliders_.size(); ++a) {
+    if (of_each_) {
+      collide_pair(a, a, options, found);
+      continue;
+    }
     for (std::uint32_t b = a + 1; b < colliders_.size(); ++b) collide_pair(a, b, options, found);
   }
 }

@@ -45,6 +45,10 @@ class SceneQuery {
   /// Queries pair by pair.
   SceneQuery(std::span<const Collider> colliders, std::unique_ptr<methods::Method> method);
 
+  /// Queries each collider against itself.
+  static SceneQuery of_each(std::span<const Collider> colliders,
+                            std::unique_ptr<methods::Method> method);
+
   /// Queries as a crowd on this number of threads; 0 means all cores.
   static SceneQuery as_crowd(std::span<const Collider> colliders, std::uint32_t threads);
 
@@ -55,7 +59,7 @@ class SceneQuery {
   /// See methods::Method::update_counts.
   bool update_counts() const { return crowd_ || method_->update_counts(); }
 
-  /// Replaces `found` by the contacts of every pair of colliders.
+  /// Replaces `found` by the contacts of every pair of colliders, or of each with itself.
   void collide(const CollideOptions& options, FrameContacts& found);
 
   /// The work of posing and querying so far.
@@ -80,6 +84,7 @@ class SceneQuery {
   detail::WorkShares shares_;  // of the palettes
   std::vector<CrowdContact> crowd_contacts_;
   std::unique_ptr<methods::Method> method_;
+  bool of_each_ = false;  // with `method_` only
   QueryStats query_work_;
 };
 

@@ -1,10 +1,11 @@
-/// `pelt bench`: the cost of each method on a scene. Prints no time unless all methods give the
-/// same answer.
+/// `pelt bench`: the cost of each method on a scene, or on a character against itself. Prints no
+/// time unless all methods give the same answer.
 
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "scenes/closest_name.hpp"
 #include "tools/pelt/arguments/input_files.hpp"
+#include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/bench_against.hpp"
@@ -16,7 +17,9 @@
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iostream>
 
 namespace pelt::tools::verbs {
@@ -24,8 +27,9 @@ namespace {
 
 struct Arguments {
   std::string program;
-  std::vector<std::string> scenes;
-  methods::MethodKinds known_methods;
+  std::vector<std::string> inputs, clips;
+  bool is_self = false;
+  BenchMethods known;
   std::string methods;
   std::string queries = "all,first", caches = "hot,cold";
   std::string threads, json, against, frames, simd;
@@ -41,6 +45,8 @@ Examples:
   pelt bench scene.json --frames 0:60:20 --repeat 15 --json figures.json
   pelt bench scene.json --frames 0:60:20 --against figures.json
   pelt bench scene.json --methods eager,on_demand --threads 1,2
+  pelt bench knight.glb --clip Walk
+  pelt bench scene.json --self
 
 Each repetition of a frame first runs the previous frame untimed (for the first frame, the last one),
 then times setting the palettes and querying all pairs. The time of a frame is the median of its
@@ -55,8 +61,13 @@ runs other programs. With --threads, on_demand runs as a crowd instead, once for
 of threads. The threads share the pairs of instances and, from 64 palettes per thread, the palettes.
 All times of that run are wall times. "vs 1 thread" is the speed-up over a crowd on one thread.
 
+A model, or with --self each instance of a scene, is queried against itself: all contacts that the
+rules of pelt check find without filters (--self-rings 0, and keep for the others). boxes skins all
+vertices and computes all boxes, and finds nothing. "of boxes" is the cost of a method over that of
+boxes, "vs all" the speed-up over the query for all contacts. brute tests all pairs of triangles.
+
 --against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
-method over paper and eager: then (in FILE), now, and the ratio now/then. "worse" marks a speed-up that
+method over paper and eager, or its cost over boxes: then (in FILE), now, and the ratio now/then. "worse" marks a speed-up that
 has lost more than --margin. Speed-ups differ little between machines, but they are noisy: on a loaded
 machine, 1 in 14 speed-ups of an unchanged build was marked at 15 %, so repeat a measurement that looks
 worse. If a method has lost speed-up over only one of paper and eager, that one has become faster. The
@@ -66,10 +77,11 @@ FILE is a failure, with exit code 3.
 --json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
   machine    cpu, cores, target (instruction set), compiler, build, flags, pelt (version)
   scenes     scene (file), frames, frames_in_contact, repetitions, time (thread or wall)
-    models   triangles, bytes, build_seconds: totals, counting each model once
+    models   triangles, bytes, build_seconds: totals, counting each model once; with --self also
+             self_filter_bytes, self_filter_build_seconds
     skinning vertices (of all instances), mean_us, ns_per_vertex
-    engines  engine (method), query, cache, asked (pairs or crowd), threads, frames (timed frames),
-             mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
+    engines  engine (method), query, cache, asked (pairs, crowd, self or none), threads, frames
+             (timed frames), mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
     counters of an engine over all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
 Names that end in _us are microseconds per frame. pelt(1) describes each field, with an example.)";
 
@@ -107,8 +119,9 @@ Result<std::vector<T>> parse_list(const char* option, const std::string& text,
 }
 
 Result<std::vector<methods::MethodKind>> parse_methods(const Arguments& arguments) {
-  return parse_list<methods::MethodKind>("--methods", arguments.methods, arguments.known_methods,
-                                         methods::names_of(arguments.known_methods));
+  const auto& [known, measured] = arguments.is_self ? arguments.known.self : arguments.known.pairs;
+  const std::string& names = arguments.methods.empty() ? measured : arguments.methods;
+  return parse_list<methods::MethodKind>("--methods", names, known, methods::names_of(known));
 }
 
 /// Parses numbers of threads; none if the text is empty.
@@ -134,20 +147,24 @@ Result<std::vector<bench::Engine>> choose_engines(const Arguments& arguments) {
   if (!threads) return threads.error();
   std::vector<bench::Engine> engines;
   for (const methods::MethodKind& method : *methods) {
-    if (method != methods::kOnDemand || threads->empty())
+    if (arguments.is_self)
+      engines.push_back(bench::self_engine(method));
+    else if (method != methods::kOnDemand || threads->empty())
       engines.push_back(bench::engine_of(method));
     else
       for (const std::uint32_t count : *threads) engines.push_back(bench::crowd_engine(count));
   }
   if (!threads->empty() && bench::time_of(engines) == bench::Time::thread) {
-    return output::bad_argument("--threads", "only the method on_demand supports several threads",
-                                "add on_demand to --methods, or leave out --threads");
+    return output::bad_argument(
+        "--threads", "only the method on_demand for pairs of instances supports several threads",
+        "add on_demand to --methods, or leave out --threads");
   }
   return engines;
 }
 
 Result<bench::BenchSettings> choose(const Arguments& arguments) {
   bench::BenchSettings settings;
+  settings.is_self = arguments.is_self;
   const auto engines = choose_engines(arguments);
   if (!engines) return engines.error();
   settings.engines = *engines;
@@ -170,12 +187,33 @@ Result<bench::BenchSettings> choose(const Arguments& arguments) {
   return settings;
 }
 
-Result<arguments::ExitCode> bench_file(const std::string& path,
-                                       const bench::BenchSettings& settings,
-                                       std::vector<bench::SceneFigures>& figures,
-                                       std::ostream& words) {
-  const auto scene = scenes::load_scene(path, settings.models.gltf_options());
+/// The command line of input `i` alone.
+arguments::SceneArguments input_alone(const Arguments& arguments, std::size_t i) {
+  arguments::SceneArguments alone;
+  alone.inputs = {arguments.inputs[i]};
+  if (i < arguments.clips.size()) alone.clips = {arguments.clips[i]};
+  alone.models = arguments.models;
+  return alone;
+}
+
+/// Loads an input. The name tells inputs with different answers apart.
+Result<scenes::Scene> load_input(const Arguments& arguments, std::size_t i) {
+  const arguments::SceneArguments alone = input_alone(arguments, i);
+  Result<scenes::Scene> scene = arguments::open_scene(alone);
+  if (!scene || !arguments.is_self) return scene;
+  scene->name = std::filesystem::path(alone.inputs[0]).filename().string();
+  for (const std::string& clip : alone.clips) scene->name += " " + clip;
+  if (arguments::asks_for_scene(alone)) scene->name += " --self";
+  return scene;
+}
+
+Result<arguments::ExitCode> bench_input(const Arguments& arguments, std::size_t i,
+                                        const bench::BenchSettings& settings,
+                                        std::vector<bench::SceneFigures>& figures,
+                                        std::ostream& words) {
+  const auto scene = load_input(arguments, i);
   if (!scene) return scene.error();
+  for (const std::string& note : scene->notes) words << "note: " << note << '\n';
   const Result<arguments::ExitCode> exit = bench::bench_scene(*scene, settings, figures, std::cerr);
   if (!exit || *exit != arguments::ExitCode::success) return exit;
   if (figures.size() == 1) bench::print_machine(words);
@@ -207,38 +245,60 @@ arguments::ExitCode compare(const bench::Baseline& baseline, const Arguments& ar
   return arguments::ExitCode::internal;
 }
 
-/// Loads the scenes a second time, because the check needs the names of their models before they
+/// Loads the inputs a second time, because the check needs the names of their models before they
 /// are measured.
-Result<void> check_output(const Arguments& arguments, const bench::BenchSettings& settings) {
+Result<void> check_output(const Arguments& arguments) {
   if (arguments.json.empty() && !output::is_standard_output_a_file()) return {};
   std::vector<output::InputFile> inputs;
   if (!arguments.against.empty())
     inputs.push_back({arguments.against, "what --against compares with"});
-  for (const std::string& path : arguments.scenes) {
-    const auto scene = scenes::load_scene(path, settings.models.gltf_options());
+  for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
+    const auto scene = load_input(arguments, i);
     if (!scene) return scene.error();
-    arguments::SceneArguments of_scene;
-    of_scene.inputs = {path};
-    for (output::InputFile& file : arguments::files_of_scene(of_scene, *scene))
+    for (output::InputFile& file : arguments::files_of_scene(input_alone(arguments, i), *scene))
       inputs.push_back(std::move(file));
   }
   const output::NamedOutput output = {"--json", arguments.json};
   return output::check_outputs({&output, 1}, inputs);
 }
 
-Result<arguments::ExitCode> bench_scenes(const Arguments& arguments) {
+bool is_scene_file(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".json";
+}
+
+/// Whether all inputs are models, which can only be queried against themselves. Scenes and models
+/// have different methods and tables, so a run has only one of the two, unless --self is given.
+Result<bool> has_only_models(const Arguments& arguments) {
+  const auto scenes =
+      std::count_if(arguments.inputs.begin(), arguments.inputs.end(), is_scene_file);
+  if (scenes == 0) return true;
+  if (!arguments.clips.empty())
+    return output::bad_argument("--clip", "applies to models, not to a scene file",
+                                "edit the scene file instead");
+  if (arguments.is_self || scenes == std::ssize(arguments.inputs)) return false;
+  return output::bad_argument("INPUT", "scenes and models cannot be measured in one run",
+                              "add --self, or start a run for each");
+}
+
+Result<arguments::ExitCode> bench_inputs(Arguments arguments) {
+  const Result<bool> only_models = has_only_models(arguments);
+  if (!only_models) return only_models.error();
+  arguments.is_self = arguments.is_self || *only_models;
+  if (arguments.clips.size() > arguments.inputs.size())
+    return output::bad_argument("--clip", "was given more often than there are models",
+                                "give it at most once per model, in the order of the models");
   if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
   const Result<bench::BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
   const auto baseline = choose_baseline(arguments);
   if (!baseline) return baseline.error();
-  if (const auto checked = check_output(arguments, *settings); !checked) return checked.error();
+  if (const auto checked = check_output(arguments); !checked) return checked.error();
   output::OutputFile json;
   if (const auto opened = json.open(arguments.json); !opened) return opened.error();
   std::ostream& words = output::words_beside({arguments.json});
   std::vector<bench::SceneFigures> figures;
-  for (const std::string& path : arguments.scenes) {
-    const Result<arguments::ExitCode> exit = bench_file(path, *settings, figures, words);
+  for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
+    const Result<arguments::ExitCode> exit = bench_input(arguments, i, *settings, figures, words);
     if (!exit || *exit != arguments::ExitCode::success) return exit;
   }
   if (!arguments.json.empty()) {
@@ -250,12 +310,20 @@ Result<arguments::ExitCode> bench_scenes(const Arguments& arguments) {
   return *baseline ? compare(**baseline, arguments, figures, words) : arguments::ExitCode::success;
 }
 
+std::string help_on_methods(const BenchMethods& known) {
+  return "Methods to measure, separated by commas, of " + methods::listed(known.pairs.known) +
+         " (default: " + known.pairs.measured + "); with --self, of " +
+         methods::listed(known.self.known) + " (default: " + known.self.measured + ")";
+}
+
 void add_options(arguments::Verb& verb, Arguments& arguments) {
-  verb.option("SCENE", arguments.scenes, "Scene files", {.is_required = true});
-  verb.option(
-      "--methods", arguments.methods,
-      "Methods to measure, separated by commas, of " + methods::listed(arguments.known_methods),
-      {.type = "A,B"});
+  verb.option("INPUT", arguments.inputs, "Scene files, or models to query against themselves",
+              {.is_required = true});
+  verb.option("--clip", arguments.clips,
+              "Animation clip of a model, repeatable, in the order of the models; '*': all clips",
+              {.type = "NAME"});
+  verb.flag("--self", arguments.is_self, "Query each instance of a scene against itself");
+  verb.option("--methods", arguments.methods, help_on_methods(arguments.known), {.type = "A,B"});
   verb.option("--queries", arguments.queries,
               "all: every contact; first: only whether each pair touches", {.type = "all,first"});
   verb.option("--caches", arguments.caches, "hot: as the previous frame left them; cold: emptied",
@@ -279,14 +347,13 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
 }  // namespace
 
 void add_bench(CLI::App& app, arguments::Command& chosen, const BenchMethods& methods) {
-  arguments::Verb verb(app, "bench", "Measure the speed of methods on scenes",
+  arguments::Verb verb(app, "bench", "Measure the speed of methods on scenes and characters",
                        (kFooter + methods.notes).c_str());
   const auto arguments = std::make_shared<Arguments>();
   arguments->program = verb.program();
-  arguments->known_methods = methods.known;
-  arguments->methods = methods.measured;
+  arguments->known = methods;
   add_options(verb, *arguments);
-  verb.runs([arguments] { return bench_scenes(*arguments); }, chosen);
+  verb.runs([arguments] { return bench_inputs(*arguments); }, chosen);
 }
 
 }  // namespace pelt::tools::verbs

@@ -80,8 +80,8 @@ Result<void> check_outputs(const check::CheckArguments& arguments, const scenes:
 Error nothing_compared() {
   return output::bad_argument(
       "INPUT", "nothing was compared, because a single body was not tested against itself",
-      "leave out --self no, --method, --clearance and --html, or give another model, or use --by "
-      "part if the model has several parts, or accept this with --allow-empty");
+      "leave out --self no, --method and --clearance, or give another model, or use --by part if "
+      "the model has several parts, or accept this with --allow-empty");
 }
 
 Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
@@ -92,7 +92,8 @@ Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
   if (const auto checked = check_for_page(arguments, *scene); !checked) return checked.error();
   const Result<check::CheckSettings> settings = check::choose_settings(arguments, *scene);
   if (!settings) return settings.error();
-  scene->ignore = settings->ignore;  // for the page
+  scene->ignore = settings->ignore;  // for the page, like `self`
+  scene->self = check::without_defaults(settings->self);
   check::CheckOutputs outputs;
   outputs.jsonl = arguments.jsonl;
   outputs.glb = arguments.glb;

@@ -17,9 +17,15 @@ namespace pelt::tools::verbs {
 
 /// The methods of a `bench`.
 struct BenchMethods {
-  methods::MethodKinds known;  ///< possible values of --methods; must outlive the command
-  const char* measured;        ///< default of --methods, separated by commas
-  std::string notes;           ///< added to --help after the text for all methods
+  /// Possible values of --methods, and its default, separated by commas.
+  struct Choice {
+    methods::MethodKinds known;  ///< must outlive the command
+    std::string measured;
+  };
+
+  Choice pairs;       ///< for pairs of instances
+  Choice self;        ///< for an instance against itself
+  std::string notes;  ///< added to --help after the text for all methods
 };
 
 void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);

@@ -1,6 +1,8 @@
 /** Colours of the picture. Colours of the panels are in style/tokens.css. */
 
 export const ACCENT = 0xff6a2b;
+/** For contacts of characters with themselves. */
+export const SELF_ACCENT = 0xc23bf0;
 
 /** Colours of the handles. */
 export const AXES = { x: 0xd64550, y: 0x4fa35f, z: 0x4a7fd6 };

@@ -1,17 +1,21 @@
-/** Triangles in contact: lit where they are seen, a shimmer where something is before them. */
+/**
+ * Triangles in contact: lit where they are seen, a shimmer where something is before them. Contacts of
+ * characters with themselves have their own colour.
+ */
 
 import {
   BufferGeometry,
+  Color,
   DoubleSide,
   Group,
   Mesh,
   MeshBasicMaterial,
   Points,
   ShaderMaterial,
-  Color,
+  type MeshBasicMaterialParameters,
 } from 'three';
 import type { Glow as Contacts } from '../worker/protocol';
-import { ACCENT } from './colours';
+import { ACCENT, SELF_ACCENT } from './colours';
 import { upload } from './upload';
 
 const SHIMMER = 0.22;
@@ -39,38 +43,27 @@ const FRAGMENT = `
     #include <colorspace_fragment>
   }`;
 
+/** Colours of the two groups of triangles. */
+const COLOURS = [SELF_ACCENT, ACCENT];
+
+const IN_FRONT = { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 };
+
 export class Glow extends Group {
   private readonly triangles = new BufferGeometry();
   private readonly beside: Mesh;
   private readonly centres = new BufferGeometry();
-  private readonly halo = new ShaderMaterial({
-    vertexShader: VERTEX,
-    fragmentShader: FRAGMENT,
-    uniforms: {
-      colour: { value: new Color(ACCENT) },
-      opacity: { value: HALO_OPACITY },
-      size: { value: HALO_SIZE },
-      heightInPixels: { value: 1 },
-    },
-    transparent: true,
-    depthWrite: false,
-    depthTest: false,
-  });
+  private readonly halos = COLOURS.map(makeHalo);
 
   constructor() {
     super();
-    const surface = { color: ACCENT, side: DoubleSide, toneMapped: false };
-    const before = { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 };
-    const seen = new MeshBasicMaterial({ ...surface, ...before });
-    const faint = new MeshBasicMaterial({
-      ...surface,
-      ...before,
+    const seen = surfaces(IN_FRONT);
+    const faint = surfaces({
+      ...IN_FRONT,
       transparent: true,
       opacity: BESIDE,
       depthWrite: false,
     });
-    const hidden = new MeshBasicMaterial({
-      ...surface,
+    const hidden = surfaces({
       transparent: true,
       opacity: SHIMMER,
       depthTest: false,
@@ -81,28 +74,53 @@ export class Glow extends Group {
       this.beside,
       new Mesh(this.triangles, seen),
       new Mesh(this.triangles, hidden),
-      new Points(this.centres, this.halo),
+      new Points(this.centres, this.halos),
     );
     for (const child of this.children) child.frustumCulled = false;
   }
 
   scaleTo(height: number): void {
-    this.halo.uniforms.size.value = HALO_SIZE * height;
-  }
-
-  resize(heightInPixels: number): void {
-    this.halo.uniforms.heightInPixels.value = heightInPixels;
+    for (const { uniforms } of this.halos) uniforms.size.value = HALO_SIZE * height;
   }
 
   /** Shows the contacts of the spot, if there is one, and all others. */
   show(all: Contacts, spot: Contacts | null): void {
-    const { triangles, corners, centres } = spot ?? all;
+    const shown = spot ?? all;
     this.beside.visible = spot !== null;
     if (spot) upload(this.beside.geometry, 'position', all.corners);
-    this.beside.geometry.setDrawRange(0, 3 * all.triangles);
-    upload(this.triangles, 'position', corners);
-    upload(this.centres, 'position', centres);
-    this.triangles.setDrawRange(0, 3 * triangles);
-    this.centres.setDrawRange(0, triangles);
+    divide(this.beside.geometry, all, 3);
+    upload(this.triangles, 'position', shown.corners);
+    upload(this.centres, 'position', shown.centres);
+    divide(this.triangles, shown, 3);
+    divide(this.centres, shown, 1);
   }
+}
+
+/** Colours contacts of characters with themselves apart from the others. */
+function divide(geometry: BufferGeometry, { triangles, ofSelf }: Contacts, each: number): void {
+  geometry.clearGroups();
+  geometry.addGroup(0, each * ofSelf, 0);
+  geometry.addGroup(each * ofSelf, each * (triangles - ofSelf), 1);
+}
+
+function surfaces(look: MeshBasicMaterialParameters): MeshBasicMaterial[] {
+  return COLOURS.map(
+    (color) => new MeshBasicMaterial({ color, side: DoubleSide, toneMapped: false, ...look }),
+  );
+}
+
+function makeHalo(colour: number): ShaderMaterial {
+  return new ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms: {
+      colour: { value: new Color(colour) },
+      opacity: { value: HALO_OPACITY },
+      size: { value: HALO_SIZE },
+      heightInPixels: { value: 1 },
+    },
+    transparent: true,
+    depthWrite: false,
+    depthTest: false,
+  });
 }

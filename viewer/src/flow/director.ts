@@ -1,11 +1,12 @@
 /** Turns what the state says into questions to the worker, and its answers into state. */
 
-import type { AnsweredShot, State } from '../state/state';
+import { newSweep, type AnsweredShot, type State } from '../state/state';
 import type { Store } from '../state/store';
 import type { Shot, Spare } from '../worker/protocol';
 import type { Asker } from './asker';
 import { checkedFrames } from '../state/frames';
-import { isSameShot, shotOf } from '../state/shots';
+import { isSameShot, selfOf, shotOf } from '../state/shots';
+import { isSameSelf } from '../scene/self';
 
 /** While a gizmo is dragged, scenes follow each other faster than they can be swept. */
 const SWEEP_MILLISECONDS = 150;
@@ -26,6 +27,7 @@ export class Director {
       // Without an answer, the picture is still that of the answer before.
       if (state.answer && state.answer !== before.answer) this.spares = sparesOf(before.answer);
       if (sweepsDiffer(state, before)) this.sweepSoon();
+      if (state.answer?.isPreliminary && hasBegun(state.sweep)) this.asked = null;
       void this.pose();
     });
   }
@@ -44,10 +46,7 @@ export class Director {
   }
 
   private sweepSoon(): void {
-    this.store.update(({ sweep }) => ({
-      sweep: { id: sweep.id + 1, counts: [], total: null },
-      stills: [],
-    }));
+    this.store.update(({ sweep }) => ({ sweep: newSweep(sweep.id + 1), stills: [] }));
     this.sweepLater();
   }
 
@@ -61,7 +60,8 @@ export class Director {
     if (reading) return this.sweepLater();
     if (!scene) return;
     const frames = checkedFrames(this.store.state);
-    void this.asker.ask('sweep', { id: sweep.id, scene, by, firstContact, frames });
+    const self = selfOf(this.store.state);
+    void this.asker.ask('sweep', { id: sweep.id, scene, by, firstContact, self, frames });
   }
 }
 
@@ -69,11 +69,17 @@ function sparesOf(answer: AnsweredShot | null): Spare[] {
   return answer?.instances.map(({ positions, normals }) => ({ positions, normals })) ?? [];
 }
 
+/** From then on, all filters are ready. */
+function hasBegun({ counts, total }: State['sweep']): boolean {
+  return counts.length > 0 || total !== null;
+}
+
 function sweepsDiffer(state: State, before: State): boolean {
   return (
     state.scene !== before.scene ||
     state.frames !== before.frames ||
     state.by !== before.by ||
-    state.firstContact !== before.firstContact
+    state.firstContact !== before.firstContact ||
+    !isSameSelf(selfOf(state), selfOf(before))
   );
 }

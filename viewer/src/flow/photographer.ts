@@ -6,6 +6,7 @@
 import { betterSide } from '../scene/sides';
 import type { Vector3 } from '../scene/scene';
 import type { AnsweredShot, State, Still } from '../state/state';
+import { shotOf } from '../state/shots';
 import { showsStills, worstFrame, worstFrames } from '../state/stills';
 import type { Store } from '../state/store';
 import type { StillAnswer } from '../worker/protocol';
@@ -58,9 +59,9 @@ export class Photographer {
     frame: number,
     total: State['sweep']['total'],
   ): Promise<(AnsweredShot & StillAnswer) | null> {
-    const { scene, by, firstContact, reading } = this.store.state;
-    if (!scene || reading) return null;
-    const shot = { scene, frame, by, firstContact, boxLevel: null, spot: null };
+    const wanted = shotOf(this.store.state);
+    if (!wanted) return null;
+    const shot = { ...wanted, frame, boxLevel: null, spot: null };
     const answer = await this.asker.ask('still', shot);
     return answer && this.store.state.sweep.total === total ? { ...answer, shot } : null;
   }

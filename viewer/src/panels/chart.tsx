@@ -5,6 +5,8 @@ import { memo } from './memo';
 
 interface ChartProps {
   counts: Counts;
+  /** Contacts of characters with themselves, which are among these. */
+  selfCounts: Counts;
   frameCount: number;
   /** Null if all frames are checked. */
   checked: FrameRange | null;
@@ -14,19 +16,20 @@ interface ChartProps {
 const MOST_BARS = 2000;
 
 /** A bar a frame, or for a few of them; roots, so that one contact is seen beside thousands. */
-export const Chart = memo(({ counts, frameCount, checked }: ChartProps) => {
+export const Chart = memo(({ counts, selfCounts, frameCount, checked }: ChartProps) => {
   const width = Math.ceil(frameCount / MOST_BARS);
   const bars = mostOfEach(counts, width);
   const most = Math.sqrt(bars.reduce((one, other) => Math.max(one, other), 1));
-  const paths = bars.map((count, bar) => {
+  const pathOf = (count: number, bar: number) => {
     const height = count === 0 ? 0 : 0.06 + (0.94 * Math.sqrt(count)) / most;
     return `M${bar * width} 1v${-height}h${width}v${height}z`;
-  });
+  };
   return (
     <>
       <svg viewBox={`0 0 ${frameCount} 1`} preserveAspectRatio="none" aria-hidden="true">
         <rect class="counted" width={counts.length} height="1" />
-        <path d={paths.join('')} />
+        <path d={bars.map(pathOf).join('')} />
+        <path class="of-self" d={mostOfEach(selfCounts, width).map(pathOf).join('')} />
       </svg>
       {checked && <Unchecked checked={checked} frameCount={frameCount} width={width} />}
     </>

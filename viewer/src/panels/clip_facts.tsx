@@ -48,13 +48,17 @@ export function Announcement({ state, frame }: { state: State; frame: number }) 
 interface SweepFactsProps {
   sweep: SweepState;
   frameCount: number;
+  /** Whether the query compares anything. */
+  compares: boolean;
 }
 
-export const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
-  const { counts, total } = sweep;
-  if (!total) {
-    return <small>counting {Math.floor((100 * counts.length) / frameCount)} %</small>;
+export const SweepFacts = memo(({ sweep, frameCount, compares }: SweepFactsProps) => {
+  const { counts, searched, total } = sweep;
+  const percentOf = (frames: number) => `${Math.floor((100 * frames) / frameCount)} %`;
+  if (!total && searched > 0 && counts.length === 0) {
+    return <small>looking for what always touches {percentOf(searched)}</small>;
   }
+  if (!total) return <small>counting {percentOf(counts.length)}</small>;
   const { contacts, inContact, checked } = totalsOf(counts);
   return (
     <small title="The same numbers as in `pelt check`">
@@ -62,6 +66,7 @@ export const SweepFacts = memo(({ sweep, frameCount }: SweepFactsProps) => {
       {contacts === 1 ? ' contact' : ' contacts'} in{' '}
       {frameCount > 1 && `${withCommas(inContact)} of `}
       {counted(checked, checked === frameCount ? 'frame' : 'checked frame')}
+      {!compares && ' · nothing was compared'}
       {total.hash && (
         <>
           {' · '}

@@ -1,10 +1,14 @@
+import type { ComponentChildren } from 'preact';
+import { isOneBody } from '../scene/self';
 import { checkAllFrames } from '../state/changes';
+import { whyNothingIsCompared } from '../state/compared';
 import { totalsOf } from '../state/counts';
 import { rearrange } from '../state/edits';
 import { checkedFrames, rangeInWords } from '../state/frames';
-import { filtered, listedTouches } from '../state/listing';
-import { isLate } from '../state/shots';
+import { filtered, isOfSelf, listedTouches } from '../state/listing';
+import { asksPairs, asksSelf, isLate } from '../state/shots';
 import type { State } from '../state/state';
+import type { Touch } from '../worker/protocol';
 import { withCommas } from '../words';
 import { Filters } from './filters';
 import { Gone } from './gone';
@@ -12,6 +16,8 @@ import type { PanelProps } from './panel_props';
 import { Pairs } from './pairs';
 import { QuerySwitches } from './query_switches';
 import { SameNumbers } from './same_numbers';
+import { SelfFilters } from './self_filters';
+import { SelfSwitch } from './self_switch';
 import { Stills } from './stills';
 import { Touches } from './touches';
 
@@ -35,40 +41,109 @@ export function ContactsPanel({ state, update }: PanelProps) {
             </button>
           ))}
         </div>
+        <SelfSwitch state={state} update={update} />
       </div>
       <QuerySwitches state={state} update={update} />
+      {asksSelf(state) && <SelfFilters state={state} update={update} />}
       <Checked state={state} update={update} />
       <Ignored count={listing === 'clip' ? sweep.total?.ignored : answer?.ignored} />
       <SameNumbers state={state} />
       <Stills state={state} update={update} />
-      <BetweenCharacters state={state} update={update} />
+      <Lists state={state} update={update} />
     </section>
   );
 }
 
-/** Contacts of different instances or parts. */
-function BetweenCharacters({ state, update }: PanelProps) {
-  const { filter, report } = state;
+/** The contacts of the frame or of the clip. */
+function Lists({ state, update }: PanelProps) {
+  const { by, filter, listing, report } = state;
   const touches = listedTouches(state);
   if (!touches) return <p class="nothing quiet">Not counted yet …</p>;
   if (touches.length === 0 && filter.standing !== 'gone') {
     return <Nothing state={state} update={update} />;
   }
+  const ofPairs = touches.filter((touch) => !isOfSelf(touch, by));
   return (
     <>
-      {state.listing === 'clip' && <Pairs state={state} touches={touches} update={update} />}
+      {listing === 'clip' && <Pairs state={state} touches={ofPairs} update={update} />}
       <Filters state={state} update={update} />
       {filter.standing === 'gone' ? (
         <Gone gone={report?.answer?.verdict.gone ?? []} words={filter.words} />
       ) : (
-        <Touches touches={filtered(touches, state)} state={state} update={update} />
+        <>
+          <BetweenCharacters state={state} touches={ofPairs} update={update} />
+          <WithThemselves state={state} touches={touches} update={update} />
+        </>
       )}
     </>
   );
 }
 
-/** Says that nothing touches, and how characters meet that walk past each other. */
+type ListProps = PanelProps & { touches: readonly Touch[] };
+
+/** Contacts of different instances or parts; without a title if there are no others. */
+function BetweenCharacters({ state, touches, update }: ListProps) {
+  if (!asksPairs(state)) return null;
+  if (!asksSelf(state))
+    return <Touches touches={filtered(touches, state)} state={state} update={update} />;
+  if (isAlone(state)) return null;
+  return (
+    <div class="pairs-list" role="group" aria-labelledby="between">
+      <Title id="between" touches={touches} dot="pairs">
+        {state.by === 'part' ? 'Between parts' : 'Between characters'}
+      </Title>
+      <Touches touches={filtered(touches, state)} state={state} update={update} />
+    </div>
+  );
+}
+
+/** Contacts of instances or parts with themselves. */
+function WithThemselves({ state, touches, update }: ListProps) {
+  if (!asksSelf(state)) return null;
+  const own = touches.filter((touch) => isOfSelf(touch, state.by));
+  return (
+    <div class="self-list" role="group" aria-labelledby="themselves">
+      <Title id="themselves" touches={own} dot="self">
+        {titleOfSelf(state)}
+      </Title>
+      <Touches touches={filtered(own, state)} state={state} update={update} />
+    </div>
+  );
+}
+
+function titleOfSelf(state: State): string {
+  if (isAlone(state)) return 'The character with itself';
+  return state.by === 'part' ? 'Parts with themselves' : 'Characters with themselves';
+}
+
+function isAlone({ scene, by, characters }: State): boolean {
+  return scene !== null && isOneBody({ scene, by, characters });
+}
+
+interface TitleProps {
+  id: string;
+  touches: readonly Touch[];
+  /** Style of the dot, which has the colour of the contacts in the picture. */
+  dot: 'pairs' | 'self';
+  children: ComponentChildren;
+}
+
+function Title({ id, touches, dot, children }: TitleProps) {
+  return (
+    <h3>
+      <i class={`dot of-${dot}`} />
+      <span id={id}>{children}</span>
+      <span class="count" data-fact={`listed-${dot}`}>
+        {withCommas(touches.reduce((sum, { contacts }) => sum + contacts, 0))}
+      </span>
+    </h3>
+  );
+}
+
+/** Says that nothing touches or was compared, and how characters meet that walk past each other. */
 function Nothing({ state, update }: PanelProps) {
+  const reason = whyNothingIsCompared(state);
+  if (reason) return <p class="nothing quiet">Nothing was compared: {reason}.</p>;
   const { sweep, arrangement, scene } = state;
   const isNever = sweep.total !== null && totalsOf(sweep.counts).contacts === 0;
   const walksPast = isNever && arrangement === 'walking' && scene!.instances.length > 1;

@@ -1,6 +1,6 @@
 import type { ComponentChildren, JSX } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
-import { ACCENT, cssColour, OPENED, REFITTED, UNTOUCHED } from '../draw/colours';
+import { ACCENT, cssColour, OPENED, REFITTED, SELF_ACCENT, UNTOUCHED } from '../draw/colours';
 import { KEYS } from '../keys';
 import type { PanelProps } from './panel_props';
 
@@ -43,6 +43,10 @@ function Shown() {
         intersecting triangles of two characters, decided exactly; a faint glow if something hides
         them. The bars are the contacts of each frame. The hash beside the total equals the hash of{' '}
         <code>pelt check</code> if and only if all contacts are the same.
+      </Thing>
+      <Thing colour={SELF_ACCENT} name="Self-contacts">
+        intersecting triangles of one character. The filters leave out creases, and what touches at
+        rest.
       </Thing>
       <Thing colour={OPENED} name="Opened">
         with bounds on: boxes that the query opened. Vertices were skinned only there.

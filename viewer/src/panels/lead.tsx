@@ -1,20 +1,41 @@
+import { isOneBody } from '../scene/self';
 import { checkedFrames, rangeInWords } from '../state/frames';
+import { asksPairs, asksSelf } from '../state/shots';
 import { counted } from '../words';
 import type { PanelProps } from './panel_props';
 
-/** Says in one sentence what is looked at. */
+/** Says in a sentence or two what is looked at. */
 export function Lead({ state }: PanelProps) {
-  const { scene, by, firstContact } = state;
+  const { scene, by, characters, firstContact } = state;
   if (!scene) return null;
   const range = checkedFrames(state);
   const frames = range ? `frames ${rangeInWords(range)}` : counted(scene.frameCount, 'frame');
   const thing = by === 'part' ? 'part' : 'character';
-  const what = firstContact
-    ? `the first pair of triangles in which two ${thing}s intersect`
-    : `every triangle of one ${thing} that intersects another ${thing}`;
+  const marks = [
+    ...(asksPairs(state) && !isOneBody({ scene, by, characters })
+      ? [ofPairs(thing, firstContact)]
+      : []),
+    ...(asksSelf(state) ? [ofSelf(thing, firstContact)] : []),
+  ];
   return (
     <p class="lead">
-      Orange marks {what}, in {frames} of <b>{scene.name}</b>.
+      {capital(marks.join('; ') || `No ${thing} is tested`)}, in {frames} of <b>{scene.name}</b>.
     </p>
   );
+}
+
+function ofPairs(thing: string, firstContact: boolean): string {
+  return firstContact
+    ? `orange marks the first pair of triangles in which two ${thing}s intersect`
+    : `orange marks every triangle of one ${thing} that intersects another ${thing}`;
+}
+
+function ofSelf(thing: string, firstContact: boolean): string {
+  return firstContact
+    ? `violet marks the first pair of triangles in which a ${thing} intersects itself`
+    : `violet marks every triangle that intersects its own ${thing}`;
+}
+
+function capital(words: string): string {
+  return words[0].toUpperCase() + words.slice(1);
 }

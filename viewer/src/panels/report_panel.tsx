@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { comparisonOf } from '../report/baseline';
-import { baselineOf, type HeldBody, type Report, type ReportAnswer } from '../report/report';
+import { baselineOf } from '../report/report';
+import type { HeldBody, Report, ReportAnswer, ReportedSelf } from '../report/report';
 import { headlineOf, isAsItCame, worstFrame } from '../report/verdict';
 import { pauseAt } from '../state/changes';
 import type { State } from '../state/state';
@@ -89,6 +90,7 @@ function bodyInWords({ instance, model, part = '' }: HeldBody['inner']): string 
 function Found({ answer, update }: { answer: ReportAnswer; update: PanelProps['update'] }) {
   const { totals, hash } = answer;
   const worst = totals.frames > 1 ? worstFrame(answer) : null;
+  const dropped = Object.values(totals.left_out ?? {}).reduce((sum, count) => sum + count, 0);
   return (
     <p class="quiet">
       {counted(totals.contacts, 'contact')}
@@ -101,6 +103,7 @@ function Found({ answer, update }: { answer: ReportAnswer; update: PanelProps['u
         </>
       )}
       {totals.ignored > 0 && `, ${withCommas(totals.ignored)} ignored`}
+      {dropped > 0 && `, ${counted(dropped, 'self-contact')} dropped`}
       {hash && (
         <>
           {' · '}
@@ -150,10 +153,21 @@ function optionsOf({ reading, made, pelt }: Report, { options, verdict }: Report
     ['made', `${made.replace('T', ' ').replace('Z', ' UTC')}, by Pelt ${pelt}`],
   ];
   if (options.max_contacts === 1) rows.push(['first', 'one contact per pair']);
+  if (options.self) rows.push(...selfRows(options.self));
   for (const pair of options.ignore) rows.push(['ignore', pair.join(', ')]);
   for (const note of verdict.notes ?? []) rows.push(['baseline', note]);
   if (reading.renormalise) rows.push(['renormalise', 'weights divided by their sum']);
   if (reading.noUnskinned) rows.push(['no-unskinned', 'meshes without a skin left out']);
   for (const node of reading.exclude ?? []) rows.push(['exclude', node]);
   return rows;
+}
+
+function selfRows({ only, rings, at_rest, always, near_joints }: ReportedSelf): [string, string][] {
+  return [
+    ['self', only ? 'only' : 'yes'],
+    ['self-rings', String(rings)],
+    ['self-at-rest', at_rest],
+    ['self-always', String(always)],
+    ['self-near-joints', near_joints],
+  ];
 }

@@ -1,5 +1,6 @@
 import type { JSX } from 'preact';
 import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../state/changes';
+import { whyNothingIsCompared } from '../state/compared';
 import { checkedFrames } from '../state/frames';
 import { frameInPicture } from '../state/shots';
 import type { Update } from '../state/state';
@@ -16,7 +17,12 @@ export function Timeline({ state, update }: PanelProps) {
     <footer class="time">
       <Transport state={state} update={update} />
       <div class="chart" {...scrubbing(scene.frameCount, update)}>
-        <Chart counts={sweep.counts} frameCount={scene.frameCount} checked={checkedFrames(state)} />
+        <Chart
+          counts={sweep.counts}
+          selfCounts={sweep.selfCounts}
+          frameCount={scene.frameCount}
+          checked={checkedFrames(state)}
+        />
         <i class="playhead" style={{ left: `${(100 * (frame + 0.5)) / scene.frameCount}%` }} />
         <input
           type="range"
@@ -31,7 +37,11 @@ export function Timeline({ state, update }: PanelProps) {
       <div class="facts">
         <FrameFacts state={state} frame={frame} />
         <Announcement state={state} frame={frame} />
-        <SweepFacts sweep={sweep} frameCount={scene.frameCount} />
+        <SweepFacts
+          sweep={sweep}
+          frameCount={scene.frameCount}
+          compares={whyNothingIsCompared(state) === null}
+        />
       </div>
     </footer>
   );

@@ -45,11 +45,20 @@ export interface ReportAnswer {
     /** First, end, step. */
     frames: FrameRange;
     max_contacts: number | null;
+    /** Null or absent: no body was tested against itself. */
+    self?: ReportedSelf | null;
     ignore: NamePair[];
   };
   /** Contacts of each of these frames. */
   counts: number[];
-  totals: { frames: number; frames_in_contact: number; contacts: number; ignored: number };
+  totals: {
+    frames: number;
+    frames_in_contact: number;
+    contacts: number;
+    ignored: number;
+    /** Contacts of bodies with themselves that filters have left out, if they were tested. */
+    left_out?: Record<'rings' | 'at_rest' | 'always' | 'near_joints', number>;
+  };
   /** Null if contacts were limited. */
   hash: string | null;
   touches: KnownTouch[];
@@ -69,6 +78,15 @@ export interface ReportAnswer {
     /** Differences of the earlier check from this one. */
     notes: string[] | null;
   };
+}
+
+/** Options of tests of bodies against themselves. */
+export interface ReportedSelf {
+  only: boolean;
+  rings: number;
+  at_rest: 'keep' | 'drop';
+  always: 'keep' | number;
+  near_joints: 'keep' | 'drop';
 }
 
 export interface KnownTouch {

@@ -1,8 +1,9 @@
 /** The result of the command, and whether the page agrees. */
 
 import type { Scene } from '../scene/scene';
+import { isSameSelf, selfQuestion } from '../scene/self';
 import type { State, SweepState } from '../state/state';
-import type { FrameRange } from '../worker/protocol';
+import type { FrameRange, SelfQuestion, SweepTotal } from '../worker/protocol';
 import { counted, withCommas } from '../words';
 import { stopsAtFirst, type ReportAnswer } from './report';
 
@@ -29,11 +30,26 @@ export function findingOf(state: State): Finding | null {
 function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
   const frames = framesOf(answer.options.frames);
   const sameCounts = answer.counts.every((count, i) => counts[frames[i]] === count);
-  return sameCounts && total?.hash === answer.hash;
+  return sameCounts && total?.hash === answer.hash && leavesOutTheSame(answer, total);
+}
+
+function leavesOutTheSame({ totals }: ReportAnswer, total: SweepTotal): boolean {
+  if (!totals.left_out) return true;
+  const { rings, at_rest: atRest, always, near_joints: joints } = totals.left_out;
+  const { leftOut } = total;
+  return (
+    rings === leftOut.rings &&
+    atRest === leftOut.atRest &&
+    always === leftOut.always &&
+    joints === leftOut.joints
+  );
 }
 
 /** Query of the page, and the report that it was opened with. */
-export type Asked = Pick<State, 'report' | 'reported' | 'scene' | 'firstContact' | 'by' | 'frames'>;
+export type Asked = Pick<
+  State,
+  'report' | 'reported' | 'scene' | 'firstContact' | 'by' | 'frames' | 'self' | 'characters'
+>;
 
 /** Whether scene and query are still those of the report. */
 export function isAsItCame(asked: Asked): boolean {
@@ -43,8 +59,27 @@ export function isAsItCame(asked: Asked): boolean {
     scene === reported &&
     (!report.answer || frames === framesToCheck(report.answer, scene)) &&
     firstContact === stopsAtFirst(report) &&
-    by === report.answer?.options.by
+    by === report.answer?.options.by &&
+    asksSelfAsReported(asked, report.answer)
   );
+}
+
+function asksSelfAsReported({ scene, by, characters, self }: Asked, { options }: ReportAnswer) {
+  if (!scene) return false;
+  return isSameSelf(selfQuestion({ scene, by, characters, self }, null), reportedSelf(options));
+}
+
+/** What the command asked, as the page asks it; without frames. */
+function reportedSelf({ self }: ReportAnswer['options']): SelfQuestion | null {
+  if (!self) return null;
+  return {
+    isOnly: self.only,
+    rings: self.rings,
+    dropsAtRest: self.at_rest === 'drop',
+    always: self.always === 'keep' ? null : self.always,
+    dropsNearJoints: self.near_joints === 'drop',
+    frames: null,
+  };
 }
 
 /** The report in five words. */

@@ -33,12 +33,12 @@ const SPACING = 1.2;
 
 /**
  * Creates a scene with the length of the longest clip. `cast` has the number of the character of
- * each instance; by default, each character appears once, and a single one meets itself.
+ * each instance; by default, each character appears once.
  */
 export function arrange(
   characters: readonly CharacterFacts[],
   arrangement: Arrangement,
-  cast: readonly number[] = characters.length === 1 ? [0, 0] : [...characters.keys()],
+  cast: readonly number[] = [...characters.keys()],
 ): Scene {
   const standing: Scene = {
     name: nameOf(cast, characters),
@@ -48,7 +48,7 @@ export function arrange(
     instances: cast.map((character) => stand(characters[character], character)),
   };
   const frameCount = framesOfLongestClip(standing, characters);
-  if (arrangement === 'together') return { ...standing, frameCount };
+  if (arrangement === 'together' || cast.length === 1) return { ...standing, frameCount };
   return walkingIn({ ...standing, frameCount: Math.max(frameCount, FPS * SECONDS) }, characters);
 }
 
@@ -118,7 +118,6 @@ export function chooseClip({ clips }: CharacterFacts): string | null {
 
 function walkingIn(scene: Scene, characters: readonly CharacterFacts[]): Scene {
   const count = scene.instances.length;
-  if (count === 1) return scene;
   const cast = castOf(scene).map((character) => characters[character]);
   const spacing = SPACING * Math.max(...cast.map(widthOf));
   const size = Math.max(...cast.map(sizeOf));

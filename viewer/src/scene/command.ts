@@ -3,6 +3,7 @@
 import type { By, CharacterFacts, FrameRange, ReadingOptions } from '../worker/protocol';
 import { FPS } from './arrange';
 import { framesOfLongestClip, type Instance, type Scene } from './scene';
+import { selfWords, type SelfChoices } from './self';
 
 /** The query of the page. */
 export interface Asking {
@@ -10,6 +11,7 @@ export interface Asking {
   characters: readonly CharacterFacts[];
   by: By;
   firstContact: boolean;
+  self: SelfChoices;
   /** Null for all frames. */
   frames: FrameRange | null;
   readingOptions: ReadingOptions;
@@ -61,12 +63,14 @@ function modelWords({ scene: { instances }, characters }: Asking): string[] {
   return [...models, ...instances.flatMap(({ clip }) => ['--clip', clip ?? DEFAULT_POSE])];
 }
 
-function optionWords({ by, firstContact, frames, readingOptions }: Asking): string[] {
+function optionWords(asking: Asking): string[] {
+  const { by, firstContact, frames, readingOptions } = asking;
   const { renormalise, noUnskinned, exclude = [] } = readingOptions;
   return [
     ...(by === 'part' ? ['--by', 'part'] : []),
     ...(frames ? ['--frames', frames.join(':')] : []),
     ...(firstContact ? ['--first'] : []),
+    ...selfWords(asking),
     ...(renormalise ? ['--renormalise'] : []),
     ...(noUnskinned ? ['--no-unskinned'] : []),
     ...exclude.flatMap((node) => ['--exclude', node]),

@@ -4,17 +4,9 @@ import type { CharacterFacts } from '../worker/protocol';
 import { chooseClip, sizeOf } from './arrange';
 import type { Scene } from './scene';
 
-/** Whether a single character appears twice. */
-export function meetsItself({ instances }: Scene): boolean {
-  return instances.length === 2 && instances[0].character === instances[1].character;
-}
-
 /** Returns the notes that currently apply. */
 export function notesOn(scene: Scene, characters: readonly CharacterFacts[]): string[] {
   const notes = [];
-  if (meetsItself(scene)) {
-    notes.push('A single character meets itself: 1 is a copy of 0 until you add another one.');
-  }
   const sizes = sizesApart(scene, characters);
   if (sizes) notes.push(sizes);
   if (playsChosenClips(scene, characters)) {

@@ -3,8 +3,13 @@
 import type { CharacterFacts } from '../worker/protocol';
 import { castOf } from './cast';
 import type { Instance, Scene } from './scene';
+import { selfKeys, type SelfChoices } from './self';
 
-export function sceneFile(scene: Scene, characters: readonly CharacterFacts[]): string {
+export function sceneFile(
+  scene: Scene,
+  characters: readonly CharacterFacts[],
+  self: SelfChoices,
+): string {
   const names = distinct(characters.map(({ name }) => name));
   const cast = new Set(castOf(scene));
   const models = Object.fromEntries(
@@ -17,7 +22,8 @@ export function sceneFile(scene: Scene, characters: readonly CharacterFacts[]): 
     ...keptWeights(morphWeights),
   }));
   const ignore = scene.ignore.length > 0 ? { ignore: scene.ignore } : {};
-  return JSON.stringify({ models, frames, instances, ...ignore }, null, 2) + '\n';
+  const file = { models, frames, instances, ...ignore, ...selfKeys(self) };
+  return JSON.stringify(file, null, 2) + '\n';
 }
 
 /** Weights by name, or in the order of the targets if these have no names. */

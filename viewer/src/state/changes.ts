@@ -5,6 +5,7 @@
 
 import { findingOf } from '../report/verdict';
 import { arrange, USUAL_ARRANGEMENT } from '../scene/arrange';
+import { wantedSelf, type SelfChoices } from '../scene/self';
 import type {
   CharacterFacts,
   Opened,
@@ -61,6 +62,21 @@ export const toggleBy: Change = ({ by }) => ({ by: by === 'part' ? 'instance' : 
 export const toggleFirstContact: Change = ({ firstContact, scene }) => ({
   firstContact: !firstContact && scene?.ignore.length === 0,
 });
+export function chooseSelf(change: SelfChoices): Change {
+  return ({ self }) => ({ self: { ...self, ...change }, spot: null });
+}
+
+/** Off, or on. */
+export const toggleSelf: Change = (state) => {
+  if (!state.scene) return {};
+  const isOff = wantedSelf({ ...state, scene: state.scene }) === 'off';
+  return chooseSelf({ wanted: isOff ? 'also' : 'off' })(state);
+};
+
+export const toggleSelfFilters: Change = ({ areSelfFiltersOpen }) => ({
+  areSelfFiltersOpen: !areSelfFiltersOpen,
+});
+
 export const checkAllFrames: Change = () => ({ frames: null });
 export const toggleTheme: Change = ({ theme }) => ({ theme: isDark(theme) ? 'light' : 'dark' });
 export const toggleHelp: Change = ({ isHelpOpen }) => ({ isHelpOpen: !isHelpOpen });
@@ -130,7 +146,7 @@ export interface Beginning {
 
 /** The new characters take the stage. */
 export function open(
-  { characters, scene, refused }: Opened,
+  { characters, scene, self, refused }: Opened,
   {
     frame = 0,
     plays = true,
@@ -144,6 +160,7 @@ export function open(
     return {
       characters,
       readingOptions,
+      self,
       scene: placed,
       opened: scene,
       firstContact: firstContact && !scene?.ignore.length,
@@ -201,10 +218,16 @@ export function dismiss(problem: Problem): Change {
 }
 
 /** Progress of a sweep that has been given up is passed over. */
-export function sweepOn({ id, counts, total }: SweepProgress): Change {
+export function sweepOn({ id, searched, counts, selfCounts, total }: SweepProgress): Change {
   return (state) => {
     if (id !== state.sweep.id) return {};
-    const sweep = { id, counts: [...state.sweep.counts, ...counts], total };
+    const sweep = {
+      id,
+      searched,
+      counts: [...state.sweep.counts, ...counts],
+      selfCounts: [...state.sweep.selfCounts, ...selfCounts],
+      total,
+    };
     return { sweep, finding: state.finding ?? findingOf({ ...state, sweep }) };
   };
 }

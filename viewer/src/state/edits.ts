@@ -1,8 +1,7 @@
 /** Changes of the scene, all of which can be undone. */
 
-import { arrange, join } from '../scene/arrange';
+import { arrange, join, type Arrangement } from '../scene/arrange';
 import { castOf, duplicated, without } from '../scene/cast';
-import { meetsItself } from '../scene/notes';
 import { inWholeClips, withFps, withInstance, type Instance, type Scene } from '../scene/scene';
 import type { ReadCharacters } from '../worker/protocol';
 import { problemOf, type Change } from './changes';
@@ -85,14 +84,19 @@ export function rearrange(arrangement: State['arrangement']): Change {
   });
 }
 
-/** The new characters join those on the stage, the last of them to be placed. */
+/**
+ * The new characters join those on the stage, the last of them to be placed. A character that stood
+ * there alone is placed with them, unless it was edited.
+ */
 export function add({ characters: added, refused }: ReadCharacters): Change {
   return edit(null, (state) => {
     const { scene, opened, characters: present, arrangement, arranged, problems } = state;
     const characters = [...present, ...added];
     const joinAll = (begin: Scene) =>
       added.reduce((all, _, i) => join(all, characters, present.length + i, arrangement), begin);
-    const joined = scene && joinAll(opened ? scene : withoutDouble(scene));
+    const isPlaced = scene !== arranged || opened !== null || scene?.instances.length !== 1;
+    const joined =
+      scene && (isPlaced ? joinAll(scene) : arrange(characters, arrangement as Arrangement));
     return {
       characters,
       scene: joined,
@@ -105,9 +109,4 @@ export function add({ characters: added, refused }: ReadCharacters): Change {
       problems: [...problems, ...refused.map(problemOf)],
     };
   });
-}
-
-/** A character that was dropped alone has met itself only for want of others. */
-function withoutDouble(scene: Scene): Scene {
-  return meetsItself(scene) ? { ...scene, instances: scene.instances.slice(0, 1) } : scene;
 }

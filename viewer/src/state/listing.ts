@@ -1,8 +1,13 @@
 /** The contacts that are listed: of a frame or of the clip, without those that a filter leaves out. */
 
 import { standingOf, type Standing } from '../report/baseline';
-import type { CharacterFacts, Spot, Surface, Touch } from '../worker/protocol';
+import type { By, CharacterFacts, Spot, Surface, Touch } from '../worker/protocol';
 import type { State } from './state';
+
+/** Whether a place touches its own body: the same instance or, by parts, the same part. */
+export function isOfSelf({ a, b }: Spot, by: By): boolean {
+  return a.instance === b.instance && (by === 'instance' || a.part === b.part);
+}
 
 export interface Filter {
   /** Each word must occur in the names of one of the two places. */

@@ -1,19 +1,30 @@
 /** The shot that the state wants, and whether the answer shows it. */
 
+import { isSameSelf, selfQuestion } from '../scene/self';
+import { checkedFrames } from './frames';
 import type { State } from './state';
-import type { Shot } from '../worker/protocol';
+import type { SelfQuestion, Shot } from '../worker/protocol';
+
+/** How bodies are tested against themselves; null if they are not, or if there is no scene. */
+export function selfOf(state: State): SelfQuestion | null {
+  const { scene, by, characters, self } = state;
+  return scene && selfQuestion({ scene, by, characters, self }, checkedFrames(state));
+}
+
+export function asksSelf(state: State): boolean {
+  return selfOf(state) !== null;
+}
+
+/** Whether bodies are tested against each other. */
+export function asksPairs(state: State): boolean {
+  return selfOf(state)?.isOnly !== true;
+}
 
 /** While other characters are being read, the worker may have given up those of the scene. */
-export function shotOf({
-  scene,
-  reading,
-  frame,
-  by,
-  firstContact,
-  boxLevel,
-  spot,
-}: State): Shot | null {
-  return scene && !reading ? { scene, frame, by, firstContact, boxLevel, spot } : null;
+export function shotOf(state: State): Shot | null {
+  const { scene, reading, frame, by, firstContact, boxLevel, spot } = state;
+  if (!scene || reading) return null;
+  return { scene, frame, by, firstContact, self: selfOf(state), boxLevel, spot };
 }
 
 export function isSameShot(one: Shot, other: Shot): boolean {
@@ -26,14 +37,18 @@ export function isSameQuery(one: Shot, other: Shot): boolean {
     one.scene === other.scene &&
     one.frame === other.frame &&
     one.by === other.by &&
-    one.firstContact === other.firstContact
+    one.firstContact === other.firstContact &&
+    isSameSelf(one.self, other.self)
   );
 }
 
 /** Whether the answer is to the scene as it is now, at whatever frame. */
-export function isInStep({ answer, scene, by, firstContact, boxLevel, spot }: State): boolean {
+export function isInStep(state: State): boolean {
+  const { answer, scene, by, firstContact, boxLevel, spot } = state;
   return (
     answer !== null &&
+    !answer.isPreliminary &&
+    isSameSelf(answer.shot.self, selfOf(state)) &&
     answer.shot.scene === scene &&
     answer.shot.by === by &&
     answer.shot.firstContact === firstContact &&

@@ -4,6 +4,7 @@ import type { Report } from '../report/report';
 import type { Finding } from '../report/verdict';
 import type { Arrangement } from '../scene/arrange';
 import type { Scene, Vector3 } from '../scene/scene';
+import type { SelfChoices } from '../scene/self';
 import type { Edit } from './history';
 import { NO_FILTER, type Filter } from './listing';
 import type {
@@ -37,6 +38,8 @@ export interface State {
   isPlaying: boolean;
   by: By;
   firstContact: boolean;
+  /** Whether and how characters are tested against themselves. */
+  self: SelfChoices;
   /** The frames to be checked, of a report of some frames; null for all. */
   frames: FrameRange | null;
 
@@ -60,6 +63,8 @@ export interface State {
   filter: Filter;
   /** Whether the numbers of work are shown, and measured. */
   isWorkOpen: boolean;
+  /** Whether the filters of contacts of characters with themselves are shown. */
+  areSelfFiltersOpen: boolean;
   /** Whether the cards of many characters are shown. */
   areCardsOpen: boolean;
   /** The selected contact; every selection creates a new object. */
@@ -114,6 +119,10 @@ export interface SweepState {
   id: number;
   /** Contacts of the frames so far, from the first one; null for frames that are not checked. */
   counts: (number | null)[];
+  /** Contacts of bodies with themselves, which are among these. */
+  selfCounts: (number | null)[];
+  /** Number of frames that have been searched for a filter, before frames are counted. */
+  searched: number;
   total: SweepTotal | null;
 }
 
@@ -131,6 +140,10 @@ export interface Problem {
   remedy?: { label: string; act: () => void } | undefined;
 }
 
+export function newSweep(id: number): SweepState {
+  return { id, counts: [], selfCounts: [], searched: 0, total: null };
+}
+
 export const initialState: State = {
   scene: null,
   opened: null,
@@ -143,6 +156,7 @@ export const initialState: State = {
   isPlaying: true,
   by: 'instance',
   firstContact: false,
+  self: {},
   frames: null,
   past: [],
   future: [],
@@ -154,6 +168,7 @@ export const initialState: State = {
   listing: 'frame',
   filter: NO_FILTER,
   isWorkOpen: false,
+  areSelfFiltersOpen: false,
   areCardsOpen: false,
   spot: null,
   side: null,
@@ -163,7 +178,7 @@ export const initialState: State = {
   isHelpOpen: false,
   answer: null,
   costs: null,
-  sweep: { id: 0, counts: [], total: null },
+  sweep: newSweep(0),
   stills: [],
   hovered: null,
   problems: [],

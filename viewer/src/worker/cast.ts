@@ -3,6 +3,7 @@
 import type { Character, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import type { ModelSource, Scene } from '../scene/scene';
+import { readSelf, type SelfChoices, type SelfKeys } from '../scene/self';
 import { buffersOf, filesOfScene } from './find_files';
 import {
   isCharacter,
@@ -17,6 +18,8 @@ export interface Cast {
   /** The model of each character in a scene file. */
   sources: ModelSource[];
   scene: Scene | null;
+  /** Choices of the scene file. */
+  self: SelfChoices;
   /** Files that are no good, beside those that are. */
   refused: Refusal[];
 }
@@ -28,7 +31,7 @@ export function readDemo(pelt: Pelt): Cast {
   const file = JSON.parse(pelt.demoScene);
   file.frames = { count: 2 * file.frames.count, fps: 2 * file.frames.fps };
   const text = new TextEncoder().encode(JSON.stringify(file));
-  return castOf(pelt.readScene(DEMO, { [DEMO]: text }), file.models, DEMO);
+  return castOf(pelt.readScene(DEMO, { [DEMO]: text }), file, DEMO);
 }
 
 export function readSceneFile(
@@ -37,8 +40,7 @@ export function readSceneFile(
 ): Cast {
   const { path: place, files } = filesOfScene(path, dropped);
   const scene = pelt.readScene(place, files, { ...options, meshoptDecode });
-  const { models } = JSON.parse(new TextDecoder().decode(files.get(place)));
-  return castOf(scene, models, path);
+  return castOf(scene, JSON.parse(new TextDecoder().decode(files.get(place))), path);
 }
 
 /** Returns the readable characters. Throws the errors of the others if there are none. */
@@ -47,7 +49,7 @@ export function readCharacters(
   files: readonly NamedFile[],
   reading: ReadingOptions = {},
 ): Cast {
-  const cast: Cast = { characters: [], sources: [], scene: null, refused: [] };
+  const cast: Cast = { characters: [], sources: [], scene: null, self: {}, refused: [] };
   for (const model of files.filter(isCharacter)) {
     const { path } = model;
     const options = { ...reading, name: path, files: buffersOf(model, files), meshoptDecode };
@@ -65,13 +67,14 @@ export function readCharacters(
 
 function castOf(
   { characters, frameCount, fps, instances, ignore }: EngineScene,
-  models: Record<string, ModelSource>,
+  file: { models: Record<string, ModelSource> } & SelfKeys,
   name: string,
 ): Cast {
   return {
     characters,
-    sources: characters.map((character) => models[character.name]),
+    sources: characters.map((character) => file.models[character.name]),
     scene: { name, frameCount, fps, instances, ignore },
+    self: readSelf(file),
     refused: [],
   };
 }

@@ -6,6 +6,7 @@
 import type { Pelt, Pose, Scene as EngineScene } from 'pelt';
 import { collidingPairs } from './colliding_pairs';
 import type { Cost, Costs, Questions, Shot } from './protocol';
+import type { SelfFilters } from './self_filters';
 import { Stage } from './stage';
 import { Stopwatch } from './stopwatch';
 
@@ -22,8 +23,11 @@ export class CostMeter {
   private id = -1;
   private steps: Steps<Costs> | null = null;
 
-  constructor(private readonly pelt: Pelt) {
-    this.stage = new Stage(pelt);
+  constructor(
+    private readonly pelt: Pelt,
+    filters: SelfFilters,
+  ) {
+    this.stage = new Stage(pelt, filters);
   }
 
   /** Works for a few milliseconds. Returns null if there is more to do. */
@@ -43,12 +47,13 @@ export class CostMeter {
     this.stage.clear();
   }
 
-  private *measure(scene: EngineScene, { frame, firstContact, by }: Shot): Steps<Costs> {
-    this.stage.set(scene, frame, by);
+  private *measure(scene: EngineScene, shot: Shot): Steps<Costs> {
+    const { frame, firstContact, by, self } = shot;
+    this.stage.set(scene, frame, by, self);
     yield;
     const onDemand = yield* this.cost(() => this.askOnDemand(firstContact));
-    const eager = yield* this.cost(() => this.askEagerly(firstContact));
-    return { onDemand, eager, ...this.countNodes(firstContact) };
+    const eager = yield* this.cost(() => this.askEagerly(shot));
+    return { onDemand, eager, ...this.countNodes(shot) };
   }
 
   /** Doubles the number of rounds until the clock can measure their time. */
@@ -70,23 +75,27 @@ export class CostMeter {
   }
 
   /** Everything is refitted once, and then compared with all those that it is near. */
-  private *askEagerly(firstContact: boolean): Steps<number> {
+  private *askEagerly({ firstContact, self }: Shot): Steps<number> {
     const poses = this.stage.colliding;
     for (const pose of poses) {
       pose.openAll();
       yield;
     }
     let trianglePairs = 0;
-    for (const [a, b] of collidingPairs(poses)) {
+    for (const [a, b] of self?.isOnly ? [] : collidingPairs(poses)) {
       trianglePairs += this.pelt.collideEagerly(a, b, { firstContact }).stats.trianglePairs;
       yield;
     }
+    trianglePairs += this.stage.collideSelf(firstContact);
+    yield;
     return trianglePairs;
   }
 
-  private countNodes(firstContact: boolean): { openedNodes: number; nodes: number } {
+  private countNodes({ firstContact, self }: Shot): { openedNodes: number; nodes: number } {
     const poses = this.stage.colliding;
-    for (const [a, b] of collidingPairs(poses)) this.pelt.collide(a, b, { firstContact });
+    const pairs = self?.isOnly ? [] : collidingPairs(poses);
+    for (const [a, b] of pairs) this.pelt.collide(a, b, { firstContact });
+    this.stage.collideSelf(firstContact);
     const sum = (count: (pose: Pose) => number) =>
       poses.reduce((total, pose) => total + count(pose), 0);
     return {

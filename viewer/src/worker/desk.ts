@@ -16,12 +16,14 @@ import type {
   Request,
   SweepProgress,
 } from './protocol';
+import { SelfFilters } from './self_filters';
 import { Stage } from './stage';
 import { firstSurface } from './surfaces';
 import { Sweep } from './sweep';
 
 export class Desk {
-  private cast: Cast = { characters: [], sources: [], scene: null, refused: [] };
+  private cast: Cast = { characters: [], sources: [], scene: null, self: {}, refused: [] };
+  private readonly filters: SelfFilters;
   /** The displayed stage, and a second one for requests that are not displayed. */
   private readonly shown: Stage;
   private readonly apart: Stage;
@@ -32,9 +34,10 @@ export class Desk {
     private readonly pelt: Pelt,
     private readonly report: (progress: SweepProgress) => void,
   ) {
-    this.shown = new Stage(pelt);
-    this.apart = new Stage(pelt);
-    this.meter = new CostMeter(pelt);
+    this.filters = new SelfFilters(pelt);
+    this.shown = new Stage(pelt, this.filters);
+    this.apart = new Stage(pelt, this.filters);
+    this.meter = new CostMeter(pelt, this.filters);
   }
 
   /** Whether the engine has ended. */
@@ -77,9 +80,10 @@ export class Desk {
     this.shown.clear();
     this.apart.clear();
     this.meter.clear();
+    this.filters.clear();
     for (const character of this.cast.characters) character.delete();
     this.cast = cast;
-    return { ...readOf(cast), scene: cast.scene };
+    return { ...readOf(cast), scene: cast.scene, self: cast.self };
   }
 
   private addCast(added: Cast): ReadCharacters {
@@ -90,7 +94,8 @@ export class Desk {
 
   private startSweep(question: Questions['sweep']): Promise<null> {
     this.stopSweep();
-    this.sweep = new Sweep(this.pelt, this.engineScene(question.scene), question, this.report);
+    const scene = this.engineScene(question.scene);
+    this.sweep = new Sweep(this.pelt, this.filters, scene, question, this.report);
     return this.sweep.ended;
   }
 

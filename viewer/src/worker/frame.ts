@@ -13,6 +13,7 @@ import type {
   StillAnswer,
   Work,
 } from './protocol';
+import { split, type SplitContacts } from './scene_crowd';
 import { contactsInSpot } from './spots';
 import type { Stage } from './stage';
 import { TouchTally } from './touches';
@@ -24,27 +25,31 @@ export function answerFrame(
   pelt: Pelt,
   stage: Stage,
   scene: EngineScene,
-  { frame, by, firstContact, boxLevel, spot }: Shot,
+  { frame, by, firstContact, self, boxLevel, spot }: Shot,
   spares: readonly Spare[] = [],
 ): FrameAnswer {
-  stage.set(scene, frame, by);
-  const { count, contacts, ignored, stats } = stage.collide(firstContact);
-  if (boxLevel !== null) openNodes(pelt, stage.colliding, firstContact);
+  stage.set(scene, frame, by, self);
+  const found = stage.collide(firstContact);
+  if (boxLevel !== null) openNodes(pelt, stage, self?.isOnly ?? false, firstContact);
   const tally = new TouchTally(stage.characters);
-  tally.addAll(frame, contacts);
+  tally.addAll(frame, found.contacts);
   const instances = stage.poses.map((pose, i) => ({
     ...drawn(pose, spares[i]),
     ...boxesOf(stage.collidingOf(i), boxLevel),
   }));
-  const touching = stage.sets.gather(contacts);
+  const { ofSelf, ofPairs } = split(found);
+  const { sets } = stage;
   return {
-    instances: instances.map((instance, i) => ({ ...instance, touching: touching[i] })),
-    glow: glowOf(stage.characters, instances, touching),
-    spot: spot && answerSpot(stage, instances, contacts, spot),
-    contacts: count,
-    ignored,
+    instances,
+    glow: glowOf(stage.characters, instances, sets.gather(ofSelf), sets.gather(ofPairs)),
+    spot: spot && answerSpot(stage, instances, { ofSelf, ofPairs }, spot),
+    contacts: found.count,
+    selfContacts: ofSelf.length / 4,
+    leftOut: found.leftOut,
+    isPreliminary: !stage.isReady,
+    ignored: found.ignored,
     touches: tally.sorted(),
-    work: workOf(stage.colliding, stats),
+    work: workOf(stage.colliding, found.stats),
   };
 }
 
@@ -56,18 +61,21 @@ export function answerStill(pelt: Pelt, stage: Stage, scene: EngineScene, shot: 
 function answerSpot(
   { characters, poses, sets }: Stage,
   instances: readonly Spare[],
-  all: Uint32Array,
+  { ofSelf, ofPairs }: SplitContacts,
   spot: Spot,
 ): SpotAnswer {
-  const contacts = contactsInSpot(characters, all, spot);
-  const pairs = contacts.filter((_, i) => i % 4 >= 2);
-  const glow = glowOf(characters, instances, sets.gather(contacts));
+  const [own, others] = [ofSelf, ofPairs].map((all) => contactsInSpot(characters, all, spot));
+  const found = own.length > 0 ? own : others; // a spot is of one kind
+  const pairs = found.filter((_, i) => i % 4 >= 2);
+  const glow = glowOf(characters, instances, sets.gather(own), sets.gather(others));
   return { pairs, glow, seen: seenFromSides(poses, glow) };
 }
 
 /** A crowd keeps no opened nodes: the same query of two poses at a time does. */
-function openNodes(pelt: Pelt, poses: readonly Pose[], firstContact: boolean): void {
-  for (const [a, b] of collidingPairs(poses)) pelt.collide(a, b, { firstContact });
+function openNodes(pelt: Pelt, stage: Stage, isOnlySelf: boolean, firstContact: boolean): void {
+  const pairs = isOnlySelf ? [] : collidingPairs(stage.colliding);
+  for (const [a, b] of pairs) pelt.collide(a, b, { firstContact });
+  stage.collideSelf(firstContact);
 }
 
 function drawn(pose: Pose, spare: Spare | undefined): Spare {

@@ -6,26 +6,35 @@ import type { PosedInstance, Glow } from './protocol';
 /** Lengths are powers of two of triangles, so that arrays of the same length follow each other. */
 const LEAST_TRIANGLES = 64;
 
+/** Triangles of each instance that touch their own body, and triangles that touch other bodies. */
 export function glowOf(
   characters: readonly Character[],
   instances: readonly Pick<PosedInstance, 'positions'>[],
-  touching: readonly Uint32Array[],
+  ofSelf: readonly Uint32Array[],
+  ofPairs: readonly Uint32Array[],
 ): Glow {
-  const triangles = touching.reduce((sum, { length }) => sum + length, 0);
+  const triangles = sizeOf(ofSelf) + sizeOf(ofPairs);
   const room = roomFor(triangles);
   const glow = {
     triangles,
+    ofSelf: sizeOf(ofSelf),
     corners: new Float32Array(9 * room),
     centres: new Float32Array(3 * room),
   };
   let next = 0;
-  instances.forEach(({ positions }, i) => {
-    const corners = characters[i].triangles;
-    for (const triangle of touching[i]) {
-      writeTriangle(glow, next++, positions, corners.subarray(3 * triangle, 3 * triangle + 3));
-    }
-  });
+  for (const touching of [ofSelf, ofPairs]) {
+    instances.forEach(({ positions }, i) => {
+      const corners = characters[i].triangles;
+      for (const triangle of touching[i]) {
+        writeTriangle(glow, next++, positions, corners.subarray(3 * triangle, 3 * triangle + 3));
+      }
+    });
+  }
   return glow;
+}
+
+function sizeOf(sets: readonly Uint32Array[]): number {
+  return sets.reduce((sum, { length }) => sum + length, 0);
 }
 
 export function roomFor(triangles: number): number {

@@ -3,8 +3,9 @@
  * the page, so a request contains everything that its answer depends on.
  */
 
-import type { Box, Clip } from 'pelt';
+import type { Box, Clip, LeftOut } from 'pelt';
 import type { ModelSource, Scene } from '../scene/scene';
+import type { SelfChoices } from '../scene/self';
 
 export interface NamedFile {
   /** Path in the scene file, or of the dropped file. */
@@ -30,12 +31,28 @@ export type By = 'instance' | 'part';
 
 export type FrameRange = [first: number, end: number, step: number];
 
+/** How bodies, which are instances or parts, are tested against themselves. */
+export interface SelfQuestion {
+  /** No two bodies are tested against each other. */
+  isOnly: boolean;
+  /** Triangles that a chain of fewer others connects do not count. */
+  rings: number;
+  dropsAtRest: boolean;
+  /** Pairs of triangles that touch in at least this share of `frames` do not count; null: all do. */
+  always: number | null;
+  dropsNearJoints: boolean;
+  /** Null for all frames, and if `always` is null. */
+  frames: FrameRange | null;
+}
+
 /** A frame of a scene, and its query. */
 export interface Shot {
   scene: Scene;
   frame: number;
   by: By;
   firstContact: boolean;
+  /** Null: no body is tested against itself. */
+  self: SelfQuestion | null;
   /** Level of the trees whose boxes are drawn. */
   boxLevel: number | null;
   /** The contacts that are wanted one by one. */
@@ -69,6 +86,7 @@ export interface Questions {
     scene: Scene;
     by: By;
     firstContact: boolean;
+    self: SelfQuestion | null;
     /** Frames to be counted, or null for all frames. */
     frames: FrameRange | null;
   };
@@ -105,6 +123,8 @@ export interface ReadCharacters {
 /** All characters with their scene; without a scene, the page places them. */
 export interface Opened extends ReadCharacters {
   scene: Scene | null;
+  /** Choices of the scene file. */
+  self: SelfChoices;
 }
 
 export interface Refusal {
@@ -120,6 +140,7 @@ export interface CharacterFacts {
   triangles: Uint32Array;
   vertexCount: number;
   levelCount: number;
+  /** Number of parts with triangles. */
   partCount: number;
   clips: readonly Clip[];
   extent: Box;
@@ -133,7 +154,7 @@ export interface Surface {
   joint: string;
 }
 
-/** Two such places, of different instances in ascending order. */
+/** Two such places, in ascending order. */
 export interface Spot {
   a: Surface;
   b: Surface;
@@ -164,8 +185,6 @@ export interface Spare {
 export interface PosedInstance {
   positions: Float32Array;
   normals: Float32Array;
-  /** Numbers of the triangles in contact, each once. */
-  touching: Uint32Array;
   boxes: Float32Array;
   boxStates: Uint8Array;
 }
@@ -173,6 +192,8 @@ export interface PosedInstance {
 /** All triangles in contact. The arrays may be longer than their content. */
 export interface Glow {
   triangles: number;
+  /** The first triangles are of contacts of bodies with themselves. */
+  ofSelf: number;
   /** [T][3][3] positions, and [T][3] of their middles. */
   corners: Float32Array;
   centres: Float32Array;
@@ -197,6 +218,12 @@ export interface FrameAnswer {
   instances: PosedInstance[];
   glow: Glow;
   contacts: number;
+  /** Contacts of bodies with themselves, which are among `contacts`. */
+  selfContacts: number;
+  /** What the filters of contacts of bodies with themselves have left out. */
+  leftOut: LeftOut;
+  /** Contacts of bodies with themselves are missing until the sweep has made their filters. */
+  isPreliminary: boolean;
   /** Contacts that do not count. */
   ignored: number;
   /** The most contacts first. */
@@ -221,13 +248,19 @@ export interface Cost {
 
 export interface SweepProgress {
   id: number;
+  /** Number of frames in which contacts were looked for that are in nearly all frames. */
+  searched: number;
   /** Contacts of the frames after those of the progress before; null for frames left out. */
   counts: (number | null)[];
+  /** Contacts of bodies with themselves, which are among these. */
+  selfCounts: (number | null)[];
   /** Sent with the last frame. */
   total: SweepTotal | null;
 }
 
 export interface SweepTotal {
+  /** See FrameAnswer. */
+  leftOut: LeftOut;
   /** Hash as in `pelt check`; null if queries stop at the first contact. */
   hash: string | null;
   /** Contacts that do not count. */

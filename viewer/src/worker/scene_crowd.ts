@@ -3,13 +3,20 @@
  * and the same answer.
  */
 
-import type { Character, Crowd, CrowdContacts, Pelt, Scene as EngineScene } from 'pelt';
+import type { Character, Crowd, CrowdContacts, NamePair, Pelt, Scene as EngineScene } from 'pelt';
 import { bodiesOf, type Body } from './bodies';
-import type { By } from './protocol';
+import type { By, SelfQuestion } from './protocol';
+import type { SelfFilters } from './self_filters';
 
 export interface SceneContacts extends CrowdContacts {
   /** Like `contacts`, with numbers of bodies instead of instances, for the hash. */
   ofBodies: Uint32Array;
+}
+
+/** How bodies are tested against themselves, and where the filters are. */
+export interface SelfTest {
+  question: SelfQuestion | null;
+  filters: SelfFilters;
 }
 
 export class SceneCrowd {
@@ -19,31 +26,42 @@ export class SceneCrowd {
   /** Character of each instance. */
   readonly characters: Character[];
   readonly bodies: Body[];
-  private readonly crowd: Crowd;
+  /** Whether the filters of contacts of bodies with themselves are ready. If not, none is found. */
+  readonly isReady: boolean;
+  /** One with all bodies, or one for each body if no two bodies are tested. */
+  private readonly crowds: Crowd[];
   private readonly ignored: string;
+  private readonly selfKey: string;
 
   constructor(
-    pelt: Pelt,
+    private readonly pelt: Pelt,
     scene: EngineScene,
     private readonly by: By,
+    { question, filters }: SelfTest,
+    ignore: NamePair[] = scene.ignore,
   ) {
-    this.crowd = pelt.makeCrowd();
     this.characters = scene.instances.map(({ character }) => scene.characters[character]);
     this.palettes = this.characters.map(({ jointCount }) => new Float32Array(16 * jointCount));
     this.morphWeights = this.characters.map((c) => new Float32Array(c.morphTargetNames.length));
     this.bodies = bodiesOf(scene, by);
-    for (const { instance, part } of this.bodies) this.crowd.add(this.characters[instance], part);
-    this.crowd.ignore(scene.ignore);
-    this.ignored = JSON.stringify(scene.ignore);
+    this.crowds = question?.isOnly
+      ? this.bodies.map((body) => this.makeCrowd([body], ignore))
+      : [this.makeCrowd(this.bodies, ignore)];
+    this.ignored = JSON.stringify(ignore);
+    this.selfKey = filters.keyOf(scene, by, question);
+    this.isReady = filters.areReady(scene, by, question);
+    if (question && this.isReady) this.setFilters(question, filters);
   }
 
   /** Whether it can be reused for that scene: the same characters, wherever they are placed. */
-  fits({ instances, characters, ignore }: EngineScene, by: By): boolean {
+  fits(scene: EngineScene, by: By, { question, filters }: SelfTest): boolean {
+    const { instances, characters, ignore } = scene;
     return (
       by === this.by &&
       instances.length === this.characters.length &&
       instances.every(({ character }, i) => characters[character] === this.characters[i]) &&
-      JSON.stringify(ignore) === this.ignored
+      JSON.stringify(ignore) === this.ignored &&
+      filters.keyOf(scene, by, question) === this.selfKey
     );
   }
 
@@ -51,22 +69,100 @@ export class SceneCrowd {
     this.palettes.forEach((palette, i) => scene.palette(i, frame, palette));
     this.morphWeights.forEach((weights, i) => scene.morphWeights(i, frame, weights));
     this.bodies.forEach(({ instance }, body) => {
-      this.crowd.setPalette(body, this.palettes[instance]);
-      this.crowd.setMorphWeights(body, this.morphWeights[instance]);
+      const [crowd, member] = this.placeOf(body);
+      crowd.setPalette(member, this.palettes[instance]);
+      crowd.setMorphWeights(member, this.morphWeights[instance]);
     });
   }
 
   collide(firstContact: boolean): SceneContacts {
-    const found = this.crowd.collide({ firstContact });
+    const found = joined(this.crowds.map((crowd) => crowd.collide({ firstContact })));
     return { ...found, contacts: this.ofInstances(found.contacts), ofBodies: found.contacts };
   }
 
   delete(): void {
-    this.crowd.delete();
+    for (const crowd of this.crowds) crowd.delete();
+  }
+
+  private makeCrowd(bodies: readonly Body[], ignore: NamePair[]): Crowd {
+    const crowd = this.pelt.makeCrowd();
+    for (const { instance, part } of bodies) crowd.add(this.characters[instance], part);
+    crowd.ignore(ignore);
+    return crowd;
+  }
+
+  private setFilters(question: SelfQuestion, filters: SelfFilters): void {
+    this.bodies.forEach(({ instance, part }, body) => {
+      const [crowd, member] = this.placeOf(body);
+      const filter = filters.filterOf(this.characters[instance], part, question);
+      crowd.setSelfFilter(member, filter);
+    });
+  }
+
+  /** The crowd of a body, and its number there. */
+  private placeOf(body: number): [Crowd, number] {
+    return this.crowds.length === 1 ? [this.crowds[0], body] : [this.crowds[body], 0];
   }
 
   private ofInstances(contacts: Uint32Array): Uint32Array {
     if (this.by === 'instance') return contacts;
     return contacts.map((value, i) => (i % 4 < 2 ? this.bodies[value].instance : value));
   }
+}
+
+/** The answers of crowds of one body each, numbered as in one crowd. */
+function joined(found: readonly CrowdContacts[]): CrowdContacts {
+  if (found.length === 1) return found[0];
+  const contacts = new Uint32Array(found.reduce((sum, one) => sum + one.contacts.length, 0));
+  let next = 0;
+  found.forEach((one, body) => {
+    contacts.set(one.contacts, next);
+    for (const end = next + one.contacts.length; next < end; next += 4) {
+      contacts[next] = contacts[next + 1] = body;
+    }
+  });
+  return {
+    count: contacts.length / 4,
+    contacts,
+    ignored: found.reduce((sum, { ignored }) => sum + ignored, 0),
+    leftOut: sumOf(found.map(({ leftOut }) => leftOut)),
+    stats: {
+      ...sumOf(found.map(({ stats: { cutShort: _, ...counts } }) => counts)),
+      cutShort: found.some(({ stats }) => stats.cutShort),
+    },
+  };
+}
+
+/** Adds up records of numbers. Precondition: there is one. */
+export function sumOf<Counts extends object>(all: readonly Counts[]): Counts {
+  const [first, ...rest] = all;
+  return rest.reduce((sum, one) => {
+    const added = Object.entries(sum).map(([key, value]) => [
+      key,
+      (value as number) + (one as Record<string, number>)[key],
+    ]);
+    return Object.fromEntries(added) as Counts;
+  }, first);
+}
+
+/** Contacts of bodies with themselves, and all others. */
+export interface SplitContacts {
+  ofSelf: Uint32Array;
+  ofPairs: Uint32Array;
+}
+
+export function split(found: SceneContacts): SplitContacts {
+  const { contacts, ofBodies } = found;
+  if (countSelf(found) === 0) return { ofSelf: new Uint32Array(), ofPairs: contacts };
+  const isOfSelf = (_: number, i: number) => ofBodies[i & ~3] === ofBodies[(i & ~3) + 1];
+  return {
+    ofSelf: contacts.filter(isOfSelf),
+    ofPairs: contacts.filter((value, i) => !isOfSelf(value, i)),
+  };
+}
+
+export function countSelf({ ofBodies }: SceneContacts): number {
+  let count = 0;
+  for (let i = 0; i < ofBodies.length; i += 4) count += Number(ofBodies[i] === ofBodies[i + 1]);
+  return count;
 }

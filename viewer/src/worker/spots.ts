@@ -13,9 +13,12 @@ export function contactsInSpot(
   const found: number[] = [];
   for (let i = 0; i < contacts.length; i += 4) {
     if (contacts[i] !== a.instance || contacts[i + 1] !== b.instance) continue;
-    const [triangleA, triangleB] = [contacts[i + 2], contacts[i + 3]];
-    if (isIn(characters, a, triangleA) && isIn(characters, b, triangleB)) {
-      found.push(a.instance, b.instance, triangleA, triangleB);
+    const [first, second] = [contacts[i + 2], contacts[i + 3]];
+    const areIn = (x: number, y: number) => isIn(characters, a, x) && isIn(characters, b, y);
+    if (areIn(first, second)) found.push(a.instance, b.instance, first, second);
+    // Contacts of an instance with itself have no sides.
+    else if (a.instance === b.instance && areIn(second, first)) {
+      found.push(a.instance, b.instance, second, first);
     }
   }
   return Uint32Array.from(found);

@@ -1,8 +1,10 @@
 /** Counts the contacts of every checked frame in the background, a few milliseconds at a time. */
 
-import type { ContactHash, Pelt, Scene as EngineScene } from 'pelt';
+import type { ContactHash, LeftOut, Pelt, Scene as EngineScene } from 'pelt';
+import { AlwaysSearch } from './always_search';
 import type { FrameRange, Questions, SweepProgress, SweepTotal } from './protocol';
-import { SceneCrowd } from './scene_crowd';
+import { countSelf, SceneCrowd, sumOf } from './scene_crowd';
+import type { SelfFilters } from './self_filters';
 import { TouchTally } from './touches';
 
 /** Longest time that counting may delay a requested frame. */
@@ -10,29 +12,43 @@ const SLICE_MILLISECONDS = 6;
 
 const REPORT_MILLISECONDS = 100;
 
+const NOTHING_LEFT_OUT: LeftOut = {
+  takesPart: 0,
+  rings: 0,
+  atRest: 0,
+  always: 0,
+  joints: 0,
+  groups: 0,
+};
+
 export class Sweep {
   /** Settled when all is counted or given up, rejected when a frame cannot be. */
   readonly ended: Promise<null>;
-  private readonly crowd: SceneCrowd;
+  /** Null until the filters are ready. */
+  private crowd: SceneCrowd | null = null;
+  /** Null once the filters are ready. */
+  private search: AlwaysSearch | null = null;
   private readonly hash: ContactHash;
-  private readonly tally: TouchTally;
+  private tally: TouchTally | null = null;
+  private searched = 0;
   private next = 0;
   private ignored = 0;
+  private leftOut: LeftOut = NOTHING_LEFT_OUT;
   /** Counts not reported yet, and the time of the last report. */
   private counts: (number | null)[] = [];
+  private selfCounts: (number | null)[] = [];
   private reported = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private end!: (problem?: unknown) => void;
 
   constructor(
-    pelt: Pelt,
+    private readonly pelt: Pelt,
+    private readonly filters: SelfFilters,
     private readonly scene: EngineScene,
     private readonly question: Questions['sweep'],
     private readonly report: (progress: SweepProgress) => void,
   ) {
-    this.crowd = new SceneCrowd(pelt, scene, question.by);
     this.hash = pelt.makeContactHash();
-    this.tally = new TouchTally(this.crowd.characters);
     this.ended = new Promise((resolve, reject) => {
       this.end = (problem) => (problem === undefined ? resolve(null) : reject(problem));
     });
@@ -41,7 +57,8 @@ export class Sweep {
 
   stop(): void {
     clearTimeout(this.timer);
-    this.crowd.delete();
+    this.crowd?.delete();
+    this.search?.delete();
     this.hash.delete();
     this.end();
   }
@@ -58,7 +75,8 @@ export class Sweep {
 
   private advance(): void {
     const end = performance.now() + SLICE_MILLISECONDS;
-    while (!this.isDone() && performance.now() < end) this.counts.push(this.countFrame());
+    if (!this.crowd && !this.search) this.begin();
+    while (!this.isDone() && performance.now() < end) this.step();
     if (this.isDone() || end - this.reported > REPORT_MILLISECONDS) this.reportCounts();
     if (this.isDone()) this.end();
     else this.goOn();
@@ -66,8 +84,9 @@ export class Sweep {
 
   private reportCounts(): void {
     const total = this.isDone() ? this.total() : null;
-    this.report({ id: this.question.id, counts: this.counts, total });
-    this.counts = [];
+    const { searched, counts, selfCounts } = this;
+    this.report({ id: this.question.id, searched, counts, selfCounts, total });
+    [this.counts, this.selfCounts] = [[], []];
     this.reported = performance.now();
   }
 
@@ -75,22 +94,56 @@ export class Sweep {
     return this.next === this.scene.frameCount;
   }
 
-  private countFrame(): number | null {
+  /** Finds what nearly all frames have in common, if that is not to count; then counts. */
+  private begin(): void {
+    const { pelt, filters, scene, question } = this;
+    const { by, self } = question;
+    if (filters.areReady(scene, by, self)) {
+      this.crowd = new SceneCrowd(pelt, scene, by, { question: self, filters });
+      this.tally = new TouchTally(this.crowd.characters);
+    } else {
+      this.search = new AlwaysSearch(pelt, filters, scene, by, self!);
+    }
+  }
+
+  private step(): void {
+    if (this.search) this.searchFrame(this.search);
+    else this.countFrame(this.crowd!);
+  }
+
+  private searchFrame(search: AlwaysSearch): void {
+    const frame = this.searched++;
+    if (isIn(this.question.frames, frame)) search.addFrame(frame);
+    if (this.searched < this.scene.frameCount) return;
+    search.end();
+    search.delete();
+    this.search = null;
+    this.begin();
+  }
+
+  private countFrame(crowd: SceneCrowd): void {
     const frame = this.next++;
-    if (!isIn(this.question.frames, frame)) return null;
-    this.crowd.set(this.scene, frame);
-    const found = this.crowd.collide(this.question.firstContact);
+    if (!isIn(this.question.frames, frame)) {
+      this.counts.push(null);
+      this.selfCounts.push(null);
+      return;
+    }
+    crowd.set(this.scene, frame);
+    const found = crowd.collide(this.question.firstContact);
     this.hash.addCrowd(frame, found.ofBodies);
-    this.tally.addAll(frame, found.contacts);
+    this.tally!.addAll(frame, found.contacts);
     this.ignored += found.ignored;
-    return found.count;
+    this.leftOut = sumOf([this.leftOut, found.leftOut]);
+    this.counts.push(found.count);
+    this.selfCounts.push(this.question.self ? countSelf(found) : 0);
   }
 
   private total(): SweepTotal {
     return {
       hash: this.question.firstContact ? null : this.hash.value,
       ignored: this.ignored,
-      touches: this.tally.sorted(),
+      leftOut: this.leftOut,
+      touches: this.tally!.sorted(),
     };
   }
 }

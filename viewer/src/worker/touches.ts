@@ -35,6 +35,11 @@ export class TouchTally {
   }
 
   private add(frame: number, a: number, b: number, triangleA: number, triangleB: number): void {
+    // Contacts of an instance with itself have no sides.
+    const { ofTriangle } = this.places[a];
+    if (a === b && ofTriangle[triangleA] > ofTriangle[triangleB]) {
+      [triangleA, triangleB] = [triangleB, triangleA];
+    }
     const key = this.keyOf(a, b, triangleA, triangleB);
     const counted = this.touches.get(key) ?? this.begin(key, a, b, triangleA, triangleB);
     const { touch } = counted;
