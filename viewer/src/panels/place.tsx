@@ -8,10 +8,30 @@ export function Place({ surface, withPart }: { surface: Surface; withPart: boole
     <span class="place" title={`${instance} · ${part} · ${joint}`}>
       <Badge instance={instance} />
       <span>
-        {joint}
-        {withPart && <small> {materialOf(part)}</small>}
+        <Breakable name={joint} />
+        {withPart && (
+          <small>
+            {' '}
+            <Breakable name={materialOf(part)} />
+          </small>
+        )}
       </span>
     </span>
+  );
+}
+
+/** A name that is broken between its words, if it has to be. */
+function Breakable({ name }: { name: string }) {
+  const words = name.split(/(?<=[_.:|-])/);
+  return (
+    <>
+      {words.map((word) => (
+        <>
+          {word}
+          <wbr />
+        </>
+      ))}
+    </>
   );
 }
 
