@@ -27,7 +27,10 @@ Pose pose_of(const scenes::Scene& scene, std::size_t instance,
 }  // namespace
 
 Cast::Cast(std::string_view scene_text, std::uint32_t frame)
-    : scene_(std::make_unique<scenes::Scene>(demand(scenes::parse_scene(scene_text, {})))) {
+    : Cast(demand(scenes::parse_scene(scene_text, {})), frame) {}
+
+Cast::Cast(scenes::Scene scene, std::uint32_t frame)
+    : scene_(std::make_unique<scenes::Scene>(std::move(scene))) {
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   tools::scene::sample_palettes(*scene_, frame, scratch, palettes);

@@ -22,6 +22,7 @@ struct Actor {
 class Cast {
  public:
   Cast(std::string_view scene_text, std::uint32_t frame);
+  Cast(scenes::Scene scene, std::uint32_t frame);
 
   std::vector<Actor> actors;  ///< in the order of the instances
 

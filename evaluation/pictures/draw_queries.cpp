@@ -1,5 +1,6 @@
-/// Renders the pictures of docs/queries.md into the folder that is the first argument
-/// (docs/figures/queries): all pictures, or those that the other arguments name.
+/// Renders pictures into the folder that is the first argument: those of docs/queries.md
+/// (docs/figures/queries), or the pictures that the other arguments name. "through", "resting" and
+/// "crease" are those of docs/self-collision.md (docs/figures/self).
 
 #include "evaluation/pictures/pictures.hpp"
 #include "evaluation/reproduce/picture.hpp"
@@ -8,7 +9,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <span>
+#include <vector>
 
 namespace {
 
@@ -41,8 +44,16 @@ int main(int argc, char** argv) {
                             {"ray", ray_picture},         {"distance", distance_picture},
                             {"contact", contact_picture}, {"terrain", terrain_picture},
                             {"inside", inside_picture},   {"morphs", morph_picture}};
-  for (const auto& [name, draw] : kAll) {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+  constexpr Entry kOfSelf[] = {
+      {"through", through_picture}, {"resting", resting_picture}, {"crease", crease_picture}};
+  const auto is_named = [&](const Entry& entry) {
+    return std::find(wanted.begin(), wanted.end(), entry.name) != wanted.end();
+  };
+  std::vector<Entry> chosen;
+  for (const Entry& entry : kAll)
+    if (wanted.empty() || is_named(entry)) chosen.push_back(entry);
+  std::copy_if(std::begin(kOfSelf), std::end(kOfSelf), std::back_inserter(chosen), is_named);
+  for (const auto& [name, draw] : chosen) {
     const std::filesystem::path png = folder / (std::string(name) + ".png");
     if (const Result<void> rendered = reproduce::render(draw(), png); !rendered) {
       std::fprintf(stderr, "%s\n", rendered.error().message.c_str());

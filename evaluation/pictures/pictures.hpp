@@ -1,6 +1,7 @@
 #pragma once
 
-/// The pictures of docs/queries.md, each drawn from the result of its query.
+/// The pictures of docs/queries.md and docs/self-collision.md, each drawn from the result of its
+/// query.
 
 #include "evaluation/reproduce/report.hpp"
 
@@ -16,5 +17,10 @@ Picture contact_picture();   // contact_picture.cpp
 Picture terrain_picture();   // terrain_picture.cpp
 Picture inside_picture();    // inside_picture.cpp
 Picture morph_picture();     // morph_picture.cpp
+
+/// Contacts of a character with itself. All in self_pictures.cpp.
+Picture through_picture();
+Picture resting_picture();
+Picture crease_picture();
 
 }  // namespace pelt::pictures
