@@ -18,6 +18,8 @@
 ///   unsigned slots_near(const OpenedNode& of, const OpenedNode& all)  slots of `of` near all of
 ///   `all` unsigned slots_near(const OpenedNode& of, const OpenedNode& other, unsigned slot)
 ///                                         slots of `of` that are near one slot of `other`
+///   unsigned slots_left_out(const Node& a, unsigned slot, std::uint32_t node_b) const
+///                                         clusters of node b not to test with that cluster of a
 ///   float depth(const OpenedNode& a, unsigned slot, const OpenedNode& b) const
 ///                                         how promising that slot is against the node b
 ///   void test(const PosedCluster& a, const PosedCluster& b)           two clusters that are near
@@ -64,7 +66,7 @@ class PairDescent {
       const unsigned later = slots_of(node) & ~((2u << *slot) - 1);
       const unsigned near_slot = later & rule_.slots_near(opened, opened, *slot);
       if (*slot < node.cluster_count) {
-        if (!test_cluster(node, opened, *slot, node, opened, near_slot, near)) return;
+        if (!test_cluster(node, opened, *slot, index, opened, near_slot, near)) return;
         continue;
       }
       for (SetBits other(near_slot); other; ++other)
@@ -101,9 +103,12 @@ class PairDescent {
   /// Tests a cluster of a's node against the clusters among the slots `near_b` of b's node, and
   /// notes the children. Returns false if the rule is full.
   bool test_cluster(const Node& node_a, const OpenedNode& opened_a, unsigned slot,
-                    const Node& node_b, const OpenedNode& opened_b, unsigned near_b,
+                    std::uint32_t index_b, const OpenedNode& opened_b, unsigned near_b,
                     ClustersNear& near) {
-    for (SetBits other(near_b & clusters_of(node_b)); other; ++other) {
+    const Node& node_b = b_.tree.nodes.data()[index_b];
+    unsigned clusters = near_b & clusters_of(node_b);
+    if (clusters != 0) clusters &= ~rule_.slots_left_out(node_a, slot, index_b);
+    for (SetBits other(clusters); other; ++other) {
       rule_.test({a_, node_a, opened_a, slot}, {b_, node_b, opened_b, *other});
       if (rule_.is_full()) {
         is_unfinished_ = true;
@@ -138,7 +143,7 @@ class PairDescent {
       if (*slot >= node_a.cluster_count) {
         pairs_.push({child(node_a, *slot), kAllSlots, pair.node_b, near_b, true,
                      rule_.depth(opened_a, *slot, opened_b)});
-      } else if (!test_cluster(node_a, opened_a, *slot, node_b, opened_b, near_b, near)) {
+      } else if (!test_cluster(node_a, opened_a, *slot, pair.node_b, opened_b, near_b, near)) {
         return;
       }
     }

@@ -115,9 +115,10 @@ PairMasks::PairMasks(const Tree& tree, const Fans& fans) {
   std::vector<std::uint64_t> pairs = sharing_pairs(fans, chosen, clusters);
   add_lower_halves(tree, pairs);
   std::sort(pairs.begin(), pairs.end());
-  write_masks(pairs, tree.clusters.size());
   for (std::uint32_t n = 0; n < tree.nodes.size(); ++n)
     cluster_nodes.insert(cluster_nodes.end(), tree.nodes[n].cluster_count, n);
+  write_masks(pairs, tree.clusters.size());
+  write_near_slots(pairs, tree);
 }
 
 void PairMasks::write_masks(const std::vector<std::uint64_t>& sorted, std::size_t cluster_count) {
@@ -125,15 +126,41 @@ void PairMasks::write_masks(const std::vector<std::uint64_t>& sorted, std::size_
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const PackedPair pair(sorted[i]);
     if (i == 0 || !pair.has_clusters_of(PackedPair(sorted[i - 1]))) {
-      partners.push_back(pair.high());
       masks.emplace_back();
       ++begin[pair.low() + 1];
     }
     masks.back().set(pair.row(), pair.lane());
   }
   for (std::size_t c = 0; c < cluster_count; ++c) begin[c + 1] += begin[c];
-  partners.shrink_to_fit();
   masks.shrink_to_fit();
+}
+
+void PairMasks::write_near_slots(const std::vector<std::uint64_t>& sorted, const Tree& tree) {
+  std::vector<std::uint64_t> neighbours;  // the cluster, and its neighbour
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const PackedPair pair(sorted[i]);
+    if (pair.low() == pair.high()) continue;
+    if (i > 0 && pair.has_clusters_of(PackedPair(sorted[i - 1]))) continue;
+    neighbours.push_back(std::uint64_t{pair.low()} << 32 | pair.high());
+    neighbours.push_back(std::uint64_t{pair.high()} << 32 | pair.low());
+  }
+  std::sort(neighbours.begin(), neighbours.end());  // clusters of a node are consecutive
+  near_begin.assign(tree.clusters.size() + 1, 0);
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    const auto cluster = neighbours[i] >> 32, neighbour = neighbours[i] & 0xFFFFFFFF;
+    const std::uint32_t node = cluster_nodes[neighbour];
+    const bool is_first = i == 0 || neighbours[i - 1] >> 32 != cluster;
+    if (is_first || near_nodes.back() != node) {
+      near_nodes.push_back(node);
+      near_slots.push_back(0);
+      ++near_begin[cluster + 1];
+    }
+    near_slots.back() = static_cast<std::uint8_t>(
+        near_slots.back() | 1u << (neighbour - tree.nodes[node].first_cluster));
+  }
+  for (std::size_t c = 0; c < tree.clusters.size(); ++c) near_begin[c + 1] += near_begin[c];
+  near_nodes.shrink_to_fit();
+  near_slots.shrink_to_fit();
 }
 
 void PairMasks::write_mask(const Tree& tree, const Fans& fans, std::uint32_t low,

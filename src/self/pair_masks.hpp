@@ -5,6 +5,7 @@
 
 #include "self/fans.hpp"
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -23,13 +24,18 @@ struct PairMask {
 struct PairMasks {
   PairMasks(const Tree& tree, const Fans& fans);
 
-  /// Masks of the clusters that share a surface vertex, and of each cluster with itself. The
-  /// partners of a cluster are not lower than the cluster, and ascend. In the mask of a cluster
-  /// with itself, bits with t <= s are set, too.
-  std::vector<std::uint32_t> begin;  // [C + 1] into partners and masks
-  std::vector<std::uint32_t> partners;
+  /// Masks of each cluster with itself, and then with the neighbours of higher numbers in ascending
+  /// order: those that share a surface vertex. In the mask of a cluster with itself, bits with
+  /// t <= s are set, too.
+  std::vector<std::uint32_t> begin;  // [C + 1] into masks
   std::vector<PairMask> masks;
   std::vector<std::uint32_t> cluster_nodes;  // [C] node of each cluster
+
+  /// The nodes of a cluster's neighbours, ascending, and the slots of the neighbours in each node,
+  /// one bit per slot.
+  std::vector<std::uint32_t> near_begin;  // [C + 1] into near_nodes and near_slots
+  std::vector<std::uint32_t> near_nodes;
+  std::vector<std::uint8_t> near_slots;
 
   /// A hub is a surface vertex with so many triangles that the masks of their clusters would need
   /// too much memory. `masks` does not cover pairs that share only hubs.
@@ -39,16 +45,32 @@ struct PairMasks {
   void write_mask(const Tree& tree, const Fans& fans, std::uint32_t low, std::uint32_t high,
                   PairMask& mask) const;
 
-  /// Returns the mask of two clusters, or null if there is none. Precondition: low <= high.
-  const PairMask* find(std::uint32_t low, std::uint32_t high) const {
-    for (std::uint32_t i = begin.data()[low]; i < begin.data()[low + 1]; ++i)
-      if (partners.data()[i] == high) return &masks.data()[i];
-    return nullptr;
+  /// Calls visit(mask, node, slot) for each mask of a cluster with the other cluster, in order.
+  template <typename Visit>
+  void for_each(const Tree& tree, std::uint32_t cluster, const Visit& visit) const {
+    std::uint32_t mask = begin.data()[cluster];
+    const std::uint32_t own = cluster_nodes.data()[cluster];
+    visit(mask++, own, cluster - tree.nodes.data()[own].first_cluster);
+    for (std::uint32_t i = near_begin.data()[cluster]; i < near_begin.data()[cluster + 1]; ++i) {
+      const std::uint32_t node = near_nodes.data()[i];
+      const std::uint32_t first = tree.nodes.data()[node].first_cluster;
+      for (unsigned slots = near_slots.data()[i]; slots != 0; slots &= slots - 1) {
+        const auto slot = static_cast<std::uint32_t>(std::countr_zero(slots));
+        if (first + slot > cluster) visit(mask++, node, slot);
+      }
+    }
+  }
+
+  /// Returns the neighbours of a cluster in a node, as bits of slots.
+  unsigned neighbours_in(std::uint32_t cluster, std::uint32_t node) const {
+    for (std::uint32_t i = near_begin.data()[cluster]; i < near_begin.data()[cluster + 1]; ++i)
+      if (near_nodes.data()[i] == node) return near_slots.data()[i];
+    return 0;
   }
 
  private:
-  /// Writes `masks`, `partners` and `begin` from packed pairs.
   void write_masks(const std::vector<std::uint64_t>& sorted, std::size_t cluster_count);
+  void write_near_slots(const std::vector<std::uint64_t>& sorted, const Tree& tree);
 };
 
 }  // namespace pelt::detail

@@ -126,8 +126,9 @@ std::size_t SelfFilter::scratch_vertices() const {
 std::size_t SelfFilter::memory_bytes() const {
   const auto& [model, fans, masks, filters] = *filter_;
   return sizeof(detail::SelfFilter) +
-         detail::bytes_held(fans.corners, fans.begin, fans.triangles, masks.begin, masks.partners,
-                            masks.masks, masks.cluster_nodes, masks.has_hub) +
+         detail::bytes_held(fans.corners, fans.begin, fans.triangles, masks.begin, masks.masks,
+                            masks.cluster_nodes, masks.has_hub) +
+         detail::bytes_held(masks.near_begin, masks.near_nodes, masks.near_slots) +
          detail::bytes_held(filters.fan_of_vertex, filters.at_rest, filters.always, filters.bodies,
                             filters.body_pairs, filters.groups, filters.group_pairs) +
          filters.takes_part.capacity() / 8;

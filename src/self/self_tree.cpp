@@ -28,12 +28,15 @@ class SeparateTriangles : public BoxOverlap {
   bool is_full() const { return answer_.is_full(); }
   bool is_impatient() const { return answer_.is_impatient(); }
 
-  /// Clusters with a mask are left to `test_neighbours`.
+  /// Neighbours are left to `test_neighbours`.
+  unsigned slots_left_out(const Node& node, unsigned slot, std::uint32_t other) const {
+    return filter_.masks.neighbours_in(node.first_cluster + slot, other);
+  }
+
   void test(const PosedCluster& a, const PosedCluster& b) {
     const std::uint32_t in_a = a.node.first_cluster + a.slot, in_b = b.node.first_cluster + b.slot;
     const auto [low, high] = in_a < in_b ? std::pair(in_a, in_b) : std::pair(in_b, in_a);
     const PairMasks& masks = filter_.masks;
-    if (masks.find(low, high)) return;
     if (masks.has_hub.data()[low] & masks.has_hub.data()[high])
       in_a < in_b ? test_hubs(a, low, b, high) : test_hubs(b, low, a, high);
     else
@@ -43,20 +46,14 @@ class SeparateTriangles : public BoxOverlap {
 
   /// Tests a cluster against itself and against the neighbours with higher numbers.
   void test_neighbours(const PosedTree& posed, const PosedCluster& cluster) {
-    const PairMasks& masks = filter_.masks;
     const std::uint32_t low = cluster.node.first_cluster + cluster.slot;
-    const std::uint32_t end = masks.begin.data()[low + 1];
-    for (std::uint32_t i = masks.begin.data()[low]; i < end && !is_full(); ++i) {
-      const std::uint32_t high = masks.partners.data()[i];
-      const std::uint32_t n = masks.cluster_nodes.data()[high];
-      const Node& node = posed.tree.nodes.data()[n];
-      const PosedCluster other = {posed, node, *posed.opened[n], high - node.first_cluster};
-      if (masks.has_hub.data()[low] & masks.has_hub.data()[high])
-        test_hubs(cluster, low, other, high);
-      else
-        triangles_.add(cluster, other, masks.masks.data()[i].rows);
-      settle();
-    }
+    filter_.masks.for_each(
+        posed.tree, low, [&](std::uint32_t mask, std::uint32_t n, std::uint32_t slot) {
+          if (is_full()) return;
+          const Node& node = posed.tree.nodes.data()[n];
+          test_neighbour(mask, cluster, low, {posed, node, *posed.opened[n], slot});
+          settle();
+        });
   }
 
   void flush() {
@@ -68,6 +65,17 @@ class SeparateTriangles : public BoxOverlap {
   void settle() {
     if (is_impatient()) triangles_.flush();
     answer_.settle();
+  }
+
+  void test_neighbour(std::uint32_t number, const PosedCluster& a, std::uint32_t low,
+                      const PosedCluster& b) {
+    const PairMasks& masks = filter_.masks;
+    const std::uint32_t high = b.node.first_cluster + b.slot;
+    const PairMask& mask = masks.masks.data()[number];
+    if (masks.has_hub.data()[low] & masks.has_hub.data()[high])
+      test_hubs(a, low, b, high);
+    else
+      triangles_.add(a, b, mask.rows);
   }
 
   void test_hubs(const PosedCluster& a, std::uint32_t low, const PosedCluster& b,

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace pelt::test {
 namespace {
 
@@ -27,14 +29,41 @@ struct Masked {
   PairMasks masks;
 };
 
+/// The mask that is kept for two clusters, or null.
+const PairMask* find_mask(const Masked& masked, std::uint32_t low, std::uint32_t high) {
+  const PairMask* found = nullptr;
+  masked.masks.for_each(masked.tree, low,
+                        [&](std::uint32_t mask, std::uint32_t n, std::uint32_t s) {
+                          if (masked.tree.nodes[n].first_cluster + s == high)
+                            found = &masked.masks.masks[mask];
+                        });
+  return found;
+}
+
 /// The mask that a query applies to two clusters.
 PairMask mask_of(const Masked& masked, std::uint32_t low, std::uint32_t high) {
   PairMask mask;
   if (masked.masks.has_hub[low] && masked.masks.has_hub[high])
     masked.masks.write_mask(masked.tree, masked.fans, low, high, mask);
-  else if (const PairMask* known = masked.masks.find(low, high))
+  else if (const PairMask* known = find_mask(masked, low, high))
     mask = *known;
   return mask;
+}
+
+/// `neighbours_in` has the slots of the clusters with masks.
+void expect_slots_of_neighbours(const Masked& masked) {
+  const PairMasks& masks = masked.masks;
+  for (std::uint32_t c = 0; c < masked.tree.clusters.size(); ++c)
+    for (std::uint32_t n = 0; n < masked.tree.nodes.size(); ++n) {
+      const detail::Node& node = masked.tree.nodes[n];
+      unsigned expected = 0;
+      for (std::uint32_t slot = 0; slot < node.cluster_count; ++slot) {
+        const std::uint32_t other = node.first_cluster + slot;
+        if (other != c && find_mask(masked, std::min(c, other), std::max(c, other)))
+          expected |= 1u << slot;
+      }
+      EXPECT_EQ(masks.neighbours_in(c, n), expected);
+    }
 }
 
 /// Returns the number of pairs that share a surface vertex.
@@ -46,6 +75,7 @@ std::size_t expect_exactly_sharing_pairs(const Masked& masked) {
         if (surface[v] == surface[w]) return true;
     return false;
   };
+  expect_slots_of_neighbours(masked);
   std::size_t sharing = 0;
   const auto& clusters = masked.tree.clusters;
   for (std::uint32_t low = 0; low < clusters.size(); ++low)
