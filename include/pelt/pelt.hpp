@@ -23,7 +23,7 @@
 /// Queries are declared in these headers:
 ///
 ///     one or two poses              bounds, collide, contact, distance, inside
-///     a pose and itself             self_collide, contact
+///     a pose and itself             self_collide, self_tracker, contact
 ///     a pose and a point            distance, inside
 ///     a pose and a direction        farthest
 ///     a pose and a ray              ray
@@ -57,6 +57,7 @@
 #include <pelt/ray.hpp>
 #include <pelt/result.hpp>
 #include <pelt/self_collide.hpp>
+#include <pelt/self_tracker.hpp>
 #include <pelt/shapes.hpp>
 #include <pelt/solid.hpp>
 #include <pelt/version.hpp>

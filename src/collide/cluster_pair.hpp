@@ -33,6 +33,12 @@ class TrianglePairs {
   void add(const PosedCluster& a, const PosedCluster& b,
            const std::uint16_t (&skipped)[kMaxClusterTriangles]);
 
+  /// The same, for the listed pairs: rows are triangles of `a`, lanes triangles of `b`.
+  void add(const PosedCluster& a, const PosedCluster& b, const RowLanes& pairs) {
+    keep(pairs, a, a_, b, b_);
+    test_full_batches();
+  }
+
   /// Tests the stored pairs.
   void flush();
 

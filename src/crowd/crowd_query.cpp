@@ -197,7 +197,7 @@ void CrowdQuery::Worker::collide_self(const Question& question, std::uint32_t in
                                       Arena& arena) {
   const SelfStats stats =
       self_collide_tree(question.instances[instance].posed_tree(arena),
-                        *question.self_filters[instance], scratch, question.max_contacts);
+                        *question.self_filters[instance], nullptr, scratch, question.max_contacts);
   work += stats;
   left_out += stats.left_out;
   keep_found({instance, instance});

@@ -62,32 +62,57 @@ class FanPairs {
   QueryStats& work_;
 };
 
-/// Returns the number of fans from `first` on, at most eight, that have the same size.
-std::uint32_t fans_of_one_size(const Fans& fans, std::uint32_t first, std::uint32_t end) {
+/// Up to eight fans of one size.
+struct FanBatch {
+  std::uint32_t numbers[kBatch];
+  std::uint32_t count = 0;
+};
+
+/// Collects fans without slack from number `fan` on, and moves `fan` past them.
+FanBatch next_batch(const Fans& fans, const float* slack, std::uint32_t end, std::uint32_t& fan) {
   const std::uint32_t* begin = fans.begin.data();
-  const auto size = [&](std::uint32_t fan) { return begin[fan + 1] - begin[fan]; };
-  std::uint32_t count = 1;
-  while (count < kBatch && first + count < end && size(first + count) == size(first)) ++count;
-  return count;
+  const auto size = [&](std::uint32_t f) { return begin[f + 1] - begin[f]; };
+  FanBatch batch;
+  for (; fan < end && batch.count < kBatch; ++fan) {
+    if (slack && slack[fan] > 0) continue;
+    if (batch.count > 0 && size(fan) != size(batch.numbers[0])) break;
+    batch.numbers[batch.count++] = fan;
+  }
+  return batch;
+}
+
+void keep_slack(const FanBatch& batch, const FlatFans& flat, float* slack) {
+  float lanes[kBatch];
+  flat.slack.store(lanes);
+  for (std::uint32_t i = 0; i < batch.count; ++i)
+    slack[batch.numbers[i]] = flat.certified >> i & 1 ? lanes[i] : 0;
+}
+
+/// Finds the pairs of the fans of a kind that can be certified. Returns false if the answer is
+/// full.
+bool test_flat(const Fans& fans, FanKind kind, Positions positions, float* slack, FanPairs& pairs,
+               const SelfAnswer& answer) {
+  const std::uint32_t end = fans.kind_begin[static_cast<std::size_t>(kind) + 1];
+  for (std::uint32_t fan = fans.kind_begin[static_cast<std::size_t>(kind)]; fan < end;) {
+    const FanBatch batch = next_batch(fans, slack, end, fan);
+    if (batch.count == 0) break;
+    const FlatFans flat = test_flat_fans(fans, kind, batch.numbers, batch.count, positions);
+    if (slack) keep_slack(batch, flat, slack);
+    for (SetBits lane(~flat.certified & ((1u << batch.count) - 1)); lane; ++lane) {
+      pairs.test(batch.numbers[*lane], false);
+      if (answer.is_full()) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
 
-bool test_fans(const PosedTree& posed, const Fans& fans, Positions positions, SelfAnswer& answer,
-               QueryStats& work) {
+bool test_fans(const PosedTree& posed, const Fans& fans, Positions positions, float* slack,
+               SelfAnswer& answer, QueryStats& work) {
   FanPairs pairs(posed, fans, positions, answer, work);
-  for (const FanKind kind : {FanKind::closed, FanKind::open}) {
-    const std::uint32_t end = fans.kind_begin[static_cast<std::size_t>(kind) + 1];
-    for (std::uint32_t fan = fans.kind_begin[static_cast<std::size_t>(kind)]; fan < end;) {
-      const std::uint32_t count = fans_of_one_size(fans, fan, end);
-      const unsigned flat = flat_fans(fans, kind, fan, count, positions);
-      for (SetBits lane(~flat & ((1u << count) - 1)); lane; ++lane) {
-        pairs.test(fan + *lane, false);
-        if (answer.is_full()) return true;
-      }
-      fan += count;
-    }
-  }
+  for (const FanKind kind : {FanKind::closed, FanKind::open})
+    if (!test_flat(fans, kind, positions, slack, pairs, answer)) return true;
   for (const FanKind kind : {FanKind::complex, FanKind::cracked})
     for (std::uint32_t fan = fans.kind_begin[static_cast<std::size_t>(kind)];
          fan < fans.kind_begin[static_cast<std::size_t>(kind) + 1]; ++fan) {

@@ -10,8 +10,11 @@ inline namespace PELT_INSTRUCTION_SET {
 
 /// Finds the intersecting pairs of triangles that share a surface vertex, each once. Returns
 /// whether it ended early, because the answer is full. Precondition: all nodes are open.
-bool test_fans(const PosedTree& posed, const Fans& fans, Positions positions, SelfAnswer& answer,
-               QueryStats& work);
+///
+/// `slack`: of the closed and open fans, or null. Fans with slack are skipped; the others receive
+/// new slack.
+bool test_fans(const PosedTree& posed, const Fans& fans, Positions positions, float* slack,
+               SelfAnswer& answer, QueryStats& work);
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

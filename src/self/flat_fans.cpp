@@ -40,36 +40,41 @@ Points8 max(const Points8& p, const Points8& q) {
 /// The spokes of eight fans with the same number of triangles.
 class Spokes {
  public:
-  Spokes(const Fans& fans, FanKind kind, std::uint32_t first, std::uint32_t count,
+  Spokes(const Fans& fans, FanKind kind, const std::uint32_t* numbers, std::uint32_t count,
          Positions positions)
-      : triangles_(fans.triangles.data() + fans.begin.data()[first]),
-        corners_(fans.corners.data()),
+      : corners_(fans.corners.data()),
         positions_(positions),
-        size_(fans.begin.data()[first + 1] - fans.begin.data()[first]),
+        size_(fans.begin.data()[numbers[0] + 1] - fans.begin.data()[numbers[0]]),
         lane_count_(count),
         is_closed_(kind == FanKind::closed) {
+    for (std::uint32_t lane = 0; lane < kBatch; ++lane)
+      triangles_[lane] =
+          fans.triangles.data() + fans.begin.data()[numbers[lane < count ? lane : 0]];
     const Points8 centre = corners(0, 0);
     for (std::uint32_t i = 0; i < size_; ++i) spokes_[i] = corners(i, 1) - centre;
     spokes_[size_] = is_closed_ ? spokes_[0] : corners(size_ - 1, 2) - centre;
+    for (std::uint32_t i = 0; i < size_; ++i) areas_[i] = cross(spokes_[i], spokes_[i + 1]);
   }
 
-  /// Which fans are certified, one bit per fan.
-  unsigned flat() const {
+  FlatFans test() const {
     const Points8 normal = common_normal();
-    const Float8 error = largest_error(normal);
-    const Float8 minus_error = Float8(0.0f) - error;
-    unsigned flat = (1u << lane_count_) - 1;
-    for (std::uint32_t i = 0; i < size_; ++i)
-      flat &= (error < dot(normal, cross(spokes_[i], spokes_[i + 1]))).bits();
+    const Points8 longest = largest_coordinates();
+    const Float8 error = error_of(normal, longest);
+    Float8 least = dot(normal, areas_[0]) - error;
+    Mask8 certified = Float8(0.0f) < least;
+    const auto demand = [&](const Float8& excess) {
+      certified = certified & (Float8(0.0f) < excess);
+      least = min(least, excess);
+    };
+    for (std::uint32_t i = 1; i < size_; ++i) demand(dot(normal, areas_[i]) - error);
     // The wedge i contains the first spoke unless `left` is true of i, or `right` of i + 1.
     const Points8 across = cross(normal, spokes_[0]);
     const std::uint32_t wedge_count = is_closed_ ? size_ - 1 : size_;
-    for (std::uint32_t i = 1; i < wedge_count && flat != 0; ++i) {
-      const Mask8 left = error < dot(across, spokes_[i]);
-      const Mask8 right = dot(across, spokes_[i + 1]) < minus_error;
-      flat &= (left | right).bits();
+    for (std::uint32_t i = 1; i < wedge_count; ++i) {
+      const Float8 left = dot(across, spokes_[i]), right = dot(across, spokes_[i + 1]);
+      demand(max(left, Float8(0.0f) - right) - error);
     }
-    return flat;
+    return {certified.bits() & ((1u << lane_count_) - 1), slack(least, longest)};
   }
 
  private:
@@ -77,40 +82,52 @@ class Spokes {
   Points8 corners(std::uint32_t i, std::uint32_t step) const {
     constexpr std::uint32_t kNext[] = {0, 1, 2, 0, 1};
     return gather_points([&](std::uint32_t lane) {
-      const FanTriangle& t = triangles_[(lane < lane_count_ ? lane : 0) * size_ + i];
+      const FanTriangle& t = triangles_[lane][i];
       return positions_[corners_[t.place()][kNext[t.corner() + step]]].data();
     });
   }
 
   /// The direction of the sum of the triangles' area vectors, with a largest coordinate of 1.
   Points8 common_normal() const {
-    Points8 sum = cross(spokes_[0], spokes_[1]);
-    for (std::uint32_t i = 1; i < size_; ++i) sum = sum + cross(spokes_[i], spokes_[i + 1]);
+    Points8 sum = areas_[0];
+    for (std::uint32_t i = 1; i < size_; ++i) sum = sum + areas_[i];
     return Float8(1.0f) / max3(abs(sum)) * sum;
   }
 
-  Float8 largest_error(const Points8& normal) const {
+  Points8 largest_coordinates() const {
     Points8 largest = abs(spokes_[0]);
     for (std::uint32_t i = 1; i <= size_; ++i) largest = max(largest, abs(spokes_[i]));
-    const Points8 n = abs(normal);
-    const Float8 bound =
-        n.x * largest.y * largest.z + n.y * largest.x * largest.z + n.z * largest.x * largest.y;
-    return Float8(0x1p-19f) * bound + Float8(0x1p-140f) * (Float8(1.0f) + max3(largest));
+    return largest;
   }
 
-  const FanTriangle* triangles_;
+  static Float8 error_of(const Points8& normal, const Points8& longest) {
+    const Points8 n = abs(normal);
+    const Float8 bound =
+        n.x * longest.y * longest.z + n.y * longest.x * longest.z + n.z * longest.x * longest.y;
+    return Float8(0x1p-19f) * bound + Float8(0x1p-140f) * (Float8(1.0f) + max3(longest));
+  }
+
+  /// (sqrt(L^2 + d) - L) / 2 = d / (2 (sqrt(L^2 + d) + L)), where |n| <= 1.7321.
+  static Float8 slack(const Float8& least, const Points8& longest) {
+    const Float8 d = least * Float8(0.577f), squared_length = dot(longest, longest);
+    const Float8 length = sqrt(squared_length), sum = sqrt(squared_length + d) + length;
+    return Float8(0.4999f) * (d / sum);
+  }
+
+  const FanTriangle* triangles_[kBatch];
   const std::array<std::uint32_t, 3>* corners_;
   Positions positions_;
   std::uint32_t size_, lane_count_;
   bool is_closed_;
   Points8 spokes_[kMaxFan + 1];
+  Points8 areas_[kMaxFan];  // normals of the triangles, twice their areas long
 };
 
 }  // namespace
 
-unsigned flat_fans(const Fans& fans, FanKind kind, std::uint32_t first, std::uint32_t count,
-                   Positions positions) {
-  return Spokes(fans, kind, first, count, positions).flat();
+FlatFans test_flat_fans(const Fans& fans, FanKind kind, const std::uint32_t* numbers,
+                        std::uint32_t count, Positions positions) {
+  return Spokes(fans, kind, numbers, count, positions).test();
 }
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -5,7 +5,7 @@
 /// such that they surround the vertex once, like the slices of a cake. One test of k triangles then
 /// replaces tests of k (k - 1) / 2 pairs.
 
-#include "base/instruction_set.hpp"
+#include "base/float8.hpp"
 #include "self/fans.hpp"
 
 #include <cstdint>
@@ -16,10 +16,16 @@ inline namespace PELT_INSTRUCTION_SET {
 /// Posed vertices by place, four floats each.
 using Positions = const std::array<float, 4>*;
 
-/// Returns which of eight closed or open fans with the same kind and the same number of triangles
-/// are certified, one bit per fan. `first` is the first of `count` <= 8 fans.
-unsigned flat_fans(const Fans& fans, FanKind kind, std::uint32_t first, std::uint32_t count,
-                   Positions positions);
+/// Eight fans that were tested.
+struct FlatFans {
+  unsigned certified;  // one bit per fan
+  Float8 slack;        // of the certified ones (see self_track.hpp)
+};
+
+/// Tests at most eight closed or open fans of the same kind and with the same number of triangles.
+/// `numbers[i]` is the number of fan i.
+FlatFans test_flat_fans(const Fans& fans, FanKind kind, const std::uint32_t* numbers,
+                        std::uint32_t count, Positions positions);
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

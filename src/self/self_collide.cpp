@@ -1,4 +1,5 @@
 #include <pelt/self_collide.hpp>
+#include <pelt/self_tracker.hpp>
 
 #include "base/require.hpp"
 #include "pose/pose.hpp"
@@ -20,16 +21,28 @@ bool is_filter_of(const SelfFilter& filter, const Pose& pose) {
 SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& scratch,
                        std::vector<Contact>& contacts, const CollideOptions& options) {
   detail::require(is_filter_of(filter, pose), "self_collide: the filter is of another model");
-  const SelfStats stats = detail::self_collide_tree(pose.detail().posed_tree(), filter.detail(),
-                                                    scratch.detail(), options.max_contacts);
+  const SelfStats stats = detail::self_collide_tree(
+      pose.detail().posed_tree(), filter.detail(), nullptr, scratch.detail(), options.max_contacts);
+  detail::append_sorted(scratch.detail(), contacts);
+  return stats;
+}
+
+SelfStats self_collide(Pose& pose, SelfTracker& tracker, Scratch& scratch,
+                       std::vector<Contact>& contacts, const CollideOptions& options) {
+  detail::SelfTrack& track = tracker.detail();
+  detail::require(is_filter_of(track.filter, pose),
+                  "self_collide: the tracker is of another model");
+  const SelfStats stats =
+      detail::self_collide_tree(pose.detail().posed_tree(), track.filter.detail(), &track,
+                                scratch.detail(), options.max_contacts);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 
 YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& scratch) {
   detail::require(is_filter_of(filter, pose), "self_intersects: the filter is of another model");
-  const SelfStats stats =
-      detail::self_collide_tree(pose.detail().posed_tree(), filter.detail(), scratch.detail(), 1);
+  const SelfStats stats = detail::self_collide_tree(pose.detail().posed_tree(), filter.detail(),
+                                                    nullptr, scratch.detail(), 1);
   return detail::yes_or_no(!scratch.detail().found.empty(), stats);
 }
 

@@ -11,7 +11,9 @@
 #include "query/contact_sink.hpp"
 #include "query/pair_descent.hpp"
 #include "self/fan_pairs.hpp"
+#include "self/neighbour_gaps.hpp"
 #include "self/self_answer.hpp"
+#include "self/slack.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
@@ -20,9 +22,12 @@ namespace {
 /// Tests the triangles of overlapping clusters that share no surface vertex.
 class SeparateTriangles : public BoxOverlap {
  public:
-  SeparateTriangles(const SelfFilter& filter, SelfAnswer& answer, QueryStats& work)
+  SeparateTriangles(const SelfFilter& filter, SelfTrack* track, SelfAnswer& answer,
+                    QueryStats& work)
       : filter_(filter),
+        track_(track),
         answer_(answer),
+        work_(work),
         triangles_(filter.tree(), filter.tree(), answer.contacts(), work) {}
 
   bool is_full() const { return answer_.is_full(); }
@@ -49,7 +54,7 @@ class SeparateTriangles : public BoxOverlap {
     const std::uint32_t low = cluster.node.first_cluster + cluster.slot;
     filter_.masks.for_each(
         posed.tree, low, [&](std::uint32_t mask, std::uint32_t n, std::uint32_t slot) {
-          if (is_full()) return;
+          if (is_full() || (track_ && track_->pair_slack.data()[mask] > 0)) return;
           const Node& node = posed.tree.nodes.data()[n];
           test_neighbour(mask, cluster, low, {posed, node, *posed.opened[n], slot});
           settle();
@@ -74,6 +79,8 @@ class SeparateTriangles : public BoxOverlap {
     const PairMask& mask = masks.masks.data()[number];
     if (masks.has_hub.data()[low] & masks.has_hub.data()[high])
       test_hubs(a, low, b, high);
+    else if (track_ && track_->may_gain(number))
+      track_->set_slack(low, number, test_gaps(a, b, mask.rows, track_->extent, triangles_, work_));
     else
       triangles_.add(a, b, mask.rows);
   }
@@ -86,15 +93,17 @@ class SeparateTriangles : public BoxOverlap {
   }
 
   const SelfFilter& filter_;
+  SelfTrack* track_;  // or null
   SelfAnswer& answer_;
+  QueryStats& work_;
   TrianglePairs triangles_;
 };
 
 /// Finds the pairs that share no surface vertex, until the answer is full. Distant pairs come
 /// first, because neighbours rarely intersect.
-void test_separate_triangles(const PosedTree& posed, const SelfFilter& filter, Scratch& scratch,
-                             SelfAnswer& answer, QueryStats& work) {
-  SeparateTriangles rule(filter, answer, work);
+void test_separate_triangles(const PosedTree& posed, const SelfFilter& filter, SelfTrack* track,
+                             Scratch& scratch, SelfAnswer& answer, QueryStats& work) {
+  SeparateTriangles rule(filter, track, answer, work);
   scratch.slot_pairs.clear();
   PairDescent descent(posed, posed, scratch.slot_pairs, rule, work);
   const std::size_t node_count = posed.tree.nodes.size();
@@ -107,35 +116,30 @@ void test_separate_triangles(const PosedTree& posed, const SelfFilter& filter, S
   if (!rule.is_full()) rule.flush();
 }
 
-/// Copies the posed vertices of all pools to one array, by place.
 Positions copy_positions(const PosedTree& posed, Stack<std::array<float, 4>>& positions) {
   const Node& last = posed.tree.nodes.back();
-  const std::size_t count = last.first_vertex + last.vertex_count;
-  positions.reserve(count);
-  for (std::uint32_t n = 0; n < posed.tree.nodes.size(); ++n) {
-    const Node& node = posed.tree.nodes.data()[n];
-    const float* from = posed.opened[n]->positions;
-    for (std::uint32_t v = 0; v < node.vertex_count; ++v)
-      store4(positions.begin()[node.first_vertex + v].data(),
-             load4(from + std::size_t{kFloatsPerVertex} * v));
-  }
+  positions.reserve(last.first_vertex + last.vertex_count);
+  write_positions(posed, positions.begin());
   return positions.begin();
 }
 
 }  // namespace
 
-SelfStats self_collide_tree(const PosedTree& posed, const SelfFilter& filter, Scratch& scratch,
-                            std::uint32_t max_contacts) {
+SelfStats self_collide_tree(const PosedTree& posed, const SelfFilter& filter, SelfTrack* track,
+                            Scratch& scratch, std::uint32_t max_contacts) {
   SelfStats stats;
   scratch.found.clear();
   make_table(posed);
   stats += open_all(posed);
+  if (track) begin_frame(posed, *track, stats);
   SelfAnswer answer(filter, scratch.found, scratch.ring, max_contacts, stats.left_out);
-  test_separate_triangles(posed, filter, scratch, answer, stats);
+  test_separate_triangles(posed, filter, track, scratch, answer, stats);
   bool is_unfinished = answer.is_full();
   if (!is_unfinished) {
-    const Positions positions = copy_positions(posed, scratch.positions);
-    is_unfinished = test_fans(posed, filter.fans, positions, answer, stats);
+    const Positions positions =
+        track ? track->positions.data() : copy_positions(posed, scratch.positions);
+    float* const slack = track ? track->fan_slack.data() : nullptr;
+    is_unfinished = test_fans(posed, filter.fans, positions, slack, answer, stats);
   }
   stats.cut_short = answer.cut(is_unfinished);
   return stats;

@@ -6,6 +6,7 @@
 #include "exact_distance.hpp"
 #include "support/instruction_sets.hpp"
 #include "triangle_cases.hpp"
+#include "turned_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,30 +43,6 @@ double extent(const TriangleCorners& a, const TriangleCorners& b) {
 void expect_in_triangle(const Barycentrics& at) {
   for (const double share : at) EXPECT_GE(share, 0);
   EXPECT_NEAR(at[0] + at[1] + at[2], 1, 1e-15);
-}
-
-using TrianglePair = std::array<TriangleCorners, 2>;
-
-/// The same two triangles with eight orders of vertices.
-std::array<TrianglePair, 8> turned(const TriangleCorners& a, const TriangleCorners& b) {
-  std::array<TrianglePair, 8> pairs;
-  for (std::size_t lane = 0; lane < 8; ++lane)
-    for (std::size_t i = 0; i < 3; ++i) {
-      pairs[lane][lane % 2][i] = a[(i + lane) % 3];
-      pairs[lane][1 - lane % 2][i] = b[(i + lane / 3) % 3];
-    }
-  return pairs;
-}
-
-LaneCorners& fill(LaneCorners& lanes, const std::array<TrianglePair, 8>& pairs) {
-  for (std::size_t lane = 0; lane < 8; ++lane)
-    for (std::size_t t = 0; t < 2; ++t)
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Vec3& p = pairs[lane][t][corner];
-        const float xyz[4] = {p.x, p.y, p.z, 0};
-        std::copy(xyz, xyz + 4, lanes[t][corner][lane]);
-      }
-  return lanes;
 }
 
 /// On all instruction sets, the wide distances equal the scalar one bit by bit.

@@ -6,7 +6,9 @@ namespace PELT_INSTRUCTION_SET {
 
 unsigned flat_fans(const detail::Fans& fans, detail::FanKind kind, std::uint32_t first,
                    std::uint32_t count, const FanPositions& positions) {
-  return detail::flat_fans(fans, kind, first, count, positions.data());
+  std::uint32_t numbers[8];
+  for (std::uint32_t i = 0; i < count; ++i) numbers[i] = first + i;
+  return detail::test_flat_fans(fans, kind, numbers, count, positions.data()).certified;
 }
 
 }  // namespace PELT_INSTRUCTION_SET

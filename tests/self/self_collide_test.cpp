@@ -1,6 +1,6 @@
 #include <pelt/self_collide.hpp>
 
-#include "self_brute_force.hpp"
+#include "body.hpp"
 #include "support/allocation_count.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/pinned_shapes.hpp"
@@ -12,17 +12,6 @@
 
 namespace pelt::test {
 namespace {
-
-/// A pose and its filter.
-struct Body {
-  explicit Body(const Shape& s, const SelfFilterOptions& options = {})
-      : shape(s), pose(*build_model(s.view())), filter(*build_self_filter(pose.model(), options)) {}
-
-  Shape shape;
-  Pose pose;
-  SelfFilter filter;
-  Scratch scratch;
-};
 
 /// Bends a limb until it folds onto itself.
 void fold(Random& random, Body& body) {

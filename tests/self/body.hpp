@@ -1,0 +1,20 @@
+#pragma once
+
+#include "self_brute_force.hpp"
+
+#include <pelt/self_collide.hpp>
+
+namespace pelt::test {
+
+/// A pose and its filter.
+struct Body {
+  explicit Body(const Shape& s, const SelfFilterOptions& options = {})
+      : shape(s), pose(*build_model(s.view())), filter(*build_self_filter(pose.model(), options)) {}
+
+  Shape shape;
+  Pose pose;
+  SelfFilter filter;
+  Scratch scratch;
+};
+
+}  // namespace pelt::test
