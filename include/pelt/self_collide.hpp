@@ -134,8 +134,8 @@ PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
 /// pair, triangle_a < triangle_b. Corners and edges that two triangles share do not count as
 /// intersection. Pairs that `filter` leaves out are not appended.
 ///
-/// Vertices with the same bits in rest position and displacements of morph targets are one surface
-/// vertex, whatever their influences. Two triangles share a corner if their corners are one surface
+/// Vertices with equal rest positions and the same bits in displacements of morph targets are one
+/// surface vertex, whatever their influences. Two triangles share a corner if their corners are one surface
 /// vertex and have the same posed position. By the number of shared corners, two triangles
 /// intersect
 /// - none: if the closed triangles intersect, as in `collide`;

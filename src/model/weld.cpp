@@ -14,9 +14,14 @@ struct Key {
   std::uint32_t vertex;
 };
 
-Key key_of(const SkinnedMesh& mesh, std::uint32_t vertex) {
+/// Whether 0.0 and -0.0 are the same coordinate.
+enum class Zeros { differ, agree };
+
+Key key_of(const SkinnedMesh& mesh, std::uint32_t vertex, Zeros zeros) {
   const Vec3& p = mesh.rest_positions[vertex];
-  const auto bits = [](float coordinate) { return bits_as<std::uint32_t>(coordinate); };
+  const auto bits = [&](float coordinate) {
+    return bits_as<std::uint32_t>(zeros == Zeros::agree ? coordinate + 0.0F : coordinate);
+  };
   return {{bits(p.x), bits(p.y), bits(p.z)}, vertex};
 }
 
@@ -40,10 +45,10 @@ int compare_motion(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
 /// `compare_rest` returns 0. Sorts instead of hashing, because a hostile file could give all
 /// vertices the same hash.
 template <typename Compare>
-std::vector<std::uint32_t> weld(const SkinnedMesh& mesh, const Compare& compare_rest) {
+std::vector<std::uint32_t> weld(const SkinnedMesh& mesh, Zeros zeros, const Compare& compare_rest) {
   std::vector<Key> keys;
   keys.reserve(mesh.vertex_count());
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) keys.push_back(key_of(mesh, v));
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) keys.push_back(key_of(mesh, v, zeros));
   std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
     if (a.position != b.position) return a.position < b.position;
     const int order = compare_rest(mesh, a.vertex, b.vertex);
@@ -63,11 +68,11 @@ std::vector<std::uint32_t> weld(const SkinnedMesh& mesh, const Compare& compare_
 }  // namespace
 
 std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh) {
-  return weld(mesh, compare_motion);
+  return weld(mesh, Zeros::differ, compare_motion);
 }
 
 std::vector<std::uint32_t> weld_surface(const SkinnedMesh& mesh) {
-  return weld(mesh, compare_displacements);
+  return weld(mesh, Zeros::agree, compare_displacements);
 }
 
 }  // namespace pelt::detail

@@ -12,8 +12,9 @@ namespace pelt::detail {
 /// vertices are posed to the same bits in any pose. O(V log V) for any input.
 std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh);
 
-/// The same, whatever the influences. Exporters also split vertices where weights change; the
-/// surface of the character is connected there.
+/// The same, whatever the influences and the signs of zeros in rest positions. Exporters also split
+/// vertices where weights change, and write -0.0 on one side of a plane of symmetry; the surface of
+/// the character is connected there.
 std::vector<std::uint32_t> weld_surface(const SkinnedMesh& mesh);
 
 }  // namespace pelt::detail

@@ -62,6 +62,14 @@ TEST(Weld, IgnoresTheOrderInWhichAFileNamesJoints) {
   EXPECT_EQ(weld(shape), (Numbers{0, 0, 0, 0}));
 }
 
+TEST(Weld, OnlyTheSurfaceIgnoresTheSignOfZero) {
+  Shape shape = four_alike();
+  shape.rest_positions = {{0, 2, 3}, {-0.0F, 2, 3}, {0, 2, 3}, {1, 2, 3}};
+  const SkinnedMesh mesh = test::mesh_of(shape);
+  EXPECT_EQ(weld_vertices(mesh), (Numbers{0, 1, 0, 3}));
+  EXPECT_EQ(weld_surface(mesh), (Numbers{0, 0, 0, 3}));
+}
+
 bool same_vertex(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
   const auto of_a = mesh.influences_of(a), of_b = mesh.influences_of(b);
   return of_a.size() == of_b.size() &&

@@ -18,15 +18,18 @@ namespace pelt::test {
 
 using SurfaceTriangles = std::vector<detail::SurfaceTriangle>;
 
-/// Returns for each vertex the number of its surface vertex: vertices with the same bits in rest
-/// position and displacements have the same number.
+/// Returns for each vertex the number of its surface vertex: vertices with equal rest
+/// positions and the same bits in displacements have the same number.
 inline std::vector<std::uint32_t> surface_vertices(const SkinnedMeshView& mesh) {
   std::vector<std::vector<std::uint32_t>> keys;
   const auto add_bits = [&](std::size_t vertex, const Vec3& v) {
     for (const float c : {v.x, v.y, v.z}) keys[vertex].push_back(std::bit_cast<std::uint32_t>(c));
   };
   keys.resize(mesh.rest_positions.size());
-  for (std::size_t v = 0; v < keys.size(); ++v) add_bits(v, mesh.rest_positions[v]);
+  for (std::size_t v = 0; v < keys.size(); ++v) {
+    const Vec3& p = mesh.rest_positions[v];
+    add_bits(v, {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F});  // turns -0.0 into 0.0
+  }
   const auto& [begin, vertices, displacements] = mesh.morph_targets;
   for (std::uint32_t m = 0; m + 1 < begin.size(); ++m)
     for (std::uint32_t i = begin[m]; i < begin[m + 1]; ++i) {

@@ -110,6 +110,22 @@ TEST(SelfCollide, ReportsClosedSurfacesAndModelsOfOneTriangleAsApart) {
   }
 }
 
+/// A sheet of two triangles whose common edge is written with 0.0 in one and -0.0 in the other.
+TEST(SelfCollide, EdgesWithZerosOfBothSignsAreShared) {
+  Body body(make_pinned(6, {{0, 1, 2}, {3, 4, 5}}));
+  Shape& shape = body.shape;
+  shape.rest_positions = {{0.0F, 0, 0},  {0.0F, 1, 0},  {1, 0, 0},
+                          {-0.0F, 0, 0}, {-0.0F, 1, 0}, {-1, 0, 0}};
+  Body sheet(shape);
+  EXPECT_TRUE(self_contacts_of(sheet.pose, sheet.filter, sheet.scratch).empty());
+  shape.rest_positions[3].x = shape.rest_positions[4].x = -1e-6F;
+  Body apart(shape);
+  EXPECT_TRUE(self_contacts_of(apart.pose, apart.filter, apart.scratch).empty());
+  shape.rest_positions[3].x = shape.rest_positions[4].x = 1e-6F;
+  Body across(shape);
+  EXPECT_EQ(self_contacts_of(across.pose, across.filter, across.scratch).size(), 1u);
+}
+
 /// Bodies with contacts of neighbours and of others, some of which a filter leaves out.
 template <typename Test>
 void on_touching_bodies(std::uint64_t seed, const Test& test) {
