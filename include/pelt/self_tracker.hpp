@@ -1,7 +1,7 @@
 #pragma once
 
 /// Self-contacts of a character in motion. From one frame to the next, most of a surface moves
-/// almost rigidly with some joint. `SelfTracker` remembers by how much neighbouring triangles were
+/// almost rigidly with some joint. `SelfTracker` remembers how far neighbouring triangles were
 /// apart, and skips those that cannot have come together since.
 
 #include <pelt/cxx20.hpp>
@@ -14,9 +14,9 @@ namespace detail {
 struct SelfTrack;
 }
 
-/// What one body's last frame proves about its next one. Create one per body, and give it every
-/// frame. It may be used for any pose of the model, in any order; it saves time where the pose
-/// changes little.
+/// Results of earlier frames that remain valid for similar poses. Create one tracker per body, and
+/// use it for every frame. Poses may follow each other in any order, but time is saved only if a
+/// pose is similar to the one before.
 class PELT_API SelfTracker {
  public:
   /// Shares `filter`.
@@ -39,16 +39,17 @@ class PELT_API SelfTracker {
   std::unique_ptr<detail::SelfTrack> track_;
 };
 
-/// Appends the same contacts as `self_collide` with `tracker.filter()`, in the same order.
+/// Appends the same contacts as `self_collide` with `tracker.filter()`, in the same order. If a
+/// limit cuts them short, they may be others than without a tracker.
 ///
 /// Preconditions:
 /// `tracker`: of the model of `pose`. Otherwise the program aborts, in every build. Not used by
 /// another thread at the same time.
 /// `scratch`: as in `self_collide`.
 ///
-/// Cost: as `self_collide`, but triangles are tested only where the surface has moved, since their
-/// last test, by more than their distance, apart from the motion of a joint. The first call, and
-/// calls after a large change of the pose, cost more than `self_collide`.
+/// Cost: as `self_collide`, without the tests of neighbouring triangles whose distance, in an
+/// earlier frame, was larger than their motion since then, beside the motion of a joint. The first
+/// call costs up to twice as much as `self_collide`, and so does a call after a large change.
 ///
 /// Allocates only in the pose, in `scratch` and in `contacts`, as `self_collide` does.
 PELT_API SelfStats self_collide(Pose& pose, SelfTracker& tracker, Scratch& scratch,

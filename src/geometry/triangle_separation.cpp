@@ -15,6 +15,8 @@
 
 #include "geometry/points8.hpp"
 
+#include <initializer_list>
+
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 namespace {
