@@ -15,13 +15,14 @@ using detail::SkinnedMesh;
 using detail::SurfaceTriangle;
 using SurfaceVertices = std::vector<std::uint32_t>;
 
-/// The bits that make vertices one surface vertex.
+/// The bits that vertices of one surface vertex have in common.
 std::vector<std::uint32_t> bits_of(const SkinnedMesh& mesh, std::uint32_t vertex) {
   std::vector<std::uint32_t> bits;
   const auto add = [&](const Vec3& v) {
     for (const float c : {v.x, v.y, v.z}) bits.push_back(std::bit_cast<std::uint32_t>(c));
   };
-  add(mesh.rest_positions[vertex]);
+  const Vec3& p = mesh.rest_positions[vertex];
+  add({p.x + 0.0F, p.y + 0.0F, p.z + 0.0F});  // turns -0.0 into 0.0
   for (const detail::Displacement& displacement : mesh.displacements_of(vertex)) {
     bits.push_back(displacement.target);
     add(displacement.by);

@@ -29,7 +29,8 @@ inline constexpr MethodKind kSelfBrute = {"brute", Skins::first, make_self_brute
 /// The methods of the command `pelt`.
 inline constexpr std::array kSelfMethods = {kSelf, kBoxes, kSelfBrute};
 
-/// Returns for each vertex the lowest vertex with the same bits in rest position and displacements.
+/// Returns for each vertex the lowest vertex with an equal rest position and the same bits in
+/// displacements.
 std::vector<std::uint32_t> surface_vertices(const detail::SkinnedMesh& mesh);
 
 }  // namespace pelt::methods
