@@ -15,7 +15,8 @@
  * later call of the engine and of its objects throws a PeltError with the code 'engine_ended'.
  * `delete()` may still be called, and returned arrays stay valid.
  *
- * Characters, poses, filters, crowds and hashes live in the memory of the engine, which is limited to 2 GB.
+ * Characters, poses, filters, tallies, crowds and hashes live in the memory of the engine, which is limited
+ * to 2 GB.
  * `delete()` frees an object at once. Otherwise it is freed when the garbage collector finalises it.
  */
 
@@ -38,7 +39,7 @@ import type {
 } from './types/distances.js';
 import type { Pose } from './types/pose.js';
 import type { ContactHash, Crowd, Scene, SceneParts } from './types/scene.js';
-import type { SelfContacts, SelfFilter } from './types/self.js';
+import type { ContactTally, SelfContacts, SelfFilter } from './types/self.js';
 export * from './types/character.js';
 export * from './types/pose.js';
 export * from './types/solids.js';
@@ -182,4 +183,7 @@ export interface Pelt {
 
   /** Creates a hash of contacts, as printed by `pelt check`. */
   makeContactHash(): ContactHash;
+
+  /** Creates a tally of the contacts of many poses. */
+  makeContactTally(): ContactTally;
 }

@@ -28,7 +28,7 @@ import {
 } from './lib/queries.mjs';
 import { Pose } from './lib/pose.mjs';
 import { Scene } from './lib/scene.mjs';
-import { selfCollide, selfIntersects } from './lib/self.mjs';
+import { ContactTally, selfCollide, selfIntersects } from './lib/self.mjs';
 import { requireSimd } from './lib/simd.mjs';
 import { readStats } from './lib/stats.mjs';
 
@@ -173,6 +173,10 @@ class Pelt {
 
   makeContactHash() {
     return new ContactHash(this.#memory);
+  }
+
+  makeContactTally() {
+    return new ContactTally(this.#memory);
   }
 
   #character(handle) {

@@ -22,7 +22,7 @@ function makeObjects(pelt) {
   const [a, b] = [character.makePose(), character.makePose()];
   const crowd = pelt.makeCrowd();
   crowd.add(character);
-  return [pelt, character, a, b, scene, crowd, pelt.makeContactHash()];
+  return [pelt, character, a, b, scene, crowd, pelt.makeContactHash(), pelt.makeContactTally()];
 }
 
 const kNumbers = [0, 1, -1, 2.5, NaN, Infinity, 1e300, 2 ** 32, 10n];

@@ -19,6 +19,7 @@ function useAndForget() {
   crowd.add(face);
   crowd.collide();
   pelt.makeContactHash();
+  pelt.makeContactTally().add(pelt.selfCollide(a, face.makeSelfFilter()).pairs);
 }
 
 test('characters, poses, filters, crowds and hashes that are forgotten are given back', async () => {

@@ -165,6 +165,7 @@ test('objects have the members that are declared, and no others', { skip }, asyn
     Scene: pelt.makeScene({ characters: [character], instances: [] }),
     Crowd: pelt.makeCrowd(),
     ContactHash: pelt.makeContactHash(),
+    ContactTally: pelt.makeContactTally(),
     SelfFilter: character.makeSelfFilter(),
   };
   const types = declared();

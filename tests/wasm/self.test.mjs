@@ -99,12 +99,44 @@ test('each filter leaves out what it is for, and counts it', () => {
   leavesOut('groups', { groups, groupPairs }, (pair) => ['1,3', '5,5'].includes(groupsOf(pair)));
 });
 
-test('nearby joints are a joint with itself and its parent', () => {
+test('a tally finds the pairs of most poses', () => {
+  const tally = pelt.makeContactTally();
+  const filter = creature.makeSelfFilter();
+  const counts = new Map();
+  for (let i = 0; i < 6; ++i) {
+    pose.setPalette(twist(creature, 0.3 + 0.01 * i));
+    const found = pelt.selfCollide(pose, filter).pairs;
+    tally.add(found);
+    for (const pair of rowsOf(found, 2)) counts.set(`${pair}`, (counts.get(`${pair}`) ?? 0) + 1);
+  }
+  pose.setPalette(twist(creature, 0.35));
+  assert.equal(tally.poseCount, 6);
+  const sizes = [0, 0.5, 1].map((share) => {
+    const expected = [...counts].filter(([, count]) => count >= 6 * share).map(([pair]) => pair);
+    const pairs = rowsOf(tally.inShareOfPoses(share), 2).map((pair) => `${pair}`);
+    assert.deepEqual(pairs.slice().sort(), expected.sort());
+    return pairs.length;
+  });
+  assert.ok(sizes[0] > sizes[1] && sizes[1] > sizes[2] && sizes[2] > 0, `${sizes}`);
+  assert.throws(() => tally.add(Uint32Array.of(1, 2, 1, 2)), /^PeltError: pairs: pair 1 is not greater/);
+  assert.throws(() => tally.add(Uint32Array.of(1, 2, 3)), /^PeltError: pairs: expected a multiple of 2/);
+  assert.throws(() => tally.inShareOfPoses(1.5), /^PeltError: share: expected a number from 0 to 1/);
+  tally.delete();
+  filter.delete();
+});
+
+test('near joints are neighbours, and those whose triangles touch at rest', () => {
   const { leftOut, count } = contactsWith({ nearJoints: true });
   assert.equal(count + leftOut.joints, all.count);
   const { triangleJoints } = creature;
   const same = pairs.filter(([s, t]) => triangleJoints[s] === triangleJoints[t]).length;
   assert.ok(leftOut.joints > same && count > 0, `${same} of ${leftOut.joints}, ${count} left`);
+  const { pairs: [s, t] } = contactsWith({ nearJoints: true });
+  const atRest = Uint32Array.of(s, t);
+  const joined = contactsWith({ nearJoints: true, atRest });
+  const key = (pair) => pair.map((triangle) => triangleJoints[triangle]).sort().join();
+  assert.equal(joined.leftOut.atRest + joined.leftOut.joints + joined.count, all.count);
+  assert.ok(rowsOf(joined.pairs, 2).every((pair) => key(pair) !== key([s, t])));
 });
 
 test('geometry of contacts with itself has curves and patches', () => {

@@ -107,6 +107,24 @@ PELT_EXPORT void pelt_self_collide(PoseHandle* pose, const FilterHandle* filter,
   answer_data<Contact>(found);
 }
 
+PELT_EXPORT std::uint32_t pelt_make_tally() { return address_of(new ContactTally); }
+PELT_EXPORT void pelt_delete_tally(ContactTally* tally) { delete tally; }
+
+/// Precondition: the pairs are ascending, without repetition.
+PELT_EXPORT void pelt_tally_add(ContactTally* tally, const Contact* pairs, std::uint32_t count) {
+  tally->add({pairs, count});
+}
+
+PELT_EXPORT std::uint32_t pelt_tally_pose_count(const ContactTally* tally) {
+  return tally->pose_count();
+}
+
+PELT_EXPORT void pelt_tally_in_share(const ContactTally* tally, double share) {
+  static std::vector<Contact> pairs;
+  pairs = tally->in_share_of_poses(share);
+  answer_data<Contact>(pairs);
+}
+
 PELT_EXPORT std::uint32_t pelt_self_intersects(PoseHandle* pose, const FilterHandle* filter) {
   return answer_yes_no(self_intersects(pose->pose, filter->filter, scratch()));
 }

@@ -107,3 +107,45 @@ export function selfCollide(memory, pose, filter, options) {
 export function selfIntersects(memory, pose, filter) {
   return memory.module._pelt_self_intersects(...posedWith(memory, pose, filter)) !== 0;
 }
+
+/** Checks that pairs ascend without repetition, as `selfCollide` returns them. */
+function checkAscending(pairs) {
+  for (let i = 2; i < pairs.length; i += 2) {
+    if (pairs[i - 2] < pairs[i] || (pairs[i - 2] === pairs[i] && pairs[i - 1] < pairs[i + 1])) continue;
+    throw invalid(`pairs: pair ${i / 2} is not greater than the pair before it`);
+  }
+}
+
+export class ContactTally {
+  #memory;
+
+  constructor(memory) {
+    this.#memory = memory;
+    memory.handles.own(this, memory.module._pelt_make_tally(), '_pelt_delete_tally', 'tally');
+  }
+
+  add(pairs) {
+    checkAscending(check.rows(pairs, 2, 'pairs'));
+    this.#memory.withBytes(pairs, (address) =>
+      this.#memory.module._pelt_tally_add(this.#handle, address, pairs.length / 2),
+    );
+  }
+
+  get poseCount() {
+    return this.#memory.module._pelt_tally_pose_count(this.#handle);
+  }
+
+  inShareOfPoses(share) {
+    check.number(share, 'share', 0, 1);
+    this.#memory.module._pelt_tally_in_share(this.#handle, share);
+    return this.#memory.data(Uint32Array, 2);
+  }
+
+  delete() {
+    this.#memory.handles.delete(this);
+  }
+
+  get #handle() {
+    return this.#memory.handles.of(this);
+  }
+}

@@ -57,3 +57,13 @@ export interface LeftOut {
 export interface SelfContacts extends Contacts {
   readonly leftOut: LeftOut;
 }
+
+/** Counts in how many poses pairs of triangles intersect, for `SelfFilterOptions.always`. */
+export interface ContactTally {
+  /** Adds the contacts of one pose, as `selfCollide` returns them. */
+  add(pairs: Uint32Array): void;
+  readonly poseCount: number;
+  /** [N][2] The pairs that intersected in at least this share (0 to 1) of the poses, ascending. */
+  inShareOfPoses(share: number): Uint32Array;
+  delete(): void;
+}

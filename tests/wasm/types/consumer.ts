@@ -18,6 +18,7 @@ import {
   type ContactCurve,
   type ContactGeometry,
   type ContactHash,
+  type ContactTally,
   ContactKind,
   type ContactPatch,
   type ConvexPolyhedron,
@@ -267,6 +268,11 @@ function useSelf(pelt: Pelt, pose: Pose): void {
   useStats(stats);
   const { takesPart, rings, atRest, always, joints, groups }: LeftOut = leftOut;
   check(takesPart + rings + atRest + always + joints + groups >= 0, 'leftOut');
+  const tally: ContactTally = pelt.makeContactTally();
+  tally.add(pairs);
+  const inAll: Uint32Array = tally.inShareOfPoses(1);
+  check(tally.poseCount === 1 && inAll.length === pairs.length, 'tally');
+  tally.delete();
   const intersects: boolean = pelt.selfIntersects(pose, filter);
   check(intersects === count > 0, 'selfIntersects');
   const geometry: ContactGeometry = pelt.describeSelfContacts(pose, pairs);
