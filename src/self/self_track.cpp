@@ -143,6 +143,7 @@ SelfTrack::SelfTrack(const pelt::SelfFilter& f) : filter(f) {
   pair_slack.resize(pair_motions.size());
   fan_slack.resize(fan_clusters.size());
   waits.resize(pair_motions.size());
+  last_waits.resize(pair_motions.size());
   steps.resize(tree.joint_count);
   motions.resize(moved.size());
   cluster_motions.resize(tree.clusters.size());
@@ -181,6 +182,22 @@ void SelfTrack::write_moved(const std::vector<std::uint16_t>& anchors, const Vie
   }
 }
 
+bool SelfTrack::wakes() {
+  if (rest == 0) return true;
+  if (--rest == 0) {
+    has_frame = false;
+    std::fill(pair_slack.begin(), pair_slack.end(), 0.0f);
+    std::fill(fan_slack.begin(), fan_slack.end(), 0.0f);
+  }
+  return false;
+}
+
+void SelfTrack::rest_if_useless(std::size_t skipped_pairs) {
+  const bool is_useful = skipped_pairs >= pair_slack.size() / 4;
+  last_rest = is_useful ? 0 : longer(last_rest);
+  rest = last_rest;
+}
+
 void SelfTrack::step_to(std::span<const Matrix4> next) {
   for (std::size_t j = 0; j < next.size(); ++j) {
     if (is_anchor[j]) steps[j] = step_between(palette[j], next[j]);
@@ -192,7 +209,8 @@ std::size_t SelfTrack::memory_bytes() const {
   return sizeof(SelfTrack) +
          bytes_held(moved, around_begin, around, own_motions, pair_motions, fan_clusters, is_anchor,
                     palette) +
-         bytes_held(positions, pair_slack, fan_slack, waits, steps, motions, cluster_motions);
+         bytes_held(positions, pair_slack, fan_slack, waits, last_waits, steps, motions,
+                    cluster_motions);
 }
 
 }  // namespace detail

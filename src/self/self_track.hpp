@@ -66,7 +66,8 @@ struct SelfTrack {
   std::vector<std::array<float, 4>> positions;  // by place
   std::vector<float> pair_slack;                // as PairMasks::masks
   std::vector<float> fan_slack;                 // [F]
-  std::vector<std::uint8_t> waits;              // frames, as PairMasks::masks
+  std::vector<std::uint8_t> waits, last_waits;  // frames, as PairMasks::masks
+  std::uint8_t rest = 0, last_rest = 0;         // frames
 
   // Working memory.
   std::vector<JointStep> steps;        // [J] only of anchors
@@ -81,14 +82,23 @@ struct SelfTrack {
   }
 
   /// Sets the slack of a pair of this cluster. If its motion in this frame would have used up the
-  /// slack, then the next frames only test the pair, which costs less.
+  /// slack, then the next frames only test the pair, which costs less: twice as many frames each
+  /// time.
   void set_slack(std::uint32_t cluster, std::uint32_t pair, float slack) {
-    constexpr std::uint8_t kWait = 7;
     const float motion =
         motions.data()[own_motions.data()[cluster]] + motions.data()[pair_motions.data()[pair]];
     pair_slack.data()[pair] = slack;
-    waits.data()[pair] = slack > motion ? 0 : kWait;
+    std::uint8_t& last = last_waits.data()[pair];
+    last = slack > motion ? 0 : longer(last);
+    waits.data()[pair] = last;
   }
+
+  /// Begins a frame. Returns false if the track rests in this frame: then nothing is remembered,
+  /// which costs least for a body that moves fast, or whose layers touch everywhere.
+  bool wakes();
+
+  /// Ends a frame in which this number of pairs had slack.
+  void rest_if_useless(std::size_t skipped_pairs);
 
   /// Writes `steps` from the last frame to this palette, and keeps the palette.
   void step_to(std::span<const Matrix4> next);
@@ -99,6 +109,10 @@ struct SelfTrack {
   using Views = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
  private:
+  static std::uint8_t longer(std::uint8_t wait) {
+    constexpr int kFirst = 7, kMost = 127;
+    return static_cast<std::uint8_t>(wait == 0 ? kFirst : wait < kMost ? 2 * wait + 1 : kMost);
+  }
   void write_moved(const std::vector<std::uint16_t>& anchors, const Views& views);
 };
 

@@ -102,15 +102,18 @@ void measure_motions(const PosedTree& posed, float extent, SelfTrack& track) {
   }
 }
 
-void reduce_slack(SelfTrack& track) {
+/// Returns the number of pairs that have slack left.
+std::size_t reduce_slack(SelfTrack& track) {
   const PairMasks& masks = track.filter.detail().masks;
   const float* const motions = track.motions.data();
   const std::size_t cluster_count = track.own_motions.size();
+  std::size_t left = 0;
   for (std::size_t c = 0; c < cluster_count; ++c) {
     const float own = motions[track.own_motions.data()[c]];
     for (std::uint32_t i = masks.begin.data()[c]; i < masks.begin.data()[c + 1]; ++i) {
       float& slack = track.pair_slack.data()[i];
       slack = slack * kDown - (own + motions[track.pair_motions.data()[i]]) * kUp;
+      left += slack > 0;
     }
     float most = 0;
     for (std::uint32_t i = track.around_begin.data()[c]; i < track.around_begin.data()[c + 1]; ++i)
@@ -121,6 +124,7 @@ void reduce_slack(SelfTrack& track) {
     float& slack = track.fan_slack.data()[fan];
     slack = slack * kDown - track.cluster_motions.data()[track.fan_clusters.data()[fan]];
   }
+  return left;
 }
 
 }  // namespace
@@ -140,7 +144,7 @@ void begin_frame(const PosedTree& posed, SelfTrack& track, QueryStats& work) {
   track.step_to(posed.palette.joints());
   if (track.has_frame) {
     measure_motions(posed, larger(extent, track.extent), track);
-    reduce_slack(track);
+    track.rest_if_useless(reduce_slack(track));
   }
   write_positions(posed, track.positions.data());
   track.extent = extent;

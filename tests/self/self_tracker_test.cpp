@@ -195,6 +195,17 @@ TEST(SelfTracker, TestsFewPairsOfABodyThatMovesAsAWhole) {
   EXPECT_LT(pairs_at({0.5f, 1, 0.25f}), first / 4);
 }
 
+/// A tracker rests where every frame is a jump.
+TEST(SelfTracker, AddsLittleWorkWhereNothingCanBeSkipped) {
+  Random random(929);
+  Tracked tracked(make_soup(random, 600, 6, 4, Weights::random));
+  for (int frame = 0; frame < 100; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(tracked.expect_same(make_palette(random, 6, Motion::rigid, 1)));
+  }
+  EXPECT_GT(tracked.plain_pairs, 10'000u);
+  EXPECT_LT(tracked.tracked_pairs, tracked.plain_pairs * 11 / 10);
+}
+
 TEST(SelfTracker, AllocatesNothingWhenWarm) {
   Tracked tracked(make_limb(40, 9, 6));
   Random random(928);
