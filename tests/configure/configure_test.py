@@ -133,6 +133,12 @@ class Configure(unittest.TestCase):
         self.assertNotEqual(configured.status, 0)
         self.assertIn("tests/colide is not one of the test folders", configured.words)
 
+    def test_the_tests_of_the_library_are_one_choice(self):
+        configured = Configured([], ["-DPELT_BUILD_TESTS=ON", "-DPELT_TEST_FOLDERS=library"])
+        self.assertEqual(configured.status, 0, configured.words)
+        self.assertIn("collide_test", configured.targets)
+        self.assertNotIn("tools_test", configured.targets)
+
     def test_missing_programs_are_named(self):
         programs = ("gnuplot-nox", "povray", "nodejs", "npm")
         configured = self.configure(programs)
