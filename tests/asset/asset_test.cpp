@@ -28,7 +28,7 @@ TEST(Asset, FindsTheFirstClipOfAName) {
   EXPECT_EQ(asset.find_clip("run"), nullptr);
 }
 
-TEST(Asset, KnowsThePartOfEveryTriangle) {
+TEST(Asset, FindsThePartOfEveryTriangle) {
   Asset asset;
   asset.triangles.resize(6);
   asset.parts.resize(3);

@@ -28,13 +28,13 @@ TEST(Channel, LinearInterpolatesAndClamps) {
   EXPECT_EQ(sample_channel(channel, std::numeric_limits<float>::quiet_NaN())[1], 0);
 }
 
-TEST(Channel, StepHoldsTheLastKey) {
+TEST(Channel, StepReturnsTheValueOfTheLastKey) {
   const Channel channel = translation_channel(Interpolation::step, {0, 1}, {1, 2, 3, 4, 5, 6});
   EXPECT_EQ(sample_channel(channel, 0.999f)[0], 1);
   EXPECT_EQ(sample_channel(channel, 1)[0], 4);
 }
 
-TEST(Channel, SingleKeyHoldsForEver) {
+TEST(Channel, SingleKeyAppliesAtAllTimes) {
   for (Interpolation interpolation : {Interpolation::step, Interpolation::linear}) {
     const Channel channel = translation_channel(interpolation, {0}, {7, 8, 9});
     for (float seconds : {-1.0f, 0.0f, 1.0f}) EXPECT_EQ(sample_channel(channel, seconds)[2], 9);

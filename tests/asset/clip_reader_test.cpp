@@ -88,7 +88,7 @@ TEST(Clips, MayBeUnnamedEmptyOrWithoutLength) {
   EXPECT_TRUE(asset->clips[1].channels.empty());
 }
 
-TEST(Clips, PassOverWeightsOfNoMorphTargetsButLastAsLong) {
+TEST(Clips, SkipWeightsWithoutMorphTargetsButCountTheirDuration) {
   GltfBuilder builder = test::paper_strip();
   channel(builder)["target"]["path"] = "weights";
   const Result<Asset> asset = builder.load();

@@ -191,7 +191,7 @@ TEST(Document, RefusesRequiredExtensionsByName) {
   }
 }
 
-TEST(Document, TakesRequiredExtensionsThatDoNotTouchShapes) {
+TEST(Document, AcceptsRequiredExtensionsThatDoNotAffectShapes) {
   EXPECT_TRUE(load_with("/extensionsRequired", {"KHR_mesh_quantization", "EXT_meshopt_compression",
                                                 "KHR_materials_unlit", "KHR_texture_transform"}));
 }

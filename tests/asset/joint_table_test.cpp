@@ -21,7 +21,7 @@ TEST(JointTable, HasTheSkinsJointsInOrder) {
   EXPECT_EQ(asset->joints[1].inverse_bind.m[13], -1.5f);
 }
 
-TEST(JointTable, TakesIdentityWhereThereAreNoMatrices) {
+TEST(JointTable, UsesIdentityIfThereAreNoMatrices) {
   GltfBuilder builder = test::paper_strip();
   builder.document["skins"][0].erase("inverseBindMatrices");
   const Result<Asset> asset = builder.load();

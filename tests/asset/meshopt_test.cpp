@@ -154,7 +154,7 @@ TEST(Meshopt, QuaternionsAgreeWithTheLibrary) {
 }
 
 /// Also bytes that no encoder writes: a scale that is zero or negative, and components beyond it.
-TEST(Meshopt, QuaternionFilterTakesAnyBytes) {
+TEST(Meshopt, QuaternionFilterAcceptsAnyBytes) {
   test::Random random(32);
   std::vector<std::int16_t> before(40000);
   for (std::int16_t& value : before) value = static_cast<std::int16_t>(random.bits());
@@ -246,7 +246,7 @@ TEST(Meshopt, RefusesUnknownModesAndFilters) {
   EXPECT_TRUE(refused(builder.load(), {"mode: is missing"}));
 }
 
-TEST(Meshopt, BoundsHoldForTheMostCompressibleBytes) {
+TEST(Meshopt, BoundsAreValidForTheMostCompressibleBytes) {
   for (const std::size_t stride : {std::size_t{4}, std::size_t{32}, std::size_t{256}}) {
     const std::size_t count = 100000;
     const std::vector<unsigned char> packed =

@@ -47,7 +47,7 @@ TEST(NodeGraph, IsDepthFirstThroughTheSceneAndThenTheRest) {
   EXPECT_EQ(parents(*asset), (Parents{kNoParent, 0, 1, 1, 0, kNoParent, 5}));
 }
 
-TEST(NodeGraph, TakesTheSceneThatTheFileNames) {
+TEST(NodeGraph, ReadsTheSceneThatTheFileNames) {
   GltfBuilder builder = test::stone();
   builder.add("nodes", {{"name", "other"}, {"mesh", 0}});
   builder.add("scenes", {{"nodes", {1}}});
@@ -95,7 +95,7 @@ TEST(NodeGraph, RefusesARootListedTwice) {
   EXPECT_TRUE(refused(stone_with_nodes({}, {0, 0}).load(), {"node 0 \"stone\"", "twice"}));
 }
 
-TEST(NodeGraph, TakesAChainOfAnyLength) {
+TEST(NodeGraph, AcceptsAChainOfAnyLength) {
   constexpr std::uint32_t kLength = 100000;
   GltfBuilder builder = test::stone();
   builder.document["nodes"][0]["children"] = {1};

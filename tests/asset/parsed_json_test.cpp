@@ -19,7 +19,7 @@ TEST(ParsedJson, IsTheTreeOfTheParser) {
   }
 }
 
-TEST(ParsedJson, TakesTheLastOfEqualKeys) {
+TEST(ParsedJson, UsesTheLastOfEqualKeys) {
   for (const std::string text :
        {R"({"a": 1, "a": 2})", R"({"a": [[1], [2]], "b": 3, "a": {"c": [4]}})",
         R"({"a": {"a": [1, {"a": 2}]}, "a": []})"}) {

@@ -76,7 +76,7 @@ TEST_F(LevelBoxesTest, EncloseTheSurfaceAtEachLevel) {
   EXPECT_EQ(at(0).states.size(), 1u);
 }
 
-TEST_F(LevelBoxesTest, TellWhatQueriesHaveAskedFor) {
+TEST_F(LevelBoxesTest, ShowWhichNodesQueriesHaveOpened) {
   const auto has = [&](std::uint32_t level, BoxState state) {
     const std::vector<BoxState>& states = at(level).states;
     return std::find(states.begin(), states.end(), state) != states.end();

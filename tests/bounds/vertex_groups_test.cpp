@@ -144,7 +144,7 @@ TEST(VertexGroups, CountEachDisplacementByActiveTargets) {
   EXPECT_EQ(exact_group_bounds(pose, groups, 0, box).displacements, 0u);
 }
 
-TEST(VertexGroups, DoNotAllocateWhenAsked) {
+TEST(VertexGroups, QueriesDoNotAllocate) {
   const Shape limb = test::make_morphing_limb(12, 8, 3);
   Pose pose(*build_model(limb.view()));
   ASSERT_TRUE(pose.set_morph_weights(std::vector<float>{0.5f, 0.25f, 1}));

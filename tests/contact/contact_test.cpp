@@ -151,7 +151,7 @@ TEST(Contact, CurvesEndAtABorder) {
   EXPECT_FLOAT_EQ(geometry.patches[0].point.x, 0.25f);
 }
 
-TEST(Contact, TellsHowDeepATriangleReachesBehindTheOther) {
+TEST(Contact, MeasuresHowDeepATriangleReachesBehindTheOther) {
   Shape below;  // its front faces up
   below.rest_positions = {{-5, 0, -5}, {0, 0, 8}, {5, 0, -5}};
   below.triangles = {{0, 1, 2}};
@@ -172,7 +172,7 @@ TEST(Contact, TellsHowDeepATriangleReachesBehindTheOther) {
   EXPECT_TRUE(geometry_of(a, b).traces.empty());
 }
 
-TEST(Contact, KnowsCoplanarAndCollapsedTriangles) {
+TEST(Contact, DescribesCoplanarAndCollapsedTriangles) {
   Shape flat;
   flat.rest_positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 2}};
   flat.triangles = {{0, 1, 2}, {3, 4, 5}};

@@ -340,7 +340,7 @@ TEST(SelfContact, CurvesDoNotContinueThroughSharedCorners) {
   EXPECT_EQ(geometry.patches.size(), 2u);
 }
 
-TEST(SelfContact, KnowsFoldedDuplicateAndCollapsedTriangles) {
+TEST(SelfContact, DescribesFoldedDuplicateAndCollapsedTriangles) {
   const std::vector<Vec3> positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {2, 0, 0}};
   const std::tuple<Triangle, Triangle, ContactKind> cases[] = {
       {{0, 1, 2}, {1, 0, 3}, ContactKind::coplanar},   // folded over an edge

@@ -75,7 +75,7 @@ TEST(Crowd, MasksMustAgreeOnBothSides) {
   EXPECT_EQ(crowd.contacts(), crowd.expected());
 }
 
-TEST(Crowd, FilterIsAskedOnceForEachPairWithALessThanB) {
+TEST(Crowd, FilterIsCalledOnceForEachPairWithALessThanB) {
   Random random(35);
   TestCrowd crowd = make_mixed_crowd(random, 30, 0.7);
   std::vector<CrowdPair> asked;

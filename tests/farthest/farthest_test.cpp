@@ -104,7 +104,7 @@ TEST(FarthestVertex, OpensFewNodes) {
   EXPECT_LT(posed, 10 * limb.rest_positions.size() / 4);
 }
 
-TEST(FarthestVertex, TakesDirectionsOfAnySize) {
+TEST(FarthestVertex, AcceptsDirectionsOfAnyLength) {
   const Shape limb = test::make_limb(24, 10, 5);
   Pose pose(*build_model(limb.view()));
   FarthestVertex unit, tiny, huge;

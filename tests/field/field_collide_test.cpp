@@ -122,7 +122,7 @@ TEST(FieldCollide, TouchingCountsOnFlatFieldsOnEachTarget) {
   });
 }
 
-TEST(FieldCollide, WhatIsWhollyBelowOrBesideTouchesNothing) {
+TEST(FieldCollide, BodiesBelowOrBesideTheFieldTouchNothing) {
   Random random(703);
   const Shape limb = test::make_limb(16, 8, 4);
   Pose pose(*build_model(limb.view()));
@@ -137,7 +137,7 @@ TEST(FieldCollide, WhatIsWhollyBelowOrBesideTouchesNothing) {
   }
 }
 
-TEST(FieldCollide, LargeTrianglesMeetWhatIsUnderThem) {
+TEST(FieldCollide, LargeTrianglesIntersectTheCellsUnderThem) {
   Random random(704);
   Shape roof = test::make_soup(random, 4, 1, 1, Weights::one_joint);
   for (Vec3& p : roof.rest_positions) p = {p.x * 30, p.y, p.z * 30};

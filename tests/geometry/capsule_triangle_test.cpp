@@ -93,7 +93,7 @@ TEST(CapsuleTriangle, EqualsRationalsOnAllScalesAtOnce) {
 }
 
 /// A radius that equals the distance to a vertex, edge or face, or is one float beside it.
-TEST(CapsuleTriangle, TellsTouchingFromJustNotTouching) {
+TEST(CapsuleTriangle, DistinguishesTouchingFromJustNotTouching) {
   Random random(523);
   int touching = 0, apart = 0;
   for (int i = 0; i < 2000; ++i) {

@@ -219,7 +219,7 @@ TEST(RayTriangle, IsAsDefinedAlongPlanesAndOfSlivers) {
   EXPECT_GT(run(36, 20'000, in_plane).parallel, 5'000);
 }
 
-TEST(RayTriangle, NeverMeetsTheCollapsed) {
+TEST(RayTriangle, NeverHitsCollapsedTriangles) {
   std::cout << "seed 37\n";
   Random random(37);
   for (int i = 0; i < 10'000; ++i) {

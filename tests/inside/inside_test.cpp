@@ -137,7 +137,7 @@ TEST(SideOf, IsWhereTheSurfaceWinds) {
   EXPECT_GT(outside, 200);
 }
 
-TEST(SideOf, KnowsPointsOnTheSurface) {
+TEST(SideOf, FindsPointsOnTheSurface) {
   Body body(cube(1, {0, 0, 0}));
   Scratch scratch;
   const auto side = [&](const Vec3& p) {
@@ -151,7 +151,7 @@ TEST(SideOf, KnowsPointsOnTheSurface) {
   EXPECT_EQ(side({0, 0, 0}), PointSide::inside);
 }
 
-TEST(SideOf, HoldsForMirroredBodies) {
+TEST(SideOf, IsExactForMirroredBodies) {
   Body body(cube(1, {0, 0, 0}));
   Matrix4 mirror;
   mirror.m[0] = -1;
@@ -290,7 +290,7 @@ Containment containment_of(const Shape& shape_a, const Shape& shape_b) {
   return which;
 }
 
-TEST(Containment, TellsWhichBodyHoldsTheOther) {
+TEST(Containment, FindsWhichBodyContainsTheOther) {
   const Shape small = cube(0.5f, {0, 0, 0}), large = cube(1, {0.25f, 0, 0});
   EXPECT_EQ(containment_of(small, large), Containment::a_in_b);
   EXPECT_EQ(containment_of(large, small), Containment::b_in_a);
@@ -305,7 +305,7 @@ TEST(Containment, IsOfAllPartsThatHangTogether) {
   EXPECT_EQ(containment_of(together(part, cube(0.2f, {-5, 0, 0})), large), Containment::none);
 }
 
-TEST(Containment, AsksNoSurfaceThatIsNotClosed) {
+TEST(Containment, IsNoneForSurfacesThatAreNotClosed) {
   Shape open = cube(1, {0, 0, 0});
   open.triangles.pop_back();
   EXPECT_EQ(containment_of(cube(0.5f, {0, 0, 0}), open), Containment::none);

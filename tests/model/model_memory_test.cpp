@@ -21,7 +21,7 @@ std::size_t bytes_of(const Array&... arrays) {
   return ((arrays.size() * sizeof(arrays[0])) + ...);
 }
 
-TEST(ModelMemory, CountsEveryArrayAndHoldsLittleMore) {
+TEST(ModelMemory, CountsEveryArrayAndNeedsLittleMore) {
   test::Random random(335);
   test::Shape limb = test::make_limb(60, 40, 5);
   test::add_morph_targets(random, limb, 7, 0.3, 0.1);

@@ -66,7 +66,7 @@ std::vector<Matrix4> stretched(std::vector<Matrix4> palette, float linear, float
   return palette;
 }
 
-TEST(NodeBounds, HoldNearTheLimitsOfFloats) {
+TEST(NodeBounds, EncloseVerticesNearTheLimitsOfFloats) {
   Random random(32);
   Tally tally;
   for (const float size : {0x1p-140f, 0x1p-125f, 0x1p-90f, 0x1p-60f, 0x1p-30f, 0x1p30f, 0x1p56f})
@@ -113,7 +113,7 @@ std::vector<Matrix4> stretching_and_going(Random& random, std::uint32_t joint_co
   return joints;
 }
 
-TEST(NodeBounds, HoldOnTheLargestPalettesThatAreTaken) {
+TEST(NodeBounds, EncloseVerticesUnderTheLargestValidPalettes) {
   Random random(35);
   Tally tally;
   for (const float size : {0x1p-80f, 0x1p-60f, 1.0f, 0x1p56f})
@@ -141,7 +141,7 @@ TEST(NodeBounds, HoldOnTheLargestPalettesThatAreTaken) {
 }
 
 /// A new palette has a larger extent than one that can be set.
-TEST(NodeBounds, HoldInTheRestPoseOfTheLargestMesh) {
+TEST(NodeBounds, EncloseTheRestPoseOfTheLargestMesh) {
   Random random(36);
   Tally tally;
   Shape soup = test::make_soup(random, 40, 6, 4, Weights::adversarial);
@@ -156,7 +156,7 @@ TEST(NodeBounds, HoldInTheRestPoseOfTheLargestMesh) {
   report(tally);
 }
 
-TEST(NodeBounds, HoldWhereJointsAndTrianglesAreOfAllSizesAtOnce) {
+TEST(NodeBounds, EncloseVerticesIfJointsAndTrianglesDifferInSize) {
   Random random(33);
   const auto power = [&](int low, int high) {
     return std::ldexp(1.0f,

@@ -165,7 +165,7 @@ TEST(Prepared, NamesWhatAForgerHasDoneToTheHeader) {
 ErrorCode refusal_code(const Bytes& file) { return load_model(file).error().code; }
 
 /// Even if the header size, the checksum and the arrays differ.
-TEST(Prepared, TellsOtherVersionsFromDamage) {
+TEST(Prepared, DistinguishesOtherVersionsFromDamage) {
   for (const std::uint32_t version : {1u, 2u, 4u, 0x7FFFFFFFu}) {
     Bytes file = save_model(limb());
     std::memcpy(&file[8], &version, sizeof version);
@@ -226,7 +226,7 @@ TEST(Prepared, NamesTheArrayAndTheIndex) {
   expect_words(file, "the prepared model is malformed, triangle_ids[7] is 42");
 }
 
-TEST(Prepared, KnowsItsFilesByTheirBegin) {
+TEST(Prepared, RecognisesFilesByTheirFirstBytes) {
   const Bytes file = save_model(limb());
   EXPECT_TRUE(is_prepared_model(file));
   EXPECT_TRUE(is_prepared_model(std::span(file).first(8)));

@@ -158,7 +158,7 @@ TEST(Cast, EqualsBruteForceOnGrids) {
   counts.expect_each_at_least(150);
 }
 
-TEST(Cast, AnswersAlikeWhateverWasAskedBeforeAndOnEveryTarget) {
+TEST(Cast, DoesNotDependOnEarlierQueriesOrTheInstructionSet) {
   Random random(94);
   const Posed made(make_limb(60, 24, 5), bend_limb(random, 5, 0.5, {}));
   std::vector<Ray> rays;

@@ -14,12 +14,12 @@ TEST(ClosestName, FindsTypingErrors) {
   EXPECT_EQ(suggestion("ran", kKnown), ", did you mean \"run\"?");
 }
 
-TEST(ClosestName, TakesTwoCharactersInTheWrongOrderForOneError) {
+TEST(ClosestName, CountsTwoSwappedCharactersAsOneError) {
   const std::vector<std::string_view> options = {"help", "html"};
   EXPECT_EQ(closest_name("htlm", options), "html");
 }
 
-TEST(ClosestName, TakesLongNamesWithMoreErrorsAndPiecesOfNames) {
+TEST(ClosestName, AcceptsMoreErrorsInLongNamesAndPiecesOfNames) {
   const std::vector<std::string_view> names = {"Knight_Helmet_Visor", "Knight_Helmet", "hand_r"};
   EXPECT_EQ(closest_name("knight-hlemet", names), "Knight_Helmet");
   EXPECT_EQ(closest_name("helmet", names), "Knight_Helmet");

@@ -5,7 +5,7 @@
 namespace pelt::scenes {
 namespace {
 
-TEST(PartNames, TellPartsOfOneNodeApart) {
+TEST(PartNames, DistinguishPartsOfOneNode) {
   asset::Asset asset;
   asset.parts.resize(2);
   asset.parts[0].node = "body";

@@ -203,7 +203,7 @@ TEST(Region, BatchesGiveTheSameAndAddUpTheWork) {
   for (const int count : counts) EXPECT_GT(count, 30);
 }
 
-TEST(Region, WhatTheRootTellsCostsOneBox) {
+TEST(Region, PlacementDecidedByTheRootBoxCostsOneBox) {
   Random random(544);
   const Shape limb = test::make_limb(40, 12, 5);
   Pose pose(*build_model(limb.view()));

@@ -40,7 +40,7 @@ struct Rocks {
   Pose built, read;
 };
 
-TEST(StaticMesh, CollidesWithCharactersAsBruteForceTells) {
+TEST(StaticMesh, CollidesWithCharactersLikeBruteForce) {
   Random random(750);
   Rocks rocks(random);
   const Shape limb = test::make_limb(20, 8, 4);
@@ -80,7 +80,7 @@ RayHit brute_force_cast(const Rocks& rocks, const Ray& ray) {
   return best;
 }
 
-TEST(StaticMesh, MeetsRaysAsBruteForceTells) {
+TEST(StaticMesh, IsHitByRaysLikeBruteForce) {
   Random random(751);
   Rocks rocks(random);
   int hits = 0;

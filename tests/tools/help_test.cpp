@@ -17,7 +17,7 @@ TEST(Help, NamesEveryVerb) {
   for (const char* verb : kVerbs) EXPECT_NE(run.out.find(verb), std::string::npos) << verb;
 }
 
-TEST(Help, TellsTheVersion) {
+TEST(Help, PrintsTheVersion) {
   const TestFolder folder;
   const Ended run = run_pelt(folder, {"--version"});
   EXPECT_EQ(run.exit_code, 0);

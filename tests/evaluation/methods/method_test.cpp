@@ -147,7 +147,7 @@ TEST(Methods, SkinWhenTheySayTheyDo) {
   }
 }
 
-TEST(Methods, AreAskedAgainAfterANewPalette) {
+TEST(Methods, AnswerAgainAfterANewPalette) {
   Random random(3);
   const Scene scene = crossing_scene(random);
   for (const MethodKind& kind : kKinds) {
@@ -164,7 +164,7 @@ TEST(Methods, AreAskedAgainAfterANewPalette) {
   }
 }
 
-TEST(Methods, LimitsAreKeptAndTold) {
+TEST(Methods, LimitsAreRespectedAndReported) {
   Random random(4);
   int limited = 0;
   for (int i = 0; i < 40; ++i) {

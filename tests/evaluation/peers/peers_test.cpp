@@ -102,7 +102,7 @@ class Peers : public testing::Test {
   static inline std::vector<Frame> frames_;
 };
 
-TEST_F(Peers, AreAskedInContactAndApart) {
+TEST_F(Peers, AreQueriedInContactAndApart) {
   std::size_t touching = 0, contacts = 0;
   for (const Frame& frame : frames_) {
     touching += !frame.exact.empty();

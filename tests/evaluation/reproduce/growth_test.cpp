@@ -34,7 +34,7 @@ TEST(Growth, OfDepthGoesFromNoContactToMany) {
   EXPECT_GT(figure(*table, 2, "contacts"), figure(*table, 1, "contacts"));
 }
 
-TEST(Growth, OfInstancesAsksPairsOnlyOfSmallCrowds) {
+TEST(Growth, OfInstancesQueriesPairsOnlyInSmallCrowds) {
   constexpr std::array<std::uint32_t, 2> kInstances = {4, 20};
   const Result<Table> table = growth_by_instances(kInstances, 4, kQuick);
   ASSERT_TRUE(table) << table.error().message;

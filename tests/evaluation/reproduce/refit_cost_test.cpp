@@ -76,7 +76,7 @@ TEST(OneJointSet, GivesEveryNodeTwoJointsAndTwoCorners) {
   }
 }
 
-TEST(AllSpheres, StandBesideThoseOfThePaper) {
+TEST(AllSpheres, AreListedBesideTheSpheresOfThePaper) {
   const Result<Table> table = all_spheres_table(kQuick);
   ASSERT_TRUE(table) << table.error().message;
   ASSERT_EQ(table->rows.size(), 3u);

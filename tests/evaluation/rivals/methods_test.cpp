@@ -249,7 +249,7 @@ TEST_P(Methods, FindTheContactsOfWalkers) {
   EXPECT_GT(contacts, 500u);
 }
 
-TEST_P(Methods, TellBodiesOfOneMeshApart) {
+TEST_P(Methods, DistinguishBodiesOfOneMesh) {
   Random random(8);
   PosedBodies bodies = pair_of([&] {
     return test::scattered(

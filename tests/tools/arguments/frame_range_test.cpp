@@ -11,7 +11,7 @@ TEST(FrameRange, IsHalfOpen) {
   EXPECT_EQ(range->frames(), (std::vector<std::uint32_t>{3, 4, 5}));
 }
 
-TEST(FrameRange, TakesAStride) {
+TEST(FrameRange, AcceptsAStride) {
   const Result<FrameRange> range = parse_frame_range("1:8:3");
   ASSERT_TRUE(range);
   EXPECT_EQ(range->frames(), (std::vector<std::uint32_t>{1, 4, 7}));

@@ -86,7 +86,7 @@ TEST(CheckAllClips, AreNamedInTheSummary) {
     EXPECT_TRUE(contains(run.out, words)) << words << " is not in\n" << run.out;
 }
 
-TEST(CheckAllClips, CoverTheFramesThatAreAskedFor) {
+TEST(CheckAllClips, CoverTheChosenFrames) {
   const TestFolder folder;
   const std::string strip = write_moving_strip(folder);
   const CheckFile some = answer_of(folder, two_strips(strip, {"*"}, {"--frames", "40:44"}));

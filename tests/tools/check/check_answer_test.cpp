@@ -46,7 +46,7 @@ TEST(CheckAnswer, EqualsBruteForceInEveryFrame) {
   EXPECT_NE(run.out.find(hash_of(file)), std::string::npos);
 }
 
-TEST(CheckAnswer, HeaderTellsInputsAndOptions) {
+TEST(CheckAnswer, HeaderHasInputsAndOptions) {
   const TestFolder folder;
   write_limbs(folder);
   const Ended run = run_pelt(folder, {"check", "scene.json", "--frames", "5:8", "--jsonl", "-"});
@@ -117,7 +117,7 @@ TEST(CheckAnswer, LimitsCutShort) {
   }
 }
 
-TEST(CheckAnswer, ByPartMeetsPartsOfOneInstance) {
+TEST(CheckAnswer, ByPartTestsPartsOfOneInstance) {
   const TestFolder folder;
   const std::string strip = write_strip(folder, "strip.glb");
   const Ended run =

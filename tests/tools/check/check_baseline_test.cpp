@@ -62,7 +62,7 @@ TEST(CheckBaseline, OfTheSameSceneFindsNothingWorse) {
   EXPECT_GT(contacts_of(file), 0u);
 }
 
-TEST(CheckBaseline, TellsWhatIsNewAndWhatHasGrown) {
+TEST(CheckBaseline, ReportsWhatIsNewAndWhatHasGrown) {
   const TestFolder folder;
   write_limbs(folder);
   ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
@@ -123,7 +123,7 @@ TEST(CheckBaseline, SaysHowManyMoreThereAreThanItLists) {
         << run.out;
 }
 
-TEST(CheckBaseline, TellsWhatIsGone) {
+TEST(CheckBaseline, ReportsWhatIsGone) {
   const TestFolder folder;
   write_limbs(folder);
   ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);

@@ -106,7 +106,7 @@ TEST(CheckContacts, PartsKeepTheNumbersOfTheModel) {
   EXPECT_EQ(pairs[0]["patches"][0]["parts"], json::array({"paper", "fan"}));
 }
 
-TEST(CheckContacts, AreLeftOutUnlessAskedFor) {
+TEST(CheckContacts, AreWrittenOnlyOnRequest) {
   const TestFolder folder;
   write_limbs(folder);
   const Ended run = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});

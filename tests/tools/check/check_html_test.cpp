@@ -77,7 +77,7 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
   EXPECT_EQ(parse_check_file(again.out).totals["hash"], file.totals["hash"]);
 }
 
-TEST_F(CheckHtml, TellsTheResultWithoutTheScript) {
+TEST_F(CheckHtml, ShowsTheResultWithoutTheScript) {
   const Ended run =
       run_pelt(folder_, {"check", "scene.json", "--frames", "2:12:2", "--html", "a<b&c.html"});
   ASSERT_EQ(run.exit_code, 1) << run.err;
@@ -137,7 +137,7 @@ TEST_F(CheckHtml, EmbedsALinkedBufferByItsOwnName) {
   EXPECT_EQ(check_again(folder_, data).totals["hash"], data["answer"]["hash"]);
 }
 
-TEST_F(CheckHtml, TakesModelsWhoseNamesAreNotUtf8) {
+TEST_F(CheckHtml, EmbedsModelsWhoseNamesAreNotUtf8) {
   for (const char* name : {"one\xff.glb", "one\xfe.glb"})
     std::filesystem::copy_file(folder_ / "one.glb", folder_ / name);
   const Ended run =
@@ -148,7 +148,7 @@ TEST_F(CheckHtml, TakesModelsWhoseNamesAreNotUtf8) {
   EXPECT_EQ(check_again(folder_, data).totals["hash"], data["answer"]["hash"]);
 }
 
-TEST_F(CheckHtml, TakesABufferWhoseNameIsNotUtf8) {
+TEST_F(CheckHtml, EmbedsABufferWhoseNameIsNotUtf8) {
   write_limb_of_files(folder_, "limb.gltf", "limb%FF.bin");
   std::filesystem::copy_file(folder_ / "limb a.bin", folder_ / "limb\xff.bin");
   const Ended run = run_pelt(folder_, {"check", "limb.gltf", "two.glb", "--html", "report.html"});
@@ -179,7 +179,7 @@ TEST_F(CheckHtml, IsSmallWhateverTheLooksOfAModel) {
   EXPECT_LT(size_with(limb), plain + 1000);
 }
 
-TEST_F(CheckHtml, TellsWhatIsIgnoredAndWhatIsWorse) {
+TEST_F(CheckHtml, ShowsWhatIsIgnoredAndWhatIsWorse) {
   const auto check = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"check", "scene.json", "--by", "part"});
     return run_pelt(folder_, words);
@@ -244,7 +244,7 @@ TEST_F(CheckHtml, NamesItsInputsAsTheyWereGiven) {
   EXPECT_EQ(inputs[1]["hash"], file.header["inputs"][1]["hash"]);
 }
 
-TEST_F(CheckHtml, TakesModelsOfTheCommandLine) {
+TEST_F(CheckHtml, EmbedsModelsOfTheCommandLine) {
   const Ended run = run_pelt(folder_, {"check", "one.glb", "two.glb", "--clip", "sway", "--clip",
                                        "sway", "--at", "0,0,0", "--html", "report.html"});
   ASSERT_EQ(run.exit_code, 1) << run.err;
@@ -254,7 +254,7 @@ TEST_F(CheckHtml, TakesModelsOfTheCommandLine) {
   EXPECT_EQ(check_again(folder_, data).totals["hash"], data["answer"]["hash"]);
 }
 
-TEST_F(CheckHtml, TakesTheBuffersOfAGltfFile) {
+TEST_F(CheckHtml, EmbedsTheBuffersOfAGltfFile) {
   const GltfBuilder strip = strip_with_fan();
   write_bytes(folder_ / "strip.bin", strip.binary);
   for (const std::string name : {"strip.gltf", "STRIP.GLTF"}) {
@@ -269,7 +269,7 @@ TEST_F(CheckHtml, TakesTheBuffersOfAGltfFile) {
   }
 }
 
-TEST_F(CheckHtml, TakesNoFileThatHasChangedMeanwhile) {
+TEST_F(CheckHtml, RefusesAFileThatHasChangedMeanwhile) {
   const auto scene = scenes::load_scene(folder_ / "scene.json");
   ASSERT_TRUE(scene);
   EXPECT_TRUE(tools::page::read_character_files(*scene));

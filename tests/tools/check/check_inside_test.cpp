@@ -16,7 +16,7 @@ constexpr const char* kLeaving = R"({
   ]
 })";
 
-TEST(CheckInside, TellsWhatIsHeldAndHowDeepWhatTouches) {
+TEST(CheckInside, ReportsContainedBodiesAndDepths) {
   const TestFolder folder;
   write_limbs(folder);
   write_text(folder / "leaving.json", kLeaving);
@@ -84,7 +84,7 @@ TEST(CheckInside, IsPartOfTheVerdict) {
   check_held(folder, {"--fail-on", "never"}, 0);
 }
 
-TEST(CheckInside, MayBeKnownToTheBaseline) {
+TEST(CheckInside, MayBeInTheBaseline) {
   const TestFolder folder;
   write_limbs(folder);
   write_text(folder / "leaving.json", kLeaving);

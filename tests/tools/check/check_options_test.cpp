@@ -10,7 +10,7 @@ namespace {
 
 std::vector<json> frames_of(const Ended& run) { return parse_check_file(run.out).frames; }
 
-TEST(CheckOptions, ExitCodeTellsOfContact) {
+TEST(CheckOptions, ExitCodeIsOneOnContact) {
   const TestFolder folder;
   write_limbs(folder);
   EXPECT_EQ(run_pelt(folder, {"check", "scene.json", "--frames", "0:1"}).exit_code, 0);

@@ -62,7 +62,7 @@ TouchName name(const std::string& model, std::uint32_t copy, const std::string& 
   return {{model, copy, "body"}, joint};
 }
 
-TEST(KnownBaseline, KnowsTheWorstFrameOfTwoPlacesInTheirOrder) {
+TEST(KnownBaseline, FindsTheWorstFrameOfTwoPlacesInTheirOrder) {
   const Result<CheckBaseline> baseline = parse({});
   ASSERT_TRUE(baseline) << baseline.error().message;
   EXPECT_EQ(baseline->worst({name("knight", 0, "arm"), name("thief", 0, "hips")}), 12u);
@@ -71,7 +71,7 @@ TEST(KnownBaseline, KnowsTheWorstFrameOfTwoPlacesInTheirOrder) {
   EXPECT_TRUE(baseline->notes().empty());
 }
 
-TEST(KnownBaseline, TakesTwoPlacesInAnyOrderAndTheWorstOfEqualNames) {
+TEST(KnownBaseline, FindsTwoPlacesInAnyOrderAndTheWorstOfEqualNames) {
   Answer answer;
   json again = answer.totals["touches"][0];
   std::swap(again["a"], again["b"]);
@@ -83,7 +83,7 @@ TEST(KnownBaseline, TakesTwoPlacesInAnyOrderAndTheWorstOfEqualNames) {
   EXPECT_EQ(baseline->worst({name("knight", 0, "arm"), name("thief", 0, "hips")}), 12u);
 }
 
-TEST(KnownBaseline, KnowsWhatWasHeldWholeIfThatIsAsked) {
+TEST(KnownBaseline, FindsContainedBodiesOnRequest) {
   Answer answer;
   answer.header["options"]["inside"] = true;
   answer.totals["held"] =
@@ -100,7 +100,7 @@ TEST(KnownBaseline, KnowsWhatWasHeldWholeIfThatIsAsked) {
   EXPECT_NE(message_of(parse(answer, question)).find("held: is missing"), std::string::npos);
 }
 
-TEST(KnownBaseline, KnowsTouchesByClip) {
+TEST(KnownBaseline, FindsTouchesByClip) {
   Answer answer;
   answer.header["options"]["clips"] = {"walk", "idle"};
   answer.totals["touches"][0]["clip"] = "walk";
@@ -216,7 +216,7 @@ TEST(KnownBaseline, CountsInstancesOnceWhosePartsAreColliders) {
   EXPECT_TRUE(baseline->notes().empty()) << baseline->notes()[0];
 }
 
-TEST(KnownBaseline, KnowsNamesThatAreNoText) {
+TEST(KnownBaseline, FindsNamesThatAreNotText) {
   const Result<CheckBaseline> baseline = parse({}, asked(), {"knight", "thief", "caf\xE9"});
   ASSERT_TRUE(baseline);
   EXPECT_NE(baseline->notes()[0].find("caf\xEF\xBF\xBD"), std::string::npos);

@@ -36,7 +36,7 @@ TEST(TouchName, CountsInstancesByTheirModel) {
   EXPECT_EQ(in_words(staged, {2, 1, 0}), "knight 2 body:skin hips");
 }
 
-TEST(TouchName, IsTextAsAFileHoldsIt) {
+TEST(TouchName, IsTheTextThatFilesContain) {
   const scenes::Scene scene = knights_and_thief();
   const scene::StagedScene staged(scene, {});
   EXPECT_EQ(touch_name(staged, {3, 0, 0}).body.model, "caf\xEF\xBF\xBD");

@@ -95,7 +95,7 @@ TEST(DistanceQuery, FindsTheSamePairsWithinADistanceAsWithoutOne) {
   EXPECT_EQ(near.least(), within(all.least(), kWithin));
 }
 
-TEST(DistanceQuery, AsksOnlyPairsThatAreNear) {
+TEST(DistanceQuery, QueriesOnlyPairsThatAreNear) {
   scenes::Scene scene = creatures(2000);
   for (std::uint32_t i = 0; i < 2000; ++i)
     scene.instances[i].translation = {5.0 * (i % 50), 0, 5.0 * (i / 50)};

@@ -26,7 +26,7 @@ Palettes palettes_of(const scenes::Scene& scene) {
   return palettes;
 }
 
-TEST(NearPairs, AreAllThatComeSoNearAndNotAll) {
+TEST(NearPairs, ContainAllPairsThatAreNearAndNotAllPairs) {
   const std::uint32_t seed = std::random_device()();
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);

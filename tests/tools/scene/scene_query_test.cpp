@@ -6,7 +6,7 @@
 namespace pelt::tools::scene {
 namespace {
 
-TEST(PoseInstances, RefuseWhatNoGlbCanHold) {
+TEST(PoseInstances, RefuseScenesTooLargeForAGlb) {
   scenes::Scene scene;
   scene.name = "crowd.json";
   scene.characters.resize(1);
@@ -130,7 +130,7 @@ TEST(SceneQuery, NamesTheFirstInstanceWhosePaletteAThreadRefused) {
   }
 }
 
-TEST(SceneQuery, AsksACrowdNotEveryPairOfIt) {
+TEST(SceneQuery, QueriesTheCrowdInsteadOfEveryPair) {
   scenes::Scene scene = walkers();
   scene.instances.resize(2000);
   for (std::uint32_t i = 0; i < 2000; ++i)

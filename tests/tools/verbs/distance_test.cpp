@@ -56,7 +56,7 @@ bool is_at(const json& point, const Triangle& triangle, std::span<const Vec3> po
   return true;
 }
 
-TEST(DistanceVerb, TellsWhereThePairsAreClosest) {
+TEST(DistanceVerb, ReportsWhereThePairsAreClosest) {
   const TestFolder folder;
   write_limbs(folder);
   const CheckFile file = distances_of(folder, {"scene.json"});
@@ -101,7 +101,7 @@ TEST(DistanceVerb, IsZeroWhereCheckFindsContact) {
   EXPECT_EQ(distances.totals["totals"]["least"][0]["distance"], 0);
 }
 
-TEST(DistanceVerb, LeavesOutWhatIsNotWithin) {
+TEST(DistanceVerb, LeavesOutPairsThatAreNotWithin) {
   const TestFolder folder;
   write_limbs(folder);
   const CheckFile all = distances_of(folder, {"scene.json"});
@@ -190,7 +190,7 @@ TEST(Clearance, IsNamedInHeaderAndSummary) {
   EXPECT_NE(run.err.find("counts triangles at most 0.25 apart"), std::string::npos) << run.err;
 }
 
-TEST(DistanceVerb, TellsWhatIsClosestToPoints) {
+TEST(DistanceVerb, ReportsWhatIsClosestToPoints) {
   const TestFolder folder;
   write_limbs(folder);
   const CheckFile file =

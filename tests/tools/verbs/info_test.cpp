@@ -3,7 +3,7 @@
 namespace pelt::test {
 namespace {
 
-TEST(Info, TellsWhatAModelHolds) {
+TEST(Info, PrintsTheContentsOfAModel) {
   const TestFolder folder;
   write_strip(folder, "strip.glb");
   const Ended run = run_pelt(folder, {"info", "strip.glb", "--json"});

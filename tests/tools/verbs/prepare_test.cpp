@@ -34,7 +34,7 @@ TEST(Prepare, WritesTheSameBytesAgain) {
   EXPECT_EQ(read_text(folder / "one.pelt"), read_text(folder / "two.pelt"));
 }
 
-TEST(Prepare, InfoTellsWhatIsInIt) {
+TEST(Prepare, InfoPrintsTheContents) {
   const TestFolder folder;
   write_strip(folder, "strip.glb");
   ASSERT_EQ(run_pelt(folder, {"prepare", "strip.glb", "-o", "strip.pelt"}).exit_code, 0);

@@ -117,7 +117,7 @@ TEST(RayVerb, FacingChoosesOneSide) {
   EXPECT_EQ(hits, 1u);
 }
 
-TEST(RayVerb, SummaryTellsTheFirstHit) {
+TEST(RayVerb, SummaryHasTheFirstHit) {
   const TestFolder folder;
   write_limbs(folder);
   const Ended run = run_pelt(folder, {"ray", "scene.json", "--from", "-2,0.513,0.021", "--to",

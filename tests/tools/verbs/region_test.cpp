@@ -34,7 +34,7 @@ std::vector<std::uint32_t> triangles_beside(const GlbFile& file, int instance, d
   return found;
 }
 
-TEST(RegionVerb, TellsWhichTrianglesLieInABox) {
+TEST(RegionVerb, ListsTheTrianglesInABox) {
   const TestFolder folder;
   write_limbs(folder);
   // Everything on one side of the plane x = 0, which the limbs cross.
@@ -65,7 +65,7 @@ TEST(RegionVerb, TellsWhichTrianglesLieInABox) {
   EXPECT_EQ(frames, 12);
 }
 
-TEST(RegionVerb, TakesEveryKindOfRegion) {
+TEST(RegionVerb, AcceptsEveryKindOfRegion) {
   const TestFolder folder;
   write_limbs(folder);
   const auto first = [&](const std::vector<std::string>& region) {
