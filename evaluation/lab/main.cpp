@@ -24,10 +24,10 @@ neighbours one by one.)";
 void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
   using namespace pelt::tools::verbs;
   add_bench(app, chosen,
-            {{pelt::methods::kLabMethods, "paper,paper_eager,eager,on_demand,rigid"},
-             {pelt::methods::kLabSelfMethods, "boxes,self,eager"},
+            {{pelt::lab::kLabMethods, "paper,paper_eager,eager,on_demand,rigid"},
+             {pelt::lab::kLabSelfMethods, "boxes,self,eager"},
              kBenchNotes});
-  add_check(app, chosen, pelt::methods::kLabMethods);
+  add_check(app, chosen, pelt::lab::kLabMethods);
   add_reproduce(app, chosen);
 }
 

@@ -4,7 +4,11 @@
 
 #include "tools/pelt/methods/command_methods.hpp"
 
-namespace pelt::methods {
+namespace pelt::lab {
+
+using methods::Method;
+using methods::MethodKind;
+using methods::Skins;
 
 std::unique_ptr<Method> make_rigid();
 std::unique_ptr<Method> make_paper_eq2();
@@ -53,8 +57,19 @@ inline constexpr MethodKind kHashOverlap = {"hash_overlap", Skins::first, make_h
 inline constexpr MethodKind kBdTree = {"bd_tree", Skins::where_queried, make_bd_tree};
 
 /// All methods of the program `pelt-lab`: the methods of the command, and these.
-inline constexpr std::array kLabMethods = {
-    kOnDemand,  kEager,       kRigid,  kPaper, kPaperEq2,    kPaperEager, kPaperRigid,
-    kAabbRefit, kAabbRebuild, kHybrid, kHash,  kHashOverlap, kBdTree,     kBrute};
+inline constexpr std::array kLabMethods = {methods::kOnDemand,
+                                           methods::kEager,
+                                           kRigid,
+                                           methods::kPaper,
+                                           kPaperEq2,
+                                           kPaperEager,
+                                           kPaperRigid,
+                                           kAabbRefit,
+                                           kAabbRebuild,
+                                           kHybrid,
+                                           kHash,
+                                           kHashOverlap,
+                                           kBdTree,
+                                           methods::kBrute};
 
-}  // namespace pelt::methods
+}  // namespace pelt::lab

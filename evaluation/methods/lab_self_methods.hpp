@@ -4,7 +4,11 @@
 
 #include "tools/pelt/methods/self_methods.hpp"
 
-namespace pelt::methods {
+namespace pelt::lab {
+
+using methods::Method;
+using methods::MethodKind;
+using methods::Skins;
 
 std::unique_ptr<Method> make_self_eager();
 
@@ -13,6 +17,7 @@ std::unique_ptr<Method> make_self_eager();
 /// with the exact predicate. Finds each pair twice.
 inline constexpr MethodKind kSelfEager = {"eager", Skins::with_boxes, make_self_eager};
 
-inline constexpr std::array kLabSelfMethods = {kSelf, kBoxes, kSelfEager, kSelfBrute};
+inline constexpr std::array kLabSelfMethods = {methods::kSelf, methods::kBoxes, kSelfEager,
+                                               methods::kSelfBrute};
 
-}  // namespace pelt::methods
+}  // namespace pelt::lab

@@ -3,8 +3,11 @@
 #include "evaluation/paper/rigid.hpp"
 #include "tools/pelt/methods/paper_method.hpp"
 
-namespace pelt::methods {
+namespace pelt::lab {
 namespace {
+
+using methods::BodyMethod;
+using methods::PaperTraits;
 
 using detail::Palette;
 using detail::SkinnedMesh;
@@ -61,4 +64,4 @@ std::unique_ptr<Method> make_paper_rigid() {
   return std::make_unique<BodyMethod<PaperRigidTraits>>();
 }
 
-}  // namespace pelt::methods
+}  // namespace pelt::lab

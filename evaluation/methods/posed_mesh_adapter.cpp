@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <map>
 
-namespace pelt::methods {
+namespace pelt::lab {
 namespace {
+
+using methods::Method;
 
 class PosedMeshAdapter final : public Method {
  public:
@@ -70,4 +72,4 @@ std::unique_ptr<Method> adapt(std::unique_ptr<rivals::PosedMeshMethod> method) {
   return std::make_unique<PosedMeshAdapter>(std::move(method));
 }
 
-}  // namespace pelt::methods
+}  // namespace pelt::lab

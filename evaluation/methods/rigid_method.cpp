@@ -9,7 +9,7 @@
 #include <map>
 #include <numeric>
 
-namespace pelt::methods {
+namespace pelt::lab {
 namespace {
 
 using detail::Palette;
@@ -130,4 +130,4 @@ class RigidMethod final : public Method {
 
 std::unique_ptr<Method> make_rigid() { return std::make_unique<RigidMethod>(); }
 
-}  // namespace pelt::methods
+}  // namespace pelt::lab

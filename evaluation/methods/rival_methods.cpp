@@ -7,8 +7,11 @@
 #include "evaluation/rivals/hybrid.hpp"
 #include "tools/pelt/methods/paper_method.hpp"
 
-namespace pelt::methods {
+namespace pelt::lab {
 namespace {
+
+using methods::BodyMethod;
+using methods::OnDemandTraits;
 
 struct BdTraits : OnDemandTraits<rivals::BdBody, rivals::BdModel> {
   static Prepared prepare(const detail::SkinnedMesh& mesh) { return Prepared(mesh); }
@@ -26,4 +29,4 @@ std::unique_ptr<Method> make_hash() { return adapt(rivals::make_hash()); }
 std::unique_ptr<Method> make_hash_overlap() { return adapt(rivals::make_hash_overlap()); }
 std::unique_ptr<Method> make_bd_tree() { return std::make_unique<BodyMethod<BdTraits>>(); }
 
-}  // namespace pelt::methods
+}  // namespace pelt::lab

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace pelt::methods {
+namespace pelt::lab {
 namespace {
 
 class SelfEagerMethod final : public Method {
@@ -50,7 +50,7 @@ class SelfEagerMethod final : public Method {
     explicit Body(const SkinnedModel& m)
         : model(m),
           mesh(detail::unpack_mesh(m.detail().tree)),
-          surface(surface_vertices(mesh)),
+          surface(methods::surface_vertices(mesh)),
           positions(mesh.vertex_count()),
           pose(model.detail().tree),
           palette(mesh.joint_count, mesh.rest_extent, mesh.morph_extents) {}
@@ -91,4 +91,4 @@ class SelfEagerMethod final : public Method {
 
 std::unique_ptr<Method> make_self_eager() { return std::make_unique<SelfEagerMethod>(); }
 
-}  // namespace pelt::methods
+}  // namespace pelt::lab

@@ -11,9 +11,9 @@ namespace pelt::tools {
 namespace {
 
 using bench::Asked;
-using bench::Engine;
-using bench::engine_of;
-using bench::self_engine;
+using bench::BenchMethod;
+using bench::method_of;
+using bench::self_method;
 using peers::Peer;
 using scene::Collider;
 using scene::SceneQuery;
@@ -29,41 +29,41 @@ class SkinningOnly final : public rivals::PosedMeshMethod {
 
 using MakeMethod = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
 
-Engine engine_from(std::string_view name, const MakeMethod& make) {
+BenchMethod method_from(std::string_view name, const MakeMethod& make) {
   return {std::string(name), [make](std::span<const Collider> colliders) {
-            return SceneQuery(colliders, methods::adapt(make()));
+            return SceneQuery(colliders, lab::adapt(make()));
           }};
 }
 
-Engine self_engine_from(std::string_view name, const MakeMethod& make) {
+BenchMethod self_method_from(std::string_view name, const MakeMethod& make) {
   return {std::string(name),
           [make](std::span<const Collider> colliders) {
-            return SceneQuery::of_each(colliders, methods::adapt(make()));
+            return SceneQuery::of_each(colliders, lab::adapt(make()));
           },
           Asked::self};
 }
 
-Contestant of_peer(const Peer& peer, Engine engine) {
-  return {std::move(engine), std::string(peer.name), peer.version, std::string(peer.update),
+Contestant of_peer(const Peer& peer, BenchMethod method) {
+  return {std::move(method), std::string(peer.name), peer.version, std::string(peer.update),
           peer.narrow_phase == peers::NarrowPhase::ours ? "ours" : "its own"};
 }
 
 std::vector<Contestant> contestants_in_pairs() {
   std::vector<Contestant> all = {
-      {engine_of(methods::kOnDemand), "pelt on_demand", "", "palettes", "ours", true},
-      {engine_of(methods::kEager), "pelt eager", "", "skin, refit", "ours", true}};
+      {method_of(methods::kOnDemand), "pelt on_demand", "", "palettes", "ours", true},
+      {method_of(methods::kEager), "pelt eager", "", "skin, refit", "ours", true}};
   for (const Peer& peer : peers::all_peers())
     all.push_back(of_peer(
-        peer, engine_from(peer.name, [name = peer.name] { return peers::make_peer(name); })));
+        peer, method_from(peer.name, [name = peer.name] { return peers::make_peer(name); })));
   return all;
 }
 
 std::vector<Contestant> contestants_by_themselves() {
   std::vector<Contestant> all = {
-      {self_engine(methods::kSelf), "pelt self", "", "palettes", "ours", true},
-      {self_engine(methods::kSelfEager), "pelt eager", "", "skin, refit", "ours", true}};
+      {self_method(methods::kSelf), "pelt self", "", "palettes", "ours", true},
+      {self_method(lab::kSelfEager), "pelt eager", "", "skin, refit", "ours", true}};
   for (const Peer& peer : peers::all_self_peers())
-    all.push_back(of_peer(peer, self_engine_from(peer.name, [name = peer.name] {
+    all.push_back(of_peer(peer, self_method_from(peer.name, [name = peer.name] {
                             return peers::make_self_peer(name);
                           })));
   return all;
@@ -75,12 +75,12 @@ std::vector<Contestant> contestants(Contest contest) {
   return contest == Contest::self ? contestants_by_themselves() : contestants_in_pairs();
 }
 
-Engine skinning_engine() {
-  return engine_from("skinning", [] { return std::make_unique<SkinningOnly>(); });
+BenchMethod skinning_method() {
+  return method_from("skinning", [] { return std::make_unique<SkinningOnly>(); });
 }
 
-Engine exact_engine(Contest contest) {
-  return contest == Contest::self ? self_engine(methods::kSelfBrute) : engine_of(methods::kBrute);
+BenchMethod exact_method(Contest contest) {
+  return contest == Contest::self ? self_method(methods::kSelfBrute) : method_of(methods::kBrute);
 }
 
 }  // namespace pelt::tools

@@ -2,7 +2,7 @@
 
 /// Which methods are compared, for pairs of instances and for instances against themselves.
 
-#include "tools/pelt/bench/bench_engine.hpp"
+#include "tools/pelt/bench/bench_method.hpp"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ enum class Contest {
 
 /// A method that is compared, and how it is described.
 struct Contestant {
-  bench::Engine engine;
+  bench::BenchMethod method;
   std::string name, version, update, narrow_phase;
   bool is_ours = false;  ///< skins during its update or query
 };
@@ -25,9 +25,9 @@ struct Contestant {
 std::vector<Contestant> contestants(Contest contest);
 
 /// Skins all vertices, which every peer needs, and finds nothing.
-bench::Engine skinning_engine();
+bench::BenchMethod skinning_method();
 
 /// Brute force, the exact answer.
-bench::Engine exact_engine(Contest contest);
+bench::BenchMethod exact_method(Contest contest);
 
 }  // namespace pelt::tools

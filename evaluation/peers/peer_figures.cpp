@@ -6,8 +6,8 @@
 namespace pelt::tools {
 namespace {
 
+using bench::BenchMethod;
 using bench::Cache;
-using bench::Engine;
 using bench::in_frame;
 using bench::Question;
 using bench::Runner;
@@ -22,10 +22,10 @@ constexpr std::array kVariants = {Variant{Question::all, Cache::hot},
                                   Variant{Question::first, Cache::hot}};
 
 /// Skinning alone, then the contestants.
-std::vector<Engine> all_engines(Contest contest) {
-  std::vector<Engine> engines = {skinning_engine()};
-  for (const Contestant& contestant : contestants(contest)) engines.push_back(contestant.engine);
-  return engines;
+std::vector<BenchMethod> all_methods(Contest contest) {
+  std::vector<BenchMethod> methods = {skinning_method()};
+  for (const Contestant& contestant : contestants(contest)) methods.push_back(contestant.method);
+  return methods;
 }
 
 /// The contacts of a pair of colliders in `found`; empty if they do not touch.
@@ -55,9 +55,10 @@ Result<void> ask_all(Runner& runner, const Palettes& palettes) {
 /// Counts the contacts of brute force, and how the others differ from them.
 Result<void> compare_all(const Subject& subject, Contest contest,
                          const std::function<void()>& advance, ScenePeers& scene) {
-  Runner exact(subject.colliders, exact_engine(contest));
+  Runner exact(subject.colliders, exact_method(contest));
   std::vector<Runner> runners;
-  for (const Engine& engine : all_engines(contest)) runners.emplace_back(subject.colliders, engine);
+  for (const BenchMethod& method : all_methods(contest))
+    runners.emplace_back(subject.colliders, method);
   asset::SampleScratch scratch;
   Palettes palettes;
   for (const std::uint32_t frame : subject.frames) {
@@ -101,7 +102,7 @@ double cost_over_pelt(const ScenePeers& scene, const PeerFigures& figures) {
 }
 
 std::size_t peer_steps(std::size_t frames, Contest contest) {
-  return frames * (all_engines(contest).size() + 1);
+  return frames * (all_methods(contest).size() + 1);
 }
 
 Result<ScenePeers> measure_peers(const Subject& subject, std::uint32_t repetitions,
@@ -117,7 +118,7 @@ Result<ScenePeers> measure_peers(const Subject& subject, std::uint32_t repetitio
   scene.methods = without_figures(all);
   if (const auto compared = compare_all(subject, contest, advance, scene); !compared)
     return compared.error();
-  const auto times = bench::measure(subject, all_engines(contest), kVariants, repetitions, advance);
+  const auto times = bench::measure(subject, all_methods(contest), kVariants, repetitions, advance);
   if (!times) return times.error();
   const double skinning_us = (*times)[0][0].mean_update_us;
   for (std::size_t m = 0; m < scene.methods.size(); ++m)

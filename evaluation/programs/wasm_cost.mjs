@@ -102,22 +102,22 @@ function measureHere(file) {
 }
 
 /** The times of `pelt bench` with one instruction set; null if the machine does not support it. */
-function measureNatively(file, target) {
+function measureNatively(file, instructionSet) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-'));
   const json = path.join(folder, 'figures.json');
-  const asked = ['--methods', 'on_demand', '--queries', 'all', '--caches', 'hot', '--simd', target];
+  const asked = ['--methods', 'on_demand', '--queries', 'all', '--caches', 'hot', '--simd', instructionSet];
   spawnSync(kCommand, ['bench', file, ...asked, '--repeat', kRepetitions, '--json', json]);
   const figures = fs.existsSync(json) ? JSON.parse(fs.readFileSync(json)).scenes[0] : null;
   fs.rmSync(folder, { recursive: true });
   if (figures === null) return null;
-  const [{ hash, mean_us: ask }] = figures.engines;
-  return { name: `native, ${target}`, hash, ask, skin: figures.skinning.mean_us };
+  const [{ hash, mean_us: ask }] = figures.methods;
+  return { name: `native, ${instructionSet}`, hash, ask, skin: figures.skinning.mean_us };
 }
 
 function print(file) {
   const here = measureHere(file);
   const natively = ['simd128', 'avx2']
-    .map((target) => measureNatively(file, target))
+    .map((instructionSet) => measureNatively(file, instructionSet))
     .filter(Boolean);
   for (const { name, hash } of natively) {
     if (hash === here.hash) continue;

@@ -93,7 +93,7 @@ std::vector<std::string> provenance(const Arguments& arguments) {
           " cores, " + output::fixed(machine.memory_gib, 0) + " GiB of memory, " + machine.system +
           ".",
       "pelt " PELT_VERSION ", " + machine.compiler + " " + machine.flags + ", " + machine.build +
-          "; Pelt's and the rivals' hot code for " + machine.target + "."};
+          "; Pelt's and the rivals' hot code for " + machine.instruction_set + "."};
   if (arguments.is_quick)
     lines.push_back("A quick run: few frames and repetitions, so figures are rough.");
   return lines;

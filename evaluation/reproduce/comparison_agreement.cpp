@@ -17,16 +17,16 @@ using tools::bench::Question;
 
 struct Asked {
   std::string title;
-  tools::bench::Engine engine;
+  tools::bench::BenchMethod method;
   double missing = 0, extra = 0;
 };
 
 std::vector<Asked> all_methods() {
   std::vector<Asked> all;
   for (const MethodKind method : kCompared)
-    all.push_back({title_of(method), tools::bench::engine_of(method)});
-  all.push_back({title_of(methods::kHash) + " in one grid",
-                 rival_engine("hash_crowd", [] { return rivals::make_hash_crowd(); })});
+    all.push_back({title_of(method), tools::bench::method_of(method)});
+  all.push_back({title_of(lab::kHash) + " in one grid",
+                 rival_method("hash_crowd", [] { return rivals::make_hash_crowd(); })});
   return all;
 }
 
@@ -38,10 +38,10 @@ double without(std::span<const Contact> a, std::span<const Contact> b) {
   return static_cast<double>(rest.size());
 }
 
-Result<std::vector<Contact>> contacts_of(const tools::bench::Engine& engine,
+Result<std::vector<Contact>> contacts_of(const tools::bench::BenchMethod& method,
                                          std::span<const tools::scene::Collider> colliders,
                                          const tools::scene::Palettes& palettes) {
-  tools::bench::Runner runner(colliders, engine);
+  tools::bench::Runner runner(colliders, method);
   if (const auto posed = runner.pose(palettes); !posed) return posed.error();
   runner.ask(Question::all);
   return runner.found().contacts;
@@ -56,10 +56,10 @@ Result<double> compare(const scenes::Scene& scene, std::vector<Asked>& methods) 
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   tools::scene::sample_palettes(scene, 0, scratch, palettes);
-  const auto exact = contacts_of(tools::bench::engine_of(methods::kBrute), *colliders, palettes);
+  const auto exact = contacts_of(tools::bench::method_of(methods::kBrute), *colliders, palettes);
   if (!exact) return exact.error();
   for (Asked& asked : methods) {
-    const auto found = contacts_of(asked.engine, *colliders, palettes);
+    const auto found = contacts_of(asked.method, *colliders, palettes);
     if (!found) return found.error();
     asked.missing += without(*exact, *found);
     asked.extra += without(*found, *exact);

@@ -157,7 +157,7 @@ struct Evidence {
 };
 
 std::string trees_on_demand(const Evidence& of) {
-  constexpr std::array kFamily = {methods::kOnDemand, methods::kPaper, methods::kBdTree,
+  constexpr std::array kFamily = {methods::kOnDemand, methods::kPaper, lab::kBdTree,
                                   methods::kEager};
   const Sweep& all = of.all;
   const std::size_t apart = all.row_at(kApart), touching = all.row_at(kTouching),
@@ -167,35 +167,35 @@ std::string trees_on_demand(const Evidence& of) {
          "): " + all.told(touching, kFamily) + ". Deep (" + size(kDeep) +
          "): " + all.told(deep, kFamily) + ". At the same position: " + all.told(last, kFamily) +
          ". All contacts: " + all.duel(methods::kOnDemand, methods::kEager) + "; " +
-         all.duel(methods::kPaper, methods::kBdTree) +
+         all.duel(methods::kPaper, lab::kBdTree) +
          ". First contact: " + of.first.duel(methods::kOnDemand, methods::kEager) + ".";
 }
 
 std::string eager_trees(const Evidence& of) {
-  constexpr std::array kFamily = {methods::kEager, methods::kHybrid, methods::kAabbRefit,
-                                  methods::kPaperEager, methods::kAabbRebuild};
+  constexpr std::array kFamily = {methods::kEager, lab::kHybrid, lab::kAabbRefit, lab::kPaperEager,
+                                  lab::kAabbRebuild};
   const Sweep& all = of.all;
   return "Eager trees pay for skinning and boxes even if nothing is near: " +
          all.told(all.row_at(kApart), kFamily) + " if the two are apart, " +
          all.told(all.row_at(kDeep), kFamily) +
-         " in deep contact. All contacts: " + all.duel(methods::kPaper, methods::kAabbRefit) +
-         "; " + all.duel(methods::kHybrid, methods::kAabbRefit) + "; " +
-         all.duel(methods::kEager, methods::kAabbRefit) +
+         " in deep contact. All contacts: " + all.duel(methods::kPaper, lab::kAabbRefit) + "; " +
+         all.duel(lab::kHybrid, lab::kAabbRefit) + "; " +
+         all.duel(methods::kEager, lab::kAabbRefit) +
          ". Over the triangles: " + of.resolution.duel(methods::kOnDemand, methods::kEager) + "; " +
-         of.resolution.duel(methods::kOnDemand, methods::kAabbRefit) + ".";
+         of.resolution.duel(methods::kOnDemand, lab::kAabbRefit) + ".";
 }
 
 std::string hashing(const Evidence& of) {
-  constexpr std::array kFamily = {methods::kHash, methods::kHashOverlap};
+  constexpr std::array kFamily = {lab::kHash, lab::kHashOverlap};
   const Sweep& all = of.all;
   return "Hashing: if the two are apart, " + all.told(all.row_at(kApart), kFamily) +
          ", in deep contact " + all.told(all.row_at(kDeep), kFamily) +
-         ". All contacts: " + all.duel(methods::kOnDemand, methods::kHashOverlap) + "; " +
-         all.duel(methods::kPaper, methods::kHashOverlap) + "; " +
-         all.duel(methods::kPaper, methods::kHash) + "; " +
-         all.duel(methods::kAabbRefit, methods::kHashOverlap) + "; " +
-         all.duel(methods::kHashOverlap, methods::kHash) +
-         ". First contact: " + of.first.duel(methods::kHashOverlap, methods::kHash) + ".";
+         ". All contacts: " + all.duel(methods::kOnDemand, lab::kHashOverlap) + "; " +
+         all.duel(methods::kPaper, lab::kHashOverlap) + "; " +
+         all.duel(methods::kPaper, lab::kHash) + "; " +
+         all.duel(lab::kAabbRefit, lab::kHashOverlap) + "; " +
+         all.duel(lab::kHashOverlap, lab::kHash) +
+         ". First contact: " + of.first.duel(lab::kHashOverlap, lab::kHash) + ".";
 }
 
 /// Plain hashing is meant for many bodies in one grid.
@@ -208,9 +208,9 @@ std::string crowds(const Evidence& of) {
          " per frame with Pelt as a crowd on one thread; hashing all in one grid takes " +
          us(grid) + " (" + times(grid / crowd) + " as long). Pair by pair, Pelt takes " +
          us(time(time_key(methods::kOnDemand))) + ", " + title_of(methods::kEager) + " " +
-         us(time(time_key(methods::kEager))) + ", " + title_of(methods::kHash) + " " +
-         us(time(time_key(methods::kHash))) + ", " + title_of(methods::kHashOverlap) + " " +
-         us(time(time_key(methods::kHashOverlap))) + ".";
+         us(time(time_key(methods::kEager))) + ", " + title_of(lab::kHash) + " " +
+         us(time(time_key(lab::kHash))) + ", " + title_of(lab::kHashOverlap) + " " +
+         us(time(time_key(lab::kHashOverlap))) + ".";
 }
 
 /// The row of the least resolution that misses nothing; otherwise of the greatest resolution.

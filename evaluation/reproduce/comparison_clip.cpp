@@ -28,7 +28,7 @@ Result<tools::bench::SceneFigures> measure_clip(const scenes::Scene& scene,
   tools::bench::BenchSettings settings;
   settings.program = "pelt-lab";
   for (const MethodKind method : kCompared)
-    settings.engines.push_back(tools::bench::engine_of(method));
+    settings.methods.push_back(tools::bench::method_of(method));
   settings.questions = {Question::all};
   settings.caches = {Cache::hot, Cache::cold};
   settings.repetitions = conditions.is_quick ? 3 : 9;
@@ -46,7 +46,7 @@ const tools::bench::Times& times_of(const tools::bench::SceneFigures& figures, M
                                     Cache cache) {
   return std::find_if(figures.figures.begin(), figures.figures.end(),
                       [&](const tools::bench::Figures& of) {
-                        return of.engine == method.name && of.variant.cache == cache;
+                        return of.method == method.name && of.variant.cache == cache;
                       })
       ->times;
 }

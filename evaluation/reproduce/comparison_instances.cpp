@@ -16,9 +16,9 @@ namespace {
 using methods::MethodKind;
 using tools::bench::Question;
 
-constexpr std::array kByPairs = {methods::kOnDemand,   methods::kEager,      methods::kPaper,
-                                 methods::kPaperEager, methods::kHybrid,     methods::kAabbRefit,
-                                 methods::kHash,       methods::kHashOverlap};
+constexpr std::array kByPairs = {methods::kOnDemand, methods::kEager,  methods::kPaper,
+                                 lab::kPaperEager,   lab::kHybrid,     lab::kAabbRefit,
+                                 lab::kHash,         lab::kHashOverlap};
 
 /// Names of the methods that query all pairs at once.
 constexpr const char *kCrowd = "crowd", *kOneGrid = "hash_crowd";
@@ -51,11 +51,11 @@ scenes::Scene walkers(const scenes::Character& creature, std::uint32_t count) {
   return scene;
 }
 
-std::vector<tools::bench::Engine> engines() {
-  std::vector<tools::bench::Engine> all = {tools::bench::crowd_engine(1)};
+std::vector<tools::bench::BenchMethod> compared_methods() {
+  std::vector<tools::bench::BenchMethod> all = {tools::bench::crowd_method(1)};
   all[0].name = kCrowd;
-  for (const MethodKind method : kByPairs) all.push_back(tools::bench::engine_of(method));
-  all.push_back(rival_engine(kOneGrid, [] { return rivals::make_hash_crowd(); }));
+  for (const MethodKind method : kByPairs) all.push_back(tools::bench::method_of(method));
+  all.push_back(rival_method(kOneGrid, [] { return rivals::make_hash_crowd(); }));
   return all;
 }
 
@@ -72,7 +72,7 @@ Table empty_table(const scenes::Character& creature, const Conditions& condition
                    conditions)};
   table.columns.push_back({"crowd_us", title_of(methods::kOnDemand) + " as a crowd [us]"});
   for (const MethodKind method : kByPairs) table.columns.push_back(time_column(method));
-  table.columns.push_back({"hash_crowd_us", title_of(methods::kHash) + " in one grid [us]"});
+  table.columns.push_back({"hash_crowd_us", title_of(lab::kHash) + " in one grid [us]"});
   return table;
 }
 
@@ -84,10 +84,11 @@ Result<void> add_instances(const scenes::Character& creature, const Conditions& 
   std::vector<std::uint32_t> counts = {2, 8, 32, 100};
   if (conditions.is_quick) counts.pop_back();
   for (const std::uint32_t count : counts) {
-    const auto figures = measure_scene(walkers(creature, count), engines(), kPhases, conditions);
+    const auto figures =
+        measure_scene(walkers(creature, count), compared_methods(), kPhases, conditions);
     if (!figures) return figures.error();
-    const auto time = [&](std::string_view engine) {
-      return figures_of(*figures, engine, Question::all).times.mean_us;
+    const auto time = [&](std::string_view method) {
+      return figures_of(*figures, method, Question::all).times.mean_us;
     };
     std::vector<Cell> row = {static_cast<double>(count), contact_count(*figures), time(kCrowd)};
     for (const MethodKind method : kByPairs) row.push_back(time(method.name));

@@ -12,14 +12,14 @@ namespace {
 using methods::MethodKind;
 
 constexpr std::array kTreesOnDemand = {methods::kOnDemand, methods::kEager, methods::kPaper,
-                                       methods::kBdTree};
-constexpr std::array kSkinningAll = {methods::kOnDemand,   methods::kPaperEager,  methods::kHybrid,
-                                     methods::kAabbRefit,  methods::kAabbRebuild, methods::kHash,
-                                     methods::kHashOverlap};
+                                       lab::kBdTree};
+constexpr std::array kSkinningAll = {methods::kOnDemand, lab::kPaperEager,  lab::kHybrid,
+                                     lab::kAabbRefit,    lab::kAabbRebuild, lab::kHash,
+                                     lab::kHashOverlap};
 
 bool is_measured(const tools::bench::SceneFigures& figures, MethodKind method) {
   return std::any_of(figures.figures.begin(), figures.figures.end(),
-                     [&](const tools::bench::Figures& of) { return of.engine == method.name; });
+                     [&](const tools::bench::Figures& of) { return of.method == method.name; });
 }
 
 Chart chart_of(const Table& table, const char* family, const char* title,
@@ -77,9 +77,9 @@ void add_with_charts(Table table, const std::string& x, Axes axes, std::optional
   section.tables.push_back(std::move(table));
 }
 
-tools::bench::Engine rival_engine(const std::string& name, const MakeRival& make) {
+tools::bench::BenchMethod rival_method(const std::string& name, const MakeRival& make) {
   return {name, [make](std::span<const tools::scene::Collider> colliders) {
-            return tools::scene::SceneQuery(colliders, methods::adapt(make()));
+            return tools::scene::SceneQuery(colliders, lab::adapt(make()));
           }};
 }
 

@@ -15,9 +15,8 @@
 namespace pelt::reproduce {
 
 inline constexpr std::array kCompared = {
-    methods::kOnDemand, methods::kEager,      methods::kPaper,     methods::kPaperEager,
-    methods::kBdTree,   methods::kHybrid,     methods::kAabbRefit, methods::kAabbRebuild,
-    methods::kHash,     methods::kHashOverlap};
+    methods::kOnDemand, methods::kEager, methods::kPaper,   lab::kPaperEager, lab::kBdTree,
+    lab::kHybrid,       lab::kAabbRefit, lab::kAabbRebuild, lab::kHash,       lab::kHashOverlap};
 
 /// The distances, from middle to middle, that texts and notes refer to by name.
 inline constexpr double kApart = 1.2, kTouching = 0.7, kDeep = 0.3;
@@ -48,7 +47,7 @@ void add_with_charts(Table table, const std::string& x, Axes axes, std::optional
 using MakeRival = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
 
 /// A rival that is not a method of the command.
-tools::bench::Engine rival_engine(const std::string& name, const MakeRival& make);
+tools::bench::BenchMethod rival_method(const std::string& name, const MakeRival& make);
 
 /// The figure of a row and a column. Precondition: the cell has a figure.
 double figure_at(const Table& table, std::size_t row, const std::string& key);

@@ -38,7 +38,7 @@ std::string mean_over_phases(const Conditions& conditions) {
 std::vector<MethodKind> methods_for(std::uint32_t triangles) {
   std::vector<MethodKind> methods(kCompared.begin(), kCompared.end());
   if (triangles > kMaxRebuilt)
-    methods.erase(std::find(methods.begin(), methods.end(), methods::kAabbRebuild));
+    methods.erase(std::find(methods.begin(), methods.end(), lab::kAabbRebuild));
   return methods;
 }
 
@@ -90,7 +90,7 @@ Result<void> add_resolution(const Conditions& conditions, Section& section) {
       "resolution", "Two creatures whose hands touch, over their numbers of triangles",
       {{"triangles", "triangles of one"}, {"contacts", "contacts"}}, kCompared,
       how_measured("One phase of the walk, " + shown(kTouching) + " units apart; all contacts. " +
-                       title_of(methods::kAabbRebuild) + " is not measured beyond 100,000.",
+                       title_of(lab::kAabbRebuild) + " is not measured beyond 100,000.",
                    conditions));
   std::vector<std::uint32_t> sizes = {1000, 3000, 10000, 30000, 100000, 300000, 1000000};
   if (conditions.is_quick) sizes.resize(3);

@@ -32,7 +32,7 @@ constexpr std::array kCases = {Case{"light", "light, all", kTouching, Question::
                                Case{"deep", "deep, all", kDeep, Question::all},
                                Case{"deep_first", "deep, first", kDeep, Question::first}};
 
-std::string engine_name(MethodKind method, double value) {
+std::string method_name(MethodKind method, double value) {
   return std::string(method.name) + " " + shown(value);
 }
 
@@ -41,12 +41,12 @@ Result<tools::bench::SceneFigures> measure_values(const scenes::Character& creat
                                                   double distance, std::span<const Tuned> tuned,
                                                   std::span<const double> values,
                                                   const Conditions& conditions) {
-  std::vector<tools::bench::Engine> engines;
+  std::vector<tools::bench::BenchMethod> methods;
   for (const double value : values)
     for (const Tuned& one : tuned)
-      engines.push_back(
-          rival_engine(engine_name(one.method, value), [&one, value] { return one.make(value); }));
-  return measure_scene(facing_pair(creature, distance, kPhases), std::move(engines), kPhases,
+      methods.push_back(
+          rival_method(method_name(one.method, value), [&one, value] { return one.make(value); }));
+  return measure_scene(facing_pair(creature, distance, kPhases), std::move(methods), kPhases,
                        conditions);
 }
 
@@ -67,7 +67,7 @@ Result<void> fill(const scenes::Character& creature, std::span<const Tuned> tune
       for (const Case& of : kCases) {
         const auto& figures = of.distance == kDeep ? *deep : *light;
         table.rows.back().push_back(
-            figures_of(figures, engine_name(one.method, value), of.question).times.mean_us);
+            figures_of(figures, method_name(one.method, value), of.question).times.mean_us);
       }
   }
   return {};
@@ -89,9 +89,8 @@ Result<Table> cell_sizes(const scenes::Character& creature, const Conditions& co
       note_of(shown(double{rivals::HashOptions{}.cell_edges}) + " is taken", conditions)};
   const auto options = [](double v) { return rivals::HashOptions{static_cast<float>(v)}; };
   const std::array tuned = {
-      Tuned{methods::kHash, [=](double v) { return rivals::make_hash(options(v)); }},
-      Tuned{methods::kHashOverlap,
-            [=](double v) { return rivals::make_hash_overlap(options(v)); }}};
+      Tuned{lab::kHash, [=](double v) { return rivals::make_hash(options(v)); }},
+      Tuned{lab::kHashOverlap, [=](double v) { return rivals::make_hash_overlap(options(v)); }}};
   constexpr std::array kEdges = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0};
   const auto done = fill(creature, tuned, kEdges, conditions, table);
   if (!done) return done.error();
@@ -106,8 +105,8 @@ Result<Table> leaf_sizes(const scenes::Character& creature, const Conditions& co
                  note_of(shown(rivals::TreeOptions{}.leaf_triangles) + " are taken", conditions)};
   const auto options = [](double v) { return rivals::TreeOptions{static_cast<std::uint32_t>(v)}; };
   const std::array tuned = {
-      Tuned{methods::kAabbRefit, [=](double v) { return rivals::make_aabb_refit(options(v)); }},
-      Tuned{methods::kHybrid, [=](double v) { return rivals::make_hybrid(options(v)); }}};
+      Tuned{lab::kAabbRefit, [=](double v) { return rivals::make_aabb_refit(options(v)); }},
+      Tuned{lab::kHybrid, [=](double v) { return rivals::make_hybrid(options(v)); }}};
   constexpr std::array kLeaves = {1.0, 2.0, 4.0, 8.0, 16.0, 32.0};
   const auto done = fill(creature, tuned, kLeaves, conditions, table);
   if (!done) return done.error();

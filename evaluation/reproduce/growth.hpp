@@ -11,7 +11,7 @@
 namespace pelt::reproduce {
 
 /// The methods that are queried pair by pair.
-inline constexpr std::array kPairMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
+inline constexpr std::array kPairMethods = {methods::kPaper, lab::kPaperEager, methods::kEager,
                                             methods::kOnDemand};
 
 /// A method in the tables of growth.

@@ -16,9 +16,8 @@ using methods::MethodKind;
 using tools::bench::Question;
 
 constexpr std::array kResolutions = {8u, 16u, 32u, 64u, 128u, 256u};
-constexpr std::array kExact = {methods::kOnDemand,   methods::kEager,     methods::kPaper,
-                               methods::kHybrid,     methods::kAabbRefit, methods::kHash,
-                               methods::kHashOverlap};
+constexpr std::array kExact = {methods::kOnDemand, methods::kEager, methods::kPaper,  lab::kHybrid,
+                               lab::kAabbRefit,    lab::kHash,      lab::kHashOverlap};
 
 /// From hands that nearly touch to arms deep in the other body, because light contacts are the hard
 /// ones.
@@ -47,19 +46,19 @@ class Images final : public rivals::PosedMeshMethod {
 };
 
 /// The images by resolution, then the exact methods.
-std::vector<tools::bench::Engine> engines() {
-  std::vector<tools::bench::Engine> all;
+std::vector<tools::bench::BenchMethod> image_methods() {
+  std::vector<tools::bench::BenchMethod> all;
   for (const std::uint32_t resolution : kResolutions)
-    all.push_back(rival_engine("images " + std::to_string(resolution),
+    all.push_back(rival_method("images " + std::to_string(resolution),
                                [resolution] { return std::make_unique<Images>(resolution); }));
-  for (const MethodKind method : kExact) all.push_back(tools::bench::engine_of(method));
+  for (const MethodKind method : kExact) all.push_back(tools::bench::method_of(method));
   return all;
 }
 
 /// Whether the two bodies touch, frame by frame.
 Result<std::vector<bool>> ask(const tools::bench::Subject& subject,
-                              const tools::bench::Engine& engine) {
-  tools::bench::Runner runner(subject.colliders, engine);
+                              const tools::bench::BenchMethod& method) {
+  tools::bench::Runner runner(subject.colliders, method);
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   std::vector<bool> touching;
@@ -79,24 +78,24 @@ double count_only(const std::vector<bool>& first, const std::vector<bool>& secon
                             [](bool a, bool b) { return a && !b ? 1.0 : 0.0; });
 }
 
-/// Answer and time of every engine in every frame.
+/// Answer and time of every method in every frame.
 struct Answers {
-  std::vector<std::vector<bool>> touching;  // [engines][frames]
+  std::vector<std::vector<bool>> touching;  // [methods][frames]
   std::vector<std::vector<tools::bench::Times>> times;
 
   const std::vector<bool>& exact() const { return touching[kResolutions.size()]; }
-  double missed(std::size_t engine) const { return count_only(exact(), touching[engine]); }
-  double invented(std::size_t engine) const { return count_only(touching[engine], exact()); }
+  double missed(std::size_t method) const { return count_only(exact(), touching[method]); }
+  double invented(std::size_t method) const { return count_only(touching[method], exact()); }
 };
 
 Result<Answers> ask_all(const tools::bench::Subject& subject, const Conditions& conditions) {
-  const std::vector<tools::bench::Engine> all = engines();
+  const std::vector<tools::bench::BenchMethod> all = image_methods();
   constexpr std::array kFirst = {tools::bench::Variant{Question::first, tools::bench::Cache::hot}};
   auto times = tools::bench::measure(subject, all, kFirst, conditions.is_quick ? 3 : 9, [] {});
   if (!times) return times.error();
   Answers answers = {{}, std::move(*times)};
-  for (const tools::bench::Engine& engine : all) {
-    auto touching = ask(subject, engine);
+  for (const tools::bench::BenchMethod& method : all) {
+    auto touching = ask(subject, method);
     if (!touching) return touching.error();
     answers.touching.push_back(std::move(*touching));
   }
@@ -138,9 +137,9 @@ Table rival_table(const Answers& answers, const std::string& note) {
                  {},
                  note};
   for (std::size_t m = 0; m < kExact.size(); ++m) {
-    const std::size_t engine = kResolutions.size() + m;
-    table.rows.push_back({title_of(kExact[m]), answers.times[engine][0].mean_us,
-                          answers.missed(engine), answers.invented(engine)});
+    const std::size_t method = kResolutions.size() + m;
+    table.rows.push_back({title_of(kExact[m]), answers.times[method][0].mean_us,
+                          answers.missed(method), answers.invented(method)});
   }
   return table;
 }

@@ -15,7 +15,7 @@ std::string shown_name(const std::string& method) {
   constexpr std::string_view kOurs = "pelt ";
   if (!method.starts_with(kOurs)) return method;
   const auto ours =
-      methods::find_method(methods::kLabMethods, std::string_view(method).substr(kOurs.size()));
+      methods::find_method(lab::kLabMethods, std::string_view(method).substr(kOurs.size()));
   return ours ? title_of(*ours) : method;
 }
 

@@ -16,7 +16,7 @@ namespace {
 using methods::MethodKind;
 using tools::bench::Question;
 
-constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
+constexpr std::array kMethods = {methods::kPaper, lab::kPaperEager, methods::kEager,
                                  methods::kOnDemand};
 
 /// Distance of the second character in widths of the first.
@@ -64,7 +64,7 @@ Result<std::vector<Cell>> row_of(const scenes::Character& character, const Condi
                            contact_count(*figures)};
   const auto time = [&](MethodKind method) { return mean_us(*figures, method, Question::all); };
   for (const MethodKind method : kMethods) row.push_back(time(method));
-  row.push_back(time(methods::kPaperEager) / time(methods::kPaper));
+  row.push_back(time(lab::kPaperEager) / time(methods::kPaper));
   row.push_back(time(methods::kEager) / time(methods::kOnDemand));
   return row;
 }

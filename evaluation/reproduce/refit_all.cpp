@@ -91,7 +91,7 @@ std::vector<Cell> rebuild_row(const char* name, const Specimen& specimen,
   const std::uint32_t repetitions = repetitions_of(conditions);
   const std::uint32_t builds = conditions.is_quick ? 1 : 5;
   const AllSpheres all = refit_all(specimen, palette, repetitions);
-  const double rebuild = update_us(methods::kPaperRigid, specimen, palette, builds);
+  const double rebuild = update_us(lab::kPaperRigid, specimen, palette, builds);
   const double opened = all_bounds_us(specimen, palette, repetitions);
   const double build = build_us(specimen, builds);
   return {name,

@@ -18,12 +18,12 @@ using tools::bench::Question;
 using tools::bench::SceneFigures;
 
 std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
-  const Figures& first = figures_of(scene, all.engine, Question::first);
+  const Figures& first = figures_of(scene, all.method, Question::first);
   const auto frames = static_cast<double>(scene.frames);
   const auto each = [&](std::uint64_t count) { return static_cast<double>(count) / frames; };
   const QueryStats& work = all.answer.work;
-  const auto method = methods::find_method(methods::kLabMethods, all.engine);
-  return {method ? title_of(*method) : all.engine,
+  const auto method = methods::find_method(lab::kLabMethods, all.method);
+  return {method ? title_of(*method) : all.method,
           all.times.mean_us,
           all.times.mean_update_us,
           all.times.mean_us - all.times.mean_update_us,
@@ -74,7 +74,7 @@ Result<SceneFigures> measure(const scenes::Scene& scene, tools::bench::BenchSett
 const Figures& figures_of(const SceneFigures& scene, std::string_view method, Question question) {
   const auto found =
       std::find_if(scene.figures.begin(), scene.figures.end(), [&](const Figures& figures) {
-        return figures.engine == method && figures.variant.question == question;
+        return figures.method == method && figures.variant.question == question;
       });
   PELT_ASSERT(found != scene.figures.end());
   return *found;
@@ -82,24 +82,24 @@ const Figures& figures_of(const SceneFigures& scene, std::string_view method, Qu
 
 Result<SceneFigures> measure_scene(const scenes::Scene& scene, std::span<const MethodKind> methods,
                                    std::uint32_t most_frames, const Conditions& conditions) {
-  std::vector<tools::bench::Engine> engines;
-  for (const MethodKind method : methods) engines.push_back(tools::bench::engine_of(method));
-  return measure_scene(scene, std::move(engines), most_frames, conditions);
+  std::vector<tools::bench::BenchMethod> measured;
+  for (const MethodKind method : methods) measured.push_back(tools::bench::method_of(method));
+  return measure_scene(scene, std::move(measured), most_frames, conditions);
 }
 
 Result<SceneFigures> measure_scene(const scenes::Scene& scene,
-                                   std::vector<tools::bench::Engine> engines,
+                                   std::vector<tools::bench::BenchMethod> methods,
                                    std::uint32_t most_frames, const Conditions& conditions) {
   tools::bench::BenchSettings settings;
-  settings.engines = std::move(engines);
+  settings.methods = std::move(methods);
   return measure(scene, std::move(settings), most_frames, conditions);
 }
 
 Result<SceneFigures> measure_against_itself(const scenes::Scene& scene, std::uint32_t most_frames,
                                             const Conditions& conditions) {
   tools::bench::BenchSettings settings;
-  settings.engines = {tools::bench::self_engine(methods::kBoxes),
-                      tools::bench::self_engine(methods::kSelf)};
+  settings.methods = {tools::bench::self_method(methods::kBoxes),
+                      tools::bench::self_method(methods::kSelf)};
   settings.is_self = true;
   return measure(scene, std::move(settings), most_frames, conditions);
 }
@@ -109,7 +109,7 @@ double mean_us(const SceneFigures& figures, MethodKind method, Question question
 }
 
 double contact_count(const SceneFigures& figures) {
-  const Figures& all = figures_of(figures, figures.figures[0].engine, Question::all);
+  const Figures& all = figures_of(figures, figures.figures[0].method, Question::all);
   return static_cast<double>(all.answer.contacts) / static_cast<double>(figures.frames);
 }
 

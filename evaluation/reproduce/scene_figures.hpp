@@ -18,9 +18,9 @@ Result<tools::bench::SceneFigures> measure_scene(const scenes::Scene& scene,
                                                  std::uint32_t most_frames,
                                                  const Conditions& conditions);
 
-/// The same for engines that are not methods of the command.
+/// The same for methods with other questions or threads.
 Result<tools::bench::SceneFigures> measure_scene(const scenes::Scene& scene,
-                                                 std::vector<tools::bench::Engine> engines,
+                                                 std::vector<tools::bench::BenchMethod> methods,
                                                  std::uint32_t most_frames,
                                                  const Conditions& conditions);
 
@@ -30,9 +30,9 @@ Result<tools::bench::SceneFigures> measure_against_itself(const scenes::Scene& s
                                                           std::uint32_t most_frames,
                                                           const Conditions& conditions);
 
-/// The figures of one engine. Precondition: the engine was measured.
+/// The figures of one method. Precondition: the method was measured.
 const tools::bench::Figures& figures_of(const tools::bench::SceneFigures& scene,
-                                        std::string_view engine, tools::bench::Question question);
+                                        std::string_view method, tools::bench::Question question);
 
 /// Time of one method in microseconds per frame. Precondition: the method was measured.
 double mean_us(const tools::bench::SceneFigures& figures, methods::MethodKind method,

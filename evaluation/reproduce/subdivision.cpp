@@ -25,7 +25,7 @@ using tools::bench::Question;
 /// Distances of the two: bounds overlap; hands touch.
 constexpr double kApart = 0.85, kInterfering = 0.73;
 
-constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
+constexpr std::array kMethods = {methods::kPaper, lab::kPaperEager, methods::kEager,
                                  methods::kOnDemand};
 
 /// The dwarf and its subdivisions.
@@ -119,8 +119,8 @@ Result<std::vector<Cell>> subdivision_row(const std::vector<scenes::Character>& 
   const QueryStats& work = work_of(*figures, methods::kPaper);
   for (const double figure :
        {count(work.refits), joints_of_root(dwarf), count(work.node_pairs),
-        count(work_of(*figures, methods::kPaperEager).node_pairs),
-        time(methods::kPaperEager) / time(methods::kPaper), position.speed_ups[level],
+        count(work_of(*figures, lab::kPaperEager).node_pairs),
+        time(lab::kPaperEager) / time(methods::kPaper), position.speed_ups[level],
         time(methods::kEager) / time(methods::kOnDemand)})
     row.push_back(figure);
   return row;
@@ -181,7 +181,7 @@ Result<double> rigid_build_us(const scenes::Scene& scene) {
   const auto colliders =
       tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return colliders.error();
-  tools::scene::SceneQuery query(*colliders, methods::kPaperRigid.make());
+  tools::scene::SceneQuery query(*colliders, lab::kPaperRigid.make());
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   tools::scene::sample_palettes(scene, 0, scratch, palettes);
@@ -198,27 +198,27 @@ Result<double> rigid_build_us(const scenes::Scene& scene) {
 /// "On the posture from Figure 7 right we performed also a comparison with rigid body CD."
 Result<Table> rigid_table(const scenes::Character& dwarf, const Conditions& conditions) {
   const scenes::Scene scene = facing_pair(dwarf, kInterfering);
-  constexpr std::array kRigid = {methods::kPaper, methods::kPaperRigid, methods::kOnDemand,
-                                 methods::kRigid};
+  constexpr std::array kRigid = {methods::kPaper, lab::kPaperRigid, methods::kOnDemand,
+                                 lab::kRigid};
   const auto figures = measure_scene(scene, kRigid, 1, conditions);
   if (!figures) return figures.error();
   const auto build = rigid_build_us(scene);
   if (!build) return build.error();
   const auto time = [&](MethodKind method) { return mean_us(*figures, method, Question::all); };
-  const double paper_ratio = time(methods::kPaper) / time(methods::kPaperRigid);
+  const double paper_ratio = time(methods::kPaper) / time(lab::kPaperRigid);
   return Table{
       "rigid",
       "The interfering dwarves as rigid bodies, without subdivision",
       {{"what", "what"}, {"here_us", "here [us]"}, {"printed_us", "in the paper [us]"}},
       {{"paper on demand, refits included", time(methods::kPaper), 1000 * kPaperDwarvesOnDemand[0]},
-       {"paper rigid: sphere trees built over the pose", time(methods::kPaperRigid),
+       {"paper rigid: sphere trees built over the pose", time(lab::kPaperRigid),
         1000 * kPaperRigidQuery},
        {"building them", *build, 1000 * kPaperRigidBuild},
        {"the first over the second, times", paper_ratio,
         kPaperDwarvesOnDemand[0] / kPaperRigidQuery},
        {"Pelt", time(methods::kOnDemand), Cell()},
-       {"Pelt rigid", time(methods::kRigid), Cell()},
-       {"Pelt over Pelt rigid, times", time(methods::kOnDemand) / time(methods::kRigid), Cell()}},
+       {"Pelt rigid", time(lab::kRigid), Cell()},
+       {"Pelt over Pelt rigid, times", time(methods::kOnDemand) / time(lab::kRigid), Cell()}},
       ""};
 }
 

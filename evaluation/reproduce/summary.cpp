@@ -10,10 +10,10 @@ namespace {
 
 using methods::MethodKind;
 
-constexpr std::array kMethods = {methods::kOnDemand, methods::kEager,       methods::kRigid,
-                                 methods::kPaper,    methods::kPaperEager,  methods::kPaperRigid,
-                                 methods::kHybrid,   methods::kAabbRefit,   methods::kAabbRebuild,
-                                 methods::kHash,     methods::kHashOverlap, methods::kBdTree};
+constexpr std::array kMethods = {methods::kOnDemand, methods::kEager,   lab::kRigid,
+                                 methods::kPaper,    lab::kPaperEager,  lab::kPaperRigid,
+                                 lab::kHybrid,       lab::kAabbRefit,   lab::kAabbRebuild,
+                                 lab::kHash,         lab::kHashOverlap, lab::kBdTree};
 
 Table method_table() {
   Table table = {

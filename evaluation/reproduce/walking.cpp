@@ -12,11 +12,11 @@ namespace {
 using methods::MethodKind;
 using tools::bench::Question;
 
-constexpr std::array kMethods = {methods::kPaper, methods::kPaperEager, methods::kEager,
-                                 methods::kOnDemand, methods::kRigid};
+constexpr std::array kMethods = {methods::kPaper, lab::kPaperEager, methods::kEager,
+                                 methods::kOnDemand, lab::kRigid};
 
 /// The methods that refit everything first.
-constexpr std::array kEager = {methods::kPaperEager, methods::kEager};
+constexpr std::array kEager = {lab::kPaperEager, methods::kEager};
 
 /// The paper's figures for a scene.
 struct Printed {
@@ -28,11 +28,11 @@ std::vector<Comparison> comparisons(const Printed& printed) {
   for (const Question question : {Question::all, Question::first}) {
     const bool is_all = question == Question::all;
     all.push_back(
-        {methods::kPaperEager, methods::kPaper, question, is_all ? printed.all : printed.first});
-    all.push_back({methods::kPaperEager, methods::kOnDemand, question, {}});
+        {lab::kPaperEager, methods::kPaper, question, is_all ? printed.all : printed.first});
+    all.push_back({lab::kPaperEager, methods::kOnDemand, question, {}});
     all.push_back({methods::kPaper, methods::kOnDemand, question, {}});
     all.push_back({methods::kEager, methods::kOnDemand, question, {}});
-    all.push_back({methods::kOnDemand, methods::kRigid, question, {}});
+    all.push_back({methods::kOnDemand, lab::kRigid, question, {}});
   }
   return all;
 }
@@ -41,13 +41,13 @@ std::string microseconds(double us) { return shown(us) + " us"; }
 
 /// The paper's claim, compared with our figures, all of which are in the tables.
 std::string text_of_claim(const tools::bench::SceneFigures& figures, const PrintedTimes& printed) {
-  const double speed_up = mean_us(figures, methods::kPaperEager, Question::all) /
+  const double speed_up = mean_us(figures, lab::kPaperEager, Question::all) /
                           mean_us(figures, methods::kPaper, Question::all);
   return "In the paper, refitting on demand is " + shown(printed.slower_ms / printed.faster_ms) +
          " times as fast as refitting bottom-up. Here, the paper's method takes " +
          microseconds(mean_us(figures, methods::kPaper, Question::all)) + " per frame and is " +
          shown(speed_up) + " times as fast as refitting the same spheres bottom-up, which takes " +
-         microseconds(mean_us(figures, methods::kPaperEager, Question::all)) + ".";
+         microseconds(mean_us(figures, lab::kPaperEager, Question::all)) + ".";
 }
 
 /// Why the paper's speed-up is not reached: the time of both methods before and in their queries.

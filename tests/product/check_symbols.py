@@ -15,8 +15,8 @@ import shutil
 import subprocess
 import sys
 
-EVALUATION = re.compile(r"\bpelt::(rivals|peers|reproduce|programs)::")
-EVALUATION_AND_PAPER = re.compile(r"\bpelt::(rivals|peers|reproduce|programs|paper)::")
+EVALUATION = re.compile(r"\bpelt::(lab|rivals|peers|reproduce|programs|pictures)::")
+EVALUATION_AND_PAPER = re.compile(r"\bpelt::(lab|rivals|peers|reproduce|programs|pictures|paper)::")
 
 
 def symbols_of(nm, files):

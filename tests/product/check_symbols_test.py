@@ -22,7 +22,7 @@ class CheckSymbols(unittest.TestCase):
     def test_rivals_are_found_and_named(self):
         status, output = check(NM, LAB)
         self.assertEqual(status, 1, output)
-        for name in ("pelt::rivals::", "pelt::reproduce::"):
+        for name in ("pelt::lab::", "pelt::rivals::", "pelt::reproduce::"):
             self.assertIn(name, output)
 
     def test_a_program_without_names_is_refused(self):

@@ -33,7 +33,7 @@ TEST(Lab, ChecksByEveryMethodWithTheSameAnswer) {
   const TestFolder folder;
   write_limbs(folder);
   std::map<std::string, json> last_lines;
-  for (const methods::MethodKind& kind : methods::kLabMethods) {
+  for (const methods::MethodKind& kind : lab::kLabMethods) {
     const std::string method(kind.name);
     const Ended run = run_pelt(folder, {"check", "scene.json", "--method", method, "--jsonl", "-"});
     ASSERT_EQ(run.exit_code, 1) << method << run.err;
@@ -57,7 +57,7 @@ TEST(Lab, BenchesFiveMethodsUnlessTold) {
   write_limbs(folder);
   const json file = bench(folder, {"--queries", "all", "--caches", "hot", "--frames", "4:7"});
   std::vector<std::string> names;
-  for (const json& engine : file["scenes"][0]["engines"]) names.push_back(engine["engine"]);
+  for (const json& method : file["scenes"][0]["methods"]) names.push_back(method["method"]);
   EXPECT_EQ(names,
             (std::vector<std::string>{"paper", "paper_eager", "eager", "on_demand", "rigid"}));
 }
@@ -68,7 +68,7 @@ TEST(Lab, NamesItselfWhereAnAnswerDiffersFromTheFile) {
   const std::vector<std::string> options = {"--methods", "on_demand", "--queries", "all",
                                             "--caches",  "hot",       "--frames",  "4:7"};
   json file = bench(folder, options);
-  file["scenes"][0]["engines"][0]["hash"] = "0123456789abcdef";
+  file["scenes"][0]["methods"][0]["hash"] = "0123456789abcdef";
   write_text(folder / "a.json", file.dump());
   std::vector<std::string> words = {"bench", "scene.json", "--repeat", "1", "--against", "a.json"};
   words.insert(words.end(), options.begin(), options.end());
@@ -81,12 +81,12 @@ TEST(Lab, BenchesEveryMethodBesideRigid) {
   const TestFolder folder;
   write_limbs(folder);
   std::string all;
-  for (const methods::MethodKind& kind : methods::kLabMethods)
+  for (const methods::MethodKind& kind : lab::kLabMethods)
     all += (all.empty() ? "" : ",") + std::string(kind.name);
   const std::vector<std::string> options = {"--methods", all,   "--queries", "all",
                                             "--caches",  "hot", "--frames",  "4:7"};
   const json file = bench(folder, options);
-  EXPECT_EQ(file["scenes"][0]["engines"].size(), 14u);
+  EXPECT_EQ(file["scenes"][0]["methods"].size(), 14u);
   std::vector<std::string> words = {"bench", "scene.json", "--repeat", "1", "--against", "a.json"};
   words.insert(words.end(), options.begin(), options.end());
   const Ended again = run_pelt(folder, words);

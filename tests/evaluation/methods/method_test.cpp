@@ -25,7 +25,7 @@ using Contacts = std::vector<Contact>;
 using Joints = std::vector<Matrix4>;
 
 constexpr std::uint32_t kJoints = 5;
-constexpr auto& kKinds = kLabMethods;
+constexpr auto& kKinds = lab::kLabMethods;
 
 SkinnedModel model_of(const Shape& shape) {
   auto model = build_model(shape.view());
@@ -242,7 +242,7 @@ TEST_P(OnDemand, RefitsAndSkinsAtMostOnceForEachPalette) {
   EXPECT_LT(one_stale.refits, once.refits);  // the other body's spheres are still valid
 }
 
-INSTANTIATE_TEST_SUITE_P(Bound, OnDemand, testing::Values(kPaper, kPaperEq2, kBdTree),
+INSTANTIATE_TEST_SUITE_P(Bound, OnDemand, testing::Values(kPaper, lab::kPaperEq2, lab::kBdTree),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
 /// The work of setting two palettes, without adding the bodies.
@@ -265,7 +265,8 @@ TEST(Methods, RivalsPoseEveryVertexAndOnlyTheEagerOneRefits) {
   Random random(8);
   for (const Scene& scene : {separated_scene(random), crossing_scene(random)})
     for (const auto& [kind, refits_all] :
-         {EagerWork{kPaperEager, true}, EagerWork{kPaperRigid, false}, EagerWork{kBrute, false}}) {
+         {EagerWork{lab::kPaperEager, true}, EagerWork{lab::kPaperRigid, false},
+          EagerWork{kBrute, false}}) {
       const auto method = method_with(kind, scene);
       const QueryStats update = work_of_palettes(*method, scene);
       const SkinnedModel &a = scene.models[0], &b = scene.models[1];
@@ -301,7 +302,7 @@ TEST(Methods, EagerOpensAllInItsUpdate) {
 TEST(Methods, RigidBodiesDoNoWorkButQueries) {
   Random random(12);
   const Scene scene = crossing_scene(random);
-  const auto method = method_with(kRigid, scene);
+  const auto method = method_with(lab::kRigid, scene);
   Contacts contacts;
   const QueryStats query = method->collide(0, 1, contacts, {});
   EXPECT_FALSE(contacts.empty());
@@ -311,7 +312,7 @@ TEST(Methods, RigidBodiesDoNoWorkButQueries) {
 
 TEST(Methods, UpdatesCountUnlessBodiesAreRigid) {
   for (const MethodKind& kind : kKinds) {
-    const bool is_rigid = kind == kRigid || kind == kPaperRigid;
+    const bool is_rigid = kind == lab::kRigid || kind == lab::kPaperRigid;
     EXPECT_EQ(kind.make()->update_counts(), !is_rigid) << kind.name;
   }
 }
@@ -323,7 +324,7 @@ TEST(Methods, TighterSpheresTestFewerPairs) {
     const Scene scene = crossing_scene(random);
     Contacts contacts;
     optimised += method_with(kPaper, scene)->collide(0, 1, contacts, {}).node_pairs;
-    plain += method_with(kPaperEq2, scene)->collide(0, 1, contacts, {}).node_pairs;
+    plain += method_with(lab::kPaperEq2, scene)->collide(0, 1, contacts, {}).node_pairs;
   }
   std::printf("%llu sphere pairs, by eq. 2 %llu\n", static_cast<unsigned long long>(optimised),
               static_cast<unsigned long long>(plain));
@@ -346,7 +347,7 @@ TEST(Methods, RefuseABadPaletteAndKeepTheOldOne) {
 
 /// Methods that bound vertices by how joints move rest positions cannot bound displaced vertices.
 bool knows_morph_targets(const MethodKind& kind) {
-  return kind != kPaper && kind != kPaperEq2 && kind != kBdTree;
+  return kind != kPaper && kind != lab::kPaperEq2 && kind != lab::kBdTree;
 }
 
 TEST(Methods, AgreeOnMorphedBodiesOrRefuseThem) {

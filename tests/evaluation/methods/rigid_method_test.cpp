@@ -20,7 +20,7 @@ TEST(RigidMethod, AnswersForTheLastPaletteInAnyOrder) {
   std::vector<std::vector<Matrix4>> palettes;
   for (int i = 0; i < 4; ++i)
     palettes.push_back(bend_limb(random, kJoints, 0.6, random.point(0.2)));
-  const auto rigid = make_rigid(), brute = make_brute();
+  const auto rigid = lab::make_rigid(), brute = make_brute();
   for (const auto& method : {rigid.get(), brute.get()}) {
     method->add(*limb);
     method->add(*limb);

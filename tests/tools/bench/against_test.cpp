@@ -35,8 +35,8 @@ TEST(Against, ComparesWithWhatJsonWrote) {
 TEST(Against, MarksWhatIsSlowerButDoesNotFail) {
   const TestFolder folder;
   json file = write_baseline(folder);
-  for (json& engine : file["scenes"][0]["engines"])
-    if (engine["engine"] == "on_demand") engine["mean_us"] = 1e-9 * double(engine["mean_us"]);
+  for (json& method : file["scenes"][0]["methods"])
+    if (method["method"] == "on_demand") method["mean_us"] = 1e-9 * double(method["mean_us"]);
   write_text(folder / "old.json", file.dump());
   const Ended run = bench(folder, {"--against", "old.json", "--margin", "1000"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -46,7 +46,7 @@ TEST(Against, MarksWhatIsSlowerButDoesNotFail) {
 TEST(Against, ADifferentAnswerIsAFailure) {
   const TestFolder folder;
   json file = write_baseline(folder);
-  for (json& engine : file["scenes"][0]["engines"]) engine["hash"] = "0123456789abcdef";
+  for (json& method : file["scenes"][0]["methods"]) method["hash"] = "0123456789abcdef";
   write_text(folder / "old.json", file.dump());
   const Ended run = bench(folder, {"--against", "old.json", "--json", "new.json"});
   EXPECT_EQ(run.exit_code, 3);

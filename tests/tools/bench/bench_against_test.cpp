@@ -9,9 +9,9 @@
 namespace pelt::tools::bench {
 namespace {
 
-Figures figures_of(const std::string& engine, double mean_us, Variant variant = {}) {
+Figures figures_of(const std::string& method, double mean_us, Variant variant = {}) {
   Figures figures;
-  figures.engine = engine;
+  figures.method = method;
   figures.variant = variant;
   figures.answer.hash = 0xabc;
   figures.times.mean_us = mean_us;
@@ -142,17 +142,17 @@ TEST(BenchAgainst, ToleratesAFileWithoutAYardstick) {
             (Words{"-", "20.00", "-", "4.00", "4.00", "1.00", "2.00", "2.00", "1.00"}));
 }
 
-TEST(BenchAgainst, ToleratesASceneWithoutEngines) {
+TEST(BenchAgainst, ToleratesASceneWithoutMethods) {
   SceneFigures then = walkers();
   then.figures.clear();
   EXPECT_EQ(compared({then}, {walkers()}).comparison.ratios, 0u);
 }
 
-TEST(BenchAgainst, TellsADifferentAnswerAndDoesNotCompareIt) {
+TEST(BenchAgainst, ReportsADifferentAnswerAndDoesNotCompareIt) {
   SceneFigures then = walkers(), now = walkers();
   for (SceneFigures* scene : {&then, &now})
-    for (const char* engine : {"paper", "on_demand"})
-      scene->figures.push_back(figures_of(engine, 9, {Question::first, Cache::hot}));
+    for (const char* method : {"paper", "on_demand"})
+      scene->figures.push_back(figures_of(method, 9, {Question::first, Cache::hot}));
   for (Figures& figures : now.figures)
     if (figures.variant.question == Question::all) figures.answer.hash = 0xdef;
   const Compared different = compared({then}, {now});

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-SceneFigures scene_with_two_engines() {
+SceneFigures scene_with_two_methods() {
   SceneFigures scene;
   scene.scene = "walkers.json";
   scene.frames = 120;
@@ -18,11 +18,11 @@ SceneFigures scene_with_two_engines() {
   scene.time = Time::wall;
   scene.skinning = {4000, 12.5};
   Figures paper;
-  paper.engine = "paper";
+  paper.method = "paper";
   paper.answer.hash = 0xfedcba9876543210;
   paper.times.mean_us = 97.25;
   Figures crowd = paper;
-  crowd.engine = "on_demand";
+  crowd.method = "on_demand";
   crowd.asked = Asked::crowd;
   crowd.threads = 2;
   crowd.variant = {Question::first, Cache::cold};
@@ -32,7 +32,7 @@ SceneFigures scene_with_two_engines() {
 }
 
 TEST(BenchBaseline, IsWhatWasWritten) {
-  const SceneFigures scene = scene_with_two_engines();
+  const SceneFigures scene = scene_with_two_methods();
   const auto baseline = parse_baseline("old.json", figures_json({scene, scene}));
   ASSERT_TRUE(baseline) << baseline.error().message;
   EXPECT_EQ(baseline->path, "old.json");
@@ -44,7 +44,7 @@ TEST(BenchBaseline, IsWhatWasWritten) {
   EXPECT_EQ(read.time, scene.time);
   ASSERT_EQ(read.figures.size(), 2u);
   for (const std::size_t i : {0, 1}) {
-    EXPECT_EQ(read.figures[i].engine, scene.figures[i].engine);
+    EXPECT_EQ(read.figures[i].method, scene.figures[i].method);
     EXPECT_EQ(read.figures[i].asked, scene.figures[i].asked);
     EXPECT_EQ(read.figures[i].threads, scene.figures[i].threads);
     EXPECT_EQ(read.figures[i].variant.question, scene.figures[i].variant.question);
@@ -52,6 +52,27 @@ TEST(BenchBaseline, IsWhatWasWritten) {
     EXPECT_EQ(read.figures[i].answer.hash, scene.figures[i].answer.hash);
     EXPECT_EQ(read.figures[i].times.mean_us, scene.figures[i].times.mean_us);
   }
+}
+
+TEST(BenchBaseline, ReadsTheNamesOfVersion01) {
+  const std::string text = figures_json({scene_with_two_methods()});
+  json file = json::parse(text);
+  json& scene = file["scenes"][0];
+  file["machine"]["target"] = file["machine"]["instruction_set"];
+  file["machine"].erase("instruction_set");
+  for (json& figures : scene["methods"]) {
+    figures["engine"] = figures["method"];
+    figures.erase("method");
+  }
+  scene["engines"] = scene["methods"];
+  scene.erase("methods");
+  const auto then = parse_baseline("old.json", file.dump());
+  const auto now = parse_baseline("new.json", text);
+  ASSERT_TRUE(then && now) << then.error().message;
+  EXPECT_EQ(in_words(then->machine), in_words(now->machine));
+  ASSERT_EQ(then->scenes[0].figures.size(), 2u);
+  for (const std::size_t i : {0, 1})
+    EXPECT_EQ(then->scenes[0].figures[i].method, now->scenes[0].figures[i].method);
 }
 
 /// Replaces a compared value by `value`; an empty text removes it.
@@ -64,7 +85,7 @@ struct Damage {
 class DamagedBaseline : public ::testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedBaseline, IsRefusedByName) {
-  json file = json::parse(figures_json({scene_with_two_engines()}));
+  json file = json::parse(figures_json({scene_with_two_methods()}));
   const json::json_pointer place(GetParam().place);
   ASSERT_TRUE(file.contains(place));
   if (GetParam().value == "")
@@ -86,28 +107,28 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"/format", "", "format: must be pelt-bench"},
         Damage{"/version", 2, "version: must be 1"},
         Damage{"/machine", 3, "machine: must be an object"},
-        Damage{"/machine/target", "", "machine.target: is missing"},
+        Damage{"/machine/instruction_set", "", "machine.instruction_set: is missing"},
         Damage{"/scenes", "", "scenes: is missing"},
         Damage{"/scenes", 7, "scenes: must be an array"},
         Damage{"/scenes/0", 7, "scenes[0]: must be an object"},
         Damage{"/scenes/0/scene", "", "scenes[0].scene: is missing"},
         Damage{"/scenes/0/frames", -1, "scenes[0].frames: must be a whole number"},
         Damage{"/scenes/0/time", "cpu", "scenes[0].time: must be thread or wall"},
-        Damage{"/scenes/0/engines", json::object(), "scenes[0].engines: must be an array"},
-        Damage{"/scenes/0/engines/1/engine", 5, "scenes[0].engines[1].engine: must be a string"},
-        Damage{"/scenes/0/engines/1/query", "some", "engines[1].query: must be all or first"},
-        Damage{"/scenes/0/engines/1/cache", "warm", "engines[1].cache: must be hot or cold"},
-        Damage{"/scenes/0/engines/1/asked", "", "engines[1].asked: is missing"},
-        Damage{"/scenes/0/engines/1/asked", "all", "must be pairs or crowd or self or none"},
-        Damage{"/scenes/0/engines/1/threads", 1.5, "engines[1].threads: must be a whole number"},
-        Damage{"/scenes/0/engines/1/hash", "abc", "hash: must be 16 hexadecimal digits"},
-        Damage{"/scenes/0/engines/1/hash", "0123456789abcdeg", "hash: must be 16 hexadecimal"},
-        Damage{"/scenes/0/engines/1/mean_us", 0, "mean_us: must be a number above 0"},
-        Damage{"/scenes/0/engines/1/mean_us", "", "mean_us: must be a number above 0"},
-        Damage{"/scenes/0/engines/1/mean_us", "fast", "mean_us: must be a number"}));
+        Damage{"/scenes/0/methods", json::object(), "scenes[0].methods: must be an array"},
+        Damage{"/scenes/0/methods/1/method", 5, "scenes[0].methods[1].method: must be a string"},
+        Damage{"/scenes/0/methods/1/query", "some", "methods[1].query: must be all or first"},
+        Damage{"/scenes/0/methods/1/cache", "warm", "methods[1].cache: must be hot or cold"},
+        Damage{"/scenes/0/methods/1/asked", "", "methods[1].asked: is missing"},
+        Damage{"/scenes/0/methods/1/asked", "all", "must be pairs or crowd or self or none"},
+        Damage{"/scenes/0/methods/1/threads", 1.5, "methods[1].threads: must be a whole number"},
+        Damage{"/scenes/0/methods/1/hash", "abc", "hash: must be 16 hexadecimal digits"},
+        Damage{"/scenes/0/methods/1/hash", "0123456789abcdeg", "hash: must be 16 hexadecimal"},
+        Damage{"/scenes/0/methods/1/mean_us", 0, "mean_us: must be a number above 0"},
+        Damage{"/scenes/0/methods/1/mean_us", "", "mean_us: must be a number above 0"},
+        Damage{"/scenes/0/methods/1/mean_us", "fast", "mean_us: must be a number"}));
 
 TEST(BenchBaseline, IsRefusedWhereItIsCutShort) {
-  const std::string whole = figures_json({scene_with_two_engines()});
+  const std::string whole = figures_json({scene_with_two_methods()});
   for (std::size_t size = 0; size < whole.size() - 2; size += 7) {
     const auto baseline = parse_baseline("old.json", whole.substr(0, size));
     ASSERT_FALSE(baseline) << size;

@@ -10,7 +10,7 @@ namespace {
 
 using Paths = std::set<std::string>;
 
-/// Collects the paths of numbers, texts and nulls: "scenes[].engines[].mean_us".
+/// Collects the paths of numbers, texts and nulls: "scenes[].methods[].mean_us".
 void collect_paths(const json& value, const std::string& path, Paths& paths) {
   if (value.is_array()) {
     for (const json& element : value) collect_paths(element, path + "[]", paths);
@@ -55,7 +55,7 @@ std::string manual_section() {
   return std::regex_replace(page.substr(begin, end - begin), std::regex("\\\\-"), "-");
 }
 
-TEST(BenchJson, ManualTellsOfEveryFieldAndOfNoOther) {
+TEST(BenchJson, ManualDescribesEveryFieldAndNoOther) {
   const TestFolder folder;
   const std::string section = manual_section();
   const std::regex item("\\.TP\n\\.B (\\S+)\n");

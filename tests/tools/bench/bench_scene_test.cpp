@@ -39,7 +39,7 @@ class Forgetful final : public methods::Method {
   int every_, asked_ = 0;
 };
 
-Engine forgetful(int every) {
+BenchMethod forgetful(int every) {
   return {"forgetful", [every](std::span<const scene::Collider> colliders) {
             return scene::SceneQuery(colliders, std::make_unique<Forgetful>(every));
           }};
@@ -64,20 +64,20 @@ scenes::Scene walkers() {
   return scene;
 }
 
-BenchSettings settings_with(std::vector<Engine> engines) {
+BenchSettings settings_with(std::vector<BenchMethod> methods) {
   BenchSettings settings;
-  settings.engines = std::move(engines);
+  settings.methods = std::move(methods);
   settings.questions = {Question::all};
   settings.caches = {Cache::hot};
   settings.repetitions = 1;
   return settings;
 }
 
-TEST(BenchScene, RefusesAnEngineThatForgetsOneContact) {
+TEST(BenchScene, RefusesAMethodThatForgetsOneContact) {
   for (const int every : {1, 10}) {
     std::vector<SceneFigures> figures;
     std::ostringstream errors;
-    BenchSettings settings = settings_with({engine_of(methods::kOnDemand), forgetful(every)});
+    BenchSettings settings = settings_with({method_of(methods::kOnDemand), forgetful(every)});
     settings.program = "pelt-lab";
     const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
     ASSERT_TRUE(exit);
@@ -88,7 +88,7 @@ TEST(BenchScene, RefusesAnEngineThatForgetsOneContact) {
   }
 }
 
-TEST(BenchScene, RefusesAnEngineThatDeniesThatAPairTouches) {
+TEST(BenchScene, RefusesAMethodThatDeniesThatAPairTouches) {
   BenchSettings settings = settings_with({forgetful(10)});
   settings.questions = {Question::first};
   std::vector<SceneFigures> figures;
@@ -127,9 +127,10 @@ TEST(BenchScene, RunsTheFrameBeforeEachAndTheLastBeforeTheFirst) {
   scenes::Scene scene = walkers();
   scene.frame_count = 3;
   std::vector<float> places;
-  const Engine noting = {"noting", [&](std::span<const scene::Collider> colliders) {
-                           return scene::SceneQuery(colliders, std::make_unique<Noting>(places));
-                         }};
+  const BenchMethod noting = {"noting", [&](std::span<const scene::Collider> colliders) {
+                                return scene::SceneQuery(colliders,
+                                                         std::make_unique<Noting>(places));
+                              }};
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
   ASSERT_TRUE(bench_scene(scene, settings_with({noting}), figures, errors));
@@ -142,11 +143,11 @@ TEST(BenchScene, RunsTheFrameBeforeEachAndTheLastBeforeTheFirst) {
 }
 
 TEST(BenchScene, WaitsForAllThreadsOnlyWhereThereAreSeveral) {
-  BenchSettings settings = settings_with({engine_of(methods::kEager)});
+  BenchSettings settings = settings_with({method_of(methods::kEager)});
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
   ASSERT_TRUE(bench_scene(walkers(), settings, figures, errors));
-  settings.engines.push_back(crowd_engine(2));
+  settings.methods.push_back(crowd_method(2));
   ASSERT_TRUE(bench_scene(walkers(), settings, figures, errors));
   ASSERT_EQ(figures.size(), 2u) << errors.str();
   EXPECT_EQ(figures[0].time, Time::thread);
@@ -155,11 +156,10 @@ TEST(BenchScene, WaitsForAllThreadsOnlyWhereThereAreSeveral) {
   EXPECT_EQ(figures[1].figures[1].asked, Asked::crowd);
 }
 
-TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {
+TEST(BenchScene, MeasuresEveryMethodQueryAndCache) {
   BenchSettings settings = settings_with({});
-  for (const auto method :
-       {methods::kPaper, methods::kEager, methods::kOnDemand, methods::kRigid}) {
-    settings.engines.push_back(engine_of(method));
+  for (const auto method : {methods::kPaper, methods::kEager, methods::kOnDemand, lab::kRigid}) {
+    settings.methods.push_back(method_of(method));
   }
   settings.questions = {Question::all, Question::first};
   settings.caches = {Cache::hot, Cache::cold};
@@ -176,7 +176,7 @@ TEST(BenchScene, MeasuresEveryEngineQueryAndCache) {
   ASSERT_EQ(scene.figures.size(), 16u);
   for (std::size_t i = 0; i < 16; ++i) {
     const Figures& one = scene.figures[i];
-    EXPECT_EQ(one.engine, settings.engines[i % 4].name);
+    EXPECT_EQ(one.method, settings.methods[i % 4].name);
     EXPECT_EQ(one.variant.question, i < 8 ? Question::all : Question::first);
     EXPECT_EQ(one.variant.cache, i / 4 % 2 == 0 ? Cache::hot : Cache::cold);
     EXPECT_EQ(one.answer.hash, scene.figures[i < 8 ? 0 : 8].answer.hash);
@@ -220,8 +220,8 @@ scenes::Scene lone_walker() {
   return scene;
 }
 
-BenchSettings self_settings(std::vector<Engine> engines) {
-  BenchSettings settings = settings_with(std::move(engines));
+BenchSettings self_settings(std::vector<BenchMethod> methods) {
+  BenchSettings settings = settings_with(std::move(methods));
   settings.is_self = true;
   settings.frames = arguments::FrameRange{0, 40, 8};
   return settings;
@@ -229,9 +229,8 @@ BenchSettings self_settings(std::vector<Engine> engines) {
 
 TEST(BenchScene, MeasuresACharacterAgainstItself) {
   BenchSettings settings = self_settings({});
-  for (const auto method :
-       {methods::kBoxes, methods::kSelf, methods::kSelfEager, methods::kSelfBrute})
-    settings.engines.push_back(self_engine(method));
+  for (const auto method : {methods::kBoxes, methods::kSelf, lab::kSelfEager, methods::kSelfBrute})
+    settings.methods.push_back(self_method(method));
   settings.questions = {Question::all, Question::first};
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
@@ -254,14 +253,14 @@ TEST(BenchScene, MeasuresACharacterAgainstItself) {
 }
 
 TEST(BenchScene, RefusesASelfCollisionThatForgetsOneContact) {
-  const Engine forgetful = {"forgetful",
-                            [](std::span<const scene::Collider> colliders) {
-                              return scene::SceneQuery::of_each(colliders,
-                                                                std::make_unique<SelfForgetful>());
-                            },
-                            Asked::self};
+  const BenchMethod forgetful = {"forgetful",
+                                 [](std::span<const scene::Collider> colliders) {
+                                   return scene::SceneQuery::of_each(
+                                       colliders, std::make_unique<SelfForgetful>());
+                                 },
+                                 Asked::self};
   for (const Question question : {Question::all, Question::first}) {
-    BenchSettings settings = self_settings({self_engine(methods::kSelf), forgetful});
+    BenchSettings settings = self_settings({self_method(methods::kSelf), forgetful});
     settings.questions = {question};
     std::vector<SceneFigures> figures;
     std::ostringstream errors;
@@ -276,7 +275,7 @@ TEST(BenchScene, RefusesASelfCollisionThatForgetsOneContact) {
 
 /// The update of rigid bodies counts neither as their time nor as their work.
 TEST(BenchScene, UpdatesOfRigidBodiesCostNothing) {
-  const auto settings = settings_with({engine_of(methods::kEager), engine_of(methods::kRigid)});
+  const auto settings = settings_with({method_of(methods::kEager), method_of(lab::kRigid)});
   std::vector<SceneFigures> figures;
   std::ostringstream errors;
   const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);

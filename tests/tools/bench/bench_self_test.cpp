@@ -29,16 +29,16 @@ TEST(BenchSelf, MeasuresAModelAgainstItself) {
   EXPECT_EQ(scene["frames_in_contact"], 3);
   EXPECT_GT(scene["models"]["self_filter_bytes"], 0);
   EXPECT_GT(scene["models"]["self_filter_build_seconds"], 0);
-  const json& engines = scene["engines"];
-  ASSERT_EQ(engines.size(), 6u);
+  const json& methods = scene["methods"];
+  ASSERT_EQ(methods.size(), 6u);
   for (std::size_t e = 0; e < 6; ++e) {
-    EXPECT_EQ(engines[e]["asked"], e % 3 == 0 ? "none" : "self");
-    EXPECT_EQ(engines[e]["query"], e < 3 ? "all" : "first");
-    EXPECT_EQ(engines[e]["hash"], engines[e < 3 ? 0 : 3]["hash"]);
-    EXPECT_GT(engines[e]["mean_us"], 0);
-    EXPECT_EQ(engines[e]["counters"]["triangle_pairs"] > 0, e % 3 != 0);
+    EXPECT_EQ(methods[e]["asked"], e % 3 == 0 ? "none" : "self");
+    EXPECT_EQ(methods[e]["query"], e < 3 ? "all" : "first");
+    EXPECT_EQ(methods[e]["hash"], methods[e < 3 ? 0 : 3]["hash"]);
+    EXPECT_GT(methods[e]["mean_us"], 0);
+    EXPECT_EQ(methods[e]["counters"]["triangle_pairs"] > 0, e % 3 != 0);
   }
-  EXPECT_NE(engines[0]["hash"], engines[3]["hash"]);
+  EXPECT_NE(methods[0]["hash"], methods[3]["hash"]);
 }
 
 TEST(BenchSelf, HashIsThatOfCheckWithoutFilters) {
@@ -49,7 +49,7 @@ TEST(BenchSelf, HashIsThatOfCheckWithoutFilters) {
       run_pelt(folder, {"check", "strip.glb", "--clip", "bend", "--frames", "0:3", "--self-rings",
                         "0", "--self-at-rest", "keep", "--self-near-joints", "keep"});
   EXPECT_EQ(check.exit_code, 1) << check.err;
-  EXPECT_NE(check.out.find(file["scenes"][0]["engines"][0]["hash"].get<std::string>()),
+  EXPECT_NE(check.out.find(file["scenes"][0]["methods"][0]["hash"].get<std::string>()),
             std::string::npos)
       << check.out;
 }
@@ -88,9 +88,9 @@ TEST(BenchSelf, MeasuresEachInstanceOfAScene) {
   const json file = self_figures(folder, {"scene.json", "--self"});
   const json& scene = file["scenes"][0];
   EXPECT_EQ(scene["scene"], "scene.json --self");
-  ASSERT_EQ(scene["engines"].size(), 4u);
-  EXPECT_EQ(scene["engines"][1]["engine"], "self");
-  EXPECT_GT(scene["engines"][1]["counters"]["posed_vertices"], 0);
+  ASSERT_EQ(scene["methods"].size(), 4u);
+  EXPECT_EQ(scene["methods"][1]["method"], "self");
+  EXPECT_GT(scene["methods"][1]["counters"]["posed_vertices"], 0);
 }
 
 TEST(BenchSelf, ComparesWithAnEarlierRun) {
@@ -103,7 +103,7 @@ TEST(BenchSelf, ComparesWithAnEarlierRun) {
   EXPECT_NE(same.out.find("of 2 ratios worse by more than 1000 %"), std::string::npos) << same.out;
   EXPECT_EQ(same.out.find("vs paper"), std::string::npos);
   EXPECT_EQ(same.out.find("a.json has no"), std::string::npos) << same.out;
-  for (json& engine : file["scenes"][0]["engines"]) engine["hash"] = "0123456789abcdef";
+  for (json& method : file["scenes"][0]["methods"]) method["hash"] = "0123456789abcdef";
   write_text(folder / "a.json", file.dump());
   EXPECT_EQ(bench_self(folder, {"strip.glb", "--clip", "bend", "--against", "a.json"}).exit_code,
             3);

@@ -28,30 +28,30 @@ TEST(Bench, WritesFiguresOfEveryMethod) {
   EXPECT_GT(scene["frames_in_contact"], 0);
   EXPECT_GT(scene["skinning"]["ns_per_vertex"], 0);
   EXPECT_GT(scene["models"]["bytes"], scene["models"]["triangles"]);
-  ASSERT_EQ(scene["engines"].size(), 4u);
-  for (const json& engine : scene["engines"]) {
-    EXPECT_EQ(engine["query"], "all");
-    EXPECT_EQ(engine["cache"], "hot");
-    EXPECT_EQ(engine["asked"], "pairs");
-    EXPECT_EQ(engine["threads"], 1);
-    EXPECT_EQ(engine["frames"], 5);
-    EXPECT_GT(engine["mean_us"], engine["mean_update_us"]);
-    EXPECT_GT(engine["mean_contact_us"], 0);
-    EXPECT_GE(engine["p95_us"], engine["mean_update_us"]);
-    EXPECT_EQ(engine["hash"], scene["engines"][0]["hash"]);
+  ASSERT_EQ(scene["methods"].size(), 4u);
+  for (const json& method : scene["methods"]) {
+    EXPECT_EQ(method["query"], "all");
+    EXPECT_EQ(method["cache"], "hot");
+    EXPECT_EQ(method["asked"], "pairs");
+    EXPECT_EQ(method["threads"], 1);
+    EXPECT_EQ(method["frames"], 5);
+    EXPECT_GT(method["mean_us"], method["mean_update_us"]);
+    EXPECT_GT(method["mean_contact_us"], 0);
+    EXPECT_GE(method["p95_us"], method["mean_update_us"]);
+    EXPECT_EQ(method["hash"], scene["methods"][0]["hash"]);
   }
-  EXPECT_EQ(scene["engines"][2]["engine"], "eager");
+  EXPECT_EQ(scene["methods"][2]["method"], "eager");
 }
 
-TEST(Bench, TakesThreeMethodsTwoQueriesAndTwoCachesUnlessTold) {
+TEST(Bench, MeasuresThreeMethodsTwoQueriesAndTwoCachesByDefault) {
   const TestFolder folder;
   write_limbs(folder);
   const json file = figures(folder, {});
-  const json& engines = file["scenes"][0]["engines"];
-  ASSERT_EQ(engines.size(), 12u);
+  const json& methods = file["scenes"][0]["methods"];
+  ASSERT_EQ(methods.size(), 12u);
   std::set<json> different;
-  for (const json& engine : engines)
-    different.insert(json::array({engine["engine"], engine["query"], engine["cache"]}));
+  for (const json& method : methods)
+    different.insert(json::array({method["method"], method["query"], method["cache"]}));
   EXPECT_EQ(different.size(), 12u);
   for (const char* name : {"paper", "eager", "on_demand"})
     EXPECT_EQ(different.count(json::array({name, "first", "cold"})), 1u) << name;
@@ -70,23 +70,23 @@ TEST(Bench, RefusesASceneWithoutAPair) {
       << run.err;
 }
 
-TEST(Bench, AsksACrowdOnSoManyThreads) {
+TEST(Bench, QueriesACrowdOnTheGivenThreads) {
   const TestFolder folder;
   write_limbs(folder);
   const json file = figures(folder, {"--methods", "paper,on_demand", "--threads", "2,1,2,3"});
   const json& scene = file["scenes"][0];
   EXPECT_EQ(scene["time"], "wall");
-  ASSERT_EQ(scene["engines"].size(), 16u);
+  ASSERT_EQ(scene["methods"].size(), 16u);
   const std::uint32_t threads[] = {1, 2, 1, 3};
   for (std::size_t i = 0; i < 16; ++i) {
-    const json& engine = scene["engines"][i];
-    EXPECT_EQ(engine["engine"], i % 4 == 0 ? "paper" : "on_demand");
-    EXPECT_EQ(engine["asked"], i % 4 == 0 ? "pairs" : "crowd");
-    EXPECT_EQ(engine["threads"], threads[i % 4]);
-    EXPECT_EQ(engine["hash"], scene["engines"][i - i % 4]["hash"]);
-    EXPECT_GT(engine["mean_us"], 0);
+    const json& method = scene["methods"][i];
+    EXPECT_EQ(method["method"], i % 4 == 0 ? "paper" : "on_demand");
+    EXPECT_EQ(method["asked"], i % 4 == 0 ? "pairs" : "crowd");
+    EXPECT_EQ(method["threads"], threads[i % 4]);
+    EXPECT_EQ(method["hash"], scene["methods"][i - i % 4]["hash"]);
+    EXPECT_GT(method["mean_us"], 0);
     if (i % 4 > 1) {
-      EXPECT_EQ(engine["counters"], scene["engines"][i - 1]["counters"]);
+      EXPECT_EQ(method["counters"], scene["methods"][i - 1]["counters"]);
     }
   }
 }
@@ -128,20 +128,20 @@ TEST(Bench, HashIsThatOfCheck) {
   write_limbs(folder);
   const json file = figures(folder, {"--methods", "on_demand"});
   const Ended check = run_pelt(folder, {"check", "scene.json"});
-  EXPECT_NE(check.out.find(file["scenes"][0]["engines"][0]["hash"].get<std::string>()),
+  EXPECT_NE(check.out.find(file["scenes"][0]["methods"][0]["hash"].get<std::string>()),
             std::string::npos);
 }
 
-TEST(Bench, FirstAsksLess) {
+TEST(Bench, FirstNeedsLessWork) {
   const TestFolder folder;
   write_limbs(folder);
   const json file = figures(folder, {"--methods", "paper,eager", "--caches", "hot"});
-  const json& engines = file["scenes"][0]["engines"];
+  const json& methods = file["scenes"][0]["methods"];
   for (const int e : {0, 1}) {
-    const json &all = engines[e], &first = engines[e + 2];
-    EXPECT_EQ(all["engine"], first["engine"]);
+    const json &all = methods[e], &first = methods[e + 2];
+    EXPECT_EQ(all["method"], first["method"]);
     EXPECT_EQ(first["query"], "first");
-    EXPECT_EQ(first["hash"], engines[2]["hash"]);
+    EXPECT_EQ(first["hash"], methods[2]["hash"]);
     EXPECT_NE(first["hash"], all["hash"]);
     EXPECT_LT(first["counters"]["triangle_pairs"], all["counters"]["triangle_pairs"]);
   }
@@ -151,9 +151,9 @@ TEST(Bench, FramesWithoutContactHaveNoMean) {
   const TestFolder folder;
   write_limbs(folder);
   const json file = figures(folder, {"--methods", "paper", "--caches", "cold", "--frames", "0:1"});
-  const json& engine = file["scenes"][0]["engines"][0];
-  EXPECT_EQ(engine["cache"], "cold");
-  EXPECT_EQ(engine["mean_contact_us"], json());
+  const json& method = file["scenes"][0]["methods"][0];
+  EXPECT_EQ(method["cache"], "cold");
+  EXPECT_EQ(method["mean_contact_us"], json());
 }
 
 TEST(Bench, PrintsTablesForEachScene) {

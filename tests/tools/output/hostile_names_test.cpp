@@ -155,7 +155,7 @@ TEST(HostileNames, OfABenchDoNotSteerTheTerminal) {
   EXPECT_EQ(bench("--against", figures).exit_code, 0);
   EXPECT_EQ(bench("--against", "no" + figures).exit_code, 2);
   json others = json::parse(read_text(folder / figures));
-  for (json& engine : others["scenes"][0]["engines"]) engine["hash"] = "0123456789abcdef";
+  for (json& method : others["scenes"][0]["methods"]) method["hash"] = "0123456789abcdef";
   write_text(folder / figures, others.dump());
   const Ended run = bench("--against", figures);
   EXPECT_EQ(run.exit_code, 3);

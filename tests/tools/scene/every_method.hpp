@@ -43,7 +43,7 @@ inline std::uint32_t in_contact_by_every_method(const scenes::Scene& scene, std:
       tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return ADD_FAILURE() << colliders.error().message, 0;
   std::vector<FramesAnswer> answers;
-  for (const methods::MethodKind& method : methods::kLabMethods) {
+  for (const methods::MethodKind& method : lab::kLabMethods) {
     answers.push_back(ask_frames(scene, tools::scene::SceneQuery(*colliders, method), begin, end));
     EXPECT_EQ(answers.back(), answers.front()) << method.name;
   }

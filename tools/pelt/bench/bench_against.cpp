@@ -33,7 +33,7 @@ std::vector<Column> columns_of(const SceneFigures& scene) {
   std::vector<Column> columns(std::begin(kColumns), std::end(kColumns));
   std::erase_if(columns, [&](const Column& column) {
     const bool is_of_pairs = column.better == Better::higher && !scene.self_filters;
-    return !is_of_pairs && !has_engine(scene, column.yardstick);
+    return !is_of_pairs && !has_method(scene, column.yardstick);
   });
   return columns;
 }
@@ -41,7 +41,7 @@ std::vector<Column> columns_of(const SceneFigures& scene) {
 /// These rows would repeat the other rows with the opposite meaning: worse if another method has
 /// become faster.
 bool is_yardstick_only(const Figures& figures) {
-  return figures.engine == "paper" || figures.engine == "rigid" || figures.asked == Asked::none;
+  return figures.method == "paper" || figures.method == "rigid" || figures.asked == Asked::none;
 }
 
 std::string variant_name(const Variant& variant) {
@@ -49,16 +49,16 @@ std::string variant_name(const Variant& variant) {
          " caches";
 }
 
-std::string engine_name(const Figures& figures) {
-  if (figures.asked != Asked::crowd) return "method " + figures.engine;
-  return "crowd of " + figures.engine + " on " + output::counted(figures.threads, "thread");
+std::string method_name(const Figures& figures) {
+  if (figures.asked != Asked::crowd) return "method " + figures.method;
+  return "crowd of " + figures.method + " on " + output::counted(figures.threads, "thread");
 }
 
 std::set<std::string> names_in(const SceneFigures& scene) {
   std::set<std::string> names;
   for (const Figures& figures : scene.figures) {
     names.insert(variant_name(figures.variant));
-    names.insert(engine_name(figures));
+    names.insert(method_name(figures));
   }
   return names;
 }
@@ -149,13 +149,13 @@ class Comparer {
 
   void print_row(const SceneFigures& then, const SceneFigures& now, const Figures& figures) {
     const Variant& variant = figures.variant;
-    const Figures* before = find_figures(then, figures.engine, figures.threads, variant);
+    const Figures* before = find_figures(then, figures.method, figures.threads, variant);
     const Ratios old = before ? ratios_of(then, *before) : Ratios();
     const Ratios current = ratios_of(now, figures);
-    print_names(name_of(variant.question), name_of(variant.cache), figures.engine,
+    print_names(name_of(variant.question), name_of(variant.cache), figures.method,
                 std::to_string(figures.threads));
     for (const Column& column : columns_of(now)) {
-      const bool is_itself = figures.engine == column.yardstick;
+      const bool is_itself = figures.method == column.yardstick;
       print_ratio(is_itself ? std::nullopt : old.*column.ratio,
                   is_itself ? std::nullopt : current.*column.ratio, column.better);
     }

@@ -61,12 +61,12 @@ struct AnswerSoFar {
 
 }  // namespace
 
-Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
+Result<std::vector<Answer>> answer(const Subject& subject, const BenchMethod& method,
                                    std::span<const Question> questions) {
-  Runner runner(subject.colliders, engine);
+  Runner runner(subject.colliders, method);
   asset::SampleScratch scratch;
   scene::Palettes palettes;
-  std::vector<AnswerSoFar> answers(questions.size(), AnswerSoFar(engine.asked));
+  std::vector<AnswerSoFar> answers(questions.size(), AnswerSoFar(method.asked));
   for (const std::uint32_t frame : subject.frames) {
     scene::sample_palettes(subject.scene, frame, scratch, palettes);
     for (std::size_t q = 0; q < questions.size(); ++q) {

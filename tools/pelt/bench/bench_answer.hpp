@@ -1,12 +1,12 @@
 #pragma once
 
-#include "tools/pelt/bench/bench_engine.hpp"
+#include "tools/pelt/bench/bench_method.hpp"
 
 #include <vector>
 
 namespace pelt::tools::bench {
 
-/// Answers of an engine to one query, with each frame queried once.
+/// Answers of a method to one query, with each frame queried once.
 struct Answer {
   std::uint64_t hash = 0;  ///< all: of all contacts, see ContactHash; first: FNV-1a 64 over u32
                            ///< frame, a, b, whether they touch (0 or 1), of all pairs queried
@@ -15,8 +15,8 @@ struct Answer {
   std::uint64_t contacts = 0;  ///< found in all frames
 };
 
-/// The answers [questions] of an engine, for comparison with others. Times nothing.
-Result<std::vector<Answer>> answer(const Subject& subject, const Engine& engine,
+/// The answers [questions] of a method, for comparison with others. Times nothing.
+Result<std::vector<Answer>> answer(const Subject& subject, const BenchMethod& method,
                                    std::span<const Question> questions);
 
 }  // namespace pelt::tools::bench

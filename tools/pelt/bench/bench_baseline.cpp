@@ -50,9 +50,14 @@ std::uint64_t hash(const JsonObject& object) {
   return value;
 }
 
+/// The name of a member, or the name that it had in version 0.1.
+const char* known_key(const JsonObject& object, const char* key, const char* former) {
+  return !object.has(key) && object.has(former) ? former : key;
+}
+
 Figures read_figures(const JsonObject& object) {
   Figures figures;
-  figures.engine = required_text(object, "engine");
+  figures.method = required_text(object, known_key(object, "method", "engine"));
   figures.variant = {one_of(object, "query", {Question::all, Question::first}),
                      one_of(object, "cache", {Cache::hot, Cache::cold})};
   figures.asked = one_of(object, "asked", {Asked::pairs, Asked::crowd, Asked::self, Asked::none});
@@ -67,8 +72,8 @@ SceneFigures read_scene(const JsonObject& object) {
   scene.scene = required_text(object, "scene");
   scene.frames = object.count("frames");
   scene.time = one_of(object, "time", {Time::thread, Time::wall});
-  for (const JsonObject& engine : object.objects("engines"))
-    scene.figures.push_back(read_figures(engine));
+  for (const JsonObject& method : object.objects(known_key(object, "methods", "engines")))
+    scene.figures.push_back(read_figures(method));
   return scene;
 }
 
@@ -77,7 +82,7 @@ Machine read_machine(const JsonObject& object) {
   machine.cpu = required_text(object, "cpu");
   machine.compiler = required_text(object, "compiler");
   machine.build = required_text(object, "build");
-  machine.target = required_text(object, "target");
+  machine.instruction_set = required_text(object, known_key(object, "instruction_set", "target"));
   machine.cores = static_cast<unsigned>(object.count("cores"));
   return machine;
 }

@@ -15,16 +15,20 @@ using nlohmann::ordered_json;
 
 ordered_json machine_json() {
   const Machine machine = this_machine();
-  return {{"cpu", machine.cpu},           {"cores", machine.cores}, {"target", machine.target},
-          {"compiler", machine.compiler}, {"build", machine.build}, {"flags", machine.flags},
+  return {{"cpu", machine.cpu},
+          {"cores", machine.cores},
+          {"instruction_set", machine.instruction_set},
+          {"compiler", machine.compiler},
+          {"build", machine.build},
+          {"flags", machine.flags},
           {"pelt", PELT_VERSION}};
 }
 
-ordered_json engine_json(const Figures& figures) {
+ordered_json method_json(const Figures& figures) {
   const Times& times = figures.times;
   const ordered_json in_contact =
       times.frames_in_contact > 0 ? ordered_json(times.mean_contact_us) : ordered_json();
-  return {{"engine", figures.engine},
+  return {{"method", figures.method},
           {"query", name_of(figures.variant.question)},
           {"cache", name_of(figures.variant.cache)},
           {"asked", name_of(figures.asked)},
@@ -51,8 +55,8 @@ ordered_json models_json(const SceneFigures& scene) {
 }
 
 ordered_json scene_json(const SceneFigures& scene) {
-  ordered_json engines = ordered_json::array();
-  for (const Figures& figures : scene.figures) engines.push_back(engine_json(figures));
+  ordered_json methods = ordered_json::array();
+  for (const Figures& figures : scene.figures) methods.push_back(method_json(figures));
   const Skinning& skinning = scene.skinning;
   return {{"scene", scene.scene},
           {"frames", scene.frames},
@@ -64,7 +68,7 @@ ordered_json scene_json(const SceneFigures& scene) {
            {{"vertices", skinning.vertices},
             {"mean_us", skinning.mean_us},
             {"ns_per_vertex", skinning.ns_per_vertex()}}},
-          {"engines", std::move(engines)}};
+          {"methods", std::move(methods)}};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace pelt::tools::bench {
 namespace {
 
-/// Reads more memory than the caches hold, on as many threads as the engine has, because each core
+/// Reads more memory than the caches hold, on as many threads as the method has, because each core
 /// has caches of its own. Stores the sum, so that the compiler does not remove the reads.
 class CacheFlush {
  public:
@@ -81,7 +81,7 @@ Result<FrameTime> median_time(Runner& runner, const FramePair& frame, const Vari
   return FrameTime{output::median(all), output::median(update)};
 }
 
-/// The frames of one variant of one engine, one after the other.
+/// The frames of one variant of one method, one after the other.
 class Series {
  public:
   void add(const FrameTime& time, bool is_in_contact) {
@@ -108,16 +108,16 @@ bool is_passed_over(std::size_t index, std::size_t frame_count, const Variant& v
   return variant.cache == Cache::cold && index % stride != 0;
 }
 
-/// Measures all engines on all frames.
+/// Measures all methods on all frames.
 class Measurement {
  public:
-  Measurement(const Subject& subject, std::span<const Engine> engines,
+  Measurement(const Subject& subject, std::span<const BenchMethod> methods,
               std::span<const Variant> variants, std::uint32_t repetitions)
       : subject_(subject), variants_(variants) {
     conditions_.repetitions = repetitions;
-    conditions_.time = time_of(engines);
-    for (const Engine& engine : engines) runners_.emplace_back(subject.colliders, engine);
-    series_.assign(engines.size(), std::vector<Series>(variants.size()));
+    conditions_.time = time_of(methods);
+    for (const BenchMethod& method : methods) runners_.emplace_back(subject.colliders, method);
+    series_.assign(methods.size(), std::vector<Series>(variants.size()));
   }
 
   Result<void> run(const std::function<void()>& advance) {
@@ -126,8 +126,8 @@ class Measurement {
       scene::sample_palettes(subject_.scene, frame_before(frame, subject_.scene), scratch_,
                              frame_.before);
       scene::sample_palettes(subject_.scene, frame, scratch_, frame_.now);
-      for (std::size_t engine = 0; engine < runners_.size(); ++engine) {
-        if (const auto done = measure_frame(i, engine); !done) return in_frame(frame, done.error());
+      for (std::size_t method = 0; method < runners_.size(); ++method) {
+        if (const auto done = measure_frame(i, method); !done) return in_frame(frame, done.error());
         advance();
       }
     }
@@ -136,21 +136,21 @@ class Measurement {
 
   std::vector<std::vector<Times>> times() const {
     std::vector<std::vector<Times>> times;
-    for (const std::vector<Series>& engine : series_) {
+    for (const std::vector<Series>& method : series_) {
       times.emplace_back();
-      for (const Series& series : engine) times.back().push_back(series.times());
+      for (const Series& series : method) times.back().push_back(series.times());
     }
     return times;
   }
 
  private:
-  Result<void> measure_frame(std::size_t index, std::size_t engine) {
-    Runner& runner = runners_[engine];
+  Result<void> measure_frame(std::size_t index, std::size_t method) {
+    Runner& runner = runners_[method];
     for (std::size_t v = 0; v < variants_.size(); ++v) {
       if (is_passed_over(index, subject_.frames.size(), variants_[v])) continue;
       const Result<FrameTime> time = median_time(runner, frame_, variants_[v], conditions_);
       if (!time) return time.error();
-      series_[engine][v].add(*time, !runner.found().contacts.empty());
+      series_[method][v].add(*time, !runner.found().contacts.empty());
     }
     return {};
   }
@@ -167,11 +167,11 @@ class Measurement {
 }  // namespace
 
 Result<std::vector<std::vector<Times>>> measure(const Subject& subject,
-                                                std::span<const Engine> engines,
+                                                std::span<const BenchMethod> methods,
                                                 std::span<const Variant> variants,
                                                 std::uint32_t repetitions,
                                                 const std::function<void()>& advance) {
-  Measurement measurement(subject, engines, variants, repetitions);
+  Measurement measurement(subject, methods, variants, repetitions);
   if (const auto done = measurement.run(advance); !done) return done.error();
   return measurement.times();
 }

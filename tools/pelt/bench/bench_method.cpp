@@ -1,4 +1,4 @@
-#include "tools/pelt/bench/bench_engine.hpp"
+#include "tools/pelt/bench/bench_method.hpp"
 
 #include "asset/message.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
@@ -8,29 +8,29 @@
 
 namespace pelt::tools::bench {
 
-Engine engine_of(methods::MethodKind method) {
+BenchMethod method_of(methods::MethodKind method) {
   return {std::string(method.name), [method](std::span<const scene::Collider> colliders) {
             return scene::SceneQuery(colliders, method.make());
           }};
 }
 
-Engine self_engine(methods::MethodKind method) {
+BenchMethod self_method(methods::MethodKind method) {
   const auto make = [method](std::span<const scene::Collider> colliders) {
     return scene::SceneQuery::of_each(colliders, method.make());
   };
   return {std::string(method.name), make, method == methods::kBoxes ? Asked::none : Asked::self};
 }
 
-Engine crowd_engine(std::uint32_t threads) {
+BenchMethod crowd_method(std::uint32_t threads) {
   const auto make = [threads](std::span<const scene::Collider> colliders) {
     return scene::SceneQuery::as_crowd(colliders, threads);
   };
   return {std::string(methods::kOnDemand.name), make, Asked::crowd, threads};
 }
 
-Time time_of(std::span<const Engine> engines) {
-  const bool as_crowd = std::any_of(engines.begin(), engines.end(), [](const Engine& engine) {
-    return engine.asked == Asked::crowd;
+Time time_of(std::span<const BenchMethod> methods) {
+  const bool as_crowd = std::any_of(methods.begin(), methods.end(), [](const BenchMethod& method) {
+    return method.asked == Asked::crowd;
   });
   return as_crowd ? Time::wall : Time::thread;
 }

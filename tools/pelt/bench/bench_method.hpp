@@ -1,9 +1,9 @@
 #pragma once
 
-/// The engines of `pelt bench` and their queries. An engine is a method that is queried pair by
-/// pair, or instance by instance against itself, on one thread, or on_demand queried as a crowd on
+/// The methods of `pelt bench` and their queries. A method is queried pair by pair, or instance by
+/// instance against itself, on one thread. The method on_demand can also be queried as a crowd on
 /// any number of threads, which share palettes and pairs. Times of several threads are wall times,
-/// and so are then the times of all engines of the run.
+/// and so are then the times of all methods of the run.
 
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
@@ -25,36 +25,37 @@ enum class Asked {
   none,   ///< nothing, see methods::kBoxes
 };
 
-struct Engine {
+/// A method, and how it is queried.
+struct BenchMethod {
   std::string name;
   std::function<scene::SceneQuery(std::span<const scene::Collider>)> make;
   Asked asked = Asked::pairs;
   std::uint32_t threads = 1;
 };
 
-Engine engine_of(methods::MethodKind method);
+BenchMethod method_of(methods::MethodKind method);
 
 /// A method of self_methods.hpp.
-Engine self_engine(methods::MethodKind method);
+BenchMethod self_method(methods::MethodKind method);
 
 /// The method on_demand as a crowd.
-Engine crowd_engine(std::uint32_t threads);
+BenchMethod crowd_method(std::uint32_t threads);
 
-/// Kind of time of engines that are measured together.
-Time time_of(std::span<const Engine> engines);
+/// Kind of time of methods that are measured together.
+Time time_of(std::span<const BenchMethod> methods);
 
-/// What to run. Borrows its members.
+/// A scene whose frames are queried. Borrows its members.
 struct Subject {
   const scenes::Scene& scene;
   std::span<const scene::Collider> colliders;
   std::span<const std::uint32_t> frames;
 };
 
-/// An engine with the colliders of a scene.
+/// A method with the colliders of a scene.
 class Runner {
  public:
-  Runner(std::span<const scene::Collider> colliders, const Engine& engine)
-      : query_(engine.make(colliders)), threads_(engine.threads) {}
+  Runner(std::span<const scene::Collider> colliders, const BenchMethod& method)
+      : query_(method.make(colliders)), threads_(method.threads) {}
 
   std::uint32_t threads() const { return threads_; }
 

@@ -10,22 +10,22 @@ bool is_same(const Variant& a, const Variant& b) {
   return a.question == b.question && a.cache == b.cache;
 }
 
-const Figures* find_figures(const SceneFigures& scene, const std::string& engine,
+const Figures* find_figures(const SceneFigures& scene, const std::string& method,
                             std::uint32_t threads, const Variant& variant) {
   for (const Figures& figures : scene.figures)
-    if (figures.engine == engine && figures.threads == threads && is_same(figures.variant, variant))
+    if (figures.method == method && figures.threads == threads && is_same(figures.variant, variant))
       return &figures;
   return nullptr;
 }
 
-bool has_engine(const SceneFigures& scene, const std::string& engine) {
+bool has_method(const SceneFigures& scene, const std::string& method) {
   return std::any_of(scene.figures.begin(), scene.figures.end(),
-                     [&](const Figures& figures) { return figures.engine == engine; });
+                     [&](const Figures& figures) { return figures.method == method; });
 }
 
-const double* mean_of(const SceneFigures& scene, const std::string& engine,
+const double* mean_of(const SceneFigures& scene, const std::string& method,
                       const Variant& variant) {
-  const Figures* found = find_figures(scene, engine, 1, variant);
+  const Figures* found = find_figures(scene, method, 1, variant);
   return found ? &found->times.mean_us : nullptr;
 }
 

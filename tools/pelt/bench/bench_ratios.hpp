@@ -1,6 +1,6 @@
 #pragma once
 
-/// Ratios, which can be compared between machines: of an engine to the paper's method, to eager, to
+/// Ratios, which can be compared between machines: of a method to the paper's method, to eager, to
 /// rigid and to boxes.
 
 #include "tools/pelt/bench/bench_report.hpp"
@@ -17,15 +17,15 @@ struct Ratios {
 
 bool is_same(const Variant& a, const Variant& b);
 
-/// The figures of an engine in a variant, or null.
-const Figures* find_figures(const SceneFigures& scene, const std::string& engine,
+/// The figures of a method in a variant, or null.
+const Figures* find_figures(const SceneFigures& scene, const std::string& method,
                             std::uint32_t threads, const Variant& variant);
 
-/// Whether `engine` was measured in any variant.
-bool has_engine(const SceneFigures& scene, const std::string& engine);
+/// Whether `method` was measured in any variant.
+bool has_method(const SceneFigures& scene, const std::string& method);
 
-/// The mean time of an engine on one thread in a variant, or null.
-const double* mean_of(const SceneFigures& scene, const std::string& engine, const Variant& variant);
+/// The mean time of a method on one thread in a variant, or null.
+const double* mean_of(const SceneFigures& scene, const std::string& method, const Variant& variant);
 
 /// Nullopt if either is null.
 std::optional<double> ratio(const double* dividend, const double* divisor);

@@ -29,8 +29,8 @@ void print_cells(const std::string& name, const std::vector<std::string>& cells,
 }
 
 /// The cell of a column that is shown only if another method was measured.
-std::string if_measured(const SceneFigures& scene, const char* engine, const std::string& cell) {
-  return has_engine(scene, engine) ? cell : "";
+std::string if_measured(const SceneFigures& scene, const char* method, const std::string& cell) {
+  return has_method(scene, method) ? cell : "";
 }
 
 /// The cell of a column that is empty for self-collision.
@@ -49,7 +49,7 @@ std::string of_first(const SceneFigures& scene, const Figures& figures, const st
 
 /// The speed-up of a query over that for all contacts.
 std::optional<double> speed_up_over_all(const SceneFigures& scene, const Figures& figures) {
-  return ratio(mean_of(scene, figures.engine, {Question::all, figures.variant.cache}),
+  return ratio(mean_of(scene, figures.method, {Question::all, figures.variant.cache}),
                &figures.times.mean_us);
 }
 
@@ -80,10 +80,10 @@ void print_skinning(const SceneFigures& scene, std::ostream& out) {
   out << "all " << output::with_commas(skinning.vertices)
       << " vertices skinned: " << output::fixed(skinning.mean_us, 1) << " us per frame, "
       << output::fixed(skinning.ns_per_vertex(), 2) << " ns per vertex";
-  for (const char* engine : {"paper", "eager"}) {
-    const double* mean = mean_of(scene, engine, scene.figures[0].variant);
+  for (const char* method : {"paper", "eager"}) {
+    const double* mean = mean_of(scene, method, scene.figures[0].variant);
     if (mean)
-      out << "; " << engine << " " << output::fixed(*mean / skinning.mean_us, 2) << " times that";
+      out << "; " << method << " " << output::fixed(*mean / skinning.mean_us, 2) << " times that";
   }
   out << "\n\n";
 }
@@ -108,9 +108,9 @@ void print_row(const SceneFigures& scene, const Figures& figures, std::ostream& 
   const Times& times = figures.times;
   const Ratios ratios = ratios_of(scene, figures);
   const double* one_thread =
-      figures.asked == Asked::crowd ? mean_of(scene, figures.engine, figures.variant) : nullptr;
+      figures.asked == Asked::crowd ? mean_of(scene, figures.method, figures.variant) : nullptr;
   print_cells(
-      figures.engine,
+      figures.method,
       {std::to_string(figures.threads), output::fixed(times.mean_us, 1),
        times.frames_in_contact > 0 ? output::fixed(times.mean_contact_us, 1) : "-",
        output::fixed(times.p95_us, 1), output::fixed(times.mean_update_us, 1),
@@ -138,7 +138,7 @@ void print_tables(const SceneFigures& scene, std::ostream& out) {
 
 void print_work(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
   const QueryStats& work = figures.answer.work;
-  print_name(figures.engine, out);
+  print_name(figures.method, out);
   out << std::setw(8) << name_of(figures.variant.question);
   for (const std::uint64_t count :
        {work.node_pairs, work.refits, work.posed_vertices, work.triangle_pairs}) {
@@ -148,7 +148,7 @@ void print_work(const SceneFigures& scene, const Figures& figures, std::ostream&
   out << '\n';
 }
 
-/// Work does not depend on caches and threads, so each engine is shown once per query.
+/// Work does not depend on caches and threads, so each method is shown once per query.
 void print_all_work(const SceneFigures& scene, std::ostream& out) {
   print_name("work per frame", out);
   out << std::setw(8) << "query";
@@ -157,7 +157,7 @@ void print_all_work(const SceneFigures& scene, std::ostream& out) {
   out << '\n';
   std::set<std::pair<Question, std::string>> shown;
   for (const Figures& figures : scene.figures)
-    if (shown.emplace(figures.variant.question, figures.engine).second)
+    if (shown.emplace(figures.variant.question, figures.method).second)
       print_work(scene, figures, out);
   out << '\n';
 }

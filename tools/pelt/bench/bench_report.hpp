@@ -14,9 +14,9 @@
 
 namespace pelt::tools::bench {
 
-/// Figures of one variant of one engine.
+/// Figures of one variant of one method.
 struct Figures {
-  std::string engine;
+  std::string method;
   Asked asked = Asked::pairs;
   std::uint32_t threads = 1;
   Variant variant;

@@ -13,9 +13,9 @@
 namespace pelt::tools::bench {
 namespace {
 
-/// The reference for all answers; shares no tree with the fast engines.
-Engine reference_of(const BenchSettings& settings) {
-  return settings.is_self ? self_engine(methods::kSelfBrute) : engine_of(methods::kPaper);
+/// The reference for all answers; shares no tree with the fast methods.
+BenchMethod reference_of(const BenchSettings& settings) {
+  return settings.is_self ? self_method(methods::kSelfBrute) : method_of(methods::kPaper);
 }
 
 Result<std::vector<std::uint32_t>> choose_frames(
@@ -51,12 +51,12 @@ Result<Prepared> prepare(const scenes::Scene& scene, const arguments::ModelArgum
 
 using Answers = std::vector<Answer>;  // [questions]
 
-/// Whether an engine gives the answers of the reference. Prints a message if not.
-bool agrees(const std::string& where, const std::string& engine, const Answers& answers,
+/// Whether a method gives the answers of the reference. Prints a message if not.
+bool agrees(const std::string& where, const std::string& method, const Answers& answers,
             const std::string& reference_name, const Answers& reference, std::ostream& errors) {
   for (std::size_t q = 0; q < answers.size(); ++q) {
     if (answers[q].hash == reference[q].hash) continue;
-    errors << where << ": " << engine << " gives the hash " << output::hex16(answers[q].hash)
+    errors << where << ": " << method << " gives the hash " << output::hex16(answers[q].hash)
            << ", " << reference_name << " gives " << output::hex16(reference[q].hash)
            << ": please report this with the scene\n";
     return false;
@@ -64,31 +64,31 @@ bool agrees(const std::string& where, const std::string& engine, const Answers& 
   return true;
 }
 
-/// The answers of the reference, with the work of an engine that answers nothing: all figures of a
+/// The answers of the reference, with the work of a method that answers nothing: all figures of a
 /// query have the same hash.
 Answers with_work_of(const Answers& answers, Answers reference) {
   for (std::size_t q = 0; q < answers.size(); ++q) reference[q].work = answers[q].work;
   return reference;
 }
 
-/// Returns the answers [engines], or an empty list if engines disagree.
+/// Returns the answers [methods], or an empty list if methods disagree.
 Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings& settings,
                                      std::ostream& errors) {
-  const Engine reference = reference_of(settings);
+  const BenchMethod reference = reference_of(settings);
   const std::string where =
       settings.program + ": internal error: " + asset::printable(subject.scene.name);
   const Result<Answers> expected = answer(subject, reference, settings.questions);
   if (!expected) return expected.error();
   std::vector<Answers> all;
-  for (const Engine& engine : settings.engines) {
+  for (const BenchMethod& method : settings.methods) {
     const Result<Answers> answers =
-        engine.name == reference.name ? expected : answer(subject, engine, settings.questions);
+        method.name == reference.name ? expected : answer(subject, method, settings.questions);
     if (!answers) return answers.error();
-    if (engine.asked == Asked::none) {
+    if (method.asked == Asked::none) {
       all.push_back(with_work_of(*answers, *expected));
       continue;
     }
-    if (!agrees(where, engine.name, *answers, reference.name, *expected, errors)) {
+    if (!agrees(where, method.name, *answers, reference.name, *expected, errors)) {
       return std::vector<Answers>();
     }
     all.push_back(*answers);
@@ -106,16 +106,16 @@ std::vector<Variant> variants_of(const BenchSettings& settings) {
 Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSettings& settings,
                                          const std::vector<Answers>& answers) {
   const std::vector<Variant> variants = variants_of(settings);
-  output::Progress progress(subject.frames.size() * settings.engines.size());
-  const auto times = measure(subject, settings.engines, variants, settings.repetitions,
+  output::Progress progress(subject.frames.size() * settings.methods.size());
+  const auto times = measure(subject, settings.methods, variants, settings.repetitions,
                              [&] { progress.advance(); });
   if (!times) return times.error();
   std::vector<Figures> figures;
   for (std::size_t v = 0; v < variants.size(); ++v) {
     const std::size_t question = v / settings.caches.size();
-    for (std::size_t e = 0; e < settings.engines.size(); ++e) {
-      const Engine& engine = settings.engines[e];
-      figures.push_back({engine.name, engine.asked, engine.threads, variants[v],
+    for (std::size_t e = 0; e < settings.methods.size(); ++e) {
+      const BenchMethod& method = settings.methods[e];
+      figures.push_back({method.name, method.asked, method.threads, variants[v],
                          answers[e][question], (*times)[e][v]});
     }
   }
@@ -155,7 +155,7 @@ Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchS
   for (const scene::Collider& collider : prepared->colliders)
     triangles += collider.model.triangle_count();
   figures.push_back({scene.name, triangles, frames->size(), settings.repetitions,
-                     time_of(settings.engines), prepared->models, self_filters, *skinning,
+                     time_of(settings.methods), prepared->models, self_filters, *skinning,
                      *measured});
   return arguments::ExitCode::success;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Runs `pelt bench` on scenes: builds models, compares the answers of all engines, and measures
+/// Runs `pelt bench` on scenes: builds models, compares the answers of all methods, and measures
 /// them.
 
 #include "tools/pelt/arguments/exit_code.hpp"
@@ -14,8 +14,8 @@ namespace pelt::tools::bench {
 
 struct BenchSettings {
   std::string program = "pelt";  ///< for messages
-  std::vector<Engine> engines;
-  bool is_self = false;  ///< each instance against itself, with engines of `self_engine`
+  std::vector<BenchMethod> methods;
+  bool is_self = false;  ///< each instance against itself, with methods of `self_method`
   std::vector<Question> questions;
   std::vector<Cache> caches;
   std::uint32_t repetitions = kEnoughRepetitions;
@@ -23,7 +23,7 @@ struct BenchSettings {
   arguments::ModelArguments models;
 };
 
-/// Appends the scene's figures. If an engine's answers differ from
+/// Appends the scene's figures. If a method's answers differ from
 /// those of the reference (the method paper, or brute force for self-collision), prints its name to
 /// `errors`, measures nothing, and returns ExitCode::internal.
 Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,

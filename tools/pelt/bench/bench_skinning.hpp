@@ -1,11 +1,11 @@
 #pragma once
 
-#include "tools/pelt/bench/bench_engine.hpp"
+#include "tools/pelt/bench/bench_method.hpp"
 
 namespace pelt::tools::bench {
 
 /// The time to pose all vertices of all instances with the wide code, as a unit for comparing
-/// engines.
+/// methods.
 struct Skinning {
   std::uint64_t vertices = 0;  ///< of all instances
   double mean_us = 0;          ///< per frame

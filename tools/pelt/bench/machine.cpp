@@ -62,7 +62,8 @@ Machine this_machine() {
 }
 
 std::string in_words(const Machine& machine) {
-  return machine.cpu + ", " + machine.target + ", " + machine.compiler + ", " + machine.build;
+  return machine.cpu + ", " + machine.instruction_set + ", " + machine.compiler + ", " +
+         machine.build;
 }
 
 }  // namespace pelt::tools::bench

@@ -75,14 +75,14 @@ output lists what is missing from FILE. A slower method is not a failure. An ans
 FILE is a failure, with exit code 3.
 
 --json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
-  machine    cpu, cores, target (instruction set), compiler, build, flags, pelt (version)
+  machine    cpu, cores, instruction_set, compiler, build, flags, pelt (version)
   scenes     scene (file), frames, frames_in_contact, repetitions, time (thread or wall)
     models   triangles, bytes, build_seconds: totals, counting each model once; with --self also
              self_filter_bytes, self_filter_build_seconds
     skinning vertices (of all instances), mean_us, ns_per_vertex
-    engines  engine (method), query, cache, asked (pairs, crowd, self or none), threads, frames
+    methods    method, query, cache, asked (pairs, crowd, self or none), threads, frames
              (timed frames), mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
-    counters of an engine over all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
+    counters of a method over all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
 Names that end in _us are microseconds per frame. pelt(1) describes each field, with an example.)";
 
 /// A larger number is probably a typing error.
@@ -140,34 +140,34 @@ Result<std::vector<std::uint32_t>> parse_threads(const std::string& text) {
   return counts;
 }
 
-Result<std::vector<bench::Engine>> choose_engines(const Arguments& arguments) {
-  const auto methods = parse_methods(arguments);
-  if (!methods) return methods.error();
+Result<std::vector<bench::BenchMethod>> choose_methods(const Arguments& arguments) {
+  const auto kinds = parse_methods(arguments);
+  if (!kinds) return kinds.error();
   const auto threads = parse_threads(arguments.threads);
   if (!threads) return threads.error();
-  std::vector<bench::Engine> engines;
-  for (const methods::MethodKind& method : *methods) {
+  std::vector<bench::BenchMethod> methods;
+  for (const methods::MethodKind& method : *kinds) {
     if (arguments.is_self)
-      engines.push_back(bench::self_engine(method));
+      methods.push_back(bench::self_method(method));
     else if (method != methods::kOnDemand || threads->empty())
-      engines.push_back(bench::engine_of(method));
+      methods.push_back(bench::method_of(method));
     else
-      for (const std::uint32_t count : *threads) engines.push_back(bench::crowd_engine(count));
+      for (const std::uint32_t count : *threads) methods.push_back(bench::crowd_method(count));
   }
-  if (!threads->empty() && bench::time_of(engines) == bench::Time::thread) {
+  if (!threads->empty() && bench::time_of(methods) == bench::Time::thread) {
     return output::bad_argument(
         "--threads", "only the method on_demand for pairs of instances supports several threads",
         "add on_demand to --methods, or leave out --threads");
   }
-  return engines;
+  return methods;
 }
 
 Result<bench::BenchSettings> choose(const Arguments& arguments) {
   bench::BenchSettings settings;
   settings.is_self = arguments.is_self;
-  const auto engines = choose_engines(arguments);
-  if (!engines) return engines.error();
-  settings.engines = *engines;
+  const auto methods = choose_methods(arguments);
+  if (!methods) return methods.error();
+  settings.methods = *methods;
   const auto questions = parse_list("--queries", arguments.queries, kQuestions);
   if (!questions) return questions.error();
   settings.questions = *questions;
