@@ -67,7 +67,7 @@ struct RayHit {
   /// Weights of the triangle's three vertices. The hit point is the sum of weight x vertex. Weights
   /// are not negative, and accurate to 2^-23. If the ray hits an edge, the weight of the opposite
   /// vertex is 0.
-  std::array<float, 3> weights = {};
+  std::array<float, 3> barycentrics = {};
 
   /// Unit normal of the triangle, on the side of its front.
   Vec3 normal;
@@ -120,9 +120,9 @@ struct JointShare {
 };
 
 /// Appends the joints that move a hit point, with their shares: the influences of the triangle's
-/// vertices, blended with the weights of the hit. The largest share comes first; of equal shares,
-/// the lowest joint. Shares are positive and sum to 1 up to rounding. The returned work is zero,
-/// because nothing is posed.
+/// vertices, blended with the barycentrics of the hit. The largest share comes first; of equal
+/// shares, the lowest joint. Shares are positive and sum to 1 up to rounding. The returned work is
+/// zero, because nothing is posed.
 ///
 /// Precondition: `hit` is a hit on a pose of this model. A hit that cannot be on this model aborts
 /// the program, in every build.

@@ -154,7 +154,7 @@ class FieldCast {
 
   void complete() {
     const TriangleCorners corners = field_.triangle(hit_.triangle);
-    hit_.weights = crossing_weights(line_, corners, crossing_);
+    hit_.barycentrics = crossing_weights(line_, corners, crossing_);
     hit_.normal = unit_normal(corners);
   }
 

@@ -48,7 +48,7 @@ QueryStats influences_at(const SkinnedModel& model, const RayHit& hit,
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t vertex = vertices[k];
     for (std::uint32_t i = tree.influence_begin[vertex]; i < tree.influence_begin[vertex + 1]; ++i)
-      if (const float share = hit.weights[k] * tree.weights[i]; share > 0)
+      if (const float share = hit.barycentrics[k] * tree.weights[i]; share > 0)
         add_share(tree.joints[i], share, begin, shares);
   }
   std::sort(shares.begin() + static_cast<std::ptrdiff_t>(begin), shares.end(),

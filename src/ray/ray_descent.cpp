@@ -28,7 +28,7 @@ RayHit complete(const Tree& tree, const RayLine& line, const Found& found) {
   hit.triangle = tree.triangle_ids[found.place];
   hit.location = Access::location<1>({found.place});
   hit.t = found.crossing.t;
-  hit.weights = crossing_weights(line, found.corners, found.crossing);
+  hit.barycentrics = crossing_weights(line, found.corners, found.crossing);
   hit.normal = unit_normal(found.corners);
   return hit;
 }

@@ -177,7 +177,7 @@ void add_points(Random& random, Pose& pose, Scratch& scratch, Answers& answers) 
     answers.add("closest", closest.point.position);
     RayHit hit;
     answers.add("cast", cast(pose, segment(point, random.point(2)), hit));
-    answers.add("cast", hit.triangle, hit.t, hit.weights[0]);
+    answers.add("cast", hit.triangle, hit.t, hit.barycentrics[0]);
     answers.found(static_cast<bool>(hit));
     if (!surface.is_closed()) continue;
     PointSide side = PointSide::outside;

@@ -289,7 +289,7 @@ TEST(Cast, BlendsTheJointsOfAHit) {
       for (std::size_t j = 0; j < 4; ++j) sum += double{mesh.weights[4 * vertex + j]};
       for (std::size_t j = 0; j < 4; ++j)
         expected[mesh.joints[4 * vertex + j]] +=
-            double{hit.weights[k]} * double{mesh.weights[4 * vertex + j]} / sum;
+            double{hit.barycentrics[k]} * double{mesh.weights[4 * vertex + j]} / sum;
     }
     for (const JointShare& share : shares) {
       EXPECT_NEAR(double{share.share}, expected[share.joint], 1e-5);

@@ -35,7 +35,7 @@ Character make_walker(float seconds) {
 }
 
 bool is_on_edge(const RayHit& hit) {
-  return hit.weights[0] == 0 || hit.weights[1] == 0 || hit.weights[2] == 0;
+  return hit.barycentrics[0] == 0 || hit.barycentrics[1] == 0 || hit.barycentrics[2] == 0;
 }
 
 /// Negative if the ray enters.

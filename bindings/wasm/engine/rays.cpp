@@ -13,7 +13,7 @@ constexpr std::size_t kHitNumbers = 8;
 
 /// `first` is the number of the pose's first triangle in the character.
 void push(const RayHit& hit, std::uint32_t first, std::vector<double>& rows) {
-  const auto& [u, v, w] = hit.weights;
+  const auto& [u, v, w] = hit.barycentrics;
   const auto& [x, y, z] = hit.normal;
   rows.insert(rows.end(), {static_cast<double>(first + hit.triangle), hit.t, u, v, w, x, y, z});
 }

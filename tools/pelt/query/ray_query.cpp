@@ -61,7 +61,7 @@ ordered_json hit_json(const HitNames& names, std::uint32_t instance, const Ray& 
           {"t", hit.t},
           {"point", scene::vector_json(point_of(ray, hit.t))},
           {"normal", scene::vector_json(hit.normal)},
-          {"weights", hit.weights},
+          {"weights", hit.barycentrics},
           {"joints", std::move(joints)}};
 }
 
