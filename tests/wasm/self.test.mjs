@@ -168,8 +168,48 @@ test('a part has its own filter, with the triangle numbers of the character', ()
   assert.equal(pelt.selfCollide(top, without).leftOut.atRest, found.count);
   const whole = cairn.makeSelfFilter();
   assert.throws(() => pelt.selfCollide(top, whole), /another character or part/);
-  assert.throws(() => cairn.makeSelfFilter({ atRest: Uint32Array.of(0, 1) }, 1),
-                new RegExp(`^PeltError: atRest\\[0\\]: expected a whole number from ${first} to`));
+  const ofOther = cairn.makeSelfFilter({ atRest: Uint32Array.of(0, 1) }, 1);
+  assert.equal(pelt.selfCollide(top, ofOther).count, found.count, 'pairs of other parts do not matter');
+  assert.throws(() => cairn.makeSelfFilter({ atRest: Uint32Array.of(cairn.triangleCount, 1) }, 1),
+                /^PeltError: atRest\[0\]: expected a whole number from 0 to/);
+  cairn.delete();
+});
+
+/** A crowd of both stones of a cairn, which have collapsed to one point. */
+function crowdOfStones(cairn, parts) {
+  const flat = new Float32Array(16 * cairn.jointCount);
+  for (let j = 0; j < cairn.jointCount; ++j) flat[16 * j + 15] = 1;
+  const crowd = pelt.makeCrowd();
+  for (const part of parts) crowd.setPalette(crowd.add(cairn, part), flat);
+  return crowd;
+}
+
+test('contacts of two parts pass the filter of their character', () => {
+  const cairn = pelt.readCharacter(rocks(['base', 'top']), { name: 'cairn' });
+  for (const parts of [[0, 1], [1, 0]]) {
+    const crowd = crowdOfStones(cairn, parts);
+    const all = rowsOf(crowd.collide().contacts, 4);
+    assert.ok(all.length > 1);
+    const [, ...others] = all;
+    const [first] = all;
+    const atRest = Uint32Array.from(first.slice(2).sort((a, b) => a - b));
+    crowd.filterParts([0, 1], cairn.makeSelfFilter({ atRest }));
+    const found = crowd.collide();
+    assert.deepEqual(rowsOf(found.contacts, 4), others);
+    assert.deepEqual(found.leftOut, { ...kNothing, atRest: 1 });
+    assert.deepEqual(rowsOf(crowd.collide({ firstContact: true }).contacts, 4), others.slice(0, 1));
+    crowd.delete();
+  }
+  const crowd = crowdOfStones(cairn, [0, 1, null]);
+  const whole = cairn.makeSelfFilter();
+  assert.throws(() => crowd.filterParts([0, 2], whole), /instances\[1\]: expected a part/);
+  assert.throws(() => crowd.filterParts([0], cairn.makeSelfFilter({}, 0)), /another character or part/);
+  assert.throws(() => crowd.filterParts([0], creature.makeSelfFilter()), /another character or part/);
+  assert.throws(() => crowd.filterParts(0, whole), /instances: expected an array/);
+  crowd.filterParts([0, 1], whole);
+  whole.delete();
+  assert.equal(rowsOf(crowd.collide().contacts, 4).filter(([a, b]) => a === 0 && b === 1).length > 1, true);
+  crowd.delete();
   cairn.delete();
 });
 

@@ -135,6 +135,24 @@ test('they are those of --by part and of --first, too', async (t) => {
   const scene = { ...STAGE, self: true, ...OPEN };
   await page.getByLabel('parts').check();
   await agrees(t, scene, ['--by', 'part']);
+  const field = (name) => page.locator('.self-filters').getByLabel(name, { exact: true });
+  await field('at rest').selectOption('drop');
+  const closed = { ...scene, self_at_rest: 'drop' };
+  const ofParts = await droppedAs(await agrees(t, closed, ['--by', 'part']));
+  assert.ok(ofParts.at_rest > 0, 'parts that touch at rest');
+  await field('near joints').selectOption('drop');
+  const usual = { ...closed, self_near_joints: 'drop' };
+  await droppedAs(await agrees(t, usual, ['--by', 'part']));
+  await page.keyboard.press('f');
+  const first = check(t, withoutFolder(usual), { 'cairn.gltf': STONES }, [
+    '--by',
+    'part',
+    '--first',
+  ]);
+  await page.waitForSelector(`[data-fact=total]:text-is("${first.totals.contacts}")`);
+  await page.keyboard.press('f');
+  await field('near joints').selectOption('keep');
+  await field('at rest').selectOption('keep');
   await choose('only');
   await agrees(t, { ...scene, self: 'only' }, ['--by', 'part']);
   assert.equal(await page.locator('.pairs-list').count(), 0);

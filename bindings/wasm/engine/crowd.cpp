@@ -20,13 +20,15 @@ namespace {
 struct Member {
   std::uint32_t character = 0;  ///< index into the crowd's characters
   std::uint32_t first_triangle = 0;
-  std::optional<SelfFilter> self_filter;  ///< whether and how it is tested against itself
+  std::optional<SelfFilter> self_filter;     ///< whether and how it is tested against itself
+  std::optional<std::uint32_t> part_filter;  ///< index into the crowd's part filters
 };
 
 struct CrowdHandle {
   Crowd crowd;
   std::vector<Member> members;
   std::vector<std::shared_ptr<Character>> characters;  ///< each once
+  std::vector<SelfFilter> part_filters;                ///< of whole characters
   std::vector<scenes::NamePair> ignore;
   std::optional<scenes::IgnoredPairs> ignored;  ///< of these characters; created on first use
   std::vector<float> input;                     ///< where JavaScript writes a palette or weights
@@ -59,6 +61,42 @@ void number_triangles(CrowdHandle& handle) {
   }
 }
 
+/// Removes the contacts of two parts that the filter of their character leaves out.
+LeftOut filter_parts(CrowdHandle& handle) {
+  LeftOut left_out;
+  std::vector<CrowdContact> kept;
+  std::vector<Contact> contacts;
+  const auto& found = handle.found;
+  for (std::size_t begin = 0, end = 0; begin < found.size(); begin = end) {
+    const auto [a, b] = std::pair(found[begin].instance_a, found[begin].instance_b);
+    while (end < found.size() && found[end].instance_a == a && found[end].instance_b == b) ++end;
+    contacts.clear();
+    for (std::size_t i = begin; i < end; ++i)
+      contacts.push_back({found[i].triangle_a, found[i].triangle_b});
+    const Member &first = handle.members[a], &second = handle.members[b];
+    if (a != b && first.part_filter && first.part_filter == second.part_filter) {
+      left_out += leave_out(handle.part_filters[*first.part_filter], scratch(), contacts);
+      if (first.first_triangle > second.first_triangle)
+        for (Contact& contact : contacts) std::swap(contact.triangle_a, contact.triangle_b);
+    }
+    for (const auto& [triangle_a, triangle_b] : contacts)
+      kept.push_back({a, b, triangle_a, triangle_b});
+  }
+  handle.found = std::move(kept);
+  return left_out;
+}
+
+/// Keeps the first `most` contacts of each pair of instances.
+void limit_contacts(std::vector<CrowdContact>& contacts, std::uint32_t most) {
+  std::uint32_t a = 0, b = 0, count = 0;
+  std::erase_if(contacts, [&](const CrowdContact& contact) {
+    if (contact.instance_a != a || contact.instance_b != b) count = 0;
+    a = contact.instance_a;
+    b = contact.instance_b;
+    return count++ >= most;
+  });
+}
+
 /// Removes ignored contacts, and returns their number.
 std::size_t take_ignored_out(CrowdHandle& handle) {
   if (handle.ignored->is_empty()) return 0;
@@ -88,7 +126,8 @@ PELT_EXPORT std::uint32_t pelt_add_to_crowd(CrowdHandle* handle, const Character
   const Result<Body*> body = character->character->body(part);
   if (!body) return refuse(body.error());
   answer().instance = handle->crowd.add((*body)->model);
-  handle->members.push_back({handle->number_of(character->character), (*body)->first_triangle, {}});
+  handle->members.push_back(
+      {handle->number_of(character->character), (*body)->first_triangle, {}, {}});
   return 1;
 }
 
@@ -97,6 +136,19 @@ PELT_EXPORT void pelt_set_crowd_self_filter(CrowdHandle* handle, std::uint32_t i
                                             const FilterHandle* filter) {
   handle->members[instance].self_filter =
       filter != nullptr ? std::optional(filter->filter) : std::nullopt;
+}
+
+/// Adds a filter of a whole character, for contacts of its parts, and answers with its number.
+PELT_EXPORT std::uint32_t pelt_add_crowd_part_filter(CrowdHandle* handle,
+                                                     const FilterHandle* filter) {
+  handle->part_filters.push_back(filter->filter);
+  return static_cast<std::uint32_t>(handle->part_filters.size() - 1);
+}
+
+/// Precondition: the instance is a part of the filter's character.
+PELT_EXPORT void pelt_set_crowd_part_filter(CrowdHandle* handle, std::uint32_t instance,
+                                            std::uint32_t filter) {
+  handle->members[instance].part_filter = filter;
 }
 
 /// `pairs` is the JSON of an array of pairs of names.
@@ -129,15 +181,21 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t 
   if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
   handle->found.clear();
   CrowdOptions options;
-  options.max_contacts = most;
+  const bool has_parts = !handle->part_filters.empty();  // their filters may drop any contacts
+  if (!has_parts) options.max_contacts = most;
   options.self_filter = [handle](std::uint32_t instance) {
     const std::optional<SelfFilter>& own = handle->members[instance].self_filter;
     return own ? &*own : nullptr;
   };
   const CrowdStats stats = handle->crowd.collide(handle->found, options);
   answer_stats(stats);
-  answer_left_out(stats.left_out);
   number_triangles(*handle);
+  LeftOut left_out = stats.left_out;
+  if (has_parts) {
+    left_out += filter_parts(*handle);
+    limit_contacts(handle->found, most);
+  }
+  answer_left_out(left_out);
   answer().ignored = static_cast<double>(take_ignored_out(*handle));
   answer_data<CrowdContact>(handle->found);
   return 1;

@@ -37,13 +37,15 @@ std::span<T> elements(std::vector<std::uint32_t>& numbers) {
   return {reinterpret_cast<T*>(numbers.data() + 1), numbers[0] / sizeof(T)};
 }
 
-std::span<const Contact> pairs_in_model(std::vector<std::uint32_t>& numbers, const Body& body) {
-  const std::span<Contact> pairs = elements<Contact>(numbers);
-  for (Contact& pair : pairs) {
-    pair.triangle_a -= body.first_triangle;
-    pair.triangle_b -= body.first_triangle;
-  }
-  return pairs;
+/// Returns the pairs of two triangles of the body, numbered as in its model.
+std::vector<Contact> pairs_in_model(std::span<const Contact> pairs, const Body& body) {
+  const std::uint32_t begin = body.first_triangle;
+  const std::uint32_t end = begin + body.model.triangle_count();
+  const auto is_own = [&](std::uint32_t t) { return t >= begin && t < end; };
+  std::vector<Contact> own;
+  for (const auto& [a, b] : pairs)
+    if (is_own(a) && is_own(b)) own.push_back({a - begin, b - begin});
+  return own;
 }
 
 Result<SelfFilter> make_filter(const Character& character, const Body& body, std::uint32_t rings,
@@ -59,8 +61,10 @@ Result<SelfFilter> make_filter(const Character& character, const Body& body, std
   SelfFilterOptions options;
   options.rings = rings;
   options.takes_part = elements<std::uint8_t>(input[kTakesPart]);
-  options.at_rest = pairs_in_model(input[kAtRest], body);
-  options.always = pairs_in_model(input[kAlways], body);
+  const std::vector<Contact> at_rest = pairs_in_model(elements<Contact>(input[kAtRest]), body);
+  const std::vector<Contact> always = pairs_in_model(elements<Contact>(input[kAlways]), body);
+  options.at_rest = at_rest;
+  options.always = always;
   options.joint_bodies = near.bodies;
   options.joint_pairs = near.pairs;
   options.groups = elements<std::uint16_t>(input[kGroups]);

@@ -3,7 +3,7 @@ import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
 import { partNumber } from './lookup.mjs';
 import { mostContacts } from './queries.mjs';
-import { filterOf, readLeftOut } from './self.mjs';
+import { filterOf, readLeftOut, SelfFilter } from './self.mjs';
 import { readStats } from './stats.mjs';
 
 export class Crowd {
@@ -44,6 +44,21 @@ export class Crowd {
     const { character, part } = this.#member(instance);
     const given = filter === null ? 0 : filterOf(this.#memory, filter, character, part);
     this.#memory.module._pelt_set_crowd_self_filter(this.#handle, instance, given);
+  }
+
+  filterParts(instances, filter) {
+    if (!Array.isArray(instances)) throw invalid('instances: expected an array');
+    this.#memory.handles.given(filter, SelfFilter, 'filter');
+    instances.forEach((instance, i) => {
+      const { character, part } = this.#member(instance);
+      filterOf(this.#memory, filter, character, null);
+      if (part === null) throw invalid(`instances[${i}]: expected a part, found a whole character`);
+    });
+    const { module, handles } = this.#memory;
+    const number = module._pelt_add_crowd_part_filter(this.#handle, handles.of(filter));
+    for (const instance of instances) {
+      module._pelt_set_crowd_part_filter(this.#handle, instance, number);
+    }
   }
 
   ignore(pairs) {

@@ -27,21 +27,20 @@ const kFilterRules = {
   ...Object.fromEntries(kArrays.map(([name, type, width]) => [name, rowsOf(type, width)])),
 };
 
-function checkRange(numbers, name, first, count) {
-  numbers?.forEach((number, i) => check.count(number, `${name}[${i}]`, first, first + count - 1));
+function checkRange(numbers, name, count) {
+  numbers?.forEach((number, i) => check.count(number, `${name}[${i}]`, 0, count - 1));
 }
 
 /** Checks what depends on the character. */
 function checkFilter(options, character, part) {
-  const whole = { firstTriangle: 0, triangleCount: character.triangleCount };
-  const { firstTriangle, triangleCount } = part === null ? whole : character.parts[part];
+  const { triangleCount } = part === null ? character : character.parts[part];
   for (const name of ['takesPart', 'groups']) {
     if (options[name] !== undefined) check.numbers(options[name], triangleCount, name);
   }
   for (const name of ['atRest', 'always']) {
-    checkRange(options[name], name, firstTriangle, triangleCount);
+    checkRange(options[name], name, character.triangleCount);
   }
-  checkRange(options.jointPairs, 'jointPairs', 0, character.jointCount);
+  checkRange(options.jointPairs, 'jointPairs', character.jointCount);
   if (options.groupPairs?.length > 0 && options.groups === undefined) {
     throw invalid('groupPairs: needs the option groups');
   }

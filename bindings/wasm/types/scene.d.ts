@@ -77,6 +77,12 @@ export interface Crowd {
    */
   setSelfFilter(instance: number, filter: SelfFilter | null): void;
   /**
+   * Filters the contacts between these instances, which are parts of one character in one pose. The filter
+   * must have been made for the whole character, and may be deleted afterwards. Limits count the contacts
+   * that remain.
+   */
+  filterParts(instances: readonly number[], filter: SelfFilter): void;
+  /**
    * Replaces the list of ignored pairs. `collide` then leaves out all contacts that match a pair. The
    * list also applies to instances that are added later. A name that matches nothing has no effect here,
    * but `readScene` rejects such a name. While the list is not empty, `collide` rejects the options

@@ -12,7 +12,10 @@ export interface SelfFilterOptions {
   rings?: number;
   /** [T] Leaves out pairs of which one triangle has the value 0, such as hidden triangles. */
   takesPart?: Uint8Array;
-  /** [N][2] Leaves out these pairs: those that `selfCollide` finds in a reference pose. */
+  /**
+   * [N][2] Leaves out these pairs: those that `selfCollide` finds in a reference pose. In a filter of a
+   * part, pairs with triangles of other parts matter only for `nearJoints`.
+   */
   atRest?: Uint32Array;
   /** [N][2] Leaves out these pairs: those that intersect in nearly all poses. */
   always?: Uint32Array;

@@ -4,20 +4,21 @@
  */
 
 import type { Character, Pelt, Scene as EngineScene } from 'pelt';
+import { partsOf } from './bodies';
+import { OwnContacts } from './own_contacts';
 import type { By, SelfQuestion } from './protocol';
-import { SceneCrowd } from './scene_crowd';
-import { pairKey, type SelfFilters } from './self_filters';
+import { pairKey, pairsOf, type SelfFilters } from './self_filters';
 
-/** The poses of a character or part so far, and how many of them have each pair. */
+/** The poses of a character so far, and how many of them have each pair. */
 interface Tally {
-  character: Character;
   poses: number;
   counts: Map<number, number>;
 }
 
 export class AlwaysSearch {
-  private readonly crowd: SceneCrowd;
-  private readonly tallies = new Map<string, Tally>();
+  /** Of each instance. */
+  private readonly queries: OwnContacts[];
+  private readonly tallies = new Map<Character, Tally>();
 
   constructor(
     pelt: Pelt,
@@ -26,49 +27,42 @@ export class AlwaysSearch {
     private readonly by: By,
     private readonly self: SelfQuestion,
   ) {
-    const others = { ...self, isOnly: true, always: null };
-    this.crowd = new SceneCrowd(pelt, scene, by, { question: others, filters }, []);
+    const question = { ...self, always: null };
+    this.queries = scene.instances.map(({ character: number }) => {
+      const character = scene.characters[number];
+      return new OwnContacts(pelt, character, partsOf(character, by), filters, question);
+    });
   }
 
   addFrame(frame: number): void {
-    this.crowd.set(this.scene, frame);
-    const { ofBodies } = this.crowd.collide(false);
-    const tallies = this.crowd.bodies.map((_, body) => this.tallyOf(body));
-    for (const tally of tallies) ++tally.poses;
-    for (let i = 0; i < ofBodies.length; i += 4) {
-      const { character, counts } = tallies[ofBodies[i]];
-      const key = pairKey(character, ofBodies[i + 2], ofBodies[i + 3]);
-      counts.set(key, (counts.get(key) ?? 0) + 1);
-    }
+    this.queries.forEach((query, i) => {
+      const { character } = query;
+      const tally = this.tallies.get(character) ?? { poses: 0, counts: new Map() };
+      this.tallies.set(character, tally);
+      ++tally.poses;
+      query.find(this.scene.palette(i, frame), this.scene.morphWeights(i, frame), (a, b) => {
+        const key = pairKey(character, a, b);
+        tally.counts.set(key, (tally.counts.get(key) ?? 0) + 1);
+      });
+    });
   }
 
-  /** Makes the filters. */
+  /** Hands the pairs to the filters. */
   end(): void {
-    const share = this.self.always!;
     const pairs = new Map(
-      [...this.tallies].map(([model, tally]) => [model, pairsIn(tally, share)] as const),
+      [...this.tallies].map(([character, tally]) => {
+        return [character, pairsOf(character, oftenIn(tally, this.self.always!))] as const;
+      }),
     );
-    this.filters.knowAlways(this.scene, this.by, this.self, this.crowd.bodies, pairs);
+    this.filters.knowAlways(this.scene, this.by, this.self, pairs);
   }
 
   delete(): void {
-    this.crowd.delete();
-  }
-
-  private tallyOf(body: number): Tally {
-    const { instance, part } = this.crowd.bodies[body];
-    const character = this.crowd.characters[instance];
-    const model = this.filters.modelOf(character, part);
-    const tally = this.tallies.get(model) ?? { character, poses: 0, counts: new Map() };
-    this.tallies.set(model, tally);
-    return tally;
+    for (const query of this.queries) query.delete();
   }
 }
 
 /** A quotient is rounded like the share: 55 of 100 poses are a share of 0.55. */
-function pairsIn({ character: { triangleCount }, poses, counts }: Tally, share: number) {
-  const often = [...counts].filter(([, count]) => count / poses >= share);
-  return Uint32Array.from(
-    often.flatMap(([key]) => [Math.floor(key / triangleCount), key % triangleCount]),
-  );
+function oftenIn({ poses, counts }: Tally, share: number): number[] {
+  return [...counts].filter(([, count]) => count / poses >= share).map(([key]) => key);
 }

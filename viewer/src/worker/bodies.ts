@@ -1,6 +1,6 @@
 /** Bodies of a scene: its instances, or all their parts. */
 
-import type { Scene as EngineScene } from 'pelt';
+import type { Character, Scene as EngineScene } from 'pelt';
 import type { By } from './protocol';
 
 export interface Body {
@@ -11,10 +11,13 @@ export interface Body {
 
 /** Same order as in the command, without parts that have no triangles. */
 export function bodiesOf({ instances, characters }: EngineScene, by: By): Body[] {
-  if (by === 'instance') return instances.map((_, instance) => ({ instance, part: null }));
   return instances.flatMap(({ character }, instance) =>
-    characters[character].parts.flatMap(({ triangleCount }, part) =>
-      triangleCount > 0 ? [{ instance, part }] : [],
-    ),
+    partsOf(characters[character], by).map((part) => ({ instance, part })),
   );
+}
+
+/** The parts of one instance; null for all of it. */
+export function partsOf({ parts }: Character, by: By): Body['part'][] {
+  if (by === 'instance') return [null];
+  return parts.flatMap(({ triangleCount }, part) => (triangleCount > 0 ? [part] : []));
 }

@@ -5,6 +5,7 @@
 
 import type { Character, Crowd, CrowdContacts, NamePair, Pelt, Scene as EngineScene } from 'pelt';
 import { bodiesOf, type Body } from './bodies';
+import { setFilters } from './own_contacts';
 import type { By, SelfQuestion } from './protocol';
 import type { SelfFilters } from './self_filters';
 
@@ -38,8 +39,8 @@ export class SceneCrowd {
     scene: EngineScene,
     private readonly by: By,
     { question, filters }: SelfTest,
-    ignore: NamePair[] = scene.ignore,
   ) {
+    const { ignore } = scene;
     this.characters = scene.instances.map(({ character }) => scene.characters[character]);
     this.palettes = this.characters.map(({ jointCount }) => new Float32Array(16 * jointCount));
     this.morphWeights = this.characters.map((c) => new Float32Array(c.morphTargetNames.length));
@@ -50,7 +51,7 @@ export class SceneCrowd {
     this.ignored = JSON.stringify(ignore);
     this.selfKey = filters.keyOf(scene, by, question);
     this.isReady = filters.areReady(scene, by, question);
-    if (question && this.isReady) this.setFilters(question, filters);
+    if (question && this.isReady) this.filter(question, filters);
   }
 
   /** Whether it can be reused for that scene: the same characters, wherever they are placed. */
@@ -91,11 +92,18 @@ export class SceneCrowd {
     return crowd;
   }
 
-  private setFilters(question: SelfQuestion, filters: SelfFilters): void {
-    this.bodies.forEach(({ instance, part }, body) => {
-      const [crowd, member] = this.placeOf(body);
-      const filter = filters.filterOf(this.characters[instance], part, question);
-      crowd.setSelfFilter(member, filter);
+  private filter(question: SelfQuestion, filters: SelfFilters): void {
+    if (question.isOnly) {
+      this.bodies.forEach(({ instance, part }, body) => {
+        const own = [{ number: 0, part }];
+        setFilters(this.crowds[body], this.characters[instance], own, filters, question);
+      });
+      return;
+    }
+    const numbered = this.bodies.map((body, number) => ({ ...body, number }));
+    this.characters.forEach((character, instance) => {
+      const own = numbered.filter((body) => body.instance === instance);
+      setFilters(this.crowds[0], character, own, filters, question);
     });
   }
 

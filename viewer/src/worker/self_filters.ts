@@ -1,25 +1,28 @@
-/** Filters of the contacts of bodies with themselves. Each is made once, as the command makes it. */
+/** Filters of the contacts of characters with themselves. Each is made once, as the command makes it. */
 
 import type { Character, Pelt, Scene as EngineScene, SelfFilter } from 'pelt';
-import type { Body } from './bodies';
+import { partsOf, type Body } from './bodies';
+import { OwnContacts } from './own_contacts';
 import type { By, SelfQuestion } from './protocol';
 
-/** Pairs of triangles, [N][2], by models. */
-type PairsOfModels = ReadonlyMap<string, Uint32Array>;
+/** Pairs of triangles, [N][2]. */
+type Pairs = Uint32Array;
 
 export class SelfFilters {
   private readonly numbers = new Map<Character, number>();
   private readonly made = new Map<string, SelfFilter>();
-  private readonly atRest = new Map<string, Uint32Array>();
+  private readonly atRest = new Map<string, Pairs>();
   /** The latest pairs that touch in nearly all frames, and the question that they answer. */
-  private always: { key: string; filters: ReadonlyMap<string, SelfFilter> } | null = null;
+  private always: { key: string; pairs: ReadonlyMap<Character, Pairs> } | null = null;
+  private readonly madeOfAlways = new Map<string, SelfFilter>();
 
   constructor(private readonly pelt: Pelt) {}
 
   /** Equal keys mean equal filters. */
   keyOf(scene: EngineScene, by: By, self: SelfQuestion | null): string {
     if (self?.always == null) return JSON.stringify(self);
-    return `${alwaysKey(scene, by, self)}${this.areReady(scene, by, self) ? '' : ' not ready'}`;
+    const key = JSON.stringify([alwaysKey(scene, by, self), self.isOnly]);
+    return `${key}${this.areReady(scene, by, self) ? '' : ' not ready'}`;
   }
 
   /** Returns false while the contacts of all frames have to be found before. */
@@ -27,23 +30,21 @@ export class SelfFilters {
     return self?.always == null || this.always?.key === alwaysKey(scene, by, self);
   }
 
-  /** Precondition: `areReady`. */
-  filterOf(character: Character, part: Body['part'], self: SelfQuestion): SelfFilter {
-    const model = this.modelOf(character, part);
-    if (self.always !== null) return this.always!.filters.get(model)!;
-    const key = `${model} ${rulesKey(self)} ${self.dropsAtRest}`;
-    const known = this.made.get(key);
-    if (known) return known;
-    const filter = this.make(character, part, self);
-    this.made.set(key, filter);
+  /**
+   * Returns the filter of a character or part. With `by` part, the filter of a whole character serves
+   * contacts of its parts. Precondition: `areReady`.
+   */
+  filterOf(
+    character: Character,
+    part: Body['part'],
+    self: SelfQuestion,
+    by: By = part === null ? 'instance' : 'part',
+  ): SelfFilter {
+    const made = self.always === null ? this.made : this.madeOfAlways;
+    const key = `${this.rulesKey(character, by, self)} ${self.dropsAtRest} ${part}`;
+    const filter = made.get(key) ?? this.make(character, part, by, self);
+    made.set(key, filter);
     return filter;
-  }
-
-  /** A name for the character or its part. */
-  modelOf(character: Character, part: Body['part']): string {
-    const number = this.numbers.get(character) ?? this.numbers.size;
-    this.numbers.set(character, number);
-    return `${number} ${part}`;
   }
 
   /** Accepts the pairs that touch in nearly all frames. */
@@ -51,19 +52,10 @@ export class SelfFilters {
     scene: EngineScene,
     by: By,
     self: SelfQuestion,
-    bodies: readonly Body[],
-    pairs: PairsOfModels,
+    pairs: ReadonlyMap<Character, Pairs>,
   ): void {
-    const filters = new Map<string, SelfFilter>();
-    for (const { instance, part } of bodies) {
-      const character = scene.characters[scene.instances[instance].character];
-      const model = this.modelOf(character, part);
-      if (!filters.has(model)) {
-        filters.set(model, this.make(character, part, self, pairs.get(model)));
-      }
-    }
     this.forgetAlways();
-    this.always = { key: alwaysKey(scene, by, self), filters };
+    this.always = { key: alwaysKey(scene, by, self), pairs };
   }
 
   clear(): void {
@@ -75,46 +67,41 @@ export class SelfFilters {
   }
 
   private forgetAlways(): void {
-    for (const filter of this.always?.filters.values() ?? []) filter.delete();
+    for (const filter of this.madeOfAlways.values()) filter.delete();
+    this.madeOfAlways.clear();
     this.always = null;
   }
 
-  private make(
-    character: Character,
-    part: Body['part'],
-    self: SelfQuestion,
-    always: Uint32Array = new Uint32Array(),
-  ): SelfFilter {
+  private make(character: Character, part: Body['part'], by: By, self: SelfQuestion): SelfFilter {
     const { rings, dropsNearJoints: nearJoints } = self;
-    const atRest = self.dropsAtRest ? this.pairsAtRest(character, part, self) : new Uint32Array();
+    const atRest = self.dropsAtRest ? this.pairsAtRest(character, by, self) : new Uint32Array();
+    const always = (self.always !== null && this.always?.pairs.get(character)) || new Uint32Array();
     return character.makeSelfFilter({ rings, nearJoints, atRest, always }, part);
   }
 
-  private pairsAtRest(character: Character, part: Body['part'], self: SelfQuestion): Uint32Array {
-    const key = `${this.modelOf(character, part)} ${rulesKey(self)}`;
-    const pairs = this.atRest.get(key) ?? this.findAtRest(character, part, self);
+  private pairsAtRest(character: Character, by: By, self: SelfQuestion): Pairs {
+    const key = this.rulesKey(character, by, self);
+    const pairs = this.atRest.get(key) ?? this.findAtRest(character, by, self);
     this.atRest.set(key, pairs);
     return pairs;
   }
 
   /** In the rest pose of the file, and in the default pose of its nodes. */
-  private findAtRest(character: Character, part: Body['part'], self: SelfQuestion): Uint32Array {
-    const filter = this.make(character, part, { ...self, dropsAtRest: false });
-    const pose = character.makePose(part);
-    const found = new Map<number, [number, number]>();
-    const collect = () => {
-      const { pairs } = this.pelt.selfCollide(pose, filter);
-      for (let i = 0; i < pairs.length; i += 2) {
-        found.set(pairKey(character, pairs[i], pairs[i + 1]), [pairs[i], pairs[i + 1]]);
-      }
-    };
-    collect();
-    pose.setMorphWeights(character.morphWeights(null, 0));
-    pose.setPalette(character.palette(null, 0));
-    collect();
-    pose.delete();
-    filter.delete();
-    return Uint32Array.from([...found.values()].flat());
+  private findAtRest(character: Character, by: By, self: SelfQuestion): Pairs {
+    const question = { ...self, dropsAtRest: false, always: null };
+    const own = new OwnContacts(this.pelt, character, partsOf(character, by), this, question);
+    const found = new Set<number>();
+    const add = (a: number, b: number) => found.add(pairKey(character, a, b));
+    own.find(identities(character), new Float32Array(character.morphTargetNames.length), add);
+    own.find(character.palette(null, 0), character.morphWeights(null, 0), add);
+    own.delete();
+    return pairsOf(character, found);
+  }
+
+  private rulesKey(character: Character, by: By, { rings, dropsNearJoints }: SelfQuestion): string {
+    const number = this.numbers.get(character) ?? this.numbers.size;
+    this.numbers.set(character, number);
+    return `${number} ${by} ${rings} ${dropsNearJoints}`;
   }
 }
 
@@ -123,8 +110,14 @@ export function pairKey({ triangleCount }: Character, a: number, b: number): num
   return a * triangleCount + b;
 }
 
-function rulesKey({ rings, dropsNearJoints }: SelfQuestion): string {
-  return `${rings} ${dropsNearJoints}`;
+export function pairsOf({ triangleCount }: Character, keys: Iterable<number>): Pairs {
+  const pairs = [...keys].map((key) => [Math.floor(key / triangleCount), key % triangleCount]);
+  return Uint32Array.from(pairs.flat());
+}
+
+/** The palette of the rest pose. */
+function identities({ jointCount }: Character): Float32Array {
+  return Float32Array.from({ length: 16 * jointCount }, (_, i) => Number((i % 16) % 5 === 0));
 }
 
 /** Everything that the contacts of all frames depend on. */
