@@ -54,9 +54,11 @@ std::string in_words(const scene::StagedScene& staged, const TouchPlace& place);
 /// Both places: "knight 0 Hand  itself Cape" if they are of one instance.
 std::string touch_words(const scene::StagedScene& staged, const Touch& touch);
 
-/// As in `pelt check --jsonl`; `instance` is the number in the scene. With the clip if the scene
-/// has takes.
+/// Returns a touch as `pelt check --jsonl` writes it. `instance` is the number in the scene. The
+/// object has the member `clip` if the scene has takes.
 nlohmann::ordered_json touch_json(const scene::StagedScene& staged, const Touch& touch);
+
+/// Returns a contained body and its container, in the same form.
 nlohmann::ordered_json held_json(const scene::StagedScene& staged, const Held& held);
 
 /// An object with `clip`, or an empty one without a clip.
