@@ -347,6 +347,7 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
     crowd.setMorphWeights(instance, scene.morphWeights(instance, 3));
     crowd.setSelfFilter(instance, null);
   }
+  crowd.filterParts([], scene.characters[0]!.makeSelfFilter());
   const pairs: NamePair[] = [['nobody', 'no*'], ...scene.ignore];
   crowd.ignore(pairs);
   const { count, contacts, ignored, leftOut, stats }: CrowdContacts = crowd.collide();
