@@ -28,6 +28,8 @@ pelt::Result<pelt::SelfFilter> only_new(pelt::Pose& rest, pelt::Scratch& scratch
 std::vector<pelt::ContactPatch> cuts(pelt::Pose& pose, const pelt::SelfFilter& filter,
                                      const pelt::Surface& surface, pelt::Scratch& scratch,
                                      pelt::LeftOut& left_out);
+void find_self_contacts(pelt::Pose& pose, pelt::SelfTracker& tracker, pelt::Scratch& scratch,
+                        std::vector<pelt::Contact>& contacts);
 
 namespace pelt::test {
 namespace {
@@ -124,6 +126,12 @@ TEST_F(QueryExamples, SelfCollide) {
   ASSERT_FALSE(patches.empty());
   EXPECT_EQ(patches[0].joint_a, 0);
   EXPECT_EQ(patches[0].joint_b, 1);
+  SelfTracker tracker(*filter);
+  std::vector<Contact> expected, contacts = {Contact{7, 9}};
+  self_collide(pose, *filter, scratch_, expected);
+  find_self_contacts(pose, tracker, scratch_, contacts);
+  ASSERT_FALSE(expected.empty());
+  EXPECT_EQ(contacts, expected);
 }
 
 TEST_F(QueryExamples, Inside) {

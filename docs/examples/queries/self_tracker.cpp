@@ -1,0 +1,8 @@
+#include <pelt/self_tracker.hpp>
+
+// For each frame, after `set_palette`.
+void find_self_contacts(pelt::Pose& pose, pelt::SelfTracker& tracker, pelt::Scratch& scratch,
+                        std::vector<pelt::Contact>& contacts) {
+  contacts.clear();
+  pelt::self_collide(pose, tracker, scratch, contacts);
+}
