@@ -135,8 +135,8 @@ PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
 /// intersection. Pairs that `filter` leaves out are not appended.
 ///
 /// Vertices with equal rest positions and the same bits in displacements of morph targets are one
-/// surface vertex, whatever their influences. Two triangles share a corner if their corners are one surface
-/// vertex and have the same posed position. By the number of shared corners, two triangles
+/// surface vertex, whatever their influences. Two triangles share a corner if their corners are one
+/// surface vertex and have the same posed position. By the number of shared corners, two triangles
 /// intersect
 /// - none: if the closed triangles intersect, as in `collide`;
 /// - one: if, of one triangle, the edge opposite the shared corner meets the other closed triangle;
