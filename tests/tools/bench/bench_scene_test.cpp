@@ -240,6 +240,8 @@ TEST(BenchScene, MeasuresACharacterAgainstItself) {
   const SceneFigures& scene = figures.at(0);
   ASSERT_TRUE(scene.self_filters);
   EXPECT_GT(scene.self_filters->bytes, scene.models.triangles);
+  ASSERT_TRUE(scene.sequence);
+  EXPECT_GT(scene.sequence->tracked_us, 0);
   ASSERT_EQ(scene.figures.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i) {
     const Figures& one = scene.figures[i];

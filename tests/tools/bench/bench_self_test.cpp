@@ -29,6 +29,8 @@ TEST(BenchSelf, MeasuresAModelAgainstItself) {
   EXPECT_EQ(scene["frames_in_contact"], 3);
   EXPECT_GT(scene["models"]["self_filter_bytes"], 0);
   EXPECT_GT(scene["models"]["self_filter_build_seconds"], 0);
+  EXPECT_GT(scene["sequence"]["self_us"], 0);
+  EXPECT_GT(scene["sequence"]["tracked_us"], 0);
   const json& methods = scene["methods"];
   ASSERT_EQ(methods.size(), 6u);
   for (std::size_t e = 0; e < 6; ++e) {
@@ -70,7 +72,8 @@ TEST(BenchSelf, PrintsCostsOverBoxes) {
   write_strip(folder, "strip.glb");
   const Ended run = bench_self(folder, {"strip.glb", "--clip", "bend"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  for (const char* words : {"self filters: built in ", "of boxes", "vs all", "by every method"})
+  for (const char* words : {"self filters: built in ", "of boxes", "vs all", "by every method",
+                            "frames in order, all contacts: self "})
     EXPECT_NE(run.out.find(words), std::string::npos) << words;
   for (const char* words : {"vs paper", "vs eager", "vs 1 thread", "of rigid"})
     EXPECT_EQ(run.out.find(words), std::string::npos) << words;
@@ -80,6 +83,18 @@ TEST(BenchSelf, PrintsCostsOverBoxes) {
   EXPECT_EQ(boxes[0].back(), "1.00");
   EXPECT_GT(std::stod(self[0].back()), 0);
   EXPECT_EQ(self[1].size(), self[0].size() + 1) << "only first contacts are compared with all";
+}
+
+TEST(BenchSelf, PlaysTheClipAtTheChosenRate) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const auto frames = [&](const char* fps) {
+    const Ended run = run_pelt(folder, {"bench", "strip.glb", "--clip", "bend", "--repeat", "1",
+                                        "--caches", "hot", "--fps", fps, "--json", "fps.json"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return json::parse(read_text(folder / "fps.json"))["scenes"][0]["frames"].get<int>();
+  };
+  EXPECT_EQ(frames("60"), 2 * frames("30"));
 }
 
 TEST(BenchSelf, MeasuresEachInstanceOfAScene) {

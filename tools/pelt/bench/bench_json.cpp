@@ -58,17 +58,21 @@ ordered_json scene_json(const SceneFigures& scene) {
   ordered_json methods = ordered_json::array();
   for (const Figures& figures : scene.figures) methods.push_back(method_json(figures));
   const Skinning& skinning = scene.skinning;
-  return {{"scene", scene.scene},
-          {"frames", scene.frames},
-          {"frames_in_contact", scene.figures[0].answer.frames_in_contact},
-          {"repetitions", scene.repetitions},
-          {"time", name_of(scene.time)},
-          {"models", models_json(scene)},
-          {"skinning",
-           {{"vertices", skinning.vertices},
-            {"mean_us", skinning.mean_us},
-            {"ns_per_vertex", skinning.ns_per_vertex()}}},
-          {"methods", std::move(methods)}};
+  ordered_json json = {{"scene", scene.scene},
+                       {"frames", scene.frames},
+                       {"frames_in_contact", scene.figures[0].answer.frames_in_contact},
+                       {"repetitions", scene.repetitions},
+                       {"time", name_of(scene.time)},
+                       {"models", models_json(scene)},
+                       {"skinning",
+                        {{"vertices", skinning.vertices},
+                         {"mean_us", skinning.mean_us},
+                         {"ns_per_vertex", skinning.ns_per_vertex()}}},
+                       {"methods", std::move(methods)}};
+  if (scene.sequence)
+    json["sequence"] = {{"self_us", scene.sequence->self_us},
+                        {"tracked_us", scene.sequence->tracked_us}};
+  return json;
 }
 
 }  // namespace

@@ -136,6 +136,14 @@ void print_tables(const SceneFigures& scene, std::ostream& out) {
   out << '\n';
 }
 
+void print_sequence(const SceneFigures& scene, std::ostream& out) {
+  if (!scene.sequence) return;
+  const auto& [self_us, tracked_us] = *scene.sequence;
+  out << "frames in order, all contacts: self " << output::fixed(self_us, 1)
+      << " us per frame, with SelfTracker " << output::fixed(tracked_us, 1)
+      << " us: " << output::fixed(self_us / tracked_us, 2) << " times as fast\n\n";
+}
+
 void print_work(const SceneFigures& scene, const Figures& figures, std::ostream& out) {
   const QueryStats& work = figures.answer.work;
   print_name(figures.method, out);
@@ -182,6 +190,7 @@ void print_figures(const SceneFigures& scene, std::ostream& out) {
   print_repetitions(scene, out);
   print_skinning(scene, out);
   print_tables(scene, out);
+  print_sequence(scene, out);
   print_all_work(scene, out);
 }
 

@@ -5,6 +5,7 @@
 #include "tools/pelt/bench/bench_answer.hpp"
 #include "tools/pelt/bench/bench_measure.hpp"
 #include "tools/pelt/bench/bench_self.hpp"
+#include "tools/pelt/bench/bench_sequence.hpp"
 #include "tools/pelt/bench/bench_skinning.hpp"
 
 #include <optional>
@@ -39,7 +40,8 @@ struct SceneFigures {
   ModelFigures models;
   std::optional<SelfFilterFigures> self_filters;  ///< if instances are queried against themselves
   Skinning skinning;
-  std::vector<Figures> figures;  ///< not empty; grouped by variant
+  std::optional<SequenceFigures> sequence;  ///< if instances are queried against themselves
+  std::vector<Figures> figures;             ///< not empty; grouped by variant
 };
 
 const char* name_of(Question question);

@@ -122,6 +122,17 @@ Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSett
   return figures;
 }
 
+/// Measures what only instances against themselves have.
+Result<void> add_self_figures(const Subject& subject, SceneFigures& scene) {
+  const auto filters = measure_self_filters(subject.colliders);
+  if (!filters) return filters.error();
+  const auto sequence = measure_sequence(subject, scene.repetitions);
+  if (!sequence) return sequence.error();
+  scene.self_filters = *filters;
+  scene.sequence = *sequence;
+  return {};
+}
+
 }  // namespace
 
 Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
@@ -145,18 +156,21 @@ Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchS
   if (!measured) return measured.error();
   const Result<Skinning> skinning = measure_skinning(subject, settings.repetitions);
   if (!skinning) return skinning.error();
-  std::optional<SelfFilterFigures> self_filters;
-  if (settings.is_self) {
-    const auto filters = measure_self_filters(prepared->colliders);
-    if (!filters) return filters.error();
-    self_filters = *filters;
-  }
   std::uint64_t triangles = 0;
   for (const scene::Collider& collider : prepared->colliders)
     triangles += collider.model.triangle_count();
-  figures.push_back({scene.name, triangles, frames->size(), settings.repetitions,
-                     time_of(settings.methods), prepared->models, self_filters, *skinning,
+  figures.push_back({scene.name,
+                     triangles,
+                     frames->size(),
+                     settings.repetitions,
+                     time_of(settings.methods),
+                     prepared->models,
+                     {},
+                     *skinning,
+                     {},
                      *measured});
+  if (settings.is_self)
+    if (const auto added = add_self_figures(subject, figures.back()); !added) return added.error();
   return arguments::ExitCode::success;
 }
 

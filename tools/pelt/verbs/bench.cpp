@@ -29,6 +29,7 @@ struct Arguments {
   std::string program;
   std::vector<std::string> inputs, clips;
   bool is_self = false;
+  std::optional<double> fps;
   BenchMethods known;
   std::string methods;
   std::string queries = "all,first", caches = "hot,cold";
@@ -64,7 +65,8 @@ All times of that run are wall times. "vs 1 thread" is the speed-up over a crowd
 A model, or with --self each instance of a scene, is queried against itself: all contacts that the
 rules of pelt check find without filters (--self-rings 0, and keep for the others). boxes skins all
 vertices and computes all boxes, and finds nothing. "of boxes" is the cost of a method over that of
-boxes, "vs all" the speed-up over the query for all contacts. brute tests all pairs of triangles.
+boxes, "vs all" the speed-up over the query for all contacts. brute tests all pairs of triangles. The
+line "frames in order" compares self_collide with a SelfTracker, while the frames are played in order.
 
 --against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
 method over paper and eager, or its cost over boxes: then (in FILE), now, and the ratio now/then. "worse" marks a speed-up that
@@ -80,7 +82,8 @@ FILE is a failure, with exit code 3.
     models   triangles, bytes, build_seconds: totals, counting each model once; with --self also
              self_filter_bytes, self_filter_build_seconds
     skinning vertices (of all instances), mean_us, ns_per_vertex
-    methods    method, query, cache, asked (pairs, crowd, self or none), threads, frames
+    sequence self_us, tracked_us: frames played in order, without and with a SelfTracker; with --self
+    methods  method, query, cache, asked (pairs, crowd, self or none), threads, frames
              (timed frames), mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
     counters of a method over all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
 Names that end in _us are microseconds per frame. pelt(1) describes each field, with an example.)";
@@ -192,6 +195,7 @@ arguments::SceneArguments input_alone(const Arguments& arguments, std::size_t i)
   arguments::SceneArguments alone;
   alone.inputs = {arguments.inputs[i]};
   if (i < arguments.clips.size()) alone.clips = {arguments.clips[i]};
+  alone.fps = arguments.fps;
   alone.models = arguments.models;
   return alone;
 }
@@ -322,6 +326,8 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
   verb.option("--clip", arguments.clips,
               "Animation clip of a model, repeatable, in the order of the models; '*': all clips",
               {.type = "NAME"});
+  verb.option("--fps", arguments.fps,
+              "Frames per second of clips (default: that of the scene, or 30)", {.type = "FPS"});
   verb.flag("--self", arguments.is_self, "Query each instance of a scene against itself");
   verb.option("--methods", arguments.methods, help_on_methods(arguments.known), {.type = "A,B"});
   verb.option("--queries", arguments.queries,
