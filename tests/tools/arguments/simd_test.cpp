@@ -31,7 +31,7 @@ TEST(Simd, BenchNamesTheTargetItMeasured) {
                                         "on_demand", "--repeat", "1", "--json", "a.json"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const json file = json::parse(read_text(folder / "a.json"));
-    EXPECT_EQ(file["machine"]["target"], name_of(set));
+    EXPECT_EQ(file["machine"]["instruction_set"], name_of(set));
     EXPECT_NE(run.out.find(std::string(", ") + name_of(set) + ", "), std::string::npos);
   }
 }

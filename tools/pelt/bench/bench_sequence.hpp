@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/pelt/bench/bench_engine.hpp"
+#include "tools/pelt/bench/bench_method.hpp"
 
 namespace pelt::tools::bench {
 
