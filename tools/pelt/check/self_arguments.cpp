@@ -54,6 +54,11 @@ bool poses_anything(const scenes::Scene& scene) {
                      });
 }
 
+template <typename T>
+const Error* error_of(const Result<T>& result) {
+  return result ? nullptr : &result.error();
+}
+
 }  // namespace
 
 void add_self_options(arguments::Verb& verb, SelfArguments& arguments) {
@@ -81,15 +86,13 @@ void add_self_options(arguments::Verb& verb, SelfArguments& arguments) {
 
 Result<scenes::SelfOptions> parse_self(const SelfArguments& arguments) {
   const auto wanted = parse_wanted(arguments.self);
-  if (!wanted) return wanted.error();
   const auto rings = parse_rings(arguments.rings);
-  if (!rings) return rings.error();
   const auto at_rest = parse_drops("--self-at-rest", arguments.at_rest);
-  if (!at_rest) return at_rest.error();
   const auto always = parse_always(arguments.always);
-  if (!always) return always.error();
   const auto near_joints = parse_drops("--self-near-joints", arguments.near_joints);
-  if (!near_joints) return near_joints.error();
+  for (const Error* error : {error_of(wanted), error_of(rings), error_of(at_rest), error_of(always),
+                             error_of(near_joints)})
+    if (error) return *error;
   return scenes::SelfOptions{*wanted, *rings, *at_rest, *always, *near_joints};
 }
 
