@@ -65,15 +65,15 @@ void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b,
   const unsigned near_b = triangles_in(b.cluster(), boxes_b, both);
   if (near_b == 0) return;
   const unsigned near_a = triangles_in(a.cluster(), boxes_a, both);
-  unsigned found[kMaxClusterTriangles], any = 0;
+  unsigned found[kMaxClusterTriangles], rows = 0;
   for (SetBits row(near_a); row; ++row) {
     const unsigned lanes = near_b & ~unsigned{skipped[*row]};
     found[*row] = overlapping(lanes, boxes_b, lane_box(boxes_a.low, boxes_a.high, *row));
-    any |= found[*row];
+    rows |= unsigned{found[*row] != 0} << *row;
   }
-  if (any == 0) return;  // most neighbours
+  if (rows == 0) return;  // most neighbours
   RowLanes pairs;
-  for (SetBits row(near_a); row; ++row) pairs.add(*row, found[*row]);
+  for (SetBits row(rows); row; ++row) pairs.add(*row, found[*row]);
   keep(pairs, a, a_, b, b_);
   test_full_batches();
 }

@@ -70,9 +70,11 @@ class Spokes {
     // The wedge i contains the first spoke unless `left` is true of i, or `right` of i + 1.
     const Points8 across = cross(normal, spokes_[0]);
     const std::uint32_t wedge_count = is_closed_ ? size_ - 1 : size_;
+    Float8 left = dot(across, spokes_[1]);
     for (std::uint32_t i = 1; i < wedge_count; ++i) {
-      const Float8 left = dot(across, spokes_[i]), right = dot(across, spokes_[i + 1]);
+      const Float8 right = dot(across, spokes_[i + 1]);
       demand(max(left, Float8(0.0f) - right) - error);
+      left = right;
     }
     return {certified.bits() & ((1u << lane_count_) - 1), slack(least, longest)};
   }
