@@ -147,7 +147,8 @@ void PairMasks::write_near_slots(const std::vector<std::uint64_t>& sorted, const
   std::sort(neighbours.begin(), neighbours.end());  // clusters of a node are consecutive
   near_begin.assign(tree.clusters.size() + 1, 0);
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    const auto cluster = neighbours[i] >> 32, neighbour = neighbours[i] & 0xFFFFFFFF;
+    const auto cluster = static_cast<std::uint32_t>(neighbours[i] >> 32);
+    const auto neighbour = static_cast<std::uint32_t>(neighbours[i]);
     const std::uint32_t node = cluster_nodes[neighbour];
     const bool is_first = i == 0 || neighbours[i - 1] >> 32 != cluster;
     if (is_first || near_nodes.back() != node) {
