@@ -39,17 +39,17 @@ class PELT_API SelfTracker {
   std::unique_ptr<detail::SelfTrack> track_;
 };
 
-/// Appends the same contacts as `self_collide` with `tracker.filter()`, in the same order. If a
-/// limit cuts them short, they may be others than without a tracker.
+/// Appends the same contacts as `self_collide` with `tracker.filter()`, in the same order. If
+/// `max_contacts` ends the query early, the contacts may differ from those found without a tracker.
 ///
 /// Preconditions:
 /// `tracker`: of the model of `pose`. Otherwise the program aborts, in every build. Not used by
 /// another thread at the same time.
 /// `scratch`: as in `self_collide`.
 ///
-/// Cost: as `self_collide`, without the tests of neighbouring triangles whose distance, in an
-/// earlier frame, was larger than their motion since then, beside the motion of a joint. The first
-/// call costs up to twice as much as `self_collide`, and so does a call after a large change.
+/// Cost: less than `self_collide` if the surface moves almost rigidly with its joints: neighbouring
+/// triangles are tested again only after they have moved far enough, relative to a joint, to touch.
+/// The first call, and a call after a large change, cost up to twice as much as `self_collide`.
 ///
 /// Allocates only in the pose, in `scratch` and in `contacts`, as `self_collide` does.
 PELT_API SelfStats self_collide(Pose& pose, SelfTracker& tracker, Scratch& scratch,

@@ -2,14 +2,19 @@
 /// bound of their distance.
 ///
 /// Rounding. All corners are taken relative to one of them, and divided by the largest coordinate L
-/// of these. With e = 2^-24, the reciprocal of L has an error of e L, which changes the scale, and
-/// each corner is rounded twice: by at most 2.1 e, because no coordinate is larger than one. n is
-/// any float vector. A position along n has an error of at most 6.1 e |n|_1: two roundings of the
-/// corner, one of a product, three of sums. The gap of two of them has at most 14 e |n|_1; 2^-19
-/// |n|_1 is more than twice that. The square of the gap, divided by n^2, has at most 8 relative
-/// errors e; the root has half of them and its own, and the scale one; 2^-20 covers all. Directions
-/// and gaps whose squares may underflow or overflow are not used, nor are those of a collapsed
-/// triangle, which are NaN.
+/// of these. With e = 2^-24, the computed reciprocal of L has a relative error of e, which changes
+/// only the scale, by the same factor for all corners. n is any float vector. A position along n
+/// has an error of at most 5.1 e |n|_1: two roundings of the corner, one of a product, two of sums.
+/// The difference of two positions is at most 2 |n|_1 and is rounded once more, so its error is
+/// below 13 e |n|_1. The margin 2^-19 |n|_1 = 32 e |n|_1 is more than twice that.
+///
+/// gap^2 / n^2 has at most 7 relative errors e. The root halves them and adds one. The scale, and
+/// the products with L and with 1 - 2^-20, add three. These are 7.5 e, and 1 - 2^-20 = 1 - 16 e
+/// covers them.
+///
+/// Products that underflow add at most 2^-149 |n|_1 each, which the margin covers. If the area is
+/// zero, or the reciprocal of L or of the area's largest coordinate overflows, then all coordinates
+/// of n are NaN or infinite. Then n^2 fails its test, whatever min and max make of a NaN.
 
 #include "geometry/triangle_separation.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 /// The triangles around each surface vertex. Vertices that an exporter has split count as one
-/// surface vertex if their rest positions and displacements have the same bits, whatever their
-/// influences.
+/// surface vertex if their rest positions are equal (-0 equals 0), and their displacements have the
+/// same bits, whatever their influences.
 
 #include "model/tree.hpp"
 

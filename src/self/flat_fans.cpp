@@ -109,7 +109,10 @@ class Spokes {
     return Float8(0x1p-19f) * bound + Float8(0x1p-140f) * (Float8(1.0f) + max3(longest));
   }
 
-  /// (sqrt(L^2 + d) - L) / 2 = d / (2 (sqrt(L^2 + d) + L)), where |n| <= 1.7321.
+  /// (sqrt(L^2 + d) - L) / 2 = d / (2 (sqrt(L^2 + d) + L)), see self_track.hpp. `least` is at most
+  /// the least determinant, and |n| <= 1.7321 < 1 / 0.577, so d <= least / |n|. 0.4999 is 2^-12
+  /// below 1/2, which covers the roundings of spokes, squares and roots. Where L^2 underflows, the
+  /// error that was subtracted from `least` was larger.
   static Float8 slack(const Float8& least, const Points8& longest) {
     const Float8 d = least * Float8(0.577f), squared_length = dot(longest, longest);
     const Float8 length = sqrt(squared_length), sum = sqrt(squared_length + d) + length;

@@ -9,7 +9,7 @@ namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
-/// Distances beyond this share of a cluster's size are not measured.
+/// Gaps are measured up to this fraction of the sum of the sides of a cluster's box.
 constexpr float kReach = 0.03f;
 
 float reach_of(const PosedCluster& cluster) {
@@ -37,8 +37,8 @@ unsigned all_triangles(const PosedCluster& cluster) {
   return (1u << cluster.cluster().triangle_count) - 1;
 }
 
-/// Lists the pairs that are not skipped and whose boxes have at most the distance `reach` along
-/// every axis.
+/// Lists the pairs that are not skipped and whose boxes overlap if one is widened by `reach`. All
+/// others are more than `reach` apart, up to rounding.
 RowLanes near_pairs(const PosedCluster& a, const PosedCluster& b,
                     const std::uint16_t (&skipped)[kMaxClusterTriangles], float reach) {
   const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
@@ -58,7 +58,7 @@ RowLanes near_pairs(const PosedCluster& a, const PosedCluster& b,
   return pairs;
 }
 
-/// One corner of the triangles of eight pairs from number `first` on.
+/// Returns one corner of eight triangles of a cluster.
 template <typename TriangleOf>
 Points8 corner8(const PosedCluster& cluster, std::size_t corner, const TriangleOf& triangle_of) {
   const auto* corners = cluster.posed.tree.corners.data() + cluster.cluster().first_triangle;
@@ -67,6 +67,8 @@ Points8 corner8(const PosedCluster& cluster, std::size_t corner, const TriangleO
   });
 }
 
+/// Returns lower bounds of the distances of eight listed pairs, from number `first` on. Lanes
+/// beyond the end repeat the last pair.
 Float8 separations8(const PosedCluster& a, const PosedCluster& b, const RowLanes& pairs,
                     std::uint32_t first) {
   const std::uint32_t last = pairs.size() - 1;
@@ -87,7 +89,7 @@ float test_gaps(const PosedCluster& a, const PosedCluster& b,
   const float reach_a = reach_of(a), reach_b = reach_of(b);
   const float reach = reach_a < reach_b ? reach_a : reach_b;
   const RowLanes near = near_pairs(a, b, skipped, reach);
-  float least = reach - 0x1p-20f * (extent + reach);  // boxes are widened with rounding
+  float least = reach - 0x1p-20f * (extent + reach);  // low - reach and high + reach are rounded
   RowLanes close;
   for (std::uint32_t first = 0; first < near.size(); first += kBatch) {
     float gaps[kBatch];

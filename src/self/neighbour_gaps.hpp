@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tests neighbouring clusters, and finds out how far apart their triangles are.
+/// Tests neighbouring clusters, and measures how far apart their triangles are.
 
 #include "collide/cluster_pair.hpp"
 #include "query/slots.hpp"
@@ -10,9 +10,12 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
-/// Tests the pairs of triangles of two clusters as `TrianglePairs::add` does, also without the
-/// pairs in `skipped`. Returns a lower bound of the distance of all pairs that were not skipped, or
-/// 0 if some may touch. No coordinate of the clusters' vertices is larger than `extent`.
+/// Appends the intersecting pairs of triangles of two clusters, like `TrianglePairs::add` with
+/// `skipped`. Returns a lower bound of the distance of all pairs that were not skipped, at most a
+/// small share of the size of the smaller cluster's box, or 0 if not all of them are certainly
+/// apart.
+///
+/// Precondition: no coordinate of the clusters' vertices is larger than `extent`.
 ///
 /// Costs about twice as much as `TrianglePairs::add`.
 float test_gaps(const PosedCluster& a, const PosedCluster& b,

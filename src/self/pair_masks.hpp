@@ -1,7 +1,8 @@
 #pragma once
 
-/// Which pairs of triangles of two clusters share a surface vertex. A descent of a tree against
-/// itself skips these pairs, and clusters are usually the neighbours of several others.
+/// Bit masks of the pairs of triangles that share a surface vertex, for each two clusters that are
+/// neighbours. The descent of a tree against itself skips these pairs, because they are found fan
+/// by fan.
 
 #include "self/fans.hpp"
 
@@ -24,9 +25,9 @@ struct PairMask {
 struct PairMasks {
   PairMasks(const Tree& tree, const Fans& fans);
 
-  /// Masks of each cluster with itself, and then with the neighbours of higher numbers in ascending
-  /// order: those that share a surface vertex. In the mask of a cluster with itself, bits with
-  /// t <= s are set, too.
+  /// For each cluster, its mask with itself, and then those with its neighbours of higher numbers,
+  /// ascending. Neighbours are clusters with a common surface vertex that is not a hub. In the mask
+  /// of a cluster with itself, bits with t <= s are set, too.
   std::vector<std::uint32_t> begin;  // [C + 1] into masks
   std::vector<PairMask> masks;
   std::vector<std::uint32_t> cluster_nodes;  // [C] node of each cluster
@@ -37,15 +38,16 @@ struct PairMasks {
   std::vector<std::uint32_t> near_nodes;
   std::vector<std::uint8_t> near_slots;
 
-  /// A hub is a surface vertex with so many triangles that the masks of their clusters would need
-  /// too much memory. `masks` does not cover pairs that share only hubs.
+  /// A hub is a surface vertex that the masks leave out. Small fans are covered first, until a
+  /// limit of memory is reached.
   std::vector<std::uint8_t> has_hub;  // [C] whether a triangle of the cluster has a hub
 
   /// Writes a mask as in `masks`, for clusters with hubs. Precondition: low <= high.
   void write_mask(const Tree& tree, const Fans& fans, std::uint32_t low, std::uint32_t high,
                   PairMask& mask) const;
 
-  /// Calls visit(mask, node, slot) for each mask of a cluster with the other cluster, in order.
+  /// Calls visit(index into masks, node, slot) for each mask of a cluster; node and slot are those
+  /// of the other cluster.
   template <typename Visit>
   void for_each(const Tree& tree, std::uint32_t cluster, const Visit& visit) const {
     std::uint32_t mask = begin.data()[cluster];

@@ -89,7 +89,7 @@ Matrix3 adjugate(const Matrix3& a) {
            {minor(1, 2, 0, 1), -minor(0, 2, 0, 1), minor(0, 1, 0, 1)}}};
 }
 
-/// Returns an upper bound of |A^T A - I|, or infinity if A mirrors.
+/// Returns the Frobenius norm of A^T A - I, rounded up, or infinity if A mirrors.
 float bend_of(const float (&m)[12]) {
   double squared = 0;
   Matrix3 a;
@@ -105,7 +105,7 @@ float bend_of(const float (&m)[12]) {
   return static_cast<float>(std::sqrt(squared) * (1 + 1e-6) + 1e-12);
 }
 
-/// C' C^-1, or the identity where that is no useful approximation of an isometry.
+/// J' J^-1, or the identity where that is far from a rotation.
 JointStep step_between(const Matrix4& from, const Matrix4& to) {
   const Matrix3 old = linear_part(from), now = linear_part(to), inverse = adjugate(old);
   const double scale = 1 / determinant(old);
@@ -122,9 +122,9 @@ JointStep step_between(const Matrix4& from, const Matrix4& to) {
   JointStep step;
   for (std::size_t i = 0; i < 12; ++i) {
     if (!(std::fabs(all[i]) < 1e30)) return {};
-    step.m[i] = static_cast<float>(all[i]);
+    step.columns[i] = static_cast<float>(all[i]);
   }
-  step.bend = bend_of(step.m);
+  step.bend = bend_of(step.columns);
   return step.bend < 0.5f ? step : JointStep();
 }
 
@@ -182,9 +182,9 @@ void SelfTrack::write_moved(const std::vector<std::uint16_t>& anchors, const Vie
   }
 }
 
-bool SelfTrack::wakes() {
-  if (rest == 0) return true;
-  if (--rest == 0) {
+bool SelfTrack::begins_frame() {
+  if (pause == 0) return true;
+  if (--pause == 0) {
     has_frame = false;
     std::fill(pair_slack.begin(), pair_slack.end(), 0.0f);
     std::fill(fan_slack.begin(), fan_slack.end(), 0.0f);
@@ -192,10 +192,10 @@ bool SelfTrack::wakes() {
   return false;
 }
 
-void SelfTrack::rest_if_useless(std::size_t skipped_pairs) {
-  const bool is_useful = skipped_pairs >= pair_slack.size() / 4;
-  last_rest = is_useful ? 0 : longer(last_rest);
-  rest = last_rest;
+void SelfTrack::pause_if_useless(std::size_t pairs_with_slack) {
+  const bool is_useful = pairs_with_slack >= pair_slack.size() / 4;
+  last_pause = is_useful ? 0 : longer(last_pause);
+  pause = last_pause;
 }
 
 void SelfTrack::step_to(std::span<const Matrix4> next) {

@@ -3,24 +3,35 @@
 /// What a pelt::SelfTracker remembers from one frame to the next. If two triangles were apart and
 /// their surroundings have hardly bent since, then they are still apart.
 ///
-/// Motion. Let R be any isometry, and let |v' - R v| <= m for all vertices of some triangles, where
-/// v becomes v' in the next frame. Points of a triangle are convex combinations of its vertices, so
-/// the same holds for all points x and x' of the triangles. R is chosen from the joint matrices, C
-/// and then C', of the joint that moves most of a cluster's node (its anchor): C' C^-1 = (A | b).
-/// Let A = Q P with a rotation Q and P positive semidefinite. The singular values s of A satisfy |s
-/// - 1| <= |s^2 - 1|, so |P - I| <= |A^T A - I| = bend, and R = (Q | b) differs from (A | b) by at
-/// most bend |x|. The bound holds for any (A | b); a bad one only makes m large.
+/// Motion. Let R be any rotation with a translation, and let |v' - R v| <= m for all vertices v of
+/// some triangles, where v becomes v' in the next frame. A point of a triangle is a convex
+/// combination of its vertices. If x' has the same weights as x, then |x' - R x| <= m, too.
+///
+/// R is chosen from the matrices J and then J' of the joint that moves most of a node (the anchor
+/// of its clusters). Let J' J^-1 = (A | b), and A = Q P with a rotation Q and P positive
+/// semidefinite, which requires det A > 0. The singular values s of A satisfy |s - 1| <= |s^2 - 1|.
+/// Therefore |P - I| <= |A^T A - I| <= bend, where bend is the Frobenius norm, rounded up. With R =
+/// (Q | b), |R v - (A v + b)| = |(I - P) v| <= bend |v|, so
+///
+///     m <= max |v' - (A v + b)| + bend max |v|
+///
+/// Where det A <= 0, bend >= 0.5 or J has no inverse, (A | b) is the identity instead. The bound
+/// holds for every (A | b); one that fits badly only makes m large.
 ///
 /// Slack of clusters. Let g be a lower bound of the distance of all pairs of triangles of two
-/// clusters, apart from the pairs that share a surface vertex. If the clusters move by at most m_a
-/// and m_b beside R, then g - m_a - m_b is a lower bound in the next frame, because R changes no
-/// distance. While it is positive, no pair needs a test.
+/// clusters, apart from the pairs that share a surface vertex. Let m_a and m_b be their motions
+/// relative to one R, that of the first cluster's anchor. R changes no distance, so g - m_a - m_b
+/// is a lower bound in the next frame, and takes the place of g. While it is positive, no pair
+/// needs a test. Two clusters with hubs never have slack, because their masks are incomplete.
 ///
-/// Slack of fans. In a certified fan (flat_fans.cpp), certain determinants det(n, e_i, e_j) of
-/// spokes are at least d |n|. Turn n by R. A spoke differs from the turned one by at most 2 m,
-/// because both of its ends move by at most m beside R. With L the longest spoke, the determinants
-/// change by at most |n| (2 L 2 m + (2 m)^2). They keep their signs while m is less than the slack
-/// (sqrt(L^2 + d) - L) / 2, and so the fan remains certified. In further frames, motions add.
+/// Slack of fans. Let m be the largest motion of the clusters with triangles of a certified fan,
+/// all relative to the R of the anchor of the first triangle's cluster. The certificate
+/// (flat_fans.cpp) demands several determinants det(n, e_i, e_j) of spokes to be at least d |n|.
+/// Turn n by R, which changes no determinant. A spoke differs from the turned one by at most 2 m,
+/// because both of its ends move by at most m relative to R. With L the longest spoke, a
+/// determinant changes by at most |n| (2 L 2 m + (2 m)^2). This is less than d |n| exactly if m is
+/// less than the slack (sqrt(L^2 + d) - L) / 2. Until then the fan remains certified. In further
+/// frames, motions add.
 
 #include <pelt/self_collide.hpp>
 
@@ -34,9 +45,9 @@
 
 namespace pelt::detail {
 
-/// (A | b), column by column, with an upper bound of its `bend`.
+/// (A | b) with its `bend`.
 struct JointStep {
-  float m[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+  float columns[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
   float bend = 0;
 };
 
@@ -45,18 +56,23 @@ struct SelfTrack {
 
   pelt::SelfFilter filter;
 
-  /// A cluster whose motion beside the step of a joint is measured: of its own anchor, or of that
-  /// of a neighbour.
+  /// A motion to measure: that of `cluster` relative to the step of the joint `anchor`, which is
+  /// the anchor of this cluster or of a neighbour.
   struct Moved {
     std::uint32_t cluster;
     std::uint16_t anchor;
   };
+
+  // Arrays of motions [N], clusters [C], closed and open fans [F], joints [J]. Arrays of pairs are
+  // in the order of PairMasks::masks.
   std::vector<Moved> moved;                 // [N] sorted by anchor
-  std::vector<std::uint32_t> own_motions;   // [C] motion of a cluster beside its own anchor
-  std::vector<std::uint32_t> pair_motions;  // of the second cluster, as PairMasks::masks
+  std::vector<std::uint32_t> own_motions;   // [C] the motion relative to its own anchor
+  std::vector<std::uint32_t> pair_motions;  // of the second cluster
+  // The motions relative to a cluster's anchor: of itself, its neighbours with higher numbers, and
+  // the clusters of the fans that begin in it.
   std::vector<std::uint32_t> around_begin;  // [C + 1] into around
-  std::vector<std::uint32_t> around;        // motions of a cluster and of its fans' clusters
-  std::vector<std::uint32_t> fan_clusters;  // [F] of the closed and open fans
+  std::vector<std::uint32_t> around;
+  std::vector<std::uint32_t> fan_clusters;  // [F] cluster of the first triangle
   std::vector<std::uint8_t> is_anchor;      // [J]
 
   // The last frame.
@@ -64,26 +80,27 @@ struct SelfTrack {
   float extent = 0;                             // no coordinate is larger
   std::vector<Matrix4> palette;                 // [J]
   std::vector<std::array<float, 4>> positions;  // by place
-  std::vector<float> pair_slack;                // as PairMasks::masks
+  std::vector<float> pair_slack;
   std::vector<float> fan_slack;                 // [F]
-  std::vector<std::uint8_t> waits, last_waits;  // frames, as PairMasks::masks
-  std::uint8_t rest = 0, last_rest = 0;         // frames
+  std::vector<std::uint8_t> waits, last_waits;  // of pairs, in frames
+  std::uint8_t pause = 0, last_pause = 0;       // frames
 
   // Working memory.
   std::vector<JointStep> steps;        // [J] only of anchors
   std::vector<float> motions;          // [N]
   std::vector<float> cluster_motions;  // [C] largest of `around`
 
-  /// Whether to measure the distance of a pair without slack, and not only to test it.
+  /// Returns whether to measure the distance of a pair without slack. Otherwise counts down the
+  /// frames in which the pair is only tested.
   bool may_gain(std::uint32_t pair) {
     if (waits.data()[pair] == 0) return true;
     --waits.data()[pair];
     return false;
   }
 
-  /// Sets the slack of a pair of this cluster. If its motion in this frame would have used up the
-  /// slack, then the next frames only test the pair, which costs less: twice as many frames each
-  /// time.
+  /// Sets the slack of a pair; `cluster` is the first of the pair. If the motion of this frame is
+  /// not smaller than the new slack, the pair is only tested in the next 7 frames, then 15, 31, 63
+  /// and 127, because a test costs less than a measurement.
   void set_slack(std::uint32_t cluster, std::uint32_t pair, float slack) {
     const float motion =
         motions.data()[own_motions.data()[cluster]] + motions.data()[pair_motions.data()[pair]];
@@ -93,19 +110,20 @@ struct SelfTrack {
     waits.data()[pair] = last;
   }
 
-  /// Begins a frame. Returns false if the track rests in this frame: then nothing is remembered,
-  /// which costs least for a body that moves fast, or whose layers touch everywhere.
-  bool wakes();
+  /// Returns false in a paused frame, in which nothing is remembered.
+  bool begins_frame();
 
-  /// Ends a frame in which this number of pairs had slack.
-  void rest_if_useless(std::size_t skipped_pairs);
+  /// Call after the slack was reduced. If less than a quarter of the pairs have slack, the tracker
+  /// pauses in the next 7, 15, 31, 63 or 127 frames: a body that moves fast, or whose layers touch
+  /// everywhere, gains nothing.
+  void pause_if_useless(std::size_t pairs_with_slack);
 
   /// Writes `steps` from the last frame to this palette, and keeps the palette.
   void step_to(std::span<const Matrix4> next);
 
   std::size_t memory_bytes() const;
 
-  /// Pairs of a cluster and one that is seen from its anchor, sorted.
+  /// Pairs (c, d): the motion of cluster d is measured relative to the anchor of cluster c. Sorted.
   using Views = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
  private:

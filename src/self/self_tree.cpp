@@ -131,7 +131,7 @@ SelfStats self_collide_tree(const PosedTree& posed, const SelfFilter& filter, Se
   scratch.found.clear();
   make_table(posed);
   stats += open_all(posed);
-  if (track && !track->wakes()) track = nullptr;
+  if (track && !track->begins_frame()) track = nullptr;
   if (track) begin_frame(posed, *track, stats);
   SelfAnswer answer(filter, scratch.found, scratch.ring, max_contacts, stats.left_out);
   test_separate_triangles(posed, filter, track, scratch, answer, stats);

@@ -1,9 +1,10 @@
-/// Rounding. With e = 2^-24, M the largest coordinate of old and new vertices, and N that of b: the
-/// singular values of A are below 1.23, so its rows have sums of magnitudes below 2.13. A
-/// coordinate of A v + b has an error of at most 4.1 e (2.13 M + N), and the difference from v' at
-/// most e (3.2 M + 1.1 N) more. The length of a vector is at most 1.74 times its largest
-/// coordinate, and 2^-20 (2 M + N) covers all. 2^-70 covers squares that underflow. The relative
-/// errors of lengths and sums are covered by factors 1 + 2^-20.
+/// Rounding. With e = 2^-24, M the largest coordinate of old and new vertices, and N that of b:
+/// bend is below 0.5, so the singular values of A are below 1.225, and its rows have sums of
+/// magnitudes below 2.13. A coordinate of A v + b has an error of at most 4.1 e (2.13 M + N), and
+/// the difference from v' at most e (3.2 M + 1.1 N) more. The length of a vector is at most 1.74
+/// times its largest coordinate, and 2^-20 (2 M + N) covers all. 2^-70 covers products and squares
+/// that underflow. The relative errors of lengths and sums are covered by factors 1 + 2^-20. |v| is
+/// at most 1.7321 M.
 
 #include "self/slack.hpp"
 
@@ -32,7 +33,7 @@ float largest_coordinate(const RootBox& box) {
 /// A step of a joint in all lanes.
 struct Step8 {
   explicit Step8(const JointStep& step) {
-    for (int i = 0; i < 12; ++i) m[i] = Float8(step.m[i]);
+    for (int i = 0; i < 12; ++i) m[i] = Float8(step.columns[i]);
   }
 
   Points8 operator()(const Points8& p) const {
@@ -44,20 +45,20 @@ struct Step8 {
   Float8 m[12];
 };
 
-/// How far the vertices of clusters move beside the steps of their anchors.
+/// How far the vertices of clusters move relative to the steps of joints.
 class Motion {
  public:
   Motion(const PosedTree& posed, const SelfTrack& track, float extent)
       : posed_(posed), track_(track), extent_(extent) {}
 
-  /// Returns an upper bound of the motion of a cluster, beside an isometry.
+  /// Returns an upper bound of the motion of a cluster relative to R (see self_track.hpp).
   float operator()(const SelfTrack::Moved& cluster, const Step8& step8) const {
     const JointStep& step = track_.steps.data()[cluster.anchor];
     float offset = 0;
-    for (int i = 9; i < 12; ++i) offset = larger(offset, magnitude(step.m[i]));
+    for (int i = 9; i < 12; ++i) offset = larger(offset, magnitude(step.columns[i]));
     const float rounding = 0x1p-20f * (2 * extent_ + offset) + 0x1p-70f;
-    const float from_isometry = 1.7321f * step.bend * extent_;
-    return (std::sqrt(largest_squared(cluster.cluster, step8)) + rounding + from_isometry) * kUp;
+    const float bending = 1.7321f * step.bend * extent_;
+    return (std::sqrt(largest_squared(cluster.cluster, step8)) + rounding + bending) * kUp;
   }
 
  private:
@@ -144,7 +145,7 @@ void begin_frame(const PosedTree& posed, SelfTrack& track, QueryStats& work) {
   track.step_to(posed.palette.joints());
   if (track.has_frame) {
     measure_motions(posed, larger(extent, track.extent), track);
-    track.rest_if_useless(reduce_slack(track));
+    track.pause_if_useless(reduce_slack(track));
   }
   write_positions(posed, track.positions.data());
   track.extent = extent;
