@@ -1,9 +1,8 @@
 #pragma once
 
 /// Self-collision: which triangles of one pose intersect each other. Neighbouring triangles always
-/// touch in the corners that they share, which does not count. `SelfFilter` contains what
-/// `self_collide` must know about the neighbours of a model, and filters that leave out further
-/// pairs.
+/// touch in the corners that they share, which does not count. `SelfFilter` stores the neighbours
+/// of a model's triangles and the filters.
 
 #include <pelt/cxx20.hpp>
 
@@ -27,7 +26,7 @@ namespace detail {
 struct SelfFilter;
 }
 
-/// An unordered pair of joints or of groups.
+/// A pair of joints or of groups. Filters ignore the order of the two numbers; comparisons do not.
 struct IndexPair {
   std::uint16_t first = 0, second = 0;
 
@@ -53,8 +52,8 @@ struct SelfFilterOptions {
   /// layers of clothes. `ContactTally` finds them.
   std::span<const Contact> always = {};
 
-  /// [J] Numbers of rigid bodies: joints of one number count as one joint in the next two arrays,
-  /// for example those that no clip moves against each other. Any numbers of the caller.
+  /// [J] A number for each joint. `joint_parents` and `joint_pairs` treat joints with equal numbers
+  /// as one joint. Use this for joints that no clip moves relative to each other.
   std::span<const std::uint16_t> joint_bodies = {};
 
   /// [J] The parent of each joint, or `kNoJoint`. Leaves out pairs whose main joints are the same,
@@ -73,7 +72,7 @@ struct SelfFilterOptions {
 
 inline constexpr std::uint16_t kNoJoint = 0xFFFF;
 
-/// The filters, in the order in which they are asked: a pair is counted only for the first filter
+/// The filters, in the order in which they are applied: a pair is counted only for the first filter
 /// that leaves it out.
 enum class LeftOutBy : std::uint8_t { none, takes_part, rings, at_rest, always, joints, groups };
 
@@ -101,7 +100,8 @@ class PELT_API SelfFilter {
   ///
   /// Preconditions: `s` and `t` are different triangles of the model.
   ///
-  /// Cost: O(log P) for lists of P pairs; O(V) for more than one ring.
+  /// Cost: O(log P) for lists of P pairs. With several rings: also O(V + triangles in the rings),
+  /// and allocates.
   LeftOutBy left_out_by(std::uint32_t s, std::uint32_t t) const;
 
   /// Number of vertices to pass to `Scratch::reserve`, so that `self_collide` does not allocate.
@@ -124,9 +124,9 @@ class PELT_API SelfFilter {
 ///
 /// Cost: O(T log T). Allocates.
 ///
-/// Returns an error if an array has the wrong size, a triangle or joint does not exist, `rings` is
-/// more than 64, or the model has more than 2^28 triangles. The error names the array and the
-/// index.
+/// Returns an error if an array has the wrong size, `group_pairs` is given without `groups`, a
+/// triangle or joint does not exist, `rings` is more than 64, or the model has more than 2^28
+/// triangles. For a wrong element, the error names the array and the index.
 PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
                                               const SelfFilterOptions& options = {});
 
@@ -174,8 +174,9 @@ PELT_API YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& sc
 /// Preconditions: the triangles of each pair are different ones of the filter's model. `scratch` is
 /// not used by another thread at the same time.
 ///
-/// Cost: O(log P) per contact for lists of P pairs; with several rings, also O(triangles in the
-/// rings). Allocates only if `scratch` needs more memory than for any earlier query.
+/// Cost: O(log P) per contact for lists of P pairs. With several rings: also O(V) once per call,
+/// and O(triangles in the rings) per contact. Allocates only if `scratch` needs more memory than
+/// for any earlier query.
 PELT_API LeftOut leave_out(const SelfFilter& filter, Scratch& scratch,
                            std::vector<Contact>& contacts);
 

@@ -72,7 +72,7 @@ void add_self_options(arguments::Verb& verb, SelfArguments& arguments) {
               {.type = "K", .group = kGroup});
   verb.option("--self-at-rest", arguments.at_rest,
               "Contacts that the character already has in its rest pose or default pose (default: "
-              "drop; keep if nothing plays a clip)",
+              "drop; keep if no instance plays a clip or sets morph weights)",
               {.type = "keep|drop", .group = kGroup});
   verb.option("--self-always", arguments.always,
               "Drop contacts of at least this share of the checked frames, such as 0.95 (default: "
