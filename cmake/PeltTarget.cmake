@@ -56,8 +56,9 @@ function(pelt_compiled_fast target)
 endfunction()
 
 # pelt_compiled_quickly(TARGET): with PELT_QUICK_BUILD, compiles TARGET with -O1, in two thirds of the
-# time. The library and the methods that `pelt bench` measures are always fully optimised.
-option(PELT_QUICK_BUILD "Compile reader, scenes and command with -O1: a first build is shorter" OFF)
+# time. The library, except its scalar code, and the methods that `pelt bench` measures are always
+# fully optimised.
+option(PELT_QUICK_BUILD "Compile reader, scenes, command and scalar code with -O1, and leave out simd128: a first build is shorter" OFF)
 function(pelt_compiled_quickly target)
   if(PELT_QUICK_BUILD)
     target_compile_options(${target} PRIVATE -O1)

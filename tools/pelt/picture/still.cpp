@@ -27,7 +27,7 @@ Vec3d middle(const StillFrame& still) {
 /// Contacts light their surroundings: one small light in each cell of a grid that contains
 /// contacts.
 std::string glow_lights(const StillFrame& still) {
-  constexpr double kCell = 0.09;
+  constexpr double kCell = 0.13;
   struct Sum {
     Vec3d positions;
     double count = 0;
