@@ -1,5 +1,6 @@
-/// What the filters of self-collision are about: an arm through the belly, which counts, and a belt
-/// that rests on the waist and a crease of the skin, which do not. Triangles in contact glow.
+/// Pictures of contacts that the filters of self-collision keep and drop. They keep those of an arm
+/// through the belly. They drop those of a belt that rests on the waist, and of a crease of the
+/// skin. Triangles in contact glow.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What a pelt::SelfTracker remembers from one frame to the next. If two triangles were apart and
-/// their surroundings have hardly bent since, then they are still apart.
+/// The state that a pelt::SelfTracker keeps from one frame to the next. If two triangles were apart
+/// and their surroundings have hardly bent since, then they are still apart.
 ///
 /// Motion. Let R be any rotation with a translation, and let |v' - R v| <= m for all vertices v of
 /// some triangles, where v becomes v' in the next frame. A point of a triangle is a convex

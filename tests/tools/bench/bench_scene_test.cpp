@@ -12,11 +12,10 @@
 namespace pelt::tools::bench {
 namespace {
 
-/// A method that omits the last contact of every tenth query with several contacts, or of every
-/// such query.
+/// A method that omits the last contact of each query with contacts, or of every tenth one.
 class Forgetful final : public methods::Method {
  public:
-  explicit Forgetful(int every) : every_(every) {}
+  Forgetful(const methods::MethodKind& kind, int every) : method_(kind.make()), every_(every) {}
 
   void add(const SkinnedModel& model) override { method_->add(model); }
   Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
@@ -35,13 +34,14 @@ class Forgetful final : public methods::Method {
   QueryStats update_work() const override { return method_->update_work(); }
 
  private:
-  std::unique_ptr<methods::Method> method_ = methods::kOnDemand.make();
+  std::unique_ptr<methods::Method> method_;
   int every_, asked_ = 0;
 };
 
 BenchMethod forgetful(int every) {
   return {"forgetful", [every](std::span<const scene::Collider> colliders) {
-            return scene::SceneQuery(colliders, std::make_unique<Forgetful>(every));
+            return scene::SceneQuery(colliders,
+                                     std::make_unique<Forgetful>(methods::kOnDemand, every));
           }};
 }
 
@@ -188,29 +188,6 @@ TEST(BenchScene, MeasuresEveryMethodQueryAndCache) {
   EXPECT_NE(scene.figures[0].answer.hash, scene.figures[8].answer.hash);
 }
 
-/// Omits the last contact of a character with itself.
-class SelfForgetful final : public methods::Method {
- public:
-  void add(const SkinnedModel& model) override { method_->add(model); }
-  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
-    return method_->set_morph_weights(body, weights);
-  }
-  Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
-    return method_->set_palette(body, palette);
-  }
-  QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
-                     const CollideOptions& options) override {
-    EXPECT_EQ(a, b);
-    const QueryStats work = method_->collide(a, b, contacts, options);
-    if (!contacts.empty()) contacts.pop_back();
-    return work;
-  }
-  QueryStats update_work() const override { return method_->update_work(); }
-
- private:
-  std::unique_ptr<methods::Method> method_ = methods::kSelf.make();
-};
-
 /// A creature that touches itself in some frames of its walk.
 scenes::Scene lone_walker() {
   scenes::Scene scene = walkers();
@@ -258,7 +235,7 @@ TEST(BenchScene, RefusesASelfCollisionThatForgetsOneContact) {
   const BenchMethod forgetful = {"forgetful",
                                  [](std::span<const scene::Collider> colliders) {
                                    return scene::SceneQuery::of_each(
-                                       colliders, std::make_unique<SelfForgetful>());
+                                       colliders, std::make_unique<Forgetful>(methods::kSelf, 1));
                                  },
                                  Asked::self};
   for (const Question question : {Question::all, Question::first}) {

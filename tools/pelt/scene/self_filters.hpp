@@ -24,8 +24,8 @@ struct SelfRules {
 struct SelfFilters {
   std::vector<SelfFilter> of_colliders;  ///< of each collider with itself
 
-  /// Of the parts of each instance with each other, numbered as in the whole character. Empty if
-  /// colliders are whole instances.
+  /// One filter per instance, for contacts between its parts. Triangles are numbered as in the
+  /// whole character. Empty if colliders are whole instances.
   std::vector<SelfFilter> of_parts;
 };
 
