@@ -23,18 +23,25 @@ std::size_t Arena::capacity() const {
 std::size_t Arena::used() const {
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < block_; ++i) bytes += blocks_[i].size;
-  return bytes - left_;
+  return bytes - left_ - unused_;
+}
+
+bool Arena::fits(std::size_t bytes) const {
+  return bytes == 0 || std::any_of(blocks_.begin(), blocks_.end(),
+                                   [bytes](const Block& block) { return block.size >= bytes; });
 }
 
 void Arena::reserve(std::size_t bytes) {
-  const std::size_t held = capacity();
-  if (bytes > held) add_block(bytes - held);
+  if (fits(bytes)) return;
+  add_block(bytes);
+  replaced_ = blocks_.size() - 1;
 }
 
 /// Blocks grow with the capacity, so that there are few of them, up to a size at which the unused
 /// end of a block does not matter.
 void Arena::next_block(std::size_t bytes) {
-  while (block_ < blocks_.size() && blocks_[block_].size < bytes) ++block_;
+  unused_ += left_;
+  while (block_ < blocks_.size() && blocks_[block_].size < bytes) unused_ += blocks_[block_++].size;
   if (block_ == blocks_.size())
     add_block(std::max(bytes, std::clamp(capacity(), kFirstBlock, kLargestBlock)));
   next_ = blocks_[block_].memory.get();
@@ -45,6 +52,11 @@ void Arena::next_block(std::size_t bytes) {
 void Arena::add_block(std::size_t bytes) {
   void* memory = ::operator new (bytes, std::align_val_t{kAlignment});
   blocks_.push_back({std::unique_ptr<std::byte, Release>(static_cast<std::byte*>(memory)), bytes});
+}
+
+void Arena::release_replaced() {
+  blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(replaced_));
+  replaced_ = 0;
 }
 
 }  // namespace pelt::detail

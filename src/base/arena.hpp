@@ -37,20 +37,24 @@ class Arena {
 
   /// Releases all pieces.
   void clear() {
+    if (replaced_ > 0) release_replaced();
     block_ = 0;
     next_ = nullptr;
-    left_ = 0;
+    left_ = unused_ = 0;
   }
 
   /// Bytes of all blocks, used or not.
   std::size_t capacity() const;
 
-  /// Bytes allocated since `clear`, including gaps between pieces.
+  /// Bytes of the pieces allocated since `clear`.
   std::size_t used() const;
 
-  /// Increases the capacity to at least `bytes`. Pieces leave the ends of blocks unused, so pieces
-  /// of `bytes` in total may need a little more. If the arena had no memory before, its first block
-  /// fits exactly `bytes`.
+  /// Whether pieces of `bytes` in total, of any sizes in any order, need no allocation after
+  /// `clear`. That takes one block of `bytes`, because pieces leave the ends of blocks unused.
+  bool fits(std::size_t bytes) const;
+
+  /// Ensures that `bytes` fit. A new block replaces all others, which the next `clear` frees. In an
+  /// arena without memory, the new block holds exactly `bytes`, and can be used at once.
   void reserve(std::size_t bytes);
 
  private:
@@ -65,9 +69,12 @@ class Arena {
 
   void next_block(std::size_t bytes);
   void add_block(std::size_t bytes);
+  void release_replaced();
 
   std::vector<Block> blocks_;
-  std::size_t block_ = 0;  // blocks before this one are in use
+  std::size_t replaced_ = 0;  // blocks before this one are freed by `clear`
+  std::size_t block_ = 0;     // blocks before this one are in use
+  std::size_t unused_ = 0;    // bytes at the ends of those blocks, and of blocks passed over
   std::byte* next_ = nullptr;
   std::size_t left_ = 0;
 };

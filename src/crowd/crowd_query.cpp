@@ -37,9 +37,10 @@ void prefetch_palette(const CrowdInstance& instance) {
 }
 
 /// Reserves as much memory as all workers used together, so that any worker could do all the work
-/// of a similar frame. Memory that is never touched costs nothing.
+/// of a similar frame. Reserves more than that when it must, so that frames that differ a little
+/// seldom allocate. Memory that is never touched costs nothing.
 void even_out(Arena& arena, std::size_t used) {
-  if (arena.capacity() < used + used / 16) arena.reserve(used + used / 4);
+  if (!arena.fits(used + used / 16)) arena.reserve(used + used / 4);
 }
 
 }  // namespace

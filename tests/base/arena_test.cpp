@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace pelt::detail {
@@ -69,6 +70,38 @@ TEST(Arena, TheSameNeedsAfterClearAllocateNothing) {
   EXPECT_EQ(arena.capacity(), held);
 }
 
+TEST(Arena, WhatFitsNeedsNoAllocationInAnyOrder) {
+  test::Random random(53);
+  Arena arena;
+  auto sizes = random_sizes(random);
+  for (const std::size_t size : sizes) arena.allocate(size);
+  const std::size_t used = arena.used();
+  EXPECT_FALSE(arena.fits(used)) << "the pieces lie in several blocks";
+  arena.reserve(used);
+  arena.clear();
+  EXPECT_TRUE(arena.fits(used));
+  EXPECT_EQ(arena.capacity(), used) << "the other blocks are gone";
+  for (int round = 0; round < 20; ++round) {
+    for (std::size_t i = sizes.size(); i > 1; --i)
+      std::swap(sizes[i - 1], sizes[random.index(static_cast<std::uint32_t>(i))]);
+    const std::size_t before = test::allocation_count();
+    for (const std::size_t size : sizes) arena.allocate(size);
+    EXPECT_EQ(test::allocation_count(), before);
+    EXPECT_EQ(arena.used(), used);
+    arena.clear();
+  }
+}
+
+TEST(Arena, KeepsThePiecesInBlocksThatAReservationReplaces) {
+  test::Random random(54);
+  Arena arena;
+  const auto pieces = allocate_all(arena, random_sizes(random));
+  arena.reserve(2 * arena.used());
+  const auto more = allocate_all(arena, random_sizes(random));
+  expect_untouched(pieces);
+  expect_untouched(more);
+}
+
 TEST(Arena, WhatWasReservedNeedsNoAllocation) {
   for (const std::size_t held : {0u, 100u, 9'000u, 100'000u}) {
     Arena arena;
@@ -90,7 +123,7 @@ TEST(Arena, HoldsLittleMoreThanWasAskedFor) {
     const std::size_t size = 64 * (1 + random.index(60));
     arena.allocate(size);
     asked += size;
-    EXPECT_GE(arena.used(), asked);
+    EXPECT_EQ(arena.used(), asked);
     EXPECT_GE(arena.capacity(), arena.used());
   }
   EXPECT_LT(static_cast<double>(arena.capacity()), 1.05 * static_cast<double>(asked));
