@@ -6,10 +6,10 @@
 
 namespace pelt {
 
-/// A point or vector in model units. Rest positions are in the frame of the model. The matrices of
-/// a joint palette transform rest positions into posed positions. The frame of posed positions is
-/// called the frame of the joint palette. It is the world if the matrices include the world matrix
-/// of the instance.
+/// A point or vector in model units. Rest positions are in the frame of the model. A joint palette
+/// (one matrix per joint) transforms rest positions into posed positions. The frame of the posed
+/// positions is called the frame of the joint palette. This frame is the world frame if the
+/// matrices include the world matrix of the instance.
 struct Vec3 {
   float x = 0, y = 0, z = 0;
 
@@ -19,19 +19,20 @@ struct Vec3 {
 /// A joint matrix: 16 floats, column-major, with the last row 0 0 0 1. Element (row, column) is
 /// `m[4 * column + row]`, and the translation is m[12], m[13], m[14].
 ///
-/// This is the layout of glTF, three.js and OpenGL, so arrays of engines can be used directly. Any
-/// affine map is allowed: rotation, translation, scale, shear, reflection.
+/// glTF, three.js and OpenGL use the same layout, so their arrays can be passed without conversion.
+/// Any affine map is allowed: rotation, translation, scale, shear, reflection.
 struct Matrix4 {
   std::array<float, 16> m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
   friend bool operator==(const Matrix4&, const Matrix4&) = default;
 };
 
-/// The first three rows of a joint matrix: 12 floats, row-major; element (row, column) is
-/// `m[4 * row + column]` and the translation is m[3], m[7], m[11]. The last row is 0 0 0 1.
+/// The first three rows of a joint matrix: 12 floats, row-major. Element (row, column) is
+/// `m[4 * row + column]`, and the translation is m[3], m[7], m[11]. The last row of the joint
+/// matrix, 0 0 0 1, is not stored.
 ///
-/// Engines pack bones for shaders in this layout (`float3x4` in HLSL). A matrix stored column by
-/// column, as four columns of three floats, has another layout and must be transposed first.
+/// Game engines pass joint matrices to shaders in this layout (`float3x4` in HLSL). Four columns of
+/// three floats are a different layout and must be transposed first.
 struct Matrix3x4 {
   std::array<float, 12> m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 

@@ -10,25 +10,25 @@
 
 namespace pelt {
 
+/// The indices of a triangle's three vertices.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A borrowed view of the morph targets (blend shapes) of a mesh. Three arrays contain all M
-/// targets, with D displacements in all. Without morph targets, all three arrays are empty.
+/// A borrowed view of the morph targets (blend shapes) of a mesh: M targets, with D displacements
+/// in total. Without morph targets, all three arrays are empty.
 ///
-/// Target m displaces vertex `vertices[i]` by `displacements[i]` for begin[m] <= i < begin[m + 1].
-/// There is no short form for all vertices: a target that displaces every vertex must list all V
-/// indices.
+/// At weight 1, target m displaces vertex `vertices[i]` by `displacements[i]`, for
+/// begin[m] <= i < begin[m + 1]. A target that displaces all vertices must list all vertices.
 struct MorphTargetsView {
-  std::span<const std::uint32_t> begin;     ///< [M + 1] not descending, from 0 to D
-  std::span<const std::uint32_t> vertices;  ///< [D] indices < V, ascending within each target
+  std::span<const std::uint32_t> begin;     ///< [M + 1] 0 = begin[0] <= ... <= begin[M] = D
+  std::span<const std::uint32_t> vertices;  ///< [D] vertex indices, ascending within each target
   std::span<const Vec3> displacements;      ///< [D] model units, finite
 };
 
-/// A borrowed view of the arrays of a skinned mesh. `build_model` copies what it needs, so the
-/// arrays may be freed afterwards.
+/// A borrowed view of the arrays of a skinned mesh with V vertices, T triangles and J joints.
+/// `build_model` copies what it needs, so the arrays may be freed afterwards.
 ///
-/// Each vertex has K = `influences_per_vertex` (joint, weight) pairs. Unused pairs have the weight
-/// 0.
+/// Each vertex has K = `influences_per_vertex` (joint, weight) pairs, called influences. Unused
+/// pairs have the weight 0.
 struct SkinnedMeshView {
   std::span<const Vec3> rest_positions;     ///< [V] model units, finite
   std::span<const Triangle> triangles;      ///< [T] indices < V; degenerate triangles are allowed

@@ -18,26 +18,26 @@ struct Model;
 }
 
 /// Policy for vertices whose sum of weights differs from 1 by more than 2^-7. A difference of at
-/// most 2^-7 is rounding by the exporter: under either policy, `build_model` then divides the
-/// weights by their sum.
+/// most 2^-7 counts as rounding by the exporter. With either policy, `build_model` removes such a
+/// difference: it divides the weights by their sum.
 enum class OffWeights {
-  refuse,       ///< `build_model` returns an error with the vertex and its sum
-  renormalise,  ///< divide by the sum, as renderers do
+  refuse,       ///< `build_model` returns an error that names the vertex and the sum
+  renormalise,  ///< `build_model` divides the weights by their sum, as renderers do
 };
 
 struct ModelOptions {
   OffWeights off_weights = OffWeights::refuse;
 
   /// [S][J] joint palettes of S typical poses, for example from the character's clips. The tree is
-  /// optimised for these poses. Six poses make queries up to 20 % faster and the build three times
-  /// slower. Answers do not depend on the sample palettes. May be empty.
+  /// optimised for these poses. With six poses, queries are up to 20 % faster, and the build takes
+  /// three times as long. Answers do not depend on the sample palettes. May be empty.
   std::span<const Matrix4> sample_palettes = {};
 };
 
 /// Counts of defects that `build_model` found in the mesh.
 struct BuildReport {
   /// Vertices whose sum of weights differed from 1 by more than 2^-16. Smaller differences are
-  /// rounding of floats. They are corrected, too, but not counted.
+  /// rounding of floats: they are corrected, too, but not counted.
   std::uint32_t renormalised_vertices = 0;
 
   /// (joint, weight) pairs whose weight was added to another pair of the same vertex and joint.
@@ -47,8 +47,8 @@ struct BuildReport {
   std::uint32_t degenerate_triangles = 0;
 };
 
-/// A validated skinned mesh, prepared for queries. Immutable, cheap to copy (copies share), safe to
-/// use from any number of threads.
+/// A validated skinned mesh, prepared for queries. Immutable, cheap to copy (copies share the
+/// data), safe to use from any number of threads.
 class PELT_API SkinnedModel {
  public:
   std::uint32_t vertex_count() const;
@@ -57,7 +57,7 @@ class PELT_API SkinnedModel {
   std::uint32_t morph_target_count() const;
   const BuildReport& report() const;
 
-  /// Bytes of memory shared by all copies: vertices, triangles, tree and bounds.
+  /// Bytes of the data that all copies share: vertices, triangles, tree and bounds.
   std::size_t memory_bytes() const;
 
   /// For internal use.
@@ -68,15 +68,15 @@ class PELT_API SkinnedModel {
   std::shared_ptr<const detail::Model> model_;
 };
 
-/// Validates the arrays of `mesh` and prepares them for queries. Triangles and vertices keep their
-/// numbers.
+/// Validates the arrays of `mesh` and builds a model from them. Triangles and vertices keep their
+/// indices.
 ///
 /// Cost: O(T log T). Allocates.
 ///
-/// Returns an error if there are no triangles, an array has the wrong size, an index or joint is
-/// out of range, a number is NaN or infinite, a coordinate is beyond 2^60, a weight is negative,
-/// the weights of a vertex do not sum to 1 (see `OffWeights`), or the vertices of a morph target do
-/// not ascend. The error names the array, the index and the value.
+/// Returns an error if there are no triangles, an array has the wrong size, an index is out of
+/// range, a number is NaN or infinite, the magnitude of a coordinate is more than 2^60, a weight is
+/// negative, the weights of a vertex do not sum to 1 (see `OffWeights`), or the vertices of a morph
+/// target are not in ascending order. The error names the array, the index and the value.
 PELT_API Result<SkinnedModel> build_model(const SkinnedMeshView& mesh,
                                           const ModelOptions& options = {});
 

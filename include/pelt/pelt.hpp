@@ -1,24 +1,15 @@
 #pragma once
 
-/// Exact collision detection for skinned characters. Build a SkinnedModel once, create a Pose for
-/// each instance, set its joint palette every frame, and query two poses for contacts.
+/// Exact collision detection for skinned characters. Build a `SkinnedModel` once and create a
+/// `Pose` for each instance. In every frame, set the joint palettes of the poses and query pairs of
+/// poses for contacts.
 ///
-/// Failure: functions that validate outside input return a `Result`, which holds an error if the
-/// input is invalid. If memory runs out, functions throw std::bad_alloc (or, on 32-bit platforms,
-/// std::length_error). Models, poses, crowds and scratch are then still usable, nothing has leaked,
-/// and lists to which results are appended are unchanged. Pelt itself throws no other exception.
-///
-/// Even if Pelt is compiled with -fno-exceptions, operator new can throw, because it belongs to the
-/// standard library. Pelt's functions then do not release their memory. Do not catch the exception
-/// in this case: the program must end.
-///
-/// A precondition is checked in every build if its comment says that the program aborts. Builds
-/// without NDEBUG check more preconditions, and also abort if one is violated.
-///
-/// Terms: a model has V vertices, T triangles, J joints and M morph targets. Its triangles are
-/// stored in the leaves of a tree. To open a node of this tree means to compute its posed vertices
-/// and the boxes of its children. Queries open nodes on demand. In a pose, opened nodes stay open
-/// for later queries until the joint palette or the morph weights change.
+/// Terms: a model has V vertices, T triangles, J joints and M morph targets. A joint palette is one
+/// matrix per joint. `[V][K]` is the shape of an array: V rows with K elements each. The triangles
+/// of a model are stored in a tree of nodes. To open a node means to compute, for the current
+/// palette and morph weights, its posed vertices and the boxes of its children. Queries open nodes
+/// on demand. A node of a pose stays open for later queries until the joint palette or the morph
+/// weights change.
 ///
 /// Queries are declared in these headers:
 ///
@@ -34,8 +25,21 @@
 ///     a pose and vertex groups      vertex_groups
 ///     a crowd                       crowd
 ///
-/// This header includes all headers of the library except pelt/asset.hpp, which reads glTF files
-/// and needs the asset library, and pelt/instruction_set.hpp, which is for measurements and tests.
+/// Failure: functions that validate outside input return a `Result`, which contains an error if the
+/// input is invalid. If memory runs out, functions throw std::bad_alloc or, on 32-bit platforms,
+/// possibly std::length_error. After such an exception, models, poses, crowds and scratch are still
+/// usable, nothing has leaked, and lists to which results are appended are unchanged. Pelt throws
+/// no other exception.
+///
+/// In a build with -fno-exceptions, operator new can still throw, because it belongs to the
+/// standard library. Pelt's functions then do not release their memory. Do not catch the exception
+/// in such a build: let the program end.
+///
+/// Preconditions: if a comment says that the program aborts, every build checks the precondition.
+/// Builds without NDEBUG check further preconditions and abort if one is violated.
+///
+/// This header includes all headers of the library except two. pelt/asset.hpp reads glTF files and
+/// needs the asset library. pelt/instruction_set.hpp is for measurements and tests.
 
 #include <pelt/cxx20.hpp>
 

@@ -16,16 +16,15 @@ struct Pose;
 
 /// One instance of a model: a joint palette, weights of morph targets, and the bounds that queries
 /// have computed from both so far. To update a pose, call `set_palette`, `set_morph_weights` or
-/// both, in any order. Bounds need no separate refit, because queries compute the bounds that they
-/// need.
+/// both, in any order. No separate refit is necessary: queries compute the bounds that they need.
 ///
-/// A new pose has identity matrices and zero morph weights, that is, the rest positions. Queries
-/// store bounds in the pose, so only one thread at a time may query a pose. Movable, not copyable.
-/// A moved-from pose may only be assigned to or destroyed.
+/// A new pose has identity matrices and zero morph weights, so its posed vertices are the rest
+/// positions. Queries store bounds in the pose, so only one thread at a time may query a pose.
+/// Movable, not copyable. A moved-from pose may only be assigned to or destroyed.
 class PELT_API Pose {
  public:
-  /// Cost: O(J). Allocates the joint palette. Queries allocate when they open more nodes than in
-  /// any earlier frame; `reserve` prevents that.
+  /// Cost: O(J). Allocates the joint palette. Later, a query allocates if it opens more nodes than
+  /// were open in any earlier frame; `reserve` prevents that.
   explicit Pose(SkinnedModel model);
   Pose(Pose&&) noexcept;
   Pose& operator=(Pose&&) noexcept;
@@ -33,19 +32,21 @@ class PELT_API Pose {
 
   const SkinnedModel& model() const;
 
-  /// Copies the joint palette. Matrix j is the world matrix of the instance, times the transform
-  /// from the frame of joint j to the frame of the instance, times the inverse bind matrix of joint
-  /// j. It transforms rest positions into the frame shared by all poses of a query.
+  /// Copies the joint palette. Matrix j transforms rest positions into the frame shared by all
+  /// poses of a query. It is the product of three matrices, from left to right:
+  /// - the world matrix of the instance,
+  /// - the transform from the frame of joint j to the frame of the instance,
+  /// - the inverse bind matrix of joint j.
   ///
   /// Cost: O(J). Allocates nothing.
   ///
-  /// Returns an error that names the joint, and leaves the pose unchanged, if the number of
-  /// matrices is not `model().joint_count()`, if an element is not finite, if a last row is not
-  /// 0 0 0 1 (the matrix is probably row-major), or if a vertex could move beyond 2^60 units.
+  /// Returns an error and leaves the pose unchanged if the number of matrices is not
+  /// `model().joint_count()`, if an element is not finite, if a last row is not 0 0 0 1 (the matrix
+  /// is probably row-major), or if a vertex could move beyond 2^60 units. If a matrix is
+  /// invalid, the error names its joint.
   ///
-  /// The last check treats a mesh that reaches less than 2^-60 units from the origin as if it
-  /// reached 2^-60 units. A matrix is therefore always an error if an element of its linear part is
-  /// beyond 2^120.
+  /// The check of 2^60 units assumes that the mesh reaches at least 2^-60 units from the origin. A
+  /// matrix with an element beyond 2^120 in its linear part is therefore always an error.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
   /// Like `set_palette`, with 16 floats per joint in the layout of `Matrix4`.
@@ -59,24 +60,25 @@ class PELT_API Pose {
   /// element beyond the range of float becomes infinite and is an error.
   Result<void> set_palette(std::span<const double> palette);
 
-  /// Copies the weights of the model's morph targets. A vertex is displaced by the sum of weight x
-  /// displacement before the joints transform it. Any finite weight is allowed.
+  /// Copies the weights of the model's morph targets. Before the joints transform a vertex, the
+  /// vertex is displaced by the sum of weight x displacement over all targets. Any finite weight is
+  /// allowed.
   ///
-  /// Cost: O(M + J). Allocates nothing. In queries, targets with weight 0 cost nothing, and other
-  /// targets cost only in nodes with vertices that they displace.
+  /// Cost: O(M + J). Allocates nothing. In queries, a target with weight 0 costs nothing. Any other
+  /// target costs time only in nodes with vertices that it displaces.
   ///
-  /// Returns an error that names the target or the joint, and leaves the pose unchanged, if the
-  /// number of weights is not `model().morph_target_count()`, if a weight is not finite, if a
-  /// vertex could be displaced by more than 2^60 units, or if a joint could move a displaced vertex
-  /// beyond 2^60 units.
+  /// Returns an error and leaves the pose unchanged if the number of weights is not
+  /// `model().morph_target_count()`, if a weight is not finite, if a vertex could be displaced by
+  /// more than 2^60 units, or if a joint could move a displaced vertex beyond 2^60 units. Except
+  /// for a wrong number of weights, the error names the target or the joint.
   Result<void> set_morph_weights(std::span<const float> weights);
 
-  /// Allocates all memory that queries can need in this pose, so that queries never allocate in it.
-  /// Discards all opened nodes. If queries must not allocate, call `reserve` once, before the first
-  /// frame. `Scratch` has its own `reserve`.
+  /// Allocates all memory that queries can need in this pose. Queries then never allocate in the
+  /// pose. Discards all opened nodes, so call `reserve` once, before the first frame. Queries also
+  /// allocate in a `Scratch`, which has its own `reserve`.
   ///
-  /// Memory: 40 to 46 bytes per triangle, or 1.1 MB for a character of 26,756 triangles. A query
-  /// touches only the memory of the nodes that it opens.
+  /// Memory: 40 to 46 bytes per triangle, for example 1.1 MB for a character of 26,756 triangles. A
+  /// query touches only the memory of the nodes that it opens.
   void reserve();
 
   /// For internal use.
@@ -87,14 +89,14 @@ class PELT_API Pose {
   std::unique_ptr<detail::Pose> pose_;
 };
 
-/// Writes all posed vertices, bit for bit the float32 positions that queries use: the rest
-/// positions with the weighted displacements of morph targets, transformed by linear blend skinning
-/// (Kavan & Zara 2005, eq. 1). No query needs this function.
+/// Writes all posed vertices, bit for bit the float32 positions that queries use. A posed vertex is
+/// its rest position plus the weighted displacements of the morph targets, transformed by linear
+/// blend skinning (Kavan & Zara 2005, eq. 1). Queries do not need this function.
 ///
-/// Precondition: `out` has vertex_count() elements.
+/// Precondition: `out` has `pose.model().vertex_count()` elements.
 ///
 /// Cost: O(V * influences per vertex). Each morph target with a weight other than 0 adds O(log V)
-/// for each vertex that it displaces. Allocates nothing.
+/// for each vertex that the target displaces. Allocates nothing.
 PELT_API void posed_vertices(const Pose& pose, std::span<Vec3> out);
 
 }  // namespace pelt

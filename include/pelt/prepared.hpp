@@ -12,25 +12,28 @@
 
 namespace pelt {
 
-/// Returns the model as bytes. `load_model` reads these bytes more than ten times faster than
-/// `build_model` builds the model. Equal models give equal bytes. docs/prepared-format.md describes
-/// the format. A new version of Pelt may support only a new version of the format, so keep the data
-/// that the model was built from.
+/// Returns the model as bytes. `load_model` of these bytes is more than ten times as fast as
+/// `build_model`. Equal models give equal bytes. docs/prepared-format.md describes the format. A
+/// later version of Pelt may reject this format, so keep the data from which the model was built.
 ///
 /// Cost: O(bytes). Allocates.
 PELT_API std::vector<std::byte> save_model(const SkinnedModel& model);
 
-/// Reads a model written by `save_model`. Queries give the same answers and do the same work.
+/// Reads a model written by `save_model`. Queries of the loaded model give the same answers and do
+/// the same work as queries of the saved model.
 ///
-/// The bytes are treated as hostile: everything that queries rely on is validated, and memory stays
-/// within a small multiple of the size of `file`. A file with carefully forged bounds can make
-/// queries miss contacts, but cannot cause anything worse.
+/// The bytes are treated as hostile: `load_model` validates everything that memory safety and
+/// termination of queries depend on. It does not check that bounds enclose the vertices: a file
+/// with forged bounds can make queries miss contacts, but cannot cause anything worse.
 ///
-/// Cost: O(bytes). Allocates. Returns an error that says what is invalid.
+/// Cost: O(bytes). Allocates at most a small multiple of the size of `file`.
+///
+/// Returns an error that says what is invalid.
 PELT_API Result<SkinnedModel> load_model(std::span<const std::byte> file);
 
 /// Returns whether the bytes start like a prepared model. `load_model` may still return an error.
-/// O(1).
+///
+/// Cost: O(1).
 PELT_API bool is_prepared_model(std::span<const std::byte> file);
 
 }  // namespace pelt

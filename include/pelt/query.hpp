@@ -1,15 +1,15 @@
 #pragma once
 
-/// Work counters and reusable memory, which all queries share.
+/// Work counters and reusable memory, common to all queries.
 ///
 /// Results: a query with one result overwrites the caller's object. A query that finds a list
-/// appends to the caller's vectors; only `describe_contacts` replaces their contents. A query with
-/// one result for each ray, point or pose writes to a span. A query that answers yes or no returns
-/// `YesNo`.
+/// appends to the caller's vectors. `describe_contacts` is an exception: it replaces the contents
+/// of its result. A query with one result for each ray, point or pose writes to a span. A query
+/// that answers yes or no returns `YesNo`.
 ///
 /// Allocation: a query with a `Scratch` allocates only if it needs more memory in the poses, in the
 /// scratch or in the caller's vectors than any earlier query. A query without a `Scratch` allocates
-/// at most in the pose, and in vectors to which it appends. `Crowd` has its own memory.
+/// at most in the pose and in the vectors to which it appends. `Crowd` has its own memory.
 
 #include <pelt/cxx20.hpp>
 
@@ -41,7 +41,7 @@ struct QueryStats {
   std::uint64_t posed_vertices = 0;
 
   std::uint64_t triangle_pairs = 0;  ///< tests of a triangle against the other operand
-  std::uint64_t displacements = 0;   ///< displacements of posed vertices by active morph targets
+  std::uint64_t displacements = 0;   ///< displacements that morph targets added to vertices
   bool cut_short = false;            ///< a limit in the options ended the query early
 
   PELT_API QueryStats& operator+=(const QueryStats& other);
@@ -57,9 +57,9 @@ struct YesNo : QueryStats {
   explicit operator bool() const { return answer; }
 };
 
-/// Opaque location of an answer in the trees of the models. Pelt reads the location when the result
-/// that contains it is passed to another query: a `Distance` as `DistanceOptions::hint`, or a
-/// `RayHit` to `influences_at`.
+/// Where in the trees of the models a result was found. Only Pelt reads the location, when the
+/// result that contains it is passed to another query: a `Distance` as `DistanceOptions::hint`, or
+/// a `RayHit` to `influences_at`.
 template <std::size_t kNumbers>
 class TreeLocation {
  public:
@@ -80,15 +80,16 @@ class PELT_API Scratch {
   ~Scratch();
 
   /// Allocates the memory that queries need for results of the given sizes, for models of any size.
-  /// If, in addition, the poses are reserved and the caller's vectors have room, such queries never
-  /// allocate. Exception: `describe_contacts` also needs memory that is not reserved here, so it
-  /// allocates in its first call and whenever there are more contacts than in any earlier call.
+  /// Queries within these sizes never allocate if the poses are reserved, too, and the caller's
+  /// vectors have enough capacity. `describe_contacts` is an exception: it also needs memory that
+  /// is not reserved here, so it allocates in its first call and whenever there are more contacts
+  /// than in any earlier call.
   ///
-  /// `contacts`: largest number of contacts of a query. A limit such as `max_contacts` also limits
-  ///   this number. 1 suffices for `intersects`. Each `NearPair` counts as a contact, and so does
-  ///   each triangle found in a region. `distance` reports only one pair of triangles, but each
-  ///   touching pair counts. `distance` from a solid reports only one triangle, but each triangle
-  ///   that touches the solid counts.
+  /// `contacts`: largest number of contacts that a query finds. A limit such as `max_contacts` also
+  ///   limits this number. 1 suffices for `intersects`. Each `NearPair` counts as a contact, and so
+  ///   does each triangle found in a region. `distance` of two poses reports one pair of triangles,
+  ///   but every touching pair counts. `distance` from a solid reports one triangle, but every
+  ///   triangle that touches the solid counts.
   /// `ray_hits`: largest number of hits of `cast_all`.
   /// `self_vertices`: largest `SelfFilter::scratch_vertices` of the filters of `self_collide`.
   ///

@@ -15,15 +15,15 @@ enum class ErrorCode {
   unsupported,       ///< a file is well-formed but needs a feature that Pelt does not support
 };
 
-/// A problem with input. The message names the cause (file, array, index, value) and, if there is
-/// one, the remedy.
+/// A problem with input. The message names the cause (file, array, index, value) and the remedy, if
+/// there is one.
 struct Error {
   ErrorCode code = ErrorCode::invalid_argument;
   std::string message;
 };
 
 /// A value, or the error that explains why there is none. Functions that depend on outside input
-/// return a Result. Violated preconditions are not reported by a Result; see pelt/pelt.hpp.
+/// return a Result. Violated preconditions are not reported in a Result (see pelt/pelt.hpp).
 template <typename T>
 class [[nodiscard]] Result {
  public:

@@ -1,8 +1,8 @@
 #pragma once
 
 /// Self-collision: which triangles of one pose intersect each other. Neighbouring triangles always
-/// touch in the corners that they share, which does not count. `SelfFilter` stores the neighbours
-/// of a model's triangles and the filters.
+/// touch in the corners that they share; this does not count as intersection. A `SelfFilter`
+/// selects pairs of triangles to leave out of the answer.
 
 #include <pelt/cxx20.hpp>
 
@@ -26,57 +26,60 @@ namespace detail {
 struct SelfFilter;
 }
 
-/// A pair of joints or of groups. Filters ignore the order of the two numbers; comparisons do not.
+/// A pair of joints or of groups. Filters treat (a, b) and (b, a) as the same pair. The comparison
+/// operators do not.
 struct IndexPair {
   std::uint16_t first = 0, second = 0;
 
   friend auto operator<=>(const IndexPair&, const IndexPair&) = default;
 };
 
-/// Which intersecting pairs of triangles to leave out. By default, none. `build_self_filter` copies
-/// what it needs from the arrays. An empty array turns its filter off.
+/// Selects intersecting pairs of triangles to leave out. By default, no pair is left out.
+/// `build_self_filter` copies what it needs from the arrays. An empty array turns its filter off.
 struct SelfFilterOptions {
-  /// Leaves out neighbours. With 1, pairs that share a surface vertex (see `self_collide`). With
-  /// k > 1, also pairs that are connected by a chain of at most k - 1 other triangles, each of
-  /// which shares a surface vertex with the next. At most 64.
+  /// Leaves out neighbours. 0 leaves out none. 1 leaves out pairs that share a surface vertex (see
+  /// `self_collide`). A greater value k also leaves out pairs that are connected by a chain of at
+  /// most k - 1 other triangles, where each triangle shares a surface vertex with the next one. At
+  /// most 64.
   std::uint32_t rings = 0;
 
-  /// [T] Leaves out pairs with a triangle of value 0, for example a hidden one.
+  /// [T] A flag for each triangle. Leaves out pairs in which a triangle has the flag 0, for example
+  /// because it is hidden.
   std::span<const std::uint8_t> takes_part = {};
 
-  /// Leaves out these pairs, in any order: pairs that intersect in a reference pose, such as the
-  /// rest pose. `self_collide` in that pose finds them.
+  /// Leaves out these pairs, listed in any order. Meant for pairs that intersect in a reference
+  /// pose, such as the rest pose. `self_collide` in that pose finds them.
   std::span<const Contact> at_rest = {};
 
-  /// Leaves out these pairs, in any order: pairs that intersect in nearly all poses, such as the
-  /// layers of clothes. `ContactTally` finds them.
+  /// Leaves out these pairs, listed in any order. Meant for pairs that intersect in nearly all
+  /// poses, such as layers of clothes. `ContactTally` finds them.
   std::span<const Contact> always = {};
 
   /// [J] A number for each joint. `joint_parents` and `joint_pairs` treat joints with equal numbers
   /// as one joint. Use this for joints that no clip moves relative to each other.
   std::span<const std::uint16_t> joint_bodies = {};
 
-  /// [J] The parent of each joint, or `kNoJoint`. Leaves out pairs whose main joints are the same,
-  /// or parent and child. The main joint of a triangle is the joint with the largest sum of weights
-  /// over its vertices.
+  /// [J] The parent of each joint, or `kNoJoint`. Leaves out pairs of triangles whose main joints
+  /// are the same, or are parent and child. The main joint of a triangle is the joint with the
+  /// largest sum of weights over its vertices.
   std::span<const std::uint16_t> joint_parents = {};
 
-  /// Leaves out pairs whose main joints are listed here.
+  /// Leaves out pairs of triangles whose two main joints are listed here as a pair.
   std::span<const IndexPair> joint_pairs = {};
 
-  /// [T] The group of each triangle: any number of the caller, such as that of a material. Leaves
-  /// out pairs whose groups are listed in `group_pairs`.
+  /// [T] The group of each triangle: any number that the caller chooses, such as the index of its
+  /// material. Leaves out pairs of triangles whose two groups are listed in `group_pairs`.
   std::span<const std::uint16_t> groups = {};
   std::span<const IndexPair> group_pairs = {};
 };
 
 inline constexpr std::uint16_t kNoJoint = 0xFFFF;
 
-/// The filters, in the order in which they are applied: a pair is counted only for the first filter
-/// that leaves it out.
+/// The filters, in the order in which they are applied. A pair is counted only for the first filter
+/// that leaves it out. `joints` stands for `joint_parents` and `joint_pairs`.
 enum class LeftOutBy : std::uint8_t { none, takes_part, rings, at_rest, always, joints, groups };
 
-/// How many intersecting pairs each filter has left out.
+/// Number of intersecting pairs that each filter has left out.
 struct LeftOut {
   std::uint64_t takes_part = 0, rings = 0, at_rest = 0, always = 0, joints = 0, groups = 0;
 
@@ -84,32 +87,32 @@ struct LeftOut {
   PELT_API LeftOut& operator+=(const LeftOut& other);
 };
 
-/// Work of `self_collide`, and what its filter has left out.
+/// Work of `self_collide`, and the number of pairs that its filters have left out.
 struct SelfStats : QueryStats {
   LeftOut left_out;
 };
 
-/// The neighbours of a model's triangles, and filters. Create one per model and choice of filters.
-/// Immutable, cheap to copy (copies share), safe to use from any number of threads.
+/// The neighbours of a model's triangles, and filters. Create one `SelfFilter` for each model and
+/// choice of filters. Immutable, cheap to copy (copies share the data), safe to use from any number
+/// of threads.
 class PELT_API SelfFilter {
  public:
   const SkinnedModel& model() const;
 
-  /// The first filter that leaves out a pair of triangles, whether they intersect or not. For many
-  /// pairs, see `leave_out`.
+  /// Returns the first filter that leaves out triangles `s` and `t`, or `none`. Does not test
+  /// whether the triangles intersect. For many pairs, see `leave_out`.
   ///
-  /// Preconditions: `s` and `t` are different triangles of the model.
+  /// Precondition: `s` and `t` are different triangles of the model.
   ///
-  /// Cost: O(log P) for lists of P pairs. With several rings: also O(V + triangles in the rings),
-  /// and allocates.
+  /// Cost: O(log P) for P listed pairs. If `rings` is more than 1, also O(V + triangles in the
+  /// rings), and then allocates.
   LeftOutBy left_out_by(std::uint32_t s, std::uint32_t t) const;
 
   /// Number of vertices to pass to `Scratch::reserve`, so that `self_collide` does not allocate.
   std::size_t scratch_vertices() const;
 
-  /// Bytes of memory shared by all copies, without the model: 34 to 40 bytes per triangle of a
-  /// character, and less than 1 KB per triangle of any mesh, plus the lists of pairs, 8 bytes per
-  /// pair.
+  /// Bytes of the data that all copies share, without the model: 34 to 40 bytes per triangle of a
+  /// character, and less than 1 KB per triangle of any mesh. Each listed pair adds 8 bytes.
   std::size_t memory_bytes() const;
 
   /// For internal use.
@@ -120,7 +123,7 @@ class PELT_API SelfFilter {
   std::shared_ptr<const detail::SelfFilter> filter_;
 };
 
-/// Finds the neighbours of a model's triangles, and prepares the filters.
+/// Finds the neighbours of a model's triangles and prepares the filters.
 ///
 /// Cost: O(T log T). Allocates.
 ///
@@ -135,27 +138,28 @@ PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
 /// intersection. Pairs that `filter` leaves out are not appended.
 ///
 /// Vertices with equal rest positions and the same bits in displacements of morph targets are one
-/// surface vertex, whatever their influences. Two triangles share a corner if their corners are one
-/// surface vertex and have the same posed position. By the number of shared corners, two triangles
-/// intersect
-/// - none: if the closed triangles intersect, as in `collide`;
-/// - one: if, of one triangle, the edge opposite the shared corner meets the other closed triangle;
-/// - two: if they are folded flat, that is, all corners are in one plane, and both corners that are
-///   not shared lie strictly on the same side of the shared edge; or if the third corner of one
-///   triangle lies on the other closed triangle;
-/// - all: always. They are duplicates.
+/// surface vertex, whatever their influences. Two triangles share a corner if both have a corner at
+/// the same surface vertex and these corners have the same posed position. The number of shared
+/// corners decides when two triangles intersect:
+/// - 0: if the closed triangles intersect, as in `collide`.
+/// - 1: if the edge opposite the shared corner, of either triangle, meets the other closed
+///   triangle.
+/// - 2: if the corner that is not shared, of either triangle, lies on the other closed triangle.
+///   Also if the triangles are folded flat: all corners lie in one plane, and the two corners that
+///   are not shared lie strictly on the same side of the shared edge.
+/// - 3: always, because the triangles are duplicates.
 ///
 /// The answer is exact with respect to the float32 posed vertices (see `posed_vertices`). A
 /// triangle that has collapsed to a segment or a point is treated as that segment or point.
 ///
 /// Preconditions:
-/// `filter`: of the model of `pose`. Otherwise the program aborts, in every build.
+/// `filter`: made for the model of `pose`. Otherwise the program aborts, in every build.
 /// `scratch`: not used by another thread at the same time.
 ///
-/// Cost: poses all vertices and computes all boxes, O(V + T), unless this has been done since the
-/// last palette. The descent of the tree against itself then also costs O(T), because neighbours
-/// always touch. Pairs that the filter leaves out cost as much as others. With several rings, each
-/// intersecting pair also costs O(triangles in the rings).
+/// Cost: the first query after a new palette poses all vertices and computes all boxes, O(V + T).
+/// Each query also descends the tree against itself, which alone costs time proportional to T,
+/// because neighbours always touch. Pairs that the filter leaves out cost as much as others. If
+/// `rings` is more than 1, each intersecting pair also costs O(triangles in the rings).
 ///
 /// Allocates only if it needs more memory in the pose, in `scratch` or in `contacts` than any
 /// earlier query.
@@ -166,21 +170,24 @@ PELT_API SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& s
 /// the first contact that the filter does not leave out.
 PELT_API YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& scratch);
 
-/// Removes the pairs that `filter` leaves out from contacts that another query has found between
-/// parts of a character, for example `collide` of a coat and the body below it. The filter is that
-/// of the whole character, and the contacts have its triangle numbers. In each remaining pair,
-/// triangle_a < triangle_b. The order of the pairs stays. Returns how many each filter has removed.
+/// Removes from `contacts` the pairs that `filter` leaves out. Use this function for contacts
+/// between parts of one character that another query has found, for example `collide` of a coat and
+/// the body below it. Returns the number of pairs that each filter has removed. In each remaining
+/// pair, triangle_a < triangle_b. The order of the list is unchanged.
 ///
-/// Preconditions: the triangles of each pair are different ones of the filter's model. `scratch` is
-/// not used by another thread at the same time.
+/// Preconditions:
+/// `filter`: made for the model of the whole character.
+/// `contacts`: pairs of different triangles, numbered as in this model.
+/// `scratch`: not used by another thread at the same time.
 ///
-/// Cost: O(log P) per contact for lists of P pairs. With several rings: also O(V) once per call,
-/// and O(triangles in the rings) per contact. Allocates only if `scratch` needs more memory than
-/// for any earlier query.
+/// Cost: O(log P) per contact for P listed pairs. If `rings` is more than 1, also O(V) once per
+/// call, and O(triangles in the rings) per contact.
+///
+/// Allocates only if it needs more memory in `scratch` than any earlier query.
 PELT_API LeftOut leave_out(const SelfFilter& filter, Scratch& scratch,
                            std::vector<Contact>& contacts);
 
-/// Counts in how many poses pairs of triangles intersect.
+/// Counts, for each pair of triangles, the poses in which the pair intersects.
 class PELT_API ContactTally {
  public:
   ContactTally();
@@ -188,14 +195,17 @@ class PELT_API ContactTally {
   ContactTally& operator=(ContactTally&&) noexcept;
   ~ContactTally();
 
-  /// Adds the contacts of one pose: ascending, without repetition.
+  /// Adds the contacts of one pose.
+  ///
+  /// Precondition: `contacts` is in ascending order, without repetition.
   ///
   /// Cost: linear in the distinct pairs of all poses. Allocates.
   void add(std::span<const Contact> contacts);
 
   std::uint32_t pose_count() const;
 
-  /// Returns the pairs that intersected in at least this share (0 to 1) of the poses, ascending.
+  /// Returns, in ascending order, the pairs that intersect in at least this share (0 to 1) of the
+  /// poses.
   std::vector<Contact> in_share_of_poses(double share) const;
 
  private:

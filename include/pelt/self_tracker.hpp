@@ -1,8 +1,8 @@
 #pragma once
 
-/// Self-contacts of a character in motion. From one frame to the next, most of a surface moves
-/// almost rigidly with some joint. `SelfTracker` remembers how far neighbouring triangles were
-/// apart, and skips those that cannot have come together since.
+/// Self-collision of a character in motion. From one frame to the next, most of a surface moves
+/// almost rigidly with some joint. `SelfTracker` stores how far neighbouring triangles were apart,
+/// and skips triangles that cannot have come together since.
 
 #include <pelt/cxx20.hpp>
 
@@ -14,9 +14,9 @@ namespace detail {
 struct SelfTrack;
 }
 
-/// Results of earlier frames that remain valid for similar poses. Create one tracker per body, and
-/// use it for every frame. Poses may follow each other in any order, but time is saved only if a
-/// pose is similar to the one before.
+/// Results of earlier frames that remain valid for similar poses. Create one tracker per instance,
+/// and use it for every frame. Poses may follow each other in any order, but a tracker saves time
+/// only if a pose is similar to the previous one.
 class PELT_API SelfTracker {
  public:
   /// Shares `filter`.
@@ -43,15 +43,17 @@ class PELT_API SelfTracker {
 /// `max_contacts` ends the query early, the contacts may differ from those found without a tracker.
 ///
 /// Preconditions:
-/// `tracker`: of the model of `pose`. Otherwise the program aborts, in every build. Not used by
-/// another thread at the same time.
-/// `scratch`: as in `self_collide`.
+/// `tracker`: its filter was made for the model of `pose`. Otherwise the program aborts, in every
+///   build. Not used by another thread at the same time.
+/// `scratch`: not used by another thread at the same time.
 ///
-/// Cost: less than `self_collide` if the surface moves almost rigidly with its joints: neighbouring
-/// triangles are tested again only after they have moved far enough, relative to a joint, to touch.
-/// The first call, and a call after a large change, cost up to twice as much as `self_collide`.
+/// Cost: less than `self_collide` without a tracker if the surface moves almost rigidly with its
+/// joints. Neighbouring triangles are then tested again only after they have moved far enough,
+/// relative to a joint, to touch. The first call, and a call after a large change, cost up to twice
+/// as much as `self_collide` without a tracker.
 ///
-/// Allocates only in the pose, in `scratch` and in `contacts`, as `self_collide` does.
+/// Allocates only if it needs more memory in the pose, in `scratch` or in `contacts` than any
+/// earlier query.
 PELT_API SelfStats self_collide(Pose& pose, SelfTracker& tracker, Scratch& scratch,
                                 std::vector<Contact>& contacts, const CollideOptions& options = {});
 

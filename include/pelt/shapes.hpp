@@ -1,9 +1,9 @@
 #pragma once
 
 /// Simple shapes in the frame of the joint palette. All shapes are closed sets. pelt/solid.hpp
-/// combines the shapes into the types `Region` and `Solid`, and has the queries. Queries of a
-/// `Region` are exact. Distances from a `Solid` and rays against a `Solid` have the errors that
-/// pelt/solid.hpp states.
+/// combines the shapes into the types `Region` and `Solid`, and declares the queries of both.
+/// Queries of a `Region` are exact. Distances from a `Solid` and rays against a `Solid` have the
+/// errors that pelt/solid.hpp states.
 
 #include <pelt/cxx20.hpp>
 
@@ -33,31 +33,34 @@ struct Capsule {
   float radius = 0;
 };
 
-/// All points p with normal . p <= offset, behind a plane whose normal points outwards. The normal
-/// may have any length.
+/// All points p with normal . p <= offset. They lie behind a plane whose normal points away from
+/// them. The normal may have any length.
 struct HalfSpace {
   Vec3 normal;
   float offset = 0;
 };
 
-/// All points p with |axes[i] . (p - centre)| <= half[i] for each i. With orthogonal unit vectors
-/// as axes, this is a box with these half extents.
+/// All points p with |axes[i] . (p - centre)| <= half[i] for i = 0, 1, 2, where half[i] is half.x,
+/// half.y or half.z. If the axes are orthogonal unit vectors, this is a box with the half extents
+/// `half`.
 struct OrientedBox {
   Vec3 centre;
   std::array<Vec3, 3> axes = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   Vec3 half;
 };
 
-/// The intersection of half-spaces, which may be unbounded or empty. Without faces, it is all of
-/// space.
+/// The intersection of half-spaces, called faces. It may be unbounded or empty. The intersection of
+/// no half-spaces is all of space.
 class ConvexPolyhedron {
  public:
   static constexpr std::size_t kMaxFaces = 64;
 
   ConvexPolyhedron() = default;
 
-  /// Copies the faces. Allocates nothing. Precondition: at most `kMaxFaces`; more faces abort the
-  /// program, in every build.
+  /// Copies the faces. Allocates nothing.
+  ///
+  /// Precondition: there are at most `kMaxFaces` faces. Otherwise the program aborts, in every
+  /// build.
   PELT_API ConvexPolyhedron(std::span<const HalfSpace> faces);
 
   std::span<const HalfSpace> faces() const { return {faces_.data(), count_}; }
@@ -67,7 +70,7 @@ class ConvexPolyhedron {
   std::size_t count_ = 0;
 };
 
-/// The view volume of a camera: left, right, bottom, top, near, far.
+/// The view volume of a camera. The faces are left, right, bottom, top, near, far, in this order.
 struct Frustum {
   std::array<HalfSpace, 6> faces;
 
@@ -81,10 +84,10 @@ enum class ClipDepth {
   zero_to_one,       ///< Vulkan, Direct3D, Metal, WebGPU
 };
 
-/// Returns the frustum of projection x view: all points p whose clip coordinates (x, y, z, w) =
-/// view_projection (p, 1) satisfy |x| <= w, |y| <= w and the range of depth. Each plane is rounded
-/// to float once. Reversed depth is supported. If the far plane is infinite, the far face has a
-/// zero normal and excludes nothing.
+/// Returns the frustum of the matrix projection x view: all points p whose clip coordinates (x, y,
+/// z, w) = view_projection (p, 1) satisfy |x| <= w, |y| <= w, and the limits of z that `depth`
+/// selects. Each plane is rounded to float once. Reversed depth is supported. If the far plane is
+/// infinite, the far face has a zero normal and excludes nothing.
 ///
 /// `view_projection`: column-major like a joint matrix, with any last row.
 PELT_API Frustum make_frustum(const Matrix4& view_projection,

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Boxes of subsets of a posed skin: of the file's parts, of materials, or of the vertices that a
-/// joint moves.
+/// Boxes of subsets of a posed skin: of the parts of a file, of materials, or of the vertices that
+/// a joint moves.
 
 #include <pelt/cxx20.hpp>
 
@@ -26,7 +26,8 @@ struct VertexGroups;
 inline constexpr std::uint32_t kNoGroup = 0xFFFFFFFF;
 
 /// Sets of a model's vertices, prepared for computing their bounds. Immutable, cheap to copy
-/// (copies share), safe to use from any number of threads. One model can have several VertexGroups.
+/// (copies share the data), safe to use from any number of threads. One model can have several
+/// VertexGroups.
 class PELT_API VertexGroups {
  public:
   /// The model of the groups.
@@ -57,21 +58,23 @@ class PELT_API VertexGroups {
 ///
 /// `labels`: [T] group of each triangle, or kNoGroup.
 ///
-/// Cost: O(V log V). Allocates. Returns an error if there is not one label per triangle, or if a
-/// label is not less than T.
+/// Cost: O(V log V). Allocates.
+///
+/// Returns an error if there is not one label per triangle, or if a label other than kNoGroup is T
+/// or more.
 PELT_API Result<VertexGroups> group_triangles(const SkinnedModel& model,
                                               std::span<const std::uint32_t> labels);
 
-/// Creates one group per joint, in the order of the palette. Each vertex that a triangle uses
-/// belongs to the joint for which the vertex has its largest weight. If several joints have this
-/// weight, the vertex belongs to the lowest of these joints. Joints without vertices have empty
-/// groups.
+/// Creates one group per joint, in the order of the palette. Each vertex of a triangle belongs to
+/// the joint for which it has its largest weight. If several joints have this weight, the vertex
+/// belongs to the joint with the lowest index. Joints without vertices have empty groups.
 ///
 /// Cost: O(V log V). Allocates.
 PELT_API VertexGroups group_by_joint(const SkinnedModel& model);
 
-/// Writes a box that is guaranteed to enclose the posed vertices of one group, computed from the
-/// joint palette alone. The box of an empty group reaches from infinity to minus infinity.
+/// Writes a box that is guaranteed to enclose the posed vertices of one group. The box is computed
+/// from the joint palette and the morph weights, without posing vertices. For an empty group, `low`
+/// is infinity and `high` is minus infinity.
 ///
 /// Precondition: `pose` is a pose of the groups' model, and group < G. Otherwise the program
 /// aborts, in every build.
@@ -81,13 +84,13 @@ PELT_API QueryStats group_bounds(const Pose& pose, const VertexGroups& groups, s
                                  Box& result);
 
 /// Writes the exact box of one group: bit for bit the smallest and largest coordinates of its posed
-/// vertices, except that -0 becomes +0. The box of an empty group reaches from infinity to minus
+/// vertices, except that -0 becomes +0. For an empty group, `low` is infinity and `high` is minus
 /// infinity.
 ///
 /// Precondition: as for `group_bounds`.
 ///
 /// Cost: O(vertices of the group * influences per vertex). Each morph target with a weight other
-/// than 0 adds O(log V) for each vertex of the group that it displaces. Allocates nothing.
+/// than 0 adds O(log V) for each vertex of the group that the target displaces. Allocates nothing.
 PELT_API QueryStats exact_group_bounds(const Pose& pose, const VertexGroups& groups,
                                        std::uint32_t group, Box& result);
 
