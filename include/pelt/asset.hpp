@@ -1,8 +1,9 @@
 #pragma once
 
-/// Characters from glTF files: meshes for `build_model`, and joint palettes from clips. All
-/// computations from the file to the palette use only + - * / and square roots in a fixed order,
-/// and polynomials for sines, so the same file gives the same bits on every platform.
+/// Characters from glTF files: meshes for `build_model`, and joint palettes from clips.
+///
+/// The same file gives the same bits on every platform, because everything is computed with
+/// + - * / and square roots in a fixed order. Sines are polynomials.
 
 #include <pelt/cxx20.hpp>
 
@@ -31,7 +32,8 @@ struct Transform {
   std::array<float, 3> scale = {1, 1, 1};
 };
 
-/// A node of the scene graph. Parents precede their children.
+/// A node of the scene graph. Parents precede their children in Asset::nodes. The default pose
+/// consists of the transforms that the file gives for the nodes, without any clip.
 struct Node {
   std::string name;
   std::uint32_t parent = kNoParent;  ///< index into Asset::nodes
@@ -41,12 +43,12 @@ struct Node {
   /// `local`, and no clip animates the transform.
   bool has_matrix = false;
 
-  Matrix4 matrix;  ///< relative to the parent; meaningless if `has_matrix` is false
+  Matrix4 matrix;  ///< relative to the parent, like `local`; meaningless if not `has_matrix`
 };
 
-/// A joint of the palette. Its matrix in the palette is placement x global x inverse_bind, where
-/// placement is the world matrix of the instance, and global is the transform from the node to the
-/// scene.
+/// A joint of the palette. Its matrix in the palette is placement x global x inverse_bind.
+/// `placement` is the world matrix of the instance. `global` transforms from the frame of the
+/// joint's node to the frame of the scene.
 struct Joint {
   std::uint32_t node = 0;  ///< index into Asset::nodes
   Matrix4 inverse_bind;    ///< rest position -> joint space
@@ -57,11 +59,13 @@ struct Part {
   std::string node, mesh, material;  ///< names; empty if the file has none
   std::uint32_t first_triangle = 0, triangle_count = 0;
 
-  /// Whether the part is skinned. If not, all its vertices follow a single joint, which moves like
-  /// the part's node. `load_gltf` transforms the rest positions of an unskinned part from mesh
-  /// space to the frame of the scene, with the node's transform in the default pose. Exception: the
-  /// rest positions stay in mesh space if this transform cannot be inverted, or if a skinned part
-  /// uses the same joint.
+  /// Whether the part has a skin. All vertices of an unskinned part follow a single joint, which
+  /// moves like the part's node.
+  ///
+  /// The rest positions of a skinned part are in mesh space. Those of an unskinned part are in the
+  /// frame of the scene, where the default pose places them. Exception: the rest positions of an
+  /// unskinned part stay in mesh space if the transform from the node to the scene cannot be
+  /// inverted, or if a skinned part uses the same joint.
   bool skinned = false;
 };
 
@@ -69,7 +73,7 @@ struct Part {
 struct MorphTarget {
   std::string name;          ///< from `extras.targetNames` of the mesh; may be empty
   std::uint32_t node = 0;    ///< index into Asset::nodes
-  float default_weight = 0;  ///< weight of the node, or else of the mesh
+  float default_weight = 0;  ///< from the node; if the node has no weights, from the mesh
 };
 
 enum class Path : std::uint8_t { translation, rotation, scale, weights };
@@ -80,11 +84,11 @@ struct Channel {
   std::uint32_t node = 0;
   Path path = Path::translation;
   Interpolation interpolation = Interpolation::linear;
-  std::vector<float> times;  ///< [K] seconds, strictly ascending, K >= 1
+  std::vector<float> times;  ///< [keys] seconds, strictly ascending, at least one
 
-  /// [K][n] values, or [K][3][n] (in-tangent, value, out-tangent) for cubic_spline. n is 4 for
-  /// rotation (x y z w) and 3 for translation and scale. For weights, n is the number of the node's
-  /// morph targets.
+  /// [keys][n] values, or [keys][3][n] (in-tangent, value, out-tangent) for cubic_spline. n is 4
+  /// for rotation (x y z w) and 3 for translation and scale. For weights, n is the number of the
+  /// node's morph targets.
   std::vector<float> values;
 };
 
@@ -94,85 +98,91 @@ struct Clip {
   std::vector<Channel> channels;
 };
 
-/// One character: a mesh that merges all skins and parts, its skeleton and its clips.
+/// One character: a skeleton, its clips, and a single mesh that contains all parts.
 ///
-/// Triangles are numbered in the order of the scene: nodes depth-first, primitives in order,
-/// including degenerate triangles. The arrays take 12 bytes per triangle, 12 + 6 K per vertex, 68
-/// per joint, 16 per vertex that a morph target displaces, and 4 per element of `Channel::times`
-/// and `Channel::values`. Nothing else grows with the mesh.
+/// Triangles are numbered in the order of the file: nodes of the scene depth-first, then primitives
+/// of a node, then triangles of a primitive. Degenerate triangles are included.
+///
+/// Memory: 12 bytes per triangle, 12 + 6 K bytes per vertex, 16 bytes per displacement of a morph
+/// target, 68 bytes per joint, and 4 bytes per element of `Channel::times` and `Channel::values`.
+/// Nothing else grows with the size of the mesh.
 struct PELT_API Asset {
-  std::vector<Vec3> rest_positions;          ///< [V] in mesh space; see also Part::skinned
+  std::vector<Vec3> rest_positions;          ///< [V] frame: see Part::skinned
   std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
   std::uint32_t influences_per_vertex = 1;   ///< K
   std::vector<std::uint16_t> joint_indices;  ///< [V][K] into `joints`
   std::vector<float> weights;                ///< [V][K] 0 if unused
   std::vector<Joint> joints;                 ///< [J] in the order of the joint palette
 
-  std::vector<MorphTarget> morph_targets;     ///< [M] targets of a node are consecutive
-  std::vector<std::uint32_t> morph_begin;     ///< [M + 1] into the next two arrays; empty if M is 0
-  std::vector<std::uint32_t> morph_vertices;  ///< vertices that a target displaces, ascending
-  std::vector<Vec3> morph_displacements;      ///< not zero; frame like `rest_positions`
+  std::vector<MorphTarget> morph_targets;  ///< [M] targets of a node are consecutive
+
+  /// D displacements: target m displaces vertex morph_vertices[i] by morph_displacements[i] for
+  /// morph_begin[m] <= i < morph_begin[m + 1].
+  std::vector<std::uint32_t> morph_begin;     ///< [M + 1] from 0 to D; empty if M is 0
+  std::vector<std::uint32_t> morph_vertices;  ///< [D] ascending within each target
+  std::vector<Vec3> morph_displacements;      ///< [D] not zero; in the frame of `rest_positions`
 
   std::vector<Node> nodes;  ///< parents first
-  std::vector<Part> parts;  ///< ordered by first_triangle; cover all triangles
+  std::vector<Part> parts;  ///< ordered by first_triangle; each triangle is in one part
   std::vector<Clip> clips;
   std::vector<std::string> warnings;  ///< contents of the file that Pelt ignored
 
   /// Returns a view of the arrays of this asset, for `build_model`. O(1), copies nothing.
   SkinnedMeshView mesh() const;
 
-  /// Returns the first clip with this name ("" finds an unnamed clip), or null. The clip belongs to
-  /// this asset. O(clips).
+  /// Returns the first element of `clips` with this name, or null if there is none. "" finds an
+  /// unnamed clip. O(clips).
   const Clip* find_clip(std::string_view name) const;
 
-  /// Name of the node of a joint; may be empty. O(1). Precondition: joint < J.
+  /// Returns the name of the joint's node; may be empty. O(1). Precondition: joint < J.
   const std::string& joint_name(std::uint32_t joint) const;
 
-  /// Part that contains the triangle. O(log parts). Precondition: triangle < T.
+  /// Returns the part that contains the triangle. O(log parts). Precondition: triangle < T.
   const Part& part_of(std::uint32_t triangle) const;
 };
 
 struct GltfOptions {
-  /// Include unskinned meshes (weapons, armour).
+  /// Include meshes without a skin, such as weapons and armour.
   bool unskinned_parts = true;
 
-  /// Names of mesh nodes to leave out, with their children.
+  /// Leave out the meshes of nodes with these names, and of all nodes below them.
   std::vector<std::string> exclude_nodes;
 
-  /// Return an error if `exclude_nodes` has a name that no node has.
+  /// Return an error if no node of the scene has one of the names in `exclude_nodes`.
   bool excluded_must_exist = true;
 };
 
-/// Reads a glTF 2.0 file: .glb, or .gltf with data URIs and external files, which must be in the
-/// folder of the file or below it. The file is treated as hostile: offsets and sizes are validated
-/// before data is read or memory is allocated.
+/// Reads a glTF 2.0 file: .glb, or .gltf with data URIs and external files. External files must be
+/// in the folder of the file or below it. The file need not be trusted: offsets and sizes are
+/// validated before data is read or memory is allocated.
 ///
-/// Rotations are normalised, because files round them. Weights are copied unchanged; `build_model`
-/// validates them.
+/// Rotations are normalised, because the file stores rounded numbers. Weights of vertices are
+/// copied unchanged; `build_model` validates them.
 ///
-/// Cost: O(bytes of the files + size of the asset), plus O(log J) for each joint of a skin.
-/// Accessors are decoded once for each use, and a mesh is copied for each node that has it. While
-/// loading, memory contains the file, the files that it refers to, and decoded copies, in addition
-/// to the asset.
+/// Cost: O(bytes of all files + size of the asset), plus O(log J) for each joint of a skin. An
+/// accessor is decoded once for each use. A mesh is copied for each node that uses it.
 ///
-/// Limits: the contents may need at most 16 MiB of memory plus 256 bytes for each byte of the file
-/// and of the external files. More is an error. On 32-bit platforms, contents that need more than
-/// 256 MiB, and JSON with more than two million values, are also errors.
+/// Allocates the asset. Until the function returns, the file, its external files and decoded copies
+/// are also in memory.
 ///
-/// Returns an error that names the accessor, node or extension. Rotations whose squared length is
-/// farther than 1/16 from 1 are an error.
+/// Limits: let F be the number of bytes of the file and its external files. Contents that need more
+/// memory than 16 MiB + 256 F bytes, or than 48 GiB, are an error. On 32-bit platforms, contents
+/// that need more than 256 MiB are an error, and so is JSON with more than two million values.
+///
+/// Returns an error that names the accessor, node or extension. A rotation is an error if its
+/// squared length differs from 1 by more than 1/16.
 PELT_API Result<Asset> load_gltf(const std::filesystem::path& path,
                                  const GltfOptions& options = {});
 
-/// Reads a glTF file from memory, at the same cost.
+/// Reads a glTF file from memory, with the same cost, limits and errors.
 ///
-/// `folder`: where external files are looked up; empty if there are none.
+/// `folder`: folder of the external files; may be empty if there are none.
 PELT_API Result<Asset> load_gltf(std::span<const std::byte> file,
                                  const std::filesystem::path& folder,
                                  const GltfOptions& options = {});
 
-/// Reusable working memory for sampling; use one per thread. Takes 176 bytes for each node of the
-/// largest asset that it was used for.
+/// Reusable working memory for `sample_palette`. Use one per thread. Memory: 176 bytes per node of
+/// the largest asset so far.
 struct SampleScratch {
   /// A Transform in double.
   struct Local {
@@ -185,10 +195,10 @@ struct SampleScratch {
   std::vector<std::array<double, 12>> globals;  // [nodes] first three rows, column-major
 };
 
-/// Writes the joint palette of a clip at the time `seconds`.
+/// Writes the joint palette of a clip at the time `seconds`, for `Pose::set_palette`.
 ///
-/// `clip`: null selects the default pose of the nodes.
-/// `seconds`: clamped to the range of the clip's keys. To loop, pass a time modulo `duration`.
+/// `clip`: null selects the default pose.
+/// `seconds`: clamped to the times of each channel's keys. To loop, pass a time modulo `duration`.
 /// `placement`: world matrix of the instance; multiplies from the left.
 /// `palette`: precondition: J elements.
 ///
@@ -197,8 +207,8 @@ PELT_API void sample_palette(const Asset& asset, const Clip* clip, float seconds
                              const Matrix4& placement, SampleScratch& scratch,
                              std::span<Matrix4> palette);
 
-/// Writes the weights of the morph targets of a clip at the time `seconds`, for
-/// `Pose::set_morph_weights`. Weights that the clip does not animate have their default.
+/// Writes the morph weights of a clip at the time `seconds`, for `Pose::set_morph_weights`. A
+/// target that the clip does not animate gets its `default_weight`.
 ///
 /// `clip`: null selects the default weights.
 /// `seconds`: clamped as in `sample_palette`.

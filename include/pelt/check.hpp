@@ -9,12 +9,13 @@
 
 namespace pelt {
 
-/// Checks the bounds of a pose, for tests. Computes every bound of `pose` that a query could use,
-/// compares these bounds and those stored in the pose with the positions of `posed_vertices`, and
-/// leaves the pose unchanged.
+/// Checks that the bounds of a pose enclose its posed vertices (see `posed_vertices`). For tests.
+/// Checks the bounds that earlier queries have stored in `pose`, and then all bounds that a query
+/// could compute. Leaves `pose` unchanged.
 ///
-/// Returns an empty string if every bound encloses its vertices. Otherwise returns a message with
-/// the node, bound and distance of the first violation. A violation is a bug in Pelt.
+/// Returns an empty string if every bound encloses its vertices. Otherwise returns a message about
+/// the first violation, with the node, the bound, and how far a vertex is outside the bound. A
+/// violation is a bug in Pelt.
 ///
 /// Cost: O(T + V). Allocates.
 PELT_API std::string check_bounds(const Pose& pose);

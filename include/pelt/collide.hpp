@@ -30,23 +30,23 @@ struct CollideOptions {
 /// Appends every pair of intersecting triangles of `a` and `b` to `contacts`, in ascending order.
 ///
 /// The answer is exact with respect to the float32 posed vertices (see `posed_vertices`). Triangles
-/// are closed sets: touching and coplanar overlap count as intersecting. A triangle that has
-/// collapsed to a segment or a point is treated as that segment or point.
+/// are closed sets: triangles that only touch, or that overlap in one plane, intersect. A triangle
+/// that has collapsed to a segment or a point is treated as that segment or point.
 ///
 /// Preconditions:
 /// `a`, `b`: different poses, of one model or of two. Passing one pose twice aborts the program, in
 ///   every build.
 /// `scratch`: not used by another thread at the same time.
 ///
-/// Cost: grows with the contact area and not with the size of the meshes. Two trees of boxes are
-/// descended together; vertices are posed and boxes computed only where boxes overlap, once per
-/// palette. Poses that are far apart cost O(J).
+/// Cost: grows with the contact area and not with the size of the meshes. The trees of both poses
+/// are descended together. Vertices are posed, and boxes are computed, only where boxes overlap,
+/// and only once per palette. Poses that are far apart cost O(J).
 ///
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `contacts` than any
 /// earlier query.
 ///
-/// Source: computing boxes on demand is section 4.2 of Kavan & Zara 2005. Tree and boxes are Pelt's
-/// own.
+/// Source: boxes are computed on demand as in section 4.2 of Kavan & Zara 2005. The tree and its
+/// bounds are Pelt's own.
 PELT_API QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
                             const CollideOptions& options = {});
 

@@ -1,8 +1,8 @@
 #pragma once
 
 /// Reports a single error if the compiler is not set to C++20. After `#error`, g++ and clang would
-/// continue and report every declaration that they do not understand. Both stop at an include file
-/// that does not exist, so this header includes a file whose name is the message.
+/// continue and report every declaration that they do not understand. Both compilers stop at a
+/// missing include file, so this header includes a missing file whose name is the message.
 
 #if !(__cplusplus > 201703L || (defined(_MSVC_LANG) && _MSVC_LANG > 201703L))
 #if defined(__GNUC__)

@@ -2,22 +2,23 @@
 
 /// Distances of posed surfaces from points and from each other.
 ///
-/// Exactness: answers are a function of the float32 posed vertices only (see `posed_vertices`).
-/// They do not depend on earlier queries or on the machine. The distance of two triangles is 0 if
-/// and only if they intersect as in `collide`, which is decided exactly. Otherwise the distance is
-/// computed in double and is positive. Of equally distant triangles, those with the lowest indices
-/// are reported.
+/// Distances are in model units. A surface is not a solid: if one body is inside another without
+/// touching it, their distance is positive. For a rigid or static mesh, build a model with one
+/// joint.
 ///
-/// Error: the error of the distance of two triangles is less than 2^-46 times the longest side of
-/// the axis-aligned box around both triangles. In addition, let g be the distance between the
-/// axis-aligned boxes of the two triangles. If g is at least 2^-48, the computed distance of the
+/// Exactness: answers depend only on the float32 posed vertices (see `posed_vertices`), and not on
+/// earlier queries or on the machine. `DistanceOptions::tolerance` states an exception. The
+/// distance of two triangles is 0 if and only if they intersect as in `collide`, which is decided
+/// exactly. Otherwise the distance is computed in double and is positive. Of equally distant
+/// triangles, those with the lowest indices are reported.
+///
+/// Error: let s be the longest side of the axis-aligned box around two triangles. The error of
+/// their distance is less than 2^-46 s. In addition, let g be the distance between the axis-aligned
+/// box of one triangle and that of the other. If g is at least 2^-48, the computed distance of the
 /// triangles is at least (1 - 2^-20) g.
 ///
-/// A surface is not a solid: if one body is inside another and does not touch it, their distance is
-/// positive. For a rigid or static mesh, build a model with one joint.
-///
-/// Cost: queries visit the parts of a tree in ascending order of the distance of their boxes. They
-/// open a node only if its box is closer than the closest triangles found so far.
+/// Cost: queries visit the boxes of a tree in ascending order of distance. A node is opened only if
+/// its box is closer than the closest triangles found so far.
 ///
 /// Source: branch and bound after Quinlan, "Efficient distance computation between non-convex
 /// objects", 1994. Computing boxes on demand is section 4.2 of Kavan & Zara 2005.
@@ -42,7 +43,7 @@ namespace pelt {
 struct SurfacePoint {
   std::uint32_t triangle = 0;  ///< index into the model's triangle array
 
-  /// Weights of the vertices; they sum to 1 up to rounding.
+  /// Weights of the three vertices of the triangle. The sum is 1 up to rounding.
   std::array<float, 3> barycentrics = {};
 
   Vec3 position;  ///< rounded to float
@@ -50,7 +51,7 @@ struct SurfacePoint {
 
 /// Result of `closest_point`.
 struct ClosestPoint {
-  /// Infinite if nothing is within `max_distance`; the point is then meaningless.
+  /// Infinite if nothing is within `max_distance`; `point` is then meaningless.
   double distance = std::numeric_limits<double>::infinity();
   SurfacePoint point;
 
@@ -59,15 +60,15 @@ struct ClosestPoint {
 };
 
 struct ClosestPointOptions {
-  /// Ignore everything farther away. Negative or NaN aborts the program, in every build.
+  /// Ignore everything farther away. A negative or NaN value aborts the program, in every build.
   double max_distance = std::numeric_limits<double>::infinity();
 };
 
-/// Writes the point of the posed surface that is closest to `point`. The error of the distance is
-/// the same as for two triangles (see above), but the distance of a point on the surface may be
-/// slightly more than 0.
+/// Writes the point of the posed surface that is closest to `point`. The distance has the same
+/// error bound as the distance of two triangles (see the top of this header). The distance of a
+/// point on the surface may be slightly more than 0.
 ///
-/// Precondition: the coordinates of `point` are finite and at most 2^60. A NaN or infinite
+/// Precondition: the coordinates of `point` are between -2^60 and 2^60. A NaN or infinite
 /// coordinate aborts the program, in every build.
 ///
 /// Cost: grows with the number of triangles that are about as close as the closest point. Allocates
@@ -75,8 +76,8 @@ struct ClosestPointOptions {
 PELT_API QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch,
                                   ClosestPoint& result, const ClosestPointOptions& options = {});
 
-/// Writes the closest point for each of `points`. Nodes that one point opens stay open for the
-/// others, so sort the points such that neighbours follow each other.
+/// Writes the closest point for each of `points`. Sort the points such that neighbours follow each
+/// other, because nodes that one point opens stay open for the next points.
 ///
 /// Precondition: `results` has one element per point. Otherwise the program aborts, in every build.
 PELT_API QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,
@@ -85,7 +86,7 @@ PELT_API QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scr
 
 /// Result of `distance`.
 struct Distance {
-  /// Distance of the points `a` and `b`. Infinite if nothing is within `max_distance`; the points
+  /// Distance of the points `a` and `b`. Infinite if nothing is within `max_distance`; `a` and `b`
   /// are then meaningless.
   double distance = std::numeric_limits<double>::infinity();
 
@@ -103,12 +104,13 @@ struct Distance {
 };
 
 struct DistanceOptions {
-  /// Ignore everything farther away. Negative or NaN aborts the program, in every build.
+  /// Ignore everything farther away. A negative or NaN value aborts the program, in every build.
   double max_distance = std::numeric_limits<double>::infinity();
 
-  /// Allowed excess of the result over the least distance. With a positive tolerance, the query
-  /// ends earlier, with a proven `lower_bound`, and the result depends on earlier queries. Negative
-  /// or NaN aborts the program, in every build.
+  /// Greatest allowed difference between the result and the least distance. With a positive
+  /// tolerance, the query ends earlier, `Distance::lower_bound` bounds the least distance, and the
+  /// result may depend on earlier queries. A negative or NaN value aborts the program, in every
+  /// build.
   double tolerance = 0;
 
   /// An earlier result for the same two models in nearly the same poses, or null. The search starts
@@ -116,22 +118,23 @@ struct DistanceOptions {
   const Distance* hint = nullptr;
 };
 
-/// Writes the least distance of any triangle of `a` from any triangle of `b`, with two points at
+/// Writes the least distance between a triangle of `a` and a triangle of `b`, and two points at
 /// this distance.
 ///
 /// Precondition: `a` and `b` are different poses, of one model or of two. Passing one pose twice
 /// aborts the program, in every build.
 ///
 /// Cost: grows with the parts of the surfaces that are about as close as the closest points. If the
-/// poses touch, the query costs as much as `collide`, because all touching pairs are found and the
-/// lowest is reported. With a positive tolerance, poses that touch cost as much as `intersects`.
+/// poses touch, the query costs as much as `collide`, because it finds all touching pairs and
+/// reports the lowest pair. With a positive tolerance, poses that touch cost as much as
+/// `intersects`.
 ///
 /// Allocates only if it needs more memory in the poses or in `scratch` than any earlier query.
 PELT_API QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
                              const DistanceOptions& options = {});
 
-/// Two triangles within the tolerance of a query, as indices into the triangle arrays of the two
-/// models. They need not intersect.
+/// Two triangles within the tolerance of `clearance`, as indices into the triangle arrays of the
+/// two models.
 struct NearPair {
   std::uint32_t triangle_a = 0, triangle_b = 0;
 
@@ -145,11 +148,11 @@ struct ClearanceOptions {
 };
 
 /// Appends every pair of triangles of `a` and `b` whose distance is at most `tolerance`, in
-/// ascending order. With a tolerance of 0 these are the pairs of `collide`.
+/// ascending order. With a tolerance of 0, these are the pairs of `collide`.
 ///
 /// Preconditions:
 /// `a`, `b`: different poses, as for `distance`.
-/// `tolerance`: not negative or NaN. Otherwise the program aborts, in every build.
+/// `tolerance`: neither negative nor NaN. Otherwise the program aborts, in every build.
 ///
 /// Cost: grows with the parts of the surfaces that are within the tolerance.
 ///
@@ -158,8 +161,8 @@ struct ClearanceOptions {
 PELT_API QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
                               std::vector<NearPair>& pairs, const ClearanceOptions& options = {});
 
-/// Returns whether any triangles of `a` and `b` are at most `tolerance` apart. Like `clearance`,
-/// but stops at the first pair.
+/// Returns whether any triangle of `a` is within `tolerance` of any triangle of `b`. Like
+/// `clearance`, with the same preconditions, but stops at the first pair.
 PELT_API YesNo is_within(Pose& a, Pose& b, double tolerance, Scratch& scratch);
 
 }  // namespace pelt

@@ -1,12 +1,13 @@
 #pragma once
 
-/// `PELT_API` marks what a shared library exports: every public function and class that is not
-/// defined in a header. The libraries are compiled with hidden visibility, so nothing else is
-/// exported.
+/// `PELT_API` marks the public functions and classes that a shared library exports. Functions and
+/// classes that a header defines completely need no mark. The libraries are compiled with hidden
+/// visibility, so nothing else is exported.
 ///
-/// On Windows, the users of the shared libraries define PELT_SHARED, as Pelt's CMake targets and
-/// pkg-config files do. The libraries themselves also define PELT_BUILDING. Other systems need
-/// neither macro, and use the same object files for static and shared libraries.
+/// On Windows, code that uses the shared libraries is compiled with PELT_SHARED, which Pelt's CMake
+/// targets and pkg-config files define. The shared libraries themselves are compiled with
+/// PELT_SHARED and PELT_BUILDING. Other systems need neither macro, and use the same object files
+/// for static and shared libraries.
 
 #if !defined(_WIN32)
 #define PELT_API __attribute__((visibility("default")))

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The point of a posed skin that is farthest in a direction, also called its support point.
+/// The point of a posed skin that is farthest in a direction: the support point of the skin.
 
 #include <pelt/cxx20.hpp>
 
@@ -18,7 +18,7 @@ struct FarthestVertex {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
   std::uint32_t triangle = kNone;  ///< index into the model's triangle array
-  std::uint32_t corner = 0;        ///< 0, 1 or 2: index into that triangle
+  std::uint32_t corner = 0;        ///< 0, 1 or 2: which corner of that triangle
   Vec3 position;                   ///< posed
 
   /// Whether a query has written this result.
@@ -26,16 +26,16 @@ struct FarthestVertex {
 };
 
 /// Writes the posed vertex p with the greatest dot(direction, p), among all vertices that triangles
-/// use. Dot products are compared exactly. The vertex is given as the corner of a triangle: of all
-/// corners with the greatest dot product, the one with the lowest triangle and then the lowest
-/// corner.
+/// use. Dot products are compared exactly. If several corners of triangles have the greatest dot
+/// product, writes the lowest corner of the lowest of these triangles.
+///
+/// `direction`: in the frame of the joint palette, of any length.
 ///
 /// Precondition: `direction` is finite and not zero. Otherwise the program aborts, in every build.
-/// The length of `direction` need not be 1.
 ///
-/// Cost: opens only nodes whose boxes reach beyond the farthest vertex so far. Of the boxes in a
-/// node, the first to be visited is the one that reaches farthest. Often one node is opened for
-/// each level of the tree. Allocates only in the pose, for nodes that are opened.
+/// Cost: opens only nodes whose boxes reach beyond the farthest vertex so far. In each node, the
+/// box that reaches farthest is visited first. The query often opens only one node per level of the
+/// tree. Allocates only in the pose, for nodes that are opened.
 PELT_API QueryStats farthest_vertex(Pose& pose, const Vec3& direction, FarthestVertex& result);
 
 }  // namespace pelt

@@ -25,12 +25,15 @@ struct HeightField;
 }
 
 /// A borrowed view of a grid of heights in the frame of the joint palette, with y up as in glTF.
-/// Columns follow each other along x, rows along z.
+/// The vertex in column c of row r is
 ///
-/// The vertex in column c of row r is (origin.x + c * column_spacing, origin.y + heights[r *
-/// columns + c], origin.z + r * row_spacing). Each coordinate is computed in double and rounded to
-/// float once. A vertex whose height is NaN makes a hole: queries ignore the triangles that use the
-/// vertex, but these triangles keep their numbers.
+///     x = origin.x + c * column_spacing
+///     y = origin.y + heights[r * columns + c]
+///     z = origin.z + r * row_spacing
+///
+/// Each coordinate is computed in double and rounded to float once. A vertex whose height is NaN
+/// makes a hole: queries ignore all triangles with this vertex. Holes do not change the numbers of
+/// the other triangles.
 struct HeightGrid {
   std::span<const float> heights;  ///< [rows][columns]
   std::uint32_t columns = 0, rows = 0;
@@ -38,11 +41,12 @@ struct HeightGrid {
   float column_spacing = 1, row_spacing = 1;
 };
 
-/// A validated height field, prepared for queries. Immutable, cheap to copy (copies share), safe to
-/// use from any number of threads.
+/// A validated height field, prepared for queries. Immutable, cheap to copy (copies share the
+/// data), safe to use from any number of threads.
 ///
-/// The cell in column c of row r has four vertices. Its diagonal divides it into the triangles
-/// n = 2 (r (columns - 1) + c) and n + 1. The fronts of all triangles face up. Seen from above:
+/// The cell between columns c and c + 1 and between rows r and r + 1 consists of two triangles,
+/// with the numbers n = 2 (r (columns - 1) + c) and n + 1. The fronts of all triangles face up.
+/// Seen from above:
 ///
 ///             c       c + 1
 ///     r       *---------*---> x
@@ -58,7 +62,7 @@ class PELT_API HeightField {
   /// Number of triangles, including those that queries ignore because of a hole.
   std::uint32_t triangle_count() const;
 
-  /// Vertices of a triangle. y is NaN for a vertex with a height of NaN.
+  /// Returns the vertices of a triangle. If the height of a vertex is NaN, its y is NaN.
   ///
   /// Precondition: triangle < triangle_count().
   std::array<Vec3, 3> triangle(std::uint32_t triangle) const;
@@ -75,41 +79,45 @@ class PELT_API HeightField {
 ///
 /// Cost: O(rows x columns). The field takes 5 bytes per vertex.
 ///
-/// Returns an error if there are fewer than two columns or rows, more than 2^32 - 2 triangles, or
-/// not exactly rows x columns heights; if a spacing is not positive, a height is infinite, or a
-/// coordinate exceeds 2^60; or if neighbouring columns or rows round to the same coordinate.
+/// Returns an error if
+/// - there are fewer than two columns or rows, or more than 2^32 - 2 triangles;
+/// - `heights` does not have exactly rows x columns elements;
+/// - a spacing is not positive and finite;
+/// - a height is infinite, or the absolute value of a coordinate is more than 2^60;
+/// - two neighbouring columns, or two neighbouring rows, are rounded to the same coordinate.
 PELT_API Result<HeightField> build_height_field(const HeightGrid& grid);
 
 /// Appends every pair of intersecting triangles of the posed skin and the field, in ascending
 /// order. `Contact::triangle_b` is a triangle of the field.
 ///
-/// Exact like `collide` of two poses, with the same predicate. A field is a surface: touching
-/// counts, and a body wholly below it touches nothing.
+/// Exact like `collide` of two poses: triangles that only touch intersect. A field is a surface and
+/// not a solid: a body wholly below the field has no contacts.
 ///
-/// Cost: compares each box with the range of heights that the field has at the box's x and z. Opens
-/// a node only if its box overlaps this range. A hierarchy gives the range in constant time,
-/// however large the field is. Triangles of the field are generated only where they are needed.
-/// Allocates like `collide` of two poses.
+/// Cost: for each box, the query looks up the least and the greatest height of the field between
+/// the sides of the box in x and z. A node is opened only if its box overlaps this range of
+/// heights. A look-up takes constant time for fields of any size. Triangles of the field are
+/// generated only where they are needed. Allocates like `collide` of two poses.
 PELT_API QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
                             std::vector<Contact>& contacts, const CollideOptions& options = {});
 
-/// Returns whether any triangles intersect. Like `collide`, but stops at the first contact.
+/// Returns whether any triangle of the posed skin intersects the field. Like `collide`, but stops
+/// at the first contact.
 PELT_API YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch);
 
-/// Writes the least distance of any triangle of the posed skin from any triangle of the field, like
-/// `distance` of two poses. `Distance::b` is on the field. Points below the ground have a positive
-/// distance, like points above it. If every triangle of the field is ignored because of a hole, the
-/// distance is infinite. Cost and allocation are those of `distance` of two poses.
+/// Writes the least distance between a triangle of the posed skin and a triangle of the field.
+/// `Distance::b` is on the field. A skin below the field has a positive distance, like a skin above
+/// the field. If all triangles of the field are ignored because of holes, the distance is infinite.
+/// Exactness, error, cost and allocation are those of `distance` of two poses.
 PELT_API QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch,
                              Distance& result, const DistanceOptions& options = {});
 
-/// Writes the first hit of each ray on the field, exact like `cast` on a pose. `RayHit::location`
-/// is meaningless for a hit on a field.
+/// Writes the first hit of each ray on the field. Exact like `cast` on a pose. `RayHit::triangle`
+/// is a triangle of the field. `RayHit::location` is meaningless.
 ///
 /// Precondition: `hits` has one element per ray. Otherwise the program aborts, in every build.
 ///
-/// Cost: visits square blocks of cells in the order in which a ray enters them. In each block,
-/// tests the cells that the ray passes. Allocates nothing.
+/// Cost: visits square blocks of cells in the order in which the ray enters the blocks. In each
+/// block, tests the cells that the ray crosses. Allocates nothing.
 PELT_API QueryStats cast(const HeightField& field, std::span<const Ray> rays,
                          std::span<RayHit> hits, const CastOptions& options = {});
 

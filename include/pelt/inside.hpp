@@ -3,7 +3,7 @@
 /// Inside and outside of closed surfaces: whether a point lies inside a body, how deep one body is
 /// inside another, and whether one body contains another. Only closed surfaces
 /// (`Surface::is_closed`) have an inside. A point is inside if the winding number of the posed
-/// surface around it is not 0. Decisions are exact on the float32 posed vertices.
+/// surface around the point is not 0. Decisions are exact on the float32 posed vertices.
 
 #include <pelt/cxx20.hpp>
 
@@ -21,15 +21,16 @@ enum class PointSide : std::uint8_t {
   inside,
 };
 
-/// Writes on which side of the surface a point lies. Exact for any posed vertices.
+/// Writes on which side of the posed surface a point lies. Exact even if the posed surface
+/// intersects itself.
 ///
 /// Preconditions:
 /// `surface`: closed, and of the model of `pose`. Otherwise the program aborts, in every build.
-/// `point`: coordinates are finite and at most 2^60. A NaN or infinite coordinate aborts the
+/// `point`: coordinates are between -2^60 and 2^60. A NaN or infinite coordinate aborts the
 ///   program, in every build.
 ///
-/// Cost: a search for triangles that contain the point and, if there are none, one ray. Neither is
-/// needed if the point is outside the box that is computed from the joint palette alone.
+/// Cost: O(J) if the point is outside the box that is computed from the joint palette alone.
+/// Otherwise a search for a triangle that contains the point, and, if there is none, one ray.
 PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                             PointSide& result);
 
@@ -49,46 +50,46 @@ struct Penetration {
   explicit operator bool() const { return vertex != kNoVertex; }
 };
 
-/// Writes the vertex of `a` that lies inside `b` and is farthest from the surface of `b`. Of
-/// equally deep vertices, the one with the lowest index is written. The result converts to false if
-/// no vertex of `a` lies inside `b`.
+/// Writes the vertex of `a` inside `b` that is farthest from the surface of `b`. If several
+/// vertices are equally deep, writes the vertex with the lowest index. The result converts to false
+/// if no vertex of `a` lies inside `b`.
 ///
 /// The depth is the one-sided Hausdorff distance from the vertices of `a` inside `b` to the surface
-/// of `b`. Between its vertices, the surface of `a` may reach deeper, but not by much if the
-/// triangles of `a` are small. The depth is not the distance by which the bodies must be moved to
-/// separate them.
+/// of `b`. The interior of a triangle of `a` may reach deeper than all vertices; if the triangles
+/// of `a` are small, the difference is small. The depth is not the distance by which the bodies
+/// must be moved to separate them.
 ///
-/// A pose has no deepest vertex in itself: all its vertices lie on its surface, at depth 0. Where a
-/// closed surface overlaps itself, the winding number is 2 instead of 1, and both are inside. For
-/// one closed part of a character in another, build a model of each part. For single triangles, see
-/// `ContactTrace::depth`.
+/// There is no such query for a pose and itself, because all vertices of a pose lie on its own
+/// surface, at depth 0. To measure how deep one closed part of a character is inside another, build
+/// a model of each part. For the depth of single triangles, see `ContactTrace::depth`.
 ///
 /// Preconditions (otherwise the program aborts, in every build):
 /// `a`, `b`: different poses.
 /// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`; `surface_b` is closed.
 ///
-/// Cost: tests the boxes of `a` against the surface of `b`. If the surface does not touch a box,
-/// one `side_of` decides whether the box is outside `b`. Nothing in a box outside `b` is opened or
-/// tested. For each remaining vertex, the query first searches for a point of the surface of `b`
-/// that is closer than the greatest depth so far. If there is such a point, the vertex is skipped.
-/// Otherwise the query tests whether the vertex is inside `b`, and computes its closest point.
+/// Cost: tests the boxes of `a` against the surface of `b`. If the surface of `b` does not touch a
+/// box, one `side_of` decides whether the box is outside `b`. Boxes outside `b` are skipped with
+/// everything inside them. For each remaining vertex, the query first searches for a point of the
+/// surface of `b` that is closer to the vertex than the greatest depth so far. If there is such a
+/// point, the vertex is skipped. Otherwise the query tests whether the vertex is inside `b`. If so,
+/// the query computes the closest point of the surface of `b`.
 PELT_API QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b,
                                    const Surface& surface_b, Scratch& scratch, Penetration& result);
 
 enum class Containment : std::uint8_t {
   none,    ///< the bodies touch, or neither contains the other
   a_in_b,  ///< no triangles touch, and every connected part of `a` lies inside `b`
-  b_in_a,
+  b_in_a,  ///< no triangles touch, and every connected part of `b` lies inside `a`
 };
 
-/// Writes which body lies wholly inside the other without touching it. A body whose surface is not
-/// closed can be contained in the other body, but cannot contain it.
+/// Writes which body, if any, lies wholly inside the other body without touching it. A body whose
+/// surface is not closed can be contained in the other body, but cannot contain the other body.
 ///
 /// Preconditions: as for `deepest_vertex`, but `surface_b` need not be closed.
 ///
-/// Cost: that of `intersects`. If the bodies do not touch and `surface_b` is closed, the query
-/// calls `side_of` for one point of each connected part of `a`, until a point is outside `b`.
-/// Unless `a` is inside `b`, the query then tests `b` against `a` in the same way.
+/// Cost: that of `intersects`. If the bodies do not touch and `surface_b` is closed, the query then
+/// calls `side_of` for one point of each connected part of `a`, until a point is outside `b`. If
+/// `a` is not inside `b`, the query does the same with `a` and `b` exchanged.
 PELT_API QueryStats containment(Pose& a, const Surface& surface_a, Pose& b,
                                 const Surface& surface_b, Scratch& scratch, Containment& result);
 
