@@ -103,13 +103,13 @@ struct Clip {
 /// Triangles are numbered in the order of the file: nodes of the scene depth-first, then primitives
 /// of a node, then triangles of a primitive. Degenerate triangles are included.
 ///
-/// Memory: 12 bytes per triangle, 12 + 6 K bytes per vertex, 16 bytes per displacement of a morph
-/// target, 68 bytes per joint, and 4 bytes per element of `Channel::times` and `Channel::values`.
-/// Nothing else grows with the size of the mesh.
+/// Memory: with K = `influences_per_vertex`, 12 bytes per triangle, 12 + 6 K bytes per vertex, 16
+/// bytes per displacement of a morph target, 68 bytes per joint, and 4 bytes per element of
+/// `Channel::times` and `Channel::values`. Nothing else grows with the size of the mesh.
 struct PELT_API Asset {
   std::vector<Vec3> rest_positions;          ///< [V] frame: see Part::skinned
   std::vector<Triangle> triangles;           ///< [T] indices into `rest_positions`
-  std::uint32_t influences_per_vertex = 1;   ///< K
+  std::uint32_t influences_per_vertex = 1;   ///< K (joint, weight) pairs
   std::vector<std::uint16_t> joint_indices;  ///< [V][K] into `joints`
   std::vector<float> weights;                ///< [V][K] 0 if unused
   std::vector<Joint> joints;                 ///< [J] in the order of the joint palette
@@ -125,7 +125,7 @@ struct PELT_API Asset {
   std::vector<Node> nodes;  ///< parents first
   std::vector<Part> parts;  ///< ordered by first_triangle; each triangle is in one part
   std::vector<Clip> clips;
-  std::vector<std::string> warnings;  ///< contents of the file that Pelt ignored
+  std::vector<std::string> warnings;  ///< describe contents of the file that Pelt ignored
 
   /// Returns a view of the arrays of this asset, for `build_model`. O(1), copies nothing.
   SkinnedMeshView mesh() const;
@@ -148,7 +148,7 @@ struct GltfOptions {
   /// Leave out the meshes of nodes with these names, and of all nodes below them.
   std::vector<std::string> exclude_nodes;
 
-  /// Return an error if no node of the scene has one of the names in `exclude_nodes`.
+  /// Return an error if `exclude_nodes` contains a name that no node of the scene has.
   bool excluded_must_exist = true;
 };
 
@@ -198,7 +198,8 @@ struct SampleScratch {
 /// Writes the joint palette of a clip at the time `seconds`, for `Pose::set_palette`.
 ///
 /// `clip`: null selects the default pose.
-/// `seconds`: clamped to the times of each channel's keys. To loop, pass a time modulo `duration`.
+/// `seconds`: each channel clamps this time to the range of its keys. To loop, pass a time modulo
+///   `duration`.
 /// `placement`: world matrix of the instance; multiplies from the left.
 /// `palette`: precondition: J elements.
 ///

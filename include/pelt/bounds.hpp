@@ -28,9 +28,9 @@ struct BoundsOptions {
   std::uint32_t levels = 0;
 };
 
-/// Writes a box and a sphere that are guaranteed to enclose the posed surface, in the frame of the
-/// joint palette. The guarantee includes rounding: both contain the float32 posed vertices (see
-/// `posed_vertices`) of all triangles.
+/// Writes a box and a sphere in the frame of the joint palette. Both are guaranteed to enclose the
+/// posed surface. The guarantee includes rounding: box and sphere contain the float32 posed
+/// vertices (see `posed_vertices`) of all triangles.
 ///
 /// Cost: O(J) with `levels` 0, about two and a half times as much as `set_palette`. In this case,
 /// no vertex is posed and no node is opened. Each additional level opens a few more nodes.
@@ -39,10 +39,11 @@ struct BoundsOptions {
 /// Accuracy: for a human in motion, the box with `levels` 0 is a few per cent to 25 % larger than
 /// the exact box. With `levels` 3, it is less than 10 % larger.
 ///
-/// Source: with `levels` 0, eq. 2 of Kavan & Zara 2005, applied to one box per joint. The model
-/// stores a box around the rest positions that each joint moves. The joint palette transforms these
-/// boxes, and the result encloses all transformed boxes. If the weights of each joint are nearly an
-/// affine function of the rest position, `bounds` may compute a tighter box in another way.
+/// Source: with `levels` 0, eq. 2 of Kavan & Zara 2005, applied to one box per joint. For each
+/// joint, the model stores a box around the rest positions that the joint moves. The joint palette
+/// transforms these boxes, and the result encloses all of them. If the weights of each joint are
+/// nearly an affine function of the rest position, `bounds` may compute a tighter box in another
+/// way.
 PELT_API QueryStats bounds(Pose& pose, Bounds& result, const BoundsOptions& options = {});
 
 /// Writes the exact box of the posed surface, and a sphere that is guaranteed to enclose the posed

@@ -101,12 +101,11 @@ struct ContactCurve {
 /// `point` and `normal` are means over the traces of the patch. Each trace has the length of its
 /// segment as weight. If all lengths are zero, all traces have equal weights.
 ///
-/// Contacts of a pose with itself: a patch has two sides, and triangle_a of a contact, which is the
-/// triangle with the lower number, may be on either side. Side a of the patch is the side of
-/// triangle_a of the first trace. If triangle_a of another trace is on side b, the normal of this
-/// trace is negated and its joints are exchanged, before they contribute to `normal`, `joint_a` and
-/// `joint_b` of the patch. If the patch is folded such that its two sides are connected, all traces
-/// contribute unchanged.
+/// Contacts of a pose with itself: in each contact, triangle_a is the triangle with the lower
+/// number, so triangle_a may be on either side of the patch. Side a of the patch is the side of
+/// triangle_a of the first trace. A trace with triangle_a on side b contributes to `normal`,
+/// `joint_a` and `joint_b` with its normal negated and its joints exchanged. If the patch is folded
+/// such that its two sides are connected, all traces contribute unchanged.
 struct ContactPatch {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::members
   float length = 0;                    ///< sum of the lengths of all segments
@@ -131,11 +130,11 @@ struct ContactGeometry {
 /// Computes the geometry of contacts that `collide(a, b, ...)` has found. Replaces the contents of
 /// `geometry`, unlike other queries, which append to lists.
 ///
-/// Two segments are chained at an end if the same features intersect there. Coordinates are not
-/// compared, so rounding breaks no curve: two closed surfaces in general position intersect in
-/// closed curves. A curve ends at the border of a surface that is not closed. A curve also ends
-/// where more than two segments meet. This happens if an edge lies in a triangle, if a vertex lies
-/// on an edge, or if parts of the surfaces coincide.
+/// Two segments are chained if both have an end where the same two features intersect. Coordinates
+/// are not compared, so rounding does not break curves. Two closed surfaces in general position
+/// intersect in closed curves. A curve ends at the border of a surface that is not closed. A curve
+/// also ends where more than two segments meet. This happens if an edge lies in a triangle, if a
+/// vertex lies on an edge, or if parts of the surfaces coincide.
 ///
 /// Preconditions:
 /// `a`, `b`: the poses that were passed to `collide`, with unchanged palettes and morph weights.
@@ -164,13 +163,15 @@ PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b
 ///   intersect in a segment with one end at that corner.
 /// - In all other cases, the kind is `coplanar` or `collapsed`, and there is no segment.
 ///
-/// Along a curve, triangle_a may change from one intersecting sheet to the other, because
-/// triangle_a is always the triangle with the lower number. `CurveStep::is_reversed` then changes,
-/// too.
+/// Along a curve, triangle_a may change sides, because triangle_a is always the triangle with the
+/// lower number. Where triangle_a changes sides, `CurveStep::is_reversed` changes, too.
 ///
 /// In general position, each curve of a closed surface is closed, or starts and ends at corners
 /// that two intersecting triangles share, for example at the ends of a crease. If a filter of
 /// `self_collide` has left out contacts, curves end where these contacts are missing.
+///
+/// Unlike `self_collide`, this function does not treat vertices with different influences as one
+/// vertex, even if their positions are equal. A curve ends at a seam between such vertices.
 ///
 /// Preconditions:
 /// `pose`: the pose that was passed to `self_collide`, with unchanged palette and morph weights.
@@ -178,9 +179,6 @@ PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b
 ///   program, in every build.
 /// `contacts`: ascending, without repetition, with triangle indices in range and triangle_a <
 ///   triangle_b.
-///
-/// Unlike `self_collide`, this function does not treat vertices with different influences as one
-/// vertex, even if their positions are equal. A curve ends at a seam between such vertices.
 ///
 /// Cost and allocation: those of the function above.
 PELT_API QueryStats describe_contacts(Pose& pose, const Surface& surface,

@@ -131,9 +131,9 @@ class PELT_API Crowd {
   /// Cost: O(M + J). Each weight other than 0 adds at most O(J). Allocates nothing.
   Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
 
-  /// Tests pairs of instances against each other, and instances against themselves, as `options`
-  /// and the collision masks select. Appends all contacts to `contacts`, in ascending order. Exact
-  /// like `collide` of two poses and `self_collide`.
+  /// Tests pairs of instances against each other, and instances against themselves. `options` and
+  /// the collision masks select the tests. Appends all contacts to `contacts`, in ascending order.
+  /// Exact like `collide` of two poses and `self_collide`.
   ///
   /// Cost: first, one thread finds the pairs of instances with overlapping boxes. It sorts the
   /// boxes of the n instances along the axis with the largest spread, in O(n log n). It then

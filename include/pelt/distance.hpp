@@ -7,7 +7,7 @@
 /// joint.
 ///
 /// Exactness: answers depend only on the float32 posed vertices (see `posed_vertices`), and not on
-/// earlier queries or on the machine. `DistanceOptions::tolerance` states an exception. The
+/// earlier queries or on the machine. For an exception, see `DistanceOptions::tolerance`. The
 /// distance of two triangles is 0 if and only if they intersect as in `collide`, which is decided
 /// exactly. Otherwise the distance is computed in double and is positive. Of equally distant
 /// triangles, those with the lowest indices are reported.
@@ -107,10 +107,9 @@ struct DistanceOptions {
   /// Ignore everything farther away. A negative or NaN value aborts the program, in every build.
   double max_distance = std::numeric_limits<double>::infinity();
 
-  /// Greatest allowed difference between the result and the least distance. With a positive
-  /// tolerance, the query ends earlier, `Distance::lower_bound` bounds the least distance, and the
-  /// result may depend on earlier queries. A negative or NaN value aborts the program, in every
-  /// build.
+  /// Greatest allowed difference between the result and the least distance. A positive tolerance
+  /// lets the query end earlier; the result may then depend on earlier queries. A negative or NaN
+  /// value aborts the program, in every build.
   double tolerance = 0;
 
   /// An earlier result for the same two models in nearly the same poses, or null. The search starts

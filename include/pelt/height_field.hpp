@@ -1,6 +1,6 @@
 #pragma once
 
-/// Terrain: a grid of heights as the second operand of `collide` and `distance`, and for rays.
+/// Terrain: a grid of heights, for `collide`, `distance` and rays.
 
 #include <pelt/cxx20.hpp>
 
@@ -93,10 +93,10 @@ PELT_API Result<HeightField> build_height_field(const HeightGrid& grid);
 /// Exact like `collide` of two poses: triangles that only touch intersect. A field is a surface and
 /// not a solid: a body wholly below the field has no contacts.
 ///
-/// Cost: for each box, the query looks up the least and the greatest height of the field between
-/// the sides of the box in x and z. A node is opened only if its box overlaps this range of
-/// heights. A look-up takes constant time for fields of any size. Triangles of the field are
-/// generated only where they are needed. Allocates like `collide` of two poses.
+/// Cost: for each box, the query looks up the least and the greatest height of the field within the
+/// box's range of x and z. A node is opened only if its box overlaps this range of heights. A
+/// look-up takes constant time for fields of any size. Triangles of the field are generated only
+/// where they are needed. Allocates like `collide` of two poses.
 PELT_API QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
                             std::vector<Contact>& contacts, const CollideOptions& options = {});
 

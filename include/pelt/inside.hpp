@@ -43,7 +43,7 @@ struct Penetration {
   std::uint32_t vertex = kNoVertex;
 
   Vec3 position;         ///< of the vertex
-  SurfacePoint closest;  ///< closest point of the surface of the second body
+  SurfacePoint closest;  ///< closest point of the surface of `b`
   double depth = 0;      ///< distance of the vertex from that point
 
   /// Whether any vertex is inside.
