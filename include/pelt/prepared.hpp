@@ -22,9 +22,10 @@ PELT_API std::vector<std::byte> save_model(const SkinnedModel& model);
 /// Reads a model written by `save_model`. Queries of the loaded model give the same answers and do
 /// the same work as queries of the saved model.
 ///
-/// The bytes are treated as hostile: `load_model` validates everything that memory safety and
-/// termination of queries depend on. It does not check that bounds enclose the vertices: a file
-/// with forged bounds can make queries miss contacts, but cannot cause anything worse.
+/// The bytes are treated as hostile: `load_model` rejects everything that could make queries read
+/// outside their memory or run forever. `load_model` does not check that bounds enclose the
+/// vertices: a file with forged bounds can make queries miss contacts, but cannot cause anything
+/// worse.
 ///
 /// Cost: O(bytes). Allocates at most a small multiple of the size of `file`.
 ///

@@ -80,16 +80,16 @@ struct RayHit {
 
 /// Writes the first hit of each ray: the hit with the least t. If several triangles are hit at this
 /// t, for example at a shared edge, the triangle with the lowest index is written. For a ray that
-/// hits nothing, an empty `RayHit` is written.
+/// hits nothing, a default-constructed `RayHit` is written.
 ///
 /// Precondition: `hits` has one element per ray. Otherwise the program aborts, in every build.
 ///
-/// Cost: a ray opens a node only if it enters the node's box before the first hit found so far. A
-/// pick on a character of 26,756 triangles takes 3 us including a new palette, and hardly more with
+/// Cost: a ray opens a node only if it enters the node's box before the first hit found so far. One
+/// ray at a character of 26,756 triangles takes 3 us including a new palette, and hardly more with
 /// four times as many triangles. Nodes that one ray opens stay open for the other rays. Opening all
 /// nodes at once costs less per node than opening single nodes. `cast` therefore opens all
 /// remaining nodes when its rays have opened an eighth of the mesh and at least half of its rays
-/// remain.
+/// remain to be cast.
 ///
 /// Allocates only in the pose, for nodes that are opened.
 PELT_API QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,

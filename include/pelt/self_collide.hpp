@@ -99,13 +99,13 @@ class PELT_API SelfFilter {
  public:
   const SkinnedModel& model() const;
 
-  /// Returns the first filter that leaves out triangles `s` and `t`, or `none`. Does not test
-  /// whether the triangles intersect. For many pairs, see `leave_out`.
+  /// Returns the first filter that leaves out the pair of triangles `s` and `t`, or `none`. Does
+  /// not test whether the triangles intersect. For many pairs, see `leave_out`.
   ///
   /// Precondition: `s` and `t` are different triangles of the model.
   ///
-  /// Cost: O(log P) for P listed pairs. If `rings` is more than 1, also O(V + triangles in the
-  /// rings), and then allocates.
+  /// Cost: O(log P), where P is the number of pairs listed in the options. If `rings` is more than
+  /// 1, also O(V + triangles in the rings), and allocates.
   LeftOutBy left_out_by(std::uint32_t s, std::uint32_t t) const;
 
   /// Number of vertices to pass to `Scratch::reserve`, so that `self_collide` does not allocate.
@@ -142,9 +142,9 @@ PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
 /// the same surface vertex and these corners have the same posed position. The number of shared
 /// corners decides when two triangles intersect:
 /// - 0: if the closed triangles intersect, as in `collide`.
-/// - 1: if the edge opposite the shared corner, of either triangle, meets the other closed
+/// - 1: if, in either triangle, the edge opposite the shared corner meets the other closed
 ///   triangle.
-/// - 2: if the corner that is not shared, of either triangle, lies on the other closed triangle.
+/// - 2: if, in either triangle, the corner that is not shared lies on the other closed triangle.
 ///   Also if the triangles are folded flat: all corners lie in one plane, and the two corners that
 ///   are not shared lie strictly on the same side of the shared edge.
 /// - 3: always, because the triangles are duplicates.
@@ -180,8 +180,8 @@ PELT_API YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& sc
 /// `contacts`: pairs of different triangles, numbered as in this model.
 /// `scratch`: not used by another thread at the same time.
 ///
-/// Cost: O(log P) per contact for P listed pairs. If `rings` is more than 1, also O(V) once per
-/// call, and O(triangles in the rings) per contact.
+/// Cost: O(log P) per contact, where P is the number of pairs listed in the options of the filter.
+/// If `rings` is more than 1, also O(V) once per call, and O(triangles in the rings) per contact.
 ///
 /// Allocates only if it needs more memory in `scratch` than any earlier query.
 PELT_API LeftOut leave_out(const SelfFilter& filter, Scratch& scratch,
@@ -199,7 +199,7 @@ class PELT_API ContactTally {
   ///
   /// Precondition: `contacts` is in ascending order, without repetition.
   ///
-  /// Cost: linear in the distinct pairs of all poses. Allocates.
+  /// Cost: linear in the distinct pairs of all poses so far. Allocates.
   void add(std::span<const Contact> contacts);
 
   std::uint32_t pose_count() const;

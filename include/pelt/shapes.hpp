@@ -85,11 +85,11 @@ enum class ClipDepth {
 };
 
 /// Returns the frustum of the matrix projection x view: all points p whose clip coordinates (x, y,
-/// z, w) = view_projection (p, 1) satisfy |x| <= w, |y| <= w, and the limits of z that `depth`
+/// z, w) = view_projection * (p, 1) satisfy |x| <= w, |y| <= w, and the limits of z that `depth`
 /// selects. Each plane is rounded to float once. Reversed depth is supported. If the far plane is
 /// infinite, the far face has a zero normal and excludes nothing.
 ///
-/// `view_projection`: column-major like a joint matrix, with any last row.
+/// `view_projection`: column-major like a joint matrix, but its last row may have any values.
 PELT_API Frustum make_frustum(const Matrix4& view_projection,
                               ClipDepth depth = ClipDepth::minus_one_to_one);
 

@@ -34,7 +34,7 @@ using Region = std::variant<HalfSpace, Box, OrientedBox, ConvexPolyhedron, Spher
 /// triangles.
 enum class Placement : std::uint8_t {
   outside,  ///< no triangle touches the region
-  partly,   ///< some triangle touches the region, and some triangle is not wholly inside
+  partly,   ///< some triangle touches the region, and some triangle is not wholly in the region
   inside,   ///< all triangles lie wholly in the region
 };
 
@@ -134,10 +134,10 @@ struct SolidHit {
 /// work is zero, because a solid has no tree.
 ///
 /// Error: unlike hits on triangles, hits on solids are not exact. t is computed in double precision
-/// and then rounded to float. Before this rounding, the computed point of entry is less than 2^-40
-/// c off the surface of the solid, where c is the largest absolute coordinate of the ray's origin
-/// and of the solid's surface (for a half-space, see `distance`). A ray that passes the solid
-/// within this distance may count as hit or as missed.
+/// and then rounded to float. Before this rounding, the computed point of entry is off the surface
+/// of the solid by less than 2^-40 c, where c is the largest absolute coordinate of the ray's
+/// origin and of the solid's surface (for a half-space, see `distance`). A ray that passes the
+/// solid within this distance may count as hit or as missed.
 ///
 /// Preconditions:
 /// `solid`: see `Solid`.

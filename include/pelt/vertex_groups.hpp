@@ -65,9 +65,9 @@ class PELT_API VertexGroups {
 PELT_API Result<VertexGroups> group_triangles(const SkinnedModel& model,
                                               std::span<const std::uint32_t> labels);
 
-/// Creates one group per joint, in the order of the palette. Each vertex of a triangle belongs to
-/// the joint for which it has its largest weight. If several joints have this weight, the vertex
-/// belongs to the joint with the lowest index. Joints without vertices have empty groups.
+/// Creates one group per joint, in the order of the palette. A vertex that triangles use is in the
+/// group of the joint whose weight is the largest for this vertex. If several joints have this
+/// weight, the joint with the lowest index is chosen. Joints without vertices have empty groups.
 ///
 /// Cost: O(V log V). Allocates.
 PELT_API VertexGroups group_by_joint(const SkinnedModel& model);
