@@ -73,10 +73,16 @@ class PELT_API SkinnedModel {
 ///
 /// Cost: O(T log T). Allocates.
 ///
-/// Returns an error if there are no triangles, an array has the wrong size, an index is out of
-/// range, a number is NaN or infinite, the magnitude of a coordinate is more than 2^60, a weight is
-/// negative, the weights of a vertex do not sum to 1 (see `OffWeights`), or the vertices of a morph
-/// target are not in ascending order. The error names the array, the index and the value.
+/// Returns an error if
+/// - there are no triangles,
+/// - an array or a count has an invalid size,
+/// - an index is out of range,
+/// - a number is NaN or infinite,
+/// - the magnitude of a coordinate is more than 2^60,
+/// - a weight is negative,
+/// - the weights of a vertex do not sum to 1 (see `OffWeights`), or
+/// - the vertices of a morph target are not in ascending order.
+/// The error names the array, the index and the value.
 PELT_API Result<SkinnedModel> build_model(const SkinnedMeshView& mesh,
                                           const ModelOptions& options = {});
 

@@ -40,10 +40,12 @@ class PELT_API Pose {
   ///
   /// Cost: O(J). Allocates nothing.
   ///
-  /// Returns an error and leaves the pose unchanged if the number of matrices is not
-  /// `model().joint_count()`, if an element is not finite, if a matrix has another last row than 0
-  /// 0 0 1 (the matrix is probably row-major), or if a matrix could move a vertex more than 2^60
-  /// units away from the origin. If a matrix is invalid, the error names its joint.
+  /// Returns an error and leaves the pose unchanged if
+  /// - the number of matrices is not `model().joint_count()`,
+  /// - an element of a matrix is not finite,
+  /// - the last row of a matrix is not 0 0 0 1 (the matrix is probably row-major), or
+  /// - a matrix could move a vertex more than 2^60 units away from the origin.
+  /// If a matrix is invalid, the error names its joint.
   ///
   /// The last of these checks assumes that the mesh reaches at least 2^-60 units from the origin. A
   /// matrix with an element beyond 2^120 in its linear part is therefore always an error.
@@ -67,11 +69,12 @@ class PELT_API Pose {
   /// Cost: O(M + J). Allocates nothing. In queries, a target with weight 0 costs nothing. Any other
   /// target costs time only in nodes with vertices that it displaces.
   ///
-  /// Returns an error and leaves the pose unchanged if the number of weights is not
-  /// `model().morph_target_count()`, if a weight is not finite, if a vertex could be displaced by
-  /// more than 2^60 units, or if a joint could move a displaced vertex more than 2^60 units away
-  /// from the origin. Except for a wrong number of weights, the error names the target or the
-  /// joint.
+  /// Returns an error and leaves the pose unchanged if
+  /// - the number of weights is not `model().morph_target_count()`,
+  /// - a weight is not finite,
+  /// - the weights could displace a vertex by more than 2^60 units, or
+  /// - a joint could move a displaced vertex more than 2^60 units away from the origin.
+  /// Except for a wrong number of weights, the error names the target or the joint.
   Result<void> set_morph_weights(std::span<const float> weights);
 
   /// Allocates all memory that queries can need in this pose. Queries then never allocate in the
