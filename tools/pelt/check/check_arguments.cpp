@@ -204,8 +204,8 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
               {.type = "contact|grown|new|never"});
   verb.flag(
       "--allow-empty", arguments.allow_empty,
-      "Accept a check that compares nothing, such as one of a single instance (otherwise exit "
-      "code 2)");
+      "Accept a check that has nothing to test, such as one of a single instance with --self no "
+      "(otherwise exit code 2)");
   verb.option("--jsonl", arguments.jsonl,
               "Write the answer, one JSON object per line; -: to standard output, with the summary "
               "on standard error",

@@ -67,20 +67,19 @@ void add_self_options(arguments::Verb& verb, SelfArguments& arguments) {
               "Also test each character against itself; only: test nothing else (default: yes for "
               "a single character, no for several)");
   verb.option("--self-rings", arguments.rings,
-              "Drop contacts of triangles that share a corner (1), or are at most K triangles "
-              "apart; 0 keeps them all (default: 5)",
+              "Drop contacts of triangles that are at most K steps apart, each step to a triangle "
+              "that shares a corner; 0 drops nothing (default: 5)",
               {.type = "K", .group = kGroup});
   verb.option("--self-at-rest", arguments.at_rest,
-              "Contacts that the character already has in its rest pose or default pose (default: "
+              "Contacts that the character also has in its rest pose or default pose (default: "
               "drop; keep if no instance plays a clip or sets morph weights)",
               {.type = "keep|drop", .group = kGroup});
   verb.option("--self-always", arguments.always,
-              "Drop contacts of at least this share of the checked frames, such as 0.95 (default: "
-              "keep)",
+              "Drop contacts of triangles that intersect in at least this share of the checked "
+              "frames, such as 0.95 (default: keep)",
               {.type = "SHARE|keep", .group = kGroup});
   verb.option("--self-near-joints", arguments.near_joints,
-              "Contacts of triangles that follow the same joint or neighbouring joints (default: "
-              "drop)",
+              "Contacts of triangles whose main joints are the same or neighbours (default: drop)",
               {.type = "keep|drop", .group = kGroup});
 }
 

@@ -69,12 +69,12 @@ boxes, "vs all" the speed-up over the query for all contacts. brute tests all pa
 line "frames in order" compares self_collide with a SelfTracker, while the frames are played in order.
 
 --against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
-method over paper and eager, or its cost over boxes: then (in FILE), now, and the ratio now/then. "worse" marks a speed-up that
-has lost more than --margin. Speed-ups differ little between machines, but they are noisy: on a loaded
-machine, 1 in 14 speed-ups of an unchanged build was marked at 15 %, so repeat a measurement that looks
-worse. If a method has lost speed-up over only one of paper and eager, that one has become faster. The
-output lists what is missing from FILE. A slower method is not a failure. An answer that differs from
-FILE is a failure, with exit code 3.
+method over paper and eager, or its cost over boxes: then (in FILE), now, and now/then. "worse" marks a
+ratio that has become worse by more than --margin. Ratios differ little between machines, but they are
+noisy: on a loaded machine, 1 in 14 speed-ups of an unchanged build was marked at 15 %, so repeat a
+measurement that looks worse. If a method has lost speed-up over paper, but not over eager, then paper
+has become faster, and vice versa. The output lists what is missing from FILE. A slower method is not a
+failure. An answer that differs from FILE is a failure, with exit code 3.
 
 --json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
   machine    cpu, cores, instruction_set, compiler, build, flags, pelt (version)
@@ -343,7 +343,7 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
   verb.option("--against", arguments.against, "Compare with figures that --json has written",
               {.type = "FILE"});
   verb.option("--margin", arguments.margin,
-              "Loss of a ratio, in per cent, from which it is marked as worse (default: " +
+              "Mark ratios that have become worse by more than PERCENT per cent (default: " +
                   std::to_string(bench::kNoisePercent) + ")",
               {.type = "PERCENT", .most = 1000});
   arguments::add_simd_option(verb, arguments.simd);

@@ -40,12 +40,12 @@ With --by part, a and b are indices of the header's "instances", which has one e
 --ignore takes two names of parts or joints. A name like knight/hand_r applies to one model only, and
 * matches any characters. With --baseline, the --jsonl output of an earlier check, only contacts that
 are new or have grown fail the check.
-A single character is tested against itself; several are only with --self. The filters --self-... say
-which contacts of a character with itself do not count; the summary tells how many each one drops. A
-check that compares nothing, such as one of a single character with --self no, fails with exit code 2,
-unless --allow-empty is given.
+A single character is tested against itself; several characters only with --self. The options
+--self-... drop contacts of a character with itself; the summary shows how many each option drops. A
+check that has nothing to test, such as one of a single character with --self no, fails with exit code
+2, unless --allow-empty is given.
 Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside also a contained
-body), 2 bad input or arguments, or nothing compared, 3 internal error.)";
+body), 2 bad input or arguments, or nothing to test, 3 internal error.)";
 
 /// The page runs its own query, so it cannot show results of options that it does not support.
 Result<void> check_for_page(const check::CheckArguments& arguments, const scenes::Scene& scene) {
