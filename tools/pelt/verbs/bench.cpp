@@ -52,21 +52,23 @@ Examples:
 Each repetition of a frame first runs the previous frame untimed (for the first frame, the last one),
 then times setting the palettes and querying all pairs. The time of a frame is the median of its
 repetitions; fewer than 9 give a rough measurement. The columns show the mean over all frames, the
-mean over the frames in contact, and the 95th percentile. "update" is the part before the queries: for
-methods that skin everything, skinning and boxes or spheres. Sampling clips is not timed. "vs paper"
-and "vs eager" are speed-ups over these methods. With cold caches, 64 MB are read before each
-measurement, and at most 30 evenly spaced frames are measured. The methods take turns at every frame.
+mean over the frames in contact, and the 95th percentile. "update" is the time before the queries:
+setting the palettes and, for methods that skin all vertices, skinning and refitting. Computing joint
+matrices from clips is not timed. "vs paper" and "vs eager" are speed-ups over these methods. With cold
+caches, 64 MB are read before each measurement, and at most 30 evenly spaced frames are measured. The
+methods take turns at every frame.
 
 Pairs are queried one by one on one thread, in thread time, which excludes pauses in which the system
 runs other programs. With --threads, on_demand runs as a crowd instead, once for each of these numbers
-of threads. The threads share the pairs of instances and, from 64 palettes per thread, the palettes.
-All times of that run are wall times. "vs 1 thread" is the speed-up over a crowd on one thread.
+of threads. The threads share the work of querying pairs. Setting the palettes uses one thread for
+every 64 palettes. All times of that run are wall times. "vs 1 thread" is the speed-up over a crowd on
+one thread.
 
-A model, or with --self each instance of a scene, is queried against itself: all contacts that the
-rules of pelt check find without filters (--self-rings 0, and keep for the others). boxes skins all
-vertices and computes all boxes, and finds nothing. "of boxes" is the cost of a method over that of
-boxes, "vs all" the speed-up over the query for all contacts. brute tests all pairs of triangles. The
-line "frames in order" compares self_collide with a SelfTracker, while the frames are played in order.
+A model is queried against itself; with --self, so is each instance of a scene. self finds all contacts
+that pelt check finds without filters (--self-rings 0, and keep for the others). brute tests all pairs
+of triangles. boxes skins all vertices and computes all boxes, and finds nothing. "of boxes" is the cost
+of a method over that of boxes. "vs all" is the speed-up of the query first over the query all. The line
+"frames in order" compares self with a SelfTracker, while the frames are played in order.
 
 --against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
 method over paper and eager, or its cost over boxes: then (in FILE), now, and now/then. "worse" marks a

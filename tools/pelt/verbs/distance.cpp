@@ -26,10 +26,11 @@ Examples:
   pelt distance scene.json --frames 0:9 --within 0.5 --jsonl distances.jsonl
   pelt distance scene.json --from 0,1,0 --from 0.5,1,0
 
-Reports the least distance of any two triangles and where it occurs. It is 0 if and only if
-`pelt check` finds a contact. Of equally close pairs of triangles, the lowest is reported. A surface is
-not a solid: a surface wholly inside another has a positive distance from it. With --from, reports the
-distance of each point from each instance, with the closest point of the surface.)";
+Reports the least distance between the triangles of every two instances, and the closest points. The
+distance is 0 if and only if `pelt check` finds a contact. Of equally close pairs of triangles, the one
+with the lowest triangle numbers is reported. Distances are between surfaces: an instance that is wholly
+inside another has a positive distance from it. With --from, reports the distance of each point from
+each instance, and the closest point of the surface.)";
 
 Result<double> choose_within(const std::optional<double>& within) {
   if (!within) return query::DistanceSettings().within;

@@ -24,8 +24,8 @@ Examples:
   pelt pose knight.glb --clip Walk --frame 12 -o knight_12.glb
 
 Each instance becomes a root node without a transform, in the order of the scene, with one mesh of
-one primitive. The file has all vertices; positions are bit for bit those that `pelt check` tests, and
-triangles have the numbers used in its answers.)";
+one primitive. The file has all vertices. The positions have the same bits as those that `pelt check`
+tests. The triangles have the same numbers as in its answers.)";
 
 Result<arguments::ExitCode> pose(const Arguments& arguments) {
   Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);

@@ -27,8 +27,9 @@ Examples:
   pelt ray scene.json --frames 20:21 --from -2,0.5,0 --to 2,0.5,0 --from 0,9,0 --to 0,8,0 --beyond
   pelt ray knight.glb --clip Walk --from 0,0.5,-3 --to 0,0.5,3 --facing front --jsonl -
 
-Rays are watertight: no ray passes through an edge or a vertex that triangles share. t is 0 at --from
-and 1 at --to. Of hits at the same t, the first instance and its lowest triangle are reported.)";
+Rays are watertight: no ray slips between triangles that share an edge or a vertex. t is 0 at --from
+and 1 at --to. If a ray hits several instances or triangles at the same t, the one with the lowest
+number is reported.)";
 
 Result<Facing> choose_facing(const std::string& name) {
   if (name == "both") return Facing::both;
