@@ -158,9 +158,7 @@ test('a part has its own filter, with the triangle numbers of the character', ()
   const filter = cairn.makeSelfFilter({ takesPart: new Uint8Array(count).fill(1) }, 1);
   assert.equal(filter.part, 1);
   assert.equal(pelt.selfIntersects(top, filter), false);
-  const flat = new Float32Array(16 * cairn.jointCount); // all triangles collapse to one point
-  for (let j = 0; j < cairn.jointCount; ++j) flat[16 * j + 15] = 1;
-  top.setPalette(flat);
+  top.setPalette(flatPalette(cairn));
   const found = pelt.selfCollide(top, filter);
   assert.ok(found.count > 0);
   assert.ok(found.pairs.every((triangle) => triangle >= first && triangle < first + count));
@@ -175,12 +173,37 @@ test('a part has its own filter, with the triangle numbers of the character', ()
   cairn.delete();
 });
 
-/** A crowd of both stones of a cairn, which have collapsed to one point. */
-function crowdOfStones(cairn, parts) {
+test('with filters of parts, a limit ends the tests of parts against themselves early', () => {
+  const cairn = pelt.readCharacter(rocks(['base', 'top']), { name: 'cairn' });
+  const crowd = crowdOfStones(cairn, [0, 1]);
+  const filters = [0, 1].map((part) => cairn.makeSelfFilter({}, part));
+  filters.forEach((filter, part) => crowd.setSelfFilter(part, filter));
+  crowd.filterParts([0, 1], cairn.makeSelfFilter());
+  const all = rowsOf(crowd.collide().contacts, 4);
+  const { contacts, stats } = crowd.collide({ maxContacts: 2 });
+  const rows = rowsOf(contacts, 4);
+  assert.deepEqual(rows.map(([a, b]) => `${a}${b}`), ['00', '00', '01', '01', '11', '11']);
+  for (const row of rows) assert.ok(all.some((other) => String(other) === String(row)));
+  assert.equal(stats.cutShort, true);
+  const pose = cairn.makePose(0);
+  pose.setPalette(flatPalette(cairn));
+  const own = pelt.selfCollide(pose, filters[0], { maxContacts: 2 });
+  assert.deepEqual(rows.slice(0, 2).map((row) => row.slice(2)), rowsOf(own.pairs, 2));
+  crowd.delete();
+  cairn.delete();
+});
+
+/** All triangles collapse to one point. */
+function flatPalette(cairn) {
   const flat = new Float32Array(16 * cairn.jointCount);
   for (let j = 0; j < cairn.jointCount; ++j) flat[16 * j + 15] = 1;
+  return flat;
+}
+
+/** A crowd of both stones of a cairn, which have collapsed to one point. */
+function crowdOfStones(cairn, parts) {
   const crowd = pelt.makeCrowd();
-  for (const part of parts) crowd.setPalette(crowd.add(cairn, part), flat);
+  for (const part of parts) crowd.setPalette(crowd.add(cairn, part), flatPalette(cairn));
   return crowd;
 }
 
@@ -197,7 +220,9 @@ test('contacts of two parts pass the filter of their character', () => {
     const found = crowd.collide();
     assert.deepEqual(rowsOf(found.contacts, 4), others);
     assert.deepEqual(found.leftOut, { ...kNothing, atRest: 1 });
-    assert.deepEqual(rowsOf(crowd.collide({ firstContact: true }).contacts, 4), others.slice(0, 1));
+    const limited = crowd.collide({ firstContact: true });
+    assert.deepEqual(rowsOf(limited.contacts, 4), others.slice(0, 1));
+    assert.equal(limited.stats.cutShort, true);
     crowd.delete();
   }
   const crowd = crowdOfStones(cairn, [0, 1, null]);

@@ -53,12 +53,15 @@ Result<void> know_ignored(CrowdHandle& handle) {
   return {};
 }
 
-/// Converts to the characters' triangle numbers.
-void number_triangles(CrowdHandle& handle) {
-  for (CrowdContact& contact : handle.found) {
+/// Appends contacts with the characters' triangle numbers.
+CrowdStats collide(CrowdHandle& handle, const CrowdOptions& options) {
+  const std::size_t begin = handle.found.size();
+  const CrowdStats stats = handle.crowd.collide(handle.found, options);
+  for (CrowdContact& contact : std::span(handle.found).subspan(begin)) {
     contact.triangle_a += handle.members[contact.instance_a].first_triangle;
     contact.triangle_b += handle.members[contact.instance_b].first_triangle;
   }
+  return stats;
 }
 
 /// Removes the contacts of two parts that the filter of their character leaves out.
@@ -86,15 +89,43 @@ LeftOut filter_parts(CrowdHandle& handle) {
   return left_out;
 }
 
-/// Keeps the first `most` contacts of each pair of instances.
-void limit_contacts(std::vector<CrowdContact>& contacts, std::uint32_t most) {
-  std::uint32_t a = 0, b = 0, count = 0;
-  std::erase_if(contacts, [&](const CrowdContact& contact) {
-    if (contact.instance_a != a || contact.instance_b != b) count = 0;
-    a = contact.instance_a;
-    b = contact.instance_b;
+CrowdPair instances_of(const CrowdContact& contact) {
+  return {contact.instance_a, contact.instance_b};
+}
+
+/// Keeps the first `most` contacts of each pair of instances. Returns whether it removed any.
+bool limit_contacts(std::vector<CrowdContact>& contacts, std::uint32_t most) {
+  CrowdPair pair;
+  std::uint32_t count = 0;
+  const auto is_beyond = [&](const CrowdContact& contact) {
+    if (instances_of(contact) != pair) count = 0;
+    pair = instances_of(contact);
     return count++ >= most;
-  });
+  };
+  return std::erase_if(contacts, is_beyond) > 0;
+}
+
+/// Like `collide`, with the filters of parts. They may drop any contacts of pairs, so that only the
+/// tests of instances against themselves can end at a limit.
+CrowdStats collide_parts(CrowdHandle& handle, const CrowdOptions& options) {
+  const bool is_limited = options.max_contacts < CrowdOptions().max_contacts;
+  CrowdStats stats = collide(handle, is_limited ? CrowdOptions() : options);
+  stats.left_out += filter_parts(handle);
+  if (!is_limited) return stats;
+  const bool is_cut = limit_contacts(handle.found, options.max_contacts);
+  stats.cut_short = stats.cut_short || is_cut;
+  const auto pairs = static_cast<std::ptrdiff_t>(handle.found.size());
+  CrowdOptions only_self = options;
+  only_self.filter = [](std::uint32_t, std::uint32_t) { return false; };
+  const CrowdStats own = collide(handle, only_self);
+  static_cast<QueryStats&>(stats) += own;
+  stats.left_out += own.left_out;
+  const auto by_instances = [](const CrowdContact& a, const CrowdContact& b) {
+    return instances_of(a) < instances_of(b);
+  };
+  std::inplace_merge(handle.found.begin(), handle.found.begin() + pairs, handle.found.end(),
+                     by_instances);
+  return stats;
 }
 
 /// Removes ignored contacts, and returns their number.
@@ -181,21 +212,15 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t 
   if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
   handle->found.clear();
   CrowdOptions options;
-  const bool has_parts = !handle->part_filters.empty();  // their filters may drop any contacts
-  if (!has_parts) options.max_contacts = most;
+  options.max_contacts = most;
   options.self_filter = [handle](std::uint32_t instance) {
     const std::optional<SelfFilter>& own = handle->members[instance].self_filter;
     return own ? &*own : nullptr;
   };
-  const CrowdStats stats = handle->crowd.collide(handle->found, options);
+  const CrowdStats stats =
+      handle->part_filters.empty() ? collide(*handle, options) : collide_parts(*handle, options);
   answer_stats(stats);
-  number_triangles(*handle);
-  LeftOut left_out = stats.left_out;
-  if (has_parts) {
-    left_out += filter_parts(*handle);
-    limit_contacts(handle->found, most);
-  }
-  answer_left_out(left_out);
+  answer_left_out(stats.left_out);
   answer().ignored = static_cast<double>(take_ignored_out(*handle));
   answer_data<CrowdContact>(handle->found);
   return 1;
