@@ -5,6 +5,9 @@ import type { Body } from './bodies';
 import type { SelfQuestion } from './protocol';
 import type { SelfFilters } from './self_filters';
 
+/** Pairs of triangles, [N][2]. */
+export type Pairs = Uint32Array;
+
 /** Applies the filters to the bodies of one character, which have these numbers in the crowd. */
 export function setFilters(
   crowd: Crowd,
@@ -40,21 +43,31 @@ export class OwnContacts {
     setFilters(this.crowd, character, bodies, filters, question);
   }
 
-  /** Calls back for each pair of triangles. */
-  find(
-    palette: Float32Array,
-    weights: Float32Array,
-    add: (triangleA: number, triangleB: number) => void,
-  ): void {
+  /** Returns the pairs of triangles in ascending order. */
+  find(palette: Float32Array, weights: Float32Array): Pairs {
     for (let body = 0; body < this.count; ++body) {
       this.crowd.setPalette(body, palette);
       this.crowd.setMorphWeights(body, weights);
     }
-    const { contacts } = this.crowd.collide();
-    for (let i = 0; i < contacts.length; i += 4) add(contacts[i + 2], contacts[i + 3]);
+    return ascending(this.crowd.collide().contacts, this.character.triangleCount);
   }
 
   delete(): void {
     this.crowd.delete();
   }
+}
+
+/** A crowd sorts contacts by bodies first. */
+function ascending(contacts: Uint32Array, triangleCount: number): Pairs {
+  const keys = new Float64Array(contacts.length / 4);
+  for (let i = 0; i < keys.length; ++i) {
+    keys[i] = contacts[4 * i + 2] * triangleCount + contacts[4 * i + 3];
+  }
+  keys.sort();
+  const pairs = new Uint32Array(2 * keys.length);
+  keys.forEach((key, i) => {
+    pairs[2 * i] = Math.floor(key / triangleCount);
+    pairs[2 * i + 1] = key % triangleCount;
+  });
+  return pairs;
 }

@@ -2,11 +2,8 @@
 
 import type { Character, Pelt, Scene as EngineScene, SelfFilter } from 'pelt';
 import { partsOf, type Body } from './bodies';
-import { OwnContacts } from './own_contacts';
+import { OwnContacts, type Pairs } from './own_contacts';
 import type { By, SelfQuestion } from './protocol';
-
-/** Pairs of triangles, [N][2]. */
-type Pairs = Uint32Array;
 
 export class SelfFilters {
   private readonly numbers = new Map<Character, number>();
@@ -90,12 +87,11 @@ export class SelfFilters {
   private findAtRest(character: Character, by: By, self: SelfQuestion): Pairs {
     const question = { ...self, dropsAtRest: false, always: null };
     const own = new OwnContacts(this.pelt, character, partsOf(character, by), this, question);
-    const found = new Set<number>();
-    const add = (a: number, b: number) => found.add(pairKey(character, a, b));
-    own.find(identities(character), new Float32Array(character.morphTargetNames.length), add);
-    own.find(character.palette(null, 0), character.morphWeights(null, 0), add);
+    const noWeights = new Float32Array(character.morphTargetNames.length);
+    const inFile = own.find(identities(character), noWeights);
+    const ofNodes = own.find(character.palette(null, 0), character.morphWeights(null, 0));
     own.delete();
-    return pairsOf(character, found);
+    return Uint32Array.from([...inFile, ...ofNodes]);
   }
 
   private rulesKey(character: Character, by: By, { rings, dropsNearJoints }: SelfQuestion): string {
@@ -103,16 +99,6 @@ export class SelfFilters {
     this.numbers.set(character, number);
     return `${number} ${by} ${rings} ${dropsNearJoints}`;
   }
-}
-
-/** A number for a pair of triangles. */
-export function pairKey({ triangleCount }: Character, a: number, b: number): number {
-  return a * triangleCount + b;
-}
-
-export function pairsOf({ triangleCount }: Character, keys: Iterable<number>): Pairs {
-  const pairs = [...keys].map((key) => [Math.floor(key / triangleCount), key % triangleCount]);
-  return Uint32Array.from(pairs.flat());
 }
 
 /** The palette of the rest pose. */
