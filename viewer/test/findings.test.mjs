@@ -54,7 +54,7 @@ describe('beside a baseline', () => {
   const report = { answer: { ...answerOf([5], [0, 1, 1], verdict), touches } };
   const scene = { instances: [{ character: 0 }, { character: 1 }] };
   const frames = report.answer.options.frames;
-  const asked = { firstContact: false, by: 'instance', frames, self: {}, characters: [] };
+  const asked = { maxContacts: null, by: 'instance', frames, self: {}, characters: [] };
   const state = { ...asked, report, reported: scene, scene };
 
   test('touches are counted as the command counts them', async () => {

@@ -293,6 +293,47 @@ test('a report of characters that touch themselves agrees, whatever the options'
   }
 });
 
+test('a report of limited contacts agrees, and another limit can be chosen', async (t) => {
+  const walker = { creature: { triangles: 2000, joints: 45, seed: 5 } };
+  const instances = [...SCENE.instances, { model: 'walker', clip: 'walk', translation: [3, 0, 0] }];
+  const models = { ...SCENE.models, walker };
+  const shop = new Workshop(t, { ...SCENE, models, instances });
+  const opened = ['--self', '--self-rings', '1', '--self-near-joints', 'keep'];
+  const runs = [
+    [['--first'], []],
+    [['--first'], [...opened, '--by', 'part']],
+    [
+      ['--max-contacts', '3'],
+      ['--self=only', ...opened.slice(1), '--by', 'part'],
+    ],
+    [['--max-contacts', '2'], opened],
+  ];
+  let page;
+  for (const [limit, words] of runs) {
+    const all = shop.check(...words);
+    const answer = shop.check(...limit, ...words);
+    assert.ok(answer.totals.contacts < all.totals.contacts, 'a limit worth testing');
+    await page?.context().close();
+    page = await open(t, browsing.urlOf(shop.at('report.html')));
+    await says(page, 'the page agrees');
+    assert.equal(await number(page, 'total'), answer.totals.contacts);
+    assert.equal(await page.locator('[data-fact=hash]').count(), 0);
+  }
+  await page.getByText('Inputs and options').click();
+  await says(page, /max-contacts\s*2 per pair and frame/);
+  assert.match(await page.locator('.lead').innerText(), /at most 2 contacts of each pair of char/);
+  await page.getByLabel('per pair').fill('4');
+  await says(page, 'the page agrees; changed since');
+  await totalIs(page, shop.check('--max-contacts', '4', ...opened));
+  assert.match(await page.locator('.same').innerText(), /--max-contacts 4 --self/);
+  await page.getByRole('switch', { name: 'limit' }).uncheck();
+  await totalIs(page, shop.check(...opened));
+  assert.deepEqual(page.complaints, []);
+});
+
+const totalIs = (page, { totals }) =>
+  page.waitForSelector(`[data-fact=total]:text-is("${totals.contacts.toLocaleString('en')}")`);
+
 test('a report of one character says where it touches itself', async (t) => {
   const models = { walker: { creature: { triangles: 2000, joints: 45, seed: 5 } } };
   const shop = new Workshop(t, {
@@ -325,6 +366,9 @@ test('a report says where the page finds something else', async (t) => {
   const { at_rest: dropped } = totals.left_out;
   assert.ok(dropped > 0, 'a filter worth testing');
   shop.edit((data) => data.replace(`"at_rest":${dropped}`, `"at_rest":${dropped + 1}`));
+  await says(await open(t, browsing.urlOf(shop.at('report.html'))), 'the page differs');
+  const [{ a }] = shop.check('--first').touches;
+  shop.edit((data) => data.replace(`"part":"${a.part}"`, '"part":"another"'));
   await says(await open(t, browsing.urlOf(shop.at('report.html'))), 'the page differs');
 });
 

@@ -224,7 +224,7 @@ describe('characters of very different sizes', () => {
 });
 
 describe('the command with the same numbers', () => {
-  const nothing = { by: 'instance', firstContact: false, self: {}, readingOptions: {} };
+  const nothing = { by: 'instance', maxContacts: null, self: {}, readingOptions: {} };
 
   test('names the models where it places them so', async () => {
     const { arrange } = await load('scene/arrange.ts');
@@ -255,11 +255,13 @@ describe('the command with the same numbers', () => {
     ];
     for (const scene of others) {
       const readingOptions = { renormalise: true, exclude: ['hat'] };
-      const asking = { ...nothing, scene, characters, readingOptions, firstContact: true };
+      const asking = { ...nothing, scene, characters, readingOptions, maxContacts: 1 };
       assert.deepEqual(checkCommand(asking), {
         words: 'pelt check scene.json --first --renormalise --exclude hat',
         needsFile: true,
       });
+      const { words } = checkCommand({ ...asking, maxContacts: 12 });
+      assert.match(words, /^pelt check scene\.json --max-contacts 12 /);
     }
   });
 });

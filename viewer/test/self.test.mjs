@@ -150,6 +150,7 @@ test('they are those of --by part and of --first, too', async (t) => {
     '--first',
   ]);
   await page.waitForSelector(`[data-fact=total]:text-is("${first.totals.contacts}")`);
+  await droppedAs(first);
   await page.keyboard.press('f');
   await field('near joints').selectOption('keep');
   await field('at rest').selectOption('keep');
@@ -159,9 +160,20 @@ test('they are those of --by part and of --first, too', async (t) => {
   await choose('also');
   await page.getByLabel('parts').uncheck();
   await page.keyboard.press('f');
-  const { totals } = check(t, withoutFolder(scene), { 'cairn.gltf': STONES }, ['--first']);
-  await page.waitForSelector(`[data-fact=total]:text-is("${totals.contacts}")`);
-  await page.keyboard.press('f');
+  for (const [limit, words] of [
+    [1, ['--first']],
+    [3, ['--max-contacts', '3']],
+  ]) {
+    await page.getByLabel('per pair').fill(String(limit));
+    const { totals } = check(t, withoutFolder(scene), { 'cairn.gltf': STONES }, words);
+    await page.waitForSelector(`[data-fact=total]:text-is("${totals.contacts}")`);
+    await droppedAs({ totals });
+    const contacts = `at most ${limit} contacts?`;
+    const sentence = `^Orange marks ${contacts} of each pair of characters; violet marks ${contacts} of each`;
+    assert.match(await page.locator('.lead').innerText(), new RegExp(sentence));
+  }
+  await page.getByRole('switch', { name: 'limit' }).uncheck();
+  assert.equal(await page.getByLabel('per pair').count(), 0);
 });
 
 test('they have a colour of their own, in picture and timeline', async () => {

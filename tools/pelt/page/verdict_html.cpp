@@ -32,6 +32,11 @@ const char* headline(const ordered_json& verdict) {
   return verdict["failed"] == true ? "Check failed" : "Check passed";
 }
 
+std::string limit_words(const ordered_json& options) {
+  const ordered_json& limit = options["max_contacts"];
+  return limit.is_null() ? "" : ", at most " + number(limit) + " of each pair in each frame";
+}
+
 /// Says what was tested against itself.
 const char* self_sentence(const ordered_json& options) {
   if (options["self"].is_null()) return "";
@@ -49,8 +54,8 @@ std::string verdict_html(const PageData& data) {
   const ordered_json& totals = last["totals"];
   return std::string(headline(last["verdict"])) + ": " + number(totals["frames_in_contact"]) +
          " of " + number(totals["frames"]) + " frames in contact, " + number(totals["contacts"]) +
-         " contacts." + self_sentence(first["options"]) + " Command: <code>" +
-         escaped(data.command) + "</code>";
+         " contacts" + limit_words(first["options"]) + "." + self_sentence(first["options"]) +
+         " Command: <code>" + escaped(data.command) + "</code>";
 }
 
 }  // namespace pelt::tools::page

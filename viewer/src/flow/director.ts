@@ -56,12 +56,12 @@ export class Director {
   }
 
   private sweep(): void {
-    const { scene, by, firstContact, sweep, reading } = this.store.state;
+    const { scene, by, maxContacts, sweep, reading } = this.store.state;
     if (reading) return this.sweepLater();
     if (!scene) return;
     const frames = checkedFrames(this.store.state);
     const self = selfOf(this.store.state);
-    void this.asker.ask('sweep', { id: sweep.id, scene, by, firstContact, self, frames });
+    void this.asker.ask('sweep', { id: sweep.id, scene, by, maxContacts, self, frames });
   }
 }
 
@@ -79,7 +79,7 @@ function sweepsDiffer(state: State, before: State): boolean {
     state.scene !== before.scene ||
     state.frames !== before.frames ||
     state.by !== before.by ||
-    state.firstContact !== before.firstContact ||
+    state.maxContacts !== before.maxContacts ||
     !isSameSelf(selfOf(state), selfOf(before))
   );
 }

@@ -1,6 +1,6 @@
 /** Opens files as characters of the scene, or reports a readable error. */
 
-import { originalPath, stopsAtFirst, type Report } from '../report/report';
+import { limitOf, originalPath, type Report } from '../report/report';
 import { framesToCheck, worstFrame } from '../report/verdict';
 import * as changes from '../state/changes';
 import * as edits from '../state/edits';
@@ -40,10 +40,12 @@ export class Opener {
     const { scene, title, reading, answer } = report;
     const worst = answer && worstFrame(answer);
     const by = answer?.options.by ?? 'instance';
-    this.store.update(() => ({
+    const maxContacts = limitOf(report);
+    this.store.update(({ lastMaxContacts }) => ({
       report: { ...report, files: {} }, // the worker has them: they may be large
       by,
-      firstContact: stopsAtFirst(report),
+      maxContacts,
+      lastMaxContacts: maxContacts ?? lastMaxContacts,
       listing: answer ? 'clip' : 'frame',
     }));
     this.read(title, async () => {

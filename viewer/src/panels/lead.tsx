@@ -6,16 +6,16 @@ import type { PanelProps } from './panel_props';
 
 /** Says in a sentence or two what is looked at. */
 export function Lead({ state }: PanelProps) {
-  const { scene, by, characters, firstContact } = state;
+  const { scene, by, characters, maxContacts } = state;
   if (!scene) return null;
   const range = checkedFrames(state);
   const frames = range ? `frames ${rangeInWords(range)}` : counted(scene.frameCount, 'frame');
   const thing = by === 'part' ? 'part' : 'character';
   const marks = [
     ...(asksPairs(state) && !isOneBody({ scene, by, characters })
-      ? [ofPairs(thing, firstContact)]
+      ? [ofPairs(thing, maxContacts)]
       : []),
-    ...(asksSelf(state) ? [ofSelf(thing, firstContact)] : []),
+    ...(asksSelf(state) ? [ofSelf(thing, maxContacts)] : []),
   ];
   return (
     <p class="lead">
@@ -24,15 +24,15 @@ export function Lead({ state }: PanelProps) {
   );
 }
 
-function ofPairs(thing: string, firstContact: boolean): string {
-  return firstContact
-    ? `orange marks the first pair of triangles in which two ${thing}s intersect`
+function ofPairs(thing: string, maxContacts: number | null): string {
+  return maxContacts !== null
+    ? `orange marks at most ${counted(maxContacts, 'contact')} of each pair of ${thing}s`
     : `orange marks every triangle of one ${thing} that intersects another ${thing}`;
 }
 
-function ofSelf(thing: string, firstContact: boolean): string {
-  return firstContact
-    ? `violet marks the first pair of triangles in which a ${thing} intersects itself`
+function ofSelf(thing: string, maxContacts: number | null): string {
+  return maxContacts !== null
+    ? `violet marks at most ${counted(maxContacts, 'contact')} of each ${thing} with itself`
     : `violet marks every triangle that intersects its own ${thing}`;
 }
 

@@ -1,11 +1,13 @@
-import { toggleBy, toggleFirstContact } from '../state/changes';
+import { limitContacts, toggleBy, toggleLimit } from '../state/changes';
+import type { State } from '../state/state';
+import { counted } from '../words';
+import { NumberField } from './number_field';
 import type { PanelProps } from './panel_props';
 
-/** Switches of the query: instances or parts, all contacts or the first. */
+/** Switches of the query: instances or parts, all contacts or some of each pair. */
 export function QuerySwitches({ state, update }: PanelProps) {
-  const { by, characters, firstContact, scene } = state;
+  const { by, characters } = state;
   const haveParts = characters.some(({ partCount }) => partCount > 1);
-  const ignores = (scene?.ignore.length ?? 0) > 0;
   return (
     <div class="row switches">
       {(haveParts || by === 'part') && (
@@ -22,23 +24,47 @@ export function QuerySwitches({ state, update }: PanelProps) {
           parts
         </label>
       )}
-      <label
-        class="switch"
-        title={
-          ignores
-            ? 'Not available: the first contact may be one that the scene ignores'
-            : 'Stop each query at its first contact (F)'
-        }
-      >
-        <input
-          type="checkbox"
-          role="switch"
-          disabled={ignores}
-          checked={firstContact}
-          onChange={() => update(toggleFirstContact)}
+      <LimitSwitch state={state} update={update} />
+      {state.maxContacts !== null && (
+        <NumberField
+          label="per pair"
+          title="Most contacts of each pair in each frame"
+          step={1}
+          least={1}
+          most={MOST_CONTACTS}
+          value={state.maxContacts}
+          onEnd={() => {}}
+          onChange={(value) => update(limitContacts(Math.round(value)))}
         />
-        first only
-      </label>
+      )}
     </div>
   );
+}
+
+/** The largest limit of the engine. */
+const MOST_CONTACTS = 2 ** 32 - 1;
+
+function LimitSwitch({ state, update }: PanelProps) {
+  return (
+    <label class="switch" title={titleOfLimit(state)}>
+      <input
+        type="checkbox"
+        role="switch"
+        disabled={ignores(state)}
+        checked={state.maxContacts !== null}
+        onChange={() => update(toggleLimit)}
+      />
+      limit
+    </label>
+  );
+}
+
+function titleOfLimit(state: State): string {
+  if (ignores(state))
+    return 'Not available: the first contacts may be those that the scene ignores';
+  return `Stop each query after ${counted(state.lastMaxContacts, 'contact')} of a pair (F)`;
+}
+
+function ignores({ scene }: State): boolean {
+  return scene !== null && scene.ignore.length > 0;
 }

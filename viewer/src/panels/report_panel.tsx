@@ -152,7 +152,8 @@ function optionsOf({ reading, made, pelt }: Report, { options, verdict }: Report
     ['fails on', verdict.fail_on],
     ['made', `${made.replace('T', ' ').replace('Z', ' UTC')}, by Pelt ${pelt}`],
   ];
-  if (options.max_contacts === 1) rows.push(['first', 'one contact per pair']);
+  if (options.max_contacts !== null)
+    rows.push(['max-contacts', `${withCommas(options.max_contacts)} per pair and frame`]);
   if (options.self) rows.push(...selfRows(options.self));
   for (const pair of options.ignore) rows.push(['ignore', pair.join(', ')]);
   for (const note of verdict.notes ?? []) rows.push(['baseline', note]);

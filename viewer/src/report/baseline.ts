@@ -1,8 +1,8 @@
 /** Differences from a baseline. */
 
-import type { Surface, Touch } from '../worker/protocol';
-import type { KnownPlace, ReportAnswer, WorseTouch } from './report';
-import { isAsItCame, type Asked } from './verdict';
+import type { Touch } from '../worker/protocol';
+import type { ReportAnswer, WorseTouch } from './report';
+import { isAsItCame, placeName, type Asked } from './verdict';
 
 /** Numbers of touches. */
 interface Comparison {
@@ -35,7 +35,11 @@ export function worseTouch({ a, b }: Pick<Touch, 'a' | 'b'>, state: Asked): Wors
   const worse = comparedAnswer(state)?.verdict.worse;
   if (!worse) return null;
   const found = byPlaces(worse);
-  return found.get(`${nameOf(a)}\n${nameOf(b)}`) ?? found.get(`${nameOf(b)}\n${nameOf(a)}`) ?? null;
+  return (
+    found.get(`${placeName(a)}\n${placeName(b)}`) ??
+    found.get(`${placeName(b)}\n${placeName(a)}`) ??
+    null
+  );
 }
 
 export type Standing = 'new' | 'grown' | 'known';
@@ -67,11 +71,8 @@ const known = new WeakMap<readonly WorseTouch[], Map<string, WorseTouch>>();
 
 function byPlaces(worse: readonly WorseTouch[]): Map<string, WorseTouch> {
   const found =
-    known.get(worse) ?? new Map(worse.map((one) => [`${nameOf(one.a)}\n${nameOf(one.b)}`, one]));
+    known.get(worse) ??
+    new Map(worse.map((one) => [`${placeName(one.a)}\n${placeName(one.b)}`, one]));
   known.set(worse, found);
   return found;
-}
-
-function nameOf({ instance, part, joint }: KnownPlace | Surface): string {
-  return `${instance}\t${part}\t${joint}`;
 }

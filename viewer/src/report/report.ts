@@ -167,9 +167,9 @@ function parse(text: string): Partial<Report> {
   }
 }
 
-/** Whether queries stopped at the first contact. */
-export function stopsAtFirst({ answer }: Report): boolean {
-  return answer?.options.max_contacts === 1;
+/** Most contacts of each pair; null for all. */
+export function limitOf({ answer }: Report): number | null {
+  return answer ? answer.options.max_contacts : null;
 }
 
 /** Returns the original path of a file of the report. */

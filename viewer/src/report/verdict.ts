@@ -3,9 +3,9 @@
 import type { Scene } from '../scene/scene';
 import { isSameSelf, selfQuestion } from '../scene/self';
 import type { State, SweepState } from '../state/state';
-import type { FrameRange, SelfQuestion, SweepTotal } from '../worker/protocol';
+import type { FrameRange, SelfQuestion, Surface, SweepTotal, Touch } from '../worker/protocol';
 import { counted, withCommas } from '../words';
-import { stopsAtFirst, type ReportAnswer } from './report';
+import { limitOf, type KnownPlace, type KnownTouch, type ReportAnswer } from './report';
 
 /** Returns the frames that the command checked; null if these are all frames of the scene. */
 export function framesToCheck({ options }: ReportAnswer, scene: Scene | null): FrameRange | null {
@@ -30,12 +30,38 @@ export function findingOf(state: State): Finding | null {
 function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
   const frames = framesOf(answer.options.frames);
   const sameCounts = answer.counts.every((count, i) => counts[frames[i]] === count);
-  return sameCounts && total?.hash === answer.hash && leavesOutTheSame(answer, total);
+  return (
+    sameCounts &&
+    total?.hash === answer.hash &&
+    (answer.hash !== null || hasSameTouches(answer, total)) &&
+    leavesOutTheSame(answer, total)
+  );
 }
 
-/** Limited queries leave out what they come across: not all, and not always the same. */
-function leavesOutTheSame({ totals, hash }: ReportAnswer, total: SweepTotal): boolean {
-  if (!totals.left_out || hash === null) return true;
+/** For limited contacts, which have no hash. */
+function hasSameTouches({ touches }: ReportAnswer, total: SweepTotal): boolean {
+  const [theirs, own] = [contactsByPlaces(touches), contactsByPlaces(total.touches)];
+  return theirs.size === own.size && [...theirs].every(([key, count]) => own.get(key) === count);
+}
+
+function contactsByPlaces(
+  touches: readonly Pick<KnownTouch | Touch, 'a' | 'b' | 'contacts'>[],
+): Map<string, number> {
+  const counts = new Map<string, number>();
+  for (const { a, b, contacts } of touches) {
+    const key = [placeName(a), placeName(b)].sort().join('\n');
+    counts.set(key, (counts.get(key) ?? 0) + contacts);
+  }
+  return counts;
+}
+
+/** A name for comparison: of parts or joints with equal names, it is the same. */
+export function placeName({ instance, part, joint }: KnownPlace | Surface): string {
+  return `${instance}\t${part}\t${joint}`;
+}
+
+function leavesOutTheSame({ totals }: ReportAnswer, total: SweepTotal): boolean {
+  if (!totals.left_out) return true;
   const { rings, at_rest: atRest, always, near_joints: joints } = totals.left_out;
   const { leftOut } = total;
   return (
@@ -49,17 +75,17 @@ function leavesOutTheSame({ totals, hash }: ReportAnswer, total: SweepTotal): bo
 /** Query of the page, and the report that it was opened with. */
 export type Asked = Pick<
   State,
-  'report' | 'reported' | 'scene' | 'firstContact' | 'by' | 'frames' | 'self' | 'characters'
+  'report' | 'reported' | 'scene' | 'maxContacts' | 'by' | 'frames' | 'self' | 'characters'
 >;
 
 /** Whether scene and query are still those of the report. */
 export function isAsItCame(asked: Asked): boolean {
-  const { report, reported, scene, firstContact, by, frames } = asked;
+  const { report, reported, scene, maxContacts, by, frames } = asked;
   return (
     report !== null &&
     scene === reported &&
     (!report.answer || frames === framesToCheck(report.answer, scene)) &&
-    firstContact === stopsAtFirst(report) &&
+    maxContacts === limitOf(report) &&
     by === report.answer?.options.by &&
     asksSelfAsReported(asked, report.answer)
   );

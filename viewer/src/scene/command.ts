@@ -10,7 +10,8 @@ export interface Asking {
   scene: Scene;
   characters: readonly CharacterFacts[];
   by: By;
-  firstContact: boolean;
+  /** Most contacts of each pair; null for all. */
+  maxContacts: number | null;
   self: SelfChoices;
   /** Null for all frames. */
   frames: FrameRange | null;
@@ -64,17 +65,22 @@ function modelWords({ scene: { instances }, characters }: Asking): string[] {
 }
 
 function optionWords(asking: Asking): string[] {
-  const { by, firstContact, frames, readingOptions } = asking;
+  const { by, maxContacts, frames, readingOptions } = asking;
   const { renormalise, noUnskinned, exclude = [] } = readingOptions;
   return [
     ...(by === 'part' ? ['--by', 'part'] : []),
     ...(frames ? ['--frames', frames.join(':')] : []),
-    ...(firstContact ? ['--first'] : []),
+    ...limitWords(maxContacts),
     ...selfWords(asking),
     ...(renormalise ? ['--renormalise'] : []),
     ...(noUnskinned ? ['--no-unskinned'] : []),
     ...exclude.flatMap((node) => ['--exclude', node]),
   ];
+}
+
+function limitWords(maxContacts: number | null): string[] {
+  if (maxContacts === null) return [];
+  return maxContacts === 1 ? ['--first'] : ['--max-contacts', String(maxContacts)];
 }
 
 /** Quotes a word for a shell. */

@@ -58,10 +58,15 @@ function nextContact(counts: Counts, from: number, direction: 1 | -1): number | 
 export const togglePlaying: Change = ({ isPlaying }) => ({ isPlaying: !isPlaying });
 export const toggleBy: Change = ({ by }) => ({ by: by === 'part' ? 'instance' : 'part' });
 
-/** Does nothing if the scene ignores contacts, because the first contact may be ignored. */
-export const toggleFirstContact: Change = ({ firstContact, scene }) => ({
-  firstContact: !firstContact && scene?.ignore.length === 0,
-});
+export const toggleLimit: Change = (state) =>
+  state.maxContacts === null ? limitContacts(state.lastMaxContacts)(state) : { maxContacts: null };
+
+/** Does nothing if the scene ignores contacts, because the first contacts may be ignored. */
+export function limitContacts(maxContacts: number): Change {
+  return ({ scene }) =>
+    scene?.ignore.length === 0 ? { maxContacts, lastMaxContacts: maxContacts } : {};
+}
+
 export function chooseSelf(change: SelfChoices): Change {
   return ({ self }) => ({ self: { ...self, ...change }, spot: null });
 }
@@ -155,7 +160,7 @@ export function open(
     frames = null,
   }: Partial<Beginning> = {},
 ): Change {
-  return ({ boxLevel, firstContact }) => {
+  return ({ boxLevel, maxContacts }) => {
     const placed = scene ?? arrange(characters, USUAL_ARRANGEMENT);
     return {
       characters,
@@ -163,7 +168,7 @@ export function open(
       self,
       scene: placed,
       opened: scene,
-      firstContact: firstContact && !scene?.ignore.length,
+      maxContacts: scene?.ignore.length ? null : maxContacts,
       arrangement: scene ? 'opened' : USUAL_ARRANGEMENT,
       arranged: placed,
       reading: null,

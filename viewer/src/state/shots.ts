@@ -22,9 +22,9 @@ export function asksPairs(state: State): boolean {
 
 /** While other characters are being read, the worker may have given up those of the scene. */
 export function shotOf(state: State): Shot | null {
-  const { scene, reading, frame, by, firstContact, boxLevel, spot } = state;
+  const { scene, reading, frame, by, maxContacts, boxLevel, spot } = state;
   if (!scene || reading) return null;
-  return { scene, frame, by, firstContact, self: selfOf(state), boxLevel, spot };
+  return { scene, frame, by, maxContacts, self: selfOf(state), boxLevel, spot };
 }
 
 export function isSameShot(one: Shot, other: Shot): boolean {
@@ -37,21 +37,21 @@ export function isSameQuery(one: Shot, other: Shot): boolean {
     one.scene === other.scene &&
     one.frame === other.frame &&
     one.by === other.by &&
-    one.firstContact === other.firstContact &&
+    one.maxContacts === other.maxContacts &&
     isSameSelf(one.self, other.self)
   );
 }
 
 /** Whether the answer is to the scene as it is now, at whatever frame. */
 export function isInStep(state: State): boolean {
-  const { answer, scene, by, firstContact, boxLevel, spot } = state;
+  const { answer, scene, by, maxContacts, boxLevel, spot } = state;
   return (
     answer !== null &&
     !answer.isPreliminary &&
     isSameSelf(answer.shot.self, selfOf(state)) &&
     answer.shot.scene === scene &&
     answer.shot.by === by &&
-    answer.shot.firstContact === firstContact &&
+    answer.shot.maxContacts === maxContacts &&
     answer.shot.boxLevel === boxLevel &&
     answer.shot.spot === spot
   );

@@ -37,7 +37,10 @@ export interface State {
   frame: number;
   isPlaying: boolean;
   by: By;
-  firstContact: boolean;
+  /** Most contacts of each pair of bodies, and of each body with itself; null for all. */
+  maxContacts: number | null;
+  /** The most recent limit. */
+  lastMaxContacts: number;
   /** Whether and how characters are tested against themselves. */
   self: SelfChoices;
   /** The frames to be checked, of a report of some frames; null for all. */
@@ -155,7 +158,8 @@ export const initialState: State = {
   frame: 0,
   isPlaying: true,
   by: 'instance',
-  firstContact: false,
+  maxContacts: null,
+  lastMaxContacts: 1,
   self: {},
   frames: null,
   past: [],

@@ -6,6 +6,7 @@
 import type { Pelt, Pose, Scene as EngineScene } from 'pelt';
 import { collidingPairs } from './colliding_pairs';
 import type { Cost, Costs, Questions, Shot } from './protocol';
+import { limit } from './scene_crowd';
 import type { SelfFilters } from './self_filters';
 import { Stage } from './stage';
 import { Stopwatch } from './stopwatch';
@@ -48,10 +49,10 @@ export class CostMeter {
   }
 
   private *measure(scene: EngineScene, shot: Shot): Steps<Costs> {
-    const { frame, firstContact, by, self } = shot;
+    const { frame, maxContacts, by, self } = shot;
     this.stage.set(scene, frame, by, self);
     yield;
-    const onDemand = yield* this.cost(() => this.askOnDemand(firstContact));
+    const onDemand = yield* this.cost(() => this.askOnDemand(maxContacts));
     const eager = yield* this.cost(() => this.askEagerly(shot));
     return { onDemand, eager, ...this.countNodes(shot) };
   }
@@ -68,14 +69,14 @@ export class CostMeter {
     }
   }
 
-  private *askOnDemand(firstContact: boolean): Steps<number> {
-    const { stats } = this.stage.collide(firstContact);
+  private *askOnDemand(maxContacts: number | null): Steps<number> {
+    const { stats } = this.stage.collide(maxContacts);
     yield;
     return stats.trianglePairs;
   }
 
   /** Everything is refitted once, and then compared with all those that it is near. */
-  private *askEagerly({ firstContact, self }: Shot): Steps<number> {
+  private *askEagerly({ maxContacts, self }: Shot): Steps<number> {
     const poses = this.stage.colliding;
     for (const pose of poses) {
       pose.openAll();
@@ -83,19 +84,19 @@ export class CostMeter {
     }
     let trianglePairs = 0;
     for (const [a, b] of self?.isOnly ? [] : collidingPairs(poses)) {
-      trianglePairs += this.pelt.collideEagerly(a, b, { firstContact }).stats.trianglePairs;
+      trianglePairs += this.pelt.collideEagerly(a, b, limit(maxContacts)).stats.trianglePairs;
       yield;
     }
-    trianglePairs += this.stage.collideSelf(firstContact);
+    trianglePairs += this.stage.collideSelf(maxContacts);
     yield;
     return trianglePairs;
   }
 
-  private countNodes({ firstContact, self }: Shot): { openedNodes: number; nodes: number } {
+  private countNodes({ maxContacts, self }: Shot): { openedNodes: number; nodes: number } {
     const poses = this.stage.colliding;
     const pairs = self?.isOnly ? [] : collidingPairs(poses);
-    for (const [a, b] of pairs) this.pelt.collide(a, b, { firstContact });
-    this.stage.collideSelf(firstContact);
+    for (const [a, b] of pairs) this.pelt.collide(a, b, limit(maxContacts));
+    this.stage.collideSelf(maxContacts);
     const sum = (count: (pose: Pose) => number) =>
       poses.reduce((total, pose) => total + count(pose), 0);
     return {

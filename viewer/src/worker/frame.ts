@@ -13,7 +13,7 @@ import type {
   StillAnswer,
   Work,
 } from './protocol';
-import { split, type SplitContacts } from './scene_crowd';
+import { limit, split, type SplitContacts } from './scene_crowd';
 import { contactsInSpot } from './spots';
 import type { Stage } from './stage';
 import { TouchTally } from './touches';
@@ -25,12 +25,12 @@ export function answerFrame(
   pelt: Pelt,
   stage: Stage,
   scene: EngineScene,
-  { frame, by, firstContact, self, boxLevel, spot }: Shot,
+  { frame, by, maxContacts, self, boxLevel, spot }: Shot,
   spares: readonly Spare[] = [],
 ): FrameAnswer {
   stage.set(scene, frame, by, self);
-  const found = stage.collide(firstContact);
-  if (boxLevel !== null) openNodes(pelt, stage, self?.isOnly ?? false, firstContact);
+  const found = stage.collide(maxContacts);
+  if (boxLevel !== null) openNodes(pelt, stage, self?.isOnly ?? false, maxContacts);
   const tally = new TouchTally(stage.characters);
   tally.addAll(frame, found.contacts);
   const instances = stage.poses.map((pose, i) => ({
@@ -72,10 +72,15 @@ function answerSpot(
 }
 
 /** A crowd keeps no opened nodes: the same query of two poses at a time does. */
-function openNodes(pelt: Pelt, stage: Stage, isOnlySelf: boolean, firstContact: boolean): void {
+function openNodes(
+  pelt: Pelt,
+  stage: Stage,
+  isOnlySelf: boolean,
+  maxContacts: number | null,
+): void {
   const pairs = isOnlySelf ? [] : collidingPairs(stage.colliding);
-  for (const [a, b] of pairs) pelt.collide(a, b, { firstContact });
-  stage.collideSelf(firstContact);
+  for (const [a, b] of pairs) pelt.collide(a, b, limit(maxContacts));
+  stage.collideSelf(maxContacts);
 }
 
 function drawn(pose: Pose, spare: Spare | undefined): Spare {

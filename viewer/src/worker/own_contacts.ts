@@ -20,7 +20,7 @@ export function setFilters(
     crowd.setSelfFilter(number, filters.filterOf(character, part, question));
   }
   const parts = bodies.filter(({ part }) => part !== null).map(({ number }) => number);
-  if (parts.length > 1) {
+  if (parts.length > 0) {
     crowd.filterParts(parts, filters.filterOf(character, null, question, 'part'));
   }
 }

@@ -50,7 +50,8 @@ export interface Shot {
   scene: Scene;
   frame: number;
   by: By;
-  firstContact: boolean;
+  /** Most contacts of each pair of bodies, and of each body with itself; null for all. */
+  maxContacts: number | null;
   /** Null: no body is tested against itself. */
   self: SelfQuestion | null;
   /** Level of the trees whose boxes are drawn. */
@@ -85,7 +86,7 @@ export interface Questions {
     id: number;
     scene: Scene;
     by: By;
-    firstContact: boolean;
+    maxContacts: number | null;
     self: SelfQuestion | null;
     /** Frames to be counted, or null for all frames. */
     frames: FrameRange | null;
@@ -261,7 +262,7 @@ export interface SweepProgress {
 export interface SweepTotal {
   /** See FrameAnswer. */
   leftOut: LeftOut;
-  /** Hash as in `pelt check`; null if queries stop at the first contact. */
+  /** Hash as in `pelt check`; null if contacts are limited. */
   hash: string | null;
   /** Contacts that do not count. */
   ignored: number;

@@ -3,7 +3,15 @@
  * and the same answer.
  */
 
-import type { Character, Crowd, CrowdContacts, NamePair, Pelt, Scene as EngineScene } from 'pelt';
+import type {
+  Character,
+  CollideOptions,
+  Crowd,
+  CrowdContacts,
+  NamePair,
+  Pelt,
+  Scene as EngineScene,
+} from 'pelt';
 import { bodiesOf, type Body } from './bodies';
 import { setFilters } from './own_contacts';
 import type { By, SelfQuestion } from './protocol';
@@ -76,8 +84,8 @@ export class SceneCrowd {
     });
   }
 
-  collide(firstContact: boolean): SceneContacts {
-    const found = joined(this.crowds.map((crowd) => crowd.collide({ firstContact })));
+  collide(maxContacts: number | null): SceneContacts {
+    const found = joined(this.crowds.map((crowd) => crowd.collide(limit(maxContacts))));
     return { ...found, contacts: this.ofInstances(found.contacts), ofBodies: found.contacts };
   }
 
@@ -95,8 +103,8 @@ export class SceneCrowd {
   private filter(question: SelfQuestion, filters: SelfFilters): void {
     if (question.isOnly) {
       this.bodies.forEach(({ instance, part }, body) => {
-        const own = [{ number: 0, part }];
-        setFilters(this.crowds[body], this.characters[instance], own, filters, question);
+        const filter = filters.filterOf(this.characters[instance], part, question);
+        this.crowds[body].setSelfFilter(0, filter);
       });
       return;
     }
@@ -116,6 +124,11 @@ export class SceneCrowd {
     if (this.by === 'instance') return contacts;
     return contacts.map((value, i) => (i % 4 < 2 ? this.bodies[value].instance : value));
   }
+}
+
+/** Options of a query that ends after this number of contacts of a pair; null: all contacts. */
+export function limit(maxContacts: number | null): CollideOptions {
+  return { maxContacts: maxContacts ?? Infinity };
 }
 
 /** The answers of crowds of one body each, numbered as in one crowd. */

@@ -3,7 +3,7 @@
 import type { Character, Pelt, Pose, Scene as EngineScene } from 'pelt';
 import { Poses } from './poses';
 import type { By, SelfQuestion } from './protocol';
-import { SceneCrowd, type SceneContacts } from './scene_crowd';
+import { limit, SceneCrowd, type SceneContacts } from './scene_crowd';
 import type { SelfFilters } from './self_filters';
 import { TriangleSets } from './triangle_sets';
 
@@ -45,8 +45,8 @@ export class Stage {
     return this.crowd?.characters ?? [];
   }
 
-  collide(firstContact: boolean): SceneContacts {
-    return this.crowd!.collide(firstContact);
+  collide(maxContacts: number | null): SceneContacts {
+    return this.crowd!.collide(maxContacts);
   }
 
   /** Whether contacts of bodies with themselves are found, if they are asked for. */
@@ -55,12 +55,12 @@ export class Stage {
   }
 
   /** Tests the poses of all bodies against themselves. Returns the number of tested triangles. */
-  collideSelf(firstContact: boolean): number {
+  collideSelf(maxContacts: number | null): number {
     const { question, filters } = this;
     if (!question || !this.isReady) return 0;
     return this.colliding.reduce((sum, pose) => {
       const filter = filters.filterOf(pose.character, pose.part, question);
-      return sum + this.pelt.selfCollide(pose, filter, { firstContact }).stats.trianglePairs;
+      return sum + this.pelt.selfCollide(pose, filter, limit(maxContacts)).stats.trianglePairs;
     }, 0);
   }
 

@@ -129,7 +129,7 @@ export class Sweep {
       return;
     }
     crowd.set(this.scene, frame);
-    const found = crowd.collide(this.question.firstContact);
+    const found = crowd.collide(this.question.maxContacts);
     this.hash.addCrowd(frame, found.ofBodies);
     this.tally!.addAll(frame, found.contacts);
     this.ignored += found.ignored;
@@ -140,7 +140,7 @@ export class Sweep {
 
   private total(): SweepTotal {
     return {
-      hash: this.question.firstContact ? null : this.hash.value,
+      hash: this.question.maxContacts === null ? this.hash.value : null,
       ignored: this.ignored,
       leftOut: this.leftOut,
       touches: this.tally!.sorted(),
