@@ -18,7 +18,7 @@ namespace {
 /// The filter without fans: the query then finds only pairs that share no surface vertex.
 SelfFilter without_fans(const SelfFilter& filter) {
   const auto copy = std::make_shared<detail::SelfFilter>(filter.detail());
-  copy->fans.kind_begin = {};
+  copy->fans.runs.clear();
   return SelfFilter(copy);
 }
 
@@ -44,8 +44,9 @@ class StageRun {
     if (const auto taken = exact_.set_palette(palette); !taken) return taken;
     add(0, [&] { exact_.open_all(); });
     const detail::PosedTree posed = exact_.posed_tree();
-    add(1, [&] { rivals::active_box_all_triangles()(posed); });
-    add(2, [&] { rivals::active_descend_self()(posed, tree_scratch_); });
+    const detail::PairMasks& masks = filter_.detail().masks;
+    add(1, [&] { rivals::active_box_all_triangles()(posed, masks, tree_scratch_); });
+    add(2, [&] { rivals::active_descend_self()(posed, masks); });
     const double without_fans_us = query_us(palette, without_fans_);
     times_[4].push_back(query_us(palette, filter_));
     times_[3].push_back(std::max(0.0, times_[4].back() - without_fans_us));

@@ -70,6 +70,12 @@ class TreeLocation {
   std::array<std::uint32_t, kNumbers> numbers_ = {};
 };
 
+/// Size of the working memory of self-collision with one filter, see `SelfFilter::scratch_size`.
+struct SelfScratchSize {
+  std::size_t vertices = 0;   ///< each takes 24 bytes
+  std::size_t box_bytes = 0;  ///< bytes for boxes of triangles, about 20 per triangle
+};
+
 /// Working memory for queries. A query enlarges the memory only if it needs more than any earlier
 /// query. Use one Scratch per thread. Answers do not depend on earlier uses.
 class PELT_API Scratch {
@@ -91,10 +97,11 @@ class PELT_API Scratch {
   ///   but every touching pair counts. `distance` from a solid reports one triangle, but every
   ///   triangle that touches the solid counts.
   /// `ray_hits`: largest number of hits of `cast_all`.
-  /// `self_vertices`: largest `SelfFilter::scratch_vertices` of the filters of `self_collide`.
+  /// `self`: `SelfFilter::scratch_size` of the filter of `self_collide`. For several filters, call
+  ///   `reserve` once for each.
   ///
-  /// Memory: 156 KB, plus 28 bytes per contact, 36 bytes per hit and 24 bytes per vertex.
-  void reserve(std::size_t contacts, std::size_t ray_hits = 0, std::size_t self_vertices = 0);
+  /// Memory: 187 KB, plus 28 bytes per contact, 36 bytes per hit and what `self` states.
+  void reserve(std::size_t contacts, std::size_t ray_hits = 0, const SelfScratchSize& self = {});
 
   /// For internal use.
   detail::Scratch& detail() { return *scratch_; }

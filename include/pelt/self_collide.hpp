@@ -108,8 +108,8 @@ class PELT_API SelfFilter {
   /// 1, also O(V + triangles in the rings), and allocates.
   LeftOutBy left_out_by(std::uint32_t s, std::uint32_t t) const;
 
-  /// Number of vertices to pass to `Scratch::reserve`, so that `self_collide` does not allocate.
-  std::size_t scratch_vertices() const;
+  /// Working memory of `self_collide`, for `Scratch::reserve`.
+  SelfScratchSize scratch_size() const;
 
   /// Bytes of the data that all copies share, without the model: 34 to 40 bytes per triangle of a
   /// character, and less than 1 KB per triangle of any mesh. Each listed pair adds 8 bytes.
@@ -173,8 +173,7 @@ PELT_API YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& sc
 /// Removes from `contacts` the pairs that `filter` leaves out. Use this function for contacts
 /// between parts of one character that another query has found, for example `collide` of a coat and
 /// the body below it. Returns the number of pairs that each filter has removed. In each remaining
-/// pair, the two indices are exchanged if necessary, so that triangle_a < triangle_b. The pairs are
-/// not sorted again. Sort them before you pass them to `describe_contacts` or `ContactTally::add`.
+/// pair, triangle_a < triangle_b. The order of the list is unchanged.
 ///
 /// Preconditions:
 /// `filter`: made for the model of the whole character.

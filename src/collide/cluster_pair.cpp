@@ -21,8 +21,7 @@ Box8 intersection(const PosedCluster& a, const PosedCluster& b) {
 }
 
 /// Returns the candidates whose boxes overlap `box`, one bit per candidate.
-[[gnu::always_inline]] inline unsigned overlapping(unsigned candidates, const TriangleBoxes& boxes,
-                                                   const Box8& box) {
+unsigned overlapping(unsigned candidates, const TriangleBoxes& boxes, const Box8& box) {
   return candidates & (overlapping(boxes.low, boxes.high, 0, box) |
                        overlapping(boxes.low, boxes.high, 8, box) << 8);
 }
@@ -54,27 +53,6 @@ void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b) {
   } else {
     keep(overlapping_pairs(near_b, boxes_b, near_a, boxes_a), b, b_, a, a_);
   }
-  test_full_batches();
-}
-
-void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b,
-                        const std::uint16_t (&skipped)[kMaxClusterTriangles]) {
-  const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
-  const TriangleBoxes& boxes_b = triangle_boxes(b.posed, b.node, b.opened, b.slot);
-  const Box8 both = intersection(a, b);
-  const unsigned near_b = triangles_in(b.cluster(), boxes_b, both);
-  if (near_b == 0) return;
-  const unsigned near_a = triangles_in(a.cluster(), boxes_a, both);
-  unsigned found[kMaxClusterTriangles], rows = 0;
-  for (SetBits row(near_a); row; ++row) {
-    const unsigned lanes = near_b & ~unsigned{skipped[*row]};
-    found[*row] = overlapping(lanes, boxes_b, lane_box(boxes_a.low, boxes_a.high, *row));
-    rows |= unsigned{found[*row] != 0} << *row;
-  }
-  if (rows == 0) return;  // most neighbours
-  RowLanes pairs;
-  for (SetBits row(rows); row; ++row) pairs.add(*row, found[*row]);
-  keep(pairs, a, a_, b, b_);
   test_full_batches();
 }
 

@@ -28,12 +28,8 @@ class TrianglePairs {
   /// Tests all triangles of two clusters whose boxes overlap, or stores them for the next test.
   void add(const PosedCluster& a, const PosedCluster& b);
 
-  /// The same, without the pairs whose bits are set in `skipped`: bit t of row s for triangle s of
-  /// `a` and triangle t of `b`. `a` and `b` may be one cluster.
-  void add(const PosedCluster& a, const PosedCluster& b,
-           const std::uint16_t (&skipped)[kMaxClusterTriangles]);
-
-  /// The same, for the listed pairs: rows are triangles of `a`, lanes triangles of `b`.
+  /// Tests these pairs of triangles, or stores them: rows are triangles of `a`, lanes triangles of
+  /// `b`.
   void add(const PosedCluster& a, const PosedCluster& b, const RowLanes& pairs) {
     keep(pairs, a, a_, b, b_);
     test_full_batches();

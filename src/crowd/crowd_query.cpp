@@ -236,7 +236,7 @@ CrowdStats CrowdQuery::gather() {
 void CrowdQuery::even_out() {
   if (worker_count_ == 1) return;
   std::size_t shared_nodes = 0, nodes = 0, contacts = 0;
-  std::size_t slot_pairs = 0, found = 0, sorting = 0, positions = 0, ring = 0;
+  std::size_t slot_pairs = 0, found = 0, sorting = 0, positions = 0, ring = 0, boxes = 0;
   for (Worker& worker : workers_) {
     shared_nodes += worker.shared_nodes.used();
     nodes = std::max(nodes, worker.most_nodes);
@@ -246,6 +246,7 @@ void CrowdQuery::even_out() {
     sorting = std::max(sorting, worker.scratch.sorting.capacity());
     positions = std::max(positions, worker.scratch.positions.capacity());
     ring = std::max(ring, worker.scratch.ring.capacity());
+    boxes = std::max(boxes, worker.scratch.boxes.capacity());
   }
   for (std::uint32_t w = 0; w < worker_count_; ++w) {
     Worker& worker = workers_[w];
@@ -257,6 +258,7 @@ void CrowdQuery::even_out() {
     worker.scratch.sorting.reserve(sorting);
     worker.scratch.positions.reserve(positions);
     worker.scratch.ring.reserve(ring);
+    worker.scratch.boxes.reserve(boxes);
     worker.touching.reserve(touching_.size());
   }
 }
@@ -271,6 +273,7 @@ std::size_t CrowdQuery::memory_bytes() const {
 
 std::size_t CrowdQuery::Worker::memory_bytes() const {
   return nodes.capacity() + shared_nodes.capacity() + contacts.capacity() +
+         scratch.boxes.capacity() +
          bytes_held(touching, scratch.slot_pairs, scratch.found, scratch.sorting, scratch.positions,
                     scratch.ring);
 }

@@ -190,20 +190,25 @@ const OpenedNode& open_closed_node(const PosedTree& posed, std::uint32_t index, 
   return *first;
 }
 
-const TriangleBoxes& box_triangles(const PosedTree& posed, const Node& node,
-                                   const OpenedNode& opened, std::uint32_t slot) {
-  const Cluster& cluster = posed.tree.clusters[node.first_cluster + slot];
-  auto* boxes = posed.arena.allocate<TriangleBoxes>();
-  const std::uint16_t* corners = posed.tree.corners[cluster.first_triangle].data();
+void compute_triangle_boxes(const Tree& tree, const Cluster& cluster, const float* positions,
+                            TriangleBoxes& boxes) {
+  const std::uint16_t* corners = tree.corners[cluster.first_triangle].data();
   const std::uint32_t last = cluster.triangle_count - 1u;
   for (std::uint32_t first = 0; first < kMaxClusterTriangles; first += 8) {
     Box4 box[8];
     for (std::uint32_t i = 0; i < 8; ++i) {
       const std::size_t triangle = first + i < last ? first + i : last;
-      box[i] = triangle_box(opened.positions, corners + 3 * triangle);
+      box[i] = triangle_box(positions, corners + 3 * triangle);
     }
-    store_boxes(box, boxes->low, boxes->high, first);
+    store_boxes(box, boxes.low, boxes.high, first);
   }
+}
+
+const TriangleBoxes& box_triangles(const PosedTree& posed, const Node& node,
+                                   const OpenedNode& opened, std::uint32_t slot) {
+  auto* boxes = posed.arena.allocate<TriangleBoxes>();
+  compute_triangle_boxes(posed.tree, posed.tree.clusters[node.first_cluster + slot],
+                         opened.positions, *boxes);
   TriangleBoxes* first = nullptr;
   return opened.triangles[slot].compare_exchange_strong(first, boxes, std::memory_order_acq_rel)
              ? *boxes

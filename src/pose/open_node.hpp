@@ -23,7 +23,11 @@ inline const OpenedNode& open_node(const PosedTree& posed, std::uint32_t node, Q
   return known ? *known : open_closed_node(posed, node, work);
 }
 
-/// Computes the boxes of a cluster's triangles.
+/// Computes the boxes of a cluster's triangles from its node's posed pool.
+void compute_triangle_boxes(const Tree& tree, const Cluster& cluster, const float* positions,
+                            TriangleBoxes& boxes);
+
+/// Computes the boxes of a cluster's triangles, and keeps them in the opened node.
 const TriangleBoxes& box_triangles(const PosedTree& posed, const Node& node,
                                    const OpenedNode& opened, std::uint32_t slot);
 

@@ -31,8 +31,6 @@ struct BoxOverlap {
     return slots_in(of, lane_box(other.low, other.high, slot));
   }
 
-  static unsigned slots_left_out(const Node&, unsigned, std::uint32_t) { return 0; }
-
   /// The least distance along an axis by which a slot's box would have to move to leave the other
   /// node's box.
   static float depth(const OpenedNode& a, unsigned slot, const OpenedNode& b) {

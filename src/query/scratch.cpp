@@ -22,9 +22,10 @@ constexpr std::size_t kMaxNodes = std::size_t{detail::kMaxClusterTreeDepth} * de
 constexpr std::size_t kMaxNearParts =
     std::size_t{detail::kMaxClusterTreeDepth + 1} * detail::kMaxSlots;
 
-/// A query with a limit checks its count between pairs of clusters, and up to seven pairs of
-/// triangles may have been waiting before.
-constexpr std::size_t kMaxBeyond = detail::kMaxClusterTriangles * detail::kMaxClusterTriangles + 7;
+/// A query with a limit checks its count between pairs of clusters. Before, 16 pairs of clusters of
+/// one pose (self/cluster_pairs.hpp) and seven pairs of triangles may have been waiting.
+constexpr std::size_t kMaxBeyond =
+    std::size_t{16} * detail::kMaxClusterTriangles * detail::kMaxClusterTriangles + 7;
 
 }  // namespace
 
@@ -33,7 +34,7 @@ Scratch::Scratch(Scratch&&) noexcept = default;
 Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 Scratch::~Scratch() = default;
 
-void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, std::size_t self_vertices) {
+void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, const SelfScratchSize& self) {
   scratch_->slot_pairs.reserve(kMaxSlotPairs);
   scratch_->near_part.reserve(kMaxNearParts);
   scratch_->near_parts.reserve(2 * kMaxNearParts);
@@ -44,8 +45,9 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, std::size_t se
   scratch_->touching.reserve(contacts);
   scratch_->inside.reserve(contacts);
   scratch_->sorting_numbers.reserve(contacts);
-  scratch_->positions.reserve(self_vertices);
-  if (self_vertices > 0) scratch_->ring.reserve(2 * self_vertices + 1);
+  scratch_->positions.reserve(self.vertices);
+  if (self.vertices > 0) scratch_->ring.reserve(2 * self.vertices + 1);
+  scratch_->boxes.reserve(self.box_bytes);
 }
 
 }  // namespace pelt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/arena.hpp"
 #include "query/stack.hpp"
 
 #include <pelt/collide.hpp>
@@ -53,6 +54,7 @@ struct Scratch {
   Stack<std::uint32_t> sorting_numbers;
   Stack<std::array<float, 4>> positions;  // posed vertices by place
   Stack<std::uint32_t> ring;              // surface vertices near a triangle
+  Arena boxes;                            // of clusters on a grid (self/grid_boxes.hpp)
   ContactLinks contact_links;
 };
 

@@ -21,10 +21,10 @@ class FanPairs {
         answer_(answer),
         work_(work) {}
 
-  /// `is_cracked`: whether vertices of the fan's corners may have different positions.
-  void test(std::uint32_t fan, bool is_cracked) {
-    const FanTriangle* const begin = fans_.triangles.data() + fans_.begin.data()[fan];
-    const FanTriangle* const end = fans_.triangles.data() + fans_.begin.data()[fan + 1];
+  void test(const FanRun& run, std::uint32_t fan) {
+    const bool is_cracked = run.kind == FanKind::cracked;
+    const FanTriangle* const begin = fans_.triangles.data() + run.triangle_of(fan);
+    const FanTriangle* const end = begin + run.size;
     const std::uint32_t vertex = fans_.corners.data()[begin->place()][begin->corner()];
     for (const FanTriangle* a = begin; a != end; ++a) {
       const SurfaceTriangle triangle = read(a->place(), is_cracked);
@@ -41,6 +41,7 @@ class FanPairs {
   }
 
  private:
+  /// `is_cracked`: whether vertices of the fan's corners may have different positions.
   SurfaceTriangle read(std::uint32_t place, bool is_cracked) {
     const std::array<std::uint32_t, 3>& vertices = fans_.corners.data()[place];
     if (is_cracked) return {reader_.corners(ids_[place], work_), vertices};
@@ -62,46 +63,48 @@ class FanPairs {
   QueryStats& work_;
 };
 
-/// Up to eight fans of one size.
+/// Up to eight fans of a run.
 struct FanBatch {
   std::uint32_t numbers[kBatch];
   std::uint32_t count = 0;
 };
 
 /// Collects fans without slack from number `fan` on, and moves `fan` past them.
-FanBatch next_batch(const Fans& fans, const float* slack, std::uint32_t end, std::uint32_t& fan) {
-  const std::uint32_t* begin = fans.begin.data();
-  const auto size = [&](std::uint32_t f) { return begin[f + 1] - begin[f]; };
+FanBatch next_batch(const FanRun& run, const float* slack, std::uint32_t& fan) {
   FanBatch batch;
-  for (; fan < end && batch.count < kBatch; ++fan) {
-    if (slack && slack[fan] > 0) continue;
-    if (batch.count > 0 && size(fan) != size(batch.numbers[0])) break;
-    batch.numbers[batch.count++] = fan;
-  }
+  for (; fan < run.end && batch.count < kBatch; ++fan)
+    if (!(slack && slack[fan] > 0)) batch.numbers[batch.count++] = fan;
   return batch;
 }
 
 void keep_slack(const FanBatch& batch, const FlatFans& flat, float* slack) {
   float lanes[kBatch];
-  flat.slack.store(lanes);
+  flat.slack().store(lanes);
   for (std::uint32_t i = 0; i < batch.count; ++i)
     slack[batch.numbers[i]] = flat.certified >> i & 1 ? lanes[i] : 0;
 }
 
-/// Finds the pairs of the fans of a kind that can be certified. Returns false if the answer is
-/// full.
-bool test_flat(const Fans& fans, FanKind kind, Positions positions, float* slack, FanPairs& pairs,
-               const SelfAnswer& answer) {
-  const std::uint32_t end = fans.kind_begin[static_cast<std::size_t>(kind) + 1];
-  for (std::uint32_t fan = fans.kind_begin[static_cast<std::size_t>(kind)]; fan < end;) {
-    const FanBatch batch = next_batch(fans, slack, end, fan);
+/// Finds the pairs of a run of fans that can be certified. Returns false if the answer is full.
+bool test_flat(const Fans& fans, const FanRun& run, Positions positions, float* slack,
+               FanPairs& pairs, const SelfAnswer& answer) {
+  for (std::uint32_t fan = run.first_fan; fan < run.end;) {
+    const FanBatch batch = next_batch(run, slack, fan);
     if (batch.count == 0) break;
-    const FlatFans flat = test_flat_fans(fans, kind, batch.numbers, batch.count, positions);
+    const FlatFans flat = test_flat_fans(fans, run, batch.numbers, batch.count, positions);
     if (slack) keep_slack(batch, flat, slack);
     for (SetBits lane(~flat.certified & ((1u << batch.count) - 1)); lane; ++lane) {
-      pairs.test(batch.numbers[*lane], false);
+      pairs.test(run, batch.numbers[*lane]);
       if (answer.is_full()) return false;
     }
+  }
+  return true;
+}
+
+/// The same for fans that cannot be certified.
+bool test_pairs(const FanRun& run, FanPairs& pairs, const SelfAnswer& answer) {
+  for (std::uint32_t fan = run.first_fan; fan < run.end; ++fan) {
+    pairs.test(run, fan);
+    if (answer.is_full()) return false;
   }
   return true;
 }
@@ -111,14 +114,10 @@ bool test_flat(const Fans& fans, FanKind kind, Positions positions, float* slack
 bool test_fans(const PosedTree& posed, const Fans& fans, Positions positions, float* slack,
                SelfAnswer& answer, QueryStats& work) {
   FanPairs pairs(posed, fans, positions, answer, work);
-  for (const FanKind kind : {FanKind::closed, FanKind::open})
-    if (!test_flat(fans, kind, positions, slack, pairs, answer)) return true;
-  for (const FanKind kind : {FanKind::complex, FanKind::cracked})
-    for (std::uint32_t fan = fans.kind_begin[static_cast<std::size_t>(kind)];
-         fan < fans.kind_begin[static_cast<std::size_t>(kind) + 1]; ++fan) {
-      pairs.test(fan, kind == FanKind::cracked);
-      if (answer.is_full()) return true;
-    }
+  for (const FanRun& run : fans.runs)
+    if (!(can_be_flat(run.kind) ? test_flat(fans, run, positions, slack, pairs, answer)
+                                : test_pairs(run, pairs, answer)))
+      return true;
   return false;
 }
 

@@ -133,7 +133,7 @@ class Range {
               first) {}
   explicit Range(std::uint64_t bits) : bits_(bits) {}
 
-  std::size_t kind() const { return static_cast<std::size_t>(bits_ >> 60); }
+  FanKind kind() const { return static_cast<FanKind>(bits_ >> 60); }
   std::uint32_t count() const { return bits_ >> 30 & kMask; }
   std::uint32_t first() const { return bits_ & kMask; }
   std::uint64_t bits() const { return bits_; }
@@ -165,15 +165,28 @@ Fans::Fans(const Tree& tree) {
   std::sort(ranges.begin(), ranges.end());
 
   triangles.reserve(grouped.size());
-  begin.reserve(ranges.size() + 1);
-  begin.push_back(0);
   for (const std::uint64_t bits : ranges) {
     const Range range(bits);
+    if (runs.empty() || runs.back().kind != range.kind() || runs.back().size != range.count())
+      runs.push_back({range.kind(), range.count(), count(), count(),
+                      static_cast<std::uint32_t>(triangles.size())});
+    ++runs.back().end;
     const auto first = grouped.begin() + range.first();
     triangles.insert(triangles.end(), first, first + range.count());
-    begin.push_back(static_cast<std::uint32_t>(triangles.size()));
-    for (std::size_t kind = range.kind() + 1; kind <= kFanKinds; ++kind) ++kind_begin[kind];
   }
+}
+
+std::uint32_t Fans::flat_count() const {
+  std::uint32_t flat = 0;
+  for (const FanRun& run : runs)
+    if (can_be_flat(run.kind)) flat = run.end;
+  return flat;
+}
+
+const FanRun& Fans::run_of(std::uint32_t fan) const {
+  PELT_ASSERT(fan < count());
+  return *std::partition_point(runs.begin(), runs.end(),
+                               [fan](const FanRun& run) { return run.end <= fan; });
 }
 
 }  // namespace pelt::detail

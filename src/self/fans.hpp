@@ -22,7 +22,8 @@ enum class FanKind : std::uint8_t {
   cracked,  ///< a corner of the triangles is split into vertices with different influences
 };
 
-inline constexpr std::size_t kFanKinds = 4;
+/// Whether fans of this kind can be certified (flat_fans.hpp).
+inline bool can_be_flat(FanKind kind) { return kind == FanKind::closed || kind == FanKind::open; }
 
 /// Largest number of triangles of a closed or open fan.
 inline constexpr std::uint32_t kMaxFan = 24;
@@ -33,16 +34,19 @@ inline constexpr std::uint32_t kMaxFanTriangles = std::uint32_t{1} << 28;
 class FanTriangle {
  public:
   FanTriangle() = default;
-  FanTriangle(std::uint32_t place, std::uint32_t corner) : packed_(place << 2 | corner) {}
+  FanTriangle(std::uint32_t place, std::uint32_t corner) : after_(3 * place + (corner + 1) % 3) {}
 
   /// Index into Tree::corners.
-  std::uint32_t place() const { return packed_ >> 2; }
+  std::uint32_t place() const { return after_ / 3; }
 
   /// The triangle's corner at the surface vertex.
-  std::uint32_t corner() const { return packed_ & 3; }
+  std::uint32_t corner() const { return (after_ + 2) % 3; }
+
+  /// The next corner, counted through all triangles: three times the place, plus the corner.
+  std::uint32_t after() const { return after_; }
 
  private:
-  std::uint32_t packed_ = 0;
+  std::uint32_t after_ = 0;
 };
 
 /// Surface vertices of the corners of a triangle. A surface vertex is named by the lowest place of
@@ -57,6 +61,19 @@ inline bool share_corner(const SurfaceCorners& a, const SurfaceCorners& b) {
   return has_corner(a, b[0]) || has_corner(a, b[1]) || has_corner(a, b[2]);
 }
 
+/// Consecutive fans of one kind with the same number of triangles.
+struct FanRun {
+  FanKind kind;
+  std::uint32_t size;            ///< triangles of each fan
+  std::uint32_t first_fan, end;  ///< numbers of fans
+  std::uint32_t first_triangle;  ///< into Fans::triangles
+
+  /// Index into Fans::triangles of the first triangle of a fan of the run.
+  std::uint32_t triangle_of(std::uint32_t fan) const {
+    return first_triangle + (fan - first_fan) * size;
+  }
+};
+
 struct Fans {
   explicit Fans(const Tree& tree);
 
@@ -64,19 +81,25 @@ struct Fans {
 
   /// Fans, sorted by kind and then by number of triangles. The triangles of a closed or open fan
   /// are in counter-clockwise order. A triangle with equal corners is listed once.
-  std::vector<std::uint32_t> begin;  // [F + 1] into triangles
   std::vector<FanTriangle> triangles;
-  std::array<std::uint32_t, kFanKinds + 1> kind_begin{};  // into begin
+  std::vector<FanRun> runs;  // of all fans, ascending
 
-  std::uint32_t count() const { return static_cast<std::uint32_t>(begin.size() - 1); }
+  std::uint32_t count() const { return runs.empty() ? 0 : runs.back().end; }
+
+  /// Number of closed and open fans, which come first.
+  std::uint32_t flat_count() const;
+
+  /// Cost: O(log number of runs).
+  const FanRun& run_of(std::uint32_t fan) const;
 
   std::span<const FanTriangle> operator[](std::uint32_t fan) const {
-    return {triangles.data() + begin[fan], begin[fan + 1] - begin[fan]};
+    const FanRun& run = run_of(fan);
+    return {triangles.data() + run.triangle_of(fan), run.size};
   }
 
   /// The surface vertex of a fan.
   std::uint32_t vertex_of(std::uint32_t fan) const {
-    const FanTriangle& first = triangles[begin[fan]];
+    const FanTriangle& first = (*this)[fan][0];
     return corners[first.place()][first.corner()];
   }
 };

@@ -40,18 +40,17 @@ Points8 max(const Points8& p, const Points8& q) {
 /// The spokes of eight fans with the same number of triangles.
 class Spokes {
  public:
-  Spokes(const Fans& fans, FanKind kind, const std::uint32_t* numbers, std::uint32_t count,
+  Spokes(const Fans& fans, const FanRun& run, const std::uint32_t* numbers, std::uint32_t count,
          Positions positions)
-      : corners_(fans.corners.data()),
+      : corners_(fans.corners.data()->data()),
         positions_(positions),
-        size_(fans.begin.data()[numbers[0] + 1] - fans.begin.data()[numbers[0]]),
+        size_(run.size),
         lane_count_(count),
-        is_closed_(kind == FanKind::closed) {
+        is_closed_(run.kind == FanKind::closed) {
     for (std::uint32_t lane = 0; lane < kBatch; ++lane)
-      triangles_[lane] =
-          fans.triangles.data() + fans.begin.data()[numbers[lane < count ? lane : 0]];
+      triangles_[lane] = fans.triangles.data() + run.triangle_of(numbers[lane < count ? lane : 0]);
     const Points8 centre = corners(0, 0);
-    for (std::uint32_t i = 0; i < size_; ++i) spokes_[i] = corners(i, 1) - centre;
+    for (std::uint32_t i = 0; i < size_; ++i) spokes_[i] = corners_after(i) - centre;
     spokes_[size_] = is_closed_ ? spokes_[0] : corners(size_ - 1, 2) - centre;
     for (std::uint32_t i = 0; i < size_; ++i) areas_[i] = cross(spokes_[i], spokes_[i + 1]);
   }
@@ -76,16 +75,22 @@ class Spokes {
       demand(max(left, Float8(0.0f) - right) - error);
       left = right;
     }
-    return {certified.bits() & ((1u << lane_count_) - 1), slack(least, longest)};
+    return {certified.bits() & ((1u << lane_count_) - 1), least, dot(longest, longest)};
   }
 
  private:
   /// Triangle i's corner that comes `step` after the fan's vertex.
   Points8 corners(std::uint32_t i, std::uint32_t step) const {
-    constexpr std::uint32_t kNext[] = {0, 1, 2, 0, 1};
     return gather_points([&](std::uint32_t lane) {
       const FanTriangle& t = triangles_[lane][i];
-      return positions_[corners_[t.place()][kNext[t.corner() + step]]].data();
+      return positions_[corners_[3 * t.place() + (t.corner() + step) % 3]].data();
+    });
+  }
+
+  /// The same with step 1.
+  [[gnu::always_inline]] Points8 corners_after(std::uint32_t i) const {
+    return gather_points([&](std::uint32_t lane) {
+      return positions_[corners_[triangles_[lane][i].after()]].data();
     });
   }
 
@@ -109,18 +114,8 @@ class Spokes {
     return Float8(0x1p-19f) * bound + Float8(0x1p-140f) * (Float8(1.0f) + max3(longest));
   }
 
-  /// (sqrt(L^2 + d) - L) / 2 = d / (2 (sqrt(L^2 + d) + L)), see self_track.hpp. `least` is at most
-  /// the least determinant, and |n| <= 1.7321 < 1 / 0.577, so d <= least / |n|. 0.4999 is 2^-12
-  /// below 1/2, which covers the roundings of spokes, squares and roots. Where L^2 underflows, the
-  /// error that was subtracted from `least` was larger.
-  static Float8 slack(const Float8& least, const Points8& longest) {
-    const Float8 d = least * Float8(0.577f), squared_length = dot(longest, longest);
-    const Float8 length = sqrt(squared_length), sum = sqrt(squared_length + d) + length;
-    return Float8(0.4999f) * (d / sum);
-  }
-
   const FanTriangle* triangles_[kBatch];
-  const std::array<std::uint32_t, 3>* corners_;
+  const std::uint32_t* corners_;  // of all triangles, one after the other
   Positions positions_;
   std::uint32_t size_, lane_count_;
   bool is_closed_;
@@ -130,9 +125,19 @@ class Spokes {
 
 }  // namespace
 
-FlatFans test_flat_fans(const Fans& fans, FanKind kind, const std::uint32_t* numbers,
+/// (sqrt(L^2 + d) - L) / 2 = d / (2 (sqrt(L^2 + d) + L)), see self_track.hpp. `least` is at most
+/// the least determinant, and |n| <= 1.7321 < 1 / 0.577, so d <= least / |n|. 0.4999 is 2^-12 below
+/// 1/2, which covers the roundings of spokes, squares and roots. Where L^2 underflows, the error
+/// that was subtracted from `least` was larger.
+Float8 FlatFans::slack() const {
+  const Float8 d = least * Float8(0.577f);
+  const Float8 length = sqrt(squared_length), sum = sqrt(squared_length + d) + length;
+  return Float8(0.4999f) * (d / sum);
+}
+
+FlatFans test_flat_fans(const Fans& fans, const FanRun& run, const std::uint32_t* numbers,
                         std::uint32_t count, Positions positions) {
-  return Spokes(fans, kind, numbers, count, positions).test();
+  return Spokes(fans, run, numbers, count, positions).test();
 }
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -18,13 +18,16 @@ using Positions = const std::array<float, 4>*;
 
 /// Eight fans that were tested.
 struct FlatFans {
-  unsigned certified;  // one bit per fan
-  Float8 slack;        // of the certified ones (see self_track.hpp)
+  unsigned certified;     // one bit per fan
+  Float8 least;           // determinant, less its error, of the certified ones
+  Float8 squared_length;  // at least that of the longest spoke
+
+  /// Slack of the certified ones (see self_track.hpp).
+  Float8 slack() const;
 };
 
-/// Tests at most eight closed or open fans of the same kind and with the same number of triangles.
-/// `numbers[i]` is the number of fan i.
-FlatFans test_flat_fans(const Fans& fans, FanKind kind, const std::uint32_t* numbers,
+/// Tests at most eight fans of a run of closed or open fans. `numbers[i]` is the number of fan i.
+FlatFans test_flat_fans(const Fans& fans, const FanRun& run, const std::uint32_t* numbers,
                         std::uint32_t count, Positions positions);
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -118,7 +118,7 @@ PairMasks::PairMasks(const Tree& tree, const Fans& fans) {
   for (std::uint32_t n = 0; n < tree.nodes.size(); ++n)
     cluster_nodes.insert(cluster_nodes.end(), tree.nodes[n].cluster_count, n);
   write_masks(pairs, tree.clusters.size());
-  write_near_slots(pairs, tree);
+  write_near_slots(tree);
 }
 
 void PairMasks::write_masks(const std::vector<std::uint64_t>& sorted, std::size_t cluster_count) {
@@ -127,39 +127,38 @@ void PairMasks::write_masks(const std::vector<std::uint64_t>& sorted, std::size_
     const PackedPair pair(sorted[i]);
     if (i == 0 || !pair.has_clusters_of(PackedPair(sorted[i - 1]))) {
       masks.emplace_back();
+      others.push_back(pair.high());
       ++begin[pair.low() + 1];
     }
     masks.back().set(pair.row(), pair.lane());
   }
   for (std::size_t c = 0; c < cluster_count; ++c) begin[c + 1] += begin[c];
   masks.shrink_to_fit();
+  others.shrink_to_fit();
 }
 
-void PairMasks::write_near_slots(const std::vector<std::uint64_t>& sorted, const Tree& tree) {
-  std::vector<std::uint64_t> neighbours;  // the cluster, and its neighbour
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const PackedPair pair(sorted[i]);
-    if (pair.low() == pair.high()) continue;
-    if (i > 0 && pair.has_clusters_of(PackedPair(sorted[i - 1]))) continue;
-    neighbours.push_back(std::uint64_t{pair.low()} << 32 | pair.high());
-    neighbours.push_back(std::uint64_t{pair.high()} << 32 | pair.low());
-  }
-  std::sort(neighbours.begin(), neighbours.end());  // clusters of a node are consecutive
-  near_begin.assign(tree.clusters.size() + 1, 0);
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    const auto cluster = static_cast<std::uint32_t>(neighbours[i] >> 32);
-    const auto neighbour = static_cast<std::uint32_t>(neighbours[i]);
-    const std::uint32_t node = cluster_nodes[neighbour];
-    const bool is_first = i == 0 || neighbours[i - 1] >> 32 != cluster;
-    if (is_first || near_nodes.back() != node) {
-      near_nodes.push_back(node);
-      near_slots.push_back(0);
-      ++near_begin[cluster + 1];
+void PairMasks::write_near_slots(const Tree& tree) {
+  std::vector<std::pair<std::uint64_t, SlotMatrix>>
+      pairs;  // both nodes packed, and a pair of slots
+  for (std::uint32_t c = 0; c < tree.clusters.size(); ++c)
+    for (std::uint32_t i = begin[c] + 1; i < begin[c + 1]; ++i) {
+      const std::uint32_t a = cluster_nodes[c], b = cluster_nodes[others[i]];
+      pairs.emplace_back(
+          std::uint64_t{a} << 32 | b,
+          slot_pair(c - tree.nodes[a].first_cluster, others[i] - tree.nodes[b].first_cluster));
     }
-    near_slots.back() = static_cast<std::uint8_t>(
-        near_slots.back() | 1u << (neighbour - tree.nodes[node].first_cluster));
+  std::sort(pairs.begin(), pairs.end());
+  near_begin.assign(tree.nodes.size() + 1, 0);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [nodes, slots] = pairs[i];
+    if (i == 0 || pairs[i - 1].first != nodes) {
+      near_nodes.push_back(static_cast<std::uint32_t>(nodes));
+      near_slots.push_back(0);
+      ++near_begin[static_cast<std::uint32_t>(nodes >> 32) + 1];
+    }
+    near_slots.back() |= slots;
   }
-  for (std::size_t c = 0; c < tree.clusters.size(); ++c) near_begin[c + 1] += near_begin[c];
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) near_begin[n + 1] += near_begin[n];
   near_nodes.shrink_to_fit();
   near_slots.shrink_to_fit();
 }

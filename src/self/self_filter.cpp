@@ -4,6 +4,7 @@
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"
 #include "query/scratch.hpp"
+#include "self/cluster_grid_boxes.hpp"
 
 #include <utility>
 
@@ -119,15 +120,16 @@ LeftOutBy SelfFilter::left_out_by(std::uint32_t s, std::uint32_t t) const {
   return filter_->filters.left_out_by(filter_->tree(), filter_->fans, {s, t}, ring);
 }
 
-std::size_t SelfFilter::scratch_vertices() const {
-  return filter_->model.detail().tree.rest_positions.size();
+SelfScratchSize SelfFilter::scratch_size() const {
+  const detail::Tree& tree = filter_->tree();
+  return {tree.rest_positions.size(), detail::grid_box_bytes(tree.clusters.size())};
 }
 
 std::size_t SelfFilter::memory_bytes() const {
   const auto& [model, fans, masks, filters] = *filter_;
   return sizeof(detail::SelfFilter) +
-         detail::bytes_held(fans.corners, fans.begin, fans.triangles, masks.begin, masks.masks,
-                            masks.cluster_nodes, masks.has_hub) +
+         detail::bytes_held(fans.corners, fans.runs, fans.triangles, masks.begin, masks.masks,
+                            masks.others, masks.cluster_nodes, masks.has_hub) +
          detail::bytes_held(masks.near_begin, masks.near_nodes, masks.near_slots) +
          detail::bytes_held(filters.fan_of_vertex, filters.at_rest, filters.always, filters.bodies,
                             filters.body_pairs, filters.groups, filters.group_pairs) +

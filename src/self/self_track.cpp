@@ -38,20 +38,14 @@ std::vector<std::uint32_t> clusters_of_places(const Tree& tree) {
   return clusters;
 }
 
-std::uint32_t flat_fan_count(const Fans& fans) {
-  return fans.kind_begin[static_cast<std::size_t>(FanKind::open) + 1];
-}
-
 SelfTrack::Views find_views(const SelfFilter& filter, const std::vector<std::uint32_t>& clusters) {
   SelfTrack::Views views;
   const PairMasks& masks = filter.masks;
   const Tree& tree = filter.tree();
-  for (std::uint32_t c = 0; c < tree.clusters.size(); ++c) {
-    masks.for_each(tree, c, [&](std::uint32_t, std::uint32_t node, std::uint32_t slot) {
-      views.push_back({c, tree.nodes[node].first_cluster + slot});
-    });
-  }
-  for (std::uint32_t fan = 0; fan < flat_fan_count(filter.fans); ++fan)
+  for (std::uint32_t c = 0; c < tree.clusters.size(); ++c)
+    for (std::uint32_t i = masks.begin[c]; i < masks.begin[c + 1]; ++i)
+      views.push_back({c, masks.others[i]});
+  for (std::uint32_t fan = 0; fan < filter.fans.flat_count(); ++fan)
     for (const FanTriangle& t : filter.fans[fan])
       views.push_back({clusters[filter.fans[fan][0].place()], clusters[t.place()]});
   std::sort(views.begin(), views.end());
@@ -135,7 +129,7 @@ SelfTrack::SelfTrack(const pelt::SelfFilter& f) : filter(f) {
   const Tree& tree = shared.tree();
   const std::vector<std::uint32_t> clusters = clusters_of_places(tree);
   write_moved(find_anchors(tree), find_views(shared, clusters));
-  for (std::uint32_t fan = 0; fan < flat_fan_count(shared.fans); ++fan)
+  for (std::uint32_t fan = 0; fan < shared.fans.flat_count(); ++fan)
     fan_clusters.push_back(clusters[shared.fans[fan][0].place()]);
 
   palette.resize(tree.joint_count);
@@ -164,21 +158,19 @@ void SelfTrack::write_moved(const std::vector<std::uint16_t>& anchors, const Vie
     return static_cast<std::uint32_t>(found - sorted.begin());
   };
 
-  const Tree& tree = filter.detail().tree();
+  const PairMasks& masks = filter.detail().masks;
   around_begin.assign(anchors.size() + 1, 0);
   for (const auto& [from, seen] : views) {
     around.push_back(motion_of(from, seen));
     ++around_begin[from + 1];
   }
-  is_anchor.assign(tree.joint_count, 0);
+  is_anchor.assign(filter.detail().tree().joint_count, 0);
   for (std::uint32_t c = 0; c < anchors.size(); ++c) {
     around_begin[c + 1] += around_begin[c];
     is_anchor[anchors[c]] = 1;
     own_motions.push_back(motion_of(c, c));
-    filter.detail().masks.for_each(
-        tree, c, [&](std::uint32_t, std::uint32_t n, std::uint32_t slot) {
-          pair_motions.push_back(motion_of(c, tree.nodes[n].first_cluster + slot));
-        });
+    for (std::uint32_t i = masks.begin[c]; i < masks.begin[c + 1]; ++i)
+      pair_motions.push_back(motion_of(c, masks.others[i]));
   }
 }
 

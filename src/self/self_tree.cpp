@@ -5,14 +5,14 @@
 
 #include "self/self_tree.hpp"
 
-#include "collide/cluster_pair.hpp"
 #include "pose/open_node.hpp"
-#include "query/box_overlap.hpp"
 #include "query/contact_sink.hpp"
-#include "query/pair_descent.hpp"
+#include "self/cluster_pairs.hpp"
 #include "self/fan_pairs.hpp"
+#include "self/grid_boxes.hpp"
 #include "self/neighbour_gaps.hpp"
 #include "self/self_answer.hpp"
+#include "self/self_descent.hpp"
 #include "self/slack.hpp"
 
 namespace pelt::detail {
@@ -20,99 +20,94 @@ inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 /// Tests the triangles of overlapping clusters that share no surface vertex.
-class SeparateTriangles : public BoxOverlap {
+class SeparateTriangles {
  public:
-  SeparateTriangles(const SelfFilter& filter, SelfTrack* track, SelfAnswer& answer,
-                    QueryStats& work)
+  SeparateTriangles(const PosedTree& posed, const SelfFilter& filter, SelfTrack* track,
+                    Arena& memory, SelfAnswer& answer, QueryStats& work)
       : filter_(filter),
         track_(track),
         answer_(answer),
         work_(work),
-        triangles_(filter.tree(), filter.tree(), answer.contacts(), work) {}
+        triangles_(posed.tree, posed.tree, answer.contacts(), work),
+        pairs_(posed, filter.masks.cluster_nodes.data(), memory, triangles_) {}
 
   bool is_full() const { return answer_.is_full(); }
   bool is_impatient() const { return answer_.is_impatient(); }
 
-  /// Neighbours are left to `test_neighbours`.
-  unsigned slots_left_out(const Node& node, unsigned slot, std::uint32_t other) const {
-    return filter_.masks.neighbours_in(node.first_cluster + slot, other);
-  }
-
-  void test(const PosedCluster& a, const PosedCluster& b) {
-    const std::uint32_t in_a = a.node.first_cluster + a.slot, in_b = b.node.first_cluster + b.slot;
-    const auto [low, high] = in_a < in_b ? std::pair(in_a, in_b) : std::pair(in_b, in_a);
-    const PairMasks& masks = filter_.masks;
-    if (masks.has_hub.data()[low] & masks.has_hub.data()[high])
-      in_a < in_b ? test_hubs(a, low, b, high) : test_hubs(b, low, a, high);
+  /// Tests two clusters that are no neighbours.
+  void test(std::uint32_t low, std::uint32_t high) {
+    if (has_hubs(low, high))
+      test_hubs(low, high);
     else
-      triangles_.add(a, b);
+      pairs_.add(low, high, kNoneSkipped.rows);
     settle();
   }
 
   /// Tests a cluster against itself and against the neighbours with higher numbers.
-  void test_neighbours(const PosedTree& posed, const PosedCluster& cluster) {
-    const std::uint32_t low = cluster.node.first_cluster + cluster.slot;
-    filter_.masks.for_each(
-        posed.tree, low, [&](std::uint32_t mask, std::uint32_t n, std::uint32_t slot) {
-          if (is_full() || (track_ && track_->pair_slack.data()[mask] > 0)) return;
-          const Node& node = posed.tree.nodes.data()[n];
-          test_neighbour(mask, cluster, low, {posed, node, *posed.opened[n], slot});
-          settle();
-        });
+  void test_neighbours(std::uint32_t low) {
+    const PairMasks& masks = filter_.masks;
+    for (std::uint32_t i = masks.begin.data()[low]; i < masks.begin.data()[low + 1]; ++i) {
+      if (track_ && track_->pair_slack.data()[i] > 0) continue;
+      test_neighbour(i, low, masks.others.data()[i]);
+      settle();
+      if (is_full()) return;
+    }
   }
 
   void flush() {
+    pairs_.flush();
     triangles_.flush();
     answer_.settle();
   }
 
  private:
   void settle() {
-    if (is_impatient()) triangles_.flush();
+    if (is_impatient()) flush();
     answer_.settle();
   }
 
-  void test_neighbour(std::uint32_t number, const PosedCluster& a, std::uint32_t low,
-                      const PosedCluster& b) {
-    const PairMasks& masks = filter_.masks;
-    const std::uint32_t high = b.node.first_cluster + b.slot;
-    const PairMask& mask = masks.masks.data()[number];
-    if (masks.has_hub.data()[low] & masks.has_hub.data()[high])
-      test_hubs(a, low, b, high);
-    else if (track_ && track_->may_gain(number))
-      track_->set_slack(low, number, test_gaps(a, b, mask.rows, track_->extent, triangles_, work_));
-    else
-      triangles_.add(a, b, mask.rows);
+  bool has_hubs(std::uint32_t low, std::uint32_t high) const {
+    const std::uint8_t* const has_hub = filter_.masks.has_hub.data();
+    return has_hub[low] & has_hub[high];
   }
 
-  void test_hubs(const PosedCluster& a, std::uint32_t low, const PosedCluster& b,
-                 std::uint32_t high) {
+  void test_neighbour(std::uint32_t mask, std::uint32_t low, std::uint32_t high) {
+    const PairMask& skipped = filter_.masks.masks.data()[mask];
+    if (has_hubs(low, high))
+      test_hubs(low, high);
+    else if (track_ && track_->may_gain(mask))
+      track_->set_slack(low, mask,
+                        test_gaps(pairs_.cluster(low), pairs_.cluster(high), skipped.rows,
+                                  track_->extent, triangles_, work_));
+    else
+      pairs_.add(low, high, skipped.rows);
+  }
+
+  void test_hubs(std::uint32_t low, std::uint32_t high) {
     PairMask mask;
     filter_.masks.write_mask(filter_.tree(), filter_.fans, low, high, mask);
-    triangles_.add(a, b, mask.rows);
+    pairs_.add(low, high, mask.rows);
+    pairs_.flush();
   }
+
+  static constexpr PairMask kNoneSkipped = {};
 
   const SelfFilter& filter_;
   SelfTrack* track_;  // or null
   SelfAnswer& answer_;
   QueryStats& work_;
   TrianglePairs triangles_;
+  ClusterPairs pairs_;
 };
 
 /// Finds the pairs that share no surface vertex, until the answer is full. Distant pairs come
 /// first, because neighbours rarely intersect.
 void test_separate_triangles(const PosedTree& posed, const SelfFilter& filter, SelfTrack* track,
                              Scratch& scratch, SelfAnswer& answer, QueryStats& work) {
-  SeparateTriangles rule(filter, track, answer, work);
-  scratch.slot_pairs.clear();
-  PairDescent descent(posed, posed, scratch.slot_pairs, rule, work);
-  const std::size_t node_count = posed.tree.nodes.size();
-  for (std::uint32_t n = 0; n < node_count && !rule.is_full(); ++n) descent.visit_within(n);
-  for (std::uint32_t n = 0; n < node_count && !rule.is_full(); ++n) {
-    const Node& node = posed.tree.nodes.data()[n];
-    for (std::uint32_t slot = 0; slot < node.cluster_count; ++slot)
-      rule.test_neighbours(posed, {posed, node, *posed.opened[n], slot});
-  }
+  SeparateTriangles rule(posed, filter, track, scratch.boxes, answer, work);
+  SelfDescent(posed, filter.masks, rule, work).run();
+  const std::size_t cluster_count = posed.tree.clusters.size();
+  for (std::uint32_t c = 0; c < cluster_count && !rule.is_full(); ++c) rule.test_neighbours(c);
   if (!rule.is_full()) rule.flush();
 }
 

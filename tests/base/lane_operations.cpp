@@ -2,6 +2,7 @@
 #include "lane_operations.hpp"
 
 #include "base/float8.hpp"
+#include "base/short16.hpp"
 
 namespace pelt::test {
 namespace PELT_INSTRUCTION_SET {
@@ -29,6 +30,20 @@ LaneResults lane_operations(const float* a_floats, const float* b_floats) {
   detail::store4(results.high, a.high());
   detail::Float8(b.high(), a.low()).store(results.joined);
   detail::store4(results.folded, fold(a));
+  return results;
+}
+
+ShortResults short_operations(const std::int16_t* a_shorts, const std::int16_t* b_shorts,
+                              const float* floats) {
+  const detail::Short16 a = detail::load16(a_shorts), b = detail::load16(b_shorts);
+  ShortResults results;
+  a.store(results.first);
+  (a & b).store(results.both);
+  detail::Short16(a_shorts[5]).store(results.repeated);
+  truncate(detail::load8(floats), detail::load8(floats + 8)).store(results.truncated);
+  results.greater = (a > b).bits();
+  results.equal = (a == b).bits();
+  results.either = ((a > b) | (a == b)).bits();
   return results;
 }
 

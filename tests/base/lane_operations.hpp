@@ -2,6 +2,8 @@
 
 #include <pelt/instruction_set.hpp>
 
+#include <cstdint>
+
 namespace pelt::test {
 
 /// Results of the operations of base/float8.hpp on two rows of eight floats. Masks have one bit per
@@ -13,25 +15,37 @@ struct LaneResults {
   float repeated[8], paired[8], low[4], high[4], joined[8], folded[4];
 };
 
+/// Results of the operations of base/short16.hpp on two rows of sixteen integers, and on a row of
+/// sixteen floats. Masks have one bit per lane.
+struct ShortResults {
+  std::int16_t first[16], both[16], repeated[16], truncated[16];
+  unsigned greater, equal, either;
+};
+
 /// Points 0 to 7, four floats each, transposed to coordinates.
 struct TurnedPoints {
   float x[8], y[8], z[8];
 };
 
 using LaneOperations = LaneResults(const float* a, const float* b);
+using ShortOperations = ShortResults(const std::int16_t* a, const std::int16_t* b,
+                                     const float* floats);
 using TurnPoints = TurnedPoints(const float* points);
 
 /// The operations as compiled for each instruction set. Addresses need no alignment.
 namespace avx2 {
 LaneOperations lane_operations;
+ShortOperations short_operations;
 TurnPoints turn_points;
 }  // namespace avx2
 namespace simd128 {
 LaneOperations lane_operations;
+ShortOperations short_operations;
 TurnPoints turn_points;
 }  // namespace simd128
 namespace scalar {
 LaneOperations lane_operations;
+ShortOperations short_operations;
 TurnPoints turn_points;
 }  // namespace scalar
 

@@ -198,6 +198,7 @@ TEST(CrowdCostOfSelf, ARepeatedFrameAllocatesNothing) {
     std::vector<CrowdPair> pairs;
     contacts.reserve(1 << 18);
     pairs.reserve(1 << 12);
+    std::size_t bytes = 0;
     for (int frame = 0; frame < 8; ++frame) {
       contacts.clear();
       pairs.clear();
@@ -207,7 +208,9 @@ TEST(CrowdCostOfSelf, ARepeatedFrameAllocatesNothing) {
       crowd.crowd.intersecting_pairs(pairs, options);
       if (frame > 0) {
         ASSERT_EQ(allocation_count(), before) << "frame " << frame << ", " << threads;
+        ASSERT_EQ(crowd.crowd.memory_bytes(), bytes);
       }
+      bytes = crowd.crowd.memory_bytes();
     }
     EXPECT_GT(count_selves(pairs), 3u);
     EXPECT_LT(contacts.size(), 1u << 18);

@@ -120,25 +120,45 @@ void expect_partition(const Fanned& fanned) {
   ASSERT_EQ(found, expected);
 }
 
+/// The runs are sorted, and each ends where the next begins.
+void expect_runs(const detail::Fans& fans) {
+  std::uint32_t fan = 0, triangle = 0;
+  for (std::size_t r = 0; r < fans.runs.size(); ++r) {
+    const detail::FanRun& run = fans.runs[r];
+    EXPECT_EQ(run.first_fan, fan);
+    EXPECT_LT(run.first_fan, run.end);
+    EXPECT_EQ(run.first_triangle, triangle);
+    EXPECT_TRUE(r == 0 || std::pair(fans.runs[r - 1].kind, fans.runs[r - 1].size) <
+                              std::pair(run.kind, run.size));
+    fan = run.end;
+    triangle += (run.end - run.first_fan) * run.size;
+  }
+  EXPECT_EQ(fans.count(), fan);
+  EXPECT_EQ(fans.triangles.size(), triangle);
+}
+
+constexpr std::size_t kFanKinds = 4;
+
 /// Checks all fans. Returns the number of each kind.
-std::array<std::size_t, detail::kFanKinds> expect_fans(const Shape& shape) {
+std::array<std::size_t, kFanKinds> expect_fans(const Shape& shape) {
   const Fanned fanned(shape);
   expect_partition(fanned);
-  std::array<std::size_t, detail::kFanKinds> counts{};
-  const auto& [corners, begin, triangles, kind_begin] = fanned.fans;
-  EXPECT_EQ(kind_begin.front(), 0u);
-  EXPECT_EQ(kind_begin.back(), fanned.fans.count());
-  for (std::size_t k = 0; k < detail::kFanKinds; ++k)
-    for (std::uint32_t f = kind_begin[k]; f < kind_begin[k + 1]; ++f) {
-      const auto fan = fanned.fans[f];
-      const auto kind = static_cast<FanKind>(k);
-      const std::uint32_t vertex =
-          fanned.surface[fanned.triangle_at(fan[0].place())[fan[0].corner()]];
-      EXPECT_EQ(kind_by_links(fanned, fan, vertex), kind) << "fan " << f;
-      EXPECT_TRUE(f == kind_begin[k] || fanned.fans[f - 1].size() <= fan.size());
-      if (kind == FanKind::closed || kind == FanKind::open) expect_ordered(fanned, fan, kind);
-      ++counts[k];
+  expect_runs(fanned.fans);
+  std::array<std::size_t, kFanKinds> counts{};
+  std::uint32_t flat = 0;
+  for (std::uint32_t f = 0; f < fanned.fans.count(); ++f) {
+    const FanKind kind = fanned.fans.run_of(f).kind;
+    const auto fan = fanned.fans[f];
+    const std::uint32_t vertex =
+        fanned.surface[fanned.triangle_at(fan[0].place())[fan[0].corner()]];
+    EXPECT_EQ(kind_by_links(fanned, fan, vertex), kind) << "fan " << f;
+    if (detail::can_be_flat(kind)) {
+      expect_ordered(fanned, fan, kind);
+      flat = f + 1;
     }
+    ++counts[static_cast<std::size_t>(kind)];
+  }
+  EXPECT_EQ(fanned.fans.flat_count(), flat);
   return counts;
 }
 
@@ -184,7 +204,7 @@ TEST(Fans, OfSplitAndCrackedLimbs) {
 
 TEST(Fans, OfSoupsWithAllKinds) {
   Random random(1723);
-  std::array<std::size_t, detail::kFanKinds> sums{};
+  std::array<std::size_t, kFanKinds> sums{};
   for (int round = 0; round < 60; ++round) {
     const std::uint32_t joints = round % 2 ? 1 : 3;
     const auto counts =

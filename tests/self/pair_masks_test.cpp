@@ -31,13 +31,10 @@ struct Masked {
 
 /// The mask that is kept for two clusters, or null.
 const PairMask* find_mask(const Masked& masked, std::uint32_t low, std::uint32_t high) {
-  const PairMask* found = nullptr;
-  masked.masks.for_each(masked.tree, low,
-                        [&](std::uint32_t mask, std::uint32_t n, std::uint32_t s) {
-                          if (masked.tree.nodes[n].first_cluster + s == high)
-                            found = &masked.masks.masks[mask];
-                        });
-  return found;
+  const PairMasks& masks = masked.masks;
+  for (std::uint32_t i = masks.begin[low]; i < masks.begin[low + 1]; ++i)
+    if (masks.others[i] == high) return &masks.masks[i];
+  return nullptr;
 }
 
 /// The mask that a query applies to two clusters.
@@ -50,19 +47,17 @@ PairMask mask_of(const Masked& masked, std::uint32_t low, std::uint32_t high) {
   return mask;
 }
 
-/// `neighbours_in` has the slots of the clusters with masks.
+/// `neighbours` has the pairs of slots of the clusters with masks.
 void expect_slots_of_neighbours(const Masked& masked) {
-  const PairMasks& masks = masked.masks;
-  for (std::uint32_t c = 0; c < masked.tree.clusters.size(); ++c)
-    for (std::uint32_t n = 0; n < masked.tree.nodes.size(); ++n) {
-      const detail::Node& node = masked.tree.nodes[n];
-      unsigned expected = 0;
-      for (std::uint32_t slot = 0; slot < node.cluster_count; ++slot) {
-        const std::uint32_t other = node.first_cluster + slot;
-        if (other != c && find_mask(masked, std::min(c, other), std::max(c, other)))
-          expected |= 1u << slot;
-      }
-      EXPECT_EQ(masks.neighbours_in(c, n), expected);
+  const auto& nodes = masked.tree.nodes;
+  for (std::uint32_t a = 0; a < nodes.size(); ++a)
+    for (std::uint32_t b = a; b < nodes.size(); ++b) {
+      detail::SlotMatrix expected = 0;
+      for (std::uint32_t i = 0; i < nodes[a].cluster_count; ++i)
+        for (std::uint32_t j = a == b ? i + 1 : 0; j < nodes[b].cluster_count; ++j)
+          if (find_mask(masked, nodes[a].first_cluster + i, nodes[b].first_cluster + j))
+            expected |= detail::slot_pair(i, j);
+      EXPECT_EQ(masked.masks.neighbours(a, b), expected);
     }
 }
 

@@ -258,7 +258,7 @@ std::size_t allocations_when_reserved(const Shape& shape, const std::vector<Matr
   const std::size_t room = std::min<std::size_t>(limit, 1 << 20);
   contacts.reserve(room);
   body.pose.reserve();
-  body.scratch.reserve(room, 0, body.filter.scratch_vertices());
+  body.scratch.reserve(room, 0, body.filter.scratch_size());
   const std::size_t before = allocation_count();
   EXPECT_TRUE(body.pose.set_palette(palette));
   self_collide(body.pose, body.filter, body.scratch, contacts, {.max_contacts = limit});

@@ -8,10 +8,7 @@ export interface ClosestPointOptions {
 }
 
 export interface DistanceOptions extends ClosestPointOptions {
-  /**
-   * Greatest allowed difference between the result and the least distance. A positive tolerance lets
-   * the query end earlier. Not negative. Default: 0.
-   */
+  /** Allowed excess over the least distance; a larger value ends the search earlier. Default: 0. */
   tolerance?: number;
 }
 
@@ -22,7 +19,7 @@ export interface ClearanceOptions {
   maxPairs?: number;
 }
 
-/** Pairs of triangles whose distance is at most the tolerance of `clearance`. */
+/** Triangles within the tolerance of `clearance`. They need not intersect. */
 export interface NearPairs {
   readonly count: number;
   /** [N][2] Triangles of `a` and `b`, in ascending order. */
@@ -43,15 +40,12 @@ export interface ClosestPoint extends SurfacePoint {
 }
 
 export interface Penetration {
-  /**
-   * Index of the vertex in the character of `a`. If the character has identical copies of the vertex,
-   * the lowest of their indices.
-   */
+  /** Index of the vertex in the first body. */
   readonly vertex: number;
   readonly position: readonly [number, number, number];
-  /** Distance of the vertex from `closest`. */
+  /** Distance of the vertex from the surface of the second body. */
   readonly depth: number;
-  /** Closest point of the surface of `b`. */
+  /** The closest point of that surface. */
   readonly closest: SurfacePoint;
   readonly stats: QueryStats;
 }
@@ -60,7 +54,6 @@ export interface Distance {
   readonly distance: number;
   /** Proven lower bound of the least distance. Equals `distance` if the tolerance is 0. */
   readonly lowerBound: number;
-  /** Two points at `distance`. */
   readonly a: SurfacePoint;
   readonly b: SurfacePoint;
   readonly stats: QueryStats;

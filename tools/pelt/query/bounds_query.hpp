@@ -17,7 +17,7 @@ namespace pelt::tools::query {
 enum class BoundsBy { instance, part, joint };
 
 enum class BoundsKind {
-  guaranteed,  ///< computed without posing vertices
+  guaranteed,  ///< from the joint palette alone
   exact,       ///< the smallest box
 };
 
