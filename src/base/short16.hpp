@@ -75,7 +75,7 @@ struct Mask16 {
     return static_cast<unsigned>(
         _mm_movemask_epi8(_mm_packs_epi16(__m128i(eight[0]), __m128i(eight[1]))));
 #else
-    return wasm_i16x8_bitmask(eight[0]) | wasm_i16x8_bitmask(eight[1]) << 8;
+    return wasm_i16x8_bitmask(v128_t(eight[0])) | wasm_i16x8_bitmask(v128_t(eight[1])) << 8;
 #endif
   }
 };
@@ -105,7 +105,7 @@ inline Shorts8 truncate(const Float8& v) {
 #ifdef __SSE2__
   return Shorts8(_mm_packs_epi32(__m128i(low), __m128i(high)));
 #else
-  return wasm_i16x8_narrow_i32x4(low, high);
+  return Shorts8(wasm_i16x8_narrow_i32x4(low, high));
 #endif
 }
 
