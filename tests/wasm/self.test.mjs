@@ -193,6 +193,28 @@ test('with filters of parts, a limit ends the tests of parts against themselves 
   cairn.delete();
 });
 
+test('the first contacts of pairs do not depend on tests of instances against themselves', () => {
+  const filter = creature.makeSelfFilter({ rings: 5 });
+  const [alone, tested] = [pelt.makeCrowd(), pelt.makeCrowd()];
+  for (const crowd of [alone, tested]) {
+    for (const _ of [0, 1]) crowd.add(creature);
+  }
+  for (const instance of [0, 1]) tested.setSelfFilter(instance, filter);
+  let found = 0;
+  for (let step = 0; step < 20; ++step) {
+    for (const crowd of [alone, tested]) {
+      crowd.setPalette(0, creature.palette('walk', 0.05 * step));
+      crowd.setPalette(1, twist(creature, 0.1 + 0.02 * step));
+    }
+    const first = rowsOf(alone.collide({ maxContacts: 3 }).contacts, 4);
+    const ofPairs = rowsOf(tested.collide({ maxContacts: 3 }).contacts, 4).filter(([a, b]) => a < b);
+    assert.deepEqual(ofPairs, first);
+    found += first.length;
+  }
+  assert.equal(found, 60);
+  for (const object of [alone, tested, filter]) object.delete();
+});
+
 /** All triangles collapse to one point. */
 function flatPalette(cairn) {
   const flat = new Float32Array(16 * cairn.jointCount);

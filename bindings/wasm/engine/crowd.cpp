@@ -105,19 +105,18 @@ bool limit_contacts(std::vector<CrowdContact>& contacts, std::uint32_t most) {
   return std::erase_if(contacts, is_beyond) > 0;
 }
 
-/// Like `collide`, with the filters of parts. They may drop any contacts of pairs, so that only the
-/// tests of instances against themselves can end at a limit.
-CrowdStats collide_parts(CrowdHandle& handle, const CrowdOptions& options) {
-  const bool is_limited = options.max_contacts < CrowdOptions().max_contacts;
-  CrowdStats stats = collide(handle, is_limited ? CrowdOptions() : options);
-  stats.left_out += filter_parts(handle);
-  if (!is_limited) return stats;
-  const bool is_cut = limit_contacts(handle.found, options.max_contacts);
-  stats.cut_short = stats.cut_short || is_cut;
+/// Finds all contacts.
+CrowdStats collide_all(CrowdHandle& handle, const CrowdOptions& options) {
+  CrowdStats stats = collide(handle, options);
+  if (!handle.part_filters.empty()) stats.left_out += filter_parts(handle);
+  return stats;
+}
+
+/// Adds the contacts of instances with themselves to those of pairs.
+void collide_selves(CrowdHandle& handle, CrowdOptions options, CrowdStats& stats) {
   const auto pairs = static_cast<std::ptrdiff_t>(handle.found.size());
-  CrowdOptions only_self = options;
-  only_self.filter = [](std::uint32_t, std::uint32_t) { return false; };
-  const CrowdStats own = collide(handle, only_self);
+  options.filter = [](std::uint32_t, std::uint32_t) { return false; };
+  const CrowdStats own = collide(handle, options);
   static_cast<QueryStats&>(stats) += own;
   stats.left_out += own.left_out;
   const auto by_instances = [](const CrowdContact& a, const CrowdContact& b) {
@@ -125,6 +124,21 @@ CrowdStats collide_parts(CrowdHandle& handle, const CrowdOptions& options) {
   };
   std::inplace_merge(handle.found.begin(), handle.found.begin() + pairs, handle.found.end(),
                      by_instances);
+}
+
+/// Finds contacts up to the limit. Filters of parts may drop any contacts of pairs, so that all are
+/// needed. Which contacts of a pair a limited query finds first depends on the nodes that
+/// self-tests have opened. For the answer of `pelt check`, pairs are therefore queried apart.
+CrowdStats collide_limited(CrowdHandle& handle, const CrowdOptions& options) {
+  CrowdOptions of_pairs = options;
+  of_pairs.self_filter = nullptr;
+  if (!handle.part_filters.empty()) of_pairs.max_contacts = CrowdOptions().max_contacts;
+  CrowdStats stats = collide_all(handle, of_pairs);
+  const bool is_cut = limit_contacts(handle.found, options.max_contacts);
+  stats.cut_short = stats.cut_short || is_cut;
+  const auto is_tested = [](const Member& member) { return member.self_filter.has_value(); };
+  if (std::any_of(handle.members.begin(), handle.members.end(), is_tested))
+    collide_selves(handle, options, stats);
   return stats;
 }
 
@@ -217,8 +231,9 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t 
     const std::optional<SelfFilter>& own = handle->members[instance].self_filter;
     return own ? &*own : nullptr;
   };
+  const bool is_limited = most < CrowdOptions().max_contacts;
   const CrowdStats stats =
-      handle->part_filters.empty() ? collide(*handle, options) : collide_parts(*handle, options);
+      is_limited ? collide_limited(*handle, options) : collide_all(*handle, options);
   answer_stats(stats);
   answer_left_out(stats.left_out);
   answer().ignored = static_cast<double>(take_ignored_out(*handle));
