@@ -143,6 +143,31 @@ test('a name that nothing has is refused, unless it may have been left out', () 
   scene.delete();
 });
 
+test('contacts of other queries lose those that do not count', () => {
+  const scene = pelt.readScene('scene.json', filesOf({ ...kScene, ignore: [['base', 'top']] }));
+  const crowd = pelt.makeCrowd();
+  scene.instances.forEach(({ character }, i) => {
+    crowd.add(scene.characters[character]);
+    crowd.setPalette(i, scene.palette(i, 0));
+  });
+  const all = crowd.collide();
+  crowd.ignore(scene.ignore);
+  const { contacts, ignored } = crowd.collide();
+  assert.ok(ignored > 0 && contacts.length > 0, 'a scene worth testing');
+  const counted = crowd.withoutIgnored(all.contacts);
+  assert.deepEqual(counted, { contacts, ignored });
+  assert.deepEqual(crowd.withoutIgnored(new Uint32Array()), { contacts: new Uint32Array(), ignored: 0 });
+  const { triangleCount } = scene.characters[0];
+  for (const [row, message] of [
+    [[0, 9, 0, 0], /the crowd has no instance 9/],
+    [[0, 1, triangleCount, 0], /^PeltError: contacts\[2\]: expected a whole number from 0 to/],
+    [[0, 1, 0], /contacts/],
+  ])
+    assert.throws(() => crowd.withoutIgnored(Uint32Array.from(row)), message);
+  crowd.delete();
+  scene.delete();
+});
+
 test('first contacts are not asked for where some do not count', () => {
   const scene = pelt.readScene('scene.json', filesOf({ ...kScene, ignore: [['base', 'top']] }));
   const crowd = pelt.makeCrowd();

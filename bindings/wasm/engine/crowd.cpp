@@ -241,6 +241,17 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t 
   return 1;
 }
 
+/// Answers with the number of ignored contacts, and all others. Precondition: the crowd has these
+/// instances and triangles.
+PELT_EXPORT std::uint32_t pelt_without_ignored(CrowdHandle* handle, const CrowdContact* contacts,
+                                               std::uint32_t count) {
+  if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
+  handle->found.assign(contacts, contacts + count);
+  answer().ignored = static_cast<double>(take_ignored_out(*handle));
+  answer_data<CrowdContact>(handle->found);
+  return 1;
+}
+
 PELT_EXPORT std::uint32_t pelt_make_hash() { return address_of(new detail::Fnv1a64); }
 PELT_EXPORT void pelt_delete_hash(detail::Fnv1a64* hash) { delete hash; }
 

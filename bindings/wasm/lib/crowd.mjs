@@ -88,12 +88,30 @@ export class Crowd {
     };
   }
 
+  withoutIgnored(contacts) {
+    check.rows(contacts, 4, 'contacts').forEach((number, i) => this.#checkNumber(contacts, number, i));
+    const { module } = this.#memory;
+    this.#memory.withBytes(contacts, (address) =>
+      this.#memory.accepted(
+        module._pelt_without_ignored(this.#handle, address, contacts.length / 4),
+      ),
+    );
+    return { contacts: this.#memory.data(Uint32Array, 4), ignored: this.#memory.field('ignored') };
+  }
+
   delete() {
     this.#memory.handles.delete(this);
   }
 
   get #handle() {
     return this.#memory.handles.of(this);
+  }
+
+  /** Checks an instance, or a triangle of the instance two numbers before. */
+  #checkNumber(contacts, number, i) {
+    if (i % 4 < 2) return this.#member(number);
+    const { triangleCount } = this.#member(contacts[i - 2]).character;
+    return check.count(number, `contacts[${i}]`, 0, triangleCount - 1);
   }
 
   #member(instance) {

@@ -94,7 +94,20 @@ export interface Crowd {
    * `maxContacts` applies to each pair of instances, and to each instance with itself.
    */
   collide(options?: CollideOptions): CrowdContacts;
+  /**
+   * Leaves out contacts that match an ignored pair. `contacts` are rows as in `CrowdContacts`, with the
+   * instances of the crowd and the triangle numbers of whole characters, from any query, such as
+   * `clearance`. The order of the rows stays.
+   */
+  withoutIgnored(contacts: Uint32Array): CountedContacts;
   delete(): void;
+}
+
+export interface CountedContacts {
+  /** [N][4] The contacts that count. */
+  readonly contacts: Uint32Array;
+  /** Number of contacts that were left out. */
+  readonly ignored: number;
 }
 
 export interface CrowdContacts {

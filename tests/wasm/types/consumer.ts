@@ -21,6 +21,7 @@ import {
   type ContactTally,
   ContactKind,
   type ContactPatch,
+  type CountedContacts,
   type ConvexPolyhedron,
   type Contacts,
   type CollideOptions,
@@ -352,6 +353,8 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
   crowd.ignore(pairs);
   const { count, contacts, ignored, leftOut, stats }: CrowdContacts = crowd.collide();
   check(contacts.length === 4 * count && ignored + leftOut.rings === 0, 'crowd');
+  const counted: CountedContacts = crowd.withoutIgnored(contacts);
+  check(counted.contacts.length === contacts.length && counted.ignored === 0, 'counted');
   useStats(stats);
   const hash: ContactHash = pelt.makeContactHash();
   hash.addCrowd(3, contacts);
