@@ -8,7 +8,7 @@ before(openSources);
 after(closeSources);
 
 const answerOf = (counts, frames, verdict = {}) => ({
-  options: { frames, by: 'instance', max_contacts: null },
+  options: { frames, by: 'instance', max_contacts: null, clearance: null },
   counts,
   totals: { frames: counts.length, frames_in_contact: counts.filter((count) => count > 0).length },
   touches: [],
@@ -54,7 +54,14 @@ describe('beside a baseline', () => {
   const report = { answer: { ...answerOf([5], [0, 1, 1], verdict), touches } };
   const scene = { instances: [{ character: 0 }, { character: 1 }] };
   const frames = report.answer.options.frames;
-  const asked = { maxContacts: null, by: 'instance', frames, self: {}, characters: [] };
+  const asked = {
+    maxContacts: null,
+    clearance: null,
+    by: 'instance',
+    frames,
+    self: {},
+    characters: [],
+  };
   const state = { ...asked, report, reported: scene, scene };
 
   test('touches are counted as the command counts them', async () => {

@@ -331,6 +331,45 @@ test('a report of limited contacts agrees, and another limit can be chosen', asy
   assert.deepEqual(page.complaints, []);
 });
 
+test('a report of distances shows the triangles that the command counts', async (t) => {
+  const clearance = ['--clearance', '0.03'];
+  const shop = new Workshop(t, { ...SCENE, ignore: IGNORE });
+  const runs = [
+    [IGNORE, []],
+    [IGNORE, ['--by', 'part', '--frames', '2:12:3']],
+    [[], ['--max-contacts', '3', '--by', 'part']],
+  ];
+  let page;
+  for (const [ignore, words] of runs) {
+    shop.write({ ...SCENE, ignore });
+    const touching = shop.check(...words);
+    const answer = shop.check(...clearance, ...words);
+    assert.ok(answer.totals.contacts > touching.totals.contacts, 'a distance worth testing');
+    assert.equal(answer.totals.ignored > 0, ignore.length > 0);
+    await page?.context().close();
+    page = await open(t, browsing.urlOf(shop.at('report.html')));
+    await says(page, 'the page agrees');
+    await totalIs(page, answer);
+    if (answer.hash) assert.equal(await fact(page, 'hash'), answer.hash);
+    if (answer.totals.ignored > 0)
+      assert.equal(await number(page, 'ignored'), answer.totals.ignored);
+    assert.equal(await page.locator('.self').count(), 0, 'there is no such self-test');
+  }
+  assert.match(await page.locator('.lead').innerText(), /3 pairs of triangles at most 0.03 apart/);
+  await page.getByRole('switch', { name: 'limit' }).uncheck();
+  await says(page, 'the page agrees; changed since');
+  await totalIs(page, shop.check(...clearance, '--by', 'part'));
+  assert.match(await page.locator('.same').innerText(), /--by part --clearance 0.03/);
+  await page.keyboard.press('b');
+  await page.waitForFunction(() => {
+    return /[1-9]\d* opened/.test(document.querySelector('.legend')?.innerText);
+  });
+  await dropFiles(page, [{ name: 'stones.gltf', bytes: STONES }]);
+  await page.waitForSelector('.card:has-text("stones.gltf")');
+  assert.match(await page.locator('.lead').innerText(), /that intersects/);
+  assert.deepEqual(page.complaints, []);
+});
+
 const totalIs = (page, { totals }) =>
   page.waitForSelector(`[data-fact=total]:text-is("${totals.contacts.toLocaleString('en')}")`);
 

@@ -27,6 +27,10 @@ export class Workshop {
     test.after(() => rmSync(this.folder, { recursive: true }));
     mkdirSync(this.at('models'));
     writeFileSync(this.at('models/cairn.gltf'), STONES);
+    this.write(scene);
+  }
+
+  write(scene) {
     writeFileSync(this.at('scene.json'), JSON.stringify(scene));
   }
 

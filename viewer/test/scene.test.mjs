@@ -224,7 +224,13 @@ describe('characters of very different sizes', () => {
 });
 
 describe('the command with the same numbers', () => {
-  const nothing = { by: 'instance', maxContacts: null, self: {}, readingOptions: {} };
+  const nothing = {
+    by: 'instance',
+    maxContacts: null,
+    clearance: null,
+    self: {},
+    readingOptions: {},
+  };
 
   test('names the models where it places them so', async () => {
     const { arrange } = await load('scene/arrange.ts');
@@ -260,8 +266,8 @@ describe('the command with the same numbers', () => {
         words: 'pelt check scene.json --first --renormalise --exclude hat',
         needsFile: true,
       });
-      const { words } = checkCommand({ ...asking, maxContacts: 12 });
-      assert.match(words, /^pelt check scene\.json --max-contacts 12 /);
+      const { words } = checkCommand({ ...asking, maxContacts: 12, clearance: 0.02 });
+      assert.match(words, /^pelt check scene\.json --max-contacts 12 --clearance 0\.02 /);
     }
   });
 });

@@ -318,7 +318,7 @@ describe('who asks the worker', () => {
 
 describe('costs', () => {
   const scene = {};
-  const shot = (frame) => ({ scene, frame, maxContacts: null, boxLevel: null });
+  const shot = (frame) => ({ scene, frame, maxContacts: null, clearance: null, boxLevel: null });
   const answer = (frame, allVertices = 10) => ({ shot: shot(frame), work: { allVertices } });
   const costs = (microseconds) => ({
     onDemand: { microseconds },

@@ -279,13 +279,15 @@ TEST_F(CheckHtml, RefusesAFileThatHasChangedMeanwhile) {
   EXPECT_NE(files.error().message.find("two.glb: was changed"), std::string::npos);
 }
 
-TEST_F(CheckHtml, RefusesWhatThePageCannotShow) {
+TEST_F(CheckHtml, TellsThePageTheClearance) {
   const Ended run =
-      run_pelt(folder_, {"check", "scene.json", "--html", "report.html", "--clearance", "0.1"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("--html: cannot be combined with --clearance: leave it out"),
-            std::string::npos)
-      << run.err;
+      run_pelt(folder_, {"check", "scene.json", "--html", "report.html", "--clearance", "0.25"});
+  EXPECT_LE(run.exit_code, 1) << run.err;
+  const std::string page = read_text(folder_ / "report.html");
+  EXPECT_NE(page.find(" contacts (triangles at most 0.25 apart). Command:"), std::string::npos);
+  const json data = data_of(page);
+  EXPECT_EQ(data["answer"]["options"]["clearance"], 0.25);
+  EXPECT_EQ(json::parse(decode(data["files"]["scene.json"]))["self"], false);
 }
 
 TEST_F(CheckHtml, TellsThePageTheLimitOfContacts) {

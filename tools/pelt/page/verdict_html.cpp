@@ -32,6 +32,12 @@ const char* headline(const ordered_json& verdict) {
   return verdict["failed"] == true ? "Check failed" : "Check passed";
 }
 
+/// Says what counts as a contact.
+std::string clearance_words(const ordered_json& options) {
+  const ordered_json& distance = options["clearance"];
+  return distance.is_null() ? "" : " (triangles at most " + distance.dump() + " apart)";
+}
+
 std::string limit_words(const ordered_json& options) {
   const ordered_json& limit = options["max_contacts"];
   return limit.is_null() ? "" : ", at most " + number(limit) + " of each pair in each frame";
@@ -54,8 +60,8 @@ std::string verdict_html(const PageData& data) {
   const ordered_json& totals = last["totals"];
   return std::string(headline(last["verdict"])) + ": " + number(totals["frames_in_contact"]) +
          " of " + number(totals["frames"]) + " frames in contact, " + number(totals["contacts"]) +
-         " contacts" + limit_words(first["options"]) + "." + self_sentence(first["options"]) +
-         " Command: <code>" + escaped(data.command) + "</code>";
+         " contacts" + clearance_words(first["options"]) + limit_words(first["options"]) + "." +
+         self_sentence(first["options"]) + " Command: <code>" + escaped(data.command) + "</code>";
 }
 
 }  // namespace pelt::tools::page

@@ -50,8 +50,6 @@ body), 2 bad input or arguments, or nothing to test, 3 internal error.)";
 /// The page runs its own query, so it cannot show results of options that it does not support.
 Result<void> check_for_page(const check::CheckArguments& arguments, const scenes::Scene& scene) {
   if (arguments.html.empty()) return {};
-  if (arguments.clearance)
-    return output::bad_argument("--html", "cannot be combined with --clearance", "leave it out");
   if (!scene.takes.empty())
     return output::bad_argument("--html", "the page cannot play all clips with '*'",
                                 "name one clip, or leave out --html");

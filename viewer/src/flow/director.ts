@@ -56,12 +56,12 @@ export class Director {
   }
 
   private sweep(): void {
-    const { scene, by, maxContacts, sweep, reading } = this.store.state;
+    const { scene, by, maxContacts, clearance, sweep, reading } = this.store.state;
     if (reading) return this.sweepLater();
     if (!scene) return;
     const frames = checkedFrames(this.store.state);
     const self = selfOf(this.store.state);
-    void this.asker.ask('sweep', { id: sweep.id, scene, by, maxContacts, self, frames });
+    void this.asker.ask('sweep', { id: sweep.id, scene, by, maxContacts, clearance, self, frames });
   }
 }
 
@@ -80,6 +80,7 @@ function sweepsDiffer(state: State, before: State): boolean {
     state.frames !== before.frames ||
     state.by !== before.by ||
     state.maxContacts !== before.maxContacts ||
+    state.clearance !== before.clearance ||
     !isSameSelf(selfOf(state), selfOf(before))
   );
 }

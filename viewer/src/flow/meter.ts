@@ -48,6 +48,7 @@ export class Meter {
   private wanted(): Shot | null {
     const { answer, costs, isPlaying, isWorkOpen, reading, scene } = this.store.state;
     if (!isWorkOpen || !answer || reading || answer.shot.scene !== scene) return null;
+    if (answer.shot.clearance !== null) return null; // refitting all has no query for distances
     if (answer.work.allVertices > MOST_VERTICES[isPlaying ? 'playing' : 'still']) return null;
     const isMeasured = costs !== null && isSameQuery(costs.shot, answer.shot);
     if (!isMeasured) this.rounds = 0;

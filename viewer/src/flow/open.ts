@@ -1,6 +1,6 @@
 /** Opens files as characters of the scene, or reports a readable error. */
 
-import { limitOf, originalPath, type Report } from '../report/report';
+import { clearanceOf, limitOf, originalPath, type Report } from '../report/report';
 import { framesToCheck, worstFrame } from '../report/verdict';
 import * as changes from '../state/changes';
 import * as edits from '../state/edits';
@@ -41,11 +41,13 @@ export class Opener {
     const worst = answer && worstFrame(answer);
     const by = answer?.options.by ?? 'instance';
     const maxContacts = limitOf(report);
+    const clearance = clearanceOf(report);
     this.store.update(({ lastMaxContacts }) => ({
       report: { ...report, files: {} }, // the worker has them: they may be large
       by,
       maxContacts,
       lastMaxContacts: maxContacts ?? lastMaxContacts,
+      clearance,
       listing: answer ? 'clip' : 'frame',
     }));
     this.read(title, async () => {
@@ -56,6 +58,7 @@ export class Opener {
         readingOptions: reading,
         gizmo: null, // otherwise a click could lead to a move by accident
         frames: answer && framesToCheck(answer, opened.scene),
+        clearance,
       };
       const open = changes.open(opened, begin);
       return (state) => ({ ...open(state), reported: opened.scene });

@@ -6,14 +6,14 @@ import type { PanelProps } from './panel_props';
 
 /** Says in a sentence or two what is looked at. */
 export function Lead({ state }: PanelProps) {
-  const { scene, by, characters, maxContacts } = state;
+  const { scene, by, characters, maxContacts, clearance } = state;
   if (!scene) return null;
   const range = checkedFrames(state);
   const frames = range ? `frames ${rangeInWords(range)}` : counted(scene.frameCount, 'frame');
   const thing = by === 'part' ? 'part' : 'character';
   const marks = [
     ...(asksPairs(state) && !isOneBody({ scene, by, characters })
-      ? [ofPairs(thing, maxContacts)]
+      ? [ofPairs(thing, maxContacts, clearance)]
       : []),
     ...(asksSelf(state) ? [ofSelf(thing, maxContacts)] : []),
   ];
@@ -24,10 +24,17 @@ export function Lead({ state }: PanelProps) {
   );
 }
 
-function ofPairs(thing: string, maxContacts: number | null): string {
+function ofPairs(thing: string, maxContacts: number | null, clearance: number | null): string {
+  if (clearance !== null) return ofNearPairs(thing, maxContacts, clearance);
   return maxContacts !== null
     ? `orange marks at most ${counted(maxContacts, 'contact')} of each pair of ${thing}s`
     : `orange marks every triangle of one ${thing} that intersects another ${thing}`;
+}
+
+function ofNearPairs(thing: string, maxContacts: number | null, clearance: number): string {
+  return maxContacts !== null
+    ? `orange marks at most ${counted(maxContacts, 'pair')} of triangles at most ${clearance} apart, of each pair of ${thing}s`
+    : `orange marks every triangle of one ${thing} that is at most ${clearance} from another ${thing}`;
 }
 
 function ofSelf(thing: string, maxContacts: number | null): string {

@@ -45,6 +45,8 @@ export interface ReportAnswer {
     /** First, end, step. */
     frames: FrameRange;
     max_contacts: number | null;
+    /** Null: triangles have to touch. */
+    clearance: number | null;
     /** Null or absent: no body was tested against itself. */
     self?: ReportedSelf | null;
     ignore: NamePair[];
@@ -170,6 +172,11 @@ function parse(text: string): Partial<Report> {
 /** Most contacts of each pair; null for all. */
 export function limitOf({ answer }: Report): number | null {
   return answer ? answer.options.max_contacts : null;
+}
+
+/** Largest distance of two triangles in contact; null if they have to touch. */
+export function clearanceOf({ answer }: Report): number | null {
+  return answer ? answer.options.clearance : null;
 }
 
 /** Returns the original path of a file of the report. */

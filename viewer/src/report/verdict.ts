@@ -5,7 +5,13 @@ import { isSameSelf, selfQuestion } from '../scene/self';
 import type { State, SweepState } from '../state/state';
 import type { FrameRange, SelfQuestion, Surface, SweepTotal, Touch } from '../worker/protocol';
 import { counted, withCommas } from '../words';
-import { limitOf, type KnownPlace, type KnownTouch, type ReportAnswer } from './report';
+import {
+  clearanceOf,
+  limitOf,
+  type KnownPlace,
+  type KnownTouch,
+  type ReportAnswer,
+} from './report';
 
 /** Returns the frames that the command checked; null if these are all frames of the scene. */
 export function framesToCheck({ options }: ReportAnswer, scene: Scene | null): FrameRange | null {
@@ -75,17 +81,26 @@ function leavesOutTheSame({ totals }: ReportAnswer, total: SweepTotal): boolean 
 /** Query of the page, and the report that it was opened with. */
 export type Asked = Pick<
   State,
-  'report' | 'reported' | 'scene' | 'maxContacts' | 'by' | 'frames' | 'self' | 'characters'
+  | 'report'
+  | 'reported'
+  | 'scene'
+  | 'maxContacts'
+  | 'clearance'
+  | 'by'
+  | 'frames'
+  | 'self'
+  | 'characters'
 >;
 
 /** Whether scene and query are still those of the report. */
 export function isAsItCame(asked: Asked): boolean {
-  const { report, reported, scene, maxContacts, by, frames } = asked;
+  const { report, reported, scene, maxContacts, clearance, by, frames } = asked;
   return (
     report !== null &&
     scene === reported &&
     (!report.answer || frames === framesToCheck(report.answer, scene)) &&
     maxContacts === limitOf(report) &&
+    clearance === clearanceOf(report) &&
     by === report.answer?.options.by &&
     asksSelfAsReported(asked, report.answer)
   );

@@ -12,6 +12,8 @@ export interface Asking {
   by: By;
   /** Most contacts of each pair; null for all. */
   maxContacts: number | null;
+  /** Largest distance of two triangles in contact; null if they have to touch. */
+  clearance: number | null;
   self: SelfChoices;
   /** Null for all frames. */
   frames: FrameRange | null;
@@ -65,12 +67,13 @@ function modelWords({ scene: { instances }, characters }: Asking): string[] {
 }
 
 function optionWords(asking: Asking): string[] {
-  const { by, maxContacts, frames, readingOptions } = asking;
+  const { by, maxContacts, clearance, frames, readingOptions } = asking;
   const { renormalise, noUnskinned, exclude = [] } = readingOptions;
   return [
     ...(by === 'part' ? ['--by', 'part'] : []),
     ...(frames ? ['--frames', frames.join(':')] : []),
     ...limitWords(maxContacts),
+    ...(clearance === null ? [] : ['--clearance', String(clearance)]),
     ...selfWords(asking),
     ...(renormalise ? ['--renormalise'] : []),
     ...(noUnskinned ? ['--no-unskinned'] : []),

@@ -71,9 +71,9 @@ export function chooseSelf(change: SelfChoices): Change {
   return ({ self }) => ({ self: { ...self, ...change }, spot: null });
 }
 
-/** Off, or on. */
+/** Off, or on; not for distances, which are between different bodies. */
 export const toggleSelf: Change = (state) => {
-  if (!state.scene) return {};
+  if (!state.scene || state.clearance !== null) return {};
   const isOff = wantedSelf({ ...state, scene: state.scene }) === 'off';
   return chooseSelf({ wanted: isOff ? 'also' : 'off' })(state);
 };
@@ -147,6 +147,7 @@ export interface Beginning {
   readingOptions: ReadingOptions;
   gizmo: State['gizmo'];
   frames: State['frames'];
+  clearance: State['clearance'];
 }
 
 /** The new characters take the stage. */
@@ -158,6 +159,7 @@ export function open(
     readingOptions = {},
     gizmo = 'move',
     frames = null,
+    clearance = null,
   }: Partial<Beginning> = {},
 ): Change {
   return ({ boxLevel, maxContacts }) => {
@@ -174,6 +176,7 @@ export function open(
       reading: null,
       frame,
       frames,
+      clearance,
       isPlaying: plays && !wantsStillness(),
       past: [],
       future: [],

@@ -22,9 +22,9 @@ export function asksPairs(state: State): boolean {
 
 /** While other characters are being read, the worker may have given up those of the scene. */
 export function shotOf(state: State): Shot | null {
-  const { scene, reading, frame, by, maxContacts, boxLevel, spot } = state;
+  const { scene, reading, frame, by, maxContacts, clearance, boxLevel, spot } = state;
   if (!scene || reading) return null;
-  return { scene, frame, by, maxContacts, self: selfOf(state), boxLevel, spot };
+  return { scene, frame, by, maxContacts, clearance, self: selfOf(state), boxLevel, spot };
 }
 
 export function isSameShot(one: Shot, other: Shot): boolean {
@@ -38,13 +38,14 @@ export function isSameQuery(one: Shot, other: Shot): boolean {
     one.frame === other.frame &&
     one.by === other.by &&
     one.maxContacts === other.maxContacts &&
+    one.clearance === other.clearance &&
     isSameSelf(one.self, other.self)
   );
 }
 
 /** Whether the answer is to the scene as it is now, at whatever frame. */
 export function isInStep(state: State): boolean {
-  const { answer, scene, by, maxContacts, boxLevel, spot } = state;
+  const { answer, scene, by, maxContacts, clearance, boxLevel, spot } = state;
   return (
     answer !== null &&
     !answer.isPreliminary &&
@@ -52,6 +53,7 @@ export function isInStep(state: State): boolean {
     answer.shot.scene === scene &&
     answer.shot.by === by &&
     answer.shot.maxContacts === maxContacts &&
+    answer.shot.clearance === clearance &&
     answer.shot.boxLevel === boxLevel &&
     answer.shot.spot === spot
   );

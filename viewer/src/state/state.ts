@@ -41,6 +41,8 @@ export interface State {
   maxContacts: number | null;
   /** The most recent limit. */
   lastMaxContacts: number;
+  /** Largest distance of two triangles in contact, from a report; null if they have to touch. */
+  clearance: number | null;
   /** Whether and how characters are tested against themselves. */
   self: SelfChoices;
   /** The frames to be checked, of a report of some frames; null for all. */
@@ -160,6 +162,7 @@ export const initialState: State = {
   by: 'instance',
   maxContacts: null,
   lastMaxContacts: 1,
+  clearance: null,
   self: {},
   frames: null,
   past: [],

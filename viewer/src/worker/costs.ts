@@ -49,10 +49,10 @@ export class CostMeter {
   }
 
   private *measure(scene: EngineScene, shot: Shot): Steps<Costs> {
-    const { frame, maxContacts, by, self } = shot;
+    const { frame, by, self } = shot;
     this.stage.set(scene, frame, by, self);
     yield;
-    const onDemand = yield* this.cost(() => this.askOnDemand(maxContacts));
+    const onDemand = yield* this.cost(() => this.askOnDemand(shot));
     const eager = yield* this.cost(() => this.askEagerly(shot));
     return { onDemand, eager, ...this.countNodes(shot) };
   }
@@ -69,8 +69,8 @@ export class CostMeter {
     }
   }
 
-  private *askOnDemand(maxContacts: number | null): Steps<number> {
-    const { stats } = this.stage.collide(maxContacts);
+  private *askOnDemand(shot: Shot): Steps<number> {
+    const { stats } = this.stage.collide(shot);
     yield;
     return stats.trianglePairs;
   }

@@ -1,7 +1,7 @@
 /** Computes one frame: poses everything, queries all pairs, and collects what the page shows. */
 
 import type { Pelt, Pose, QueryStats, Scene as EngineScene } from 'pelt';
-import { collidingPairs } from './colliding_pairs';
+import { collidingPairs, pairsWithin } from './colliding_pairs';
 import { glowOf } from './glow';
 import type {
   FrameAnswer,
@@ -25,12 +25,13 @@ export function answerFrame(
   pelt: Pelt,
   stage: Stage,
   scene: EngineScene,
-  { frame, by, maxContacts, self, boxLevel, spot }: Shot,
+  shot: Shot,
   spares: readonly Spare[] = [],
 ): FrameAnswer {
+  const { frame, by, self, boxLevel, spot } = shot;
   stage.set(scene, frame, by, self);
-  const found = stage.collide(maxContacts);
-  if (boxLevel !== null) openNodes(pelt, stage, self?.isOnly ?? false, maxContacts);
+  const found = stage.collide(shot);
+  if (boxLevel !== null) openNodes(pelt, stage, shot);
   const tally = new TouchTally(stage.characters);
   tally.addAll(frame, found.contacts);
   const instances = stage.poses.map((pose, i) => ({
@@ -72,13 +73,15 @@ function answerSpot(
 }
 
 /** A crowd keeps no opened nodes: the same query of two poses at a time does. */
-function openNodes(
-  pelt: Pelt,
-  stage: Stage,
-  isOnlySelf: boolean,
-  maxContacts: number | null,
-): void {
-  const pairs = isOnlySelf ? [] : collidingPairs(stage.colliding);
+function openNodes(pelt: Pelt, stage: Stage, { maxContacts, clearance, self }: Shot): void {
+  const poses = stage.colliding;
+  if (clearance !== null) {
+    const maxPairs = maxContacts ?? Infinity;
+    for (const [a, b] of pairsWithin(poses, clearance))
+      pelt.clearance(poses[a], poses[b], clearance, { maxPairs });
+    return;
+  }
+  const pairs = self?.isOnly ? [] : collidingPairs(poses);
   for (const [a, b] of pairs) pelt.collide(a, b, limit(maxContacts));
   stage.collideSelf(maxContacts);
 }

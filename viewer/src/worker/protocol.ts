@@ -52,6 +52,8 @@ export interface Shot {
   by: By;
   /** Most contacts of each pair of bodies, and of each body with itself; null for all. */
   maxContacts: number | null;
+  /** Largest distance of two triangles in contact; null if they have to touch. */
+  clearance: number | null;
   /** Null: no body is tested against itself. */
   self: SelfQuestion | null;
   /** Level of the trees whose boxes are drawn. */
@@ -59,6 +61,9 @@ export interface Shot {
   /** The contacts that are wanted one by one. */
   spot: Spot | null;
 }
+
+/** Which contacts of two bodies are found. */
+export type ContactQuestion = Pick<Shot, 'maxContacts' | 'clearance'>;
 
 /** Arguments of each kind of request. */
 export interface Questions {
@@ -87,6 +92,7 @@ export interface Questions {
     scene: Scene;
     by: By;
     maxContacts: number | null;
+    clearance: number | null;
     self: SelfQuestion | null;
     /** Frames to be counted, or null for all frames. */
     frames: FrameRange | null;

@@ -13,9 +13,11 @@ import type {
   Scene as EngineScene,
 } from 'pelt';
 import { bodiesOf, type Body } from './bodies';
+import { NearBodies } from './near_bodies';
 import { setFilters } from './own_contacts';
-import type { By, SelfQuestion } from './protocol';
+import type { By, ContactQuestion, SelfQuestion } from './protocol';
 import type { SelfFilters } from './self_filters';
+import { NOTHING_LEFT_OUT, sumOfLeftOut, sumOfStats } from './sums';
 
 export interface SceneContacts extends CrowdContacts {
   /** Like `contacts`, with numbers of bodies instead of instances, for the hash. */
@@ -39,6 +41,8 @@ export class SceneCrowd {
   readonly isReady: boolean;
   /** One with all bodies, or one for each body if no two bodies are tested. */
   private readonly crowds: Crowd[];
+  /** Created on first use. */
+  private near: NearBodies | null = null;
   private readonly ignored: string;
   private readonly selfKey: string;
 
@@ -84,13 +88,26 @@ export class SceneCrowd {
     });
   }
 
-  collide(maxContacts: number | null): SceneContacts {
-    const found = joined(this.crowds.map((crowd) => crowd.collide(limit(maxContacts))));
+  collide({ maxContacts, clearance }: ContactQuestion): SceneContacts {
+    const found =
+      clearance === null
+        ? joined(this.crowds.map((crowd) => crowd.collide(limit(maxContacts))))
+        : this.findNear(clearance, maxContacts);
     return { ...found, contacts: this.ofInstances(found.contacts), ofBodies: found.contacts };
   }
 
   delete(): void {
     for (const crowd of this.crowds) crowd.delete();
+    this.near?.delete();
+  }
+
+  /** Precondition: no body is tested against itself. */
+  private findNear(distance: number, maxContacts: number | null): CrowdContacts {
+    this.near ??= new NearBodies(this.pelt, this.characters, this.bodies);
+    this.near.set(this.palettes, this.morphWeights);
+    const { contacts: all, stats } = this.near.find(distance, maxContacts ?? Infinity);
+    const { contacts, ignored } = this.crowds[0].withoutIgnored(all);
+    return { count: contacts.length / 4, contacts, ignored, leftOut: NOTHING_LEFT_OUT, stats };
   }
 
   private makeCrowd(bodies: readonly Body[], ignore: NamePair[]): Crowd {
@@ -146,24 +163,9 @@ function joined(found: readonly CrowdContacts[]): CrowdContacts {
     count: contacts.length / 4,
     contacts,
     ignored: found.reduce((sum, { ignored }) => sum + ignored, 0),
-    leftOut: sumOf(found.map(({ leftOut }) => leftOut)),
-    stats: {
-      ...sumOf(found.map(({ stats: { cutShort: _, ...counts } }) => counts)),
-      cutShort: found.some(({ stats }) => stats.cutShort),
-    },
+    leftOut: sumOfLeftOut(found.map(({ leftOut }) => leftOut)),
+    stats: sumOfStats(found.map(({ stats }) => stats)),
   };
-}
-
-/** Adds up records of numbers. Precondition: there is one. */
-export function sumOf<Counts extends object>(all: readonly Counts[]): Counts {
-  const [first, ...rest] = all;
-  return rest.reduce((sum, one) => {
-    const added = Object.entries(sum).map(([key, value]) => [
-      key,
-      (value as number) + (one as Record<string, number>)[key],
-    ]);
-    return Object.fromEntries(added) as Counts;
-  }, first);
 }
 
 /** Contacts of bodies with themselves, and all others. */

@@ -2,7 +2,7 @@
 
 import type { Character, Pelt, Pose, Scene as EngineScene } from 'pelt';
 import { Poses } from './poses';
-import type { By, SelfQuestion } from './protocol';
+import type { By, ContactQuestion, SelfQuestion } from './protocol';
 import { limit, SceneCrowd, type SceneContacts } from './scene_crowd';
 import type { SelfFilters } from './self_filters';
 import { TriangleSets } from './triangle_sets';
@@ -45,8 +45,8 @@ export class Stage {
     return this.crowd?.characters ?? [];
   }
 
-  collide(maxContacts: number | null): SceneContacts {
-    return this.crowd!.collide(maxContacts);
+  collide(question: ContactQuestion): SceneContacts {
+    return this.crowd!.collide(question);
   }
 
   /** Whether contacts of bodies with themselves are found, if they are asked for. */

@@ -3,23 +3,15 @@
 import type { ContactHash, LeftOut, Pelt, Scene as EngineScene } from 'pelt';
 import { AlwaysSearch } from './always_search';
 import type { FrameRange, Questions, SweepProgress, SweepTotal } from './protocol';
-import { countSelf, SceneCrowd, sumOf } from './scene_crowd';
+import { countSelf, SceneCrowd } from './scene_crowd';
 import type { SelfFilters } from './self_filters';
+import { NOTHING_LEFT_OUT, sumOfLeftOut } from './sums';
 import { TouchTally } from './touches';
 
 /** Longest time that counting may delay a requested frame. */
 const SLICE_MILLISECONDS = 6;
 
 const REPORT_MILLISECONDS = 100;
-
-const NOTHING_LEFT_OUT: LeftOut = {
-  takesPart: 0,
-  rings: 0,
-  atRest: 0,
-  always: 0,
-  joints: 0,
-  groups: 0,
-};
 
 export class Sweep {
   /** Settled when all is counted or given up, rejected when a frame cannot be. */
@@ -129,11 +121,11 @@ export class Sweep {
       return;
     }
     crowd.set(this.scene, frame);
-    const found = crowd.collide(this.question.maxContacts);
+    const found = crowd.collide(this.question);
     this.hash.addCrowd(frame, found.ofBodies);
     this.tally!.addAll(frame, found.contacts);
     this.ignored += found.ignored;
-    this.leftOut = sumOf([this.leftOut, found.leftOut]);
+    this.leftOut = sumOfLeftOut([this.leftOut, found.leftOut]);
     this.counts.push(found.count);
     this.selfCounts.push(this.question.self ? countSelf(found) : 0);
   }
