@@ -129,8 +129,8 @@ export interface Pelt {
   collideEagerly(a: Pose, b: Pose, options?: CollideOptions): Contacts;
 
   /**
-   * Describes where and how the triangles of the contacts intersect. Chains their segments of
-   * intersection into curves, and gathers connected contacts into patches.
+   * Describes where and how the triangles of the contacts intersect. Most of them intersect in a
+   * segment. Chains these segments into curves, and joins connected contacts into patches.
    * Precondition: `pairs` is the result of `collide` for the current poses.
    */
   describeContacts(a: Pose, b: Pose, pairs: Uint32Array): ContactGeometry;
@@ -154,12 +154,17 @@ export interface Pelt {
    */
   describeSelfContacts(pose: Pose, pairs: Uint32Array): ContactGeometry;
 
-  /** Returns the least distance of two posed surfaces, or null if it exceeds `maxDistance`. */
+  /**
+   * Returns the least distance of two posed surfaces, and two points at this distance, or null if it
+   * exceeds `maxDistance`. A surface is not a solid: if one body is inside another without touching it,
+   * their distance is positive.
+   */
   distance(a: Pose, b: Pose, options?: DistanceOptions): Distance | null;
 
   /**
-   * Finds every pair of triangles that are at most `tolerance` apart, in ascending order. With a
-   * tolerance of 0 these are the pairs of `collide`.
+   * Finds every pair of triangles of `a` and `b` whose distance is at most `tolerance`, in ascending
+   * order. With a tolerance of 0, these are the pairs of `collide`. Preconditions: `a` and `b` are
+   * different poses, and `tolerance` is not negative.
    */
   clearance(a: Pose, b: Pose, tolerance: number, options?: ClearanceOptions): NearPairs;
 
@@ -167,14 +172,21 @@ export interface Pelt {
   isWithin(a: Pose, b: Pose, tolerance: number): boolean;
 
   /**
-   * Returns the vertex of `a` that lies inside `b` and is farthest from the surface of `b`, or null if no
-   * vertex of `a` lies inside `b`. Precondition: `b` is closed (see `Pose.isClosed`).
+   * Returns the vertex of `a` inside `b` that is farthest from the surface of `b`, or null if no vertex
+   * of `a` lies inside `b`. If several vertices are equally deep, returns the vertex with the lowest
+   * index. The interior of a triangle of `a` may reach deeper than all vertices. The depth is not the
+   * distance by which the bodies must be moved to separate them. Preconditions: `a` and `b` are different
+   * poses, and the surface of `b` is closed (see `Pose.isClosed`).
    */
   deepestVertex(a: Pose, b: Pose): Penetration | null;
 
   /**
-   * Returns which body lies wholly inside the other without touching it. Returns 'none' if they touch.
-   * A body that is not closed contains nothing.
+   * Returns which body, if any, lies wholly inside the other body without touching it:
+   * - 'none': the bodies touch, or neither contains the other.
+   * - 'a_in_b': no triangles touch, and every connected part of `a` lies inside `b`.
+   * - 'b_in_a': no triangles touch, and every connected part of `b` lies inside `a`.
+   * A body whose surface is not closed can be contained in the other body, but cannot contain the other
+   * body. Precondition: `a` and `b` are different poses.
    */
   containment(a: Pose, b: Pose): 'none' | 'a_in_b' | 'b_in_a';
 

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
 
   pelt::Pose a(*model), b(*model);
   pelt::Matrix4 place_a, place_b;
-  place_b.m[12] = 0.5f;  // b stands half a metre to the left of a
+  place_b.m[12] = 0.5f;  // half a metre along +x: on a's own left, as glTF characters face +z
   std::vector<pelt::Matrix4> palette(model->joint_count());
   pelt::asset::SampleScratch sampling;
   pelt::Scratch scratch;

@@ -65,7 +65,9 @@ struct Part {
   /// The rest positions of a skinned part are in mesh space. Those of an unskinned part are in the
   /// frame of the scene, where the default pose places them. Exception: the rest positions of an
   /// unskinned part stay in mesh space if the transform from the node to the scene cannot be
-  /// inverted, or if a skinned part uses the same joint.
+  /// inverted, or if vertices of a skinned part also follow the unskinned part's joint. The latter
+  /// can happen only if a skin contains the part's node as a joint with the identity as inverse
+  /// bind matrix.
   bool skinned = false;
 };
 

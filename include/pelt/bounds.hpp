@@ -23,8 +23,8 @@ struct Bounds {
 
 struct BoundsOptions {
   /// Number of tree levels to open. With 0, box and sphere are computed from the joint palette
-  /// alone. The box is exact if `levels` is at least the depth of the tree. Nodes that cannot
-  /// extend the box found so far are not opened.
+  /// and the morph weights, without posing vertices. The box is exact if `levels` is at least the
+  /// depth of the tree. Nodes that cannot extend the box found so far are not opened.
   std::uint32_t levels = 0;
 };
 
@@ -32,9 +32,9 @@ struct BoundsOptions {
 /// posed surface. The guarantee includes rounding: box and sphere contain the float32 posed
 /// vertices (see `posed_vertices`) of all triangles.
 ///
-/// Cost: O(J) with `levels` 0, about two and a half times as much as `set_palette`. In this case,
-/// no vertex is posed and no node is opened. Each additional level opens a few more nodes.
-/// Allocates only in the pose, for nodes that are opened.
+/// Cost: O(J) with `levels` 0, about two and a half times as much as `set_palette`. Each morph
+/// weight other than 0 adds at most O(J). With `levels` 0, no node is opened. Each additional level
+/// opens a few more nodes. Allocates only in the pose, for nodes that are opened.
 ///
 /// Accuracy: for a human in motion, the box with `levels` 0 is a few per cent to 25 % larger than
 /// the exact box. With `levels` 3, it is less than 10 % larger.

@@ -40,7 +40,8 @@ struct CollideOptions {
 ///
 /// Cost: grows with the contact area and not with the size of the meshes. The trees of both poses
 /// are descended together. Vertices are posed, and boxes are computed, only where boxes overlap,
-/// and only once per palette. Poses that are far apart cost O(J).
+/// and only once per palette. Poses that are far apart cost O(J), plus at most O(J) for each morph
+/// weight other than 0.
 ///
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `contacts` than any
 /// earlier query.

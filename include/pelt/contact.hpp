@@ -2,8 +2,9 @@
 
 /// Geometry of contacts, for solvers, reports and pictures. Call `describe_contacts` after
 /// `collide` or `self_collide`. For each contact, `describe_contacts` computes a trace: positions,
-/// a normal, a depth and joints. `describe_contacts` also chains the segments in which triangles
-/// intersect into curves, and joins connected contacts into patches.
+/// a normal, a depth and joints. Most triangles that are in contact intersect in a segment.
+/// `describe_contacts` chains these segments into curves. It also joins connected contacts into
+/// patches.
 
 #include <pelt/cxx20.hpp>
 
@@ -101,11 +102,13 @@ struct ContactCurve {
 /// `point` and `normal` are means over the traces of the patch. Each trace has the length of its
 /// segment as weight. If all lengths are zero, all traces have equal weights.
 ///
-/// Contacts of a pose with itself: in each contact, triangle_a is the triangle with the lower
-/// number, so triangle_a may be on either side of the patch. Side a of the patch is the side of
-/// triangle_a of the first trace. A trace with triangle_a on side b contributes to `normal`,
-/// `joint_a` and `joint_b` with its normal negated and its joints exchanged. If the patch is folded
-/// such that its two sides are connected, all traces contribute unchanged.
+/// Contacts of a pose with itself: in each contact of a patch, one triangle is on side a and the
+/// other triangle is on side b. A triangle that two neighbouring contacts share is on the same side
+/// in both. In the first trace of the patch, triangle_a is on side a. In the other traces,
+/// triangle_a may be on either side, because triangle_a is always the triangle with the lower
+/// number. A trace with triangle_a on side b contributes to `normal`, `joint_a` and `joint_b` with
+/// its normal negated and its joints exchanged. If these rules would put both triangles of a
+/// contact on both sides, the patch has no sides, and all traces contribute unchanged.
 struct ContactPatch {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::members
   float length = 0;                    ///< sum of the lengths of all segments

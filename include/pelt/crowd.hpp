@@ -83,9 +83,9 @@ struct CrowdStats : QueryStats {
 /// from 0. Functions without a stated cost take O(1).
 ///
 /// Memory: an instance stores little more than its joint palette. Opened nodes are in memory that
-/// all instances share. A query divides the pairs of instances into sets that have no instance in
-/// common. When all pairs of a set have been tested, the query recycles the memory of the nodes of
-/// this set.
+/// all instances share. A query divides the pairs of instances into islands: pairs with a common
+/// instance are in the same island. When all pairs of an island have been tested, the query
+/// recycles the memory of the nodes of this island.
 ///
 /// Only one thread at a time may use a crowd. For an exception, see `set_palette`. Movable, not
 /// copyable.

@@ -13,9 +13,10 @@
 /// triangles, those with the lowest indices are reported.
 ///
 /// Error: let s be the longest side of the axis-aligned box around two triangles. The error of
-/// their distance is less than 2^-46 s. In addition, let g be the distance between the axis-aligned
-/// box of one triangle and that of the other. If g is at least 2^-48, the computed distance of the
-/// triangles is at least (1 - 2^-20) g.
+/// their distance is less than 2^-46 s. In addition, triangles are never computed to be much closer
+/// than their boxes. Let g be the distance between the axis-aligned box of one triangle and that of
+/// the other. If g is at least 2^-48 model units, the computed distance of the triangles is at
+/// least (1 - 2^-20) g.
 ///
 /// Cost: queries visit the boxes of a tree in ascending order of distance. A node is opened only if
 /// its box is closer than the closest triangles found so far.

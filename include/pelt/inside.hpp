@@ -29,8 +29,10 @@ enum class PointSide : std::uint8_t {
 /// `point`: coordinates are between -2^60 and 2^60. A NaN or infinite coordinate aborts the
 ///   program, in every build.
 ///
-/// Cost: O(J) if the point is outside the box that is computed from the joint palette alone.
-/// Otherwise a search for a triangle that contains the point, and, if there is none, one ray.
+/// Cost: the query first computes a box from the joint palette and the morph weights, without
+/// posing vertices, in O(J). Each morph weight other than 0 adds at most O(J). If the point is in
+/// the box, the query searches for a triangle that contains the point. If there is none, the query
+/// casts one ray.
 PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                             PointSide& result);
 

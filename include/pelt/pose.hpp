@@ -47,8 +47,9 @@ class PELT_API Pose {
   /// - a matrix could move a vertex more than 2^60 units away from the origin.
   /// If a matrix is invalid, the error names its joint.
   ///
-  /// The last of these checks assumes that the mesh reaches at least 2^-60 units from the origin. A
-  /// matrix with an element beyond 2^120 in its linear part is therefore always an error.
+  /// For the check of 2^60 units, a mesh that reaches less than 2^-60 units from the origin counts
+  /// as a mesh that reaches this far. A matrix with an element beyond 2^120 in its linear part is
+  /// therefore an error for every mesh.
   Result<void> set_palette(std::span<const Matrix4> palette);
 
   /// Like `set_palette`, with 16 floats per joint in the layout of `Matrix4`.

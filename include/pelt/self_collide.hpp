@@ -173,7 +173,8 @@ PELT_API YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& sc
 /// Removes from `contacts` the pairs that `filter` leaves out. Use this function for contacts
 /// between parts of one character that another query has found, for example `collide` of a coat and
 /// the body below it. Returns the number of pairs that each filter has removed. In each remaining
-/// pair, triangle_a < triangle_b. The order of the list is unchanged.
+/// pair, the two indices are exchanged if necessary, so that triangle_a < triangle_b. The pairs are
+/// not sorted again. Sort them before you pass them to `describe_contacts` or `ContactTally::add`.
 ///
 /// Preconditions:
 /// `filter`: made for the model of the whole character.

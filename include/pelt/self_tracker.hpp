@@ -1,8 +1,8 @@
 #pragma once
 
 /// Self-collision of a character in motion. From one frame to the next, most of a surface moves
-/// almost rigidly with some joint. `SelfTracker` stores how far neighbouring triangles were apart,
-/// and skips triangles that cannot have come together since.
+/// almost rigidly with some joint. For neighbouring parts of the surface, `SelfTracker` stores how
+/// far they can still move before their triangles might intersect, and skips them until then.
 
 #include <pelt/cxx20.hpp>
 
@@ -48,9 +48,9 @@ class PELT_API SelfTracker {
 /// `scratch`: not used by another thread at the same time.
 ///
 /// Cost: less than `self_collide` without a tracker if the surface moves almost rigidly with its
-/// joints. Neighbouring triangles are then tested again only after they have moved far enough,
-/// relative to a joint, to touch. The first call, and a call after a large change, cost up to twice
-/// as much as `self_collide` without a tracker.
+/// joints. Neighbouring parts of the surface are then tested again only after they have moved so
+/// far, relative to a joint, that their triangles might intersect. The first call, and a call after
+/// a large change, cost up to twice as much as `self_collide` without a tracker.
 ///
 /// Allocates only if it needs more memory in the pose, in `scratch` or in `contacts` than any
 /// earlier query.

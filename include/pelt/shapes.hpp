@@ -71,6 +71,8 @@ class ConvexPolyhedron {
 };
 
 /// The view volume of a camera. The faces are left, right, bottom, top, near, far, in this order.
+/// If the projection has reversed depth, `make_frustum` exchanges the last two: faces[4] is then
+/// the far face, and faces[5] the near face.
 struct Frustum {
   std::array<HalfSpace, 6> faces;
 
@@ -87,7 +89,8 @@ enum class ClipDepth {
 /// Returns the frustum of the matrix projection x view: all points p whose clip coordinates (x, y,
 /// z, w) = view_projection * (p, 1) satisfy |x| <= w, |y| <= w, and the limits of z that `depth`
 /// selects. Each plane is rounded to float once. Reversed depth is supported. If the far plane is
-/// infinite, the far face has a zero normal and excludes nothing.
+/// infinite, the far face has a zero normal and excludes nothing. The far face is faces[5], or
+/// faces[4] with reversed depth.
 ///
 /// `view_projection`: column-major like a joint matrix, but its last row may have any values.
 PELT_API Frustum make_frustum(const Matrix4& view_projection,

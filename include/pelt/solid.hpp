@@ -48,9 +48,10 @@ PELT_API const char* name_of(Placement placement);
 /// to a segment or a point is treated as that segment or point. A filter in double precision with
 /// running error bounds decides nearly all triangles. Exact arithmetic decides the others.
 ///
-/// Cost: O(J) if the box computed from the joint palette decides the answer, as it nearly always
-/// does for a frustum. Otherwise the query opens nodes along the boundary of the region until the
-/// answer is known.
+/// Cost: the query first computes a box from the joint palette and the morph weights, without
+/// posing vertices, in O(J). Each morph weight other than 0 adds at most O(J). The box nearly
+/// always decides the answer for a frustum. Otherwise the query opens nodes along the boundary of
+/// the region until the answer is known.
 PELT_API QueryStats classify(Pose& pose, const Region& region, Scratch& scratch, Placement& result);
 
 /// Classifies many poses, and writes the placement of `*poses[i]` to `results[i]`. Returns the work

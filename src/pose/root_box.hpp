@@ -14,7 +14,7 @@ struct RootBox {
 
 inline namespace PELT_INSTRUCTION_SET {
 
-/// Computes the box from the joint palette alone.
+/// Computes the box from the joint palette and the morph weights, without posing vertices.
 RootBox box_root(const NodeBounds& bounds, const Palette& palette);
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -30,8 +30,8 @@ export interface ModelOptions {
   /** Leave out meshes without a skin (weapons, armour). */
   noUnskinned?: boolean;
   /**
-   * Names of mesh nodes to leave out, with their children. In a scene, a name applies to all models, and
-   * "knight/Cape" to one.
+   * Leave out the meshes of nodes with these names, and of all nodes below them. In a scene, a name
+   * applies to all models, and "knight/Cape" to one.
    */
   exclude?: readonly string[];
   /** Number of sample poses that the tree is optimised for. Does not change answers. Default 6. */

@@ -50,11 +50,22 @@ export interface ContactGeometry {
   readonly segments: Float32Array;
   /** [N] A ContactKind. */
   readonly kinds: Uint8Array;
-  /** [N][3] Direction in which `a` should move to leave `b`. Unit length, or zero. */
+  /**
+   * [N][3] Direction in which `a` should move to leave `b`: the unit vector along n_b - n_a, where n_a
+   * and n_b are the unit normals of the triangles. If both normals are equal, this is n_b. The normal
+   * of a collapsed triangle counts as zero. If both triangles have collapsed, this is zero.
+   */
   readonly normals: Float32Array;
-  /** [N] How far the triangle of `a` reaches behind the triangle of `b` along the normal. */
+  /**
+   * [N] Overlap of the two triangles along the normal. After the triangle of `a` has moved this far
+   * along the normal, the triangles at most touch. A finer mesh gives a smaller depth. For the depth of
+   * one body inside another, see `Pelt.deepestVertex`.
+   */
   readonly depths: Float32Array;
-  /** [N][2] Joints that move the triangles of `a` and `b` most, as indices into `jointNames`. */
+  /**
+   * [N][2] Main joints of the triangles of `a` and `b`, as indices into `jointNames`. The main joint of
+   * a triangle is the joint with the largest sum of weights over the triangle's vertices.
+   */
   readonly joints: Uint16Array;
   readonly curves: readonly ContactCurve[];
   /** The patch with the most contacts comes first. */
@@ -68,9 +79,19 @@ export interface ContactCurve {
   readonly points: Float32Array;
 }
 
-/** A connected set of contacts. */
+/**
+ * A connected set of contacts. Two contacts are neighbours if they share one triangle and their other
+ * triangles share a vertex.
+ *
+ * Contacts of a pose with itself: in each contact of a patch, one triangle is on side a and the other
+ * triangle is on side b. A triangle that two neighbouring contacts share is on the same side in both.
+ * In the first contact of the patch, the triangle with the lower number is on side a. A contact whose
+ * lower triangle is on side b contributes to `normal`, `jointA` and `jointB` with its normal negated
+ * and its joints exchanged. If these rules would put both triangles of a contact on both sides, the
+ * patch has no sides, and all contacts contribute unchanged.
+ */
 export interface ContactPatch {
-  /** Indices of its contacts in `pairs`. */
+  /** Indices of its contacts in `pairs`, ascending. */
   readonly contacts: Uint32Array;
   /** Sum of the lengths of all segments. */
   readonly length: number;
@@ -80,7 +101,7 @@ export interface ContactPatch {
   readonly point: readonly [number, number, number];
   /** Unit vector along the mean of the normals, weighted by length. Zero if they cancel. */
   readonly normal: readonly [number, number, number];
-  /** The most frequent joints of the contacts, as indices into `jointNames`. */
+  /** The most frequent joint of each side, as an index into `jointNames`. */
   readonly jointA: number;
   readonly jointB: number;
 }

@@ -8,7 +8,10 @@ export interface ClosestPointOptions {
 }
 
 export interface DistanceOptions extends ClosestPointOptions {
-  /** Allowed excess over the least distance; a larger value ends the search earlier. Default: 0. */
+  /**
+   * Greatest allowed difference between the result and the least distance. A positive tolerance lets
+   * the query end earlier. Not negative. Default: 0.
+   */
   tolerance?: number;
 }
 
@@ -19,7 +22,7 @@ export interface ClearanceOptions {
   maxPairs?: number;
 }
 
-/** Triangles within the tolerance of `clearance`. They need not intersect. */
+/** Pairs of triangles whose distance is at most the tolerance of `clearance`. */
 export interface NearPairs {
   readonly count: number;
   /** [N][2] Triangles of `a` and `b`, in ascending order. */
@@ -40,12 +43,15 @@ export interface ClosestPoint extends SurfacePoint {
 }
 
 export interface Penetration {
-  /** Index of the vertex in the first body. */
+  /**
+   * Index of the vertex in the character of `a`. If the character has identical copies of the vertex,
+   * the lowest of their indices.
+   */
   readonly vertex: number;
   readonly position: readonly [number, number, number];
-  /** Distance of the vertex from the surface of the second body. */
+  /** Distance of the vertex from `closest`. */
   readonly depth: number;
-  /** The closest point of that surface. */
+  /** Closest point of the surface of `b`. */
   readonly closest: SurfacePoint;
   readonly stats: QueryStats;
 }
@@ -54,6 +60,7 @@ export interface Distance {
   readonly distance: number;
   /** Proven lower bound of the least distance. Equals `distance` if the tolerance is 0. */
   readonly lowerBound: number;
+  /** Two points at `distance`. */
   readonly a: SurfacePoint;
   readonly b: SurfacePoint;
   readonly stats: QueryStats;

@@ -32,8 +32,9 @@ export interface Pose {
   openAll(): QueryStats;
 
   /**
-   * Returns a box and a sphere that are guaranteed to enclose the surface, computed from the palette.
-   * Opens up to `levels` levels of the tree for smaller bounds.
+   * Returns a box and a sphere that are guaranteed to enclose the surface. With `levels` 0, the default,
+   * they are computed from the palette and the morph weights, without posing vertices. Otherwise opens
+   * up to `levels` levels of the tree for smaller bounds.
    */
   bounds(levels?: number): Bounds;
   /** Like `bounds`, with an exact box. */

@@ -17,7 +17,7 @@ namespace pelt::tools::query {
 enum class BoundsBy { instance, part, joint };
 
 enum class BoundsKind {
-  guaranteed,  ///< from the joint palette alone
+  guaranteed,  ///< computed without posing vertices
   exact,       ///< the smallest box
 };
 

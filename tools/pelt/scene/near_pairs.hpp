@@ -16,8 +16,8 @@ class NearPairs {
  public:
   /// Returns pairs a < b in ascending order, valid until the next call. The result contains every
   /// pair whose surfaces are at most `distance` apart, and every pair of which one surface contains
-  /// the other. Boxes are computed from the joint palettes alone. Cost: O(n log n) for n poses,
-  /// plus the pairs of boxes that overlap along one axis.
+  /// the other. Boxes are computed without posing vertices. Cost: O(n log n) for n poses, plus
+  /// the pairs of boxes that overlap along one axis.
   std::span<const CrowdPair> find(std::span<Pose> poses, double distance);
 
  private:

@@ -25,10 +25,10 @@ Examples:
   pelt bounds knight.glb --clip Walk --by joint --jsonl -
   pelt bounds knight.glb --clip Attack --exact --jsonl bounds.jsonl
 
-Boxes and spheres are guaranteed to enclose every triangle. Without --exact they are computed from
-the joint matrices alone, without skinning; for a human in motion, a box is then a few per cent to 25 %
-larger than the exact one. With --by joint, a box encloses the vertices for which the joint has the
-largest weight.)";
+Boxes and spheres are guaranteed to enclose every triangle. Without --exact, they are computed from
+the joint matrices and the morph weights, without skinning. For a human in motion, a box is then a
+few per cent to 25 % larger than the exact box. With --by joint, a box encloses the vertices for which
+the joint has the largest weight.)";
 
 Result<query::BoundsBy> choose_by(const std::string& name) {
   if (name == "instance") return query::BoundsBy::instance;
