@@ -185,8 +185,7 @@ Result<void> check_morph_weights(const Scene& scene, std::uint32_t instance) {
 }
 
 double frame_time(const Scene& scene, std::uint32_t frame) {
-  const Take* take = find_take(scene, frame);
-  return (take == nullptr ? frame : frame - take->first_frame) / scene.fps;
+  return frame_in_take(scene, frame) / scene.fps;
 }
 
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,

@@ -94,6 +94,11 @@ const Take* find_take(const Scene& scene, std::uint32_t frame) {
   return scene.takes.empty() ? nullptr : &scene.takes[take_index(scene, frame)];
 }
 
+std::uint32_t frame_in_take(const Scene& scene, std::uint32_t frame) {
+  const Take* take = find_take(scene, frame);
+  return take == nullptr ? frame : frame - take->first_frame;
+}
+
 const asset::Clip* clip_in(const Scene& scene, std::uint32_t instance, const Take* take) {
   const Instance& one = scene.instances[instance];
   if (!one.clip) return nullptr;

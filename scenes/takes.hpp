@@ -39,6 +39,10 @@ std::uint32_t take_index(const Scene& scene, std::uint32_t frame);
 /// Returns the take with this frame, or null if the scene has no takes. O(log takes).
 const Take* find_take(const Scene& scene, std::uint32_t frame);
 
+/// Returns the number of a frame, counted from the first frame of its take if the scene has takes.
+/// O(log takes).
+std::uint32_t frame_in_take(const Scene& scene, std::uint32_t frame);
+
 /// Returns the clip that an instance plays in `take`, or null for the default pose. O(clips).
 const asset::Clip* clip_in(const Scene& scene, std::uint32_t instance, const Take* take);
 

@@ -65,6 +65,9 @@ TEST(Takes, PlayTheClipsOneAfterTheOther) {
   EXPECT_EQ(find_take(scene, 4)->clip, "idle");
   EXPECT_EQ(find_take(scene, 6)->clip, "idle");
   EXPECT_EQ(find_take(scene, 7)->clip, "");
+  EXPECT_EQ(frame_in_take(scene, 3), 3u);
+  EXPECT_EQ(frame_in_take(scene, 4), 0u);
+  EXPECT_EQ(frame_in_take(scene, 6), 2u);
   EXPECT_EQ(frame_time(scene, 3), 1.5);
   EXPECT_EQ(frame_time(scene, 4), 0);
   EXPECT_EQ(x_at(scene, 0, 3), 1.5f);

@@ -55,6 +55,7 @@ TEST(CheckAllClips, FindWhatChecksOfEachClipFind) {
       const json& frame = all.frames[first + f];
       EXPECT_EQ(frame["frame"], first + f);
       EXPECT_EQ(frame["clip"], clip);
+      EXPECT_EQ(frame["clip_frame"], f);
       EXPECT_EQ(frame["time"], one.frames[f]["time"]);
       EXPECT_EQ(frame["pairs"], one.frames[f]["pairs"]) << clip << " " << f;
     }
@@ -65,8 +66,11 @@ TEST(CheckAllClips, FindWhatChecksOfEachClipFind) {
   EXPECT_GT(contacts, 0u);
   EXPECT_EQ(all.totals["totals"]["contacts"], contacts);
   EXPECT_EQ(all.totals["touches"].size(), touches);
-  for (const json& touch : all.totals["touches"])
-    EXPECT_EQ(touch["clip"], all.frames[touch["worst"]["frame"].get<std::size_t>()]["clip"]);
+  for (const json& touch : all.totals["touches"]) {
+    const json& worst = all.frames[touch["worst"]["frame"].get<std::size_t>()];
+    EXPECT_EQ(touch["clip"], worst["clip"]);
+    EXPECT_EQ(touch["worst"]["clip_frame"], worst["clip_frame"]);
+  }
   ASSERT_EQ(all.totals["clips"].size(), 2u);
   EXPECT_EQ(all.totals["clips"][1]["clip"], "wave");
   EXPECT_EQ(all.totals["clips"][1]["first_frame"], 30);
@@ -76,14 +80,35 @@ TEST(CheckAllClips, FindWhatChecksOfEachClipFind) {
 
 TEST(CheckAllClips, AreNamedInTheSummary) {
   const TestFolder folder;
-  const Ended run = run_pelt(folder, two_strips(write_moving_strip(folder), {"*", "-"}));
+  const Ended run =
+      run_pelt(folder, two_strips(write_moving_strip(folder), {"*", "-"}, {"--contacts"}));
   EXPECT_EQ(run.exit_code, 1) << run.err;
-  for (const char* words : {"clips      2 in frames \"bend\" 0-29, \"wave\" 30-59\n",
-                            "worst      frame 0 of clip \"bend\" (0.000 s)",
-                            "clips      2 of 2 checked clips in contact\n",
-                            "  frame 30 of clip \"wave\", in contact in ", " %  \"bend\"  strip 0 ",
-                            " %  \"wave\"  strip 0 "})
+  for (const char* words :
+       {"clips      2; --frames of each: \"bend\" 0:30, \"wave\" 30:60\n", "frames: \"bend\" 0-",
+        ", \"wave\" 0-", "worst      frame 0 of clip \"bend\" (0.000 s)",
+        "clips      2 of 2 checked clips in contact\n",
+        "  frame 0 of clip \"wave\", in contact in ", " %  \"bend\"  strip 0 ",
+        " %  \"wave\"  strip 0 ", " frames, worst frame 0\n",
+        "  frame 9 of clip \"bend\" (0.300 s)\n"})
     EXPECT_TRUE(contains(run.out, words)) << words << " is not in\n" << run.out;
+  EXPECT_FALSE(contains(run.out, "frame 30")) << run.out;
+}
+
+TEST(CheckAllClips, CountTheFramesOfEachClipFromItsStart) {
+  const TestFolder folder;
+  const std::string strip = write_moving_strip(folder);
+  const std::vector<std::string> late = {"--start", "0.4"};
+  const CheckFile all = answer_of(folder, two_strips(strip, {"*", "-"}, late));
+  for (const json& clip : all.totals["clips"]) {
+    const json& worst = clip["worst"];
+    const auto frame = worst["clip_frame"].get<std::uint32_t>();
+    EXPECT_GT(frame, 0u);
+    EXPECT_EQ(worst["frame"], clip["first_frame"].get<std::uint32_t>() + frame);
+    const std::string range = std::to_string(frame) + ":" + std::to_string(frame + 1);
+    std::vector<std::string> words = two_strips(strip, {clip["clip"], "-"}, late);
+    words.insert(words.end(), {"--frames", range});
+    EXPECT_EQ(answer_of(folder, words).totals["totals"]["contacts"], worst["contacts"]);
+  }
 }
 
 TEST(CheckAllClips, CoverTheChosenFrames) {
@@ -130,8 +155,8 @@ TEST(CheckAllClips, AreComparedWithABaselineClipByClip) {
   EXPECT_EQ(check("all.jsonl").exit_code, 0);
   const Ended run = check("bend.jsonl");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_TRUE(contains(run.out, "(new)  frame 30 of clip \"wave\"  strip 0 ")) << run.out;
-  EXPECT_FALSE(contains(run.out, "(new)  frame 0 ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "(new)  frame 0 of clip \"wave\"  strip 0 ")) << run.out;
+  EXPECT_FALSE(contains(run.out, "of clip \"bend\"  strip 0 ")) << run.out;
   const Ended one = run_pelt(folder, two_strips(strip, {"bend"}, {"--baseline", "all.jsonl"}));
   EXPECT_EQ(one.exit_code, 2);
   EXPECT_TRUE(contains(one.err, "was written with all clips of a model")) << one.err;
@@ -177,6 +202,7 @@ TEST(AllClips, AreNamedInTheLinesOfOtherQueries) {
   ASSERT_EQ(file.frames.size(), 60u);
   EXPECT_EQ(file.frames[29]["clip"], "bend");
   EXPECT_EQ(file.frames[30]["clip"], "wave");
+  EXPECT_EQ(file.frames[30]["clip_frame"], 0);
   EXPECT_EQ(file.frames[30]["time"], 0);
 }
 

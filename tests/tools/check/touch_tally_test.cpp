@@ -60,6 +60,35 @@ TEST(TouchTally, CountsByDominantJointAndPart) {
   EXPECT_EQ(parts[0].contacts, 2u);
 }
 
+TEST(TouchTally, FindsTheWorstFrameOfJointsThatTouchWithSeveralParts) {
+  const scenes::Scene scene = two_of(three_triangles());
+  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
+  ASSERT_TRUE(colliders) << colliders.error().message;
+  Result<TouchTally> tally = TouchTally::make({scene, *colliders});
+  ASSERT_TRUE(tally) << tally.error().message;
+  // Both joints are "leg": in frame 3 two bodies touch, in frame 5 each body and the other boot,
+  // and in frame 7 all of them.
+  const std::vector<std::vector<Contact>> frames = {
+      {{1, 1}}, {{1, 2}, {2, 1}}, {{1, 1}, {1, 2}, {2, 1}}};
+  for (std::uint32_t f = 0; f < 3; ++f) {
+    scene::FrameContacts found;
+    found.contacts = frames[f];
+    found.pairs = {{0, 1, 0, frames[f].size()}};
+    tally->add(3 + 2 * f, found);
+  }
+  const std::vector<TouchTally::Row> joints = tally->joints();
+  ASSERT_EQ(joints.size(), 1u);
+  EXPECT_EQ(joints[0].contacts, 6u);
+  EXPECT_EQ(joints[0].frames, 3u);
+  EXPECT_EQ(joints[0].worst, 3u);
+  EXPECT_EQ(joints[0].worst_frame, 7u);
+  const std::vector<TouchTally::Row> parts = tally->parts();
+  ASSERT_EQ(parts.size(), 3u);
+  for (const TouchTally::Row& row : parts) EXPECT_EQ(row.frames, 2u);
+  EXPECT_EQ(parts[0].worst_frame, 3u);
+  EXPECT_EQ(parts[1].worst_frame, 5u);
+}
+
 TEST(TouchTally, CountsEachTakeByItself) {
   scenes::Scene scene = two_of(three_triangles());
   const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});

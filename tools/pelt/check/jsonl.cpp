@@ -52,7 +52,7 @@ ordered_json takes_json(const scenes::Scene& scene, std::span<const TakeTotals> 
                     {"contacts", totals.contacts},
                     {"worst", nullptr}});
     if (totals.worst > 0)
-      list.back()["worst"] = {{"frame", totals.worst_frame}, {"contacts", totals.worst}};
+      list.back()["worst"] = scene::worst_json(scene, totals.worst_frame, totals.worst);
   }
   return list;
 }

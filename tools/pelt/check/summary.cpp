@@ -2,6 +2,7 @@
 
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
+#include "scenes/takes.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
@@ -12,6 +13,11 @@ namespace pelt::tools::check {
 namespace {
 
 constexpr std::size_t kMaxRows = 10;
+
+/// "0.667 s"
+std::string seconds_of(const scenes::Scene& scene, std::uint32_t frame) {
+  return output::fixed(scenes::frame_time(scene, frame), 3) + " s";
+}
 
 void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
                     const CheckReport& report, std::ostream& out) {
@@ -26,14 +32,12 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
   }
   scene::label(out, "contact") << "in " << output::with_commas(totals.frames_in_contact) << " of "
                                << output::counted(totals.frames, "frame") << ": "
-                               << scene::frame_runs(report.frames_in_contact,
+                               << scene::frame_runs(scene, report.frames_in_contact,
                                                     settings.frames.stride)
                                << '\n';
-  const double time = scenes::frame_time(scene, report.worst_frame);
   scene::label(out, "worst") << scene::frame_words(scene, report.worst_frame) << " ("
-                             << output::fixed(time, 3)
-                             << " s): " << output::counted(report.worst_contacts, "contact")
-                             << '\n';
+                             << seconds_of(scene, report.worst_frame)
+                             << "): " << output::counted(report.worst_contacts, "contact") << '\n';
   scene::label(out, "contacts") << output::with_commas(totals.contacts) << " in all"
                                 << (settings.max_contacts ? ", limited by the options" : "")
                                 << '\n';
@@ -90,10 +94,11 @@ int width_of(std::span<const Row> rows, std::string Row::*column = &Row::a) {
   return static_cast<int>(width);
 }
 
-void print_rows(const char* title, const std::vector<TouchTally::Row>& rows, std::uint64_t contacts,
-                std::ostream& out) {
+/// Prints the contacts of each row, its share of all `contacts`, and its worst frame.
+void print_rows(const char* title, const std::vector<TouchTally::Row>& rows,
+                const scenes::Scene& scene, std::uint64_t contacts, std::ostream& out) {
   out << '\n' << title << '\n';
-  const int width = width_of(shown(rows));
+  const int width = width_of(shown(rows)), width_b = width_of(shown(rows), &TouchTally::Row::b);
   const int clip_width = width_of(shown(rows), &TouchTally::Row::clip);
   for (const TouchTally::Row& row : shown(rows)) {
     const double percent =
@@ -101,7 +106,9 @@ void print_rows(const char* title, const std::vector<TouchTally::Row>& rows, std
     out << std::right << std::setw(12) << output::with_commas(row.contacts) << std::setw(6)
         << output::fixed(percent, 1) << " %  " << std::left;
     if (clip_width > 0) out << std::setw(clip_width) << row.clip << "  ";
-    out << std::setw(width) << row.a << "  " << row.b << '\n';
+    out << std::setw(width) << row.a << "  " << std::setw(width_b) << row.b << "  in "
+        << output::counted(row.frames, "frame") << ", worst frame "
+        << scenes::frame_in_take(scene, row.worst_frame) << '\n';
   }
   print_rest(rows.size(), out);
 }
@@ -129,9 +136,9 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
   const std::uint64_t contacts = report.totals.contacts;
   if (contacts == 0) return;
   if (scene::has_many_parts(scene)) {
-    print_rows("parts that touch", tally.parts(), contacts, out);
+    print_rows("parts that touch", tally.parts(), scene, contacts, out);
   }
-  print_rows("joints that touch", tally.joints(), contacts, out);
+  print_rows("joints that touch", tally.joints(), scene, contacts, out);
   out << '\n';
 }
 
@@ -205,12 +212,13 @@ void print_comparison(const scene::StagedScene& staged, const Comparison& compar
 
 void print_deepest(const scenes::Scene& scene, const CheckReport& report, std::ostream& out) {
   scene::label(out, "patches") << output::with_commas(report.patches)
-                               << " in all\n\ndeepest patches\n";
-  const int width = width_of(shown(report.deepest));
+                               << " in all\n\ndeepest patches, depths in the units of the file\n";
+  const int width = width_of(shown(report.deepest)),
+            width_b = width_of(shown(report.deepest), &DepthTally::Row::b);
   for (const DepthTally::Row& row : shown(report.deepest)) {
-    out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.depth), 6)
-        << "  frame " << std::setw(5) << row.frame << scene::clip_words(scene, row.frame) << "  "
-        << std::left << std::setw(width) << row.a << "  " << row.b << '\n';
+    out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.depth), 6) << "  "
+        << std::left << std::setw(width) << row.a << "  " << std::setw(width_b) << row.b << "  "
+        << scene::frame_words(scene, row.frame) << " (" << seconds_of(scene, row.frame) << ")\n";
   }
   print_rest(report.deepest.size(), out);
   out << '\n';
@@ -227,7 +235,7 @@ void print_inside(const scene::StagedScene& staged, const InsideTally& inside, s
     out << "no body is contained in another\n";
   } else {
     out << "a body is contained in another in frames "
-        << scene::frame_runs(inside.frames_held, stride) << '\n';
+        << scene::frame_runs(staged.scene, inside.frames_held, stride) << '\n';
     print_held(staged, "", inside.held, out);
   }
   const InsideTally::Deepest& deepest = inside.deepest;

@@ -87,7 +87,7 @@ ordered_json touch_json(const scene::StagedScene& staged, const Touch& touch) {
                    {"b", with_instance(touch.b.instance, name_json(touch_name(staged, touch.b)))},
                    {"contacts", touch.contacts},
                    {"frames", touch.frames},
-                   {"worst", {{"frame", touch.worst_frame}, {"contacts", touch.worst}}}});
+                   {"worst", scene::worst_json(staged.scene, touch.worst_frame, touch.worst)}});
   return json;
 }
 
@@ -97,10 +97,9 @@ ordered_json held_json(const scene::StagedScene& staged, const Held& held) {
                          name_json(body_name(staged, staged.colliders[collider])));
   };
   ordered_json json = of_clip(clip_name(staged.scene, held.take));
-  json.update(ordered_json{{"inner", body(held.inner)},
-                           {"outer", body(held.outer)},
-                           {"frames", held.frames},
-                           {"first_frame", held.first_frame}});
+  json.update(ordered_json{
+      {"inner", body(held.inner)}, {"outer", body(held.outer)}, {"frames", held.frames}});
+  scene::add_frame(staged.scene, held.first_frame, "first_frame", "first_clip_frame", json);
   return json;
 }
 

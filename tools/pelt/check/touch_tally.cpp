@@ -32,6 +32,14 @@ std::pair<T, T> ascending(const T& a, const T& b) {
 
 }  // namespace
 
+void TouchCounts::add(std::uint32_t frame, std::uint64_t found) {
+  contacts += found;
+  ++frames;
+  if (found <= worst) return;
+  worst = found;
+  worst_frame = frame;
+}
+
 Result<TouchTally> TouchTally::make(const scene::StagedScene& staged) {
   TouchTally tally(staged);
   for (const scenes::Character& character : staged.scene.characters) {
@@ -51,75 +59,63 @@ TouchPlace TouchTally::place_of(std::uint32_t collider, std::uint32_t triangle) 
 }
 
 void TouchTally::add(std::uint32_t frame, const scene::FrameContacts& found) {
-  std::map<PlacePair, std::uint64_t> contacts;
+  FrameCounts touches, joints, parts;
   for (const scene::FrameContacts::Pair& pair : found.pairs) {
     for (const Contact& contact : found.of(pair))
-      ++contacts[ascending(place_of(pair.a, contact.triangle_a),
-                           place_of(pair.b, contact.triangle_b))];
+      ++touches[ascending(place_of(pair.a, contact.triangle_a),
+                          place_of(pair.b, contact.triangle_b))];
   }
-  add_frame(frame, contacts);
-}
-
-void TouchTally::add_frame(std::uint32_t frame,
-                           const std::map<PlacePair, std::uint64_t>& contacts) {
+  for (const auto& [places, count] : touches) {
+    const auto& [a, b] = places;
+    joints[ascending(TouchPlace{a.instance, 0, a.joint}, TouchPlace{b.instance, 0, b.joint})] +=
+        count;
+    parts[ascending(TouchPlace{a.instance, a.part, 0}, TouchPlace{b.instance, b.part, 0})] += count;
+  }
   const std::uint32_t take = scenes::take_index(staged_.scene, frame);
-  for (const auto& [places, count] : contacts) {
-    Touch& touch = touches_[{take, places}];
-    touch.take = take;
-    touch.a = places.first;
-    touch.b = places.second;
-    touch.contacts += count;
-    ++touch.frames;
-    if (count <= touch.worst) continue;
-    touch.worst = count;
-    touch.worst_frame = frame;
-  }
+  for (const auto& [places, count] : touches) touches_[{take, places}].add(frame, count);
+  for (const auto& [places, count] : joints) joints_[{take, places}].add(frame, count);
+  for (const auto& [places, count] : parts) parts_[{take, places}].add(frame, count);
 }
 
 std::vector<Touch> TouchTally::touches() const {
   std::vector<Touch> touches;
-  for (const auto& [key, touch] : touches_) touches.push_back(touch);
+  for (const auto& [key, counts] : touches_)
+    touches.push_back({counts, key.second.first, key.second.second, key.first});
   std::stable_sort(touches.begin(), touches.end(),
                    [](const Touch& a, const Touch& b) { return a.contacts > b.contacts; });
   return touches;
 }
 
 std::vector<TouchTally::Row> TouchTally::joints() const {
-  return rows(&TouchPlace::joint, [&](std::uint32_t character, std::uint32_t joint) {
+  return rows(joints_, &TouchPlace::joint, [&](std::uint32_t character, std::uint32_t joint) {
     return scenes::joint_name(staged_.scene.characters[character].asset, joint);
   });
 }
 
 std::vector<TouchTally::Row> TouchTally::parts() const {
-  return rows(&TouchPlace::part, [&](std::uint32_t character, std::uint32_t part) {
+  return rows(parts_, &TouchPlace::part, [&](std::uint32_t character, std::uint32_t part) {
     return staged_.names->part(character, part);
   });
 }
 
-std::vector<TouchTally::Row> TouchTally::rows(std::uint32_t TouchPlace::*index,
+std::vector<TouchTally::Row> TouchTally::rows(const std::map<Key, TouchCounts>& counts,
+                                              std::uint32_t TouchPlace::*index,
                                               const NameOf& name_of) const {
-  using Place = std::pair<std::uint32_t, std::uint32_t>;  // instance, part or joint
-  std::map<std::pair<std::uint32_t, std::pair<Place, Place>>, std::uint64_t> counts;
-  for (const auto& [key, touch] : touches_) {
-    const auto& [a, b] = key.second;
-    const auto places = ascending(Place{a.instance, a.*index}, Place{b.instance, b.*index});
-    counts[{touch.take, places}] += touch.contacts;
-  }
-  const auto name_in = [&](const Place& place) {
-    const std::uint32_t character = staged_.scene.instances[place.first].character;
-    return asset::printable_name(name_of(character, place.second));
+  const auto name_in = [&](const TouchPlace& place) {
+    const std::uint32_t character = staged_.scene.instances[place.instance].character;
+    return asset::printable_name(name_of(character, place.*index));
   };
-  const auto full_name = [&](const Place& place) {
-    return instance_words(staged_, place.first) + " " + name_in(place);
+  const auto full_name = [&](const TouchPlace& place) {
+    return instance_words(staged_, place.instance) + " " + name_in(place);
   };
   std::vector<Row> rows;
   const std::vector<scenes::Take>& takes = staged_.scene.takes;
-  for (const auto& [key, contacts] : counts) {
+  for (const auto& [key, of_places] : counts) {
     const auto& [take, places] = key;
     const auto& [a, b] = places;
-    rows.push_back({takes.empty() ? "" : asset::quoted(takes[take].clip), full_name(a),
-                    is_of_itself(staged_, a.first, b.first) ? kItself + name_in(b) : full_name(b),
-                    contacts});
+    const bool is_itself = is_of_itself(staged_, a.instance, b.instance);
+    rows.push_back({of_places, takes.empty() ? "" : asset::quoted(takes[take].clip), full_name(a),
+                    is_itself ? kItself + name_in(b) : full_name(b)});
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.contacts > b.contacts; });

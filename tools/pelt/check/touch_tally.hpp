@@ -20,14 +20,21 @@ struct TouchPlace {
   friend auto operator<=>(const TouchPlace&, const TouchPlace&) = default;
 };
 
-/// The contacts of two places over all frames, or over those of a take.
-struct Touch {
-  TouchPlace a, b;  ///< a <= b
+/// Contacts over all frames, or over those of a take.
+struct TouchCounts {
   std::uint64_t contacts = 0;
   std::uint32_t frames = 0;       ///< with contacts
   std::uint64_t worst = 0;        ///< the most contacts of one frame
   std::uint32_t worst_frame = 0;  ///< the first frame with as many
-  std::uint32_t take = 0;         ///< index into the scene's takes, if it has any
+
+  /// Adds the contacts of a frame, at least one. Frames ascend.
+  void add(std::uint32_t frame, std::uint64_t found);
+};
+
+/// The contacts of two places.
+struct Touch : TouchCounts {
+  TouchPlace a, b;         ///< a <= b
+  std::uint32_t take = 0;  ///< index into the scene's takes, if it has any
 };
 
 /// Counts contacts by places. Parts with equal names count as one, the first of them, and so do
@@ -44,10 +51,9 @@ class TouchTally {
   /// Sorted by number of contacts, descending.
   std::vector<Touch> touches() const;
 
-  struct Row {
+  struct Row : TouchCounts {
     std::string clip;  ///< in quotes; "" if the scene has no takes
     std::string a, b;  ///< "knight 0 Hips"
-    std::uint64_t contacts = 0;
   };
 
   /// The pairs with the most contacts first.
@@ -57,17 +63,19 @@ class TouchTally {
  private:
   using PlacePair = std::pair<TouchPlace, TouchPlace>;  // ascending
   using Key = std::pair<std::uint32_t, PlacePair>;      // take, places
+  using FrameCounts = std::map<PlacePair, std::uint64_t>;
   using NameOf = std::function<std::string(std::uint32_t character, std::uint32_t index)>;
 
   explicit TouchTally(const scene::StagedScene& staged) : staged_(staged) {}
 
   TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
-  void add_frame(std::uint32_t frame, const std::map<PlacePair, std::uint64_t>& contacts);
-  std::vector<Row> rows(std::uint32_t TouchPlace::*index, const NameOf& name_of) const;
+  std::vector<Row> rows(const std::map<Key, TouchCounts>& counts, std::uint32_t TouchPlace::*index,
+                        const NameOf& name_of) const;
 
   scene::StagedScene staged_;
   std::vector<scenes::TriangleLabels> labels_;  // by character
-  std::map<Key, Touch> touches_;
+  std::map<Key, TouchCounts> touches_;
+  std::map<Key, TouchCounts> joints_, parts_;  // places with the other index 0
 };
 
 }  // namespace pelt::tools::check

@@ -53,9 +53,25 @@ void write_header(const char* format, const StagedScene& staged, const ordered_j
 
 ordered_json frame_json(const scenes::Scene& scene, std::uint32_t frame) {
   ordered_json json = {{"frame", frame}};
-  if (const scenes::Take* take = scenes::find_take(scene, frame)) json["clip"] = take->clip;
+  if (const scenes::Take* take = scenes::find_take(scene, frame)) {
+    json["clip"] = take->clip;
+    json["clip_frame"] = scenes::frame_in_take(scene, frame);
+  }
   json["time"] = scenes::frame_time(scene, frame);
   return json;
+}
+
+void add_frame(const scenes::Scene& scene, std::uint32_t frame, const char* key,
+               const char* clip_key, ordered_json& object) {
+  object[key] = frame;
+  if (!scene.takes.empty()) object[clip_key] = scenes::frame_in_take(scene, frame);
+}
+
+ordered_json worst_json(const scenes::Scene& scene, std::uint32_t frame, std::uint64_t contacts) {
+  ordered_json worst;
+  add_frame(scene, frame, "frame", "clip_frame", worst);
+  worst["contacts"] = contacts;
+  return worst;
 }
 
 ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }

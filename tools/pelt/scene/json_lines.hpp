@@ -22,8 +22,16 @@ namespace pelt::tools::scene {
 void write_header(const char* format, const StagedScene& staged,
                   const nlohmann::ordered_json& options, std::ostream& out);
 
-/// The start of a frame's line: `frame`, `clip` if the scene has takes, `time`.
+/// The start of a frame's line: `frame`; if the scene has takes, `clip` and `clip_frame`; `time`.
 nlohmann::ordered_json frame_json(const scenes::Scene& scene, std::uint32_t frame);
+
+/// Adds the frame as `key`, and its number within its take as `clip_key` if the scene has takes.
+void add_frame(const scenes::Scene& scene, std::uint32_t frame, const char* key,
+               const char* clip_key, nlohmann::ordered_json& object);
+
+/// The frame with the most contacts: `frame`, `clip_frame` if the scene has takes, `contacts`.
+nlohmann::ordered_json worst_json(const scenes::Scene& scene, std::uint32_t frame,
+                                  std::uint64_t contacts);
 
 nlohmann::ordered_json vector_json(const Vec3& v);
 

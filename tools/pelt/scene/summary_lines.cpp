@@ -6,6 +6,7 @@
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/output/text.hpp"
 
+#include <algorithm>
 #include <iomanip>
 
 namespace pelt::tools::scene {
@@ -25,17 +26,31 @@ std::string shortened(const std::string& text) {
   return text.substr(0, text.rfind(',', kLongestList)) + ", ...";
 }
 
-/// The clips of the takes with their frames: "walk" 0-29, "idle" 30-59.
+/// The clips of the takes with their values of --frames: "walk" 0:30, "idle" 30:60.
 std::string take_list(std::span<const scenes::Take> takes) {
   std::string text;
   for (const scenes::Take& take : takes) {
     if (text.size() > kLongestList) break;
-    const std::uint32_t last = take.first_frame + take.frame_count - 1;
     if (!text.empty()) text += ", ";
     text.append(asset::quoted(take.clip)).append(" ").append(std::to_string(take.first_frame));
-    if (take.frame_count > 1) text.append("-").append(std::to_string(last));
+    text.append(":").append(std::to_string(take.first_frame + take.frame_count));
   }
   return shortened(text);
+}
+
+/// "3-5, 9, 12-40": runs of ascending frames, which are printed less `first`.
+std::string runs_from(std::uint32_t first, std::span<const std::uint32_t> frames,
+                      std::uint32_t stride) {
+  std::string text;
+  for (std::size_t i = 0; i < frames.size();) {
+    std::size_t last = i;
+    while (last + 1 < frames.size() && frames[last + 1] == frames[last] + stride) ++last;
+    if (!text.empty()) text += ", ";
+    text += std::to_string(frames[i] - first);
+    if (last > i) text.append("-").append(std::to_string(frames[last] - first));
+    i = last + 1;
+  }
+  return text;
 }
 
 }  // namespace
@@ -51,8 +66,8 @@ void print_scene(const StagedScene& staged, std::ostream& out) {
   if (parts) out << ", " << output::counted(staged.colliders.size(), "part");
   out << ", " << output::with_commas(triangle_count(staged.colliders)) << " triangles\n";
   if (const auto& takes = staged.scene.takes; !takes.empty())
-    label(out, "clips") << output::with_commas(takes.size()) << " in frames " << take_list(takes)
-                        << '\n';
+    label(out, "clips") << output::with_commas(takes.size())
+                        << "; --frames of each: " << take_list(takes) << '\n';
   for (const std::string& note : staged.scene.notes)
     label(out, "note") << asset::printable(note) << '\n';
 }
@@ -63,7 +78,7 @@ std::string clip_words(const scenes::Scene& scene, std::uint32_t frame) {
 }
 
 std::string frame_words(const scenes::Scene& scene, std::uint32_t frame) {
-  return "frame " + std::to_string(frame) + clip_words(scene, frame);
+  return "frame " + std::to_string(scenes::frame_in_take(scene, frame)) + clip_words(scene, frame);
 }
 
 bool has_many_parts(const scenes::Scene& scene) {
@@ -83,14 +98,21 @@ void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ost
 }
 
 std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stride) {
+  return shortened(runs_from(0, frames, stride));
+}
+
+std::string frame_runs(const scenes::Scene& scene, std::span<const std::uint32_t> frames,
+                       std::uint32_t stride) {
+  if (scene.takes.empty()) return frame_runs(frames, stride);
   std::string text;
-  for (std::size_t i = 0; i < frames.size();) {
-    std::size_t last = i;
-    while (last + 1 < frames.size() && frames[last + 1] == frames[last] + stride) ++last;
-    if (!text.empty()) text += ", ";
-    text += std::to_string(frames[i]);
-    if (last > i) text.append("-").append(std::to_string(frames[last]));
-    i = last + 1;
+  while (!frames.empty() && text.size() <= kLongestList) {
+    const scenes::Take& take = *scenes::find_take(scene, frames[0]);
+    const auto end =
+        std::lower_bound(frames.begin(), frames.end(), take.first_frame + take.frame_count);
+    const auto count = static_cast<std::size_t>(end - frames.begin());
+    text.append(text.empty() ? "" : ", ").append(asset::quoted(take.clip)).append(" ");
+    text.append(runs_from(take.first_frame, frames.first(count), stride));
+    frames = frames.subspan(count);
   }
   return shortened(text);
 }

@@ -28,7 +28,7 @@ bool has_many_parts(const scenes::Scene& scene);
 /// ` of clip "walk"` for the clip of this frame's take, "" if the scene has no takes; printable.
 std::string clip_words(const scenes::Scene& scene, std::uint32_t frame);
 
-/// "frame 12", followed by `clip_words`.
+/// "frame 12", followed by `clip_words`. The frame is counted from the start of that clip's take.
 std::string frame_words(const scenes::Scene& scene, std::uint32_t frame);
 
 /// Says that nothing was tested, so that users who forgot the other model do not read "none" as a
@@ -37,6 +37,10 @@ void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ost
 
 /// "3-5, 9, 12-40": runs of ascending frames; frames `stride` apart are consecutive.
 std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stride);
+
+/// The same with frames counted from the start of each take: "walk" 3-5, 9, "idle" 0-2.
+std::string frame_runs(const scenes::Scene& scene, std::span<const std::uint32_t> frames,
+                       std::uint32_t stride);
 
 /// Three columns.
 std::string coordinates(const Vec3& v);
