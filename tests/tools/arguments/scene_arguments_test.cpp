@@ -62,6 +62,21 @@ TEST_F(SceneArguments, NoteThatAllFramesAreAlike) {
   EXPECT_TRUE(notes(arguments, "0:10").empty());
 }
 
+TEST_F(SceneArguments, NoteFramesThatRepeatTheClips) {
+  tools::arguments::SceneArguments arguments;
+  arguments.inputs = {strip_};
+  arguments.clips = {"bend"};
+  EXPECT_TRUE(notes(arguments, "0:30").empty());
+  EXPECT_EQ(notes(arguments, "29:31"),
+            std::vector<std::string>{"frames from 30 on repeat the clip, which has 30 frames"});
+  arguments.inputs = {strip_, limb()};
+  arguments.positions = {"0,0,0"};
+  arguments.clips = {"bend", "-"};
+  EXPECT_EQ(notes(arguments, "40:41"),
+            std::vector<std::string>{
+                "frames from 30 on repeat the clips, the longest of which has 30 frames"});
+}
+
 TEST_F(SceneArguments, SayInTheSummaryWhatTheyNote) {
   scenes::Scene scene;
   scene.notes = {"one thing", "another"};

@@ -50,6 +50,16 @@ TEST(CheckInside, ReportsContainedBodiesAndDepths) {
   EXPECT_EQ(file.frames[4]["inside"], json::array());
 }
 
+TEST(CheckInside, SaysThatASingleBodyHasNothingToBeInside) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const Ended run = run_pelt(folder, {"check", "one.glb", "--inside"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("inside     not tested: --inside compares different instances"),
+            std::string::npos)
+      << run.out;
+}
+
 TEST(CheckInside, HasTheExitCodeOfContactWhereNothingTouches) {
   const TestFolder folder;
   write_limbs(folder);

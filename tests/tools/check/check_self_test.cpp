@@ -156,6 +156,18 @@ TEST(CheckSelf, IsTheCheckOfASingleCharacter) {
   EXPECT_EQ(run_pelt(folder, {"check", "curl.glb", "--self", "no"}).exit_code, 2);
 }
 
+TEST(CheckSelf, NotesPartsThatAreNotSkinned) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const auto summary = [&](const CommandWords& options) {
+    return run_pelt(folder, self_words({"check", "strip.glb"}, options)).out;
+  };
+  const std::string note = "note       1 part is not skinned (fan): --no-unskinned leaves it out\n";
+  EXPECT_NE(summary({}).find(note), std::string::npos) << summary({});
+  EXPECT_EQ(summary({"--no-unskinned"}).find("not skinned"), std::string::npos);
+  EXPECT_EQ(summary({"strip.glb"}).find("not skinned"), std::string::npos);
+}
+
 TEST(CheckSelf, IsChosenByTheSceneToo) {
   const TestFolder folder;
   write_curl(folder);

@@ -178,6 +178,14 @@ bool plays_nothing(const Scene& scene) {
                       [](const Instance& instance) { return instance.clip.has_value(); });
 }
 
+/// Words for frames beyond the end of the clips, whose poses are those of earlier frames.
+std::string loop_note(const Scene& scene) {
+  const bool one = scene.instances.size() == 1;
+  return "frames from " + std::to_string(scene.frame_count) + " on repeat the " +
+         (one ? "clip, which has " : "clips, the longest of which has ") +
+         output::counted(scene.frame_count, "frame");
+}
+
 Result<Scene> scene_of_file(const SceneArguments& arguments) {
   if (const auto checked = check_for_scene(arguments); !checked) return checked.error();
   Result<Scene> scene = scenes::load_scene(arguments.inputs[0], arguments.models.gltf_options());
@@ -229,6 +237,8 @@ Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& 
   if (!range) return range;
   const bool loops = !asks_for_scene(arguments) && scene.takes.empty();
   if (loops && range->end <= scenes::kMaxFrames) {
+    if (range->end > scene.frame_count && !plays_nothing(scene))
+      scene.notes.push_back(loop_note(scene));
     scene.frame_count = std::max(scene.frame_count, range->end);
     if (range->frames().size() > 1 && plays_nothing(scene))
       scene.notes.push_back(

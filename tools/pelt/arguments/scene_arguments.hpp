@@ -36,8 +36,8 @@ Result<scenes::Scene> open_scene(const SceneArguments& arguments);
 
 /// Returns the frames of `text` (the value of --frames; "" if absent). Clips of models on the
 /// command line loop, so the range may exceed `scene.frame_count`, which is then increased; this is
-/// an error if a model plays all its clips. Adds a note to `scene` if several frames would all be
-/// equal.
+/// an error if a model plays all its clips. Adds a note to `scene` if the range exceeds it, or if
+/// several frames would all be equal.
 Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& arguments,
                                  scenes::Scene& scene);
 

@@ -1,8 +1,10 @@
 #include "tools/pelt/check/check_arguments.hpp"
 
 #include "asset/message.hpp"
+#include "asset/printable.hpp"
 #include "scenes/closest_name.hpp"
 #include "scenes/ignored_pairs.hpp"
+#include "scenes/names.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -125,6 +127,25 @@ Result<std::vector<scenes::NamePair>> choose_ignored(const CheckArguments& argum
       "leave it out");
 }
 
+/// Props that stick into a character hide the contacts of its skin. Does nothing for a model
+/// without any skin.
+void note_unskinned(const SelfChoice& self, scenes::Scene& scene) {
+  if (!self.asks_self() || scene.instances.size() != 1) return;
+  constexpr std::size_t kNamed = 3;
+  const asset::Asset& asset = scene.characters[scene.instances[0].character].asset;
+  const std::vector<std::string> names = scenes::part_names(asset);
+  std::size_t count = 0;
+  std::string list;
+  for (std::size_t p = 0; p < names.size(); ++p) {
+    if (asset.parts[p].skinned || asset.parts[p].triangle_count == 0) continue;
+    if (count++ < kNamed) list += (list.empty() ? "" : ", ") + asset::printable_name(names[p]);
+  }
+  if (count == 0 || count == names.size()) return;
+  scene.notes.push_back(output::counted(count, "part") + (count == 1 ? " is" : " are") +
+                        " not skinned (" + list + (count > kNamed ? ", ..." : "") +
+                        "): --no-unskinned leaves " + (count == 1 ? "it" : "them") + " out");
+}
+
 /// Precondition: `settings` is complete except for `baseline` and `fail_on`.
 Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& arguments,
                                                      const CheckSettings& settings,
@@ -212,11 +233,11 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
               {.type = "FILE"});
   verb.flag("--pairs", arguments.pairs, "Also write the triangle pairs, not only their number");
   verb.flag("--contacts", arguments.contacts,
-            "Describe how the triangles intersect: segments, curves, patches, normals, depths, "
-            "joints");
+            "Describe how the triangles intersect: segments, curves, patches (connected sets of "
+            "contacts), normals, depths, joints");
   verb.flag("--inside", arguments.inside,
             "For closed surfaces, also report contained bodies and, where surfaces touch, the "
-            "depth of the deepest vertex");
+            "depth of the deepest vertex; compares different instances (or parts) only");
   verb.option("--clearance", arguments.clearance,
               "Find all pairs of triangles at most DISTANCE apart, not only those that touch",
               {.type = "DISTANCE"});
@@ -247,6 +268,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   choices.take(choose_fail_on(arguments), settings.fail_on);
   choices.take(choose_baseline(arguments, settings, scene), settings.baseline);
   if (choices.refusal()) return *choices.refusal();
+  note_unskinned(settings.self, scene);
   return settings;
 }
 

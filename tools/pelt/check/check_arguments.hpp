@@ -29,7 +29,7 @@ struct CheckArguments {
 void add_check_options(arguments::Verb& verb, CheckArguments& arguments);
 
 /// Returns an error for options that conflict with each other or with the scene, before anything is
-/// computed or written. Reads the baseline.
+/// computed or written. Reads the baseline. Adds notes to `scene` about what is tested.
 Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::Scene& scene);
 
 }  // namespace pelt::tools::check

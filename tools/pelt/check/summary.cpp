@@ -227,6 +227,11 @@ void print_deepest(const scenes::Scene& scene, const CheckReport& report, std::o
 void print_inside(const scene::StagedScene& staged, const InsideTally& inside, std::uint32_t stride,
                   std::ostream& out) {
   scene::label(out, "inside");
+  if (staged.colliders.size() < 2) {
+    out << "not tested: --inside compares different instances (or, with --by part, parts), and "
+           "there is only one\n";
+    return;
+  }
   if (inside.closed_colliders == 0) {
     out << "not tested: no surface is closed\n";
     return;
@@ -268,8 +273,7 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   print_touching(staged.scene, report, tally, out);
   if (report.patches > 0) print_deepest(staged.scene, report, out);
-  if (report.inside && staged.colliders.size() > 1)
-    print_inside(staged, *report.inside, settings.frames.stride, out);
+  if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';
 }
