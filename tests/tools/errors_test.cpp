@@ -37,6 +37,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Refusal{{"check", "none.json"}, {"none.json", "no such file"}},
         Refusal{{"check", "none.glb"}, {"none.glb", "no such file"}},
+        Refusal{{"check", "none.glb", "--exclude", "fan"}, {"none.glb", "--exclude none.glb"}},
+        Refusal{{"check", "strip.glb", "--exclude", "fan", "paper"},
+                {"error: paper: there is no such file", "each --exclude has one name",
+                 "give --exclude paper"}},
         Refusal{{"check", "broken.glb"}, {"broken.glb: ", "export"}},
         Refusal{{"info", "cut.glb"}, {"cut.glb: ", "truncated", "copy or export"}},
         Refusal{{"bench", "strip.glb", "--clip", "bnd"},

@@ -432,7 +432,9 @@ TEST(CheckSelf, RefusesWhatItCannotDo) {
   refused({"--self", "--method", "brute"}, "--self: cannot be combined with --method");
   refused({"--self", "--clearance", "0.1"}, "--self: cannot be combined with --clearance");
   refused({"--self=many"}, "--self: unknown value \"many\"");
-  refused({"--self-rings", "65"}, "--self-rings: 65 is out of range");
+  for (const char* rings : {"65", "-1", "few"})
+    refused({"--self-rings", rings},
+            std::string("--self-rings: Value ") + rings + " not in range 0 to 64");
   refused({"--self-at-rest", "on"}, "--self-at-rest: unknown value \"on\"");
   refused({"--self-always", "2"}, "--self-always: unknown value \"2\"");
   refused({"--self-near-joints", "no"}, "--self-near-joints: unknown value \"no\"");

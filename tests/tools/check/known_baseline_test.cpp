@@ -185,10 +185,12 @@ TEST(KnownBaseline, RefusesAFileThatIsCutShort) {
 }
 
 TEST(KnownBaseline, RefusesAnotherScene) {
-  EXPECT_NE(message_of(parse({}, asked(), {"elf", "orc"}))
-                .find("belongs to another scene, with \"knight\", \"thief\" instead of \"elf\", "
-                      "\"orc\": give the baseline of this scene"),
-            std::string::npos);
+  EXPECT_NE(
+      message_of(parse({}, asked(), {"elf", "orc"}))
+          .find("belongs to another scene, with \"knight\", \"thief\" instead of \"elf\", "
+                "\"orc\": give the baseline of this scene; if models were renamed, write a new "
+                "baseline, or use the earlier names"),
+      std::string::npos);
 }
 
 TEST(KnownBaseline, NotesWhatElseDiffers) {

@@ -104,6 +104,14 @@ asset::GltfOptions one_of_several(const ModelArguments& models) {
   return options;
 }
 
+/// A second name after --exclude is read as an input.
+Error with_exclude_hint(const SceneArguments& arguments, const std::string& path, Error error) {
+  std::error_code ignored;
+  if (!arguments.models.exclude.empty() && !std::filesystem::exists(path, ignored))
+    error.message += ": each --exclude has one name, so for another one give --exclude " + path;
+  return error;
+}
+
 /// Returns the character of a file. Loads each file once, even if several instances use it.
 Result<std::uint32_t> add_character(Scene& scene, const std::string& path,
                                     const asset::GltfOptions& options) {
@@ -122,7 +130,7 @@ Result<void> add_instance(Scene& scene, const SceneArguments& arguments, std::si
   if (!instance) return instance.error();
   const Result<std::uint32_t> character =
       add_character(scene, arguments.inputs[i], one_of_several(arguments.models));
-  if (!character) return character.error();
+  if (!character) return with_exclude_hint(arguments, arguments.inputs[i], character.error());
   instance->character = *character;
   scene.instances.push_back(std::move(*instance));
   const Result<void> found = scenes::check_clip(scene, static_cast<std::uint32_t>(i));

@@ -143,7 +143,8 @@ Result<void> compare_models(const std::vector<std::string>& theirs,
   if (!have_one_in_common(theirs, ours))
     return incomparable(
         "belongs to another scene, with " + listed(theirs) + " instead of " + listed(ours),
-        "give the baseline of this scene");
+        "give the baseline of this scene; if models were renamed, write a new baseline, or use "
+        "the earlier names: file names without extension, or keys under \"models\" of a scene");
   notes.push_back("instances were " + std::to_string(theirs.size()) + " of " + listed(theirs) +
                   " in the baseline and are " + std::to_string(ours.size()) + " of " +
                   listed(ours) + " now");

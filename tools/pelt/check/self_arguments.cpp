@@ -40,12 +40,6 @@ Result<std::optional<double>> parse_always(const std::string& text) {
                               "give keep, or a share of the frames such as 0.95, at most 1");
 }
 
-Result<std::optional<std::uint32_t>> parse_rings(const std::optional<std::uint32_t>& rings) {
-  if (!rings || *rings <= scenes::kMaxSelfRings) return rings;
-  return output::bad_argument("--self-rings", std::to_string(*rings) + " is out of range",
-                              "give 0 to 64");
-}
-
 /// Whether any pose of the scene can differ from the default poses of its models.
 bool poses_anything(const scenes::Scene& scene) {
   return std::any_of(scene.instances.begin(), scene.instances.end(),
@@ -69,7 +63,7 @@ void add_self_options(arguments::Verb& verb, SelfArguments& arguments) {
   verb.option("--self-rings", arguments.rings,
               "Drop contacts of triangles that are at most K steps apart, each step to a triangle "
               "that shares a corner; 0 drops nothing (default: 5)",
-              {.type = "K", .group = kGroup});
+              {.type = "K", .most = scenes::kMaxSelfRings, .group = kGroup});
   verb.option("--self-at-rest", arguments.at_rest,
               "Contacts that the character also has in its rest pose or default pose (default: "
               "drop; keep if no instance plays a clip or sets morph weights)",
@@ -85,14 +79,13 @@ void add_self_options(arguments::Verb& verb, SelfArguments& arguments) {
 
 Result<scenes::SelfOptions> parse_self(const SelfArguments& arguments) {
   const auto wanted = parse_wanted(arguments.self);
-  const auto rings = parse_rings(arguments.rings);
   const auto at_rest = parse_drops("--self-at-rest", arguments.at_rest);
   const auto always = parse_always(arguments.always);
   const auto near_joints = parse_drops("--self-near-joints", arguments.near_joints);
-  for (const Error* error : {error_of(wanted), error_of(rings), error_of(at_rest), error_of(always),
-                             error_of(near_joints)})
+  for (const Error* error :
+       {error_of(wanted), error_of(at_rest), error_of(always), error_of(near_joints)})
     if (error) return *error;
-  return scenes::SelfOptions{*wanted, *rings, *at_rest, *always, *near_joints};
+  return scenes::SelfOptions{*wanted, arguments.rings, *at_rest, *always, *near_joints};
 }
 
 SelfChoice with_defaults(const scenes::SelfOptions& options, const scenes::Scene& scene,
