@@ -67,16 +67,25 @@ json triangles_of(const json& line, std::uint32_t a, std::uint32_t b) {
 
 void write_curl(const TestFolder& folder) { write_bytes(folder / "curl.glb", build_curl().glb()); }
 
-/// The limb with an unskinned sheet on its second joint, which crosses the limb at rest.
-void write_pierced_curl(const TestFolder& folder) {
+/// The limb with unskinned triangles on its second joint.
+void write_curl_with(const std::vector<float>& triangles, const TestFolder& folder) {
   GltfBuilder builder = build_curl();
-  const std::vector<float> sheet = {-1, 0, 0, 1, 0, 0, 0, 0.05f, 0};
-  const json attributes = {{"POSITION", builder.add_accessor(sheet, "VEC3")}};
+  const json attributes = {{"POSITION", builder.add_accessor(triangles, "VEC3")}};
   const json primitive = {{"attributes", attributes}};
   const std::size_t mesh = builder.add("meshes", {{"primitives", {primitive}}});
   const std::size_t node = builder.add("nodes", {{"name", "sheet"}, {"mesh", mesh}});
   builder.document["nodes"][1]["children"].push_back(node);
   write_bytes(folder / "curl.glb", builder.glb());
+}
+
+/// The limb with a sheet that crosses it at rest.
+void write_pierced_curl(const TestFolder& folder) {
+  write_curl_with({-1, 0, 0, 1, 0, 0, 0, 0.05f, 0}, folder);
+}
+
+/// The limb with two sheets that cross each other, far from the limb.
+void write_curl_and_cross(const TestFolder& folder) {
+  write_curl_with({8, 0, 0, 10, 0, 0, 9, 1, 0, 9, 0, -1, 9, 0, 1, 9, 2, 0}, folder);
 }
 
 constexpr const char* kTwoCurls = R"({
@@ -235,6 +244,34 @@ TEST(CheckSelf, FiltersTellWhatTheyLeaveOut) {
   EXPECT_EQ(near["near_joints"] + near["contacts"], all["contacts"]);
   const Ended words = run_pelt(folder, self_words({"check"}, curl));
   EXPECT_NE(words.out.find(" by --self-near-joints"), std::string::npos) << words.out;
+}
+
+TEST(CheckSelf, SuggestsToDropContactsOfNearlyEveryFrame) {
+  const TestFolder folder;
+  write_curl_and_cross(folder);
+  const CommandWords curl = {"curl.glb",           "--clip", "sway", "--self-at-rest", "keep",
+                             "--self-near-joints", "keep"};
+  const CommandWords start = self_words(curl, {"--frames", "0:14"});
+  auto all = counts_of(check_self(folder, start, 1));
+  auto dropping = counts_of(
+      check_self(folder, self_words(start, {"--self-always", "0.95", "--fail-on", "never"}), 0));
+  EXPECT_EQ(all["contacts"] - dropping["contacts"], dropping["always"]);
+  EXPECT_LT(dropping["always"], all["contacts"]);
+  ASSERT_GE(3 * dropping["always"], all["contacts"]);
+  const auto summary = [&](const CommandWords& words, const CommandWords& options) {
+    return run_pelt(folder, self_words({"check"}, self_words(words, options))).out;
+  };
+  const std::string note = "note       " + std::to_string(dropping["always"]) + " of " +
+                           std::to_string(all["contacts"]) +
+                           " self-contacts are in nearly every frame: --self-always 0.95 drops "
+                           "them\n";
+  EXPECT_NE(summary(start, {}).find(note), std::string::npos) << note << summary(start, {});
+  EXPECT_NE(summary(curl, {"--frames", "0:8"}).find("nearly every frame"), std::string::npos);
+  for (const char* frames : {"0:7", "0:30"})  // too few frames; and most contacts change
+    EXPECT_EQ(summary(curl, {"--frames", frames}).find("nearly every frame"), std::string::npos);
+  for (const CommandWords& options :
+       {CommandWords{"--self-always", "keep"}, {"--max-contacts", "99"}})
+    EXPECT_EQ(summary(start, options).find("nearly every frame"), std::string::npos) << options[0];
 }
 
 TEST(CheckSelf, RingsLeaveOutNeighbours) {

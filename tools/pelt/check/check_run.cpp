@@ -133,6 +133,18 @@ Result<std::optional<scene::SelfQuery>> make_self_query(const scene::StagedScene
   return std::optional<scene::SelfQuery>(std::in_place, staged.colliders, std::move(*filters));
 }
 
+/// Returns nullopt if --self-always is chosen, or if there are too few frames or contacts to
+/// suggest it.
+std::optional<AlwaysTally> make_always_tally(const scene::StagedScene& staged,
+                                             const CheckSettings& settings) {
+  constexpr std::size_t kFewestFrames = 8;
+  const std::size_t frames = settings.frames.frames().size();
+  if (!settings.self.asks_self() || settings.self.is_always_chosen || settings.max_contacts ||
+      frames < kFewestFrames)
+    return std::nullopt;
+  return AlwaysTally(staged, frames, kSuggestedShare);
+}
+
 Result<void> ask_self(std::optional<scene::SelfQuery>& query, const scene::Palettes& palettes,
                       const CollideOptions& options, scene::FrameContacts& found) {
   if (!query) return {};
@@ -155,6 +167,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   if (settings.max_contacts) options.max_contacts = *settings.max_contacts;
   scene::FrameContacts found, unfiltered;
   scene::ContactHash hash;
+  std::optional<AlwaysTally> always = make_always_tally(staged, settings);
   ExtraQueries extras(staged, settings, *ignored);
   Result<std::optional<scene::SelfQuery>> self = make_self_query(staged, settings);
   if (!self) return self.error();
@@ -172,6 +185,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
     if (*self) report.totals.left_out += (*self)->left_out();
     count_frame(staged.scene, frame, found, report);
     tally.add(frame, found);
+    if (always) always->add(found);
     hash.add(frame, found);
     if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked;
     FrameExtras of_frame = extras.of_frame();
@@ -187,6 +201,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   if (*self) report.totals.work += (*self)->work();
   extras.report(report);
   if (!settings.max_contacts) report.totals.hash = hash.value();
+  if (always) report.always = always->counts();
   return report;
 }
 

@@ -2,6 +2,7 @@
 
 /// Core of `pelt check`: finds the contacts of every frame of a scene.
 
+#include "tools/pelt/check/always_tally.hpp"
 #include "tools/pelt/check/check_settings.hpp"
 #include "tools/pelt/check/depth_tally.hpp"
 #include "tools/pelt/check/inside_query.hpp"
@@ -13,6 +14,9 @@
 #include <optional>
 
 namespace pelt::tools::check {
+
+/// The share of frames that the summary suggests for --self-always.
+inline constexpr double kSuggestedShare = 0.95;
 
 struct CheckReport {
   /// The contacts of one frame, and its number.
@@ -30,8 +34,9 @@ struct CheckReport {
   std::vector<std::uint64_t> frame_contacts;  ///< per frame
   std::uint64_t patches = 0;                  ///< number of patches of described contacts
   std::vector<DepthTally::Row> deepest;
-  std::optional<InsideTally> inside;  ///< if requested
-  std::vector<double> frame_seconds;  ///< setting palettes and querying pairs, without sampling
+  std::optional<InsideTally> inside;   ///< if requested
+  std::optional<AlwaysCounts> always;  ///< if --self-always is not chosen
+  std::vector<double> frame_seconds;   ///< setting palettes and querying pairs, without sampling
 };
 
 /// Runs through the frames. Writes lines to `jsonl`, and prints only the progress

@@ -96,6 +96,7 @@ SelfChoice with_defaults(const scenes::SelfOptions& options, const scenes::Scene
   rules.rings = options.rings.value_or(rules.rings);
   rules.drops_at_rest = options.drops_at_rest.value_or(poses_anything(scene));
   if (options.always && *options.always > 0) rules.always = options.always;
+  choice.is_always_chosen = options.always.has_value();
   rules.drops_near_joints = options.drops_near_joints.value_or(rules.drops_near_joints);
   return choice;
 }

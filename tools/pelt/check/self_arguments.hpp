@@ -29,6 +29,7 @@ Result<scenes::SelfOptions> parse_self(const SelfArguments& arguments);
 struct SelfChoice {
   scenes::SelfContacts wanted = scenes::SelfContacts::none;
   scene::SelfRules rules;
+  bool is_always_chosen = false;  ///< --self-always is given, or set by the scene
 
   bool asks_self() const { return wanted != scenes::SelfContacts::none; }
   bool asks_pairs() const { return wanted != scenes::SelfContacts::only; }

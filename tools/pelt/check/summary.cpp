@@ -73,6 +73,17 @@ void print_left_out(const LeftOut& left_out, const scene::SelfRules& rules, std:
   out << '\n';
 }
 
+/// Suggests --self-always if it would drop at least a third of the contacts of characters with
+/// themselves.
+void print_always(const AlwaysCounts& counts, std::ostream& out) {
+  const auto& [contacts, always] = counts;
+  if (always == 0 || 3 * always < contacts) return;
+  scene::label(out, "note") << output::with_commas(always) << " of "
+                            << output::counted(contacts, "self-contact")
+                            << " are in nearly every frame: --self-always " << kSuggestedShare
+                            << " drops them\n";
+}
+
 /// Prints the number of rows that a list leaves out.
 void print_rest(std::size_t count, std::ostream& out) {
   if (count > kMaxRows)
@@ -269,6 +280,7 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
   if (report.totals.ignored > 0)
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
   print_left_out(report.totals.left_out, settings.self.rules, out);
+  if (report.always) print_always(*report.always, out);
   // Failures come first.
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   print_touching(staged.scene, report, tally, out);
