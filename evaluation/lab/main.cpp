@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* kFooter = R"(
 `pelt-lab VERB --help` explains each verb with examples. `check` and `bench` are those of the command
-`pelt`, with all methods. Exit codes: 0 success (check: no contact), 1 contact (check only), 2 bad
-input or arguments, 3 internal error.)";
+`pelt`, with all methods. Exit codes: 0 success (check: nothing that --fail-on selects), 1 what
+--fail-on selects (check only; by default any contact), 2 bad input or arguments, 3 internal error.)";
 
 constexpr const char* kBenchNotes = R"(
 

@@ -39,9 +39,9 @@ struct CollideOptions {
 /// `scratch`: not used by another thread at the same time.
 ///
 /// Cost: grows with the contact area and not with the size of the meshes. The trees of both poses
-/// are descended together. Vertices are posed, and boxes are computed, only where boxes overlap,
-/// and only once per palette. Poses that are far apart cost O(J), plus at most O(J) for each morph
-/// weight other than 0.
+/// are descended together. Vertices are posed, and boxes are computed, only where boxes overlap.
+/// Each node is opened at most once until the palette or the morph weights change. Poses that are
+/// far apart cost O(J), plus at most O(J) for each morph weight other than 0.
 ///
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `contacts` than any
 /// earlier query.

@@ -99,7 +99,8 @@ class PELT_API Crowd {
   /// Adds an instance in the rest pose and returns its number. Numbers of removed instances are
   /// reused first.
   ///
-  /// Cost: O(J). Allocates. If memory runs out, throws std::bad_alloc and the crowd is unchanged.
+  /// Cost: O(J). Allocates. If memory runs out, throws an exception (see pelt/pelt.hpp), and the
+  /// crowd is unchanged.
   std::uint32_t add(const SkinnedModel& model, const CollisionMask& mask = {});
 
   /// Removes an instance.
@@ -149,8 +150,8 @@ class PELT_API Crowd {
   /// for all nodes of all instances, once per thread. Callers that must never allocate should query
   /// reserved poses instead.
   ///
-  /// If memory runs out on any thread, throws std::bad_alloc on the caller's thread. `contacts` is
-  /// then unchanged, and the crowd can be queried again.
+  /// If memory runs out on any thread, throws an exception (see pelt/pelt.hpp) on the caller's
+  /// thread. `contacts` is then unchanged, and the crowd can be queried again.
   CrowdStats collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options = {});
 
   /// Appends the pairs of intersecting instances to `pairs`, in ascending order. An instance i that

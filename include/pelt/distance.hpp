@@ -65,9 +65,11 @@ struct ClosestPointOptions {
   double max_distance = std::numeric_limits<double>::infinity();
 };
 
-/// Writes the point of the posed surface that is closest to `point`. The distance has the same
-/// error bound as the distance of two triangles (see the top of this header). The distance of a
-/// point on the surface may be slightly more than 0.
+/// Writes the point of the posed surface that is closest to `point`. The distance of a point on the
+/// surface may be slightly more than 0.
+///
+/// Error: let s be the longest side of the axis-aligned box around the point and one triangle. The
+/// error of their distance is less than 2^-46 s.
 ///
 /// Precondition: the coordinates of `point` are between -2^60 and 2^60. A NaN or infinite
 /// coordinate aborts the program, in every build.
@@ -77,8 +79,8 @@ struct ClosestPointOptions {
 PELT_API QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch,
                                   ClosestPoint& result, const ClosestPointOptions& options = {});
 
-/// Writes the closest point for each of `points`. Sort the points such that neighbours follow each
-/// other, because nodes that one point opens stay open for the next points.
+/// Writes the closest point for each of `points`. Nodes that one point opens stay open for all
+/// later points.
 ///
 /// Precondition: `results` has one element per point. Otherwise the program aborts, in every build.
 PELT_API QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,

@@ -8,8 +8,9 @@
 namespace {
 
 constexpr const char* kFooter = R"(
-`pelt VERB --help` explains each verb with examples. Exit codes: 0 success (check: no contact),
-1 contact (check only), 2 bad input or arguments, 3 internal error.)";
+`pelt VERB --help` explains each verb with examples. Exit codes: 0 success (check: nothing
+that --fail-on selects), 1 what --fail-on selects (check only; by default any contact), 2 bad input or
+arguments, 3 internal error.)";
 
 constexpr const char* kBenchNotes = R"(
 

@@ -8,8 +8,8 @@ namespace pelt::tools::arguments {
 
 /// Exit codes of the command.
 enum class ExitCode : int {
-  success = 0,  ///< for `check`: no contact
-  contact = 1,  ///< only for `check`
+  success = 0,  ///< for `check`: nothing that --fail-on selects
+  contact = 1,  ///< only for `check`: what --fail-on selects
   bad_input = 2,
   internal = 3,
 };

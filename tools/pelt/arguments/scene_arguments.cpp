@@ -211,7 +211,7 @@ void add_scene_options(Verb& verb, SceneArguments& arguments, InputsNeeded neede
     constexpr const char* kGroup = "Placing models (each repeatable, in the order of the models)";
     verb.option(name, values, help, {.type = type, .group = kGroup});
   };
-  verb.option("INPUT", arguments.inputs, "SCENE.json, or models: A.glb B.gltf ...",
+  verb.option("INPUT", arguments.inputs, "SCENE.json, or one glTF file per instance: MODEL.glb ...",
               {.is_required = needed == InputsNeeded::one});
   placing("--clip", arguments.clips, "NAME",
           "Animation clip, played in a loop; \"\": the unnamed clip; -: the default pose; '*': all "

@@ -44,8 +44,9 @@ A single character is tested against itself; several characters only with --self
 --self-... drop contacts of a character with itself; the summary shows how many each option drops. A
 check that has nothing to test, such as one of a single character with --self no, fails with exit code
 2, unless --allow-empty is given.
-Exit codes: 0 no contact, 1 contact (or what --fail-on selects; with --inside also a contained
-body), 2 bad input or arguments, or nothing to test, 3 internal error.)";
+Exit codes: 0 nothing that --fail-on selects, 1 what --fail-on selects (by default any contact, and
+with --inside any contained body; with --baseline only what is new or has grown), 2 bad input or
+arguments, or nothing to test, 3 internal error.)";
 
 /// The page runs its own query, so it cannot show results of options that it does not support.
 Result<void> check_for_page(const check::CheckArguments& arguments, const scenes::Scene& scene) {
