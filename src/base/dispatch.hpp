@@ -17,6 +17,8 @@
 
 #include "base/instruction_set.hpp"
 
+#include <atomic>
+
 // A declared name cannot be in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 
@@ -70,12 +72,27 @@
 
 namespace pelt::detail {
 
+inline constexpr int kNotChosen = -1;
+
+/// The active instruction set, or kNotChosen before the first query. A plain number, so that a
+/// query with cold caches loads it with one miss.
+extern std::atomic<int> active_set;
+
+/// Makes the fastest instruction set of this machine the active one, unless one has been chosen.
+/// Returns the active one.
+InstructionSet choose_instruction_set();
+
+inline InstructionSet active() {
+  const int set = active_set.load(std::memory_order_relaxed);
+  return set == kNotChosen ? choose_instruction_set() : static_cast<InstructionSet>(set);
+}
+
 /// Returns the version of the active instruction set. At least one is not null.
 template <typename Function>
 inline Function* choose(Function* scalar, Function* simd128, Function* avx2) {
   if (!simd128 && !avx2) return scalar;
   if (!scalar && !avx2) return simd128;
-  switch (active_instruction_set()) {
+  switch (active()) {
     case InstructionSet::scalar:
       return scalar;
     case InstructionSet::simd128:

@@ -1,8 +1,8 @@
 #include <pelt/instruction_set.hpp>
 
 #include "base/assert.hpp"
+#include "base/dispatch.hpp"
 
-#include <atomic>
 #include <vector>
 
 namespace pelt {
@@ -38,12 +38,17 @@ const Built& fastest() {
   return *best;
 }
 
-std::atomic<const Built*>& active() {
-  static std::atomic<const Built*> built = &fastest();
-  return built;
-}
-
 }  // namespace
+
+constinit std::atomic<int> active_set{kNotChosen};
+
+InstructionSet choose_instruction_set() {
+  int expected = kNotChosen;
+  const InstructionSet best = fastest().set;
+  return active_set.compare_exchange_strong(expected, static_cast<int>(best))
+             ? best
+             : static_cast<InstructionSet>(expected);
+}
 
 }  // namespace detail
 
@@ -70,14 +75,12 @@ std::span<const InstructionSet> available_instruction_sets() {
   return available;
 }
 
-InstructionSet active_instruction_set() {
-  return detail::active().load(std::memory_order_relaxed)->set;
-}
+InstructionSet active_instruction_set() { return detail::active(); }
 
 bool set_active_instruction_set(InstructionSet set) {
   for (const detail::Built& built : detail::kBuilt)
     if (built.set == set && built.runs_here()) {
-      detail::active().store(&built);
+      detail::active_set.store(static_cast<int>(set));
       return true;
     }
   return false;
