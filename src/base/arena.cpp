@@ -26,13 +26,14 @@ std::size_t Arena::used() const {
   return bytes - left_ - unused_;
 }
 
-bool Arena::fits(std::size_t bytes) const {
-  return bytes == 0 || std::any_of(blocks_.begin(), blocks_.end(),
-                                   [bytes](const Block& block) { return block.size >= bytes; });
+std::size_t Arena::room() const {
+  std::size_t most = 0;
+  for (const Block& block : blocks_) most = std::max(most, block.size);
+  return most;
 }
 
 void Arena::reserve(std::size_t bytes) {
-  if (fits(bytes)) return;
+  if (bytes <= room()) return;
   add_block(bytes);
   replaced_ = blocks_.size() - 1;
 }

@@ -49,12 +49,13 @@ class Arena {
   /// Bytes of the pieces allocated since `clear`.
   std::size_t used() const;
 
-  /// Whether pieces of `bytes` in total, of any sizes in any order, need no allocation after
-  /// `clear`. That takes one block of `bytes`, because pieces leave the ends of blocks unused.
-  bool fits(std::size_t bytes) const;
+  /// The largest total size of pieces, of any sizes in any order, that need no allocation after
+  /// `clear`: that of the largest block, because pieces leave the ends of blocks unused.
+  std::size_t room() const;
 
-  /// Ensures that `bytes` fit. A new block replaces all others, which the next `clear` frees. In an
-  /// arena without memory, the new block holds exactly `bytes`, and can be used at once.
+  /// Ensures that there is room for `bytes`. A new block replaces all others, which the next
+  /// `clear` frees. In an arena without memory, the new block holds exactly `bytes`, and can be
+  /// used at once.
   void reserve(std::size_t bytes);
 
  private:

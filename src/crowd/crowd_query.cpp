@@ -40,7 +40,7 @@ void prefetch_palette(const CrowdInstance& instance) {
 /// of a similar frame. Reserves more than that when it must, so that frames that differ a little
 /// seldom allocate. Memory that is never touched costs nothing.
 void even_out(Arena& arena, std::size_t used) {
-  if (!arena.fits(used + used / 16)) arena.reserve(used + used / 4);
+  if (arena.room() < used + used / 16) arena.reserve(used + used / 4);
 }
 
 }  // namespace
@@ -246,7 +246,7 @@ void CrowdQuery::even_out() {
     sorting = std::max(sorting, worker.scratch.sorting.capacity());
     positions = std::max(positions, worker.scratch.positions.capacity());
     ring = std::max(ring, worker.scratch.ring.capacity());
-    boxes = std::max(boxes, worker.scratch.boxes.capacity());
+    boxes = std::max(boxes, worker.scratch.boxes.room());
   }
   for (std::uint32_t w = 0; w < worker_count_; ++w) {
     Worker& worker = workers_[w];

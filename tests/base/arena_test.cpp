@@ -76,10 +76,10 @@ TEST(Arena, WhatFitsNeedsNoAllocationInAnyOrder) {
   auto sizes = random_sizes(random);
   for (const std::size_t size : sizes) arena.allocate(size);
   const std::size_t used = arena.used();
-  EXPECT_FALSE(arena.fits(used)) << "the pieces lie in several blocks";
+  EXPECT_LT(arena.room(), used) << "the pieces lie in several blocks";
   arena.reserve(used);
   arena.clear();
-  EXPECT_TRUE(arena.fits(used));
+  EXPECT_EQ(arena.room(), used);
   EXPECT_EQ(arena.capacity(), used) << "the other blocks are gone";
   for (int round = 0; round < 20; ++round) {
     for (std::size_t i = sizes.size(); i > 1; --i)
@@ -97,6 +97,8 @@ TEST(Arena, KeepsThePiecesInBlocksThatAReservationReplaces) {
   Arena arena;
   const auto pieces = allocate_all(arena, random_sizes(random));
   arena.reserve(2 * arena.used());
+  EXPECT_EQ(arena.room(), 2 * arena.used());
+  EXPECT_GT(arena.capacity(), arena.room()) << "replaced blocks count until they are freed";
   const auto more = allocate_all(arena, random_sizes(random));
   expect_untouched(pieces);
   expect_untouched(more);
