@@ -208,7 +208,7 @@ TEST(CrowdCostOfSelf, ARepeatedFrameAllocatesNothing) {
       crowd.crowd.intersecting_pairs(pairs, options);
       if (frame > 0) {
         ASSERT_EQ(allocation_count(), before) << "frame " << frame << ", " << threads;
-        ASSERT_EQ(crowd.crowd.memory_bytes(), bytes);
+        ASSERT_LE(crowd.crowd.memory_bytes(), bytes) << "replaced blocks may be freed";
       }
       bytes = crowd.crowd.memory_bytes();
     }
