@@ -111,7 +111,7 @@ class PELT_API SelfFilter {
   /// Working memory of `self_collide`, for `Scratch::reserve`.
   SelfScratchSize scratch_size() const;
 
-  /// Bytes of the data that all copies share, without the model: 34 to 40 bytes per triangle of a
+  /// Bytes of the data that all copies share, without the model: 32 to 40 bytes per triangle of a
   /// character, and less than 1 KB per triangle of any mesh. Each listed pair adds 8 bytes.
   std::size_t memory_bytes() const;
 
