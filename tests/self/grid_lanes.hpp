@@ -21,7 +21,7 @@ using GridLanes = GridBoxesOfCluster(const detail::PosedTree& posed,
                                      const std::uint32_t* cluster_nodes, std::uint32_t cluster,
                                      std::uint32_t other);
 
-/// As compiled for each instruction set.
+/// The function, compiled once for each instruction set.
 namespace avx2 {
 GridLanes grid_boxes;
 }
