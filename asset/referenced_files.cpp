@@ -38,10 +38,10 @@ std::string read_json_text(const fs::path& path) {
   return read_up_to(stream, std::min<std::uintmax_t>(load<std::uint32_t>(length), size - kHeaders));
 }
 
-void add_files(const nlohmann::json& json, const char* array, const fs::path& folder,
+void add_files(const nlohmann::json& document, const char* array, const fs::path& folder,
                std::vector<fs::path>& files) {
-  const auto found = json.find(array);
-  if (found == json.end() || !found->is_array()) return;
+  const auto found = document.find(array);
+  if (found == document.end() || !found->is_array()) return;
   for (const nlohmann::json& element : *found) {
     if (!element.is_object() || !element.contains("uri") || !element["uri"].is_string()) continue;
     const auto file = relative_file(element["uri"].get_ref<const std::string&>());

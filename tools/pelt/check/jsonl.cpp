@@ -20,18 +20,18 @@ ordered_json triangles_json(std::span<const Contact> contacts) {
 }
 
 ordered_json gone_json(const GoneTouch& gone) {
-  ordered_json json = of_clip(gone.names.clip);
-  json["a"] = name_json(gone.names.first);
-  json["b"] = name_json(gone.names.second);
-  json["known"] = gone.known;
-  return json;
+  ordered_json touch = of_clip(gone.names.clip);
+  touch["a"] = name_json(gone.names.first);
+  touch["b"] = name_json(gone.names.second);
+  touch["known"] = gone.known;
+  return touch;
 }
 
 ordered_json held_names_json(const CheckBaseline::HeldNames& names) {
-  ordered_json json = of_clip(names.clip);
-  json["inner"] = name_json(names.inner);
-  json["outer"] = name_json(names.outer);
-  return json;
+  ordered_json bodies = of_clip(names.clip);
+  bodies["inner"] = name_json(names.inner);
+  bodies["outer"] = name_json(names.outer);
+  return bodies;
 }
 
 ordered_json left_out_json(const LeftOut& left_out) {
