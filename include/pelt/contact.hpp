@@ -111,10 +111,16 @@ struct ContactCurve {
 /// contact on both sides, the patch has no sides, and all traces contribute unchanged.
 struct ContactPatch {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::members
-  float length = 0;                    ///< sum of the lengths of all segments
-  Vec3 point;                          ///< mean of the midpoints of the segments
-  Vec3 normal;      ///< unit vector along the mean of the traces' normals; zero if the mean is zero
-  float depth = 0;  ///< the largest depth of a trace
+
+  /// Sum of the lengths of all segments: the length of the line in which the surfaces intersect.
+  /// Does not depend on the size of the triangles. To sort patches by severity, sort by length.
+  float length = 0;
+
+  Vec3 point;   ///< mean of the midpoints of the segments
+  Vec3 normal;  ///< unit vector along the mean of the traces' normals; zero if the mean is zero
+
+  /// The largest depth of a trace. One large triangle with a small overlap may give a large depth.
+  float depth = 0;
 
   /// The most frequent joint of each side; of equally frequent joints, the lowest.
   std::uint16_t joint_a = 0, joint_b = 0;

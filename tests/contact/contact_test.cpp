@@ -172,6 +172,40 @@ TEST(Contact, MeasuresHowDeepATriangleReachesBehindTheOther) {
   EXPECT_TRUE(geometry_of(a, b).traces.empty());
 }
 
+/// A square of side 2 about the origin, in `cells` x `cells` pairs of triangles. `upright`: in the
+/// plane x = 0, otherwise in y = 0.
+Shape square(int cells, bool upright) {
+  Shape shape;
+  const auto side = static_cast<std::uint32_t>(cells) + 1;
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    const float u = 2.0f * static_cast<float>(i % side) / static_cast<float>(cells) - 1;
+    const float v = 2.0f * static_cast<float>(i / side) / static_cast<float>(cells) - 1;
+    shape.rest_positions.push_back(upright ? Vec3{0, u + 0.5f, v} : Vec3{u, 0, v});
+  }
+  for (std::uint32_t i = 0; i < side * (side - 1); ++i) {
+    if (i % side + 1 == side) continue;
+    shape.triangles.push_back({i, i + side, i + 1});
+    shape.triangles.push_back({i + 1, i + side, i + side + 1});
+  }
+  shape.influences_per_vertex = 1;
+  shape.joints.assign(shape.rest_positions.size(), 0);
+  shape.weights.assign(shape.rest_positions.size(), 1);
+  return shape;
+}
+
+TEST(Contact, LengthOfAPatchDoesNotDependOnTheSizeOfTriangles) {
+  float depth_before = 10;
+  for (const int cells : {1, 3, 9, 27}) {  // odd: no edge lies in the other square
+    Body a(square(cells, true)), b(square(cells, false));
+    const ContactGeometry geometry = geometry_of(a, b);
+    ASSERT_EQ(geometry.patches.size(), 1u) << cells;
+    const ContactPatch& patch = geometry.patches[0];
+    EXPECT_NEAR(patch.length, 2, 1e-5) << cells;
+    EXPECT_LT(patch.depth, 0.8f * depth_before) << cells;
+    depth_before = patch.depth;
+  }
+}
+
 TEST(Contact, DescribesCoplanarAndCollapsedTriangles) {
   Shape flat;
   flat.rest_positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 2}};

@@ -93,9 +93,12 @@ export interface ContactCurve {
 export interface ContactPatch {
   /** Indices of its contacts in `pairs`, ascending. */
   readonly contacts: Uint32Array;
-  /** Sum of the lengths of all segments. */
+  /**
+   * Sum of the lengths of all segments: the length of the line in which the surfaces intersect. Does not
+   * depend on the size of the triangles. To sort patches by severity, sort by length.
+   */
   readonly length: number;
-  /** The largest depth of the contacts. */
+  /** The largest depth of the contacts. One large triangle with a small overlap may give a large depth. */
   readonly depth: number;
   /** Mean of the midpoints of the segments, weighted by length. */
   readonly point: readonly [number, number, number];

@@ -113,15 +113,34 @@ TEST(CheckContacts, AreWrittenOnlyOnRequest) {
   const std::vector<json> pairs = pairs_of(parse_check_file(run.out));
   ASSERT_GE(pairs.size(), 1u);
   for (const char* key : {"traces", "curves", "patches"}) EXPECT_FALSE(pairs[0].contains(key));
-  EXPECT_EQ(run.err.find("deepest patches"), std::string::npos);
+  EXPECT_EQ(run.err.find("longest patches"), std::string::npos);
 }
 
-TEST(CheckContacts, SummaryNamesTheDeepestJoints) {
+/// The lengths of the rows of a list.
+std::vector<double> numbers_of_list(const std::string& words, const std::string& title) {
+  std::vector<double> numbers;
+  std::istringstream lines(words.substr(words.find('\n', words.find(title)) + 1));
+  for (std::string line; std::getline(lines, line) && !line.empty() && line[0] == ' ';) {
+    if (line.find("... and") == line.npos) numbers.push_back(std::stod(line));
+  }
+  return numbers;
+}
+
+TEST(CheckContacts, SummaryNamesTheJointsOfTheLongestPatches) {
   const TestFolder folder;
   write_limbs(folder);
-  const Ended run = run_pelt(folder, {"check", "scene.json", "--contacts"});
-  for (const char* words : {"patches    ", "deepest patches", "one 0 joint ", "two 1 joint "})
+  const Ended run =
+      run_pelt(folder, {"check", "scene.json", "--contacts", "--jsonl", "answer.jsonl"});
+  for (const char* words : {"patches    ", "longest patches", "one 0 joint ", "two 1 joint "})
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+  double longest = 0;
+  for (const json& pair : pairs_of(parse_check_file(read_text(folder / "answer.jsonl"))))
+    for (const json& patch : pair["patches"])
+      longest = std::max(longest, patch["length"].get<double>());
+  const std::vector<double> listed = numbers_of_list(run.out, "longest patches");
+  ASSERT_FALSE(listed.empty()) << run.out;
+  EXPECT_NEAR(listed[0], longest, 1e-6);
+  EXPECT_TRUE(std::is_sorted(listed.begin(), listed.end(), std::greater<>())) << run.out;
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ class ExtraQueries {
     if (settings.asks_inside) inside_.emplace(staged, ignored);
     if (!settings.describes_contacts) return;
     details_.emplace(staged);
-    depths_.emplace(staged);
+    patches_.emplace(staged);
   }
 
   /// `found` has all contacts of pairs, including dropped and ignored ones.
@@ -97,7 +97,7 @@ class ExtraQueries {
                         const scene::FrameContacts& found) {
     if (!details_) return {};
     if (const auto described = details_->describe(palettes, found); !described) return described;
-    depths_->add(frame, found, *details_);
+    patches_->add(frame, found, *details_);
     return {};
   }
 
@@ -106,9 +106,9 @@ class ExtraQueries {
   }
 
   void report(CheckReport& report) const {
-    if (depths_) {
-      report.patches = depths_->patches();
-      report.deepest = depths_->deepest();
+    if (patches_) {
+      report.patches = patches_->patches();
+      report.longest_patches = patches_->longest();
     }
     if (!inside_) return;
     report.inside = insides_;
@@ -121,7 +121,7 @@ class ExtraQueries {
   std::optional<InsideQuery> inside_;
   InsideTally insides_;
   std::optional<ContactDetails> details_;
-  std::optional<DepthTally> depths_;
+  std::optional<PatchTally> patches_;
 };
 
 /// Returns nullopt if bodies are not tested against themselves.

@@ -4,9 +4,9 @@
 
 #include "tools/pelt/check/always_tally.hpp"
 #include "tools/pelt/check/check_settings.hpp"
-#include "tools/pelt/check/depth_tally.hpp"
 #include "tools/pelt/check/inside_query.hpp"
 #include "tools/pelt/check/jsonl.hpp"
+#include "tools/pelt/check/patch_tally.hpp"
 #include "tools/pelt/check/touch_tally.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
@@ -33,7 +33,7 @@ struct CheckReport {
   std::vector<std::uint32_t> frames_in_contact;
   std::vector<std::uint64_t> frame_contacts;  ///< per frame
   std::uint64_t patches = 0;                  ///< number of patches of described contacts
-  std::vector<DepthTally::Row> deepest;
+  std::vector<PatchTally::Row> longest_patches;
   std::optional<InsideTally> inside;   ///< if requested
   std::optional<AlwaysCounts> always;  ///< if --self-always is not chosen
   std::vector<double> frame_seconds;   ///< setting palettes and querying pairs, without sampling

@@ -221,17 +221,19 @@ void print_comparison(const scene::StagedScene& staged, const Comparison& compar
                                   << " known touches, of parts that this check leaves out\n";
 }
 
-void print_deepest(const scenes::Scene& scene, const CheckReport& report, std::ostream& out) {
-  scene::label(out, "patches") << output::with_commas(report.patches)
-                               << " in all\n\ndeepest patches, depths in the units of the file\n";
-  const int width = width_of(shown(report.deepest)),
-            width_b = width_of(shown(report.deepest), &DepthTally::Row::b);
-  for (const DepthTally::Row& row : shown(report.deepest)) {
-    out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.depth), 6) << "  "
+void print_longest(const scenes::Scene& scene, const CheckReport& report, std::ostream& out) {
+  scene::label(out, "patches")
+      << output::with_commas(report.patches)
+      << " in all\n\nlongest patches, lengths of the intersection in the units of the file\n";
+  const std::vector<PatchTally::Row>& patches = report.longest_patches;
+  const int width = width_of(shown(patches)),
+            width_b = width_of(shown(patches), &PatchTally::Row::b);
+  for (const PatchTally::Row& row : shown(patches)) {
+    out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.length), 6) << "  "
         << std::left << std::setw(width) << row.a << "  " << std::setw(width_b) << row.b << "  "
         << scene::frame_words(scene, row.frame) << " (" << seconds_of(scene, row.frame) << ")\n";
   }
-  print_rest(report.deepest.size(), out);
+  print_rest(patches.size(), out);
   out << '\n';
 }
 
@@ -284,7 +286,7 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
   // Failures come first.
   if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
   print_touching(staged.scene, report, tally, out);
-  if (report.patches > 0) print_deepest(staged.scene, report, out);
+  if (report.patches > 0) print_longest(staged.scene, report, out);
   if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';

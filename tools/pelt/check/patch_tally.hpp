@@ -1,6 +1,7 @@
 #pragma once
 
-/// Deepest contacts: patches of all frames, grouped by their joints.
+/// The longest patches of all frames, for each pair of joints. The length of an intersection does
+/// not depend on the size of the triangles, unlike the depths of contacts.
 
 #include <pelt/contact.hpp>
 
@@ -13,24 +14,24 @@
 
 namespace pelt::tools::check {
 
-class DepthTally {
+class PatchTally {
  public:
   /// Both arguments must outlive the tally.
-  explicit DepthTally(const scene::StagedScene& staged) : staged_(staged) {}
+  explicit PatchTally(const scene::StagedScene& staged) : staged_(staged) {}
 
   void add(std::uint32_t frame, const scene::FrameContacts& found, const ContactDetails& details);
 
   std::uint64_t patches() const { return patches_; }
 
-  /// Two joints, their deepest patch and its frame.
+  /// Two joints, the length of their longest patch (see `ContactPatch::length`) and its frame.
   struct Row {
     std::string a, b;  ///< "knight 0 Hips"
-    float depth = 0;
+    float length = 0;
     std::uint32_t frame = 0;
   };
 
-  /// Rows for all pairs of joints, deepest first.
-  std::vector<Row> deepest() const;
+  /// Rows for all pairs of joints, longest first.
+  std::vector<Row> longest() const;
 
  private:
   struct Place {
@@ -38,8 +39,8 @@ class DepthTally {
 
     friend auto operator<=>(const Place&, const Place&) = default;
   };
-  struct Deepest {
-    float depth = -1;
+  struct Longest {
+    float length = -1;
     std::uint32_t frame = 0;
   };
 
@@ -47,7 +48,7 @@ class DepthTally {
 
   scene::StagedScene staged_;
   std::uint64_t patches_ = 0;
-  std::map<std::pair<Place, Place>, Deepest> deepest_;
+  std::map<std::pair<Place, Place>, Longest> longest_;
 };
 
 }  // namespace pelt::tools::check

@@ -1,4 +1,4 @@
-#include "tools/pelt/check/depth_tally.hpp"
+#include "tools/pelt/check/patch_tally.hpp"
 
 #include "asset/printable.hpp"
 #include "scenes/names.hpp"
@@ -7,28 +7,28 @@
 
 namespace pelt::tools::check {
 
-void DepthTally::add(std::uint32_t frame, const scene::FrameContacts& found,
+void PatchTally::add(std::uint32_t frame, const scene::FrameContacts& found,
                      const ContactDetails& details) {
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {
     const scene::FrameContacts::Pair& pair = found.pairs[i];
     for (const ContactPatch& patch : details.of_pair(i).patches) {
       ++patches_;
-      Deepest& known = deepest_[{Place{pair.a, patch.joint_a}, Place{pair.b, patch.joint_b}}];
-      if (patch.depth > known.depth) known = {patch.depth, frame};
+      Longest& known = longest_[{Place{pair.a, patch.joint_a}, Place{pair.b, patch.joint_b}}];
+      if (patch.length > known.length) known = {patch.length, frame};
     }
   }
 }
 
-std::vector<DepthTally::Row> DepthTally::deepest() const {
+std::vector<PatchTally::Row> PatchTally::longest() const {
   std::vector<Row> rows;
-  for (const auto& [places, known] : deepest_)
-    rows.push_back({name(places.first), name(places.second), known.depth, known.frame});
+  for (const auto& [places, known] : longest_)
+    rows.push_back({name(places.first), name(places.second), known.length, known.frame});
   std::stable_sort(rows.begin(), rows.end(),
-                   [](const Row& a, const Row& b) { return a.depth > b.depth; });
+                   [](const Row& a, const Row& b) { return a.length > b.length; });
   return rows;
 }
 
-std::string DepthTally::name(const Place& place) const {
+std::string PatchTally::name(const Place& place) const {
   const scene::Collider& collider = staged_.colliders[place.collider];
   const std::uint32_t character = staged_.scene.instances[collider.instance].character;
   return scene::collider_name(staged_, collider) + " " +
