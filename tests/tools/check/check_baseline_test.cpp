@@ -118,7 +118,8 @@ TEST(CheckBaseline, SaysHowManyMoreThereAreThanItLists) {
   const Ended run = run_pelt(folder, {"check", "scene.json", "--baseline", "known.jsonl"});
   const std::size_t joints = all.totals["touches"].size();  // a limb has one part
   for (const std::size_t listed : {joints, worse})
-    EXPECT_NE(run.out.find("... and " + std::to_string(listed - 10) + " more, see --jsonl\n"),
+    EXPECT_NE(run.out.find("... and " + std::to_string(listed - 10) + " more: --list " +
+                           std::to_string(listed) + "\n"),
               std::string::npos)
         << run.out;
 }

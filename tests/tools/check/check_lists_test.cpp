@@ -1,4 +1,4 @@
-/// The lists of `pelt check --baseline`, and their order.
+/// The lists of `pelt check`, their length and their order.
 
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
@@ -59,6 +59,39 @@ TEST(CheckLists, GiveWhatIsNewFirst) {
   ASSERT_NE(touching, std::string::npos) << run.out;
   EXPECT_LT(fresh, grown) << run.out;
   EXPECT_LT(grown, touching) << run.out;
+}
+
+std::size_t count_of(const std::string& words, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = words.find(text); at != words.npos; at = words.find(text, at + 1)) ++count;
+  return count;
+}
+
+TEST(CheckLists, AreAsLongAsTheOptionSays) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const auto rows = [&](const Words& options) {
+    const std::string words = check_limbs_with(folder, options).out;
+    return std::pair(count_of(words, ", worst frame "), words);
+  };
+  const auto [all, words_of_all] = rows({});
+  ASSERT_GT(all, 3u);
+  EXPECT_EQ(words_of_all.find("more: --list"), std::string::npos) << words_of_all;
+  const auto [two, words_of_two] = rows({"--list", "2"});
+  EXPECT_EQ(two, 2u) << words_of_two;
+  const std::string as_long = std::to_string(all);
+  EXPECT_NE(words_of_two.find("... and " + std::to_string(all - 2) + " more: --list " + as_long),
+            std::string::npos)
+      << words_of_two;
+  EXPECT_EQ(rows({"--list", as_long}).first, all);
+}
+
+TEST(CheckLists, HaveAtLeastOneRow) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const Ended run = check_limbs_with(folder, {"--list", "0"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--list: must not be 0: give 1 or more"), std::string::npos) << run.err;
 }
 
 TEST(CheckLists, DoNotCallGoneWhatIsLeftOut) {

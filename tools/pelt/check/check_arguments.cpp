@@ -29,6 +29,11 @@ Result<std::optional<std::uint32_t>> choose_limit(const CheckArguments& argument
   return arguments.max_contacts;
 }
 
+Result<std::uint32_t> choose_rows(const CheckArguments& arguments) {
+  if (arguments.list > 0) return arguments.list;
+  return output::bad_argument("--list", "must not be 0", "give 1 or more");
+}
+
 bool contains(const arguments::FrameRange& range, std::uint32_t frame) {
   return frame >= range.begin && frame < range.end && (frame - range.begin) % range.stride == 0;
 }
@@ -227,6 +232,8 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
       "--allow-empty", arguments.allow_empty,
       "Accept a check that has nothing to test, such as one of a single instance with --self no "
       "(otherwise exit code 2)");
+  verb.option("--list", arguments.list, "Show at most N rows of each list in the summary",
+              {.type = "N"});
   verb.option("--jsonl", arguments.jsonl,
               "Write the answer, one JSON object per line; -: to standard output, with the summary "
               "on standard error",
@@ -262,6 +269,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   choices.take(scene::choose_granularity(arguments.by), settings.granularity);
   choices.take(choose_self(arguments, settings, scene), settings.self);
   choices.take(choose_limit(arguments), settings.max_contacts);
+  choices.take(choose_rows(arguments), settings.rows_listed);
   choices.take(arguments::choose_frames(arguments.frames, arguments.scene, scene), settings.frames);
   choices.take(choose_ignored(arguments, scene), settings.ignore);
   choices.take(choose_glb_frame(arguments, settings.frames), settings.frame_to_keep);

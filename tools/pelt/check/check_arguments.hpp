@@ -20,6 +20,7 @@ struct CheckArguments {
   bool first = false, pairs = false, contacts = false, inside = false, allow_empty = false;
   std::optional<double> clearance;
   std::optional<std::uint32_t> max_contacts, glb_frame;
+  std::uint32_t list = 10;
   std::vector<std::string> ignore;
   SelfArguments self;
   std::string baseline, fail_on;

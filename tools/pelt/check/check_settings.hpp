@@ -20,6 +20,7 @@ struct CheckSettings {
   std::optional<double> clearance;
   bool lists_triangles = false;     ///< all pairs of them, not only their number
   bool describes_contacts = false;  ///< describe the geometry of contacts
+  std::uint32_t rows_listed = 10;   ///< most rows of each list of the summary
   bool asks_inside = false;         ///< test which bodies are inside others
   SelfChoice self;                  ///< whether bodies are tested against themselves
   std::vector<scenes::NamePair> ignore;

@@ -12,8 +12,6 @@
 namespace pelt::tools::check {
 namespace {
 
-constexpr std::size_t kMaxRows = 10;
-
 /// "0.667 s"
 std::string seconds_of(const scenes::Scene& scene, std::uint32_t frame) {
   return output::fixed(scenes::frame_time(scene, frame), 3) + " s";
@@ -84,18 +82,30 @@ void print_always(const AlwaysCounts& counts, std::ostream& out) {
                             << " drops them\n";
 }
 
-/// Prints the number of rows that a list leaves out.
-void print_rest(std::size_t count, std::ostream& out) {
-  if (count > kMaxRows)
-    out << std::right << std::setw(12) << "..."
-        << " and " << output::with_commas(count - kMaxRows) << " more, see --jsonl\n";
-}
+/// The number of rows that each list shows.
+class ListLength {
+ public:
+  explicit ListLength(std::size_t most) : most_(most) {}
 
-/// Returns the rows of a list to show.
-template <typename Row>
-std::span<const Row> shown(const std::vector<Row>& rows) {
-  return std::span(rows).first(std::min(rows.size(), kMaxRows));
-}
+  template <typename Row>
+  std::span<const Row> shown(std::span<const Row> rows) const {
+    return rows.first(std::min(rows.size(), most_));
+  }
+  template <typename Row>
+  std::span<const Row> shown(const std::vector<Row>& rows) const {
+    return shown(std::span<const Row>(rows));
+  }
+
+  /// Prints how many of `count` rows the list leaves out, and the option that shows them.
+  void print_rest(std::size_t count, std::ostream& out) const {
+    if (count <= most_) return;
+    out << std::right << std::setw(12) << "..."
+        << " and " << output::with_commas(count - most_) << " more: --list " << count << '\n';
+  }
+
+ private:
+  std::size_t most_;
+};
 
 /// Width of a column of names.
 template <typename Row>
@@ -107,11 +117,13 @@ int width_of(std::span<const Row> rows, std::string Row::*column = &Row::a) {
 
 /// Prints the contacts of each row, its share of all `contacts`, and its worst frame.
 void print_rows(const char* title, const std::vector<TouchTally::Row>& rows,
-                const scenes::Scene& scene, std::uint64_t contacts, std::ostream& out) {
+                const scenes::Scene& scene, std::uint64_t contacts, const ListLength& length,
+                std::ostream& out) {
   out << '\n' << title << '\n';
-  const int width = width_of(shown(rows)), width_b = width_of(shown(rows), &TouchTally::Row::b);
-  const int clip_width = width_of(shown(rows), &TouchTally::Row::clip);
-  for (const TouchTally::Row& row : shown(rows)) {
+  const std::span<const TouchTally::Row> shown = length.shown(rows);
+  const int width = width_of(shown), width_b = width_of(shown, &TouchTally::Row::b);
+  const int clip_width = width_of(shown, &TouchTally::Row::clip);
+  for (const TouchTally::Row& row : shown) {
     const double percent =
         100.0 * static_cast<double>(row.contacts) / static_cast<double>(contacts);
     out << std::right << std::setw(12) << output::with_commas(row.contacts) << std::setw(6)
@@ -121,35 +133,34 @@ void print_rows(const char* title, const std::vector<TouchTally::Row>& rows,
         << output::counted(row.frames, "frame") << ", worst frame "
         << scenes::frame_in_take(scene, row.worst_frame) << '\n';
   }
-  print_rest(rows.size(), out);
+  length.print_rest(rows.size(), out);
 }
 
 /// Prints the clips in contact, those with the most contacts of one frame first.
 void print_takes(const scenes::Scene& scene, const std::vector<TakeTotals>& takes,
-                 std::ostream& out) {
+                 const ListLength& length, std::ostream& out) {
   std::vector<TakeTotals> in_contact = takes;
   std::erase_if(in_contact, [](const TakeTotals& take) { return take.contacts == 0; });
   std::stable_sort(in_contact.begin(), in_contact.end(),
                    [](const TakeTotals& a, const TakeTotals& b) { return a.worst > b.worst; });
   scene::label(out, "clips") << output::with_commas(in_contact.size()) << " of "
                              << output::counted(takes.size(), "checked clip") << " in contact\n";
-  for (const TakeTotals& take : shown(in_contact)) {
+  for (const TakeTotals& take : length.shown(in_contact)) {
     out << std::right << std::setw(12) << output::with_commas(take.worst) << "  "
         << scene::frame_words(scene, take.worst_frame) << ", in contact in "
         << output::with_commas(take.frames_in_contact) << " of "
         << output::counted(take.frames, "frame") << '\n';
   }
-  print_rest(in_contact.size(), out);
+  length.print_rest(in_contact.size(), out);
 }
 
 void print_touching(const scenes::Scene& scene, const CheckReport& report, const TouchTally& tally,
-                    std::ostream& out) {
+                    const ListLength& length, std::ostream& out) {
   const std::uint64_t contacts = report.totals.contacts;
   if (contacts == 0) return;
-  if (scene::has_many_parts(scene)) {
-    print_rows("parts that touch", tally.parts(), scene, contacts, out);
-  }
-  print_rows("joints that touch", tally.joints(), scene, contacts, out);
+  if (scene::has_many_parts(scene))
+    print_rows("parts that touch", tally.parts(), scene, contacts, length, out);
+  print_rows("joints that touch", tally.joints(), scene, contacts, length, out);
   out << '\n';
 }
 
@@ -161,22 +172,21 @@ std::string held_words(const scene::StagedScene& staged, const Held& held) {
 }
 
 void print_held(const scene::StagedScene& staged, const char* name, std::span<const Held> held,
-                std::ostream& out) {
-  for (std::size_t i = 0; i < std::min(held.size(), kMaxRows); ++i)
-    scene::label(out, name) << held_words(staged, held[i]) << '\n';
-  print_rest(held.size(), out);
+                const ListLength& length, std::ostream& out) {
+  for (const Held& one : length.shown(held))
+    scene::label(out, name) << held_words(staged, one) << '\n';
+  length.print_rest(held.size(), out);
 }
 
 void print_worse(const scene::StagedScene& staged, std::span<const Worse> worse,
-                 std::ostream& out) {
-  for (std::size_t i = 0; i < std::min(worse.size(), kMaxRows); ++i) {
-    const auto& [touch, known] = worse[i];
+                 const ListLength& length, std::ostream& out) {
+  for (const auto& [touch, known] : length.shown(worse)) {
     out << std::right << std::setw(12) << output::with_commas(touch.worst) << " ("
         << (known == 0 ? "new" : "was " + output::with_commas(known)) << ")  "
         << scene::frame_words(staged.scene, touch.worst_frame) << "  " << touch_words(staged, touch)
         << '\n';
   }
-  print_rest(worse.size(), out);
+  length.print_rest(worse.size(), out);
 }
 
 /// Prints the touches of the baseline that this check did not find.
@@ -201,7 +211,7 @@ std::size_t new_touches(const Comparison& comparison) {
 
 /// Prints the differences from the baseline.
 void print_comparison(const scene::StagedScene& staged, const Comparison& comparison,
-                      std::ostream& out) {
+                      const ListLength& length, std::ostream& out) {
   for (const std::string& note : comparison.notes)
     scene::label(out, "note") << asset::printable(note) << '\n';
   const std::size_t fresh = new_touches(comparison), grown = comparison.worse.size() - fresh;
@@ -211,9 +221,9 @@ void print_comparison(const scene::StagedScene& staged, const Comparison& compar
                                 << output::with_commas(grown) << " grown, "
                                 << output::with_commas(as_known) << " as known\n";
   const std::span<const Worse> worse = comparison.worse;
-  print_worse(staged, worse.first(fresh), out);
-  print_held(staged, "new", comparison.newly_held, out);
-  print_worse(staged, worse.subspan(fresh), out);
+  print_worse(staged, worse.first(fresh), length, out);
+  print_held(staged, "new", comparison.newly_held, length, out);
+  print_worse(staged, worse.subspan(fresh), length, out);
   print_gone(comparison, out);
   if (!comparison.left_out.empty())
     scene::label(out, "left out") << output::with_commas(comparison.left_out.size()) << " of "
@@ -221,24 +231,24 @@ void print_comparison(const scene::StagedScene& staged, const Comparison& compar
                                   << " known touches, of parts that this check leaves out\n";
 }
 
-void print_longest(const scenes::Scene& scene, const CheckReport& report, std::ostream& out) {
+void print_longest(const scenes::Scene& scene, const CheckReport& report, const ListLength& length,
+                   std::ostream& out) {
   scene::label(out, "patches")
       << output::with_commas(report.patches)
       << " in all\n\nlongest patches, lengths of the intersection in the units of the file\n";
-  const std::vector<PatchTally::Row>& patches = report.longest_patches;
-  const int width = width_of(shown(patches)),
-            width_b = width_of(shown(patches), &PatchTally::Row::b);
-  for (const PatchTally::Row& row : shown(patches)) {
+  const std::span<const PatchTally::Row> shown = length.shown(report.longest_patches);
+  const int width = width_of(shown), width_b = width_of(shown, &PatchTally::Row::b);
+  for (const PatchTally::Row& row : shown) {
     out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.length), 6) << "  "
         << std::left << std::setw(width) << row.a << "  " << std::setw(width_b) << row.b << "  "
         << scene::frame_words(scene, row.frame) << " (" << seconds_of(scene, row.frame) << ")\n";
   }
-  print_rest(patches.size(), out);
+  length.print_rest(report.longest_patches.size(), out);
   out << '\n';
 }
 
 void print_inside(const scene::StagedScene& staged, const InsideTally& inside, std::uint32_t stride,
-                  std::ostream& out) {
+                  const ListLength& length, std::ostream& out) {
   scene::label(out, "inside");
   if (staged.colliders.size() < 2) {
     out << "not tested: --inside compares different instances (or, with --by part, parts), and "
@@ -254,7 +264,7 @@ void print_inside(const scene::StagedScene& staged, const InsideTally& inside, s
   } else {
     out << "a body is contained in another in frames "
         << scene::frame_runs(staged.scene, inside.frames_held, stride) << '\n';
-    print_held(staged, "", inside.held, out);
+    print_held(staged, "", inside.held, length, out);
   }
   const InsideTally::Deepest& deepest = inside.deepest;
   if (deepest.depth == 0) return;
@@ -269,6 +279,7 @@ void print_inside(const scene::StagedScene& staged, const InsideTally& inside, s
 
 void print_summary(const scene::StagedScene& staged, const CheckSettings& settings,
                    const CheckReport& report, const TouchTally& tally, std::ostream& out) {
+  const ListLength length(settings.rows_listed);
   scene::print_scene(staged, out);
   scene::label(out, "method") << settings.method.name << '\n';
   print_self(settings, staged.colliders.size(), out);
@@ -278,16 +289,16 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
     scene::label(out, "clearance")
         << "counts triangles at most " << *settings.clearance << " apart\n";
   print_contacts(staged.scene, settings, report, out);
-  if (!report.totals.takes.empty()) print_takes(staged.scene, report.totals.takes, out);
+  if (!report.totals.takes.empty()) print_takes(staged.scene, report.totals.takes, length, out);
   if (report.totals.ignored > 0)
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
   print_left_out(report.totals.left_out, settings.self.rules, out);
   if (report.always) print_always(*report.always, out);
   // Failures come first.
-  if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, out);
-  print_touching(staged.scene, report, tally, out);
-  if (report.patches > 0) print_longest(staged.scene, report, out);
-  if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, out);
+  if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, length, out);
+  print_touching(staged.scene, report, tally, length, out);
+  if (report.patches > 0) print_longest(staged.scene, report, length, out);
+  if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, length, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';
 }
