@@ -86,14 +86,6 @@ TEST(CheckLists, AreAsLongAsTheOptionSays) {
   EXPECT_EQ(rows({"--list", as_long}).first, all);
 }
 
-TEST(CheckLists, HaveAtLeastOneRow) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const Ended run = check_limbs_with(folder, {"--list", "0"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("--list: must not be 0: give 1 or more"), std::string::npos) << run.err;
-}
-
 TEST(CheckLists, DoNotCallGoneWhatIsLeftOut) {
   const TestFolder folder;
   write_strip(folder, "strip.glb");

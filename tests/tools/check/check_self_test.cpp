@@ -329,7 +329,8 @@ TEST(CheckSelf, RefusesWhatItCannotDo) {
   refused({"--self=many"}, "--self: unknown value \"many\"");
   for (const char* rings : {"65", "-1", "few"})
     refused({"--self-rings", rings},
-            std::string("--self-rings: Value ") + rings + " not in range 0 to 64");
+            std::string("--self-rings: \"") + rings +
+                "\" is not allowed: give a whole number from 0 to 64: see pelt check --help\n");
   refused({"--self-at-rest", "on"}, "--self-at-rest: unknown value \"on\"");
   refused({"--self-always", "2"}, "--self-always: unknown value \"2\"");
   refused({"--self-near-joints", "no"}, "--self-near-joints: unknown value \"no\"");

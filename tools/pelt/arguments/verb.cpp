@@ -1,8 +1,11 @@
 #include "tools/pelt/arguments/verb.hpp"
 
+#include "asset/message.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -18,6 +21,38 @@ template <typename T>
 constexpr bool kIsList = false;
 template <typename T>
 constexpr bool kIsList<std::vector<T>> = true;
+
+template <typename T>
+constexpr bool kIsWhole =
+    std::is_same_v<T, std::uint32_t> || std::is_same_v<T, std::optional<std::uint32_t>>;
+
+template <typename T>
+constexpr bool kIsDecimal =
+    std::is_same_v<T, std::optional<double>> || std::is_same_v<T, std::vector<double>>;
+
+/// Rejects what is not a whole number of the range. CLI11 itself would only print "Could not
+/// convert".
+CLI::Validator whole_number(const OptionSyntax& syntax) {
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
+  const std::uint32_t least = syntax.least, most = syntax.most > 0 ? syntax.most : kMost;
+  const std::string range = std::to_string(least) + " to " + std::to_string(most);
+  const auto check = [least, most, range](const std::string& text) {
+    std::uint32_t number = 0;
+    if (CLI::detail::lexical_cast(text, number) && number >= least && number <= most)
+      return std::string();
+    return asset::quoted(text) + " is not allowed: give a whole number from " + range;
+  };
+  return CLI::Validator(check, syntax.most > 0 ? range : "");
+}
+
+CLI::Validator decimal_number() {
+  const auto check = [](const std::string& text) {
+    double number = 0;
+    if (CLI::detail::lexical_cast(text, number)) return std::string();
+    return asset::quoted(text) + " is not a number: give a number such as 0.5";
+  };
+  return CLI::Validator(check, "");
+}
 
 /// Quotes a word for a shell.
 std::string shell_word(const std::string& word) {
@@ -59,7 +94,8 @@ void Verb::option(const char* name, T& value, const std::string& help, const Opt
   CLI::Option* const option = verb_.add_option(name, value, help);
   option->required(syntax.is_required);
   if (syntax.type) option->type_name(syntax.type);
-  if (syntax.most > 0) option->check(CLI::Range(0, syntax.most));
+  if constexpr (kIsWhole<T>) option->check(whole_number(syntax));
+  if constexpr (kIsDecimal<T>) option->check(decimal_number());
   if (syntax.excludes) option->excludes(verb_.get_option(syntax.excludes));
   if (syntax.group) option->group(syntax.group);
   if (kIsList<T> && option->nonpositional()) option->allow_extra_args(false);

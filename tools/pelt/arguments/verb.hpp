@@ -5,6 +5,7 @@
 
 #include "tools/pelt/arguments/exit_code.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace CLI {
@@ -17,7 +18,8 @@ namespace pelt::tools::arguments {
 struct OptionSyntax {
   const char* type = nullptr;  ///< name of the value in the help, such as FILE
   bool is_required = false;
-  int most = 0;                    ///< a number from 0 to this; 0: no limit
+  std::uint32_t least = 0;         ///< of a whole number
+  std::uint32_t most = 0;          ///< of a whole number; 0: no limit
   const char* excludes = nullptr;  ///< an option, added before, that it cannot be combined with
   const char* group = nullptr;     ///< a separate heading in the help
 };

@@ -21,19 +21,6 @@ Result<methods::MethodKind> choose_method(const std::string& name, methods::Meth
                                                 scenes::suggestion(name, methods::names_of(known))};
 }
 
-Result<std::optional<std::uint32_t>> choose_limit(const CheckArguments& arguments) {
-  if (arguments.first) return std::optional<std::uint32_t>(1);
-  if (arguments.max_contacts == 0u) {
-    return output::bad_argument("--max-contacts", "must not be 0", "give 1 or more");
-  }
-  return arguments.max_contacts;
-}
-
-Result<std::uint32_t> choose_rows(const CheckArguments& arguments) {
-  if (arguments.list > 0) return arguments.list;
-  return output::bad_argument("--list", "must not be 0", "give 1 or more");
-}
-
 bool contains(const arguments::FrameRange& range, std::uint32_t frame) {
   return frame >= range.begin && frame < range.end && (frame - range.begin) % range.stride == 0;
 }
@@ -216,7 +203,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.flag("--first", arguments.first, "Stop at the first contact of each pair in each frame");
   verb.option("--max-contacts", arguments.max_contacts,
               "Stop after N contacts of each pair in each frame",
-              {.type = "N", .excludes = "--first"});
+              {.type = "N", .least = 1, .excludes = "--first"});
   add_self_options(verb, arguments.self);
   verb.option("--ignore", arguments.ignore,
               "Do not count contacts between two parts or joints (repeatable)", {.type = "A,B"});
@@ -233,7 +220,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
       "Accept a check that has nothing to test, such as one of a single instance with --self no "
       "(otherwise exit code 2)");
   verb.option("--list", arguments.list, "Show at most N rows of each list in the summary",
-              {.type = "N"});
+              {.type = "N", .least = 1});
   verb.option("--jsonl", arguments.jsonl,
               "Write the answer, one JSON object per line; -: to standard output, with the summary "
               "on standard error",
@@ -263,13 +250,13 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   settings.describes_contacts = arguments.contacts;
   settings.asks_inside = arguments.inside;
   settings.allows_empty = arguments.allow_empty;
+  settings.rows_listed = arguments.list;
+  settings.max_contacts = arguments.first ? 1 : arguments.max_contacts;
   Choices choices;
   choices.take(choose_method(arguments.method, arguments.known_methods), settings.method);
   choices.take(choose_clearance(arguments, settings.method), settings.clearance);
   choices.take(scene::choose_granularity(arguments.by), settings.granularity);
   choices.take(choose_self(arguments, settings, scene), settings.self);
-  choices.take(choose_limit(arguments), settings.max_contacts);
-  choices.take(choose_rows(arguments), settings.rows_listed);
   choices.take(arguments::choose_frames(arguments.frames, arguments.scene, scene), settings.frames);
   choices.take(choose_ignored(arguments, scene), settings.ignore);
   choices.take(choose_glb_frame(arguments, settings.frames), settings.frame_to_keep);

@@ -179,9 +179,6 @@ Result<bench::BenchSettings> choose(const Arguments& arguments) {
   const auto caches = parse_list("--caches", arguments.caches, kCaches);
   if (!caches) return caches.error();
   settings.caches = *caches;
-  if (arguments.repetitions == 0) {
-    return output::bad_argument("--repeat", "must not be 0", "give 1 or more");
-  }
   settings.repetitions = arguments.repetitions;
   settings.models = arguments.models;
   settings.program = arguments.program;
@@ -338,7 +335,8 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
               {.type = "hot,cold"});
   verb.option("--threads", arguments.threads,
               "Run on_demand as a crowd on N threads, on M threads, ...", {.type = "N,M"});
-  verb.option("--repeat", arguments.repetitions, "Repetitions of each frame", {.type = "N"});
+  verb.option("--repeat", arguments.repetitions, "Repetitions of each frame",
+              {.type = "N", .least = 1});
   verb.option("--frames", arguments.frames, "Frames A to B - 1, each S-th of them",
               {.type = "A:B[:S]"});
   verb.option("--json", arguments.json, "Write the figures", {.type = "FILE"});

@@ -46,9 +46,6 @@ Result<std::string> make_page(const Arguments& arguments) {
 }
 
 Result<arguments::ExitCode> view(const Arguments& arguments) {
-  constexpr std::uint32_t kMaxPort = 65535;
-  if (arguments.port > kMaxPort)
-    return output::bad_argument("--port", "is out of range", "give a number from 0 to 65535");
   const Result<std::string> page = make_page(arguments);
   if (!page) return page.error();
   const page::Browser browser =
@@ -66,7 +63,7 @@ void add_view(CLI::App& app, arguments::Command& chosen) {
   const auto arguments = std::make_shared<Arguments>();
   arguments::add_scene_options(verb, arguments->scene, arguments::InputsNeeded::none);
   verb.option("--port", arguments->port, "Port on the loopback address (0: any free port)",
-              {.type = "N"});
+              {.type = "N", .most = 65535});
   verb.flag("--no-browser", arguments->no_browser, "Print the address and do not open a browser");
   verb.tells(arguments->words);
   verb.runs([arguments] { return view(*arguments); }, chosen);
