@@ -206,5 +206,31 @@ TEST(AllClips, AreNamedInTheLinesOfOtherQueries) {
   EXPECT_EQ(file.frames[30]["time"], 0);
 }
 
+/// Frames 30 to 59 are those of the second clip.
+TEST(AllClips, AreNamedInTheSummariesOfOtherQueries) {
+  const TestFolder folder;
+  const std::string strip = write_moving_strip(folder);
+  const auto run_of = [&](std::vector<std::string> words) {
+    words.insert(words.begin() + 1, {strip, strip, "--clip", "*", "--at", "0,0,0", "--at", "3,0,0",
+                                     "--frames", "30:60"});
+    const Ended run = run_pelt(folder, words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run;
+  };
+  EXPECT_TRUE(contains(run_of({"distance", "--from", "0,9,0"}).out, " of clip \"wave\": "));
+  const Ended distances = run_of({"distance", "--jsonl", "-"});
+  const json least = parse_check_file(distances.out).totals["totals"]["least"][0];
+  EXPECT_EQ(least["clip"], "wave");
+  EXPECT_EQ(least["frame"].get<int>(), least["clip_frame"].get<int>() + 30);
+  EXPECT_TRUE(contains(distances.err, "frame " + std::to_string(least["clip_frame"].get<int>()) +
+                                          " of clip \"wave\""))
+      << distances.err;
+  const std::string hits = run_of({"ray", "--from", "0.1,5,0.05", "--to", "0.1,-5,0.05"}).out;
+  EXPECT_TRUE(contains(hits, "of 30 frames: \"wave\" ")) << hits;
+  EXPECT_TRUE(contains(hits, " of clip \"wave\": ")) << hits;
+  const std::string region = run_of({"region", "--sphere", "0,0,0,1"}).out;
+  EXPECT_TRUE(contains(region, "not outside in \"wave\" ")) << region;
+}
+
 }  // namespace
 }  // namespace pelt::test

@@ -78,7 +78,7 @@ void ClosestQuery::write_totals(scene::JsonLine& line) const {
     if (!least_[p].closest) continue;
     ordered_json entry = point_json(least_[p]);
     entry["point"] = p;
-    entry["frame"] = least_frame_[p];
+    scene::add_frame(staged_.scene, least_frame_[p], entry);
     line.item(entry);
   }
   line.end_list();
@@ -102,7 +102,7 @@ void ClosestQuery::print(std::size_t frames, std::ostream& out) const {
       out << "nothing is within that distance\n";
       continue;
     }
-    out << "closest in frame " << least_frame_[p] << ": "
+    out << "closest in " << scene::frame_words(staged_.scene, least_frame_[p]) << ": "
         << output::fixed(least.closest.distance, 6) << " from "
         << scene::place_words(staged_, staged_.colliders[least.collider], least.closest.point)
         << '\n';

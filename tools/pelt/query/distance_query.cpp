@@ -119,7 +119,7 @@ void DistanceQuery::write_totals(scene::JsonLine& line) const {
   ordered_json entry;
   while (const PairDistance* pair = pairs.next()) {
     set_pair(*pair, entry);
-    entry["frame"] = pair->frame;
+    scene::add_frame(staged_.scene, pair->frame, entry);
     line.item(entry);
   }
   line.end_list();
@@ -161,9 +161,9 @@ void DistanceQuery::print(std::size_t frames, std::ostream& out) const {
   out << "\nleast distances\n";
   for (const PairDistance& pair : closest_.pairs()) {
     const Distance& distance = pair.distance;
-    out << std::right << std::setw(12) << output::fixed(distance.distance, 6) << "  frame "
-        << pair.frame << "  " << place(pair.a, distance.a) << "  " << place(pair.b, distance.b)
-        << '\n';
+    out << std::right << std::setw(12) << output::fixed(distance.distance, 6) << "  "
+        << scene::frame_words(staged_.scene, pair.frame) << "  " << place(pair.a, distance.a)
+        << "  " << place(pair.b, distance.b) << '\n';
   }
   out << '\n';
 }

@@ -26,6 +26,8 @@ class HitNames {
  public:
   HitNames(const scene::StagedScene& staged) : staged_(staged) {}
 
+  const scene::StagedScene& staged() const { return staged_; }
+
   std::string instance(std::uint32_t instance) const {
     return scene::collider_name(staged_, staged_.colliders[instance]);
   }
@@ -80,7 +82,7 @@ void print_first(const HitNames& names, const Ray& ray, const RayTally::First& f
                  std::ostream& out) {
   const RayHit& hit = first.hit;
   const std::vector<JointShare> joints = names.joints(first.instance, hit);
-  scene::label(out, "first hit") << "frame " << first.frame << ": "
+  scene::label(out, "first hit") << scene::frame_words(names.staged().scene, first.frame) << ": "
                                  << names.instance(first.instance) << ' '
                                  << asset::printable_name(names.part(first.instance, hit))
                                  << ", triangle " << hit.triangle << ", "
@@ -101,7 +103,7 @@ void print_ray(const HitNames& names, const RaySettings& settings, std::size_t n
   }
   out << "hits in " << output::with_commas(tally.frames.size()) << " of "
       << output::counted(frames, "frame") << ": "
-      << scene::frame_runs(tally.frames, settings.stride) << '\n';
+      << scene::frame_runs(names.staged().scene, tally.frames, settings.stride) << '\n';
   print_first(names, settings.rays[number], *tally.first_hit, out);
 }
 

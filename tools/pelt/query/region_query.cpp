@@ -97,7 +97,7 @@ void RegionQuery::print(std::size_t, std::ostream& out) const {
     for (const std::uint32_t frames : placed_[c].frames) column(frames);
     if (!placed_[c].frames_not_outside.empty())
       out << "  not outside in "
-          << scene::frame_runs(placed_[c].frames_not_outside, settings_.stride);
+          << scene::frame_runs(staged_.scene, placed_[c].frames_not_outside, settings_.stride);
     out << '\n';
   }
   out << '\n';

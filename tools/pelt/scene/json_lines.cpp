@@ -51,12 +51,17 @@ void write_header(const char* format, const StagedScene& staged, const ordered_j
              out);
 }
 
+void add_frame(const scenes::Scene& scene, std::uint32_t frame, ordered_json& object) {
+  object["frame"] = frame;
+  const scenes::Take* const take = scenes::find_take(scene, frame);
+  if (take == nullptr) return;
+  object["clip"] = take->clip;
+  object["clip_frame"] = scenes::frame_in_take(scene, frame);
+}
+
 ordered_json frame_json(const scenes::Scene& scene, std::uint32_t frame) {
-  ordered_json json = {{"frame", frame}};
-  if (const scenes::Take* take = scenes::find_take(scene, frame)) {
-    json["clip"] = take->clip;
-    json["clip_frame"] = scenes::frame_in_take(scene, frame);
-  }
+  ordered_json json;
+  add_frame(scene, frame, json);
   json["time"] = scenes::frame_time(scene, frame);
   return json;
 }

@@ -25,6 +25,9 @@ void write_header(const char* format, const StagedScene& staged,
 /// The start of a frame's line: `frame`; if the scene has takes, `clip` and `clip_frame`; `time`.
 nlohmann::ordered_json frame_json(const scenes::Scene& scene, std::uint32_t frame);
 
+/// Adds `frame` and, if the scene has takes, `clip` and `clip_frame`.
+void add_frame(const scenes::Scene& scene, std::uint32_t frame, nlohmann::ordered_json& object);
+
 /// Adds the frame as `key`, and its number within its take as `clip_key` if the scene has takes.
 void add_frame(const scenes::Scene& scene, std::uint32_t frame, const char* key,
                const char* clip_key, nlohmann::ordered_json& object);

@@ -97,13 +97,9 @@ void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ost
   out << '\n';
 }
 
-std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stride) {
-  return shortened(runs_from(0, frames, stride));
-}
-
 std::string frame_runs(const scenes::Scene& scene, std::span<const std::uint32_t> frames,
                        std::uint32_t stride) {
-  if (scene.takes.empty()) return frame_runs(frames, stride);
+  if (scene.takes.empty()) return shortened(runs_from(0, frames, stride));
   std::string text;
   while (!frames.empty() && text.size() <= kLongestList) {
     const scenes::Take& take = *scenes::find_take(scene, frames[0]);

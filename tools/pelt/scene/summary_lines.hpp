@@ -35,10 +35,8 @@ std::string frame_words(const scenes::Scene& scene, std::uint32_t frame);
 /// clean result.
 void print_too_few(const scenes::Scene& scene, Granularity granularity, std::ostream& out);
 
-/// "3-5, 9, 12-40": runs of ascending frames; frames `stride` apart are consecutive.
-std::string frame_runs(std::span<const std::uint32_t> frames, std::uint32_t stride);
-
-/// The same with frames counted from the start of each take: "walk" 3-5, 9, "idle" 0-2.
+/// "3-5, 9, 12-40": runs of ascending frames; frames `stride` apart are consecutive. If the scene
+/// has takes, frames are counted from the start of each take: "walk" 3-5, 9, "idle" 0-2.
 std::string frame_runs(const scenes::Scene& scene, std::span<const std::uint32_t> frames,
                        std::uint32_t stride);
 
