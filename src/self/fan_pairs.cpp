@@ -21,37 +21,46 @@ class FanPairs {
         answer_(answer),
         work_(work) {}
 
-  void test(const FanRun& run, std::uint32_t fan) {
-    const bool is_cracked = run.kind == FanKind::cracked;
-    const FanTriangle* const begin = fans_.triangles.data() + run.triangle_of(fan);
-    const FanTriangle* const end = begin + run.size;
-    const std::uint32_t vertex = fans_.corners.data()[begin->place()][begin->corner()];
-    for (const FanTriangle* a = begin; a != end; ++a) {
-      const SurfaceTriangle triangle = read(a->place(), is_cracked);
-      for (const FanTriangle* b = begin; b != a; ++b) {
-        // Triangles that share several vertices are tested once, in the fan of the lowest.
-        if (shares_lower(triangle, fans_.corners.data()[b->place()], vertex)) continue;
-        ++work_.triangle_pairs;
-        if (!surface_triangles_intersect(triangle, read(b->place(), is_cracked))) continue;
-        answer_.contacts().push(Contact{ids_[a->place()], ids_[b->place()]});
-        answer_.settle();
-        if (answer_.is_full()) return;
-      }
-    }
+  /// Tests all pairs of triangles of a fan.
+  void test_all(const FanRun& run, std::uint32_t fan) {
+    begin(run, fan);
+    for (std::uint32_t k = 1; k < run.size; ++k)
+      for (std::uint32_t i = 0; i < k && !answer_.is_full(); ++i) test(i, k);
+  }
+
+  /// Tests the listed pairs: bit i of row k for the triangles i and k.
+  void test_listed(const FanRun& run, std::uint32_t fan, const std::uint32_t* rows) {
+    begin(run, fan);
+    for (std::uint32_t k = 1; k < run.size; ++k)
+      for (SetBits i(rows[k]); i && !answer_.is_full(); ++i) test(*i, k);
   }
 
  private:
-  /// `is_cracked`: whether vertices of the fan's corners may have different positions.
-  SurfaceTriangle read(std::uint32_t place, bool is_cracked) {
-    const std::array<std::uint32_t, 3>& vertices = fans_.corners.data()[place];
-    if (is_cracked) return {reader_.corners(ids_[place], work_), vertices};
+  void begin(const FanRun& run, std::uint32_t fan) {
+    triangles_ = fans_.triangles.data() + run.triangle_of(fan);
+    vertex_ = fans_.corners.data()[triangles_->place()][triangles_->corner()];
+    is_cracked_ = run.kind == FanKind::cracked;
+  }
+
+  /// Triangles that share several vertices are tested once, in the fan of the lowest.
+  void test(std::uint32_t i, std::uint32_t k) {
+    const std::uint32_t a = triangles_[k].place(), b = triangles_[i].place();
+    if (share_lower(fans_.corners.data()[a], fans_.corners.data()[b])) return;
+    ++work_.triangle_pairs;
+    if (!surface_triangles_intersect(read(a), read(b))) return;
+    answer_.contacts().push(Contact{ids_[a], ids_[b]});
+    answer_.settle();
+  }
+
+  SurfaceTriangle read(std::uint32_t place) {
+    const SurfaceCorners& vertices = fans_.corners.data()[place];
+    if (is_cracked_) return {reader_.corners(ids_[place], work_), vertices};
     return {corners_at([&](std::size_t k) { return positions_[vertices[k]].data(); }), vertices};
   }
 
-  static bool shares_lower(const SurfaceTriangle& a, const std::array<std::uint32_t, 3>& b,
-                           std::uint32_t vertex) {
-    for (const std::uint32_t v : a.vertices)
-      if (v < vertex && (v == b[0] || v == b[1] || v == b[2])) return true;
+  bool share_lower(const SurfaceCorners& a, const SurfaceCorners& b) const {
+    for (const std::uint32_t v : a)
+      if (v < vertex_ && has_corner(b, v)) return true;
     return false;
   }
 
@@ -61,6 +70,11 @@ class FanPairs {
   TriangleReader reader_;
   SelfAnswer& answer_;
   QueryStats& work_;
+
+  // The fan that is tested.
+  const FanTriangle* triangles_ = nullptr;
+  std::uint32_t vertex_ = 0;
+  bool is_cracked_ = false;  // vertices of the fan's corners may have different positions
 };
 
 /// Up to eight fans of a run.
@@ -90,10 +104,12 @@ bool test_flat(const Fans& fans, const FanRun& run, Positions positions, float* 
   for (std::uint32_t fan = run.first_fan; fan < run.end;) {
     const FanBatch batch = next_batch(run, slack, fan);
     if (batch.count == 0) break;
-    const FlatFans flat = test_flat_fans(fans, run, batch.numbers, batch.count, positions);
+    UndecidedPairs undecided;
+    const FlatFans flat =
+        test_flat_fans(fans, run, batch.numbers, batch.count, positions, undecided);
     if (slack) keep_slack(batch, flat, slack);
     for (SetBits lane(~flat.certified & ((1u << batch.count) - 1)); lane; ++lane) {
-      pairs.test(run, batch.numbers[*lane]);
+      pairs.test_listed(run, batch.numbers[*lane], undecided.rows[*lane]);
       if (answer.is_full()) return false;
     }
   }
@@ -103,7 +119,7 @@ bool test_flat(const Fans& fans, const FanRun& run, Positions positions, float* 
 /// The same for fans that cannot be certified.
 bool test_pairs(const FanRun& run, FanPairs& pairs, const SelfAnswer& answer) {
   for (std::uint32_t fan = run.first_fan; fan < run.end; ++fan) {
-    pairs.test(run, fan);
+    pairs.test_all(run, fan);
     if (answer.is_full()) return false;
   }
   return true;

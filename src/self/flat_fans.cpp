@@ -22,10 +22,20 @@
 /// product that underflows therefore adds at most 2^-150 times 1, or times the largest coordinate L
 /// of a spoke; 2^-140 (1 + L) covers all of them. Nothing overflows, because spokes are below
 /// 2^61.1. If n is zero, no comparison holds, and the fan is not certified.
+///
+/// Single pairs. Two triangles also meet only where they should if the spokes of one that the other
+/// does not share are strictly on one side of the other's plane: one triangle then meets the plane
+/// only in what they share (neighbour_pair.cpp). Triangle i has the normal e_i x e_i+1, so the side
+/// of spoke k is the sign of det(e_i, e_i+1, e_k). Here, all three vectors are rounded: its error
+/// is at most 6 * 8.1 e X Y Z < 64 e X Y Z. 2^-140 (1 + L) covers underflow, as above. The factor
+/// 64 makes the bound infinite or NaN before a sum of six products overflows.
 #include "self/flat_fans.hpp"
 
 #include "geometry/points8.hpp"
+#include "query/lanes.hpp"
 #include "query/triangle_batch.hpp"
+
+#include <algorithm>
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
@@ -55,7 +65,7 @@ class Spokes {
     for (std::uint32_t i = 0; i < size_; ++i) areas_[i] = cross(spokes_[i], spokes_[i + 1]);
   }
 
-  FlatFans test() const {
+  FlatFans test(UndecidedPairs& undecided) const {
     const Points8 normal = common_normal();
     const Points8 longest = largest_coordinates();
     const Float8 error = error_of(normal, longest);
@@ -75,10 +85,54 @@ class Spokes {
       demand(max(left, Float8(0.0f) - right) - error);
       left = right;
     }
-    return {certified.bits() & ((1u << lane_count_) - 1), least, dot(longest, longest)};
+    const unsigned all = (1u << lane_count_) - 1, flat = certified.bits() & all;
+    if (flat != all) write_undecided(all & ~flat, longest, undecided);
+    return {flat, least, dot(longest, longest)};
   }
 
  private:
+  /// The fans in which a spoke is certainly in front of a triangle's plane, or behind it.
+  struct Sides {
+    std::uint8_t front[kMaxFan + 1], behind[kMaxFan + 1];
+
+    unsigned either(std::uint32_t spoke) const { return front[spoke] | behind[spoke]; }
+    unsigned same(std::uint32_t k, std::uint32_t m) const {
+      return (front[k] & front[m]) | (behind[k] & behind[m]);
+    }
+  };
+
+  void write_undecided(unsigned fans, const Points8& longest, UndecidedPairs& undecided) const {
+    Sides sides[kMaxFan];
+    for (std::uint32_t i = 0; i < size_; ++i) find_sides(areas_[i], longest, sides[i]);
+    for (SetBits fan(fans); fan; ++fan) std::fill_n(undecided.rows[*fan], size_, 0);
+    for (std::uint32_t k = 1; k < size_; ++k)
+      for (std::uint32_t i = 0; i < k; ++i) {
+        const unsigned apart = beside(sides[i], i, k) | beside(sides[k], k, i);
+        for (SetBits fan(fans & ~apart); fan; ++fan) undecided.rows[*fan][k] |= 1u << i;
+      }
+  }
+
+  void find_sides(const Points8& area, const Points8& longest, Sides& sides) const {
+    const Float8 error = Float8(64.0f) * longest.x * longest.y * longest.z * Float8(0x1p-24f) +
+                         Float8(0x1p-140f) * (Float8(1.0f) + max3(longest));
+    for (std::uint32_t k = 0; k <= size_; ++k) {
+      const Float8 volume = dot(area, spokes_[k]);
+      sides.front[k] = static_cast<std::uint8_t>((error < volume).bits());
+      sides.behind[k] = static_cast<std::uint8_t>((volume < Float8(0.0f) - error).bits());
+    }
+  }
+
+  /// The fans in which triangle `other` touches the plane of triangle `i` only in what they share.
+  unsigned beside(const Sides& sides, std::uint32_t i, std::uint32_t other) const {
+    if (is_next(i, other)) return sides.either(other + 1);
+    if (is_next(other, i)) return sides.either(other);
+    return sides.same(other, other + 1);
+  }
+
+  bool is_next(std::uint32_t i, std::uint32_t next) const {
+    return i + 1 == next || (is_closed_ && next == 0 && i + 1 == size_);
+  }
+
   /// Triangle i's corner that comes `step` after the fan's vertex.
   Points8 corners(std::uint32_t i, std::uint32_t step) const {
     return gather_points([&](std::uint32_t lane) {
@@ -136,8 +190,8 @@ Float8 FlatFans::slack() const {
 }
 
 FlatFans test_flat_fans(const Fans& fans, const FanRun& run, const std::uint32_t* numbers,
-                        std::uint32_t count, Positions positions) {
-  return Spokes(fans, run, numbers, count, positions).test();
+                        std::uint32_t count, Positions positions, UndecidedPairs& undecided) {
+  return Spokes(fans, run, numbers, count, positions).test(undecided);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -4,22 +4,34 @@
 
 #include <pelt/instruction_set.hpp>
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace pelt::test {
 
 using FanPositions = std::vector<std::array<float, 4>>;
 
-/// The certificate of up to eight fans, as compiled for each instruction set.
+/// What the certificates say of up to eight fans.
+struct TestedFans {
+  unsigned certified = 0;
+  std::array<std::array<std::uint32_t, detail::kMaxFan>, 8> undecided = {};  // of the others
+
+  friend bool operator==(const TestedFans&, const TestedFans&) = default;
+};
+
+// As compiled for each instruction set.
 namespace avx2 {
-unsigned flat_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
-                   std::uint32_t count, const FanPositions& positions);
+TestedFans test_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
+                     std::uint32_t count, const FanPositions& positions);
 }
 namespace simd128 {
-unsigned flat_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
-                   std::uint32_t count, const FanPositions& positions);
+TestedFans test_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
+                     std::uint32_t count, const FanPositions& positions);
 }
 namespace scalar {
-unsigned flat_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
-                   std::uint32_t count, const FanPositions& positions);
+TestedFans test_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
+                     std::uint32_t count, const FanPositions& positions);
 }
 
 }  // namespace pelt::test
