@@ -182,15 +182,6 @@ TEST(CheckAllClips, AreRefusedWithARemedy) {
                        "--clip: \"twice\" has several clips named \"bend\""));
   EXPECT_TRUE(contains(refusal({"check", strip, other, "--clip", "*", "--clip", "*"}),
                        "--clip: \"strip\" and \"other\" have different clips"));
-  EXPECT_TRUE(contains(refusal({"check", strip, strip, "--clip", "*", "--html", "a.html"}),
-                       "--html: the page cannot play all clips with '*'"));
-  EXPECT_TRUE(contains(refusal({"view", strip, "--clip", "*", "--no-browser"}),
-                       "--clip: the page cannot play all clips with '*'"));
-  write_text(folder / "all.json",
-             R"({"models": {"a": "strip.glb"}, "instances": [{"model": "a", "clip": "*"}]})");
-  EXPECT_EQ(refusal({"view", "all.json", "--no-browser"}),
-            "pelt: error: all.json: the page cannot play all clips with '*': name one clip\n");
-  EXPECT_FALSE(std::filesystem::exists(folder / "a.html"));
 }
 
 TEST(AllClips, AreNamedInTheLinesOfOtherQueries) {

@@ -303,6 +303,33 @@ TEST_F(CheckHtml, TellsThePageTheLimitOfContacts) {
   for (const json& count : answer["counts"]) EXPECT_LE(count, 3);
 }
 
+TEST_F(CheckHtml, TellsThePageTheFramesOfAllClips) {
+  write_strip(folder_, "strip.glb");
+  const std::vector<std::string> words = {"check",  "strip.glb", "--by",   "part",
+                                          "--clip", "*",         "--html", "report.html"};
+  const Ended run = run_pelt(folder_, words);
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const json data = data_of(read_text(folder_ / "report.html")), &clips = data["clips"];
+  ASSERT_EQ(clips.size(), 2u);
+  EXPECT_EQ(clips[1]["first_frame"], clips[0]["frames"]);
+  EXPECT_EQ(clips[1]["first_frame"].get<std::size_t>() + clips[1]["frames"].get<std::size_t>(),
+            data["answer"]["counts"].size());
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(clips[i]["clip"], data["answer"]["options"]["clips"][i]);
+}
+
+TEST_F(CheckHtml, RefusesAllClipsWithAShareOfTheirFrames) {
+  write_strip(folder_, "strip.glb");
+  const Ended run = run_pelt(folder_, {"check", "strip.glb", "--clip", "*", "--html", "report.html",
+                                       "--self-always", "0.9"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--html: cannot be combined with --self-always and all clips ('*'): leave "
+                         "out --self-always, or name one clip"),
+            std::string::npos)
+      << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
+}
+
 TEST_F(CheckHtml, SaysWhereTheViewerComesFrom) {
   setenv("PELT_VIEWER", (folder_ / "none.html").c_str(), 1);
   const Ended missing = run_pelt(folder_, {"check", "scene.json", "--html", "report.html"});

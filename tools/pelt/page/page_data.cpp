@@ -77,6 +77,15 @@ ordered_json reading_json(const arguments::ModelArguments& models) {
           {"samples", models.samples}};
 }
 
+/// The clips that are played one after the other, with their frames; null if there are none.
+ordered_json clips_json(const scenes::Scene& scene) {
+  ordered_json clips;
+  for (const scenes::Take& take : scene.takes)
+    clips.push_back(
+        {{"clip", take.clip}, {"first_frame", take.first_frame}, {"frames", take.frame_count}});
+  return clips;
+}
+
 ordered_json answer_json(const PageAnswer& answer) {
   std::istringstream lines(answer.lines);
   ordered_json first, last;
@@ -103,6 +112,7 @@ Result<std::string> page_data(const scenes::Scene& scene, const arguments::Model
                        {"files", files_json(*files, path, scenes::scene_text(scene, files->paths))},
                        {"inputs", inputs_json(scene, *files)},
                        {"reading", reading_json(models)},
+                       {"clips", clips_json(scene)},
                        {"answer", nullptr}};
   if (data.answer) json["answer"] = answer_json(*data.answer);
   return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);

@@ -48,15 +48,22 @@ Exit codes: 0 nothing that --fail-on selects, 1 what --fail-on selects (by defau
 with --inside any contained body; with --baseline only what is new or has grown), 2 bad input or
 arguments, or nothing to test, 3 internal error.)";
 
-/// The page runs its own query, so it cannot show results of options that it does not support.
-Result<void> check_for_page(const check::CheckArguments& arguments, const scenes::Scene& scene) {
+Result<void> check_for_page(const check::CheckArguments& arguments) {
   if (arguments.html.empty()) return {};
-  if (!scene.takes.empty())
-    return output::bad_argument("--html", "the page cannot play all clips with '*'",
-                                "name one clip, or leave out --html");
   // Report missing inputs before long work.
   if (const auto viewer = page::read_viewer(); !viewer) return viewer.error();
   return {};
+}
+
+/// The page counts one clip at a time, so it cannot know the share of all frames.
+Result<void> check_filters_for_page(const check::CheckArguments& arguments,
+                                    const check::CheckSettings& settings,
+                                    const scenes::Scene& scene) {
+  if (arguments.html.empty() || scene.takes.empty() || !settings.self.asks_self() ||
+      !settings.self.rules.always)
+    return {};
+  return output::bad_argument("--html", "cannot be combined with --self-always and all clips ('*')",
+                              "leave out --self-always, or name one clip");
 }
 
 Result<void> check_outputs(const check::CheckArguments& arguments, const scenes::Scene& scene) {
@@ -84,9 +91,11 @@ Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
   Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
   if (const auto checked = check_outputs(arguments, *scene); !checked) return checked.error();
-  if (const auto checked = check_for_page(arguments, *scene); !checked) return checked.error();
+  if (const auto checked = check_for_page(arguments); !checked) return checked.error();
   const Result<check::CheckSettings> settings = check::choose_settings(arguments, *scene);
   if (!settings) return settings.error();
+  if (const auto checked = check_filters_for_page(arguments, *settings, *scene); !checked)
+    return checked.error();
   scene->ignore = settings->ignore;  // for the page, like `self`
   scene->self = check::without_defaults(settings->self);
   check::CheckOutputs outputs;

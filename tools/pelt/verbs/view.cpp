@@ -38,10 +38,6 @@ Result<std::string> make_page(const Arguments& arguments) {
   const auto checked =
       output::check_outputs({}, arguments::files_of_scene(arguments.scene, *scene));
   if (!checked) return checked.error();
-  if (!scene->takes.empty())
-    return output::bad_argument(
-        arguments::asks_for_scene(arguments.scene) ? arguments.scene.inputs[0] : "--clip",
-        "the page cannot play all clips with '*'", "name one clip");
   return page::page_of_scene(*scene, arguments.scene.models, {arguments.words, std::nullopt});
 }
 

@@ -1,7 +1,7 @@
 /** Opens files as characters of the scene, or reports a readable error. */
 
+import { filesWithClip, reelOf, worstClip } from '../report/clips';
 import { clearanceOf, limitOf, originalPath, type Report } from '../report/report';
-import { framesToCheck, worstFrame } from '../report/verdict';
 import * as changes from '../state/changes';
 import * as edits from '../state/edits';
 import type { Problem, State } from '../state/state';
@@ -36,14 +36,18 @@ export class Opener {
   }
 
   /** Opens a report, paused at its worst frame if it has contacts. */
-  openReport(report: Report): void {
+  openReport(given: Report): void {
+    const reel = reelOf(given);
+    const clip = reel && worstClip(reel);
+    const files = clip ? filesWithClip(given, clip) : given.files;
+    const report = clip?.report ?? { ...given, files: {} }; // the worker has them: they may be large
     const { scene, title, reading, answer } = report;
-    const worst = answer && worstFrame(answer);
     const by = answer?.options.by ?? 'instance';
     const maxContacts = limitOf(report);
     const clearance = clearanceOf(report);
     this.store.update(({ lastMaxContacts }) => ({
-      report: { ...report, files: {} }, // the worker has them: they may be large
+      report,
+      reel,
       by,
       maxContacts,
       lastMaxContacts: maxContacts ?? lastMaxContacts,
@@ -51,17 +55,9 @@ export class Opener {
       listing: answer ? 'clip' : 'frame',
     }));
     this.read(title, async () => {
-      const question = { path: scene, files: report.files, options: reading };
+      const question = { path: scene, files, options: reading };
       const opened = asReported(await this.client.ask('openReport', question), report);
-      const begin = {
-        ...(worst && { frame: worst.frame, plays: false }),
-        readingOptions: reading,
-        gizmo: null, // otherwise a click could lead to a move by accident
-        frames: answer && framesToCheck(answer, opened.scene),
-        clearance,
-      };
-      const open = changes.open(opened, begin);
-      return (state) => ({ ...open(state), reported: opened.scene });
+      return changes.openReported(opened, report);
     });
   }
 

@@ -1,6 +1,7 @@
 /** The page around the picture. */
 
 import { CharactersPanel } from './characters_panel';
+import { ClipsPanel } from './clips_panel';
 import { ContactsPanel } from './contacts_panel';
 import { Header } from './header';
 import { Help } from './help';
@@ -19,6 +20,7 @@ const panels = {
   Header: watch(Header),
   Lead: watch(Lead),
   Report: watch(ReportPanel),
+  Clips: watch(ClipsPanel),
   Characters: watch(CharactersPanel),
   Contacts: watch(ContactsPanel),
   Work: watch(WorkPanel),
@@ -47,6 +49,7 @@ export function App({ state, update, openFiles, addFiles }: AppProps) {
       <aside class="side" aria-label="Scene and answers">
         <panels.Lead state={state} update={update} />
         <panels.Report state={state} update={update} />
+        <panels.Clips state={state} update={update} />
         {state.report?.answer ? [contacts, characters, work] : [characters, work, contacts]}
       </aside>
       <panels.PictureBar state={state} update={update} />

@@ -23,8 +23,17 @@ export interface Report {
   files: Record<string, string>;
   inputs: ReportInput[];
   reading: ReadingOptions;
+  /** Clips that are played one after the other, if instances play all clips. */
+  clips?: ReportedTake[] | null;
   /** Null from `pelt view`, which runs no query. */
   answer: ReportAnswer | null;
+}
+
+/** Frames in which all instances that play all clips play this clip. */
+export interface ReportedTake {
+  clip: string;
+  first_frame: number;
+  frames: number;
 }
 
 /** A character's file, for people. */
@@ -57,11 +66,12 @@ export interface ReportAnswer {
     frames: number;
     frames_in_contact: number;
     contacts: number;
+    /** 0 for one clip of a report of all clips. */
     ignored: number;
     /** Contacts of bodies with themselves that filters have left out, if they were tested. */
     left_out?: Record<'rings' | 'at_rest' | 'always' | 'near_joints', number>;
   };
-  /** Null if contacts were limited. */
+  /** Null if contacts were limited, and for one clip of a report of all clips. */
   hash: string | null;
   touches: KnownTouch[];
   /** Bodies wholly inside others, with --inside. */
@@ -76,7 +86,7 @@ export interface ReportAnswer {
     /** Touches of the baseline that this check did not find. */
     gone: GoneTouch[] | null;
     /** Bodies that another one holds whole, with --inside. */
-    newly_held: unknown[] | null;
+    newly_held: { clip?: string }[] | null;
     /** Differences of the earlier check from this one. */
     notes: string[] | null;
   };
@@ -92,6 +102,8 @@ export interface ReportedSelf {
 }
 
 export interface KnownTouch {
+  /** Only in reports of all clips, like other `clip` members. */
+  clip?: string;
   a: KnownPlace;
   b: KnownPlace;
   contacts: number;
@@ -118,6 +130,7 @@ export interface KnownPlace extends KnownName {
 }
 
 export interface GoneTouch {
+  clip?: string;
   a: KnownName;
   b: KnownName;
   /** Contacts of its worst frame in the baseline. */
@@ -125,6 +138,7 @@ export interface GoneTouch {
 }
 
 export interface HeldBody {
+  clip?: string;
   inner: Body;
   outer: Body;
   /** Number of frames, and the first of them. */

@@ -38,13 +38,13 @@ function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
   const sameCounts = answer.counts.every((count, i) => counts[frames[i]] === count);
   return (
     sameCounts &&
-    total?.hash === answer.hash &&
-    (answer.hash !== null || hasSameTouches(answer, total)) &&
+    total !== null &&
+    (answer.hash === null ? hasSameTouches(answer, total) : total.hash === answer.hash) &&
     leavesOutTheSame(answer, total)
   );
 }
 
-/** For limited contacts, which have no hash. */
+/** For limited contacts and single clips, which have no hash. */
 function hasSameTouches({ touches }: ReportAnswer, total: SweepTotal): boolean {
   const [theirs, own] = [contactsByPlaces(touches), contactsByPlaces(total.touches)];
   return theirs.size === own.size && [...theirs].every(([key, count]) => own.get(key) === count);

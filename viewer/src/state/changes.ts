@@ -3,7 +3,9 @@
  * `edits.ts`.
  */
 
-import { findingOf } from '../report/verdict';
+import { sceneOfClip, type ClipReport } from '../report/clips';
+import { clearanceOf, type Report } from '../report/report';
+import { findingOf, framesToCheck, worstFrame } from '../report/verdict';
 import { arrange, USUAL_ARRANGEMENT } from '../scene/arrange';
 import { wantedSelf, type SelfChoices } from '../scene/self';
 import type {
@@ -192,6 +194,35 @@ export function open(
       hovered: null,
       problems: refused.map(problemOf),
     };
+  };
+}
+
+/** Opens the scene of a report, paused at its worst frame if it has contacts. */
+export function openReported(opened: Opened, report: Report): Change {
+  const { reading, answer } = report;
+  const worst = answer && worstFrame(answer);
+  const openScene = open(opened, {
+    ...(worst && { frame: worst.frame, plays: false }),
+    readingOptions: reading,
+    gizmo: null, // otherwise a click could lead to a move by accident
+    frames: answer && framesToCheck(answer, opened.scene),
+    clearance: clearanceOf(report),
+  });
+  return (state) => ({ ...openScene(state), report, reported: opened.scene, finding: null });
+}
+
+/** Whether the clips of the report can be chosen: its characters are still on the stage. */
+export function canChooseClip({ reel, reported, opened }: State): boolean {
+  return reel !== null && reported !== null && opened === reported;
+}
+
+/** Shows another clip of a report of all clips. The query stays as the user has chosen it. */
+export function chooseClip(clip: ClipReport): Change {
+  return (state) => {
+    const { reel, reported, characters, self } = state;
+    if (!reel || !reported || !canChooseClip(state)) return {};
+    const scene = sceneOfClip(reported, clip, reel);
+    return openReported({ characters, scene, self, refused: [] }, clip.report)(state);
   };
 }
 

@@ -1,5 +1,6 @@
 /** State of the page. Data flows one way: state, request to the worker, answer, picture. */
 
+import type { Reel } from '../report/clips';
 import type { Report } from '../report/report';
 import type { Finding } from '../report/verdict';
 import type { Arrangement } from '../scene/arrange';
@@ -97,6 +98,8 @@ export interface State {
   report: Report | null;
   /** The scene that came with it. */
   reported: Scene | null;
+  /** The clips of a report of all clips; `report` is then that of one clip. */
+  reel: Reel | null;
   /** Whether the page agrees with the report. */
   finding: Finding | null;
 }
@@ -191,6 +194,7 @@ export const initialState: State = {
   problems: [],
   report: null,
   reported: null,
+  reel: null,
   finding: null,
 };
 
