@@ -185,7 +185,7 @@ bool SelfTrack::begins_frame() {
 }
 
 void SelfTrack::pause_if_useless(std::size_t pairs_with_slack) {
-  const bool is_useful = pairs_with_slack >= pair_slack.size() / 4;
+  const bool is_useful = pairs_with_slack >= pair_slack.size() / 2;
   last_pause = is_useful ? 0 : longer(last_pause);
   pause = last_pause;
 }

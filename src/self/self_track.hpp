@@ -113,7 +113,7 @@ struct SelfTrack {
   /// Returns false in a paused frame, in which nothing is remembered.
   bool begins_frame();
 
-  /// Call after the slack was reduced. If less than a quarter of the pairs have slack, the tracker
+  /// Call after the slack was reduced. If less than half of the pairs have slack, the tracker
   /// pauses in the next 7, 15, 31, 63 or 127 frames: a body that moves fast, or whose layers touch
   /// everywhere, gains nothing.
   void pause_if_useless(std::size_t pairs_with_slack);
