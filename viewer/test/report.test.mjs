@@ -11,6 +11,8 @@ import { SCENE, STONES, Workshop } from './reports.mjs';
 
 const { counted, dropFiles, fact, goToFrame, number, pixels, savedScene } = browsing;
 const TEN_MEGABYTES = 10e6;
+/** The colour of segments between closest points. */
+const SEGMENTS = { least: [0, 190, 170], most: [120, 255, 240] };
 const IGNORE = [
   ['base', 'm*'],
   ['cairn/top', 'top'],
@@ -368,6 +370,37 @@ test('a report of distances shows the triangles that the command counts', async 
   await page.waitForSelector('.card:has-text("stones.gltf")');
   assert.match(await page.locator('.lead').innerText(), /that intersects/);
   assert.deepEqual(page.complaints, []);
+});
+
+test('a report of distances draws the closest points, and counts the work of the command', async (t) => {
+  const apart = structuredClone(SCENE);
+  apart.instances[1].translation = [0, 2, 0];
+  for (const by of ['instance', 'part']) {
+    const shop = new Workshop(t, apart);
+    const words = ['--by', by, '--frames', '4:5'];
+    shop.run('distance', 'scene.json', ...words, '--within', '1.2', '--jsonl', 'distances.jsonl');
+    const [, line] = readFileSync(shop.at('distances.jsonl'), 'utf8').split('\n');
+    const pairs = JSON.parse(line).pairs.filter(({ distance }) => distance > 0);
+    assert.ok(pairs.length > 0, 'distances worth testing');
+    const { counters } = shop.check('--clearance', '1.2', ...words);
+    const page = await open(t, browsing.urlOf(shop.at('report.html')));
+    await says(page, 'the page agrees');
+    const more = page.locator('.closest .more');
+    if (await more.count()) await more.click();
+    const rows = await page.locator('.closest .count').allInnerTexts();
+    const least = pairs.map(({ distance }) => distance).sort((a, b) => a - b);
+    assert.deepEqual(
+      rows.filter((row) => row !== 'touch'),
+      least.map((distance) => distance.toFixed(6)),
+    );
+    await page.getByRole('button', { name: 'Work' }).click();
+    assert.equal(await number(page, 'boxes'), counters.refits);
+    assert.equal(await number(page, 'vertices'), counters.posed_vertices);
+    assert.equal(await number(page, 'tests'), counters.triangle_pairs);
+    assert.ok((await pixels(page, SEGMENTS)).count > 20, 'the segments are in the picture');
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  }
 });
 
 const totalIs = (page, { totals }) =>

@@ -4,6 +4,9 @@ export const ACCENT = 0xff6a2b;
 /** For contacts of characters with themselves. */
 export const SELF_ACCENT = 0xc23bf0;
 
+/** For the segments between closest points. */
+export const CLOSEST = 0x35e0d0;
+
 /** Colours of the handles. */
 export const AXES = { x: 0xd64550, y: 0x4fa35f, z: 0x4a7fd6 };
 

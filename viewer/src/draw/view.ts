@@ -5,7 +5,8 @@ import { betterSide } from '../scene/sides';
 import { frameTime, placeAt, translationFor, type Instance } from '../scene/scene';
 import type { Quaternion, Vector3 } from '../scene/scene';
 import type { AnsweredShot, CameraMove, State } from '../state/state';
-import type { Glow as Contacts } from '../worker/protocol';
+import type { Glow as Contacts, Surface } from '../worker/protocol';
+import { ClosestLines } from './closest_lines';
 import { DARK, LIGHT, type Ambience } from './colours';
 import { Figure } from './figure';
 import { Gizmo } from './gizmo';
@@ -24,6 +25,7 @@ export interface ViewEvents extends PointerEvents {
 export class View {
   private readonly studio: Studio;
   private readonly glow = new Glow();
+  private readonly closest = new ClosestLines();
   private readonly boxes = new NodeBoxes();
   private readonly gizmo: Gizmo;
   private figures: Figure[] = [];
@@ -43,7 +45,7 @@ export class View {
       onEnd: events.onPlaced,
       onChange: () => this.studio.redraw(),
     });
-    scene.add(this.glow, this.boxes, this.gizmo.helper);
+    scene.add(this.glow, this.closest, this.boxes, this.gizmo.helper);
     watchPointer(canvas, camera, {
       onPoint: (ray, x, y) => events.onPoint(this.gizmo.isHeld ? null : ray, x, y),
       onClick: (ray) => this.gizmo.isHeld || events.onClick(ray),
@@ -107,7 +109,7 @@ export class View {
   }
 
   private showAnswer({ characters, hidden }: State, answer: AnsweredShot): void {
-    const { shot, instances, glow, spot } = answer;
+    const { shot, instances, glow, closest, spot } = answer;
     const cast = shot.scene.instances.map(({ character }) => characters[character]);
     const fits =
       cast.length === this.figures.length && this.figures.every((f, i) => f.character === cast[i]);
@@ -117,6 +119,8 @@ export class View {
       figure.show(instances[i]);
     });
     this.glow.show(glow, spot?.glow ?? null);
+    const isShown = ({ instance }: Surface) => !hidden.has(instance);
+    this.closest.show(closest.filter(({ a, b }) => isShown(a) && isShown(b)));
     this.boxes.show(instances.filter((_, i) => !hidden.has(i)));
     this.studio.redraw();
   }

@@ -1,6 +1,7 @@
 /** Computes one frame: poses everything, queries all pairs, and collects what the page shows. */
 
 import type { Pelt, Pose, QueryStats, Scene as EngineScene } from 'pelt';
+import { closestPointsOf } from './closest_points';
 import { collidingPairs, pairsWithin } from './colliding_pairs';
 import { glowOf } from './glow';
 import type {
@@ -28,7 +29,7 @@ export function answerFrame(
   shot: Shot,
   spares: readonly Spare[] = [],
 ): FrameAnswer {
-  const { frame, by, self, boxLevel, spot } = shot;
+  const { frame, by, self, boxLevel, clearance, spot } = shot;
   stage.set(scene, frame, by, self);
   const found = stage.collide(shot);
   if (boxLevel !== null) openNodes(pelt, stage, shot);
@@ -50,6 +51,8 @@ export function answerFrame(
     isPreliminary: !stage.isReady,
     ignored: found.ignored,
     touches: tally.sorted(),
+    // After the boxes, which show what the query itself has opened.
+    closest: clearance === null ? [] : closestPointsOf(pelt, stage, found, clearance),
     work: workOf(stage.colliding, found.stats),
   };
 }

@@ -212,6 +212,13 @@ export interface StillAnswer extends FrameAnswer {
   seen: number[];
 }
 
+/** The closest points of two bodies, and where they are. */
+export interface ClosestPoints extends Spot {
+  distance: number;
+  /** Coordinates of the point of a, and of that of b. */
+  points: number[];
+}
+
 /** The contacts of a spot. */
 export interface SpotAnswer {
   /** [N][2] triangles of its first and its second place. */
@@ -236,6 +243,8 @@ export interface FrameAnswer {
   /** The most contacts first. */
   touches: Touch[];
   spot: SpotAnswer | null;
+  /** Of pairs of bodies with contacts, the closest first; empty without a clearance. */
+  closest: ClosestPoints[];
   work: Work;
 }
 
