@@ -34,6 +34,13 @@ struct IndexPair {
   friend auto operator<=>(const IndexPair&, const IndexPair&) = default;
 };
 
+/// States that a zone contains a triangle. A zone is a set of triangles, named by any number that
+/// the caller chooses. Zones may overlap.
+struct TriangleZone {
+  std::uint32_t triangle = 0;
+  std::uint16_t zone = 0;
+};
+
 /// Selects intersecting pairs of triangles to leave out. By default, no pair is left out.
 /// `build_self_filter` copies what it needs from the arrays. An empty array turns its filter off.
 struct SelfFilterOptions {
@@ -55,8 +62,9 @@ struct SelfFilterOptions {
   /// poses, such as layers of clothes. `ContactTally` finds them.
   std::span<const Contact> always = {};
 
-  /// [J] A number for each joint. `joint_parents` and `joint_pairs` treat joints with equal numbers
-  /// as one joint. Use this for joints that no clip moves relative to each other.
+  /// [J] A number for each joint. `joint_parents`, `joint_pairs` and `joint_pairs_in_zones` treat
+  /// joints with equal numbers as one joint. Use this for joints that no clip moves relative to
+  /// each other.
   std::span<const std::uint16_t> joint_bodies = {};
 
   /// [J] The parent of each joint, or `kNoJoint`. Leaves out pairs of triangles whose main joints
@@ -67,6 +75,14 @@ struct SelfFilterOptions {
   /// Leaves out pairs of triangles whose two main joints are listed here as a pair.
   std::span<const IndexPair> joint_pairs = {};
 
+  /// Leaves out pairs of triangles whose two main joints are listed here as a pair, but only if one
+  /// of the `zones` contains both triangles. Meant for creases: the zone of an elbow leaves out
+  /// contacts of the two arm bones near the elbow, but not those of the hand and the upper arm.
+  std::span<const IndexPair> joint_pairs_in_zones = {};
+
+  /// The triangles of all zones, listed in any order.
+  std::span<const TriangleZone> zones = {};
+
   /// [T] The group of each triangle: any number that the caller chooses, such as the index of its
   /// material. Leaves out pairs of triangles whose two groups are listed in `group_pairs`.
   std::span<const std::uint16_t> groups = {};
@@ -76,7 +92,8 @@ struct SelfFilterOptions {
 inline constexpr std::uint16_t kNoJoint = 0xFFFF;
 
 /// The filters, in the order in which they are applied. A pair is counted only for the first filter
-/// that leaves it out. `joints` stands for `joint_parents` and `joint_pairs`.
+/// that leaves it out. `joints` stands for `joint_parents`, `joint_pairs` and
+/// `joint_pairs_in_zones`.
 enum class LeftOutBy : std::uint8_t { none, takes_part, rings, at_rest, always, joints, groups };
 
 /// Number of intersecting pairs that each filter has left out.
@@ -111,7 +128,7 @@ class PELT_API SelfFilter {
   /// Working memory of `self_collide`, for `Scratch::reserve`.
   SelfScratchSize scratch_size() const;
 
-  /// Bytes of the data that all copies share, without the model: 32 to 40 bytes per triangle of a
+  /// Bytes of the data that all copies share, without the model: 32 to 45 bytes per triangle of a
   /// character, and less than 1 KB per triangle of any mesh. Each listed pair adds 8 bytes.
   std::size_t memory_bytes() const;
 

@@ -1,9 +1,5 @@
 #include "self/pair_filters.hpp"
 
-#include "model/model.hpp"
-#include "model/unpack.hpp"
-#include "skin/main_joint.hpp"
-
 #include <algorithm>
 #include <span>
 
@@ -25,28 +21,6 @@ PairSet set_of(std::span<const IndexPair> pairs) {
   return set;
 }
 
-/// Returns the number of a joint's body.
-std::uint16_t body_of(const SelfFilterOptions& options, std::uint16_t joint) {
-  return options.joint_bodies.empty() ? joint : options.joint_bodies[joint];
-}
-
-/// The listed pairs, each joint with itself, and each joint with its parent, as pairs of bodies.
-PairSet near_bodies(const SelfFilterOptions& options) {
-  PairSet set;
-  const auto add = [&](std::uint16_t a, std::uint16_t b) {
-    set.add(body_of(options, a), body_of(options, b));
-  };
-  for (const IndexPair& pair : options.joint_pairs) add(pair.first, pair.second);
-  const auto& parents = options.joint_parents;
-  for (std::size_t j = 0; j < parents.size(); ++j) {
-    const auto joint = static_cast<std::uint16_t>(j);
-    add(joint, joint);
-    if (parents[j] != kNoJoint) add(joint, parents[j]);
-  }
-  set.finish();
-  return set;
-}
-
 std::vector<std::uint32_t> index_fans(const Fans& fans) {
   std::vector<std::uint32_t> fan_of_vertex;
   for (std::uint32_t fan = 0; fan < fans.count(); ++fan) {
@@ -54,6 +28,7 @@ std::vector<std::uint32_t> index_fans(const Fans& fans) {
     if (vertex >= fan_of_vertex.size()) fan_of_vertex.resize(vertex + 1);
     fan_of_vertex[vertex] = fan;
   }
+  fan_of_vertex.shrink_to_fit();
   return fan_of_vertex;
 }
 
@@ -98,13 +73,10 @@ PairFilters::PairFilters(const SkinnedModel& model, const Fans& fans,
       takes_part(options.takes_part.begin(), options.takes_part.end()),
       at_rest(set_of(options.at_rest)),
       always(set_of(options.always)),
-      body_pairs(near_bodies(options)),
+      joints(model, options),
       groups(options.groups.begin(), options.groups.end()),
       group_pairs(set_of(options.group_pairs)) {
   if (rings > 1) fan_of_vertex = index_fans(fans);
-  if (body_pairs.empty()) return;
-  bodies = main_joints(unpack_mesh(model.detail().tree));
-  for (std::uint16_t& joint : bodies) joint = body_of(options, joint);
 }
 
 LeftOutBy PairFilters::left_out_by(const Tree& tree, const Fans& fans, Contact pair,
@@ -114,7 +86,7 @@ LeftOutBy PairFilters::left_out_by(const Tree& tree, const Fans& fans, Contact p
   if (rings > 0 && are_within_rings(tree, fans, pair, ring)) return LeftOutBy::rings;
   if (at_rest.contains(s, t)) return LeftOutBy::at_rest;
   if (always.contains(s, t)) return LeftOutBy::always;
-  if (!bodies.empty() && body_pairs.contains(bodies[s], bodies[t])) return LeftOutBy::joints;
+  if (joints.leaves_out(s, t)) return LeftOutBy::joints;
   if (!groups.empty() && group_pairs.contains(groups[s], groups[t])) return LeftOutBy::groups;
   return LeftOutBy::none;
 }

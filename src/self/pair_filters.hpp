@@ -6,6 +6,7 @@
 
 #include "query/stack.hpp"
 #include "self/fans.hpp"
+#include "self/joint_filter.hpp"
 #include "self/pair_set.hpp"
 
 #include <cstdint>
@@ -29,8 +30,7 @@ struct PairFilters {
   std::vector<std::uint32_t> fan_of_vertex;  // by surface vertex; empty unless rings > 1
   std::vector<bool> takes_part;              // [T] or empty
   PairSet at_rest, always;                   // of triangles
-  std::vector<std::uint16_t> bodies;         // [T] those of the main joints, or empty
-  PairSet body_pairs;
+  JointFilter joints;
   std::vector<std::uint16_t> groups;  // [T] or empty
   PairSet group_pairs;
 

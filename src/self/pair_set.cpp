@@ -4,9 +4,13 @@
 
 namespace pelt::detail {
 
+void sort_unique(std::vector<std::uint64_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 void PairSet::finish() {
-  std::sort(pairs_.begin(), pairs_.end());
-  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  sort_unique(pairs_);
   pairs_.shrink_to_fit();
 }
 

@@ -6,6 +6,8 @@
 
 namespace pelt::detail {
 
+void sort_unique(std::vector<std::uint64_t>& numbers);
+
 /// A set of unordered pairs of numbers. Pairs are packed into integers, so that sets of all kinds
 /// of numbers share one instance of std::sort, which takes kilobytes.
 class PairSet {

@@ -32,14 +32,28 @@ Problem check_joint(const char* name, std::size_t i, std::uint32_t joint, std::u
   return problem("%s[%zu] refers to joint %u, but the model has %u joints", name, i, joint, count);
 }
 
+Problem check_joint_pairs(const char* name, std::span<const IndexPair> pairs, std::uint32_t count) {
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (const std::uint16_t joint : {pairs[i].first, pairs[i].second})
+      if (Problem found = check_joint(name, i, joint, count); !found.empty()) return found;
+  return {};
+}
+
 Problem check_joints(const SelfFilterOptions& options, std::uint32_t count) {
   for (std::size_t i = 0; i < options.joint_parents.size(); ++i)
     if (const std::uint16_t parent = options.joint_parents[i]; parent != kNoJoint)
       if (Problem found = check_joint("joint_parents", i, parent, count); !found.empty())
         return found;
-  for (std::size_t i = 0; i < options.joint_pairs.size(); ++i)
-    for (const std::uint16_t joint : {options.joint_pairs[i].first, options.joint_pairs[i].second})
-      if (Problem found = check_joint("joint_pairs", i, joint, count); !found.empty()) return found;
+  Problem found = check_joint_pairs("joint_pairs", options.joint_pairs, count);
+  if (!found.empty()) return found;
+  return check_joint_pairs("joint_pairs_in_zones", options.joint_pairs_in_zones, count);
+}
+
+Problem check_zones(std::span<const TriangleZone> zones, std::uint32_t count) {
+  for (std::size_t i = 0; i < zones.size(); ++i)
+    if (zones[i].triangle >= count)
+      return problem("zones[%zu] refers to triangle %u, but the model has %u triangles", i,
+                     zones[i].triangle, count);
   return {};
 }
 
@@ -57,6 +71,7 @@ Problem check_options(const SkinnedModel& model, const SelfFilterOptions& option
   if (found.empty()) found = check_size("joint_parents", options.joint_parents.size(), joints);
   if (found.empty()) found = check_pairs("at_rest", options.at_rest, triangles);
   if (found.empty()) found = check_pairs("always", options.always, triangles);
+  if (found.empty()) found = check_zones(options.zones, triangles);
   if (found.empty()) found = check_joints(options, joints);
   return found;
 }
@@ -131,9 +146,9 @@ std::size_t SelfFilter::memory_bytes() const {
          detail::bytes_held(fans.corners, fans.runs, fans.triangles, masks.begin, masks.masks,
                             masks.others, masks.cluster_nodes, masks.has_hub) +
          detail::bytes_held(masks.near_begin, masks.near_nodes, masks.near_slots) +
-         detail::bytes_held(filters.fan_of_vertex, filters.at_rest, filters.always, filters.bodies,
-                            filters.body_pairs, filters.groups, filters.group_pairs) +
-         filters.takes_part.capacity() / 8;
+         detail::bytes_held(filters.fan_of_vertex, filters.at_rest, filters.always, filters.groups,
+                            filters.group_pairs) +
+         filters.joints.memory_bytes() + filters.takes_part.capacity() / 8;
 }
 
 LeftOut leave_out(const SelfFilter& filter, Scratch& scratch, std::vector<Contact>& contacts) {

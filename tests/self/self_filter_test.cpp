@@ -19,7 +19,8 @@ struct Options {
   std::vector<std::uint8_t> takes_part;
   std::vector<Contact> at_rest, always;
   std::vector<std::uint16_t> joint_bodies, joint_parents;
-  std::vector<IndexPair> joint_pairs;
+  std::vector<IndexPair> joint_pairs, joint_pairs_in_zones;
+  std::vector<TriangleZone> zones;
   std::vector<std::uint16_t> groups;
   std::vector<IndexPair> group_pairs;
 
@@ -31,6 +32,8 @@ struct Options {
             .joint_bodies = joint_bodies,
             .joint_parents = joint_parents,
             .joint_pairs = joint_pairs,
+            .joint_pairs_in_zones = joint_pairs_in_zones,
+            .zones = zones,
             .groups = groups,
             .group_pairs = group_pairs};
   }
@@ -60,7 +63,7 @@ class Classification {
     if (o.rings > 0 && steps_from(s)[t] <= o.rings) return LeftOutBy::rings;
     if (lists(o.at_rest, s, t)) return LeftOutBy::at_rest;
     if (lists(o.always, s, t)) return LeftOutBy::always;
-    if (are_near(main_joints_[s], main_joints_[t])) return LeftOutBy::joints;
+    if (are_near(main_joints_[s], main_joints_[t], share_zone(s, t))) return LeftOutBy::joints;
     if (!o.groups.empty() && lists(o.group_pairs, o.groups[s], o.groups[t]))
       return LeftOutBy::groups;
     return LeftOutBy::none;
@@ -75,19 +78,28 @@ class Classification {
     });
   }
 
-  /// Whether any joints of the two joints' bodies are near.
-  bool are_near(std::uint16_t a, std::uint16_t b) const {
-    const auto& bodies = options_.joint_bodies;
-    if (bodies.empty()) return are_near_alone(a, b);
-    for (std::uint16_t c = 0; c < bodies.size(); ++c)
-      for (std::uint16_t d = 0; d < bodies.size(); ++d)
-        if (bodies[c] == bodies[a] && bodies[d] == bodies[b] && are_near_alone(c, d)) return true;
+  bool share_zone(std::uint32_t s, std::uint32_t t) const {
+    for (const TriangleZone& a : options_.zones)
+      for (const TriangleZone& b : options_.zones)
+        if (a.triangle == s && b.triangle == t && a.zone == b.zone) return true;
     return false;
   }
 
-  bool are_near_alone(std::uint16_t a, std::uint16_t b) const {
+  /// Whether any joints of the two joints' bodies are near.
+  bool are_near(std::uint16_t a, std::uint16_t b, bool in_zone) const {
+    const auto& bodies = options_.joint_bodies;
+    if (bodies.empty()) return are_near_alone(a, b, in_zone);
+    for (std::uint16_t c = 0; c < bodies.size(); ++c)
+      for (std::uint16_t d = 0; d < bodies.size(); ++d)
+        if (bodies[c] == bodies[a] && bodies[d] == bodies[b] && are_near_alone(c, d, in_zone))
+          return true;
+    return false;
+  }
+
+  bool are_near_alone(std::uint16_t a, std::uint16_t b, bool in_zone) const {
     const auto& parents = options_.joint_parents;
     return lists(options_.joint_pairs, a, b) ||
+           (in_zone && lists(options_.joint_pairs_in_zones, a, b)) ||
            (!parents.empty() && (a == b || parents[a] == b || parents[b] == a));
   }
 
@@ -244,10 +256,19 @@ struct Draw {
 
   void joint_pairs(Options& options) const { options.joint_pairs = index_pairs(); }
 
+  /// Each triangle is in none to three of three zones, some twice.
+  void joint_pairs_in_zones(Options& options) const {
+    for (int i = 0; i < 12; ++i) options.joint_pairs_in_zones.push_back({joint(), joint()});
+    for (std::uint32_t i = 0; i < 2 * triangles(); ++i)
+      options.zones.push_back(
+          {random.index(triangles()), static_cast<std::uint16_t>(65533 + random.index(3))});
+  }
+
   void joint_bodies(Options& options) const {
     for (std::uint32_t j = 0; j < body.shape.joint_count; ++j)
       options.joint_bodies.push_back(static_cast<std::uint16_t>(500 + random.index(3)));
     joint_pairs(options);
+    if (random.chance(0.5)) joint_pairs_in_zones(options);
   }
 
   void groups(Options& options) const {
@@ -270,6 +291,7 @@ constexpr Case kCases[] = {{"takes_part", &Draw::takes_part, LeftOutBy::takes_pa
                            {"always", &Draw::always, LeftOutBy::always},
                            {"joint_parents", &Draw::joint_parents, LeftOutBy::joints},
                            {"joint_pairs", &Draw::joint_pairs, LeftOutBy::joints},
+                           {"joint_pairs_in_zones", &Draw::joint_pairs_in_zones, LeftOutBy::joints},
                            {"joint_bodies", &Draw::joint_bodies, LeftOutBy::joints},
                            {"groups", &Draw::groups, LeftOutBy::groups}};
 
@@ -315,7 +337,7 @@ TEST(SelfFilter, LeavesOutContactsOfOtherQueries) {
   LeftOut sums;
   std::size_t kept = 0;
   Scratch scratch;
-  for (int round = 0; round < 5; ++round)
+  for (int round = 0; round < 8; ++round)
     for (const auto make : kBodies) {
       Body body = make(random);
       const Draw draw{random, body};
@@ -365,6 +387,32 @@ TEST(SelfFilter, RingsReachAcrossHubsAndEndAtTheBorder) {
   }
 }
 
+TEST(SelfFilter, HasAnyNumberOfZones) {
+  constexpr std::uint32_t kCount = 70'000;  // more than 16 bits can number
+  Shape shape = make_limb(kCount / 10, 5, 2);
+  ASSERT_GE(shape.triangles.size(), kCount - 10);
+  const auto triangles = static_cast<std::uint32_t>(shape.triangles.size());
+  std::vector<TriangleZone> zones;  // a triangle is in the zones of the bits of its number
+  for (std::uint32_t t = 0; t < triangles; ++t)
+    for (std::uint16_t bit = 0; bit < 17; ++bit)
+      if ((t >> bit & 1) != 0) zones.push_back({t, bit});
+  const SkinnedModel model = *build_model(shape.view());
+  const std::vector<IndexPair> all = {{0, 0}, {0, 1}, {1, 1}};
+  const SelfFilter filter =
+      *build_self_filter(model, {.joint_pairs_in_zones = all, .zones = zones});
+  Random random(1745);
+  std::uint32_t apart = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const std::uint32_t s = random.index(triangles);
+    const std::uint32_t t = random.chance(0.5) ? random.index(triangles) : ~s & 0xFFFF;
+    if (s == t || t >= triangles) continue;
+    apart += (s & t) == 0;
+    ASSERT_EQ(filter.left_out_by(s, t), (s & t) != 0 ? LeftOutBy::joints : LeftOutBy::none)
+        << s << " " << t;
+  }
+  EXPECT_GT(apart, 1000u);
+}
+
 /// The message of the error, or nothing.
 std::string message_of(const SkinnedModel& model, const SelfFilterOptions& options) {
   const Result<SelfFilter> filter = build_self_filter(model, options);
@@ -401,6 +449,12 @@ TEST(SelfFilter, RefusesOptionsThatDoNotFitTheModel) {
             "joint_parents[2] refers to joint 3, but the model has 3 joints");
   EXPECT_EQ(message_of(model, {.joint_pairs = joints}),
             "joint_pairs[1] refers to joint 3, but the model has 3 joints");
+  EXPECT_EQ(message_of(model, {.joint_pairs_in_zones = joints}),
+            "joint_pairs_in_zones[1] refers to joint 3, but the model has 3 joints");
+  const std::vector<TriangleZone> zones = {{triangles - 1, 65535}, {triangles, 0}};
+  EXPECT_EQ(message_of(model, {.zones = zones}), "zones[1] refers to triangle " + of_triangles +
+                                                     ", but the model has " + of_triangles +
+                                                     " triangles");
   EXPECT_EQ(message_of(model, {.at_rest = pairs}), "at_rest[1] refers to triangle " + of_triangles +
                                                        ", but the model has " + of_triangles +
                                                        " triangles");
