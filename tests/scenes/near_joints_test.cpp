@@ -49,12 +49,21 @@ std::vector<std::uint16_t> own_joints(const asset::Asset& asset) {
   return joints;
 }
 
-/// Unordered pairs of near bodies. The triangles follow `main_joints`, or each its own joint.
+/// Unordered pairs of bodies that are near in their zone only.
+Pairs pairs_in_zones(const asset::Asset& asset) {
+  Pairs pairs;
+  for (const IndexPair& pair : near_joints(asset, own_joints(asset), {}).joint_pairs_in_zones)
+    pairs.insert(std::minmax(pair.first, pair.second));
+  return pairs;
+}
+
+/// Unordered pairs of bodies that are near everywhere. The triangles follow `main_joints`, or each
+/// its own joint.
 Pairs near_pairs(const asset::Asset& asset, std::vector<std::uint16_t> main_joints = {},
                  const std::vector<Contact>& at_rest = {}) {
   if (main_joints.empty()) main_joints = own_joints(asset);
   Pairs pairs;
-  for (const IndexPair& pair : near_joints(asset, main_joints, at_rest).pairs)
+  for (const IndexPair& pair : near_joints(asset, main_joints, at_rest).joint_pairs)
     pairs.insert(std::minmax(pair.first, pair.second));
   return pairs;
 }
@@ -98,12 +107,24 @@ TEST(NearJoints, IncludeJointsAboveWhoseTrianglesShareACorner) {
   asset::Asset asset = asset_with({kNone, 0, 1, 0, 3}, {0, 1, 2, 3, 4});
   const Pairs apart = near_pairs(asset);
   EXPECT_EQ(apart, (Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {0, 1}, {1, 2}, {0, 3}, {3, 4}}));
+  EXPECT_EQ(pairs_in_zones(asset), Pairs{});
   join(asset, 0, 2);
-  Pairs expected = apart;
-  expected.insert({0, 2});
-  EXPECT_EQ(near_pairs(asset), expected);
+  EXPECT_EQ(near_pairs(asset), apart);
+  EXPECT_EQ(pairs_in_zones(asset), (Pairs{{0, 2}}));
   join(asset, 3, 1);  // the collarbones: neither is above the other
-  EXPECT_EQ(near_pairs(asset), expected);
+  EXPECT_EQ(near_pairs(asset), apart);
+  EXPECT_EQ(pairs_in_zones(asset), (Pairs{{0, 2}}));
+}
+
+TEST(NearJoints, AreNearOnlyInTheZoneOfTheirJointIfTheyShareACorner) {
+  asset::Asset asset = asset_with({kNone, 0, 1}, {0, 1, 2});
+  join(asset, 0, 1);
+  EXPECT_EQ(near_pairs(asset), (Pairs{{0, 0}, {1, 1}, {2, 2}, {1, 2}}));
+  EXPECT_EQ(pairs_in_zones(asset), (Pairs{{0, 1}}));
+  const std::vector<TriangleZone> zones = near_joints(asset, own_joints(asset), {}).zones;
+  for (const auto& [triangle, zone] : zones) EXPECT_EQ(zone, 1);
+  EXPECT_EQ(zones.size(), 2u);
+  EXPECT_TRUE(near_pairs(asset, {}, {{0, 1}}).contains({0, 1})) << "everywhere if they touch";
 }
 
 TEST(NearJoints, IncludeJointsWhoseTrianglesTouchAtRest) {
@@ -113,7 +134,7 @@ TEST(NearJoints, IncludeJointsWhoseTrianglesTouchAtRest) {
 }
 
 TEST(NearJoints, OfNoJointsAreNone) {
-  EXPECT_TRUE(near_joints(asset_with({kNone}, {}), {}, {}).pairs.empty());
+  EXPECT_TRUE(near_joints(asset_with({kNone}, {}), {}, {}).joint_pairs.empty());
 }
 
 }  // namespace

@@ -48,6 +48,15 @@ std::vector<Contact> pairs_in_model(std::span<const Contact> pairs, const Body& 
   return own;
 }
 
+/// Returns the zones of the body's triangles, numbered as in its model.
+std::vector<TriangleZone> zones_in_model(std::span<const TriangleZone> zones, const Body& body) {
+  const std::uint32_t begin = body.first_triangle, count = body.model.triangle_count();
+  std::vector<TriangleZone> own;
+  for (const auto& [triangle, zone] : zones)
+    if (triangle >= begin && triangle - begin < count) own.push_back({triangle - begin, zone});
+  return own;
+}
+
 Result<SelfFilter> make_filter(const Character& character, const Body& body, std::uint32_t rings,
                                bool has_near_joints, FilterInput input) {
   const std::span<const IndexPair> listed = elements<IndexPair>(input[kJointPairs]);
@@ -57,7 +66,7 @@ Result<SelfFilter> make_filter(const Character& character, const Body& body, std
     if (!labels) return labels.error();
     near = scenes::near_joints(character.asset(), labels->joint, elements<Contact>(input[kAtRest]));
   }
-  near.pairs.insert(near.pairs.end(), listed.begin(), listed.end());
+  near.joint_pairs.insert(near.joint_pairs.end(), listed.begin(), listed.end());
   SelfFilterOptions options;
   options.rings = rings;
   options.takes_part = elements<std::uint8_t>(input[kTakesPart]);
@@ -66,7 +75,10 @@ Result<SelfFilter> make_filter(const Character& character, const Body& body, std
   options.at_rest = at_rest;
   options.always = always;
   options.joint_bodies = near.bodies;
-  options.joint_pairs = near.pairs;
+  options.joint_pairs = near.joint_pairs;
+  options.joint_pairs_in_zones = near.joint_pairs_in_zones;
+  const std::vector<TriangleZone> zones = zones_in_model(near.zones, body);
+  options.zones = zones;
   options.groups = elements<std::uint16_t>(input[kGroups]);
   options.group_pairs = elements<IndexPair>(input[kGroupPairs]);
   return build_self_filter(body.model, options);

@@ -73,7 +73,8 @@ void add_self_options(arguments::Verb& verb, SelfArguments& arguments) {
               "frames, such as 0.95 (default: keep)",
               {.type = "SHARE|keep", .group = kGroup});
   verb.option("--self-near-joints", arguments.near_joints,
-              "Contacts of triangles whose main joints are the same or neighbours (default: drop)",
+              "Contacts of triangles whose main joints are the same or neighbours; of neighbours "
+              "that share skin, only contacts near their joint (default: drop)",
               {.type = "keep|drop", .group = kGroup});
 }
 

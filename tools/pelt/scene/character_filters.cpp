@@ -9,7 +9,8 @@
 namespace pelt::tools::scene {
 namespace {
 
-/// Bodies and pairs of joints as in the collider's model, with the numbers of its joints.
+/// Returns bodies, pairs and zones as in the collider's model, with the numbers of its joints and
+/// triangles.
 scenes::NearJoints numbered_in_model(const scenes::NearJoints& near, const Collider& collider) {
   std::map<std::uint16_t, std::uint16_t> joints;  // a joint of each body
   scenes::NearJoints own;
@@ -17,10 +18,18 @@ scenes::NearJoints numbered_in_model(const scenes::NearJoints& near, const Colli
     own.bodies.push_back(near.bodies[collider.joint_in_asset(j)]);
     joints.try_emplace(own.bodies.back(), j);
   }
-  for (const auto& [first, second] : near.pairs) {
-    const auto a = joints.find(first), b = joints.find(second);
-    if (a != joints.end() && b != joints.end()) own.pairs.push_back({a->second, b->second});
-  }
+  const auto add = [&](const std::vector<IndexPair>& pairs, std::vector<IndexPair>& to) {
+    for (const auto& [first, second] : pairs) {
+      const auto a = joints.find(first), b = joints.find(second);
+      if (a != joints.end() && b != joints.end()) to.push_back({a->second, b->second});
+    }
+  };
+  add(near.joint_pairs, own.joint_pairs);
+  add(near.joint_pairs_in_zones, own.joint_pairs_in_zones);
+  const std::uint32_t first = collider.first_triangle, count = collider.model.triangle_count();
+  for (const auto& [triangle, zone] : near.zones)
+    if (triangle >= first && triangle - first < count)
+      own.zones.push_back({triangle - first, zone});
   return own;
 }
 
@@ -47,7 +56,9 @@ Result<SelfFilter> filter_of(const Collider& collider, const SelfRules& rules,
   options.at_rest = own_at_rest;
   options.always = own_always;
   options.joint_bodies = own.bodies;
-  options.joint_pairs = own.pairs;
+  options.joint_pairs = own.joint_pairs;
+  options.joint_pairs_in_zones = own.joint_pairs_in_zones;
+  options.zones = own.zones;
   return build_self_filter(collider.model, options);
 }
 

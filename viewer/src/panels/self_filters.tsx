@@ -76,7 +76,7 @@ function Fields({ rules, leftOut, update }: FieldsProps) {
       />
       <KeepOrDrop
         label="near joints"
-        title="Triangles that follow the same joint or neighbouring joints"
+        title="Triangles that follow the same joint, or neighbouring joints near the joint"
         drops={dropsNearJoints}
         onChange={(drops) => update(chooseSelf({ dropsNearJoints: drops }))}
       />
