@@ -77,7 +77,7 @@ struct SelfFilterOptions {
 
   /// Leaves out pairs of triangles whose two main joints are listed here as a pair, but only if one
   /// of the `zones` contains both triangles. Meant for creases: the zone of an elbow leaves out
-  /// contacts of the two arm bones near the elbow, but not those of the hand and the upper arm.
+  /// contacts of forearm and upper arm near the elbow, but not near the wrist.
   std::span<const IndexPair> joint_pairs_in_zones = {};
 
   /// The triangles of all zones, listed in any order.
