@@ -183,6 +183,33 @@ test("a scene of one's own is posed as the same scene from a file", () => {
   assert.deepEqual(demo.palette(1, 0), demo.palette(1, 0, new Float32Array(56 * 16)));
 });
 
+test('a scene has the choices of its file for contacts of characters with themselves', () => {
+  const models = { a: { creature: { triangles: 1000, joints: 20 } } };
+  const selfOf = (keys) => {
+    const file = { models, instances: [{ model: 'a' }], ...keys };
+    const scene = pelt.readScene('s.json', { 's.json': new TextEncoder().encode(JSON.stringify(file)) });
+    const { characters, instances, self } = scene;
+    assert.deepEqual(pelt.makeScene({ characters, instances, self }).self, self);
+    scene.delete();
+    return self;
+  };
+  assert.deepEqual(selfOf({}), {});
+  for (const [value, wanted] of [[true, 'also'], [false, 'off'], ['only', 'only']]) {
+    assert.deepEqual(selfOf({ self: value }), { wanted });
+  }
+  assert.deepEqual(
+    selfOf({ self_rings: 2, self_at_rest: 'keep', self_always: 0.5, self_near_joints: 'drop' }),
+    { rings: 2, dropsAtRest: false, always: 0.5, dropsNearJoints: true },
+  );
+  assert.deepEqual(selfOf({ self_always: 'keep' }), { always: null });
+  const refused = (self, message) =>
+    assert.throws(() => pelt.makeScene({ characters: [], self }), { name: 'PeltError', message });
+  refused({ wanted: 'yes' }, /^parts\.self\.wanted: expected one of "off", "also", "only", found "yes"/);
+  refused({ rings: 65 }, /^parts\.self\.rings: /);
+  refused({ always: 0 }, /^parts\.self\.always: /);
+  refused({ atRest: true }, /^parts\.self: unknown key "atRest"/);
+});
+
 test('broken scenes are refused as the command refuses them', () => {
   const text = (json) => ({ 'scene.json': new TextEncoder().encode(JSON.stringify(json)) });
   const creature = { creature: { triangles: 1000, joints: 20 } };

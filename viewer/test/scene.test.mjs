@@ -310,7 +310,7 @@ describe('contacts of characters with themselves', () => {
   });
 
   test('are asked by words of the command and keys of a scene', async () => {
-    const { readSelf, selfKeys, selfWords } = await load('scene/self.ts');
+    const { selfKeys, selfWords } = await load('scene/self.ts');
     const keys = {
       self: 'only',
       self_rings: 1,
@@ -318,13 +318,19 @@ describe('contacts of characters with themselves', () => {
       self_always: 0.95,
       self_near_joints: 'keep',
     };
-    const self = readSelf(keys);
+    const self = {
+      wanted: 'only',
+      rings: 1,
+      dropsAtRest: false,
+      always: 0.95,
+      dropsNearJoints: false,
+    };
     assert.deepEqual(selfKeys(self), keys);
     const words =
       '--self=only --self-rings 1 --self-at-rest keep --self-always 0.95 --self-near-joints keep';
     assert.equal(selfWords(await asking(two, { self })).join(' '), words);
-    assert.deepEqual(JSON.parse(JSON.stringify(selfKeys(readSelf({})))), {});
-    assert.deepEqual(selfKeys(readSelf({ self: false, self_always: 'keep' })).self_always, 'keep');
+    assert.deepEqual(JSON.parse(JSON.stringify(selfKeys({}))), {});
+    assert.deepEqual(selfKeys({ wanted: 'off', always: null }).self_always, 'keep');
     assert.deepEqual(selfWords(await asking(one)), []);
     assert.deepEqual(selfWords(await asking(one, { self: { wanted: 'off' } })), ['--self=no']);
     assert.deepEqual(selfWords(await asking(two, { self: { wanted: 'also' } })), ['--self']);

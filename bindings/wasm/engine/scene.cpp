@@ -63,6 +63,18 @@ Result<std::vector<CharacterHandle>> prepare_all(scenes::Scene& scene, const Opt
   return handles;
 }
 
+/// Only the choices of the scene file.
+json describe(const scenes::SelfOptions& self) {
+  constexpr const char* kWanted[] = {"off", "also", "only"};
+  json described = json::object();
+  if (self.wanted) described["wanted"] = kWanted[static_cast<std::size_t>(*self.wanted)];
+  if (self.rings) described["rings"] = *self.rings;
+  if (self.drops_at_rest) described["dropsAtRest"] = *self.drops_at_rest;
+  if (self.always) described["always"] = *self.always > 0 ? json(*self.always) : json(nullptr);
+  if (self.drops_near_joints) described["dropsNearJoints"] = *self.drops_near_joints;
+  return described;
+}
+
 json describe(const scenes::Scene& scene, std::vector<CharacterHandle> characters) {
   json handles = json::array(), instances = json::array(), ignore = json::array();
   for (CharacterHandle& character : characters)
@@ -74,7 +86,8 @@ json describe(const scenes::Scene& scene, std::vector<CharacterHandle> character
           {"instances", std::move(instances)},
           {"frameCount", scene.frame_count},
           {"fps", scene.fps},
-          {"ignore", std::move(ignore)}};
+          {"ignore", std::move(ignore)},
+          {"self", describe(scene.self)}};
 }
 
 }  // namespace

@@ -43,6 +43,14 @@ const kInstanceRules = {
   morphWeights: weights,
 };
 
+const kSelfRules = {
+  wanted: (value, name) => check.oneOf(value, ['off', 'also', 'only'], name),
+  rings: (value, name) => check.count(value, name, 0, 64),
+  dropsAtRest: check.flag,
+  always: (value, name) => (value === null ? null : check.number(value, name, Number.MIN_VALUE, 1)),
+  dropsNearJoints: check.flag,
+};
+
 const kPartsRules = {
   name: check.text,
   characters: list,
@@ -50,6 +58,7 @@ const kPartsRules = {
   frameCount: (count, name) => check.count(count, name, 1),
   fps: factor,
   ignore: check.namePairs,
+  self: check.object,
 };
 
 /** Returns a validated copy of an instance with all keys. */
@@ -88,11 +97,12 @@ export class Scene {
   constructor(memory, parts) {
     const read = readObject(memory, parts, kPartsRules, 'parts');
     const { name = 'scene', characters = [], instances = [], frameCount = 1, fps = 30, ignore = [] } = read;
+    const self = readObject(memory, read.self ?? {}, kSelfRules, 'parts.self');
     characters.forEach((character, c) => {
       memory.handles.given(character, Character, `parts.characters[${c}]`);
     });
     this.#memory = memory;
-    Object.assign(this, { name, characters: [...characters], frameCount, fps, ignore });
+    Object.assign(this, { name, characters: [...characters], frameCount, fps, ignore, self });
     this.instances = instances.map((one, i) => complete(memory, one, `parts.instances[${i}]`));
   }
 

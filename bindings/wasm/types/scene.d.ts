@@ -33,6 +33,24 @@ export interface SceneParts {
   frameCount?: number; // at least 1; 1
   fps?: number; // 1e-6 to 1e6; 30
   ignore?: NamePair[]; // none
+  self?: SelfChoices; // none
+}
+
+/**
+ * Whether and how bodies are tested against themselves, as in a scene file (docs/scenes.md). Choices that
+ * are undefined have the defaults of `pelt check`.
+ */
+export interface SelfChoices {
+  /** `self` of the scene file. 'also': bodies are tested against themselves and against each other. */
+  wanted?: 'off' | 'also' | 'only' | undefined;
+  /** `self_rings`: 0 to 64. */
+  rings?: number | undefined;
+  /** `self_at_rest`. */
+  dropsAtRest?: boolean | undefined;
+  /** `self_always`: a share of the frames, more than 0 and at most 1; null keeps all contacts. */
+  always?: number | null | undefined;
+  /** `self_near_joints`. */
+  dropsNearJoints?: boolean | undefined;
 }
 
 /**
@@ -51,6 +69,8 @@ export interface Scene {
   fps: number;
   /** For `Crowd.ignore`. The scene itself runs no queries. */
   ignore: NamePair[];
+  /** For `Crowd.setSelfFilter`. The scene itself runs no queries. */
+  self: SelfChoices;
 
   /** Returns [J] matrices of an instance at a frame, bit for bit those of `pelt check`. */
   palette(instance: number, frame: number, out?: Float32Array): Float32Array;

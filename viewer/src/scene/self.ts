@@ -3,20 +3,13 @@
  * scene files and command lines (docs/self-collision.md).
  */
 
+import type { SelfChoices } from 'pelt';
 import type { By, CharacterFacts, FrameRange, SelfQuestion } from '../worker/protocol';
 import type { Scene } from './scene';
 
 export type SelfWanted = 'off' | 'also' | 'only';
 
-/** Choices that are undefined have the defaults of the command. */
-export interface SelfChoices {
-  wanted?: SelfWanted | undefined;
-  rings?: number | undefined;
-  dropsAtRest?: boolean | undefined;
-  /** Share of the frames; null keeps all. */
-  always?: number | null | undefined;
-  dropsNearJoints?: boolean | undefined;
-}
+export type { SelfChoices };
 
 export const USUAL_RINGS = 5;
 export const MOST_RINGS = 64;
@@ -24,33 +17,7 @@ export const MOST_RINGS = 64;
 /** Share that is dropped once the filter is turned on. */
 export const USUAL_SHARE = 0.95;
 
-/** The part of a scene file that chooses. The engine has validated the values. */
-export interface SelfKeys {
-  self?: boolean | 'only';
-  self_rings?: number;
-  self_at_rest?: 'keep' | 'drop';
-  self_always?: 'keep' | number;
-  self_near_joints?: 'keep' | 'drop';
-}
-
-const WANTED = new Map<SelfKeys['self'], SelfWanted>([
-  [true, 'also'],
-  [false, 'off'],
-  ['only', 'only'],
-]);
-
-export function readSelf(file: SelfKeys): SelfChoices {
-  const drops = (key: 'keep' | 'drop' | undefined) => key && key === 'drop';
-  return {
-    wanted: WANTED.get(file.self),
-    rings: file.self_rings,
-    dropsAtRest: drops(file.self_at_rest),
-    always: file.self_always === 'keep' ? null : file.self_always,
-    dropsNearJoints: drops(file.self_near_joints),
-  };
-}
-
-/** The opposite of `readSelf`. `JSON.stringify` leaves out what is undefined. */
+/** The keys of a scene file. `JSON.stringify` leaves out what is undefined. */
 export function selfKeys({ wanted, rings, dropsAtRest, always, dropsNearJoints }: SelfChoices) {
   const kept = (drops: boolean | undefined) => (drops === undefined ? drops : keepOrDrop(drops));
   return {

@@ -3,7 +3,7 @@
 import type { Character, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import type { ModelSource, Scene } from '../scene/scene';
-import { readSelf, type SelfChoices, type SelfKeys } from '../scene/self';
+import type { SelfChoices } from '../scene/self';
 import { buffersOf, filesOfScene } from './find_files';
 import {
   isCharacter,
@@ -66,15 +66,15 @@ export function readCharacters(
 }
 
 function castOf(
-  { characters, frameCount, fps, instances, ignore }: EngineScene,
-  file: { models: Record<string, ModelSource> } & SelfKeys,
+  { characters, frameCount, fps, instances, ignore, self }: EngineScene,
+  file: { models: Record<string, ModelSource> },
   name: string,
 ): Cast {
   return {
     characters,
     sources: characters.map((character) => file.models[character.name]),
     scene: { name, frameCount, fps, instances, ignore },
-    self: readSelf(file),
+    self,
     refused: [],
   };
 }
