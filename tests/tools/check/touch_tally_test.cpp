@@ -28,32 +28,46 @@ asset::Asset three_triangles() {
   return asset;
 }
 
-scenes::Scene two_of(asset::Asset asset) {
+/// Two characters, and the tally of their contacts.
+struct TwoMen {
+  TwoMen() {
+    scene.characters.push_back({"man", "man.glb", 0, three_triangles()});
+    scene.instances.resize(2);
+    auto made = tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
+    EXPECT_TRUE(made) << made.error().message;
+    colliders = std::move(*made);
+  }
+
+  TouchTally make_tally() const {
+    Result<TouchTally> tally = TouchTally::make({scene, colliders});
+    EXPECT_TRUE(tally) << tally.error().message;
+    return std::move(*tally);
+  }
+
   scenes::Scene scene;
-  scene.characters.push_back({"man", "man.glb", 0, std::move(asset)});
-  scene.instances.resize(2);
-  return scene;
+  std::vector<tools::scene::Collider> colliders;
+};
+
+void add(std::uint32_t frame, const std::vector<Contact>& contacts, TouchTally& tally) {
+  scene::FrameContacts found;
+  found.contacts = contacts;
+  found.pairs = {{0, 1, 0, contacts.size()}};
+  tally.add(frame, found);
 }
 
 TEST(TouchTally, CountsByDominantJointAndPart) {
-  const scenes::Scene scene = two_of(three_triangles());
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  scene::FrameContacts found;
-  found.contacts = {{0, 0}, {0, 2}, {1, 2}, {2, 1}};
-  found.pairs = {{0, 1, 0, 4}};
-  Result<TouchTally> tally = TouchTally::make({scene, *colliders});
-  ASSERT_TRUE(tally) << tally.error().message;
-  tally->add(0, found);
+  const TwoMen men;
+  TouchTally tally = men.make_tally();
+  add(0, {{0, 0}, {0, 2}, {1, 2}, {2, 1}}, tally);
 
-  const std::vector<TouchTally::Row> joints = tally->joints();
+  const std::vector<TouchTally::Row> joints = tally.joints();
   ASSERT_EQ(joints.size(), 3u);
   EXPECT_EQ(joints[0].a, "man 0 leg");
   EXPECT_EQ(joints[0].b, "man 1 leg");
   EXPECT_EQ(joints[0].contacts, 2u);
   EXPECT_EQ(joints[1].a, "man 0 arm");
 
-  const std::vector<TouchTally::Row> parts = tally->parts();
+  const std::vector<TouchTally::Row> parts = tally.parts();
   ASSERT_EQ(parts.size(), 3u);
   EXPECT_EQ(parts[0].a, "man 0 body");
   EXPECT_EQ(parts[0].b, "man 1 boot");
@@ -61,28 +75,20 @@ TEST(TouchTally, CountsByDominantJointAndPart) {
 }
 
 TEST(TouchTally, FindsTheWorstFrameOfJointsThatTouchWithSeveralParts) {
-  const scenes::Scene scene = two_of(three_triangles());
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  Result<TouchTally> tally = TouchTally::make({scene, *colliders});
-  ASSERT_TRUE(tally) << tally.error().message;
+  const TwoMen men;
+  TouchTally tally = men.make_tally();
   // Both joints are "leg": in frame 3 two bodies touch, in frame 5 each body and the other boot,
   // and in frame 7 all of them.
-  const std::vector<std::vector<Contact>> frames = {
-      {{1, 1}}, {{1, 2}, {2, 1}}, {{1, 1}, {1, 2}, {2, 1}}};
-  for (std::uint32_t f = 0; f < 3; ++f) {
-    scene::FrameContacts found;
-    found.contacts = frames[f];
-    found.pairs = {{0, 1, 0, frames[f].size()}};
-    tally->add(3 + 2 * f, found);
-  }
-  const std::vector<TouchTally::Row> joints = tally->joints();
+  add(3, {{1, 1}}, tally);
+  add(5, {{1, 2}, {2, 1}}, tally);
+  add(7, {{1, 1}, {1, 2}, {2, 1}}, tally);
+  const std::vector<TouchTally::Row> joints = tally.joints();
   ASSERT_EQ(joints.size(), 1u);
   EXPECT_EQ(joints[0].contacts, 6u);
   EXPECT_EQ(joints[0].frames, 3u);
   EXPECT_EQ(joints[0].worst, 3u);
   EXPECT_EQ(joints[0].worst_frame, 7u);
-  const std::vector<TouchTally::Row> parts = tally->parts();
+  const std::vector<TouchTally::Row> parts = tally.parts();
   ASSERT_EQ(parts.size(), 3u);
   for (const TouchTally::Row& row : parts) EXPECT_EQ(row.frames, 2u);
   EXPECT_EQ(parts[0].worst_frame, 3u);
@@ -90,24 +96,18 @@ TEST(TouchTally, FindsTheWorstFrameOfJointsThatTouchWithSeveralParts) {
 }
 
 TEST(TouchTally, CountsEachTakeByItself) {
-  scenes::Scene scene = two_of(three_triangles());
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  scene.takes = {{"walk", 0, 2}, {"idle", 2, 3}};
-  scene::FrameContacts found;
-  found.contacts = {{0, 0}};
-  found.pairs = {{0, 1, 0, 1}};
-  Result<TouchTally> tally = TouchTally::make({scene, *colliders});
-  ASSERT_TRUE(tally) << tally.error().message;
-  for (const std::uint32_t frame : {1, 2, 4}) tally->add(frame, found);
-  const std::vector<Touch> touches = tally->touches();
+  TwoMen men;
+  men.scene.takes = {{"walk", 0, 2}, {"idle", 2, 3}};
+  TouchTally tally = men.make_tally();
+  for (const std::uint32_t frame : {1, 2, 4}) add(frame, {{0, 0}}, tally);
+  const std::vector<Touch> touches = tally.touches();
   ASSERT_EQ(touches.size(), 2u);
   EXPECT_EQ(touches[0].take, 1u);
   EXPECT_EQ(touches[0].contacts, 2u);
   EXPECT_EQ(touches[0].worst_frame, 2u);
   EXPECT_EQ(touches[1].take, 0u);
   EXPECT_EQ(touches[1].contacts, 1u);
-  const std::vector<TouchTally::Row> joints = tally->joints();
+  const std::vector<TouchTally::Row> joints = tally.joints();
   ASSERT_EQ(joints.size(), 2u);
   EXPECT_EQ(joints[0].clip, "\"idle\"");
   EXPECT_EQ(joints[1].clip, "\"walk\"");
