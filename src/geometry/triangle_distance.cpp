@@ -17,8 +17,16 @@
 /// candidate an error of d e S / h, which increases d by at most d (e S / h)^2 / 2. But an edge is
 /// never farther than h from the closest point, and increases d by at most h^2 / 2 d. The smaller
 /// of both is at most e S / 2.
+///   Skipped candidates. A plane, or two lines, with the normal n = u x v is skipped if w.n shows
+/// that it is no nearer than the best candidate so far, at distance d. Let U, V and W be the
+/// largest coordinates of u, v and w. n has an error of at most 15 e U V, and w.n of at most 49 e U
+/// V W. w leads from corner to corner, so d is at most 1.74 W. Therefore 2^-46 U V W, which is more
+/// than (49 + 1.74 * 15) e U V W, is subtracted from w.n before the comparison with d |n|. (For a
+/// sliver with a distant corner, this can be more than w.n: nothing is skipped.)
 #include "geometry/triangle_distance.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -31,6 +39,24 @@ double share(double dividend, double divisor) {
   return dividend < divisor ? dividend / divisor : divisor > 0 ? 1 : 0;
 }
 
+double largest_coordinate(const Vec3d& v) {
+  const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
+  return std::max(std::max(x, y), z);
+}
+
+/// The normal of two directions.
+struct Normal {
+  Normal() = default;
+  Normal(const Vec3d& u, const Vec3d& v)
+      : direction(cross(u, v)),
+        squared(squared_length(direction)),
+        error(0x1p-46 * largest_coordinate(u) * largest_coordinate(v)) {}
+
+  Vec3d direction;
+  double squared;  ///< of the length
+  double error;    ///< see above; to be multiplied by W
+};
+
 /// A triangle with precomputed values.
 struct Face {
   explicit Face(const TriangleCorners& t) : corner{Vec3d(t[0]), Vec3d(t[1]), Vec3d(t[2])} {
@@ -39,16 +65,14 @@ struct Face {
       squared_edge[i] = squared_length(edge[i]);
     }
     side = corner[2] - corner[0];
-    normal = cross(edge[0], side);
-    squared_normal = squared_length(normal);
+    normal = Normal(edge[0], side);
   }
 
   Vec3d corner[3];
   Vec3d edge[3];  ///< edge i leads from corner i to the next
   Vec3d side;     ///< from corner 0 to corner 2
-  Vec3d normal;
+  Normal normal;
   double squared_edge[3];
-  double squared_normal;
 };
 
 Barycentrics on_edge(std::size_t edge, double s) {
@@ -64,9 +88,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 ClosestOnTriangle closest_inside(const Vec3d& point, const Face& face) {
   constexpr ClosestOnTriangle kNone = {kInfinity, {1, 0, 0}};
   const Vec3d w = point - face.corner[0], &u = face.edge[0], &v = face.side;
-  const double t_dividend = dot(cross(u, w), face.normal);
-  if (!(t_dividend > 0 && t_dividend < face.squared_normal)) return kNone;
-  const double t = t_dividend / face.squared_normal;
+  const double t_dividend = dot(cross(u, w), face.normal.direction);
+  if (!(t_dividend > 0 && t_dividend < face.normal.squared)) return kNone;
+  const double t = t_dividend / face.normal.squared;
   const Vec3d rest = w - t * v;
   const double s_dividend = dot(rest, u);
   if (!(s_dividend > 0 && s_dividend < (1 - t) * face.squared_edge[0])) return kNone;
@@ -105,8 +129,10 @@ class ClosestOfFaces {
         try_corner_of_b(i, j);
       }
     for (std::size_t i = 0; i < 3; ++i) {
-      if (is_nearer(b, way_[i][0])) keep_on_b(at_corner(i), closest_inside(a.corner[i], b));
-      if (is_nearer(a, way_[0][i])) keep_on_a(closest_inside(b.corner[i], a), at_corner(i));
+      if (may_be_nearer(b.normal, way_[i][0]))
+        keep_on_b(at_corner(i), closest_inside(a.corner[i], b));
+      if (may_be_nearer(a.normal, way_[0][i]))
+        keep_on_a(closest_inside(b.corner[i], a), at_corner(i));
     }
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) try_edges(i, j);
@@ -149,26 +175,21 @@ class ClosestOfFaces {
     if (squared < closest_.squared_distance) closest_ = {squared, on_edge(i, s), at_corner(j)};
   }
 
-  /// Whether a face's plane is nearer than the best points so far; `way` leads from or to the
-  /// plane.
-  bool is_nearer(const Face& face, const Vec3d& way) const {
-    return is_nearer(face.normal, face.squared_normal, way);
-  }
-
-  bool is_nearer(const Vec3d& normal, double squared_normal, const Vec3d& way) const {
-    const double along = dot(way, normal);
-    return along * along < closest_.squared_distance * squared_normal;
+  /// Whether a plane or two lines may be nearer than the best points so far. `way` leads from one
+  /// of the two to the other.
+  bool may_be_nearer(const Normal& n, const Vec3d& way) const {
+    const double along = std::abs(dot(way, n.direction)) - n.error * largest_coordinate(way);
+    return (along > 0 ? along * along : 0) < closest_.squared_distance * n.squared;
   }
 
   /// Tries points inside both edges; points at ends have been tried before.
   void try_edges(std::size_t i, std::size_t j) {
     const Vec3d &w = way_[i][j], &u = a_.edge[i], &v = b_.edge[j];
-    const Vec3d n = cross(u, v);
-    const double squared_n = squared_length(n);
-    if (!is_nearer(n, squared_n, w)) return;
-    const double s_dividend = dot(cross(w, v), n);
-    if (!(s_dividend > 0 && s_dividend < squared_n)) return;
-    const double s = s_dividend / squared_n;
+    const Normal n(u, v);
+    if (!may_be_nearer(n, w)) return;
+    const double s_dividend = dot(cross(w, v), n.direction);
+    if (!(s_dividend > 0 && s_dividend < n.squared)) return;
+    const double s = s_dividend / n.squared;
     const Vec3d rest = s * u - w;
     const double t_dividend = dot(rest, v);
     if (!(t_dividend > 0 && t_dividend < b_.squared_edge[j])) return;
@@ -180,8 +201,8 @@ class ClosestOfFaces {
   /// The position on an edge where it crosses the other's plane; negative if both ends are on one
   /// side.
   static double piercing(const Face& of, std::size_t edge, const Face& face) {
-    const double begin = dot(face.normal, of.corner[edge] - face.corner[0]);
-    const double end = dot(face.normal, of.corner[(edge + 1) % 3] - face.corner[0]);
+    const double begin = dot(face.normal.direction, of.corner[edge] - face.corner[0]);
+    const double end = dot(face.normal.direction, of.corner[(edge + 1) % 3] - face.corner[0]);
     return (begin < 0) == (end < 0) ? -1 : begin / (begin - end);
   }
 

@@ -38,17 +38,30 @@ MaskDouble4 is_inside(const Double4& x, const Double4& limit) {
   return (Double4(0.0) < x) & (x < limit);
 }
 
+Double4 abs(const Double4& x) { return max(x, -x); }
+Double4 largest_coordinate(const Vec3d4& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
+
+struct Normal4 {
+  Normal4(const Vec3d4& u, const Vec3d4& v)
+      : direction(cross(u, v)),
+        squared(squared_length(direction)),
+        error(Double4(0x1p-46) * largest_coordinate(u) * largest_coordinate(v)) {}
+
+  Vec3d4 direction;
+  Double4 squared, error;
+};
+
 struct Face4 {
   explicit Face4(const Vec3d4 (&t)[3])
       : corner{t[0], t[1], t[2]},
         edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]},
         side(t[2] - t[0]),
-        normal(cross(edge[0], side)),
-        squared_edge{squared_length(edge[0]), squared_length(edge[1]), squared_length(edge[2])},
-        squared_normal(squared_length(normal)) {}
+        normal(edge[0], side),
+        squared_edge{squared_length(edge[0]), squared_length(edge[1]), squared_length(edge[2])} {}
 
-  Vec3d4 corner[3], edge[3], side, normal;
-  Double4 squared_edge[3], squared_normal;
+  Vec3d4 corner[3], edge[3], side;
+  Normal4 normal;
+  Double4 squared_edge[3];
 };
 
 class LeastOfFaces {
@@ -60,8 +73,8 @@ class LeastOfFaces {
         try_corners(i, j);
       }
     for (int i = 0; i < 3; ++i) {
-      try_inside(a.corner[i], b, is_nearer(b.normal, b.squared_normal, way_[i][0]));
-      try_inside(b.corner[i], a, is_nearer(a.normal, a.squared_normal, way_[0][i]));
+      try_inside(a.corner[i], b, may_be_nearer(b.normal, way_[i][0]));
+      try_inside(b.corner[i], a, may_be_nearer(a.normal, way_[0][i]));
     }
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) try_edges(i, j);
@@ -84,18 +97,18 @@ class LeastOfFaces {
     keep(squared_length(w - on_a * a_.edge[i]));
   }
 
-  MaskDouble4 is_nearer(const Vec3d4& normal, const Double4& squared_normal,
-                        const Vec3d4& way) const {
-    const Double4 along = dot(way, normal);
-    return along * along < squared_ * squared_normal;
+  MaskDouble4 may_be_nearer(const Normal4& n, const Vec3d4& way) const {
+    const Double4 along =
+        max(abs(dot(way, n.direction)) - n.error * largest_coordinate(way), Double4(0.0));
+    return along * along < squared_ * n.squared;
   }
 
   void try_inside(const Vec3d4& point, const Face4& face, const MaskDouble4& where) {
     const Vec3d4 w = point - face.corner[0], &u = face.edge[0];
-    const Double4 t_dividend = dot(cross(u, w), face.normal);
-    const MaskDouble4 t_is_inside = where & is_inside(t_dividend, face.squared_normal);
+    const Double4 t_dividend = dot(cross(u, w), face.normal.direction);
+    const MaskDouble4 t_is_inside = where & is_inside(t_dividend, face.normal.squared);
     if (!t_is_inside.any()) return;
-    const Double4 t = t_dividend / face.squared_normal;
+    const Double4 t = t_dividend / face.normal.squared;
     const Vec3d4 rest = w - t * face.side;
     const Double4 s_dividend = dot(rest, u);
     const Double4 s_limit = (Double4(1.0) - t) * face.squared_edge[0];
@@ -105,11 +118,11 @@ class LeastOfFaces {
 
   void try_edges(int i, int j) {
     const Vec3d4 &w = way_[i][j], &u = a_.edge[i], &v = b_.edge[j];
-    const Vec3d4 n = cross(u, v);
-    const Double4 squared_n = squared_length(n), s_dividend = dot(cross(w, v), n);
-    const MaskDouble4 s_is_inside = is_nearer(n, squared_n, w) & is_inside(s_dividend, squared_n);
+    const Normal4 n(u, v);
+    const Double4 s_dividend = dot(cross(w, v), n.direction);
+    const MaskDouble4 s_is_inside = may_be_nearer(n, w) & is_inside(s_dividend, n.squared);
     if (!s_is_inside.any()) return;
-    const Vec3d4 rest = s_dividend / squared_n * u - w;
+    const Vec3d4 rest = s_dividend / n.squared * u - w;
     const Double4 t_dividend = dot(rest, v), t = t_dividend / b_.squared_edge[j];
     keep(squared_length(rest - t * v), s_is_inside & is_inside(t_dividend, b_.squared_edge[j]));
   }

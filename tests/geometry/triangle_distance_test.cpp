@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <random>
 #include <vector>
 
 namespace pelt::test {
@@ -121,6 +122,32 @@ double squared_box_gap(const TriangleCorners& a, const TriangleCorners& b) {
   const double x = axis_gap(a, b, &Vec3::x), y = axis_gap(a, b, &Vec3::y);
   const double z = axis_gap(a, b, &Vec3::z);
   return x * x + y * y + z * z;
+}
+
+/// A corner of a sliver is so far that the sliver's computed normal says little about the height of
+/// points over its near end.
+TEST(TriangleDistance, SliversWithAFarCorner) {
+  const TriangleCorners segment = {Vec3{1, -1, 3}, Vec3{0, 0, 0}, Vec3{1, -1, 3}};
+  const TriangleCorners sliver = {Vec3{0x1.5d8684p+36f, -0x1.d208bp+32f, 0x1.36b076p+31f},
+                                  Vec3{-3, 0x1.feae9p-17f, -1},
+                                  Vec3{-0x1.9p+1f, -0x1.b4p+0f, 0x1.e8f5c2p+0f}};
+  Tally tally;
+  check(segment, sliver, tally);
+
+  Random random(61);
+  std::uniform_real_distribution<float> coordinate(-1, 1);
+  for (int i = 0; i < 3000 && !HasFatalFailure(); ++i) {
+    TriangleCorners pair[2];
+    for (TriangleCorners& t : pair)
+      for (Vec3& corner : t) corner = {coordinate(random), coordinate(random), coordinate(random)};
+    const float length = std::ldexp(1.0f, static_cast<int>(random() % 50));
+    Vec3& far = pair[random() % 2][random() % 3];
+    far = {far.x * length, far.y * length, far.z * length};
+    check(pair[0], pair[1], tally);
+  }
+  std::cout << "seed 61: " << tally.apart << " apart, worst error 2^"
+            << std::log2(tally.worst_error) << " of the extent\n";
+  EXPECT_GT(tally.apart, 1500);
 }
 
 /// The rounding errors of far corners are larger than the distance.
