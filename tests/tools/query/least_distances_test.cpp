@@ -54,6 +54,21 @@ TEST(LeastDistances, AreThoseOfAllPairsWhateverTheirOrder) {
   expected.resize(kMax);
   EXPECT_EQ(rows_of(least.pairs()), expected);
   EXPECT_GT(equal, 0u);
+  EXPECT_TRUE(of_frame.has_left_out());
+}
+
+TEST(LeastDistances, TellWhetherAPairWasLeftOut) {
+  LeastDistances least(2);
+  for (const double distance : {3.0, 1.0, 2.0}) {
+    least.add(pair_at(0, 1, distance, 0));
+    least.add(pair_at(0, 2, distance, 0));
+    EXPECT_FALSE(least.has_left_out());
+  }
+  LeastDistances nearer = least;
+  least.add(pair_at(1, 2, 9, 0));  // is left out
+  EXPECT_TRUE(least.has_left_out());
+  nearer.add(pair_at(1, 2, 0, 0));  // replaces another one
+  EXPECT_TRUE(nearer.has_left_out());
 }
 
 }  // namespace

@@ -138,6 +138,28 @@ TEST(DistanceVerb, SummaryNamesTheClosestPlaces) {
   EXPECT_NE(parts.out.find("strip 0 fan ("), std::string::npos) << parts.out;
 }
 
+TEST(DistanceVerb, ListsAsManyPairsAsTheOptionSays) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const auto listed = [&](const std::string& rows) {
+    const Ended run = run_pelt(folder, {"distance", "strip.glb", "strip.glb", "strip.glb", "--at",
+                                        "0,0,0", "--at", "0,5,0", "--at", "0,9,0", "--list", rows});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const std::string list = run.out.substr(run.out.find("least distances"));
+    std::size_t count = 0;
+    for (std::size_t at = list.find("  frame 0  "); at != list.npos;
+         at = list.find("  frame 0  ", at + 1))
+      ++count;
+    return std::pair(count, list.substr(0, list.find("\n\n")));
+  };
+  const auto [one, words_of_one] = listed("1");
+  EXPECT_EQ(one, 1u) << words_of_one;
+  EXPECT_NE(words_of_one.find("... and more: --list 2"), std::string::npos) << words_of_one;
+  const auto [all, words_of_all] = listed("3");
+  EXPECT_EQ(all, 3u) << words_of_all;
+  EXPECT_EQ(words_of_all.find("and more"), std::string::npos) << words_of_all;
+}
+
 json triangles_within(const TestFolder& folder, const std::string& clearance) {
   const Ended run = run_pelt(folder, {"check", "scene.json", "--clearance", clearance, "--frames",
                                       "0:8", "--jsonl", "-", "--pairs"});

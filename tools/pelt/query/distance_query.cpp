@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <tuple>
 #include <utility>
@@ -41,6 +42,12 @@ void merge_least(const PairList& found, std::uint32_t frame, const PairList& lea
     if (is_found) pair = new_pairs.next();
     if (is_known) known = known_pairs.next();
   }
+}
+
+/// The option that lists more than `rows` pairs.
+std::string option_for_more(std::uint32_t rows) {
+  if (rows == DistanceSettings::kMostRows) return "--jsonl";
+  return "--list " + std::to_string(std::min(2 * rows, DistanceSettings::kMostRows));
 }
 
 void set_vector(ordered_json& json, const Vec3& v) { json[0] = v.x, json[1] = v.y, json[2] = v.z; }
@@ -165,6 +172,9 @@ void DistanceQuery::print(std::size_t frames, std::ostream& out) const {
         << scene::frame_words(staged_.scene, pair.frame) << "  " << place(pair.a, distance.a)
         << "  " << place(pair.b, distance.b) << '\n';
   }
+  if (closest_.has_left_out() || closest_now_.has_left_out())
+    out << std::right << std::setw(12) << "..."
+        << " and more: " << option_for_more(settings_.rows_listed) << '\n';
   out << '\n';
 }
 

@@ -15,8 +15,12 @@
 namespace pelt::tools::query {
 
 struct DistanceSettings {
+  /// Largest value of `rows_listed`: each pair of a frame is searched for among the rows.
+  static constexpr std::uint32_t kMostRows = 1000;
+
   scene::Granularity granularity = scene::Granularity::instance;
   double within = std::numeric_limits<double>::infinity();  ///< longer distances are skipped
+  std::uint32_t rows_listed = 10;  ///< most rows of the list of the summary
 };
 
 /// Distances of all pairs of colliders, or, if `within` is given, of those that are near each
@@ -45,8 +49,6 @@ class DistanceQuery final : public FrameQuery {
   void print(std::size_t frames, std::ostream& words) const override;
 
  private:
-  static constexpr std::size_t kMaxRows = 10;
-
   QueryStats ask_pair(std::span<Pose> poses, std::uint32_t a, std::uint32_t b);
   const Distance* find_hint(const PairDistance& pair);
   void set_pair(const PairDistance& pair, nlohmann::ordered_json& entry) const;
@@ -59,7 +61,7 @@ class DistanceQuery final : public FrameQuery {
   scene::NearPairs near_pairs_;
   std::vector<PairDistance> hints_;  // the first pairs of the frame before
   std::size_t next_hint_ = 0;
-  LeastDistances closest_now_ = LeastDistances(kMaxRows), closest_ = LeastDistances(kMaxRows);
+  LeastDistances closest_now_{settings_.rows_listed}, closest_{settings_.rows_listed};
   PairList found_{most_hints_};  // in this frame; if not all are listed, those of the next hints
   PairList least_{most_hints_ / 4}, merged_{most_hints_ / 4};  // of all frames, if all are listed
 };

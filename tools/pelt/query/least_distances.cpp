@@ -13,13 +13,17 @@ bool is_nearer(const PairDistance& x, const PairDistance& y) {
 }  // namespace
 
 void LeastDistances::add(const PairDistance& pair) {
-  if (pairs_.size() == most_ && !is_nearer(pair, pairs_.back())) return;
+  const bool is_beyond = pairs_.size() == most_ && !is_nearer(pair, pairs_.back());
+  if (is_beyond && has_left_out_) return;
   const auto known = std::find_if(pairs_.begin(), pairs_.end(), [&](const PairDistance& other) {
     return other.a == pair.a && other.b == pair.b;
   });
   if (known != pairs_.end()) {
     if (!is_nearer(pair, *known)) return;
     pairs_.erase(known);
+  } else if (pairs_.size() == most_) {
+    has_left_out_ = true;
+    if (is_beyond) return;
   }
   pairs_.insert(std::upper_bound(pairs_.begin(), pairs_.end(), pair, is_nearer), pair);
   if (pairs_.size() > most_) pairs_.pop_back();

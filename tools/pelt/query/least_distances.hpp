@@ -27,11 +27,15 @@ class LeastDistances {
   /// Adds a pair. If it was added before with an equal distance, the earlier one stays.
   void add(const PairDistance& pair);
 
+  /// Whether pairs were left out since the construction because there were too many.
+  bool has_left_out() const { return has_left_out_; }
+
   /// Sorted by distance, then a, then b.
   std::span<const PairDistance> pairs() const { return pairs_; }
 
  private:
   std::size_t most_;
+  bool has_left_out_ = false;
   std::vector<PairDistance> pairs_;
 };
 

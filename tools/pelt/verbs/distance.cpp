@@ -16,6 +16,7 @@ struct Arguments {
   scene::QueryArguments query;
   std::string by = "instance";
   std::optional<double> within;
+  std::uint32_t list = query::DistanceSettings().rows_listed;
   std::vector<std::string> from;
 };
 
@@ -79,6 +80,7 @@ Result<arguments::ExitCode> distance(const Arguments& arguments) {
   const Result<double> within = choose_within(arguments.within);
   if (!within) return within.error();
   settings.within = *within;
+  settings.rows_listed = arguments.list;
   const Result<std::vector<Vec3>> points = parse_points(arguments.from);
   if (!points) return points.error();
   const Result<scene::QueryInput> input = scene::open_query(arguments.query);
@@ -106,6 +108,8 @@ void add_distance(CLI::App& app, arguments::Command& chosen) {
       {.type = "instance|part"});
   verb.option("--within", arguments->within, "Leave out pairs that are farther apart (faster)",
               {.type = "DISTANCE"});
+  verb.option("--list", arguments->list, "Show at most N rows in the summary",
+              {.type = "N", .least = 1, .most = query::DistanceSettings::kMostRows});
   verb.option("--from", arguments->from, "Compute distances from this point instead (repeatable)",
               {.type = "X,Y,Z"});
   verb.runs([arguments] { return distance(*arguments); }, chosen);
