@@ -1,10 +1,11 @@
 /** Contacts of poses with themselves, and their filters. */
 
 import assert from 'node:assert/strict';
+import fs from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { rocks } from './rocks.mjs';
-import { ContactKind, kScenes, pelt, readSceneFile } from './support.mjs';
+import { ContactKind, jsonLines, kScenes, kShared, pelt, readSceneFile } from './support.mjs';
 
 const kNothing = { takesPart: 0, rings: 0, atRest: 0, always: 0, joints: 0, groups: 0 };
 
@@ -138,6 +139,38 @@ test('near joints are neighbours, and those whose triangles touch at rest', () =
   assert.equal(joined.leftOut.atRest + joined.leftOut.joints + joined.count, all.count);
   assert.ok(rowsOf(joined.pairs, 2).every((pair) => key(pair) !== key([s, t])));
 });
+
+const kHuman = path.join(kShared, 'models', 'human.glb');
+
+test(
+  'near joints drop what the command drops: creases, and nothing far from a joint',
+  { skip: !fs.existsSync(kHuman) && `${kHuman} is not there` },
+  () => {
+    const human = pelt.readCharacter(fs.readFileSync(kHuman), { name: 'human' });
+    const filter = human.makeSelfFilter({ rings: 5, nearJoints: true });
+    const body = human.makePose();
+    const options = ['--clip', 'crouch_walk', '--frames', '54:60', '--self-at-rest', 'keep'];
+    const frames = jsonLines('check', kHuman, ...options).filter(({ frame }) => frame !== undefined);
+    assert.equal(frames.length, 6);
+    const nameOf = (t) => human.jointNames[human.triangleJoints[t]];
+    let far = 0;
+    for (const { time, contacts, left_out: leftOut } of frames) {
+      body.setPalette(human.palette('crouch_walk', time));
+      const found = pelt.selfCollide(body, filter);
+      assert.equal(found.count, contacts);
+      assert.equal(found.leftOut.joints, leftOut.near_joints);
+      assert.ok(leftOut.near_joints > 0);
+      for (const pair of rowsOf(found.pairs, 2)) {
+        const names = pair.map(nameOf).sort().join();
+        far += names === 'lowerleg01.R,upperleg02.R' || names === 'lowerleg01.L,upperleg02.L';
+      }
+    }
+    assert.ok(far > 20, `${far} contacts of calf and thigh`);
+    filter.delete();
+    body.delete();
+    human.delete();
+  },
+);
 
 test('geometry of contacts with itself has curves and patches', () => {
   const geometry = pelt.describeSelfContacts(pose, all.pairs);
