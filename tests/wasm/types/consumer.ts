@@ -57,6 +57,7 @@ import {
   type Region,
   type Scene,
   type SceneParts,
+  type SelfChoices,
   type SelfContacts,
   type SelfFilter,
   type SelfFilterOptions,
@@ -304,7 +305,15 @@ function useDistance(pelt: Pelt, a: Pose, b: Pose): void {
 }
 
 function useScene(pelt: Pelt, walker: Character): void {
+  const self: SelfChoices = {
+    wanted: 'also',
+    rings: 2,
+    dropsAtRest: true,
+    always: null,
+    dropsNearJoints: true,
+  };
   const parts: SceneParts = {
+    self,
     name: 'own',
     characters: [walker],
     instances: [
@@ -315,6 +324,7 @@ function useScene(pelt: Pelt, walker: Character): void {
     fps: 24,
   };
   const scene: Scene = pelt.makeScene(parts);
+  check(scene.self.rings === 2, 'self');
   const instance: Instance = {
     character: 0,
     clip: null,
