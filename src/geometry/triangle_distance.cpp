@@ -18,15 +18,13 @@
 /// never farther than h from the closest point, and increases d by at most h^2 / 2 d. The smaller
 /// of both is at most e S / 2.
 ///   Skipped candidates. A plane, or two lines, with the normal n = u x v is skipped if w.n shows
-/// that it is no nearer than the best candidate so far, at distance d. Let U, V and W be the
-/// largest coordinates of u, v and w. n has an error of at most 15 e U V, and w.n of at most 49 e U
-/// V W. w leads from corner to corner, so d is at most 1.74 W. Therefore 2^-46 U V W, which is more
-/// than (49 + 1.74 * 15) e U V W, is subtracted from w.n before the comparison with d |n|. (For a
-/// sliver with a distant corner, this can be more than w.n: nothing is skipped.)
+/// that it is no nearer than the best candidate so far, at distance d. n has an error of at most
+/// 15 e |u| |v|, and w.n of at most 49 e |u| |v| |w|. w leads from corner to corner, so d <= |w| up
+/// to rounding. Therefore w.n must be at least x + y, with x = d |n| and y = 2^-46 |u| |v| |w|. By
+/// (x + y)^2 <= (1 + 2^-10) x^2 + (1 + 2^10) y^2, squares decide this. (For a sliver with a distant
+/// corner, y can be more than w.n: nothing is skipped.)
 #include "geometry/triangle_distance.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -39,22 +37,17 @@ double share(double dividend, double divisor) {
   return dividend < divisor ? dividend / divisor : divisor > 0 ? 1 : 0;
 }
 
-double largest_coordinate(const Vec3d& v) {
-  const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
-  return std::max(std::max(x, y), z);
-}
-
 /// The normal of two directions.
 struct Normal {
   Normal() = default;
-  Normal(const Vec3d& u, const Vec3d& v)
+  Normal(const Vec3d& u, double squared_u, const Vec3d& v, double squared_v)
       : direction(cross(u, v)),
         squared(squared_length(direction)),
-        error(0x1p-46 * largest_coordinate(u) * largest_coordinate(v)) {}
+        squared_error(0x1p-81 * squared_u * squared_v) {}
 
   Vec3d direction;
-  double squared;  ///< of the length
-  double error;    ///< see above; to be multiplied by W
+  double squared;        ///< of the length
+  double squared_error;  ///< see above; to be multiplied by |w|^2
 };
 
 /// A triangle with precomputed values.
@@ -65,7 +58,7 @@ struct Face {
       squared_edge[i] = squared_length(edge[i]);
     }
     side = corner[2] - corner[0];
-    normal = Normal(edge[0], side);
+    normal = Normal(edge[0], squared_edge[0], side, squared_edge[2]);
   }
 
   Vec3d corner[3];
@@ -125,14 +118,13 @@ class ClosestOfFaces {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) {
         way_[i][j] = b.corner[j] - a.corner[i];
+        squared_way_[i][j] = squared_length(way_[i][j]);
         try_corner_of_a(i, j);
         try_corner_of_b(i, j);
       }
     for (std::size_t i = 0; i < 3; ++i) {
-      if (may_be_nearer(b.normal, way_[i][0]))
-        keep_on_b(at_corner(i), closest_inside(a.corner[i], b));
-      if (may_be_nearer(a.normal, way_[0][i]))
-        keep_on_a(closest_inside(b.corner[i], a), at_corner(i));
+      if (may_be_nearer(b.normal, i, 0)) keep_on_b(at_corner(i), closest_inside(a.corner[i], b));
+      if (may_be_nearer(a.normal, 0, i)) keep_on_a(closest_inside(b.corner[i], a), at_corner(i));
     }
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) try_edges(i, j);
@@ -175,18 +167,19 @@ class ClosestOfFaces {
     if (squared < closest_.squared_distance) closest_ = {squared, on_edge(i, s), at_corner(j)};
   }
 
-  /// Whether a plane or two lines may be nearer than the best points so far. `way` leads from one
-  /// of the two to the other.
-  bool may_be_nearer(const Normal& n, const Vec3d& way) const {
-    const double along = std::abs(dot(way, n.direction)) - n.error * largest_coordinate(way);
-    return (along > 0 ? along * along : 0) < closest_.squared_distance * n.squared;
+  /// Whether a plane or two lines may be nearer than the best points so far. The way from corner i
+  /// to corner j leads from one of the two to the other.
+  bool may_be_nearer(const Normal& n, std::size_t i, std::size_t j) const {
+    const double along = dot(way_[i][j], n.direction);
+    return along * along < closest_.squared_distance * ((1 + 0x1p-10) * n.squared) +
+                               n.squared_error * squared_way_[i][j];
   }
 
   /// Tries points inside both edges; points at ends have been tried before.
   void try_edges(std::size_t i, std::size_t j) {
     const Vec3d &w = way_[i][j], &u = a_.edge[i], &v = b_.edge[j];
-    const Normal n(u, v);
-    if (!may_be_nearer(n, w)) return;
+    const Normal n(u, a_.squared_edge[i], v, b_.squared_edge[j]);
+    if (!may_be_nearer(n, i, j)) return;
     const double s_dividend = dot(cross(w, v), n.direction);
     if (!(s_dividend > 0 && s_dividend < n.squared)) return;
     const double s = s_dividend / n.squared;
@@ -208,6 +201,7 @@ class ClosestOfFaces {
 
   const Face &a_, &b_;
   Vec3d way_[3][3];  ///< from corners of the first face to those of the second
+  double squared_way_[3][3];
   ClosestPoints closest_ = {kInfinity, {1, 0, 0}, {1, 0, 0}};
 };
 

@@ -38,17 +38,14 @@ MaskDouble4 is_inside(const Double4& x, const Double4& limit) {
   return (Double4(0.0) < x) & (x < limit);
 }
 
-Double4 abs(const Double4& x) { return max(x, -x); }
-Double4 largest_coordinate(const Vec3d4& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
-
 struct Normal4 {
-  Normal4(const Vec3d4& u, const Vec3d4& v)
+  Normal4(const Vec3d4& u, const Double4& squared_u, const Vec3d4& v, const Double4& squared_v)
       : direction(cross(u, v)),
         squared(squared_length(direction)),
-        error(Double4(0x1p-46) * largest_coordinate(u) * largest_coordinate(v)) {}
+        squared_error(Double4(0x1p-81) * squared_u * squared_v) {}
 
   Vec3d4 direction;
-  Double4 squared, error;
+  Double4 squared, squared_error;
 };
 
 struct Face4 {
@@ -56,12 +53,12 @@ struct Face4 {
       : corner{t[0], t[1], t[2]},
         edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]},
         side(t[2] - t[0]),
-        normal(edge[0], side),
-        squared_edge{squared_length(edge[0]), squared_length(edge[1]), squared_length(edge[2])} {}
+        squared_edge{squared_length(edge[0]), squared_length(edge[1]), squared_length(edge[2])},
+        normal(edge[0], squared_edge[0], side, squared_edge[2]) {}
 
   Vec3d4 corner[3], edge[3], side;
-  Normal4 normal;
   Double4 squared_edge[3];
+  Normal4 normal;
 };
 
 class LeastOfFaces {
@@ -70,11 +67,12 @@ class LeastOfFaces {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         way_[i][j] = b.corner[j] - a.corner[i];
+        squared_way_[i][j] = squared_length(way_[i][j]);
         try_corners(i, j);
       }
     for (int i = 0; i < 3; ++i) {
-      try_inside(a.corner[i], b, may_be_nearer(b.normal, way_[i][0]));
-      try_inside(b.corner[i], a, may_be_nearer(a.normal, way_[0][i]));
+      try_inside(a.corner[i], b, may_be_nearer(b.normal, i, 0));
+      try_inside(b.corner[i], a, may_be_nearer(a.normal, 0, i));
     }
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) try_edges(i, j);
@@ -97,10 +95,10 @@ class LeastOfFaces {
     keep(squared_length(w - on_a * a_.edge[i]));
   }
 
-  MaskDouble4 may_be_nearer(const Normal4& n, const Vec3d4& way) const {
-    const Double4 along =
-        max(abs(dot(way, n.direction)) - n.error * largest_coordinate(way), Double4(0.0));
-    return along * along < squared_ * n.squared;
+  MaskDouble4 may_be_nearer(const Normal4& n, int i, int j) const {
+    const Double4 along = dot(way_[i][j], n.direction);
+    return along * along <
+           squared_ * (Double4(1 + 0x1p-10) * n.squared) + n.squared_error * squared_way_[i][j];
   }
 
   void try_inside(const Vec3d4& point, const Face4& face, const MaskDouble4& where) {
@@ -118,9 +116,9 @@ class LeastOfFaces {
 
   void try_edges(int i, int j) {
     const Vec3d4 &w = way_[i][j], &u = a_.edge[i], &v = b_.edge[j];
-    const Normal4 n(u, v);
+    const Normal4 n(u, a_.squared_edge[i], v, b_.squared_edge[j]);
     const Double4 s_dividend = dot(cross(w, v), n.direction);
-    const MaskDouble4 s_is_inside = may_be_nearer(n, w) & is_inside(s_dividend, n.squared);
+    const MaskDouble4 s_is_inside = may_be_nearer(n, i, j) & is_inside(s_dividend, n.squared);
     if (!s_is_inside.any()) return;
     const Vec3d4 rest = s_dividend / n.squared * u - w;
     const Double4 t_dividend = dot(rest, v), t = t_dividend / b_.squared_edge[j];
@@ -129,6 +127,7 @@ class LeastOfFaces {
 
   const Face4 &a_, &b_;
   Vec3d4 way_[3][3];
+  Double4 squared_way_[3][3];
   Double4 squared_ = Double4(HUGE_VAL);
 };
 
