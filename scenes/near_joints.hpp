@@ -27,6 +27,8 @@ struct NearJoints {
 ///   its leg.
 ///
 /// `main_joints`: [T] the joint that each triangle follows most (see TriangleLabels).
+/// `at_rest`: contacts in reference poses, found with the filter that an empty `at_rest` gives.
+/// Otherwise, joints whose skin creases at rest are near everywhere.
 ///
 /// Cost: O(T log T + V + keys of all clips).
 NearJoints near_joints(const asset::Asset& asset, std::span<const std::uint16_t> main_joints,

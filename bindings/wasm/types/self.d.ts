@@ -21,11 +21,14 @@ export interface SelfFilterOptions {
   always?: Uint32Array;
   /**
    * Leaves out triangles that follow the same joint or neighbouring joints most. Joints that no
-   * clip moves against each other count as one. Neighbours are a joint and any one above it if
-   * triangles of both share a corner, a joint and the next one above it that any triangle follows,
-   * and two joints whose triangles are a pair of `atRest`. Neighbours of the first kind are left
-   * out only near their joint: if, in the default pose, both triangles have a corner within 2.5
-   * radii of the centre of the corners that the lower joint shares with joints above it.
+   * clip moves against each other count as one. Neighbours are:
+   * - a joint and any joint above it, if triangles of both share a corner. Their triangles are left
+   *   out only near the joint: if, in the default pose, both triangles have a corner within 2.5
+   *   radii of the centre of the corners that the lower joint shares with joints above it;
+   * - a joint and the next joint above it that any triangle follows, if no triangles of both share a
+   *   corner;
+   * - two joints whose triangles are a pair of `atRest`. To find `atRest` without creases, use a
+   *   filter with `nearJoints`.
    */
   nearJoints?: boolean;
   /** [N][2] Leaves out triangles that follow these joints most: indices into `jointNames`. */
