@@ -22,6 +22,13 @@ class Rounded {
  public:
   explicit Rounded(double exact) : value_(exact) {}
 
+  /// A number that differs from `value` by at most `error`.
+  static Rounded within(double value, double error) {
+    Rounded result(value);
+    result.error_ = error;
+    return result;
+  }
+
   friend Rounded operator+(const Rounded& a, const Rounded& b) {
     return Rounded(a.value_ + b.value_, a.error_ + b.error_);
   }
