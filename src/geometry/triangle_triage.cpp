@@ -37,65 +37,24 @@
 #include "geometry/triangle_triage.hpp"
 
 #include "geometry/points8.hpp"
+#include "geometry/triage_signs.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 namespace {
-
-constexpr unsigned kAllLanes = 0xFF;
-
-/// A value for each corner of a triangle, or for each edge: edge i leads from corner i to the next.
-using Three = Float8[3];
-
-Float8 lowest(const Three& v) { return min(min(v[0], v[1]), v[2]); }
-Float8 highest(const Three& v) { return max(max(v[0], v[1]), v[2]); }
-Float8 sum(const Three& v) { return v[0] + v[1] + v[2]; }
-
-/// A choice of one edge in each lane.
-struct Edge {
-  Mask8 is_first, is_second;
-
-  Float8 of(const Three& values) const {
-    return select(is_first, values[0], select(is_second, values[1], values[2]));
-  }
-};
 
 Float8 largest(const Float8& u, const Float8& v, const Float8& w0, const Float8& w1,
                const Float8& w2) {
   return max(max(max(abs(u), abs(v)), max(abs(w0), abs(w1))), abs(w2));
 }
 
-/// Determines which signs are certain, of a determinant or of a sum of up to four.
-class Certainty {
- public:
-  Certainty(const Points8& u, const Points8& v, const Points8 (&w)[3]) {
-    const Float8 x = largest(u.x, v.x, w[0].x, w[1].x, w[2].x);
-    const Float8 y = largest(u.y, v.y, w[0].y, w[1].y, w[2].y);
-    const Float8 z = largest(u.z, v.z, w[0].z, w[1].z, w[2].z);
-    error_ = Float8(64.0f) * x * y * z * Float8(0x1p-22f) + Float8(0x1p-84f);
-    minus_error_ = Float8(0.0f) - error_;
-  }
-
-  Mask8 positive(const Float8& value) const { return error_ < value; }
-  Mask8 negative(const Float8& value) const { return value < minus_error_; }
-
-  Mask8 all_one_sign(const Three& v) const { return positive(lowest(v)) | negative(highest(v)); }
-  Mask8 all_some_sign(const Three& v) const {
-    return positive(lowest({abs(v[0]), abs(v[1]), abs(v[2])}));
-  }
-
-  Edge edge_down(const Three& heights) const {
-    return {positive(heights[0]) & negative(heights[1]),
-            positive(heights[1]) & negative(heights[2])};
-  }
-  Edge edge_up(const Three& heights) const {
-    return {negative(heights[0]) & positive(heights[1]),
-            negative(heights[1]) & positive(heights[2])};
-  }
-
- private:
-  Float8 error_, minus_error_;
-};
+/// A bound of the error of a determinant, and of a sum of up to four.
+Float8 error_bound(const Points8& u, const Points8& v, const Points8 (&w)[3]) {
+  const Float8 x = largest(u.x, v.x, w[0].x, w[1].x, w[2].x);
+  const Float8 y = largest(u.y, v.y, w[0].y, w[1].y, w[2].y);
+  const Float8 z = largest(u.z, v.z, w[0].z, w[1].z, w[2].z);
+  return Float8(64.0f) * x * y * z * Float8(0x1p-22f) + Float8(0x1p-84f);
+}
 
 }  // namespace
 
@@ -103,7 +62,7 @@ Triage triage(const TrianglePairs8& pairs) {
   const Points8& origin = pairs.a[0];
   const Points8 u = pairs.a[1] - origin, v = origin - pairs.a[2];
   const Points8 w[3] = {pairs.b[0] - origin, pairs.b[1] - origin, pairs.b[2] - origin};
-  const Certainty certainly(u, v, w);
+  const Certainty certainly(error_bound(u, v, w));
 
   const Points8 normal = cross(v, u);
   const Three heights_b = {dot(normal, w[0]), dot(normal, w[1]), dot(normal, w[2])};

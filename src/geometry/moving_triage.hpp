@@ -1,0 +1,29 @@
+#pragma once
+
+#include "geometry/triangle_triage.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_INSTRUCTION_SET {
+
+/// Eight pairs of moving triangles: lane i is pair i, at time 0 and at time 1.
+struct MovingPairs8 {
+  TrianglePairs8 from, to;
+};
+
+/// For each pair, times from 0 to 1 outside which the boxes of the triangles are disjoint. A pair
+/// whose `start` is after its `end` never intersects.
+struct TimeSpans8 {
+  Float8 start, end;
+};
+
+TimeSpans8 times_of_boxes(const MovingPairs8& pairs);
+
+/// Decides about nine of ten pairs in general position. `apart`: the triangles never intersect;
+/// `intersecting`: they intersect at some time. Both as `first_meeting` decides.
+///
+/// Precondition: no pair intersects before its `start` or after its `end`, which are from 0 to 1.
+/// For the coordinates, that of `triage`.
+Triage moving_triage(const MovingPairs8& pairs, const TimeSpans8& times);
+
+}  // namespace PELT_INSTRUCTION_SET
+}  // namespace pelt::detail
