@@ -277,14 +277,16 @@ class Isolation {
   CriticalTimes& found_;
 };
 
-Rounded value_at(const Cubic& p, const Rounded& time) {
+std::array<Rounded, 4> rounded_coefficients(const Cubic& p) {
   const auto coefficient = [&](std::size_t i) {
     const double value = rounded(p.coefficients[i]);
     return Rounded::within(value, 0x1p-52 * std::abs(value));
   };
-  Rounded value = coefficient(3);
-  for (std::size_t i = 3; i-- > 0;) value = value * time + coefficient(i);
-  return value;
+  return {coefficient(0), coefficient(1), coefficient(2), coefficient(3)};
+}
+
+Rounded value_at(const std::array<Rounded, 4>& c, const Rounded& time) {
+  return ((c[3] * time + c[2]) * time + c[1]) * time + c[0];
 }
 
 /// Returns -1, 0 or 1 if a is less than, equal to or greater than b.
@@ -346,11 +348,12 @@ CriticalTime::CriticalTime(const Cubic& polynomial, const Dyadic& low, const Dya
 /// Halves the interval of the bounds while rounded arithmetic decides on which side the root is,
 /// and a few times more.
 void CriticalTime::refine() {
+  const std::array<Rounded, 4> coefficients = rounded_coefficients(polynomial_);
   int exact_signs = 3;
   while (exact_signs > 0) {
     const double middle = above_ + (below_ - above_) / 2;
     if (middle <= above_ || middle >= below_) return;
-    std::optional<int> sign = value_at(polynomial_, Rounded(middle)).sign();
+    std::optional<int> sign = value_at(coefficients, Rounded(middle)).sign();
     if (!sign) {
       --exact_signs;
       sign = detail::sign_at(polynomial_, dyadic(middle));
@@ -367,7 +370,7 @@ void CriticalTime::refine() {
 int CriticalTime::sign_of(const Cubic& p) const {
   const double radius = (below_ - above_) / 2;
   const Rounded time = Rounded::within(above_ + radius, radius * (1 + 0x1p-50) + 0x1p-53 * below_);
-  if (const std::optional<int> sign = value_at(p, time).sign()) return *sign;
+  if (const std::optional<int> sign = value_at(rounded_coefficients(p), time).sign()) return *sign;
   if (is_zero(p)) return 0;
   ++exact_sign_count();
   return SignSequence(polynomial_, p).sum_between(low_, high_);

@@ -93,23 +93,6 @@ Cubic minor(const Linear& a, const Linear& b, const Linear& c, const Linear& d) 
   return result;
 }
 
-Cubic orient3d_of(const MovingPoints& points, const std::array<std::size_t, 4>& corners) {
-  const auto& [i, j, k, l] = corners;
-  Cubic result;
-  auto& r = result.coefficients;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
-    const Cubic area = minor(difference(points, next, i, j), difference(points, next, i, k),
-                             difference(points, last, i, j), difference(points, last, i, k));
-    const Linear height = difference(points, axis, i, l);
-    for (std::size_t power = 0; power < 3; ++power) {
-      add_product(r[power], area.coefficients[power], height.start);
-      add_product(r[power + 1], area.coefficients[power], height.slope);
-    }
-  }
-  return result;
-}
-
 Cubic orient2d_of(const MovingPoints& points, std::size_t axis,
                   const std::array<std::size_t, 3>& corners) {
   const auto& [i, j, k] = corners;
@@ -174,6 +157,23 @@ MovingPoints moving_points(const MovingTriangle& a, const MovingTriangle& b) {
   return points;
 }
 
+Cubic orient3d_polynomial(const MovingPoints& points, const std::array<std::size_t, 4>& corners) {
+  const auto& [i, j, k, l] = corners;
+  Cubic result;
+  auto& r = result.coefficients;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+    const Cubic area = minor(difference(points, next, i, j), difference(points, next, i, k),
+                             difference(points, last, i, j), difference(points, last, i, k));
+    const Linear height = difference(points, axis, i, l);
+    for (std::size_t power = 0; power < 3; ++power) {
+      add_product(r[power], area.coefficients[power], height.start);
+      add_product(r[power + 1], area.coefficients[power], height.slope);
+    }
+  }
+  return result;
+}
+
 MovingPolynomials::MovingPolynomials(const MovingPoints& points) : points_(points) {}
 
 const Cubic& MovingPolynomials::operator[](std::size_t number) {
@@ -181,7 +181,7 @@ const Cubic& MovingPolynomials::operator[](std::size_t number) {
   Cubic& polynomial = polynomials_[number];
   if (is_computed_[number]) return polynomial;
   is_computed_[number] = true;
-  if (number < kOrient3d) return polynomial = orient3d_of(points_, corners_of<4>(number));
+  if (number < kOrient3d) return polynomial = orient3d_polynomial(points_, corners_of<4>(number));
   number -= kOrient3d;
   if (number < kOrient2d)
     return polynomial = orient2d_of(points_, number / 20, corners_of<3>(number % 20));

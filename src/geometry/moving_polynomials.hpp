@@ -25,6 +25,10 @@ using MovingPoints = std::array<std::array<MovingCoordinate, 3>, 6>;
 /// Precondition: all coordinates are finite and below 2^61.
 MovingPoints moving_points(const MovingTriangle& a, const MovingTriangle& b);
 
+/// Returns det(p_j - p_i, p_k - p_i, p_l - p_i) for the corners i, j, k and l, as a function of
+/// time.
+Cubic orient3d_polynomial(const MovingPoints& points, const std::array<std::size_t, 4>& corners);
+
 /// The polynomials in time whose signs decide whether two moving triangles intersect. For corners
 /// i, j, k and l of six:
 ///

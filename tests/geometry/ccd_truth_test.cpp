@@ -1,5 +1,6 @@
 /// The exact test of moving triangles against queries whose answers others computed symbolically.
 #include "ccd_queries.hpp"
+#include "geometry/moving_filter.hpp"
 #include "geometry/moving_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,8 @@ void ask(const CcdQuery& query, Tally& tally) {
   if (collapsed_triangles(query, a, b)) {
     ++tally.as_floats;
     is_different |= detail::first_meeting(a, b) != answer;
+    is_different |= detail::filtered_first_meeting(a, b) != answer;
+    is_different |= detail::moving_triangles_intersect(a, b) != answer.has_value();
   }
   if (!is_different) return;
   if (++tally.differences <= 5) ADD_FAILURE() << query.origin << ": expected " << query.meets;
