@@ -395,8 +395,7 @@ class Bisection {
         meeting.emplace().at_start = true;
         return true;
       }
-      if (zero.count == 1 && zero.is_once && at_start == CertainAnswer::no &&
-          signs.at_end() == CertainAnswer::yes) {
+      if (zero.is_once && at_start == CertainAnswer::no && signs.at_end() == CertainAnswer::yes) {
         set(meeting.emplace(), piece, zero);
         return true;
       }

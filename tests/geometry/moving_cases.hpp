@@ -174,22 +174,28 @@ inline MovingIntegers nearly_meeting(Random& random) {
 
 /// Edge 0 of a keeps still. Seen from it, edge 0 of b has the direction (0, 16 t - k, s) and the
 /// offset (0, d, 16 t - k), so that the determinant of the four ends has a double root at k / 16 if
-/// s d is zero.
+/// s d is zero. If d is zero, edge 0 of b then crosses that of a, and pierces the plane z = 0 at
+/// other times at y = -(16 t - k)^2 / s. In every other pair, the triangles lie on different sides
+/// of there, and touch for one instant only.
 inline MovingIntegers grazing(Random& random) {
-  const std::int64_t k = uniform(random, 0, 16), s = uniform(random, -1, 1);
-  const std::int64_t d = uniform(random, -1, 1), length = uniform(random, 1, 4);
-  MovingIntegers motion = grid_motion(random, 8);
-  motion.from.a[0] = motion.to.a[0] = {-length, 0, 0};
-  motion.from.a[1] = motion.to.a[1] = {length, 0, 0};
+  const bool is_for_one_instant = random() % 2 != 0;
+  const std::int64_t k = uniform(random, 0, 16);
+  const std::int64_t s = is_for_one_instant ? 1 : uniform(random, -1, 1);
+  const std::int64_t d = is_for_one_instant ? 0 : uniform(random, -1, 1);
+  const std::int64_t length = uniform(random, 1, 4);
   const std::int64_t back = uniform(random, 0, 2), x = uniform(random, -2, 2);
+  MovingIntegers motion = grid_motion(random, 8);
   for (const std::int64_t time : {std::int64_t{0}, std::int64_t{16}}) {
-    IntegerCorners& b = (time == 0 ? motion.from : motion.to).b;
+    auto& [a, b] = time == 0 ? motion.from : motion.to;
+    a[0] = {-length, 0, 0};
+    a[1] = {length, 0, 0};
+    a[2][1] += 4;
+    if (is_for_one_instant) a[2][2] = 0;
     const Point direction = {x, time - k, s}, offset = {0, d, time - k};
     b[0] = offset - back * direction;
     b[1] = offset + 2 * direction;
+    if (is_for_one_instant) b[2] = {uniform(random, -5, 5), -60, uniform(random, -5, 5)};
   }
-  // The third corners lie beyond their edges more often than not.
-  motion.from.a[2][1] += 4, motion.to.a[2][1] += 4;
   return motion;
 }
 
@@ -255,7 +261,7 @@ inline constexpr MovingFamily kMovingFamilies[] = {
     {"Sliding", moving_integers<sliding>},
     {"Swapping", moving_integers<swapping>},
     {"NearlyMeeting", moving_integers<nearly_meeting>},
-    {"Grazing", moving_integers<grazing>, 0.05, 0.99},
+    {"Grazing", moving_integers<grazing>, 0.05, 1},
     {"AllMagnitudes", of_all_magnitudes},
 };
 
