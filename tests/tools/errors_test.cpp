@@ -82,12 +82,14 @@ INSTANTIATE_TEST_SUITE_P(
                 {"--clip", "\"bnd\"", "did you mean \"bend\"?"}},
         Refusal{{"check", "strip.glb", "--at", "1,2"}, {"--at", "\"1,2\"", "x,y,z"}},
         Refusal{{"check", "strip.glb", "--at", "1,2,inf"}, {"--at", "x,y,z"}},
-        Refusal{{"check", "strip.glb", "--scale", "0"}, {"--scale", "1e-6"}},
+        Refusal{{"check", "strip.glb", "--scale", "0"}, {"--scale: \"0\" is not allowed", "1e-6"}},
         Refusal{{"check", "strip.glb", "--scale", "-1"}, {"--scale"}},
         Refusal{{"check", "strip.glb", "--scale", "nan"}, {"--scale"}},
         Refusal{{"check", "strip.glb", "--turn", "left"},
                 {"--turn: \"left\" is not a number: give a number"}},
-        Refusal{{"check", "strip.glb", "--turn", "1e300"}, {"--turn"}},
+        Refusal{{"check", "strip.glb", "--turn", "1e300"}, {"--turn: \"1e+300\" is not allowed"}},
+        Refusal{{"check", "strip.glb", "--start", "-1e300"},
+                {"--start: \"-1e+300\" is not allowed"}},
         Refusal{{"check", "strip.glb", "--fps", "fast"}, {"--fps: \"fast\" is not a number"}},
         Refusal{{"check", "strip.glb", "--fps", "0"}, {"--fps", "1e-6"}}));
 

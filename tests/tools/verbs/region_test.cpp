@@ -120,7 +120,7 @@ TEST(RegionVerb, RefusesWhatIsNoRegion) {
             "pelt: error: --camera: position and target are the same point: give another point to "
             "look at\n");
   EXPECT_EQ(refusal({"--camera", "1,0,0,1,0,1", "--angle", "180"}),
-            "pelt: error: --angle: is out of range: give degrees between 0 and 180\n");
+            "pelt: error: --angle: \"180\" is not allowed: give degrees between 0 and 180\n");
   EXPECT_EQ(refusal({"--sphere", "1,2,3,4", "--box", "0,0,0,1,1,1"}),
             "pelt: error: --sphere: cannot be combined with --box: give one region\n");
 }

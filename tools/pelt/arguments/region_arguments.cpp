@@ -128,10 +128,9 @@ Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
     return ChosenRegion(chosen->name, std::move(*numbers));
   const double angle = arguments.angle.value_or(60), aspect = arguments.aspect.value_or(16. / 9);
   if (!(angle > 0 && angle < 180))
-    return output::bad_argument("--angle", "is out of range", "give degrees between 0 and 180");
+    return output::number_not_allowed("--angle", angle, "give degrees between 0 and 180");
   if (!(aspect > 0 && aspect <= 1e6))
-    return output::bad_argument("--aspect", "is out of range",
-                                "give a ratio up to 1e6, as in 1.78");
+    return output::number_not_allowed("--aspect", aspect, "give a ratio up to 1e6, as in 1.78");
   return ChosenRegion::seen_by_camera(std::move(*numbers), {angle, aspect});
 }
 

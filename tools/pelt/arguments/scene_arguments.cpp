@@ -83,12 +83,14 @@ Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
   instance.start = nth(arguments.starts, i, 0.0);
   instance.scale = nth(arguments.scales, i, 1.0);
   if (!(instance.scale >= scenes::kMinScale && instance.scale <= scenes::kMaxScale)) {
-    return output::bad_argument("--scale", "is out of range", "give a number from 1e-6 to 1e6");
+    return output::number_not_allowed("--scale", instance.scale, "give a number from 1e-6 to 1e6");
   }
   const double degrees = nth(arguments.turns, i, 0.0);
-  if (!(std::fabs(degrees) <= 1e9 && std::fabs(instance.start) <= 1e12)) {
-    return output::bad_argument("--turn or --start", "is out of range", "give a smaller number");
-  }
+  if (!(std::fabs(degrees) <= 1e9))
+    return output::number_not_allowed("--turn", degrees, "give a number from -1e9 to 1e9");
+  if (!(std::fabs(instance.start) <= 1e12))
+    return output::number_not_allowed("--start", instance.start,
+                                      "give a number from -1e12 to 1e12");
   instance.rotation = turned(degrees);
   const Result<std::array<double, 3>> position =
       parse_position("--at", nth<std::string>(arguments.positions, i, "0,0,0"));
@@ -233,7 +235,7 @@ bool asks_for_scene(const SceneArguments& arguments) {
 
 Result<Scene> open_scene(const SceneArguments& arguments) {
   if (arguments.fps && !(*arguments.fps >= scenes::kMinFps && *arguments.fps <= scenes::kMaxFps)) {
-    return output::bad_argument("--fps", "is out of range", "give a number from 1e-6 to 1e6");
+    return output::number_not_allowed("--fps", *arguments.fps, "give a number from 1e-6 to 1e6");
   }
   return asks_for_scene(arguments) ? scene_of_file(arguments) : scene_of_models(arguments);
 }

@@ -41,7 +41,8 @@ Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
                                                methods::MethodKind method) {
   if (!arguments.clearance) return arguments.clearance;
   if (!(*arguments.clearance >= 0 && *arguments.clearance <= 1e12))
-    return output::bad_argument("--clearance", "is out of range", "give a number from 0 to 1e12");
+    return output::number_not_allowed("--clearance", *arguments.clearance,
+                                      "give a number from 0 to 1e12");
   if (method != methods::kOnDemand)
     return output::bad_argument("--clearance", "requires the method on_demand",
                                 "leave out --method");

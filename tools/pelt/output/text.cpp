@@ -19,6 +19,13 @@ bool parse(std::string_view text, T& value) {
 
 }  // namespace
 
+Error number_not_allowed(const std::string& argument, double value, const std::string& remedy) {
+  char text[32];
+  const char* const begin = text;
+  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+  return bad_argument(argument, '"' + std::string(begin, end) + "\" is not allowed", remedy);
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> fields;
   for (;;) {

@@ -17,6 +17,9 @@ inline Error bad_argument(const std::string& argument, const std::string& proble
   return {ErrorCode::invalid_argument, argument + ": " + problem + ": " + remedy};
 }
 
+/// The error for a number outside the allowed range: "--fps: "0" is not allowed: what to do".
+Error number_not_allowed(const std::string& argument, double value, const std::string& remedy);
+
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Whether all of `text` is one number. Sets `value` to the number, or leaves it unchanged.

@@ -36,7 +36,7 @@ each instance, and the closest point of the surface.)";
 Result<double> choose_within(const std::optional<double>& within) {
   if (!within) return query::DistanceSettings().within;
   if (*within >= 0 && *within <= 1e12) return *within;
-  return output::bad_argument("--within", "is out of range", "give a number from 0 to 1e12");
+  return output::number_not_allowed("--within", *within, "give a number from 0 to 1e12");
 }
 
 Result<std::vector<Vec3>> parse_points(std::span<const std::string> texts) {
