@@ -160,6 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"bounds", "scene.json", "--simd", "mmx"}, {"--simd", "\"mmx\""}},
         Refusal{{"distance", "scene.json", "--within", "-1"}, {"--within", "0 to 1e12"}},
         Refusal{{"distance", "scene.json", "--within", "nan"}, {"--within", "0 to 1e12"}},
+        Refusal{{"distance", "scene.json", "--list", "3", "--from", "0,0,0"}, {"--list", "--from"}},
         Refusal{{"distance", "scene.json", "--by", "joint"}, {"--by", "instance or part"}},
         Refusal{{"distance", "scene.json", "--frames", "0:13"}, {"--frames", "has frames 0:12"}},
         Refusal{{"check", "scene.json", "--clearance", "-0.5"}, {"--clearance", "0 to 1e12"}},

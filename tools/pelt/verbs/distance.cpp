@@ -111,7 +111,7 @@ void add_distance(CLI::App& app, arguments::Command& chosen) {
   verb.option("--list", arguments->list, "Show at most N rows in the summary",
               {.type = "N", .least = 1, .most = query::DistanceSettings::kMostRows});
   verb.option("--from", arguments->from, "Compute distances from this point instead (repeatable)",
-              {.type = "X,Y,Z"});
+              {.type = "X,Y,Z", .excludes = "--list"});
   verb.runs([arguments] { return distance(*arguments); }, chosen);
 }
 
