@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -79,10 +81,12 @@ class Classification {
   }
 
   bool share_zone(std::uint32_t s, std::uint32_t t) const {
-    for (const TriangleZone& a : options_.zones)
-      for (const TriangleZone& b : options_.zones)
-        if (a.triangle == s && b.triangle == t && a.zone == b.zone) return true;
-    return false;
+    std::set<std::uint16_t> zones_of_s;
+    for (const TriangleZone& z : options_.zones)
+      if (z.triangle == s) zones_of_s.insert(z.zone);
+    return std::any_of(options_.zones.begin(), options_.zones.end(), [&](const TriangleZone& z) {
+      return z.triangle == t && zones_of_s.count(z.zone) > 0;
+    });
   }
 
   /// Whether any joints of the two joints' bodies are near.
