@@ -51,7 +51,7 @@ class MovingFilter : public testing::TestWithParam<Case> {};
 
 TEST_P(MovingFilter, DecidesAsTheExactTest) {
   constexpr std::uint64_t kSeed = 195;
-  constexpr int kPairs = 2'000;
+  constexpr int kPairs = 800;
   Random random(kSeed);
   int unknown = 0, not_found = 0, met = 0;
   for (int i = 0; i < kPairs; ++i) {

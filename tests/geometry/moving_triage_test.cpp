@@ -122,7 +122,7 @@ TEST_P(MovingTriage, DecidesAsTheExactTest) {
   constexpr std::uint64_t kSeed = 191;
   Random random(kSeed);
   Tally tally;
-  for (int i = 0; i < 250 && !HasFailure(); ++i) {
+  for (int i = 0; i < 100 && !HasFailure(); ++i) {
     const Batch batch(random, GetParam().make);
     const LaneMasks masks = scalar::moving_triage_lanes(batch.lanes);
     for (std::size_t lane = 0; lane < 8; ++lane)

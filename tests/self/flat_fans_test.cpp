@@ -284,7 +284,7 @@ class FlatFans : public testing::TestWithParam<Case> {
 
 TEST_P(FlatFans, HaveNoContact) {
   ASSERT_EQ(fans_.flat_count(), fans_.count());
-  for (int round = 0; round < 6; ++round)
+  for (int round = 0; round < 3; ++round)
     for (const Placement& placement : kPlacements)
       for (const detail::FanRun& run : fans_.runs)
         for (std::uint32_t fan = run.first_fan; fan < run.end && !HasFatalFailure();) {
