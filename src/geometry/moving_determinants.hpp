@@ -28,6 +28,24 @@ struct PairVectors {
       : u(a[1] - a[0]), v(a[2] - a[0]), r(b[1] - b[0]), s(b[2] - b[0]), w(b[0] - a[0]) {}
 };
 
+/// The vectors at one time.
+template <typename Point, typename Number>
+Point between(const Number& time, const Point& from, const Point& to) {
+  return (Number(1) - time) * from + time * to;
+}
+
+template <typename Point, typename Number>
+PairVectors<Point> between(const Number& time, const PairVectors<Point>& from,
+                           const PairVectors<Point>& to) {
+  PairVectors<Point> result = from;
+  result.u = between(time, from.u, to.u);
+  result.v = between(time, from.v, to.v);
+  result.r = between(time, from.r, to.r);
+  result.s = between(time, from.s, to.s);
+  result.w = between(time, from.w, to.w);
+  return result;
+}
+
 /// Coefficients of a cubic in the basis of Bernstein on [0, 1].
 template <typename Number>
 using BernsteinCubic = Number[4];
@@ -76,7 +94,7 @@ void compute_determinants(const PairVectors<Point>& from, const PairVectors<Poin
   vw.times(from.s, to.s, a_third, result.vws);
 }
 
-/// What the signs of the triangle pair test are signs of: at one time, or one coefficient each.
+/// The values whose signs decide the triangle pair test: at one time, or one coefficient each.
 template <typename Number>
 struct PairOrientations {
   Number over_a[3], over_b[3];  ///< heights of b's corners over a's plane, of a's over b's

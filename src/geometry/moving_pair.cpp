@@ -43,7 +43,7 @@
 namespace pelt::detail {
 namespace {
 
-// What the template of the triangle pair test needs.
+// Functions that the template of the triangle pair test calls.
 
 /// A corner of two moving triangles, at one time.
 struct InstantCorner {

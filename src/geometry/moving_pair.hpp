@@ -27,9 +27,10 @@ struct FirstMeeting {
   /// Whether the triangles intersect at time 0. The features then have no meaning.
   bool at_start = false;
 
-  /// Of the pairs of closed features that meet at the exact first time, the first one in this
-  /// order: two corners, a corner and an edge, an edge and a corner, a corner and a face, a face
-  /// and a corner, two edges; lower numbers of a first, then lower numbers of b.
+  /// The closed features of a and b that meet at the exact first time. If several pairs meet, this
+  /// is the first one in this order: two corners, a corner and an edge, an edge and a corner, a
+  /// corner and a face, a face and a corner, two edges; lower numbers of a first, then lower
+  /// numbers of b.
   ClosedFeature a, b;
 
   friend bool operator==(const FirstMeeting&, const FirstMeeting&) = default;

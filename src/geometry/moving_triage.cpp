@@ -70,21 +70,6 @@ using Bernstein8 = BernsteinCubic<Float8>;
 using Cubics8 = TenDeterminants<Bernstein8>;
 using Orientations8 = PairOrientations<Float8>;
 
-/// The vectors at one time.
-Points8 between(const Float8& time, const Points8& from, const Points8& to) {
-  return (Float8(1.0f) - time) * from + time * to;
-}
-
-Vectors8 between(const Float8& time, const Vectors8& from, const Vectors8& to) {
-  Vectors8 result = from;
-  result.u = between(time, from.u, to.u);
-  result.v = between(time, from.v, to.v);
-  result.r = between(time, from.r, to.r);
-  result.s = between(time, from.s, to.s);
-  result.w = between(time, from.w, to.w);
-  return result;
-}
-
 Float8 largest(const Points8& p) { return max(max(abs(p.x), abs(p.y)), abs(p.z)); }
 
 Float8 largest(const Points8& p, const Points8& q) { return max(largest(p), largest(q)); }

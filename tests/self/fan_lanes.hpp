@@ -12,7 +12,7 @@ namespace pelt::test {
 
 using FanPositions = std::vector<std::array<float, 4>>;
 
-/// What the certificates say of up to eight fans.
+/// The result of `test_flat_fans` for up to eight fans.
 struct TestedFans {
   unsigned certified = 0;
   std::array<std::array<std::uint32_t, detail::kMaxFan>, 8> undecided = {};  // of the others
@@ -20,7 +20,7 @@ struct TestedFans {
   friend bool operator==(const TestedFans&, const TestedFans&) = default;
 };
 
-// As compiled for each instruction set.
+// The same function, compiled for each instruction set.
 namespace avx2 {
 TestedFans test_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
                      std::uint32_t count, const FanPositions& positions);
