@@ -1,6 +1,7 @@
 #include "scenes/joint_zones.hpp"
 
 #include "base/vec3.hpp"
+#include "scenes/mesh_without_morphs.hpp"
 #include "skin/extent.hpp"
 #include "skin/skin.hpp"
 
@@ -21,12 +22,7 @@ constexpr double kReach = 2.5;
 /// default pose is invalid, returns the rest positions.
 std::vector<Vec3> default_positions(const asset::Asset& asset) {
   std::vector<Vec3> positions = asset.rest_positions;
-  SkinnedMeshView view = asset.mesh();
-  view.morph_targets = {};
-  ModelOptions options;
-  options.off_weights = OffWeights::renormalise;
-  BuildReport report;
-  const Result<detail::SkinnedMesh> mesh = detail::make_skinned_mesh(view, options, report);
+  const Result<detail::SkinnedMesh> mesh = mesh_without_morphs(asset);
   if (!mesh) return positions;
   std::vector<Matrix4> matrices(asset.joints.size());
   asset::SampleScratch scratch;

@@ -1,5 +1,6 @@
 #include "scenes/triangle_labels.hpp"
 
+#include "scenes/mesh_without_morphs.hpp"
 #include "skin/main_joint.hpp"
 
 #include <algorithm>
@@ -20,12 +21,7 @@ std::vector<std::uint32_t> parts_of_triangles(const asset::Asset& asset) {
 
 Result<TriangleLabels> label_triangles(const asset::Asset& asset) {
   if (asset.triangles.empty()) return TriangleLabels{};
-  SkinnedMeshView view = asset.mesh();
-  view.morph_targets = {};
-  ModelOptions options;
-  options.off_weights = OffWeights::renormalise;
-  BuildReport report;
-  const Result<detail::SkinnedMesh> mesh = detail::make_skinned_mesh(view, options, report);
+  const Result<detail::SkinnedMesh> mesh = mesh_without_morphs(asset);
   if (!mesh) return mesh.error();
   return TriangleLabels{detail::main_joints(*mesh), parts_of_triangles(asset)};
 }
