@@ -47,6 +47,7 @@ auto operator<(const TwoHalves<Half>& a, const TwoHalves<Half>& b) {
 
 inline bool both(bool a, bool b) { return a && b; }
 inline bool is_any(bool yes) { return yes; }
+inline unsigned bits_of(bool yes) { return yes; }
 inline double choose(bool mask, double yes, double no) { return mask ? yes : no; }
 
 #if defined(PELT_INSTRUCTION_SET_AVX2)
@@ -58,7 +59,10 @@ inline DoubleLanes double_lanes(double x, double y, double z, double w) {
 }
 inline DoubleLanes widened(Lanes f) { return __builtin_convertvector(f, DoubleLanes); }
 inline DoubleYes both(DoubleYes a, DoubleYes b) { return a & b; }
-inline bool is_any(DoubleYes yes) { return _mm256_movemask_pd(DoubleLanes(yes)) != 0; }
+inline unsigned bits_of(DoubleYes yes) {
+  return static_cast<unsigned>(_mm256_movemask_pd(DoubleLanes(yes)));
+}
+inline bool is_any(DoubleYes yes) { return bits_of(yes) != 0; }
 inline DoubleLanes choose(DoubleYes mask, DoubleLanes yes, DoubleLanes no) {
   return mask ? yes : no;
 }
@@ -71,6 +75,15 @@ using DoubleYes = decltype(DoublePair() < DoublePair());
 
 inline DoubleYes both(DoubleYes a, DoubleYes b) { return a & b; }
 inline bool is_any(DoubleYes yes) { return (yes[0] | yes[1]) != 0; }
+#ifdef __SSE2__
+inline unsigned bits_of(DoubleYes yes) {
+  return static_cast<unsigned>(_mm_movemask_pd(DoublePair(yes)));
+}
+#else
+inline unsigned bits_of(DoubleYes yes) {
+  return static_cast<unsigned>((yes[0] & 1) | (yes[1] & 2));
+}
+#endif
 inline DoublePair choose(DoubleYes mask, DoublePair yes, DoublePair no) {
   return DoublePair((mask & DoubleYes(yes)) | (~mask & DoubleYes(no)));
 }
@@ -90,6 +103,11 @@ TwoHalves<Half> both(const TwoHalves<Half>& a, const TwoHalves<Half>& b) {
 template <typename Half>
 bool is_any(const TwoHalves<Half>& yes) {
   return is_any(yes.low) || is_any(yes.high);
+}
+template <typename Half>
+unsigned bits_of(const TwoHalves<Half>& yes) {
+  constexpr unsigned kLanesOfHalf = sizeof(Half) == sizeof(bool) ? 1 : 2;
+  return bits_of(yes.low) | bits_of(yes.high) << kLanesOfHalf;
 }
 template <typename Yes, typename Half>
 TwoHalves<Half> choose(const TwoHalves<Yes>& mask, const TwoHalves<Half>& yes,
@@ -113,6 +131,7 @@ struct MaskDouble4 {
   decltype(DoubleLanes() < DoubleLanes()) lanes;
 
   bool any() const { return is_any(lanes); }
+  unsigned bits() const { return bits_of(lanes); }
 };
 
 inline Double4 operator+(const Double4& a, const Double4& b) { return Double4(a.lanes + b.lanes); }

@@ -15,8 +15,9 @@ class BoxTimes {
     cut(a, b, &Vec3::x);
     cut(a, b, &Vec3::y);
     cut(a, b, &Vec3::z);
-    start_ = std::floor(start_ * 0x1p10) * 0x1p-10;
-    end_ = std::ceil(end_ * 0x1p10) * 0x1p-10;
+    if (end_ < start_) return;
+    start_ = std::min(std::floor(start_ * 0x1p10), 1023.0) * 0x1p-10;
+    end_ = std::max(std::ceil(end_ * 0x1p10) * 0x1p-10, start_ + 0x1p-10);
   }
 
   bool is_empty() const { return end_ < start_; }

@@ -1,19 +1,11 @@
-/// Decides about a pair of moving triangles in double, by bisection of the step, or of the part of
-/// it in which the boxes of the triangles are not disjoint (`moving_triage.cpp`). The ends of this
-/// part are widened to multiples of 2^-10, so that the ends of all pieces are floats.
-///
-/// A piece of the step is left out if a plane of a triangle or of two edges separates the triangles
-/// there, as in `moving_triage.cpp`, or if all signs are constant there and the triangles are
-/// disjoint at an end: the first time of contact is a root of one of the fifteen determinants
-/// (`moving_pair.cpp`), provided that these are not all zero. The first piece that is not left out
-/// contains the first time of contact, if there is one. If exactly one determinant is zero there,
-/// once, and the triangles are disjoint at its start and intersect at its end, then the first time
-/// of contact is this root. The features that meet have their four corners in one plane, so they
-/// are the corner and the face, or the edges, of this determinant.
+/// Decides about a pair of moving triangles in double: about the part of the step in which the
+/// boxes of the triangles are not disjoint. The ends of this part are multiples of 2^-10, and it is
+/// halved where necessary, so that the ends of all pieces are floats.
 #include "geometry/moving_filter.hpp"
 
 #include "geometry/box_times.hpp"
 #include "geometry/moving_pieces.hpp"
+#include "geometry/moving_search.hpp"
 #include "geometry/rounded_root.hpp"
 
 #include <array>
@@ -23,125 +15,116 @@ namespace pelt::detail {
 namespace moving {
 namespace {
 
+Vectors vectors(const TriangleCorners& a, const TriangleCorners& b) {
+  const Vec3d of_a[3] = {Vec3d(a[0]), Vec3d(a[1]), Vec3d(a[2])};
+  const Vec3d of_b[3] = {Vec3d(b[0]), Vec3d(b[1]), Vec3d(b[2])};
+  return {of_a, of_b};
+}
+
 /// The bisection of one pair's step.
 class Bisection {
  public:
-  Bisection(const MovingTriangle& a, const MovingTriangle& b)
-      : a_(a),
-        b_(b),
-        from_(vectors(a.from, b.from)),
-        to_(vectors(a.to, b.to)),
-        errors_(from_, to_) {
+  Bisection(const MovingTriangle& a, const MovingTriangle& b) : a_(a), b_(b) {
     const BoxTimes times(a, b);
     if (times.is_empty()) return;
+    const Vectors from = vectors(a.from, b.from), to = vectors(a.to, b.to);
+    errors_ = error_bounds(from, to);
     Piece& piece = pieces_[count_++];
     piece.start = times.start();
     piece.end = times.end();
-    compute_determinants(between(times.start(), from_, to_), between(times.end(), from_, to_),
-                         1.0 / 3, piece.cubics);
+    piece.cubics = fifteen_cubics(between(times.start(), from, to), between(times.end(), from, to));
   }
 
+  bool intersect_at_start() const {
+    return count_ > 0 && last().start == 0 && triangles_intersect(a_.from, b_.from);
+  }
+
+  /// Whether the triangles intersect. Precondition: they are disjoint at time 0.
   CertainAnswer intersect() {
+    Root root;
     bool is_certain = true;
     while (count_ > 0) {
-      const PieceSigns signs(pieces_[count_ - 1], errors_);
-      if (signs.at_start() == CertainAnswer::yes || signs.at_end() == CertainAnswer::yes)
-        return CertainAnswer::yes;
-      if (is_apart(signs, signs.zero())) {
-        --count_;
-      } else if (!split()) {
-        is_certain = false;
-        --count_;
-      }
+      const CertainAnswer answer = PieceSearch(last().cubics, errors_).find(root);
+      if (answer == CertainAnswer::yes) return answer;
+      if (answer == CertainAnswer::unknown && split()) continue;
+      is_certain = is_certain && answer == CertainAnswer::no;
+      --count_;
     }
     return is_certain ? CertainAnswer::no : CertainAnswer::unknown;
   }
 
-  /// Returns false if the answer is not certain.
-  bool find_first(std::optional<FirstMeeting>& meeting) {
-    meeting.reset();
+  /// The same. If they intersect, sets `meeting`.
+  CertainAnswer find_first(FirstMeeting& meeting) {
+    Root root;
     while (count_ > 0) {
-      const Piece& piece = pieces_[count_ - 1];
-      const PieceSigns signs(piece, errors_);
-      const PieceSigns::Zero zero = signs.zero();
-      const CertainAnswer at_start = signs.at_start();
-      if (at_start == CertainAnswer::yes && piece.start == 0) {
-        meeting.emplace().at_start = true;
-        return true;
-      }
-      if (zero.is_once && at_start == CertainAnswer::no && signs.at_end() == CertainAnswer::yes) {
-        set(meeting.emplace(), piece, zero);
-        return true;
-      }
-      if (is_apart(signs, zero)) {
-        --count_;
-      } else if (!split()) {
-        return false;
-      }
+      const CertainAnswer answer = PieceSearch(last().cubics, errors_).find_first(root);
+      if (answer == CertainAnswer::yes) set(meeting, root);
+      if (answer == CertainAnswer::yes) return answer;
+      if (answer == CertainAnswer::no) --count_;
+      if (answer == CertainAnswer::unknown && !split()) return answer;
     }
-    return true;
+    return CertainAnswer::no;
   }
 
  private:
-  static constexpr int kMostPieces = 40;
+  static constexpr int kMostSplits = 40;
 
-  static Vectors vectors(const TriangleCorners& a, const TriangleCorners& b) {
-    const Vec3d of_a[3] = {Vec3d(a[0]), Vec3d(a[1]), Vec3d(a[2])};
-    const Vec3d of_b[3] = {Vec3d(b[0]), Vec3d(b[1]), Vec3d(b[2])};
-    return {of_a, of_b};
-  }
-
-  static bool is_apart(const PieceSigns& signs, const PieceSigns::Zero& zero) {
-    if (zero.count == 0 && signs.at_start() == CertainAnswer::no) return true;
-    return signs.are_separated();
-  }
+  const Piece& last() const { return pieces_[count_ - 1]; }
 
   /// Replaces the last piece by its halves, the first half last. Returns false if that has been
   /// done too often.
   bool split() {
-    if (pieces_[count_ - 1].depth == kMostBisections || bisections_ == kMostPieces) return false;
-    ++bisections_;
-    pieces_[count_] = pieces_[count_ - 1];
+    if (last().depth == kMostHalvings || splits_ == kMostSplits) return false;
+    ++splits_;
+    pieces_[count_] = last();
     halve(pieces_[count_], pieces_[count_ - 1]);
     ++count_;
     return true;
   }
 
-  void set(FirstMeeting& meeting, const Piece& piece, const PieceSigns::Zero& zero) const {
-    meeting.time = RoundedRoot(a_, b_, from_, to_, errors_, zero).rounded_down(piece);
-    const auto i = static_cast<std::uint8_t>(zero.i), j = static_cast<std::uint8_t>(zero.j);
+  void set(FirstMeeting& meeting, const Root& root) const {
+    const Piece& piece = last();
+    SignAtFloat sign(a_, b_, piece, root.determinant, errors_[root.determinant]);
+    meeting.time = rounded_down(piece, piece.start + root.part * (piece.end - piece.start), sign);
+    const FeaturePair features(root.determinant);
     using Kind = ClosedFeature::Kind;
-    switch (zero.kind) {
-      case PieceSigns::Zero::Kind::over_a:
-        meeting.a = {Kind::face, 0}, meeting.b = {Kind::corner, i};
+    switch (features.kind) {
+      case FeaturePair::Kind::face_and_corner:
+        meeting.a = {Kind::face, 0}, meeting.b = {Kind::corner, features.j};
         break;
-      case PieceSigns::Zero::Kind::over_b:
-        meeting.a = {Kind::corner, i}, meeting.b = {Kind::face, 0};
+      case FeaturePair::Kind::corner_and_face:
+        meeting.a = {Kind::corner, features.i}, meeting.b = {Kind::face, 0};
         break;
-      case PieceSigns::Zero::Kind::edges:
-        meeting.a = {Kind::edge, i}, meeting.b = {Kind::edge, j};
+      case FeaturePair::Kind::edges:
+        meeting.a = {Kind::edge, features.i}, meeting.b = {Kind::edge, features.j};
         break;
     }
   }
 
   const MovingTriangle &a_, &b_;
-  Vectors from_, to_;
-  Errors errors_;
-  std::array<Piece, kMostBisections + 1> pieces_;
+  Fifteen errors_;
+  std::array<Piece, kMostHalvings + 1> pieces_;
   std::size_t count_ = 0;
-  int bisections_ = 0;
+  int splits_ = 0;
 };
 
 }  // namespace
 }  // namespace moving
 
 CertainAnswer certainly_intersect(const MovingTriangle& a, const MovingTriangle& b) {
-  return moving::Bisection(a, b).intersect();
+  moving::Bisection bisection(a, b);
+  return bisection.intersect_at_start() ? CertainAnswer::yes : bisection.intersect();
 }
 
 bool find_certain_first_meeting(const MovingTriangle& a, const MovingTriangle& b,
                                 std::optional<FirstMeeting>& meeting) {
-  return moving::Bisection(a, b).find_first(meeting);
+  moving::Bisection bisection(a, b);
+  meeting.emplace();
+  meeting->at_start = bisection.intersect_at_start();
+  if (meeting->at_start) return true;
+  const CertainAnswer answer = bisection.find_first(*meeting);
+  if (answer != CertainAnswer::yes) meeting.reset();
+  return answer != CertainAnswer::unknown;
 }
 
 bool moving_triangles_intersect(const MovingTriangle& a, const MovingTriangle& b) {

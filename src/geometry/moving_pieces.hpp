@@ -1,70 +1,92 @@
 #pragma once
 
-/// The signs that decide whether two moving triangles intersect on a piece of the step, computed in
-/// double.
+/// The fifteen determinants of four corners of two moving triangles, with corners of both, as
+/// cubics on a piece of the step: computed in double, with bounds of their errors.
 ///
-/// Rounding, as in `moving_triage.cpp`, with u = 2^-53 instead of e: the error of a coefficient is
-/// below 127 u V. To bisect, coefficients are replaced by means of neighbours, three times; a mean
-/// rounds once, below 6.1 u V. At depth 12, the error is below (127 + 12 * 18.4) u V < 348 u V. In
-/// units of u V, sums have errors below
+/// Rounding, as in `moving_triage.cpp`, with u = 2^-53 instead of e: the error of a coefficient of
+/// one of the ten determinants is below 127 u V, because the vectors are also interpolated to the
+/// ends of the piece. The fifteen are sums of these:
 ///
-///   height, two determinants                   2 * 348 + 13 = 709                      bound 1024
-///   rise, two determinants                     709
-///   edges[0] or [2], three determinants        3 * 348 + 32 = 1076
-///   edges[1]: a rise and two of these          709 + 2 * 1076 + 80 = 2941              bound 3072
-///   separator: edges and two rises             2941 + 2 * 709 + 135 = 4494             bound 5120
+///   sum of                              V      value      error of a coefficient
+///   height: two determinants            A A D  < 13 V     2 * 127 + 13 = 267
+///   edges[0] or [2]: three              A B D  < 19 V     3 * 127 + 32 = 413
+///   edges[1]: a rise and two of these   A B D  < 49 V     267 + 2 * 413 + 80 = 1173
+///
+/// All other values are means of coefficients, and have the bounds of these. A piece is halved at
+/// most 12 times. A half's coefficients are means of neighbours, taken three times, and each mean
+/// rounds once: 36 relative errors. A value at one time is a sum of four products, of a
+/// coefficient, three numbers with up to three relative errors each (`rounded_root.hpp`), and 3: at
+/// most 15 relative errors. Heights therefore have errors below 267 + 51 * 13 = 930, edges below
+/// 1173 + 51 * 49 = 3672, in units of u V. The bounds are 1024 and 4096.
 ///
 /// Nothing underflows or overflows: differences of floats are multiples of 2^-149 below 2^62.
 
+#include "base/double16.hpp"
 #include "base/vec3.hpp"
 #include "geometry/moving_determinants.hpp"
-#include "geometry/moving_filter.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 namespace pelt::detail {
 namespace moving {
 
-inline constexpr int kMostBisections = 12;
+inline constexpr int kMostHalvings = 12;
 
 using Vectors = PairVectors<Vec3d>;
-using Bernstein = BernsteinCubic<double>;
-using Cubics = TenDeterminants<Bernstein>;
-using Orientations = PairOrientations<double>;
 
-inline double largest(const Vec3d& p) {
-  return std::max(std::max(std::abs(p.x), std::abs(p.y)), std::abs(p.z));
-}
+// Numbers of the determinants: the height of corner j of b over a's plane, the height of corner i
+// of a over b's plane, orient3d of edge i of a and edge j of b.
 
-inline double largest(const Vec3d& p, const Vec3d& q) { return std::max(largest(p), largest(q)); }
+inline constexpr unsigned kDeterminants = 15;
 
-/// 1 or -1 if the sign of a value with an error up to `error` is certain; otherwise 0.
-inline int sign_of(double value, double error) {
-  return value > error ? 1 : value < -error ? -1 : 0;
-}
+constexpr unsigned over_a(unsigned j) { return j; }
+constexpr unsigned over_b(unsigned i) { return 3 + i; }
+constexpr unsigned edges(unsigned i, unsigned j) { return 6 + 3 * i + j; }
+
+/// A number for each determinant, and one 0.
+using Fifteen = Double16;
 
 /// The bounds in the head of this file.
-struct Errors {
-  double over_a, over_b, edges, separators;
+inline Fifteen error_bounds(const Vectors& from, const Vectors& to) {
+  const auto largest = [](const Vec3d& p, const Vec3d& q) {
+    return std::max(
+        {std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+  };
+  const double a = std::max(largest(from.u, to.u), largest(from.v, to.v));
+  const double b = std::max(largest(from.r, to.r), largest(from.s, to.s));
+  const double d = std::max(std::max(a, b), largest(from.w, to.w)) * 0x1p-53;
+  const double h = 1024 * a * a * d, k = 1024 * b * b * d, e = 4096 * a * b * d;
+  return Fifteen({h, h, h, k, k, k, e, e, e, e, e, e, e, e, e, 0});
+}
 
-  Errors(const Vectors& from, const Vectors& to) {
-    const double a = std::max(largest(from.u, to.u), largest(from.v, to.v));
-    const double b = std::max(largest(from.r, to.r), largest(from.s, to.s));
-    const double d = std::max(std::max(a, b), largest(from.w, to.w)) * 0x1p-53;
-    over_a = 1024 * a * a * d;
-    over_b = 1024 * b * b * d;
-    edges = 3072 * a * b * d;
-    separators = 5120 * a * b * d;
-  }
-};
+/// Coefficients in the basis of Bernstein: the first ones of all determinants, the second ones, ...
+using Cubics = std::array<Fifteen, 4>;
 
-inline TenDeterminants<double> coefficients(const Cubics& d, std::size_t k) {
-  return {d.uvw[k], d.uvr[k], d.uvs[k], d.rsw[k], d.rsu[k],
-          d.rsv[k], d.uwr[k], d.uws[k], d.vwr[k], d.vws[k]};
+inline Fifteen fifteen(const PairOrientations<double>& of) {
+  const auto &a = of.over_a, &b = of.over_b, &e = of.edges[0], &f = of.edges[1], &g = of.edges[2];
+  return Fifteen({a[0], a[1], a[2], b[0], b[1], b[2], e[0], e[1], e[2], f[0], f[1], f[2], g[0],
+                  g[1], g[2], 0});
+}
+
+inline Cubics fifteen_cubics(const Vectors& from, const Vectors& to) {
+  TenDeterminants<BernsteinCubic<double>> d;
+  compute_determinants(from, to, 1.0 / 3, d);
+  Cubics cubics;
+  for (std::size_t k = 0; k < 4; ++k)
+    cubics[k] =
+        fifteen(PairOrientations<double>({d.uvw[k], d.uvr[k], d.uvs[k], d.rsw[k], d.rsu[k],
+                                          d.rsv[k], d.uwr[k], d.uws[k], d.vwr[k], d.vws[k]}));
+  return cubics;
+}
+
+/// Values of the cubics, each at its own part of the piece, from 0 to 1.
+inline Fifteen values_at(const Fifteen& part, const Cubics& c) {
+  const Fifteen rest = Fifteen(1.0) - part;
+  return rest * rest * (rest * c[0] + 3 * part * c[1]) +
+         part * part * (3 * rest * c[2] + part * c[3]);
 }
 
 /// A part of the step.
@@ -74,157 +96,36 @@ struct Piece {
   Cubics cubics;
 };
 
-/// Replaces the coefficients by those for the first half, and sets those for the second one.
-inline void halve(Bernstein& first, Bernstein& second) {
-  const double c01 = (first[0] + first[1]) * 0.5, c12 = (first[1] + first[2]) * 0.5;
-  const double c23 = (first[2] + first[3]) * 0.5;
-  const double c012 = (c01 + c12) * 0.5, c123 = (c12 + c23) * 0.5;
-  const double middle = (c012 + c123) * 0.5;
-  second[0] = middle, second[1] = c123, second[2] = c23, second[3] = first[3];
-  first[1] = c01, first[2] = c012, first[3] = middle;
-}
-
 /// Makes `first` the first half of the piece, and `second` the second half.
 inline void halve(Piece& first, Piece& second) {
   second.end = first.end;
   second.start = first.end = (first.start + first.end) / 2;
   second.depth = ++first.depth;
-  Cubics &p = first.cubics, &q = second.cubics;
-  halve(p.uvw, q.uvw), halve(p.uvr, q.uvr), halve(p.uvs, q.uvs);
-  halve(p.rsw, q.rsw), halve(p.rsu, q.rsu), halve(p.rsv, q.rsv);
-  halve(p.uwr, q.uwr), halve(p.uws, q.uws), halve(p.vwr, q.vwr), halve(p.vws, q.vws);
+  const auto& [c0, c1, c2, c3] = first.cubics;
+  const Fifteen c01 = 0.5 * (c0 + c1), c12 = 0.5 * (c1 + c2), c23 = 0.5 * (c2 + c3);
+  const Fifteen c012 = 0.5 * (c01 + c12), c123 = 0.5 * (c12 + c23), middle = 0.5 * (c012 + c123);
+  second.cubics = {middle, c123, c23, c3};
+  first.cubics = {c0, c01, c012, middle};
 }
 
-using Heights = double[3];
+/// The signs of the determinants that are certain, one bit for each determinant.
+struct Signs {
+  unsigned positive, negative;
 
-inline bool all_beyond(const Heights& heights, int sign, double error) {
-  return sign_of(heights[0], error) == sign && sign_of(heights[1], error) == sign &&
-         sign_of(heights[2], error) == sign;
-}
+  Signs(unsigned p, unsigned n) : positive(p), negative(n) {}
+  Signs(const Fifteen& values, const Fifteen& errors)
+      : positive(less(errors, values)), negative(less(values, -errors)) {}
 
-/// An edge from a corner on the side `sign` to a corner on the other side; 3 if there is none.
-inline std::size_t edge_from(const Heights& heights, int sign, double error) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (sign_of(heights[i], error) == sign && sign_of(heights[(i + 1) % 3], error) == -sign)
-      return i;
-  return 3;
-}
-
-inline bool all_known(const Heights& heights, double error) {
-  return std::all_of(heights, heights + 3, [&](double h) { return sign_of(h, error) != 0; });
-}
-
-/// Whether the triangles intersect at one time, as in `triage`.
-inline CertainAnswer intersect_at(const Orientations& at, const Errors& errors) {
-  for (const int sign : {1, -1})
-    if (all_beyond(at.over_a, sign, errors.over_a) || all_beyond(at.over_b, sign, errors.over_b))
-      return CertainAnswer::no;
-  if (!all_known(at.over_a, errors.over_a) || !all_known(at.over_b, errors.over_b))
-    return CertainAnswer::unknown;
-  const auto order = [&](int sign) {
-    const std::size_t of_a = edge_from(at.over_b, sign, errors.over_b);
-    return sign_of(at.edges[of_a][edge_from(at.over_a, sign, errors.over_a)], errors.edges);
-  };
-  const int down = order(1), up = order(-1);
-  if (down < 0 && up > 0) return CertainAnswer::yes;
-  if (down > 0 || up < 0) return CertainAnswer::no;
-  return CertainAnswer::unknown;
-}
-
-/// The four values of everything that has a sign, on one piece.
-class PieceSigns {
- public:
-  PieceSigns(const Piece& piece, const Errors& errors)
-      : errors_(errors),
-        at_{Orientations(coefficients(piece.cubics, 0)),
-            Orientations(coefficients(piece.cubics, 1)),
-            Orientations(coefficients(piece.cubics, 2)),
-            Orientations(coefficients(piece.cubics, 3))} {}
-
-  CertainAnswer at_start() const { return intersect_at(at_[0], errors_); }
-  CertainAnswer at_end() const { return intersect_at(at_[3], errors_); }
-
-  bool are_separated() const {
-    for (const int sign : {1, -1})
-      if (always([&](const Orientations& at) {
-            return all_beyond(at.over_a, sign, errors_.over_a);
-          }) ||
-          always(
-              [&](const Orientations& at) { return all_beyond(at.over_b, sign, errors_.over_b); }))
-        return true;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (edges_separate(i, j)) return true;
-    return false;
+  Signs operator-() const { return {negative, positive}; }
+  friend Signs operator&(const Signs& s, const Signs& t) {
+    return {s.positive & t.positive, s.negative & t.negative};
   }
-
-  /// The determinants that may be zero on the piece: which of fifteen, of which kind.
-  struct Zero {
-    std::size_t count = 0;
-    bool is_once = false;  ///< there is one, and it has exactly one root
-    int sign_at_start = 0;
-    enum class Kind : std::uint8_t { over_a, over_b, edges } kind = Kind::edges;
-    std::size_t i = 0, j = 0;  ///< the corner, or the edges
-
-    double of(const Orientations& values) const {
-      if (kind == Kind::over_a) return values.over_a[i];
-      if (kind == Kind::over_b) return values.over_b[i];
-      return values.edges[i][j];
-    }
-
-    double error(const Errors& errors) const {
-      if (kind == Kind::over_a) return errors.over_a;
-      return kind == Kind::over_b ? errors.over_b : errors.edges;
-    }
-  };
-
-  Zero zero() const {
-    Zero result;
-    for (std::size_t i = 0; i < 3; ++i) {
-      add(result, Zero::Kind::over_a, i, 0);
-      add(result, Zero::Kind::over_b, i, 0);
-      for (std::size_t j = 0; j < 3; ++j) add(result, Zero::Kind::edges, i, j);
-    }
-    return result;
-  }
-
- private:
-  template <typename Condition>
-  bool always(const Condition& condition) const {
-    return condition(at_[0]) && condition(at_[3]) && condition(at_[1]) && condition(at_[2]);
-  }
-
-  bool edges_separate(std::size_t i, std::size_t j) const {
-    return always([&](const Orientations& at) {
-             return at.edges[i][j] - std::max(at.rise_a[i], 0.0) - std::max(at.rise_b[j], 0.0) >
-                    errors_.separators;
-           }) ||
-           always([&](const Orientations& at) {
-             return at.edges[i][j] - std::min(at.rise_a[i], 0.0) - std::min(at.rise_b[j], 0.0) <
-                    -errors_.separators;
-           });
-  }
-
-  int sign(std::size_t k, Zero::Kind kind, std::size_t i, std::size_t j) const {
-    if (kind == Zero::Kind::over_a) return sign_of(at_[k].over_a[i], errors_.over_a);
-    if (kind == Zero::Kind::over_b) return sign_of(at_[k].over_b[i], errors_.over_b);
-    return sign_of(at_[k].edges[i][j], errors_.edges);
-  }
-
-  /// Counts a determinant whose sign is not certainly constant. With different signs at the ends,
-  /// it has exactly one sign change in its coefficients, and one root, if one of the others has
-  /// certainly the sign of the end beside it.
-  void add(Zero& zeros, Zero::Kind kind, std::size_t i, std::size_t j) const {
-    const int s0 = sign(0, kind, i, j), s1 = sign(1, kind, i, j);
-    const int s2 = sign(2, kind, i, j), s3 = sign(3, kind, i, j);
-    if (s0 != 0 && s0 == s1 && s1 == s2 && s2 == s3) return;
-    const bool is_once = s0 != 0 && s0 == -s3 && (s1 == s0 || s2 == s3);
-    zeros = {zeros.count + 1, zeros.count == 0 && is_once, s0, kind, i, j};
-  }
-
-  const Errors& errors_;
-  Orientations at_[4];
 };
+
+/// The determinants of which both signs are certain and equal.
+inline unsigned equal(const Signs& s, const Signs& t) {
+  return (s.positive & t.positive) | (s.negative & t.negative);
+}
 
 }  // namespace moving
 }  // namespace pelt::detail

@@ -17,7 +17,7 @@
 ///   b's plane,
 /// because n times an edge of a is a determinant with two edges of a, whose product is a's normal.
 ///
-/// Intersecting. At times k / 16, the test of `triangle_triage.cpp` finds that they do.
+/// Intersecting. At times k / 8, the test of `triangle_triage.cpp` finds that they do.
 ///
 /// Rounding. Let e = 2^-24, A the largest computed absolute component of u and v at both ends, B
 /// that of r and s, W that of w, and D the largest of the three. A coefficient of a determinant is
@@ -31,11 +31,11 @@
 ///   12  the rounded third, the product with it
 ///
 /// If products are below V, the error of a coefficient is therefore below 6 * 12.1 e V < 73 e V,
-/// and its value below 6.1 V. A determinant at k / 16 is the sum of four coefficients times exact
+/// and its value below 6.1 V. A determinant at k / 8 is the sum of four coefficients times exact
 /// weights that sum to 1, with four more relative errors: below 73 e V + 4 * 6.1 e V < 98 e V. Sums
 /// of two or three determinants are below 13 V and 19 V, so that they add 13 e V and 19 e V.
 ///
-///   value                                  V      error of a coefficient   at k / 16      bound
+///   value                                  V      error of a coefficient   at k / 8       bound
 ///   height over a, two determinants        A A D  (2 * 73 + 13) e V = 159  209 e V        256 e V
 ///   height over b, two determinants        B B D  the same
 ///   rise, two determinants                 A B D  159                      209
@@ -142,16 +142,16 @@ class Apart {
   Sides over_a_, over_b_, edges_[3][3];
 };
 
-/// Weights of the coefficients of a cubic at time k / 16. All are exact.
+/// Weights of the coefficients of a cubic at time k / 8. All are exact.
 struct Weights {
   Float8 weight[4];
 
   explicit Weights(int k) {
-    const int rest = 16 - k;
-    weight[0] = Float8(static_cast<float>(rest * rest * rest) * 0x1p-12f);
-    weight[1] = Float8(static_cast<float>(3 * rest * rest * k) * 0x1p-12f);
-    weight[2] = Float8(static_cast<float>(3 * rest * k * k) * 0x1p-12f);
-    weight[3] = Float8(static_cast<float>(k * k * k) * 0x1p-12f);
+    const int rest = 8 - k;
+    weight[0] = Float8(static_cast<float>(rest * rest * rest) * 0x1p-9f);
+    weight[1] = Float8(static_cast<float>(3 * rest * rest * k) * 0x1p-9f);
+    weight[2] = Float8(static_cast<float>(3 * rest * k * k) * 0x1p-9f);
+    weight[3] = Float8(static_cast<float>(k * k * k) * 0x1p-9f);
   }
 
   Float8 operator()(const Bernstein8& c) const {
@@ -216,7 +216,7 @@ TimeSpans8 times_of_boxes(const MovingPairs8& pairs) {
   return times;
 }
 
-Triage moving_triage(const MovingPairs8& pairs, const TimeSpans8& times) {
+Triage moving_triage(const MovingPairs8& pairs, const TimeSpans8& times, unsigned asked) {
   const Vectors8 at_0(pairs.from.a, pairs.from.b), at_1(pairs.to.a, pairs.to.b);
   const Certainties certainly = Certainties::of(at_0, at_1);
   const Vectors8 from = between(times.start, at_0, at_1), to = between(times.end, at_0, at_1);
@@ -227,8 +227,8 @@ Triage moving_triage(const MovingPairs8& pairs, const TimeSpans8& times) {
   for (std::size_t k = 0; k < 4; ++k) apart.add(Orientations8(coefficients(cubics, k)), certainly);
   Triage result;
   result.apart = (apart.lanes() | (times.end < times.start)).bits();
-  for (const int k : {8, 4, 12, 2, 6, 10, 14, 0, 16, 1, 3, 5, 7, 9, 11, 13, 15}) {
-    const unsigned undecided = kAllLanes & ~result.apart & ~result.intersecting;
+  for (const int k : {4, 2, 6, 1, 3, 5, 7, 0, 8}) {
+    const unsigned undecided = asked & ~result.apart & ~result.intersecting;
     if (undecided == 0) break;
     const Orientations8 values(values_at(Weights(k), cubics));
     result.intersecting |= undecided & intersecting(values, certainly);

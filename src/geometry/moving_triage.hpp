@@ -19,11 +19,12 @@ struct TimeSpans8 {
 TimeSpans8 times_of_boxes(const MovingPairs8& pairs);
 
 /// Decides about nine of ten pairs in general position. `apart`: the triangles never intersect;
-/// `intersecting`: they intersect at some time. Both as `first_meeting` decides.
+/// `intersecting`: they intersect at some time; looked for only in the lanes `asked`. Both as
+/// `first_meeting` decides.
 ///
 /// Precondition: no pair intersects before its `start` or after its `end`, which are from 0 to 1.
 /// For the coordinates, that of `triage`.
-Triage moving_triage(const MovingPairs8& pairs, const TimeSpans8& times);
+Triage moving_triage(const MovingPairs8& pairs, const TimeSpans8& times, unsigned asked);
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

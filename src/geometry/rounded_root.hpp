@@ -2,9 +2,11 @@
 
 #include "base/bits.hpp"
 #include "geometry/critical_time.hpp"
+#include "geometry/moving_features.hpp"
 #include "geometry/moving_pieces.hpp"
 #include "geometry/moving_polynomials.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,63 +16,62 @@ namespace pelt::detail {
 namespace moving {
 
 /// The corners of a determinant, in its order.
-inline std::array<std::size_t, 4> corners_of(const PieceSigns::Zero& zero) {
-  const std::size_t i = zero.i, j = zero.j;
-  if (zero.kind == PieceSigns::Zero::Kind::over_a) return {0, 1, 2, 3 + i};
-  if (zero.kind == PieceSigns::Zero::Kind::over_b) return {3, 4, 5, i};
+inline std::array<std::size_t, 4> corners_of(const FeaturePair& features) {
+  const std::size_t i = features.i, j = features.j;
+  if (features.kind == FeaturePair::Kind::face_and_corner) return {0, 1, 2, 3 + j};
+  if (features.kind == FeaturePair::Kind::corner_and_face) return {3, 4, 5, i};
   return {i, (i + 1) % 3, 3 + j, 3 + (j + 1) % 3};
 }
 
-/// The float that a root of a determinant rounds down to.
-class RoundedRoot {
+/// The sign of a determinant at floats, on a piece in which it has one root.
+class SignAtFloat {
  public:
-  RoundedRoot(const MovingTriangle& a, const MovingTriangle& b, const Vectors& from,
-              const Vectors& to, const Errors& errors, const PieceSigns::Zero& zero)
-      : a_(a), b_(b), zero_(zero) {
-    Cubics cubics;
-    compute_determinants(from, to, 1.0 / 3, cubics);
-    for (std::size_t k = 0; k < 4; ++k) cubic_[k] = zero.of(Orientations(coefficients(cubics, k)));
-    error_ = zero.error(errors);
-  }
+  SignAtFloat(const MovingTriangle& a, const MovingTriangle& b, const Piece& piece,
+              unsigned determinant, double error)
+      : a_(a), b_(b), piece_(piece), determinant_(determinant), error_(error) {}
 
-  /// The largest float that is not above the root. Precondition: the determinant has one root in
-  /// the piece, between its ends.
-  float rounded_down(const Piece& piece) {
-    auto low = bits_as<std::uint32_t>(static_cast<float>(piece.start));
-    auto high = bits_as<std::uint32_t>(static_cast<float>(piece.end));
-    while (high - low > 1) {
-      const std::uint32_t middle = low + (high - low) / 2;
-      const auto time = bits_as<float>(middle);
-      int sign = rounded_sign(time);
-      if (sign == 0) sign = exact_sign(time);
-      (sign == -zero_.sign_at_start ? high : low) = middle;
-    }
-    return bits_as<float>(low);
+  int operator()(float time) {
+    const double value = value_at(time);
+    if (value > error_) return 1;
+    return value < -error_ ? -1 : exact_sign(time);
   }
 
  private:
-  /// The sign by the algorithm of de Casteljau; 0 if it is not certain. Each of its three levels
-  /// rounds four times, 1 - t included: together 12 * 49 u V for a sum of eight determinants below
-  /// 49 V. The sum itself has an error below 741 u V as in `moving_triage.cpp`, but with 12
-  /// relative errors a product, because nothing is restricted to a part of the step.
-  int rounded_sign(double t) const {
-    const double s = 1 - t;
-    const double c01 = s * cubic_[0] + t * cubic_[1], c12 = s * cubic_[1] + t * cubic_[2];
-    const double c23 = s * cubic_[2] + t * cubic_[3];
-    return sign_of(s * (s * c01 + t * c12) + t * (s * c12 + t * c23), error_);
+  double value_at(double time) const {
+    const double per_time = 1 / (piece_.end - piece_.start);
+    const double part = (time - piece_.start) * per_time, rest = (piece_.end - time) * per_time;
+    const auto coefficient = [&](std::size_t k) { return piece_.cubics[k][determinant_]; };
+    return rest * rest * (rest * coefficient(0) + 3 * part * coefficient(1)) +
+           part * part * (3 * rest * coefficient(2) + part * coefficient(3));
   }
 
   int exact_sign(float time) {
-    if (!exact_) exact_ = orient3d_polynomial(moving_points(a_, b_), corners_of(zero_));
+    if (!exact_)
+      exact_ = orient3d_polynomial(moving_points(a_, b_), corners_of(FeaturePair(determinant_)));
     return sign_at(*exact_, dyadic(double{time}));
   }
 
   const MovingTriangle &a_, &b_;
-  const PieceSigns::Zero& zero_;
-  Bernstein cubic_;
+  const Piece& piece_;
+  unsigned determinant_;
   double error_;
   std::optional<Cubic> exact_;
 };
+
+/// The largest float that is not above the root. `guess`: a time near it. Precondition: the ends of
+/// the piece are floats, and the sign is certain there.
+inline float rounded_down(const Piece& piece, double guess, SignAtFloat& sign) {
+  const auto bits = [](double time) { return bits_as<std::uint32_t>(static_cast<float>(time)); };
+  std::uint32_t low = bits(piece.start), high = bits(piece.end);
+  std::uint32_t middle = std::clamp(bits(guess), low + 1, high - 1);
+  const int sign_after = sign(static_cast<float>(piece.end));
+  for (bool is_near = true; high - low > 1; is_near = false) {
+    const bool is_after = sign(bits_as<float>(middle)) == sign_after;
+    (is_after ? high : low) = middle;
+    middle = !is_near ? low + (high - low) / 2 : is_after ? high - 1 : low + 1;
+  }
+  return bits_as<float>(low);
+}
 
 }  // namespace moving
 }  // namespace pelt::detail

@@ -172,6 +172,27 @@ inline MovingIntegers nearly_meeting(Random& random) {
   return motion;
 }
 
+/// Two corners of b reach the inside of a at the same multiple of a 16th of the step, up to one
+/// unit in some pairs.
+inline MovingIntegers landing_on_an_edge(Random& random) {
+  MovingIntegers motion = grid_motion(random, 1'000);
+  for_each_corner(motion, [](Point& from, Point& to) { from = 16 * from, to = 16 * to; });
+  const std::int64_t k = uniform(random, 1, 16);
+  const std::size_t first = random() % 3;
+  for (std::size_t corner = 0; corner < 2; ++corner) {
+    Point meeting = {};
+    for (std::size_t i = 0; i < 3; ++i)
+      meeting = meeting + (i == (first + corner) % 3 ? 2 : 1) *
+                              at_sixteenth(motion.from.a[i], motion.to.a[i], k);
+    for (std::int64_t& x : meeting) x /= 64;  // 64 / 16 of the sum of weights, exact
+    const Point velocity = uniform_point(random, -500, 500);
+    motion.from.b[corner] = meeting - k * velocity;
+    motion.to.b[corner] = meeting + (16 - k) * velocity;
+  }
+  if (random() % 4 == 0) motion.from.b[0][random() % 3] += uniform(random, -1, 1);
+  return motion;
+}
+
 /// Edge 0 of a keeps still. Seen from it, edge 0 of b has the direction (0, 16 t - k, s) and the
 /// offset (0, d, 16 t - k), so that the determinant of the four ends has a double root at k / 16 if
 /// s d is zero. If d is zero, edge 0 of b then crosses that of a, and pierces the plane z = 0 at
@@ -261,6 +282,7 @@ inline constexpr MovingFamily kMovingFamilies[] = {
     {"Sliding", moving_integers<sliding>},
     {"Swapping", moving_integers<swapping>},
     {"NearlyMeeting", moving_integers<nearly_meeting>},
+    {"LandingOnAnEdge", moving_integers<landing_on_an_edge>},
     {"Grazing", moving_integers<grazing>, 0.05, 1},
     {"AllMagnitudes", of_all_magnitudes},
 };

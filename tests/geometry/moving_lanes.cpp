@@ -9,7 +9,7 @@ namespace PELT_INSTRUCTION_SET {
 
 LaneMasks moving_triage_lanes(const MovingLanes& lanes) {
   const detail::MovingPairs8 pairs = {lane_pairs(lanes.from), lane_pairs(lanes.to)};
-  const detail::Triage triage = detail::moving_triage(pairs, detail::times_of_boxes(pairs));
+  const detail::Triage triage = detail::moving_triage(pairs, detail::times_of_boxes(pairs), 0xFF);
   return {triage.apart, triage.intersecting};
 }
 
