@@ -40,7 +40,7 @@ struct FirstMeeting {
 /// At each time, the triangles intersect as `triangles_intersect` defines. Their corners move in
 /// straight lines between float32 positions, in exact arithmetic.
 ///
-/// Cost: about 50 us; a few ms in the worst case. Uses about 200 KB of the stack. Never allocates.
+/// Cost: about 50 us; a few ms in the worst case. Uses about 260 KB of the stack. Never allocates.
 /// Precondition: all coordinates are finite and below 2^61.
 std::optional<FirstMeeting> first_meeting(const MovingTriangle& a, const MovingTriangle& b);
 
