@@ -241,4 +241,13 @@ std::optional<FirstMeeting> first_meeting(const MovingTriangle& a, const MovingT
   return first_meeting(moving_points(a, b));
 }
 
+CriticalTime first_time_of(const MovingTriangle& a, const MovingTriangle& b) {
+  const MovingPoints points = moving_points(a, b);
+  MovingPolynomials polynomials(points);
+  const Candidates candidates(polynomials);
+  const Candidate* first = first_of(candidates, polynomials);
+  PELT_ASSERT(first != nullptr);
+  return first->time;
+}
+
 }  // namespace pelt::detail

@@ -44,7 +44,11 @@ struct FirstMeeting {
 /// Precondition: all coordinates are finite and below 2^61.
 std::optional<FirstMeeting> first_meeting(const MovingTriangle& a, const MovingTriangle& b);
 
-/// The same for coordinates of up to kCoordinateBits bits.
+/// Returns the exact first time at which two triangles intersect. Precondition: it is after 0 and
+/// before 1. Cost, stack and other preconditions: those of `first_meeting`.
+CriticalTime first_time_of(const MovingTriangle& a, const MovingTriangle& b);
+
+/// `first_meeting` for coordinates of up to kCoordinateBits bits.
 std::optional<FirstMeeting> first_meeting(const MovingPoints& points);
 
 }  // namespace pelt::detail

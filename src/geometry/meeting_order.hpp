@@ -1,0 +1,20 @@
+#pragma once
+
+#include "geometry/moving_pair.hpp"
+
+namespace pelt::detail {
+
+/// Two moving triangles that meet after time 0, and their first meeting.
+struct MeetingPair {
+  MovingTriangle a, b;
+  FirstMeeting first;
+};
+
+/// Returns -1 if p meets before q, 0 if both first meet at exactly the same time, 1 if p meets
+/// after q.
+///
+/// Cost: if the floats of the times are equal and it is not certain that the same corners decide
+/// both, that of `first_meeting` for both pairs.
+int compare_first_times(const MeetingPair& p, const MeetingPair& q);
+
+}  // namespace pelt::detail
