@@ -14,6 +14,7 @@
 /// Queries are declared in these headers:
 ///
 ///     one or two poses              bounds, collide, contact, distance, inside
+///     two poses in motion           motion
 ///     a pose and itself             self_collide, self_tracker, contact
 ///     a pose and a point            distance, inside
 ///     a pose and a direction        farthest
@@ -55,6 +56,7 @@
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
 #include <pelt/model.hpp>
+#include <pelt/motion.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/prepared.hpp>
 #include <pelt/query.hpp>

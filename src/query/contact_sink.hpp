@@ -12,12 +12,14 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
-class ContactSink {
+/// `AnyContact`: Contact or MovingContact.
+template <typename AnyContact>
+class LimitedSink {
  public:
-  ContactSink(Stack<Contact>& contacts, std::uint32_t max_contacts)
+  LimitedSink(Stack<AnyContact>& contacts, std::uint32_t max_contacts)
       : contacts_(contacts), max_contacts_(max_contacts) {}
 
-  Stack<Contact>& contacts() const { return contacts_; }
+  Stack<AnyContact>& contacts() const { return contacts_; }
 
   bool is_full() const { return contacts_.size() >= max_contacts_; }
 
@@ -35,9 +37,11 @@ class ContactSink {
   }
 
  private:
-  Stack<Contact>& contacts_;
+  Stack<AnyContact>& contacts_;
   std::uint32_t max_contacts_;
 };
+
+using ContactSink = LimitedSink<Contact>;
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

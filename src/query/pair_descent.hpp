@@ -12,14 +12,17 @@
 /// The caller pushes the pairs to start with. A tree against itself has a descent of its own
 /// (self/self_descent.hpp).
 ///
+/// `View` is a PosedTree with `Opened` = OpenedNode and `PosedCluster`, or a step of two poses
+/// (motion/moving_tree.hpp). It has a `tree`, and open_node(view, node, work) opens a node of it.
+///
 /// `Rule` decides what is pruned and what happens at the leaves:
-///   bool overlaps(const OpenedNode& a, const OpenedNode& b) const     the whole nodes
-///   unsigned slots_near(const OpenedNode& of, const OpenedNode& all)  slots of `of` near all of
-///   `all` unsigned slots_near(const OpenedNode& of, const OpenedNode& other, unsigned slot)
+///   bool overlaps(const Opened& a, const Opened& b) const         the whole nodes
+///   unsigned slots_near(const Opened& of, const Opened& all)      slots of `of` near all of `all`
+///   unsigned slots_near(const Opened& of, const Opened& other, unsigned slot)
 ///                                         slots of `of` that are near one slot of `other`
-///   float depth(const OpenedNode& a, unsigned slot, const OpenedNode& b) const
+///   float depth(const Opened& a, unsigned slot, const Opened& b) const
 ///                                         how promising that slot is against the node b
-///   void test(const PosedCluster& a, const PosedCluster& b)           two clusters that are near
+///   void test(const PosedCluster& a, const PosedCluster& b)       two clusters that are near
 ///   bool is_full() const                  ends the descent
 ///   bool is_impatient() const             visits the most promising of new pairs first
 
@@ -30,11 +33,10 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
-template <typename Rule>
+template <typename View, typename Rule>
 class PairDescent {
  public:
-  PairDescent(const PosedTree& a, const PosedTree& b, Stack<SlotPair>& pairs, Rule& rule,
-              QueryStats& work)
+  PairDescent(const View& a, const View& b, Stack<SlotPair>& pairs, Rule& rule, QueryStats& work)
       : a_(a), b_(b), pairs_(pairs), rule_(rule), work_(work) {}
 
   /// Visits the pairs on the stack and all pairs below them. Precondition: there are tables of
@@ -56,8 +58,8 @@ class PairDescent {
   bool is_unfinished() const { return is_unfinished_ || !pairs_.empty(); }
 
  private:
-  const OpenedNode& open_a(std::uint32_t node) { return open_node(a_, node, work_); }
-  const OpenedNode& open_b(std::uint32_t node) { return open_node(b_, node, work_); }
+  decltype(auto) open_a(std::uint32_t node) { return open_node(a_, node, work_); }
+  decltype(auto) open_b(std::uint32_t node) { return open_node(b_, node, work_); }
 
   /// Sorts the pairs from `first` on by depth, so that the deepest is popped next.
   void put_deepest_last(std::size_t first) {
@@ -73,7 +75,7 @@ class PairDescent {
   /// Compares the slots of two nodes.
   void compare(const SlotPair& pair) {
     ++work_.node_pairs;
-    const OpenedNode &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
+    const auto &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
     if (!rule_.overlaps(opened_a, opened_b)) return;
     const Node &node_a = a_.tree.nodes[pair.node_a], &node_b = b_.tree.nodes[pair.node_b];
     const unsigned near_a = pair.slots_a & rule_.slots_near(opened_a, opened_b);
@@ -102,7 +104,7 @@ class PairDescent {
   /// Pushes a child of a's node with the slots of b's node that its box overlaps. After opening,
   /// these may be fewer.
   void descend_b(const SlotPair& pair) {
-    const OpenedNode &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
+    const auto &opened_a = open_a(pair.node_a), &opened_b = open_b(pair.node_b);
     const Node& node_b = b_.tree.nodes[pair.node_b];
     const unsigned slots_b = pair.slots_b & rule_.slots_near(opened_b, opened_a);
     if (const unsigned clusters = slots_b & clusters_of(node_b))
@@ -113,7 +115,7 @@ class PairDescent {
                      rule_.depth(opened_b, *slot, opened_a)});
   }
 
-  const PosedTree &a_, &b_;
+  const View &a_, &b_;
   Stack<SlotPair>& pairs_;  // the top is visited next
   Rule& rule_;
   QueryStats& work_;

@@ -27,6 +27,10 @@ constexpr std::size_t kMaxNearParts =
 constexpr std::size_t kMaxBeyond =
     std::size_t{16} * detail::kMaxClusterTriangles * detail::kMaxClusterTriangles + 7;
 
+/// A query of motions checks its count after each pair of clusters.
+constexpr std::size_t kMaxMovingBeyond =
+    std::size_t{detail::kMaxClusterTriangles} * detail::kMaxClusterTriangles + 7;
+
 }  // namespace
 
 Scratch::Scratch() : scratch_(std::make_unique<detail::Scratch>()) {}
@@ -40,6 +44,8 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, const SelfScra
   scratch_->near_parts.reserve(2 * kMaxNearParts);
   scratch_->found.reserve(contacts + kMaxBeyond);
   scratch_->sorting.reserve(contacts);
+  scratch_->moving.reserve(contacts + kMaxMovingBeyond);
+  scratch_->sorting_moving.reserve(contacts);
   scratch_->ray_hits.reserve(ray_hits);
   scratch_->nodes.reserve(kMaxNodes);
   scratch_->touching.reserve(contacts);

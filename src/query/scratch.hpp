@@ -4,6 +4,7 @@
 #include "query/stack.hpp"
 
 #include <pelt/collide.hpp>
+#include <pelt/motion.hpp>
 #include <pelt/ray.hpp>
 
 #include <array>
@@ -48,6 +49,7 @@ struct Scratch {
   Stack<NearPart> near_part;
   Stack<NearParts> near_parts;
   Stack<Contact> found, sorting;
+  Stack<MovingContact> moving, sorting_moving;
   Stack<RayHit> ray_hits;
   Stack<std::uint32_t> nodes;             // to be visited
   Stack<std::uint32_t> touching, inside;  // triangles of a region

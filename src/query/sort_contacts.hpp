@@ -9,7 +9,12 @@ namespace pelt::detail {
 /// Sorts contacts in ascending order. Overwrites `buffer`.
 void sort_contacts(Stack<Contact>& contacts, Stack<Contact>& buffer);
 
+void sort_contacts(Stack<MovingContact>& contacts, Stack<MovingContact>& buffer);
+
 /// Appends the contacts in `scratch.found` to `contacts`, in ascending order.
 void append_sorted(Scratch& scratch, std::vector<Contact>& contacts);
+
+/// Appends the contacts in `scratch.moving` to `contacts`, in ascending order of the triangles.
+void append_sorted(Scratch& scratch, std::vector<MovingContact>& contacts);
 
 }  // namespace pelt::detail

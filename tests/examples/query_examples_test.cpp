@@ -19,6 +19,9 @@ std::vector<pelt::ContactPatch> pushes(pelt::Pose& a, const pelt::Surface& surfa
                                        const pelt::Surface& surface_b, pelt::Scratch& scratch);
 double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
                 const pelt::Surface& surface_b, pelt::Scratch& scratch);
+float first_touch(pelt::Motion sword, pelt::Motion arm, pelt::Scratch& scratch);
+std::vector<pelt::MovingContact> new_touches(pelt::Motion sword, pelt::Motion arm,
+                                             pelt::Scratch& scratch);
 bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
                std::span<const float> weights);
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
@@ -169,6 +172,22 @@ TEST_F(QueryExamples, Morphs) {
   const Box displaced = smallest_box(limb);
   EXPECT_NE(displaced.high.x - displaced.low.x, still.high.x - still.low.x);
   EXPECT_FALSE(pose_face(limb, moved(5), std::vector<float>{2, 2}));
+}
+
+TEST_F(QueryExamples, Motion) {
+  const SkinnedModel model = limb();
+  Pose sword(model), sword_later(model);
+  ASSERT_TRUE(sword.set_palette(moved(-4)));
+  ASSERT_TRUE(sword_later.set_palette(moved(4)));
+  ASSERT_FALSE(intersects(sword, pose_, scratch_));
+  ASSERT_FALSE(intersects(sword_later, pose_, scratch_));
+  const float first = first_touch({sword, sword_later}, {pose_, pose_}, scratch_);
+  EXPECT_GT(first, 0.4f);
+  EXPECT_LT(first, 0.5f);
+  EXPECT_EQ(first_touch({sword, sword}, {pose_, pose_}, scratch_), 2);
+  const auto touches = new_touches({sword, sword_later}, {pose_, pose_}, scratch_);
+  ASSERT_GT(touches.size(), 10u);
+  for (const MovingContact& contact : touches) EXPECT_GE(contact.time, first);
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#include <pelt/motion.hpp>
+
+// The first time, 0 to 1, at which a sword touches an arm on the way to the next frame; 2 if never.
+float first_touch(pelt::Motion sword, pelt::Motion arm, pelt::Scratch& scratch) {
+  std::optional<pelt::MovingContact> first;
+  pelt::first_contact(sword, arm, scratch, first);
+  return first ? first->time : 2;
+}
+
+// The triangles of both that touch on the way, but do not touch yet in the first frame.
+std::vector<pelt::MovingContact> new_touches(pelt::Motion sword, pelt::Motion arm,
+                                             pelt::Scratch& scratch) {
+  std::vector<pelt::MovingContact> contacts;
+  pelt::collide_moving(sword, arm, scratch, contacts, {.leave_out_start = true});
+  return contacts;
+}

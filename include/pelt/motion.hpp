@@ -1,0 +1,128 @@
+#pragma once
+
+/// Continuous collision detection: which triangles intersect at any time of a step from one pose to
+/// the next, and when first.
+
+#include <pelt/cxx20.hpp>
+
+#include <pelt/collide.hpp>
+#include <pelt/export.hpp>
+#include <pelt/pose.hpp>
+#include <pelt/query.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace pelt {
+
+/// A step of one character. Each vertex moves in a straight line, at constant speed, from its
+/// posed position in `from` at time 0 to that in `to` at time 1. If the morph weights of both poses
+/// are equal, this is the motion of linear blend skinning with linearly blended palettes, up to
+/// rounding. Otherwise, the positions between the ends differ from those with blended morph
+/// weights.
+///
+/// In a sequence of frames, use two poses in turn: the `to` of a step is the `from` of the next,
+/// and what queries have computed for it remains valid.
+///
+/// Precondition: both poses are of one model. They may be one pose, which then stands still.
+struct Motion {
+  Pose& from;
+  Pose& to;
+};
+
+/// A corner of a triangle, an edge with its ends, or the whole triangle.
+enum class FeatureKind : std::uint8_t { corner, edge, face };
+
+struct Feature {
+  FeatureKind kind = FeatureKind::face;
+  std::uint8_t number = 0;  ///< edge i leads from corner i to the next corner; 0 for a face
+
+  friend bool operator==(const Feature&, const Feature&) = default;
+};
+
+/// Two triangles that intersect at some time of a step.
+struct MovingContact {
+  Contact contact;
+
+  /// The largest float that is not above the first time at which the triangles intersect, 0 to 1.
+  /// The triangles are apart at all earlier times.
+  float time = 0;
+
+  /// Whether the triangles intersect at time 0. The features then have no meaning.
+  bool at_start = false;
+
+  /// Which parts of triangle_a and triangle_b meet at the first time. Of all pairs that meet, this
+  /// is the first one in this order: two corners, a corner and an edge, an edge and a corner, a
+  /// corner and a face, a face and a corner, two edges.
+  Feature a, b;
+
+  friend bool operator==(const MovingContact&, const MovingContact&) = default;
+};
+
+struct MovingOptions {
+  /// Leaves out pairs that intersect at time 0.
+  bool leave_out_start = false;
+
+  /// Whether to compute times and features. If false, each contact has time 0 and features without
+  /// meaning, and the query is faster.
+  bool times = true;
+
+  /// As in `CollideOptions`.
+  std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
+};
+
+/// Work of a query of motions. A certified test in float decides most pairs of triangles in groups
+/// of eight, and a slower one in double most others. Exact arithmetic decides the rest.
+struct MovingStats : QueryStats {
+  std::uint64_t double_pairs = 0;  ///< pairs of triangles tested in double
+  std::uint64_t exact_pairs = 0;   ///< of these, pairs tested in exact arithmetic
+
+  PELT_API MovingStats& operator+=(const MovingStats& other);
+};
+
+/// Appends every pair of triangles of `a` and `b` that intersect at any time from 0 to 1, in
+/// ascending order of the triangles.
+///
+/// The answer is exact with respect to the float32 posed vertices at both ends (see
+/// `posed_vertices`), and to real numbers between them. At each time, triangles intersect as
+/// defined at `collide`.
+///
+/// Preconditions:
+/// `a`, `b`: of different poses. A pose in both aborts the program, in every build.
+/// `scratch`: not used by another thread at the same time.
+///
+/// Cost: as `collide`, but nodes are opened in both poses of a motion, and the number of contacts
+/// grows with the distance that the surfaces move into each other.
+///
+/// Allocates only if it needs more memory in the poses, in `scratch` or in `contacts` than any
+/// earlier query.
+///
+/// Source: Kavan & Zara 2005, section 6, name this query as future work.
+PELT_API MovingStats collide_moving(const Motion& a, const Motion& b, Scratch& scratch,
+                                    std::vector<MovingContact>& contacts,
+                                    const MovingOptions& options = {});
+
+/// Returns whether any triangles of `a` and `b` intersect at any time from 0 to 1. Like
+/// `collide_moving`, but stops at the first contact that it finds.
+PELT_API YesNo touch_while_moving(const Motion& a, const Motion& b, Scratch& scratch);
+
+struct FirstContactOptions {
+  /// Leaves out pairs that intersect at time 0.
+  bool leave_out_start = false;
+};
+
+/// Sets `first` to the pair of triangles that intersects first; of pairs with exactly the same
+/// time, to the lowest. Without any, `first` is empty. The pair is one of those that
+/// `collide_moving` finds, with the same time and features.
+///
+/// Preconditions and allocation: those of `collide_moving`.
+///
+/// Cost: if triangles intersect at time 0, that of `collide`. Otherwise, parts of the trees whose
+/// boxes overlap only after the earliest time found so far are not visited.
+PELT_API MovingStats first_contact(const Motion& a, const Motion& b, Scratch& scratch,
+                                   std::optional<MovingContact>& first,
+                                   const FirstContactOptions& options = {});
+
+}  // namespace pelt

@@ -1,0 +1,67 @@
+#pragma once
+
+/// Boxes in motion. Vertices move in straight lines, at constant speed, between positions in a box
+/// `from` at time 0 and positions in a box `to` at time 1. At time t, they are inside the box
+/// (1 - t) from + t to, because each bound is a bound of both ends.
+///
+/// On one axis, two such boxes overlap at time t if both gaps are at least 0: the upper bound of
+/// one less the lower bound of the other. Gaps are linear in t. If one is negative at both ends,
+/// the boxes never overlap. If it is negative at one end only, it is 0 at t = g0 / (g0 - g1), and
+/// the boxes overlap on one side of this time at most.
+///
+/// Rounding. The sign of a float difference is exact. g0 and g1 have different signs, so the
+/// quotient has at most four relative errors of 2^-24; the factors 1 -+ 2^-21 cover them and their
+/// own, and 2^-100 covers underflow.
+
+#include "query/lanes.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_INSTRUCTION_SET {
+
+struct MovingBoxes8 {
+  Boxes8 from, to;
+};
+
+/// The times in [start, end], one range per lane. Empty if start > end.
+class TimeRanges8 {
+ public:
+  /// From 0 to `latest`.
+  explicit TimeRanges8(float latest) : start_(0.0f), end_(latest) {}
+
+  /// Removes times at which a gap is certainly negative. Precondition: in lanes that matter, it is
+  /// not negative at both ends.
+  void clip(const Float8& from, const Float8& to) {
+    const Float8 zero(0.0f), time = from / (from - to);
+    const Mask8 opens = from < zero, closes = to < zero;
+    start_ = select(opens, max(start_, time * Float8(1 - 0x1p-21f) - Float8(0x1p-100f)), start_);
+    end_ = select(closes, min(end_, time * Float8(1 + 0x1p-21f) + Float8(0x1p-100f)), end_);
+  }
+
+  unsigned not_empty() const { return (start_ <= end_).bits(); }
+  const Float8& start() const { return start_; }
+
+ private:
+  Float8 start_, end_;
+};
+
+/// Returns which boxes may overlap at some time, one bit per lane.
+[[gnu::always_inline]] inline unsigned may_overlap(const MovingBoxes8& a, const MovingBoxes8& b,
+                                                   TimeRanges8& times) {
+  const auto beside = [](const Boxes8& low, const Boxes8& high, int axis) {
+    return high.high[axis] < low.low[axis];
+  };
+  Mask8 apart = Float8(1.0f) < Float8(0.0f);
+  for (int axis = 0; axis < 3; ++axis)
+    apart = apart | (beside(a.from, b.from, axis) & beside(a.to, b.to, axis)) |
+            (beside(b.from, a.from, axis) & beside(b.to, a.to, axis));
+  const unsigned near = ~apart.bits() & 0xFF;
+  if (near == 0) return 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    times.clip(b.from.high[axis] - a.from.low[axis], b.to.high[axis] - a.to.low[axis]);
+    times.clip(a.from.high[axis] - b.from.low[axis], a.to.high[axis] - b.to.low[axis]);
+  }
+  return near & times.not_empty();
+}
+
+}  // namespace PELT_INSTRUCTION_SET
+}  // namespace pelt::detail

@@ -1,0 +1,138 @@
+#pragma once
+
+/// Pairs of moving triangles that wait until there are eight, for the certified float test
+/// (geometry/moving_triage.hpp).
+
+#include <pelt/collide.hpp>
+
+#include "geometry/moving_polynomials.hpp"
+#include "geometry/moving_triage.hpp"
+#include "motion/moving_boxes.hpp"
+#include "motion/moving_tree.hpp"
+#include "query/triangle_batch.hpp"
+
+namespace pelt::detail {
+inline namespace PELT_INSTRUCTION_SET {
+
+/// The boxes of a cluster's triangles at both ends.
+struct MovingTriangleBoxes {
+  explicit MovingTriangleBoxes(const MovingCluster& c)
+      : from(triangle_boxes(c.moving.from, c.node, c.opened.from, c.slot)),
+        to(triangle_boxes(c.moving.to, c.node, c.opened.to, c.slot)) {}
+
+  /// Returns which of the triangles `asked` may overlap `box` at some time until `latest`, one bit
+  /// each.
+  unsigned near(unsigned asked, const MovingBoxes8& box, float latest) const {
+    TimeRanges8 low(latest), high(latest);
+    unsigned found = 0;
+    if ((asked & 0xFF) != 0) found = may_overlap(eight(0), box, low);
+    if (asked >> 8 != 0) found |= may_overlap(eight(8), box, high) << 8;
+    return asked & found;
+  }
+
+  /// One box in all lanes.
+  MovingBoxes8 one(unsigned lane) const {
+    return {repeat(lane_box(from.low, from.high, lane)), repeat(lane_box(to.low, to.high, lane))};
+  }
+
+  const TriangleBoxes &from, &to;
+
+ private:
+  MovingBoxes8 eight(unsigned first) const {
+    return {load_boxes(from.low, from.high, first), load_boxes(to.low, to.high, first)};
+  }
+};
+
+class MovingPairs {
+ public:
+  MovingPairs(const Tree& a, const Tree& b) : tree_a_(a), tree_b_(b) {}
+
+  /// Adds the pairs of triangles of two clusters whose boxes overlap at some time until `latest`.
+  /// Calls `flush()` whenever there are eight; it must call `clear`.
+  template <typename Flush>
+  void add(const MovingCluster& a, const MovingCluster& b, float latest, const Flush& flush);
+
+  std::uint32_t count() const { return waiting_.count(); }
+  void clear() { waiting_.clear(); }
+
+  /// The corners of the pairs, one pair per lane; unused lanes repeat the first. Precondition:
+  /// there is a pair.
+  MovingPairs8 corners8();
+
+  Contact contact(unsigned lane) const {
+    const Pair& pair = waiting_[lane];
+    return {tree_a_.triangle_ids[pair.a.triangle], tree_b_.triangle_ids[pair.b.triangle]};
+  }
+
+  MovingTriangle triangle_a(unsigned lane) const { return triangle(tree_a_, waiting_[lane].a); }
+  MovingTriangle triangle_b(unsigned lane) const { return triangle(tree_b_, waiting_[lane].b); }
+
+ private:
+  /// A triangle and its posed pools.
+  struct Side {
+    std::uint32_t triangle;  ///< into Tree::corners
+    const float *from, *to;
+  };
+  struct Pair {
+    Side a, b;
+  };
+
+  static Side side(const MovingCluster& c, std::uint32_t number) {
+    return {c.cluster().first_triangle + number, c.opened.from.positions, c.opened.to.positions};
+  }
+
+  static MovingBoxes8 box_of(const MovingCluster& c) {
+    return {repeat(lane_box(c.opened.from.low, c.opened.from.high, c.slot)),
+            repeat(lane_box(c.opened.to.low, c.opened.to.high, c.slot))};
+  }
+
+  static unsigned all_triangles(const MovingCluster& c) {
+    return (1u << c.cluster().triangle_count) - 1;
+  }
+
+  static MovingTriangle triangle(const Tree& tree, const Side& side) {
+    const auto& corners = tree.corners[side.triangle];
+    return {corners_at([&](std::size_t k) { return side.from + corners[k]; }),
+            corners_at([&](std::size_t k) { return side.to + corners[k]; })};
+  }
+
+  Points8 corner8(const Tree& tree, Side Pair::*side, const float* Side::*end,
+                  std::size_t k) const {
+    return gather_points([&](std::uint32_t lane) {
+      const Side& s = waiting_[lane].*side;
+      return s.*end + tree.corners[s.triangle][k];
+    });
+  }
+
+  const Tree &tree_a_, &tree_b_;
+  Batch8<Pair> waiting_;
+};
+
+template <typename Flush>
+void MovingPairs::add(const MovingCluster& a, const MovingCluster& b, float latest,
+                      const Flush& flush) {
+  const MovingTriangleBoxes boxes_a(a), boxes_b(b);
+  const unsigned near_b = boxes_b.near(all_triangles(b), box_of(a), latest);
+  if (near_b == 0) return;
+  const unsigned near_a = boxes_a.near(all_triangles(a), box_of(b), latest);
+  for (SetBits i(near_a); i; ++i)
+    for (SetBits k(boxes_b.near(near_b, boxes_a.one(*i), latest)); k; ++k) {
+      waiting_.add({side(a, *i), side(b, *k)});
+      if (waiting_.is_full()) flush();
+    }
+}
+
+inline MovingPairs8 MovingPairs::corners8() {
+  waiting_.pad();
+  MovingPairs8 pairs;
+  for (std::size_t k = 0; k < 3; ++k) {
+    pairs.from.a[k] = corner8(tree_a_, &Pair::a, &Side::from, k);
+    pairs.from.b[k] = corner8(tree_b_, &Pair::b, &Side::from, k);
+    pairs.to.a[k] = corner8(tree_a_, &Pair::a, &Side::to, k);
+    pairs.to.b[k] = corner8(tree_b_, &Pair::b, &Side::to, k);
+  }
+  return pairs;
+}
+
+}  // namespace PELT_INSTRUCTION_SET
+}  // namespace pelt::detail

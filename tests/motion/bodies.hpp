@@ -1,0 +1,91 @@
+#pragma once
+
+/// Characters at both ends of a step, and the test of all pairs of their triangles. It uses the
+/// filtered test, which tests/geometry compares with the exact one.
+
+#include <pelt/motion.hpp>
+
+#include "geometry/moving_filter.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pelt::test {
+
+using Step = pelt::Motion;
+
+/// A character at both ends of a step.
+struct Body {
+  explicit Body(Shape s)
+      : shape(std::move(s)), from(*build_model(shape.view())), to(from.model()) {}
+
+  Step step() { return {from, to}; }
+
+  void move(const std::vector<Matrix4>& first, const std::vector<Matrix4>& last) {
+    ASSERT_TRUE(from.set_palette(first));
+    ASSERT_TRUE(to.set_palette(last));
+  }
+
+  std::vector<detail::MovingTriangle> triangles() const {
+    std::vector<Vec3> first(shape.rest_positions.size()), last(first.size());
+    posed_vertices(from, first);
+    posed_vertices(to, last);
+    std::vector<detail::MovingTriangle> all;
+    for (const Triangle& t : shape.triangles)
+      all.push_back(
+          {{first[t[0]], first[t[1]], first[t[2]]}, {last[t[0]], last[t[1]], last[t[2]]}});
+    return all;
+  }
+
+  Shape shape;
+  Pose from, to;
+};
+
+inline Feature feature(const detail::ClosedFeature& f) {
+  return {static_cast<FeatureKind>(f.kind), f.number};
+}
+
+/// Whether the boxes of the whole paths of two triangles are disjoint.
+inline bool are_far(const detail::MovingTriangle& a, const detail::MovingTriangle& b) {
+  for (float Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    const auto range = [&](const detail::MovingTriangle& t) {
+      return std::minmax({t.from[0].*axis, t.from[1].*axis, t.from[2].*axis, t.to[0].*axis,
+                          t.to[1].*axis, t.to[2].*axis});
+    };
+    if (range(a).second < range(b).first || range(b).second < range(a).first) return true;
+  }
+  return false;
+}
+
+inline std::vector<MovingContact> brute_force(const Body& a, const Body& b) {
+  std::vector<MovingContact> contacts;
+  const auto triangles_a = a.triangles(), triangles_b = b.triangles();
+  for (std::uint32_t i = 0; i < triangles_a.size(); ++i)
+    for (std::uint32_t k = 0; k < triangles_b.size(); ++k) {
+      if (are_far(triangles_a[i], triangles_b[k])) continue;
+      if (const auto first = detail::filtered_first_meeting(triangles_a[i], triangles_b[k])) {
+        MovingContact contact{{i, k}, first->time, first->at_start, {}, {}};
+        if (!first->at_start) contact.a = feature(first->a), contact.b = feature(first->b);
+        contacts.push_back(contact);
+      }
+    }
+  return contacts;
+}
+
+/// Two bending limbs, of which one moves past the other or into it.
+struct Limbs {
+  Body a = Body(make_limb(14, 8, 4)), b = Body(make_limb(12, 7, 3));
+
+  void move(Random& random, double distance) {
+    const auto bend = [&](std::uint32_t joints) {
+      return bend_limb(random, joints, random.uniform(-0.4, 0.4), random.point(distance));
+    };
+    a.move(bend(4), bend(4));
+    b.move(bend(3), bend(3));
+  }
+};
+
+}  // namespace pelt::test
