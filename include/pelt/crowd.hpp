@@ -4,6 +4,7 @@
 
 #include <pelt/collide.hpp>
 #include <pelt/export.hpp>
+#include <pelt/motion.hpp>
 #include <pelt/self_collide.hpp>
 
 #include <compare>
@@ -42,6 +43,15 @@ struct CrowdContact {
   std::uint32_t triangle_a = 0, triangle_b = 0;
 
   friend auto operator<=>(const CrowdContact&, const CrowdContact&) = default;
+};
+
+/// Two triangles of different instances that intersect at some time of a step. instance_a <
+/// instance_b.
+struct CrowdMovingContact {
+  std::uint32_t instance_a = 0, instance_b = 0;
+  MovingContact moving;  ///< of a triangle of instance_a and one of instance_b
+
+  friend bool operator==(const CrowdMovingContact&, const CrowdMovingContact&) = default;
 };
 
 struct CrowdOptions {
@@ -120,7 +130,8 @@ class PELT_API Crowd {
   /// computes the box of the instance. Several threads may set palettes of different instances at
   /// the same time.
   ///
-  /// Cost: O(J). Each morph weight other than 0 adds at most O(J). Allocates nothing.
+  /// Cost: O(J). Each morph weight other than 0 adds at most O(J). Allocates nothing, unless a step
+  /// begins (see `begin_step`).
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const float> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette);
@@ -129,8 +140,32 @@ class PELT_API Crowd {
   /// Copies the morph weights of an instance, or returns an error, like Pose::set_morph_weights.
   /// Also computes the box of the instance.
   ///
-  /// Cost: O(M + J). Each weight other than 0 adds at most O(J). Allocates nothing.
+  /// Cost: O(M + J). Each weight other than 0 adds at most O(J). Allocates nothing, unless a step
+  /// begins.
   Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
+
+  /// Begins a step for `collide_moving`: the current poses of all instances become the start of the
+  /// step. The first `set_palette` or `set_morph_weights` of an instance after this call then
+  /// begins its motion. Later calls change the end of the motion. An instance without such a call
+  /// stands still.
+  ///
+  /// Cost: O(1). However, the first call for an instance in a step also copies its palette, and
+  /// allocates if it is the first one of the instance.
+  void begin_step();
+
+  /// Sets the palettes of an instance at both ends of the current step, or returns an error for a
+  /// palette that `set_palette` refuses. The instance then stands still in its present pose. Morph
+  /// weights at both ends are the present ones. `collide` uses the palette `to`.
+  ///
+  /// Cost: that of two calls of `set_palette`. Allocates in the first call for the instance.
+  Result<void> set_motion(std::uint32_t instance, std::span<const Matrix4> from,
+                          std::span<const Matrix4> to);
+  Result<void> set_motion(std::uint32_t instance, std::span<const float> from,
+                          std::span<const float> to);
+  Result<void> set_motion(std::uint32_t instance, std::span<const Matrix3x4> from,
+                          std::span<const Matrix3x4> to);
+  Result<void> set_motion(std::uint32_t instance, std::span<const double> from,
+                          std::span<const double> to);
 
   /// Tests pairs of instances against each other, and instances against themselves. `options` and
   /// the collision masks select the tests. Appends all contacts to `contacts`, in ascending order.
@@ -158,6 +193,17 @@ class PELT_API Crowd {
   /// intersects itself is the pair (i, i). Selects the same tests as `collide`, but costs less,
   /// because each test ends at its first contact. Ignores `CrowdOptions::max_contacts`.
   CrowdStats intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
+
+  /// Appends the triangles of different instances that intersect at any time of the current step,
+  /// in ascending order of the instances and triangles. Exact like `collide_moving` of two motions.
+  ///
+  /// `moving`: as for two motions. `moving.max_contacts` is the limit of each pair of instances.
+  /// `options`: selects the pairs. `max_contacts` and `self_filter` are ignored.
+  ///
+  /// Cost, threads, allocation and exceptions: as `collide`. The broad phase compares boxes around
+  /// both ends of the motions.
+  CrowdStats collide_moving(std::vector<CrowdMovingContact>& contacts,
+                            const CrowdOptions& options = {}, const MovingOptions& moving = {});
 
   /// Bytes of memory of the crowd, without its models. O(n).
   std::size_t memory_bytes() const;

@@ -54,14 +54,36 @@ Result<void> Crowd::set_morph_weights(std::uint32_t instance, std::span<const fl
   return crowd_->instances.set_morph_weights(instance, weights);
 }
 
+void Crowd::begin_step() { crowd_->instances.begin_step(); }
+
+Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const Matrix4> from,
+                               std::span<const Matrix4> to) {
+  return set_motion(instance, detail::floats_of(from), detail::floats_of(to));
+}
+
+Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const float> from,
+                               std::span<const float> to) {
+  return crowd_->instances.set_motion(instance, from, to);
+}
+
+Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const Matrix3x4> from,
+                               std::span<const Matrix3x4> to) {
+  return crowd_->instances.set_motion(instance, from, to);
+}
+
+Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const double> from,
+                               std::span<const double> to) {
+  return crowd_->instances.set_motion(instance, from, to);
+}
+
 CrowdStats Crowd::collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options) {
   const CrowdStats stats = crowd_->query.run(crowd_->instances, options, options.max_contacts);
   std::size_t end = contacts.size(), count = 0;
   for (const detail::TouchingPair& pair : crowd_->query.touching()) count += pair.contacts.size();
   contacts.resize(end + count);
-  for (const auto& [instances, touching] : crowd_->query.touching())
-    for (const Contact& contact : touching)
-      contacts[end++] = {instances.instance_a, instances.instance_b, contact.triangle_a,
+  for (const detail::TouchingPair& pair : crowd_->query.touching())
+    for (const Contact& contact : pair.contacts)
+      contacts[end++] = {pair.instances.instance_a, pair.instances.instance_b, contact.triangle_a,
                          contact.triangle_b};
   return stats;
 }
@@ -73,6 +95,20 @@ CrowdStats Crowd::intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdO
   pairs.resize(end + touching.size());
   for (const detail::TouchingPair& pair : touching) pairs[end++] = pair.instances;
   stats.cut_short = false;
+  return stats;
+}
+
+CrowdStats Crowd::collide_moving(std::vector<CrowdMovingContact>& contacts,
+                                 const CrowdOptions& options, const MovingOptions& moving) {
+  CrowdOptions pairs = options;
+  pairs.self_filter = nullptr;
+  const CrowdStats stats = crowd_->query.run_moving(crowd_->instances, pairs, moving);
+  std::size_t end = contacts.size(), count = 0;
+  for (const detail::TouchingPair& pair : crowd_->query.touching()) count += pair.moving.size();
+  contacts.resize(end + count);
+  for (const detail::TouchingPair& pair : crowd_->query.touching())
+    for (const MovingContact& contact : pair.moving)
+      contacts[end++] = {pair.instances.instance_a, pair.instances.instance_b, contact};
   return stats;
 }
 

@@ -3,6 +3,7 @@
 #include "base/bytes_held.hpp"
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"
+#include "motion/moving_trees.hpp"
 #include "query/sort_contacts.hpp"
 #include "self/self_filter.hpp"
 #include "self/self_tree.hpp"
@@ -30,6 +31,14 @@ void for_both(CrowdInstances& instances, std::span<const CrowdPair> pairs, const
   }
 }
 
+RootBox united(RootBox box, const RootBox& other) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::min(box.low[axis], other.low[axis]);
+    box.high[axis] = std::max(box.high[axis], other.high[axis]);
+  }
+  return box;
+}
+
 /// Prefetches a palette, which is probably no longer in the caches, and whose joints are read in no
 /// particular order.
 void prefetch_palette(const CrowdInstance& instance) {
@@ -47,14 +56,24 @@ void even_out(Arena& arena, std::size_t used) {
 
 CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& options,
                            std::uint32_t max_contacts) {
-  box_instances(instances);
+  return answer(instances, options, max_contacts, nullptr);
+}
+
+CrowdStats CrowdQuery::run_moving(CrowdInstances& instances, const CrowdOptions& options,
+                                  const MovingOptions& moving) {
+  return answer(instances, options, moving.max_contacts, &moving);
+}
+
+CrowdStats CrowdQuery::answer(CrowdInstances& instances, const CrowdOptions& options,
+                              std::uint32_t max_contacts, const MovingOptions* moving) {
+  box_instances(instances, moving != nullptr);
   sweep_.find_pairs(pairs_);
   filter_pairs(instances, options);
   add_self_tests(instances, options);
   islands_.form(pairs_, instances.end());
   start_workers(options.threads);
   share_out();
-  const Question question = {instances, self_filters_, max_contacts};
+  const Question question = {instances, self_filters_, max_contacts, moving};
   collide_shared_selves(question);
   collide(question);
   CrowdStats stats = gather();
@@ -64,12 +83,14 @@ CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& option
 }
 
 /// Also closes the nodes, because a query that ran out of memory may have left some open.
-void CrowdQuery::box_instances(CrowdInstances& instances) {
+void CrowdQuery::box_instances(CrowdInstances& instances, bool in_step) {
   sweep_.clear();
   for (std::uint32_t number = 0; number < instances.end(); ++number) {
     if (!instances.has(number)) continue;
     CrowdInstance& instance = instances[number];
-    sweep_.add(number, instance.root_box);
+    const bool moves = in_step && instances.moves(number);
+    sweep_.add(number,
+               moves ? united(instance.root_box, instance.start->root_box) : instance.root_box);
     moved_ += instance.has_moved;
     instance.has_moved = false;
     instance.close();
@@ -155,6 +176,7 @@ void CrowdQuery::collide(const Question& question) {
   CrowdInstances& instances = question.instances;
   for_both(instances, shared_pairs_, [this](CrowdInstance& instance) {
     make_table(instance.posed_tree(workers_[0].shared_nodes));
+    if (instance.start) make_table(instance.start_tree(true, workers_[0].shared_nodes));
   });
   const auto job = [&](std::uint32_t number) {
     Worker& worker = workers_[number];
@@ -188,10 +210,24 @@ void CrowdQuery::Worker::collide_island(const Question& question,
 
 void CrowdQuery::Worker::collide_pair(const Question& question, const CrowdPair& pair,
                                       Arena& arena) {
+  if (question.moving) return collide_moving_pair(question, pair, arena);
   const PosedTree a = question.instances[pair.instance_a].posed_tree(arena);
   const PosedTree b = question.instances[pair.instance_b].posed_tree(arena);
   work += collide_trees(a, b, scratch, question.max_contacts);
   keep_found(pair);
+}
+
+void CrowdQuery::Worker::collide_moving_pair(const Question& question, const CrowdPair& pair,
+                                             Arena& arena) {
+  CrowdInstances& instances = question.instances;
+  const auto start = [&](std::uint32_t number) {
+    return instances[number].start_tree(instances.moves(number), arena);
+  };
+  const PosedTree a_from = start(pair.instance_a), b_from = start(pair.instance_b);
+  const PosedTree a_to = instances[pair.instance_a].posed_tree(arena);
+  const PosedTree b_to = instances[pair.instance_b].posed_tree(arena);
+  work += collide_moving_trees({a_from, a_to}, {b_from, b_to}, scratch, *question.moving);
+  keep_moving(pair);
 }
 
 void CrowdQuery::Worker::collide_self(const Question& question, std::uint32_t instance,
@@ -208,9 +244,21 @@ void CrowdQuery::Worker::keep_found(const CrowdPair& pair) {
   Stack<Contact>& found = scratch.found;
   if (found.empty()) return;
   sort_contacts(found, scratch.sorting);
-  auto* kept = reinterpret_cast<Contact*>(contacts.allocate(found.size() * sizeof(Contact)));
+  touching.push_back({pair, keep(found), {}});
+}
+
+void CrowdQuery::Worker::keep_moving(const CrowdPair& pair) {
+  Stack<MovingContact>& found = scratch.moving;
+  if (found.empty()) return;
+  sort_contacts(found, scratch.sorting_moving);
+  touching.push_back({pair, {}, keep(found)});
+}
+
+template <typename AnyContact>
+std::span<const AnyContact> CrowdQuery::Worker::keep(Stack<AnyContact>& found) {
+  auto* kept = reinterpret_cast<AnyContact*>(contacts.allocate(found.size() * sizeof(AnyContact)));
   std::uninitialized_copy(found.begin(), found.end(), kept);
-  touching.push_back({pair, {kept, found.size()}});
+  return {kept, found.size()};
 }
 
 CrowdStats CrowdQuery::gather() {
@@ -236,13 +284,16 @@ CrowdStats CrowdQuery::gather() {
 void CrowdQuery::even_out() {
   if (worker_count_ == 1) return;
   std::size_t shared_nodes = 0, nodes = 0, contacts = 0;
-  std::size_t slot_pairs = 0, found = 0, sorting = 0, positions = 0, ring = 0, boxes = 0;
+  std::size_t slot_pairs = 0, found = 0, moving = 0, sorting = 0, sorting_moving = 0;
+  std::size_t positions = 0, ring = 0, boxes = 0;
   for (Worker& worker : workers_) {
     shared_nodes += worker.shared_nodes.used();
     nodes = std::max(nodes, worker.most_nodes);
     contacts += worker.contacts.used();
     slot_pairs = std::max(slot_pairs, worker.scratch.slot_pairs.capacity());
     found = std::max(found, worker.scratch.found.capacity());
+    moving = std::max(moving, worker.scratch.moving.capacity());
+    sorting_moving = std::max(sorting_moving, worker.scratch.sorting_moving.capacity());
     sorting = std::max(sorting, worker.scratch.sorting.capacity());
     positions = std::max(positions, worker.scratch.positions.capacity());
     ring = std::max(ring, worker.scratch.ring.capacity());
@@ -255,6 +306,8 @@ void CrowdQuery::even_out() {
     detail::even_out(worker.contacts, contacts);
     worker.scratch.slot_pairs.reserve(slot_pairs);
     worker.scratch.found.reserve(found);
+    worker.scratch.moving.reserve(moving);
+    worker.scratch.sorting_moving.reserve(sorting_moving);
     worker.scratch.sorting.reserve(sorting);
     worker.scratch.positions.reserve(positions);
     worker.scratch.ring.reserve(ring);
@@ -274,8 +327,8 @@ std::size_t CrowdQuery::memory_bytes() const {
 std::size_t CrowdQuery::Worker::memory_bytes() const {
   return nodes.capacity() + shared_nodes.capacity() + contacts.capacity() +
          scratch.boxes.capacity() +
-         bytes_held(touching, scratch.slot_pairs, scratch.found, scratch.sorting, scratch.positions,
-                    scratch.ring);
+         bytes_held(touching, scratch.slot_pairs, scratch.found, scratch.moving,
+                    scratch.sorting_moving, scratch.sorting, scratch.positions, scratch.ring);
 }
 
 }  // namespace pelt::detail

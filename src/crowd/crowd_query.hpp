@@ -33,6 +33,7 @@ namespace pelt::detail {
 struct TouchingPair {
   CrowdPair instances;
   std::span<const Contact> contacts;
+  std::span<const MovingContact> moving;  // of a query of a step, instead of `contacts`
 };
 
 class CrowdQuery {
@@ -40,6 +41,10 @@ class CrowdQuery {
   /// Finds the pairs in contact, and up to `max_contacts` contacts of each.
   CrowdStats run(CrowdInstances& instances, const CrowdOptions& options,
                  std::uint32_t max_contacts);
+
+  /// Finds the pairs in contact at any time of the step.
+  CrowdStats run_moving(CrowdInstances& instances, const CrowdOptions& options,
+                        const MovingOptions& moving);
 
   /// Results of the last run, ascending. Valid until the next run.
   std::span<const TouchingPair> touching() const { return touching_; }
@@ -52,6 +57,7 @@ class CrowdQuery {
     CrowdInstances& instances;
     std::span<const SelfFilter* const> self_filters;  // see self_filters_
     std::uint32_t max_contacts;
+    const MovingOptions* moving;  // null: no step
   };
 
   /// Memory and results of one thread.
@@ -68,12 +74,18 @@ class CrowdQuery {
     void clear();
     void collide_island(const Question& question, std::span<const CrowdPair> island);
     void collide_pair(const Question& question, const CrowdPair& pair, Arena& arena);
+    void collide_moving_pair(const Question& question, const CrowdPair& pair, Arena& arena);
     void collide_self(const Question& question, std::uint32_t instance, Arena& arena);
     void keep_found(const CrowdPair& pair);
+    void keep_moving(const CrowdPair& pair);
+    template <typename AnyContact>
+    std::span<const AnyContact> keep(Stack<AnyContact>& found);
     std::size_t memory_bytes() const;
   };
 
-  void box_instances(CrowdInstances& instances);
+  CrowdStats answer(CrowdInstances& instances, const CrowdOptions& options,
+                    std::uint32_t max_contacts, const MovingOptions* moving);
+  void box_instances(CrowdInstances& instances, bool in_step);
   void filter_pairs(CrowdInstances& instances, const CrowdOptions& options);
   void add_self_tests(CrowdInstances& instances, const CrowdOptions& options);
   void start_workers(std::uint32_t threads);

@@ -15,7 +15,7 @@ void take_box(CrowdInstance& instance) {
 /// Computes the box at once, because the palette is in the caches now, and because this runs on all
 /// threads on which the caller sets palettes.
 template <typename Element>
-Result<void> set_palette_of(CrowdInstance& instance, std::span<const Element> palette) {
+Result<void> take_palette(CrowdInstance& instance, std::span<const Element> palette) {
   Result<void> set = instance.palette.set(palette);
   if (set) take_box(instance);
   return set;
@@ -54,29 +54,75 @@ CrowdInstance& CrowdInstances::operator[](std::uint32_t number) {
 }
 
 Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const float> palette) {
-  return set_palette_of((*this)[number], palette);
+  CrowdInstance& instance = (*this)[number];
+  save_start(instance);
+  return take_palette(instance, palette);
 }
 
 Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const Matrix3x4> palette) {
-  return set_palette_of((*this)[number], palette);
+  CrowdInstance& instance = (*this)[number];
+  save_start(instance);
+  return take_palette(instance, palette);
 }
 
 Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const double> palette) {
-  return set_palette_of((*this)[number], palette);
+  CrowdInstance& instance = (*this)[number];
+  save_start(instance);
+  return take_palette(instance, palette);
 }
 
 Result<void> CrowdInstances::set_morph_weights(std::uint32_t number,
                                                std::span<const float> weights) {
   CrowdInstance& instance = (*this)[number];
+  save_start(instance);
   Result<void> taken = instance.palette.set_morph_weights(weights);
   if (taken) take_box(instance);
   return taken;
 }
 
+/// The pose before its first change in a step is the start of the step. Before the first step, an
+/// instance whose pose is set stands still.
+void CrowdInstances::save_start(CrowdInstance& instance) {
+  if (step_ == 0) {
+    instance.step = CrowdInstance::kNever;
+  } else if (instance.step != step_) {
+    if (!instance.start) instance.start = std::make_unique<Instance>(instance.model.detail().tree);
+    instance.start->palette = instance.palette;
+    instance.start->root_box = instance.root_box;
+    instance.step = step_;
+  }
+}
+
+template <typename Element>
+Result<void> CrowdInstances::set_motion(std::uint32_t number, std::span<const Element> from,
+                                        std::span<const Element> to) {
+  CrowdInstance& instance = (*this)[number];
+  instance.step = CrowdInstance::kNever;
+  if (!instance.start) instance.start = std::make_unique<Instance>(instance.model.detail().tree);
+  Instance& start = *instance.start;
+  start.palette = instance.palette;  // for the morph weights
+  if (Result<void> set = start.palette.set(from); !set) return set;
+  start.root_box = box_root(instance.model.detail().bounds, start.palette);
+  if (Result<void> set = take_palette(instance, to); !set) return set;
+  instance.step = step_;
+  return {};
+}
+
+template Result<void> CrowdInstances::set_motion(std::uint32_t, std::span<const float>,
+                                                 std::span<const float>);
+template Result<void> CrowdInstances::set_motion(std::uint32_t, std::span<const Matrix3x4>,
+                                                 std::span<const Matrix3x4>);
+template Result<void> CrowdInstances::set_motion(std::uint32_t, std::span<const double>,
+                                                 std::span<const double>);
+
 std::size_t CrowdInstances::memory_bytes() const {
   std::size_t bytes = bytes_held(slots_, free_);
-  for (const std::optional<CrowdInstance>& slot : slots_)
-    if (slot) bytes += slot->palette.memory_bytes();
+  for (const std::optional<CrowdInstance>& slot : slots_) {
+    if (slot) {
+      bytes += slot->palette.memory_bytes();
+      if (slot->start) bytes += sizeof(Instance) + slot->start->palette.memory_bytes();
+    }
+  }
   return bytes;
 }
 

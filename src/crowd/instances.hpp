@@ -5,6 +5,8 @@
 #include "model/model.hpp"
 #include "pose/instance.hpp"
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -18,16 +20,29 @@ struct CrowdInstance : Instance {
       : Instance(m.detail().tree), mask(c), model(std::move(m)) {}
 
   /// View of the instance for the thread that owns `arena`.
-  PosedTree posed_tree(Arena& arena) {
-    return Instance::posed_tree(model.detail().tree, model.detail().bounds, arena);
-  }
+  PosedTree posed_tree(Arena& arena) { return view(*this, arena); }
+
+  /// View at the start of a step. An instance that stands still has one pose.
+  PosedTree start_tree(bool moves, Arena& arena) { return view(moves ? *start : *this, arena); }
 
   /// Closes all nodes, whose memory will be reused.
-  void close() { opened = OpenedNodes(); }
+  void close() {
+    opened = OpenedNodes();
+    if (start) start->opened = OpenedNodes();
+  }
 
-  bool has_moved = true;  // since the last query
+  static constexpr std::uint64_t kNever = ~std::uint64_t{0};
+
+  bool has_moved = true;            // since the last query
+  std::uint64_t step = kNever;      // the step that `start` is of
+  std::unique_ptr<Instance> start;  // or null
   CollisionMask mask;
   SkinnedModel model;
+
+ private:
+  PosedTree view(Instance& instance, Arena& arena) const {
+    return instance.posed_tree(model.detail().tree, model.detail().bounds, arena);
+  }
 };
 
 /// The instances of a crowd by number. Some numbers may be free.
@@ -53,14 +68,25 @@ class CrowdInstances {
   Result<void> set_palette(std::uint32_t number, std::span<const double> palette);
   Result<void> set_morph_weights(std::uint32_t number, std::span<const float> weights);
 
+  /// See Crowd.
+  void begin_step() { ++step_; }
+  template <typename Element>
+  Result<void> set_motion(std::uint32_t number, std::span<const Element> from,
+                          std::span<const Element> to);
+
+  /// Whether an instance has different poses at the ends of the step.
+  bool moves(std::uint32_t number) { return (*this)[number].step == step_; }
+
   std::size_t memory_bytes() const;
 
  private:
   void add_slot();
+  void save_start(CrowdInstance& instance);
 
   std::vector<std::optional<CrowdInstance>> slots_;
   std::vector<std::uint32_t> free_;
   std::uint32_t count_ = 0;
+  std::uint64_t step_ = 0;  // number of steps begun
 };
 
 }  // namespace pelt::detail
