@@ -7,6 +7,7 @@
 #include <pelt/collide.hpp>
 #include <pelt/distance.hpp>
 #include <pelt/export.hpp>
+#include <pelt/motion.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 #include <pelt/ray.hpp>
@@ -103,6 +104,22 @@ PELT_API QueryStats collide(Pose& pose, const HeightField& field, Scratch& scrat
 /// Returns whether any triangle of the posed skin intersects the field. Like `collide`, but stops
 /// at the first contact.
 PELT_API YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch);
+
+/// Appends every pair of triangles of the moving skin and the field that intersect at any time from
+/// 0 to 1, in ascending order. The field stands still. `Contact::triangle_b` is a triangle of the
+/// field.
+///
+/// Precondition, exactness and allocation: as `collide_moving` of two motions.
+///
+/// Cost: as `collide` of a pose and a field, with boxes around both ends of the motion, and with
+/// nodes opened at both ends.
+PELT_API MovingStats collide_moving(const Motion& motion, const HeightField& field,
+                                    Scratch& scratch, std::vector<MovingContact>& contacts,
+                                    const MovingOptions& options = {});
+
+/// Returns whether any triangle of the moving skin intersects the field at any time. Like
+/// `collide_moving`, but stops at the first contact that it finds.
+PELT_API YesNo touch_while_moving(const Motion& motion, const HeightField& field, Scratch& scratch);
 
 /// Writes the least distance between a triangle of the posed skin and a triangle of the field.
 /// `Distance::b` is on the field. A skin below the field has a positive distance, like a skin above

@@ -3,11 +3,13 @@
 #include "base/dispatch.hpp"
 #include "field/field_collide.hpp"
 #include "field/field_distance.hpp"
+#include "field/moving_field.hpp"
 
 namespace pelt::detail {
 
 PELT_DECLARE_VERSIONS(collide_field)
 PELT_DECLARE_VERSIONS(closest_field_triangle)
+PELT_DECLARE_VERSIONS(collide_moving_field)
 
 inline namespace PELT_INSTRUCTION_SET {
 
@@ -20,6 +22,11 @@ QueryStats closest_field_triangle(const PosedTree& posed, const HeightField& fie
                                   Scratch& scratch, const SearchLimits& limits,
                                   TriangleGap& closest) {
   return PELT_CHOOSE(closest_field_triangle)(posed, field, scratch, limits, closest);
+}
+
+MovingStats collide_moving_field(const MovingTree& moving, const HeightField& field,
+                                 Scratch& scratch, const MovingOptions& options) {
+  return PELT_CHOOSE(collide_moving_field)(moving, field, scratch, options);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -6,6 +6,8 @@
 #include "field/field_cast.hpp"
 #include "field/field_collide.hpp"
 #include "field/field_distance.hpp"
+#include "field/moving_field.hpp"
+#include "motion/steps.hpp"
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
@@ -24,6 +26,13 @@ QueryStats find_contacts(const PosedTree& posed, const HeightField& field, Scrat
   return detail::collide_field(posed, field.detail(), scratch.detail(), max_contacts);
 }
 
+MovingStats find_moving(const Motion& motion, const HeightField& field, Scratch& scratch,
+                        const MovingOptions& options) {
+  detail::require_step(motion);
+  const PosedTree from = motion.from.detail().posed_tree(), to = motion.to.detail().posed_tree();
+  return detail::collide_moving_field({from, to}, field.detail(), scratch.detail(), options);
+}
+
 }  // namespace
 
 QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
@@ -37,6 +46,21 @@ QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
 YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch) {
   const QueryStats stats = find_contacts(pose.detail().posed_tree(), field, scratch, 1);
   return detail::yes_or_no(!scratch.detail().found.empty(), stats);
+}
+
+MovingStats collide_moving(const Motion& motion, const HeightField& field, Scratch& scratch,
+                           std::vector<MovingContact>& contacts, const MovingOptions& options) {
+  const MovingStats stats = find_moving(motion, field, scratch, options);
+  detail::append_sorted(scratch.detail(), contacts);
+  return stats;
+}
+
+YesNo touch_while_moving(const Motion& motion, const HeightField& field, Scratch& scratch) {
+  MovingOptions options;
+  options.times = false;
+  options.max_contacts = 1;
+  const MovingStats stats = find_moving(motion, field, scratch, options);
+  return detail::yes_or_no(!scratch.detail().moving.empty(), stats);
 }
 
 QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Distance& result,
