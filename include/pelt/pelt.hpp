@@ -13,7 +13,7 @@
 ///
 /// Queries are declared in these headers:
 ///
-///     one or two poses              bounds, collide, contact, distance, inside
+///     one or two poses              bounds, collide, contact, distance, inside, search
 ///     two poses in motion           motion
 ///     a pose and itself             self_collide, self_tracker, contact
 ///     a pose and a point            distance, inside
@@ -62,6 +62,7 @@
 #include <pelt/query.hpp>
 #include <pelt/ray.hpp>
 #include <pelt/result.hpp>
+#include <pelt/search.hpp>
 #include <pelt/self_collide.hpp>
 #include <pelt/self_tracker.hpp>
 #include <pelt/shapes.hpp>

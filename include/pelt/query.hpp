@@ -47,6 +47,16 @@ struct QueryStats {
   PELT_API QueryStats& operator+=(const QueryStats& other);
 };
 
+/// Units of work per count of QueryStats, and per pair of clusters (up to 16 triangles each) of a
+/// `CollisionSearch`. These numbers never change, because budgets and partial answers depend on
+/// them.
+inline constexpr std::uint64_t kNodePairWork = 8, kRefitWork = 5, kPosedVertexWork = 2,
+                               kTrianglePairWork = 1, kDisplacementWork = 2, kClusterPairWork = 8;
+
+/// The work of a query in units of about one test of two triangles: the counts, multiplied by the
+/// constants above.
+PELT_API std::uint64_t work_of(const QueryStats& stats);
+
 /// A yes-or-no answer, with the work of the query:
 ///
 ///     if (intersects(a, b, scratch)) ...

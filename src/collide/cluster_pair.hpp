@@ -38,6 +38,9 @@ class TrianglePairs {
   /// Tests the stored pairs.
   void flush();
 
+  /// Number of stored pairs.
+  std::uint32_t waiting() const { return count_; }
+
  private:
   static constexpr std::uint32_t kRoom = kBatch + kMaxClusterTriangles * kMaxClusterTriangles;
 

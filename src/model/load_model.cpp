@@ -5,6 +5,7 @@
 #include "model/check_tree.hpp"
 #include "model/prepared_format.hpp"
 #include "model/triangle_places.hpp"
+#include "model/triangles_below.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -101,6 +102,7 @@ Result<SkinnedModel> load_model(std::span<const std::byte> file) {
   if (found.empty()) found = detail::check_node_bounds(model->bounds, model->tree);
   if (!found.empty()) return malformed("is malformed, " + found);
   index_triangles(model->tree);
+  count_triangles_below(model->tree);
   return SkinnedModel(std::move(model));
 }
 

@@ -75,6 +75,7 @@ struct Tree {
 
   std::vector<Cluster> clusters;
   std::vector<Node> nodes;
+  std::vector<std::uint32_t> triangles_below;  // [N] of each node's subtree; not in prepared files
 
   std::vector<std::uint32_t> vertex_places;  // [V] position in [P] of each of the caller's vertices
 

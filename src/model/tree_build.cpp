@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "model/clusters.hpp"
 #include "model/triangle_places.hpp"
+#include "model/triangles_below.hpp"
 #include "model/weld.hpp"
 #include "model/wide_nodes.hpp"
 
@@ -185,6 +186,7 @@ Tree build_tree(const SkinnedMesh& mesh, std::span<const std::vector<Vec3>> samp
   const ClusterTree clusters = build_cluster_tree(SampleBoxes(mesh.triangles, samples));
   Tree tree = TreeWriter(mesh, clusters).write(collapse(clusters));
   index_triangles(tree);
+  count_triangles_below(tree);
   return tree;
 }
 

@@ -6,6 +6,17 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
+/// Returns the number of displacements by active morph targets in a node's pool.
+inline std::uint64_t displacement_count(const Tree& tree, std::uint32_t index,
+                                        const MorphWeights& morphs) {
+  const PoolTarget* targets = tree.morphs.targets.data();
+  const std::uint32_t* begin = tree.morphs.node_begin.data() + index;
+  std::uint64_t count = 0;
+  each_active(targets + begin[0], targets + begin[1], morphs,
+              [&](const PoolTarget& target) { count += target.displacement_count; });
+  return count;
+}
+
 /// Writes the rest positions of a node's pool, displaced by the active morph targets, to `out` in
 /// the layout of posed vertices. Returns the number of displacements; if it is 0, writes nothing.
 inline std::uint64_t morph_pool(const Tree& tree, std::uint32_t index, const MorphWeights& morphs,

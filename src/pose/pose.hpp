@@ -5,6 +5,7 @@
 #include "model/model.hpp"
 #include "pose/instance.hpp"
 
+#include <cstdint>
 #include <utility>
 
 namespace pelt::detail {
@@ -14,6 +15,7 @@ struct Pose : Instance {
 
   SkinnedModel model;
   Arena arena;
+  std::uint64_t stamp = 0;  ///< raised when opened nodes become invalid
 
   PosedTree posed_tree() {
     return Instance::posed_tree(model.detail().tree, model.detail().bounds, arena);
@@ -29,6 +31,7 @@ struct Pose : Instance {
 
   /// Closes all nodes, because the palette has changed.
   void close_all() {
+    ++stamp;
     arena.clear();
     opened = OpenedNodes();
     root_box.known = false;

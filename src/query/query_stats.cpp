@@ -12,4 +12,10 @@ QueryStats& QueryStats::operator+=(const QueryStats& other) {
   return *this;
 }
 
+std::uint64_t work_of(const QueryStats& stats) {
+  return kNodePairWork * stats.node_pairs + kRefitWork * stats.refits +
+         kPosedVertexWork * stats.posed_vertices + kTrianglePairWork * stats.triangle_pairs +
+         kDisplacementWork * stats.displacements;
+}
+
 }  // namespace pelt

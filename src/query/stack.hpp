@@ -36,7 +36,9 @@ class Stack : public StackMemory {
  public:
   using value_type = T;
 
+  const T* begin() const { return reinterpret_cast<const T*>(bytes_.get()); }
   T* begin() { return reinterpret_cast<T*>(bytes_.get()); }
+  const T* end() const { return begin() + size_; }
   T* end() { return begin() + size_; }
 
   void push(const T& item) {

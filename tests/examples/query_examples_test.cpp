@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 // Defined in docs/examples/queries.
 pelt::Sphere sphere_around(pelt::Pose& pose, std::span<const pelt::Matrix4> palette);
 pelt::Box smallest_box(pelt::Pose& pose);
@@ -27,6 +29,9 @@ bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
                                     pelt::Scratch& scratch);
 double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch& scratch);
+pelt::Verdict touch_in_time(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch,
+                            const std::function<bool()>& has_time);
+pelt::OpenRegion least_known(const pelt::CollisionSearch& search);
 pelt::Result<pelt::SelfFilter> only_new(pelt::Pose& rest, pelt::Scratch& scratch);
 std::vector<pelt::ContactPatch> cuts(pelt::Pose& pose, const pelt::SelfFilter& filter,
                                      const pelt::Surface& surface, pelt::Scratch& scratch,
@@ -86,6 +91,17 @@ TEST_F(QueryExamples, Distance) {
   EXPECT_EQ(gap(pose_, other, scratch_, closest), first);
   const Vec3 position = closest_position(pose_, {9, 0.5f, 0}, scratch_);
   EXPECT_NEAR(position.x, closest.a.position.x, 0.01);
+}
+
+TEST_F(QueryExamples, Search) {
+  Pose other(limb());
+  ASSERT_TRUE(other.set_palette(moved(0.05f)));
+  EXPECT_EQ(touch_in_time(pose_, other, scratch_, [] { return false; }), Verdict::unknown);
+  EXPECT_EQ(touch_in_time(pose_, other, scratch_, [] { return true; }), Verdict::touching);
+  CollisionSearch search(pose_, other, SearchOrder::resolution);
+  EXPECT_EQ(least_known(search).pairs, search.undecided_pairs());
+  search.advance(1000, scratch_);
+  EXPECT_LT(least_known(search).pairs, search.undecided_pairs());
 }
 
 TEST_F(QueryExamples, Contact) {

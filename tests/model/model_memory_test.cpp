@@ -9,11 +9,11 @@
 namespace pelt {
 namespace {
 
-// The arrays that each_array visits, and Tree::triangle_places. If you add an array, add it there
-// too.
+// The arrays that each_array visits, Tree::triangle_places and Tree::triangles_below. If you add an
+// array, add it there too.
 static_assert(sizeof(detail::PoolMorphs) == 4 * sizeof(std::vector<int>));
 static_assert(sizeof(detail::Tree) ==
-              11 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 8);
+              12 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 8);
 static_assert(sizeof(detail::NodeBounds) == 7 * sizeof(std::vector<int>));
 
 template <typename... Array>
@@ -28,11 +28,12 @@ TEST(ModelMemory, CountsEveryArrayAndNeedsLittleMore) {
   const auto model = build_model(limb.view());
   ASSERT_TRUE(model);
   const auto& [positions, begins, joints, weights, corners, ids, triangle_places, cluster_vertices,
-               clusters, nodes, places, morphs, joint_count, extent] = model->detail().tree;
+               clusters, nodes, triangles_below, places, morphs, joint_count, extent] =
+      model->detail().tree;
   const auto& bounds = model->detail().bounds;
   const std::size_t used =
       bytes_of(positions, begins, joints, weights, corners, ids, triangle_places, cluster_vertices,
-               clusters, nodes, places) +
+               clusters, nodes, triangles_below, places) +
       bytes_of(morphs.extents, morphs.node_begin, morphs.targets, morphs.displacements) +
       bytes_of(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits,
                bounds.displacement_begin, bounds.displacements);
