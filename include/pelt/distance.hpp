@@ -93,8 +93,10 @@ struct Distance {
   /// are then meaningless.
   double distance = std::numeric_limits<double>::infinity();
 
-  /// Proven lower bound of the least distance. Equals `distance` if the tolerance is 0. Equals
-  /// `max_distance` if nothing is within `max_distance`.
+  /// Proven lower bound of the least distance. If the query was not cut short, equals `distance` if
+  /// the tolerance is 0, and `max_distance` if nothing is within `max_distance`. If
+  /// `DistanceOptions::work` cut the query short, the least distance is between `lower_bound` and
+  /// `distance`.
   double lower_bound = 0;
 
   SurfacePoint a, b;
@@ -118,6 +120,15 @@ struct DistanceOptions {
   /// An earlier result for the same two models in nearly the same poses, or null. The search starts
   /// at the triangles of that result. If the tolerance is 0, answers do not depend on the hint.
   const Distance* hint = nullptr;
+
+  /// Stop after about this many units of work (`work_of`). `QueryStats::cut_short` then says that
+  /// the result is an interval: see `Distance::lower_bound`. Half of the work at most is spent on
+  /// looking for contacts. If it does not suffice to exclude contacts, the lower bound is 0. If the
+  /// bodies touch and the query is cut short, the distance is 0, but the pair may not be the
+  /// lowest. Opening nodes that earlier queries have opened is not counted, so results that were
+  /// cut short depend on earlier queries, but not on the machine. The step that reaches the limit
+  /// is finished. The distance from a height field ignores this limit.
+  std::uint64_t work = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// Writes the least distance between a triangle of `a` and a triangle of `b`, and two points at

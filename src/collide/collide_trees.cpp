@@ -35,16 +35,31 @@ class IntersectingTriangles : public BoxOverlap {
   TrianglePairs triangles_;
 };
 
+/// Also stops after a number of units of work.
+class LimitedTriangles : public IntersectingTriangles {
+ public:
+  LimitedTriangles(const Tree& a, const Tree& b, const ContactSink& sink, QueryStats& work,
+                   std::uint64_t max_work)
+      : IntersectingTriangles(a, b, sink, work), work_(work), max_work_(max_work) {}
+
+  bool is_full() const { return IntersectingTriangles::is_full() || work_of(work_) >= max_work_; }
+
+ private:
+  const QueryStats& work_;
+  std::uint64_t max_work_;
+};
+
 bool roots_overlap(const PosedTree& a, const PosedTree& b, QueryStats& work) {
   ++work.node_pairs;
   const RootBox &root_a = root_box(a, work), &root_b = root_box(b, work);
   return boxes_overlap(root_a.low, root_a.high, root_b.low, root_b.high);
 }
 
-}  // namespace
-
-QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratch,
-                         std::uint32_t max_contacts) {
+/// Descends with the rule that `make_rule(sink, work)` returns. The result's `cut_short` says
+/// whether pairs are left.
+template <typename MakeRule>
+QueryStats descend(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                   std::uint32_t max_contacts, const MakeRule& make_rule) {
   QueryStats work;
   scratch.found.clear();
   if (!roots_overlap(a, b, work)) return work;
@@ -53,12 +68,29 @@ QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratc
   scratch.slot_pairs.clear();
   scratch.slot_pairs.push({0, kAllSlots, 0, kAllSlots});
   const ContactSink sink(scratch.found, max_contacts);
-  IntersectingTriangles rule(a.tree, b.tree, sink, work);
+  auto rule = make_rule(sink, work);
   PairDescent descent(a, b, scratch.slot_pairs, rule, work);
   descent.run();
   rule.flush();
-  work.cut_short = sink.cut(descent.is_unfinished());
+  const bool is_unfinished = descent.is_unfinished();
+  work.cut_short = sink.is_full() ? sink.cut(is_unfinished) : is_unfinished;
   return work;
+}
+
+}  // namespace
+
+QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                         std::uint32_t max_contacts) {
+  return descend(a, b, scratch, max_contacts, [&](const ContactSink& sink, QueryStats& work) {
+    return IntersectingTriangles(a.tree, b.tree, sink, work);
+  });
+}
+
+QueryStats collide_trees_within(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                                std::uint32_t max_contacts, std::uint64_t max_work) {
+  return descend(a, b, scratch, max_contacts, [&](const ContactSink& sink, QueryStats& work) {
+    return LimitedTriangles(a.tree, b.tree, sink, work, max_work);
+  });
 }
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -12,5 +12,10 @@ inline namespace PELT_INSTRUCTION_SET {
 QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                          std::uint32_t max_contacts);
 
+/// Like `collide_trees`, but stops after `max_work` units of `work_of`, too. `cut_short` then says
+/// so.
+QueryStats collide_trees_within(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                                std::uint32_t max_contacts, std::uint64_t max_work);
+
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -6,12 +6,18 @@
 namespace pelt::detail {
 
 PELT_DECLARE_VERSIONS(collide_trees)
+PELT_DECLARE_VERSIONS(collide_trees_within)
 
 inline namespace PELT_INSTRUCTION_SET {
 
 QueryStats collide_trees(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                          std::uint32_t max_contacts) {
   return PELT_CHOOSE(collide_trees)(a, b, scratch, max_contacts);
+}
+
+QueryStats collide_trees_within(const PosedTree& a, const PosedTree& b, Scratch& scratch,
+                                std::uint32_t max_contacts, std::uint64_t max_work) {
+  return PELT_CHOOSE(collide_trees_within)(a, b, scratch, max_contacts, max_work);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

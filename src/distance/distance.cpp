@@ -78,7 +78,11 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
   const PosedTree tree_a = a.detail().posed_tree(), tree_b = b.detail().posed_tree();
   return detail::least_distance(
       scratch.detail(), options, result,
-      [&](std::uint32_t most) { return find_touching(tree_a, tree_b, scratch, most); },
+      [&](std::uint32_t most, std::uint64_t max_work) {
+        return max_work == detail::SearchLimits::kUnlimited
+                   ? find_touching(tree_a, tree_b, scratch, most)
+                   : detail::collide_trees_within(tree_a, tree_b, scratch.detail(), most, max_work);
+      },
       [&](const Contact& contact, QueryStats& work) {
         return touching(tree_a, tree_b, contact, work);
       },

@@ -14,7 +14,8 @@ namespace pelt::detail {
 
 /// Computes the least distance of a pose from another pose or from a height field.
 ///
-/// `find_touching(most)`: writes up to `most` touching pairs to `scratch.found`; returns its work.
+/// `find_touching(most, max_work)`: writes up to `most` touching pairs to `scratch.found`; returns
+///   its work, with `cut_short` if `max_work` ended it.
 /// `describe(contact, work)`: returns the answer for a touching pair; adds to `work`.
 /// `find_closest(limits, gap)`: finds the closest triangles of operands that do not touch; returns
 ///   its work.
@@ -24,18 +25,24 @@ QueryStats least_distance(Scratch& scratch, const DistanceOptions& options, Dist
                           const FindClosest& find_closest) {
   require(options.max_distance >= 0 && options.tolerance >= 0,
           "distance: the maximum distance or the tolerance is negative or NaN");
-  QueryStats stats = find_touching(options.tolerance > 0 ? 1 : CollideOptions().max_contacts);
+  const bool is_limited = options.work != SearchLimits::kUnlimited;
+  QueryStats stats = find_touching(options.tolerance > 0 ? 1 : CollideOptions().max_contacts,
+                                   is_limited ? options.work / 2 : options.work);
+  const bool is_unsure = is_limited && stats.cut_short;  // whether they touch
   stats.cut_short = false;
   if (Stack<Contact>& found = scratch.found; !found.empty()) {
     result = describe(*std::min_element(found.begin(), found.end()), stats);
+    stats.cut_short = is_unsure && options.tolerance == 0;
     return stats;
   }
   const ClusterSlots hint = options.hint ? Access::numbers(options.hint->location) : ClusterSlots{};
   TriangleGap gap;
-  const SearchLimits limits = {options.max_distance, options.tolerance,
-                               options.hint ? &hint : nullptr};
+  SearchLimits limits = {options.max_distance, options.tolerance, options.hint ? &hint : nullptr};
+  if (is_limited) limits.work = options.work - std::min(options.work, work_of(stats));
   stats += find_closest(limits, gap);
+  stats.cut_short = stats.cut_short || is_unsure;
   result = distance_apart(gap, options);
+  result.lower_bound = is_unsure ? 0 : std::min(result.lower_bound, gap.open_distance);
   return stats;
 }
 

@@ -11,7 +11,9 @@
 #include "query/push_nearest_last.hpp"
 #include "query/tree_part.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
@@ -65,24 +67,37 @@ class PairSearch {
         goal_(goal),
         triangles_(goal, extent(root_box(a, work_), root_box(b, work_)), work_) {}
 
-  QueryStats run(const ClusterSlots* begin = nullptr) {
+  /// `limit`: units of work after which the search ends.
+  QueryStats run(const ClusterSlots* begin = nullptr,
+                 std::uint64_t limit = SearchLimits::kUnlimited) {
     parts_.clear();
     parts_.push({0, 0, TreePart::kWhole, 0, TreePart::kWhole});
     if (!is_near()) return work_;
     make_table(a_);
     make_table(b_);
     if (begin) look_first(*begin);
-    while (!parts_.empty() && !goal_.is_done()) {
+    while (!parts_.empty() && !goal_.is_done() && !is_spent(limit)) {
       const NearParts pair = parts_.pop();
       if (pair.squared_gap <= triangles_.reach().squared_gap())
         visit({pair.node_a, pair.slot_a}, {pair.node_b, pair.slot_b});
     }
     triangles_.flush();
-    work_.cut_short = goal_.is_done();
+    work_.cut_short = goal_.is_done() || !parts_.empty();
     return work_;
   }
 
+  /// Lower bound of the distances of all pairs that are left.
+  double open_distance() const {
+    float least = std::numeric_limits<float>::infinity();
+    for (const NearParts& pair : parts_) least = std::min(least, pair.squared_gap);
+    return triangles_.reach().least_distance(least);
+  }
+
  private:
+  bool is_spent(std::uint64_t limit) const {
+    return limit != SearchLimits::kUnlimited && work_of(work_) >= limit;
+  }
+
   /// Whether the boxes of the roots are within reach.
   bool is_near() {
     ++work_.node_pairs;
@@ -186,7 +201,10 @@ class PairSearch {
 QueryStats closest_triangles(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                              const SearchLimits& limits, TriangleGap& closest) {
   LeastGap goal(limits, closest);
-  return PairSearch(a, b, scratch, goal).run(limits.begin);
+  PairSearch search(a, b, scratch, goal);
+  const QueryStats work = search.run(limits.begin, limits.work);
+  closest.open_distance = search.open_distance();
+  return work;
 }
 
 QueryStats triangles_within(const PosedTree& a, const PosedTree& b, Scratch& scratch,

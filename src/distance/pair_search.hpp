@@ -20,12 +20,19 @@ struct TriangleGap {
   TriangleCorners corners_a = {}, corners_b = {};
   ClosestPoints closest = {std::numeric_limits<double>::infinity(), {}, {}};
   ClusterSlots slots = {};  ///< the clusters of the triangles
+
+  /// Lower bound of the distances of all pairs that a search did not compare because its work was
+  /// limited; infinite if it was not cut short.
+  double open_distance = std::numeric_limits<double>::infinity();
 };
 
 /// Limits of `closest_triangles`.
 struct SearchLimits {
   double max_distance, tolerance;
   const ClusterSlots* begin;  ///< clusters to start with; null, or any clusters
+
+  static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t work = kUnlimited;  ///< in units of work_of
 };
 
 inline namespace PELT_INSTRUCTION_SET {

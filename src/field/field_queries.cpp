@@ -68,7 +68,7 @@ QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Dist
   const PosedTree posed = pose.detail().posed_tree();
   return detail::least_distance(
       scratch.detail(), options, result,
-      [&](std::uint32_t most) { return find_contacts(posed, field, scratch, most); },
+      [&](std::uint32_t most, std::uint64_t) { return find_contacts(posed, field, scratch, most); },
       [&](const Contact& contact, QueryStats& work) {
         const detail::FoundTriangle found = detail::find_triangle(posed, contact.triangle_a, work);
         return detail::distance_touching(contact, found.corners,

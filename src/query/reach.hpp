@@ -11,7 +11,9 @@
 #include "base/instruction_set.hpp"
 #include "geometry/triangle_distance.hpp"
 
+#include <algorithm>
 #include <cfloat>
+#include <cmath>
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
@@ -38,6 +40,12 @@ class Reach {
     gap_ = static_cast<float>(beyond < FLT_MAX ? beyond : FLT_MAX);
     const double squared = beyond * beyond + 0x1p-120;
     squared_gap_ = static_cast<float>(squared < FLT_MAX ? squared : FLT_MAX);
+  }
+
+  /// Lower bound of the distance of things whose boxes have this squared gap.
+  double least_distance(float squared_gap) const {
+    const double gap = std::sqrt(std::max(double{squared_gap} - 0x1p-120, 0.0)) - 0x1p-120;
+    return std::max(gap / (1 + 0x1p-20) - slack_, 0.0);
   }
 
   /// For gaps of points along a direction.

@@ -50,6 +50,39 @@ TEST(Distance, EqualsBruteForceOnBendingLimbs) {
   EXPECT_GT(apart, 30);
 }
 
+TEST(Distance, IsAnIntervalAfterAnyAmountOfWork) {
+  Random random(123);
+  Limbs limbs;
+  int cut = 0, touching = 0, bounded_below = 0, bounded_above = 0;
+  for (int round = 0; round < 40; ++round) {
+    limbs.move(random, round % 3 == 0 ? 0.2 : 1);
+    const double expected = brute_distance(limbs.triangles_a(), limbs.triangles_b()).distance;
+    touching += expected == 0;
+    for (const double tolerance : {0.0, 0.01})
+      for (std::uint64_t work = 1;; work *= 2) {
+        limbs.a.reserve();  // closes the nodes, which cost work
+        limbs.b.reserve();
+        Distance closest;
+        const bool is_cut = distance(limbs.a, limbs.b, limbs.scratch, closest,
+                                     {.tolerance = tolerance, .work = work})
+                                .cut_short;
+        ASSERT_LE(closest.lower_bound, expected);
+        ASSERT_GE(closest.distance, expected);
+        if (!is_cut) {
+          ASSERT_LE(closest.distance - closest.lower_bound, tolerance * (1 + 1e-12));
+          break;
+        }
+        ++cut;
+        bounded_below += closest.lower_bound > 0.5 * expected;
+        bounded_above += closest && closest.distance > expected;
+      }
+  }
+  EXPECT_GT(touching, 4);
+  EXPECT_GT(cut, 300);
+  EXPECT_GT(bounded_below, 20);
+  EXPECT_GT(bounded_above, 20);
+}
+
 TEST(Distance, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
   Random random(111);
   Scratch scratch;
