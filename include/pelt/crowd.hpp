@@ -5,6 +5,7 @@
 #include <pelt/collide.hpp>
 #include <pelt/export.hpp>
 #include <pelt/motion.hpp>
+#include <pelt/search.hpp>
 #include <pelt/self_collide.hpp>
 
 #include <compare>
@@ -77,6 +78,40 @@ struct CrowdOptions {
   /// Preconditions: the SelfFilter is of the model of the instance; otherwise the program aborts,
   /// in every build. The SelfFilter lives until the query returns.
   std::function<const SelfFilter*(std::uint32_t instance)> self_filter = nullptr;
+};
+
+/// How much work `Crowd::search` may do, and for which pairs first. Work is in the units of
+/// `CollisionSearch`.
+struct CrowdBudget {
+  /// Of all pairs together. Each pair may exceed its part of the work by less than one step.
+  std::uint64_t work = std::numeric_limits<std::uint64_t>::max();
+
+  /// Work of each undecided pair in each round, at least 1. 0 aborts the program, in every build.
+  std::uint64_t slice = 2000;
+
+  /// Order of the search of each pair. In the order `first_contact`, a pair is decided by its first
+  /// contact; otherwise, when its search is complete.
+  SearchOrder order = SearchOrder::first_contact;
+
+  /// Limit of the number of open regions of each pair, see `CollisionSearch`.
+  std::uint32_t max_open = CollisionSearch::kMaxOpen;
+
+  /// Called once for each pair with instance_a < instance_b, on the caller's thread. If the work
+  /// does not suffice for a round, the pairs with the largest weights come first; of equal ones,
+  /// the lowest pairs. Without this function, all weights are equal. A NaN weight aborts the
+  /// program, in every build.
+  std::function<double(std::uint32_t instance_a, std::uint32_t instance_b)> weight = nullptr;
+};
+
+/// What is certain about two instances that `Crowd::search` has not decided.
+struct UndecidedPair {
+  CrowdPair instances;
+  Verdict verdict = Verdict::unknown;  ///< unknown or touching
+  std::uint64_t pairs = 0;             ///< undecided pairs of triangles
+  double resolution = 0;               ///< longest side of any open region
+  double distance_bound = 0;           ///< upper bound of the distance
+
+  friend bool operator==(const UndecidedPair&, const UndecidedPair&) = default;
 };
 
 /// Work of a query of a crowd, summed over all threads.
@@ -204,6 +239,21 @@ class PELT_API Crowd {
   /// both ends of the motions.
   CrowdStats collide_moving(std::vector<CrowdMovingContact>& contacts,
                             const CrowdOptions& options = {}, const MovingOptions& moving = {});
+
+  /// Searches the pairs of instances for contacts, with a limit of the work. Appends the contacts
+  /// that were found to `contacts`, and the pairs that are not decided to `undecided`, both in
+  /// ascending order. Collision masks, `CrowdOptions::filter` and `threads` apply; instances are
+  /// not tested against themselves, and `max_contacts` is ignored. Without a limit, and in another
+  /// order than `first_contact`, finds the contacts of `collide`.
+  ///
+  /// The search proceeds in rounds. Each round gives the same work to all undecided pairs, so easy
+  /// pairs are decided soon, and no hard pair takes the work of all others. Contacts, undecided
+  /// pairs and stats do not depend on the number of threads, the instruction set or the compiler.
+  ///
+  /// Cost: `budget.work`, and O(J) for each pair. Opened nodes stay in memory until the search
+  /// ends. Allocates like `collide`.
+  CrowdStats search(std::vector<CrowdContact>& contacts, std::vector<UndecidedPair>& undecided,
+                    const CrowdBudget& budget, const CrowdOptions& options = {});
 
   /// Bytes of memory of the crowd, without its models. O(n).
   std::size_t memory_bytes() const;

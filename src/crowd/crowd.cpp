@@ -1,7 +1,9 @@
 #include <pelt/crowd.hpp>
 
 #include "crowd/crowd_query.hpp"
+#include "crowd/crowd_search.hpp"
 #include "crowd/instances.hpp"
+#include "query/reserve_more.hpp"
 
 namespace pelt {
 namespace detail {
@@ -9,6 +11,7 @@ namespace detail {
 struct Crowd {
   CrowdInstances instances;
   CrowdQuery query;
+  CrowdSearch search;
 };
 
 }  // namespace detail
@@ -112,8 +115,23 @@ CrowdStats Crowd::collide_moving(std::vector<CrowdMovingContact>& contacts,
   return stats;
 }
 
+CrowdStats Crowd::search(std::vector<CrowdContact>& contacts, std::vector<UndecidedPair>& undecided,
+                         const CrowdBudget& budget, const CrowdOptions& options) {
+  CrowdStats stats;
+  const std::span<const CrowdPair> pairs =
+      crowd_->query.find_pairs(crowd_->instances, options, stats);
+  const std::uint64_t moved = stats.refits;
+  stats = crowd_->search.run(crowd_->instances, pairs, budget, options.threads);
+  stats.refits += moved;
+  detail::reserve_more(undecided, pairs.size());
+  crowd_->search.append_contacts(contacts);
+  crowd_->search.append_undecided(crowd_->instances, undecided);
+  return stats;
+}
+
 std::size_t Crowd::memory_bytes() const {
-  return crowd_->instances.memory_bytes() + crowd_->query.memory_bytes();
+  return crowd_->instances.memory_bytes() + crowd_->query.memory_bytes() +
+         crowd_->search.memory_bytes();
 }
 
 }  // namespace pelt

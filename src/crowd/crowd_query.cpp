@@ -64,6 +64,15 @@ CrowdStats CrowdQuery::run_moving(CrowdInstances& instances, const CrowdOptions&
   return answer(instances, options, moving.max_contacts, &moving);
 }
 
+std::span<const CrowdPair> CrowdQuery::find_pairs(CrowdInstances& instances,
+                                                  const CrowdOptions& options, QueryStats& work) {
+  box_instances(instances, false);
+  sweep_.find_pairs(pairs_);
+  filter_pairs(instances, options);
+  work.refits += std::exchange(moved_, 0);
+  return pairs_;
+}
+
 CrowdStats CrowdQuery::answer(CrowdInstances& instances, const CrowdOptions& options,
                               std::uint32_t max_contacts, const MovingOptions* moving) {
   box_instances(instances, moving != nullptr);

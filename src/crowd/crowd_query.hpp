@@ -46,6 +46,11 @@ class CrowdQuery {
   CrowdStats run_moving(CrowdInstances& instances, const CrowdOptions& options,
                         const MovingOptions& moving);
 
+  /// Returns the pairs of instances that `options` selects and whose boxes overlap, and counts the
+  /// boxes that were computed since the last query in `work`. Closes all nodes.
+  std::span<const CrowdPair> find_pairs(CrowdInstances& instances, const CrowdOptions& options,
+                                        QueryStats& work);
+
   /// Results of the last run, ascending. Valid until the next run.
   std::span<const TouchingPair> touching() const { return touching_; }
 
