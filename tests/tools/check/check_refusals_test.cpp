@@ -72,7 +72,8 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedCheck{{"--baseline", "known.jsonl", "--clearance", "0.1"},
                      {"without --clearance, but this check is --clearance 0.1"}},
         RefusedCheck{{"--baseline", "known.jsonl", "--inside"}, {"was written without --inside"}},
-        RefusedCheck{{"--fail-on", "worse"}, {"--fail-on", "contact, grown, new or never"}},
+        RefusedCheck{{"--fail-on", "worse"},
+                     {"--fail-on", "contact, grown, new, unknown or never"}},
         RefusedCheck{{"--fail-on", "new"}, {"--fail-on: new requires", "--baseline FILE"}},
         RefusedCheck{{"--fail-on", "grown"}, {"--fail-on: grown requires", "--baseline FILE"}}));
 

@@ -55,10 +55,33 @@ Result<std::optional<double>> choose_clearance(const CheckArguments& arguments,
   return arguments.clearance;
 }
 
+/// Returns the first given option that cannot be combined with --budget, or null.
+const char* excluded_by_budget(const CheckArguments& arguments) {
+  if (arguments.clearance) return "--clearance";
+  if (arguments.inside) return "--inside";
+  if (arguments.first) return "--first";
+  if (arguments.max_contacts) return "--max-contacts";
+  if (!arguments.baseline.empty()) return "--baseline";
+  if (!arguments.html.empty()) return "--html";
+  return nullptr;
+}
+
+Result<std::optional<std::uint32_t>> choose_budget(const CheckArguments& arguments,
+                                                   methods::MethodKind method) {
+  if (!arguments.budget) return arguments.budget;
+  if (method != methods::kOnDemand)
+    return output::bad_argument("--budget", "requires the method on_demand", "leave out --method");
+  if (const char* const excluded = excluded_by_budget(arguments))
+    return output::bad_argument("--budget", std::string("cannot be combined with ") + excluded,
+                                "give one of the two");
+  return arguments.budget;
+}
+
 /// Returns the option that excludes tests of bodies against themselves, or null.
 const char* excluded_by(const CheckSettings& settings) {
   if (settings.method != methods::kOnDemand) return "--method";
   if (settings.clearance) return "--clearance";
+  if (settings.budget) return "--budget";
   return nullptr;
 }
 
@@ -159,7 +182,10 @@ Result<FailOn> choose_fail_on(const CheckArguments& arguments) {
   const auto fail_on = find_fail_on(arguments.fail_on);
   if (!fail_on)
     return output::bad_argument("--fail-on", "unknown value " + asset::quoted(arguments.fail_on),
-                                "give contact, grown, new or never");
+                                "give contact, grown, new, unknown or never");
+  if (*fail_on == FailOn::unknown && !arguments.budget)
+    return output::bad_argument("--fail-on", "unknown requires a limit of the work",
+                                "give one with --budget WORK");
   const bool needs_baseline = *fail_on == FailOn::grown || *fail_on == FailOn::newly;
   if (needs_baseline && arguments.baseline.empty())
     return output::bad_argument("--fail-on", arguments.fail_on + " requires a baseline",
@@ -215,7 +241,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
       {.type = "FILE"});
   verb.option("--fail-on", arguments.fail_on,
               "What sets the exit code to 1 (default: contact; with --baseline: grown)",
-              {.type = "contact|grown|new|never"});
+              {.type = "contact|grown|new|unknown|never"});
   verb.flag(
       "--allow-empty", arguments.allow_empty,
       "Accept a check that has nothing to test, such as one of a single instance with --self no "
@@ -236,6 +262,10 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--clearance", arguments.clearance,
               "Find all pairs of triangles at most DISTANCE apart, not only those that touch",
               {.type = "DISTANCE"});
+  verb.option("--budget", arguments.budget,
+              "Limit the work of each pair in each frame, in units of about one test of two "
+              "triangles, and report what is not decided",
+              {.type = "WORK", .least = 1});
   verb.option("--html", arguments.html,
               "Write a self-contained page that plays the scene and finds its contacts",
               {.type = "FILE"});
@@ -256,6 +286,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   Choices choices;
   choices.take(choose_method(arguments.method, arguments.known_methods), settings.method);
   choices.take(choose_clearance(arguments, settings.method), settings.clearance);
+  choices.take(choose_budget(arguments, settings.method), settings.budget);
   choices.take(scene::choose_granularity(arguments.by), settings.granularity);
   choices.take(choose_self(arguments, settings, scene), settings.self);
   choices.take(arguments::choose_frames(arguments.frames, arguments.scene, scene), settings.frames);

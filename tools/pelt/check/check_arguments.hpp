@@ -19,6 +19,7 @@ struct CheckArguments {
   std::string frames, by = "instance", method = "on_demand";
   bool first = false, pairs = false, contacts = false, inside = false, allow_empty = false;
   std::optional<double> clearance;
+  std::optional<std::uint32_t> budget;
   std::optional<std::uint32_t> max_contacts, glb_frame;
   std::uint32_t list = 10;
   std::vector<std::string> ignore;

@@ -41,6 +41,7 @@ nlohmann::ordered_json question_json(const CheckQuestion& question) {
   for (const scenes::NamePair& pair : question.ignore) json["ignore"].push_back({pair.a, pair.b});
   if (!question.clips.empty()) json["clips"] = question.clips;
   if (question.clearance) json["clearance"] = *question.clearance;
+  if (question.budget) json["budget"] = *question.budget;
   if (question.max_contacts) json["max_contacts"] = *question.max_contacts;
   return json;
 }

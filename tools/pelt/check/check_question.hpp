@@ -22,6 +22,7 @@ struct CheckQuestion {
   std::vector<std::string> clips;  ///< of the takes, in order; empty without takes
   std::optional<std::uint32_t> max_contacts;
   std::optional<double> clearance;
+  std::optional<std::uint32_t> budget;
   bool pairs = false, contacts = false, inside = false;
   SelfChoice self;
   std::vector<scenes::NamePair> ignore;

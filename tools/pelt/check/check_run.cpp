@@ -2,6 +2,7 @@
 
 #include "scenes/ignored_pairs.hpp"
 #include "scenes/takes.hpp"
+#include "tools/pelt/check/budget_query.hpp"
 #include "tools/pelt/check/clearance_query.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
@@ -153,7 +154,25 @@ Result<void> ask_self(std::optional<scene::SelfQuery>& query, const scene::Palet
   return {};
 }
 
-/// `Query` is SceneQuery or ClearanceQuery.
+/// Null for queries whose answers are complete.
+template <typename Query>
+const BudgetQuery* budget_of(const Query&) {
+  return nullptr;
+}
+const BudgetQuery* budget_of(const BudgetQuery& query) { return &query; }
+
+void count_unknown(std::uint32_t frame, const BudgetQuery* query, UnknownTotals& totals) {
+  if (query == nullptr || query->undecided().empty()) return;
+  totals.frames.push_back(frame);
+  std::uint64_t pairs = 0;
+  for (const Undecided& undecided : query->undecided()) {
+    pairs += undecided.pairs;
+    totals.resolution = std::max(totals.resolution, undecided.resolution);
+  }
+  totals.most_pairs = std::max(totals.most_pairs, pairs);
+}
+
+/// `Query` is SceneQuery, ClearanceQuery or BudgetQuery.
 template <typename Query>
 Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
                               const CheckSettings& settings, TouchTally& tally,
@@ -184,11 +203,13 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
     report.totals.ignored += take_ignored_out(*ignored, staged, found);
     if (*self) report.totals.left_out += (*self)->left_out();
     count_frame(staged.scene, frame, found, report);
+    count_unknown(frame, budget_of(query), report.totals.unknown);
     tally.add(frame, found);
     if (always) always->add(found);
     hash.add(frame, found);
     if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked;
     FrameExtras of_frame = extras.of_frame();
+    of_frame.budget = budget_of(query);
     if (*self) of_frame.left_out = &(*self)->left_out();
     jsonl.frame(frame, found, of_frame);
     if (is_to_be_kept(frame, settings, report)) report.kept = {frame, found};
@@ -200,7 +221,8 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   report.totals.work = query.work();
   if (*self) report.totals.work += (*self)->work();
   extras.report(report);
-  if (!settings.max_contacts) report.totals.hash = hash.value();
+  if (!settings.max_contacts && report.totals.unknown.frames.empty())
+    report.totals.hash = hash.value();
   if (always) report.always = always->counts();
   return report;
 }
@@ -215,8 +237,9 @@ std::uint64_t bodies_compared(std::uint64_t colliders, const SelfChoice& self) {
 void conclude(const scene::StagedScene& staged, const CheckSettings& settings,
               const TouchTally& tally, CheckReport& report, JsonlWriter& jsonl) {
   const std::vector<Touch> touches = tally.touches();
-  Findings found = {touches, {}};
+  Findings found = {touches};
   if (report.inside) found.held = report.inside->held;
+  found.frames_unknown = report.totals.unknown.frames.size();
   const CheckBaseline* const baseline = settings.baseline ? &*settings.baseline : nullptr;
   report.verdict = judge(staged, found,
                          {settings.fail_on, settings.allows_empty, baseline,
@@ -228,6 +251,10 @@ Result<CheckReport> run_chosen(const scene::StagedScene& staged, const CheckSett
                                TouchTally& tally, JsonlWriter& jsonl) {
   if (settings.clearance) {
     ClearanceQuery query(staged.colliders, *settings.clearance);
+    return run_query(query, staged, settings, tally, jsonl);
+  }
+  if (settings.budget) {
+    BudgetQuery query(staged.colliders, *settings.budget);
     return run_query(query, staged, settings, tally, jsonl);
   }
   const std::span<const scene::Collider> none;

@@ -37,7 +37,7 @@ Result<void> write_contacts_glb(output::OutputFile& file, const scene::StagedSce
 std::string outer_lines(const scene::StagedScene& staged, const CheckQuestion& question,
                         const CheckReport& report, const TouchTally& tally) {
   const std::vector<Touch> touches = tally.touches();
-  Findings found = {touches, {}};
+  Findings found = {touches};
   if (report.inside) found.held = report.inside->held;
   std::ostringstream lines;
   JsonlWriter writer(&lines, question, staged);

@@ -12,6 +12,7 @@ CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& sc
   for (const scenes::Take& take : scene.takes) question.clips.push_back(take.clip);
   question.max_contacts = settings.max_contacts;
   question.clearance = settings.clearance;
+  question.budget = settings.budget;
   question.pairs = settings.lists_triangles;
   question.contacts = settings.describes_contacts;
   question.inside = settings.asks_inside;

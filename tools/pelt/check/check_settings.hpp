@@ -18,11 +18,12 @@ struct CheckSettings {
   std::optional<std::uint32_t> max_contacts;  ///< per pair of colliders and frame
   /// Nullopt: find triangles that touch; otherwise triangles at most this far apart.
   std::optional<double> clearance;
-  bool lists_triangles = false;     ///< all pairs of them, not only their number
-  bool describes_contacts = false;  ///< describe the geometry of contacts
-  std::uint32_t rows_listed = 10;   ///< most rows of each list of the summary
-  bool asks_inside = false;         ///< test which bodies are inside others
-  SelfChoice self;                  ///< whether bodies are tested against themselves
+  std::optional<std::uint32_t> budget;  ///< units of work per pair of colliders and frame
+  bool lists_triangles = false;         ///< all pairs of them, not only their number
+  bool describes_contacts = false;      ///< describe the geometry of contacts
+  std::uint32_t rows_listed = 10;       ///< most rows of each list of the summary
+  bool asks_inside = false;             ///< test which bodies are inside others
+  SelfChoice self;                      ///< whether bodies are tested against themselves
   std::vector<scenes::NamePair> ignore;
   std::optional<CheckBaseline> baseline;
   FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline

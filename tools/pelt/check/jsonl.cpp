@@ -57,6 +57,18 @@ ordered_json takes_json(const scenes::Scene& scene, std::span<const TakeTotals> 
   return list;
 }
 
+ordered_json undecided_json(std::span<const Undecided> undecided) {
+  ordered_json list = ordered_json::array();
+  for (const Undecided& pair : undecided)
+    list.push_back({{"a", pair.a},
+                    {"b", pair.b},
+                    {"verdict", pair.verdict == pelt::Verdict::touching ? "touching" : "unknown"},
+                    {"pairs", pair.pairs},
+                    {"resolution", pair.resolution},
+                    {"distance_bound", pair.distance_bound}});
+  return list;
+}
+
 }  // namespace
 
 void JsonlWriter::header() {
@@ -70,6 +82,7 @@ void JsonlWriter::frame(std::uint32_t frame, const scene::FrameContacts& found,
   ordered_json line = scene::frame_json(staged_.scene, frame);
   line["contacts"] = found.contacts.size();
   line["pairs"] = pairs_json(found, extras.details);
+  if (extras.budget != nullptr) line["unknown"] = undecided_json(extras.budget->undecided());
   if (extras.left_out != nullptr) line["left_out"] = left_out_json(*extras.left_out);
   if (extras.inside != nullptr) line["inside"] = inside_json(*extras.inside);
   scene::write_line(line, *out_);
@@ -153,6 +166,10 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
   } else {
     last["cut_short"] = true;
   }
+  if (question_.budget)
+    last["totals"]["unknown"] = {{"frames", totals.unknown.frames.size()},
+                                 {"pairs", totals.unknown.most_pairs},
+                                 {"resolution", totals.unknown.resolution}};
   if (question_.self.asks_self()) last["totals"]["left_out"] = left_out_json(totals.left_out);
   if (!totals.takes.empty()) last["clips"] = takes_json(staged_.scene, totals.takes);
   last["touches"] = ordered_json::array();

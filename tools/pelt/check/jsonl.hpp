@@ -5,6 +5,7 @@
 #include <pelt/self_collide.hpp>
 
 #include "scenes/scene.hpp"
+#include "tools/pelt/check/budget_query.hpp"
 #include "tools/pelt/check/check_question.hpp"
 #include "tools/pelt/check/contact_details.hpp"
 #include "tools/pelt/check/inside_query.hpp"
@@ -29,12 +30,20 @@ struct TakeTotals {
   std::uint32_t worst_frame = 0;  ///< the first frame with as many
 };
 
+/// What --budget has left undecided.
+struct UnknownTotals {
+  std::vector<std::uint32_t> frames;  ///< frames with undecided pairs of bodies
+  std::uint64_t most_pairs = 0;       ///< undecided pairs of triangles in one frame, the most
+  double resolution = 0;              ///< longest side of all regions of missing contacts
+};
+
 struct CheckTotals {
   std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
   std::uint64_t ignored = 0;  ///< contacts that do not count
   LeftOut left_out;           ///< contacts of bodies with themselves that do not count
   QueryStats work;
-  std::vector<TakeTotals> takes;      ///< of checked frames; empty if the scene has no takes
+  std::vector<TakeTotals> takes;  ///< of checked frames; empty if the scene has no takes
+  UnknownTotals unknown;
   std::optional<std::uint64_t> hash;  ///< nullopt if contacts were limited
 };
 
@@ -43,6 +52,7 @@ struct FrameExtras {
   const ContactDetails* details = nullptr;
   const InsideQuery* inside = nullptr;
   const LeftOut* left_out = nullptr;  ///< by the filters of contacts of bodies with themselves
+  const BudgetQuery* budget = nullptr;
 };
 
 /// Writes the lines of a check, or nothing if there is no stream.

@@ -275,6 +275,18 @@ void print_inside(const scene::StagedScene& staged, const InsideTally& inside, s
                                << ", " << scene::frame_words(staged.scene, deepest.frame) << '\n';
 }
 
+void print_unknown(const CheckSettings& settings, const UnknownTotals& unknown, std::ostream& out) {
+  if (!settings.budget) return;
+  scene::label(out, "unknown");
+  if (unknown.frames.empty()) {
+    out << "nothing: the budget sufficed for all frames\n";
+    return;
+  }
+  out << output::counted(unknown.frames.size(), "frame") << ": at most "
+      << output::counted(unknown.most_pairs, "pair") << " within "
+      << output::fixed(unknown.resolution, 3) << '\n';
+}
+
 }  // namespace
 
 void print_summary(const scene::StagedScene& staged, const CheckSettings& settings,
@@ -289,6 +301,7 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
     scene::label(out, "clearance")
         << "counts triangles at most " << *settings.clearance << " apart\n";
   print_contacts(staged.scene, settings, report, out);
+  print_unknown(settings, report.totals.unknown, out);
   if (!report.totals.takes.empty()) print_takes(staged.scene, report.totals.takes, length, out);
   if (report.totals.ignored > 0)
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';

@@ -14,10 +14,11 @@
 namespace pelt::tools::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, FailOn>, 4> kNames = {
+constexpr std::array<std::pair<std::string_view, FailOn>, 5> kNames = {
     {{"contact", FailOn::contact},
      {"grown", FailOn::grown},
      {"new", FailOn::newly},
+     {"unknown", FailOn::unknown},
      {"never", FailOn::never}}};
 
 bool has_new(const Comparison& comparison) {
@@ -34,6 +35,8 @@ bool fails(FailOn fail_on, const Findings& found, const std::optional<Comparison
       return has_new(*comparison) || !comparison->worse.empty();
     case FailOn::newly:
       return has_new(*comparison);
+    case FailOn::unknown:
+      return !found.touches.empty() || !found.held.empty() || found.frames_unknown > 0;
     case FailOn::never:
       break;
   }

@@ -17,6 +17,7 @@ enum class FailOn {
   contact,  ///< any contact and any contained body
   grown,    ///< new touches or bodies, and touches with more contacts in their worst frame
   newly,    ///< new touches or contained bodies
+  unknown,  ///< like `contact`, and any undecided pair of bodies
   never,
 };
 
@@ -27,7 +28,8 @@ const char* name_of(FailOn fail_on);
 /// Results of a check.
 struct Findings {
   std::span<const Touch> touches;
-  std::span<const Held> held;  ///< empty if not requested
+  std::span<const Held> held = {};   ///< empty if not requested
+  std::uint64_t frames_unknown = 0;  ///< frames with undecided pairs of bodies
 };
 
 /// A touch that is worse than in the baseline.

@@ -25,6 +25,7 @@ Examples:
   pelt check scene.json --frames 20:40 --jsonl contacts.jsonl --pairs
   pelt check scene.json --contacts --jsonl contacts.jsonl
   pelt check scene.json --clearance 0.02
+  pelt check scene.json --budget 20000 --fail-on unknown
   pelt check scene.json --inside
   pelt check scene.json --self --self-rings 2 --self-near-joints drop
   pelt check scene.json --first --jsonl - > contacts.jsonl
@@ -40,6 +41,9 @@ With --by part, a and b are indices of the header's "instances", which has one e
 --ignore takes two names of parts or joints. A name like knight/hand_r applies to one model only, and
 * matches any characters. With --baseline, the --jsonl output of an earlier check, only contacts that
 are new or have grown fail the check.
+With --budget, contacts may be missing. The line "unknown" of the summary shows in how many frames, how
+many pairs of triangles are undecided at most, and how long the regions are in which they are.
+--fail-on unknown fails on contacts and on undecided pairs. The answer is the same on every machine.
 A single character is tested against itself; several characters only with --self. The options
 --self-... drop contacts of a character with itself; the summary shows how many each option drops. A
 check that has nothing to test, such as one of a single character with --self no, fails with exit code
