@@ -3,6 +3,7 @@
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "scenes/takes.hpp"
+#include "tools/pelt/check/summary_lists.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
@@ -82,60 +83,6 @@ void print_always(const AlwaysCounts& counts, std::ostream& out) {
                             << " drops them\n";
 }
 
-/// The number of rows that each list shows.
-class ListLength {
- public:
-  explicit ListLength(std::size_t most) : most_(most) {}
-
-  template <typename Row>
-  std::span<const Row> shown(std::span<const Row> rows) const {
-    return rows.first(std::min(rows.size(), most_));
-  }
-  template <typename Row>
-  std::span<const Row> shown(const std::vector<Row>& rows) const {
-    return shown(std::span<const Row>(rows));
-  }
-
-  /// Prints how many of `count` rows the list leaves out, and the option that shows them.
-  void print_rest(std::size_t count, std::ostream& out) const {
-    if (count <= most_) return;
-    out << std::right << std::setw(12) << "..."
-        << " and " << output::with_commas(count - most_) << " more: --list " << count << '\n';
-  }
-
- private:
-  std::size_t most_;
-};
-
-/// Width of a column of names.
-template <typename Row>
-int width_of(std::span<const Row> rows, std::string Row::*column = &Row::a) {
-  std::size_t width = 0;
-  for (const Row& row : rows) width = std::max(width, (row.*column).size());
-  return static_cast<int>(width);
-}
-
-/// Prints the contacts of each row, its share of all `contacts`, and its worst frame.
-void print_rows(const char* title, const std::vector<TouchTally::Row>& rows,
-                const scenes::Scene& scene, std::uint64_t contacts, const ListLength& length,
-                std::ostream& out) {
-  out << '\n' << title << '\n';
-  const std::span<const TouchTally::Row> shown = length.shown(rows);
-  const int width = width_of(shown), width_b = width_of(shown, &TouchTally::Row::b);
-  const int clip_width = width_of(shown, &TouchTally::Row::clip);
-  for (const TouchTally::Row& row : shown) {
-    const double percent =
-        100.0 * static_cast<double>(row.contacts) / static_cast<double>(contacts);
-    out << std::right << std::setw(12) << output::with_commas(row.contacts) << std::setw(6)
-        << output::fixed(percent, 1) << " %  " << std::left;
-    if (clip_width > 0) out << std::setw(clip_width) << row.clip << "  ";
-    out << std::setw(width) << row.a << "  " << std::setw(width_b) << row.b << "  in "
-        << output::counted(row.frames, "frame") << ", worst frame "
-        << scenes::frame_in_take(scene, row.worst_frame) << '\n';
-  }
-  length.print_rest(rows.size(), out);
-}
-
 /// Prints the clips in contact, those with the most contacts of one frame first.
 void print_takes(const scenes::Scene& scene, const std::vector<TakeTotals>& takes,
                  const ListLength& length, std::ostream& out) {
@@ -159,8 +106,8 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
   const std::uint64_t contacts = report.totals.contacts;
   if (contacts == 0) return;
   if (scene::has_many_parts(scene))
-    print_rows("parts that touch", tally.parts(), scene, contacts, length, out);
-  print_rows("joints that touch", tally.joints(), scene, contacts, length, out);
+    print_rows({"parts that touch", tally.parts(), contacts}, scene, length, out);
+  print_rows({"joints that touch", tally.joints(), contacts}, scene, length, out);
   out << '\n';
 }
 
