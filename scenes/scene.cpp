@@ -185,19 +185,34 @@ Result<void> check_morph_weights(const Scene& scene, std::uint32_t instance) {
 }
 
 double frame_time(const Scene& scene, std::uint32_t frame) {
-  return frame_in_take(scene, frame) / scene.fps;
+  return moment_time(scene, {frame, 0});
+}
+
+double moment_time(const Scene& scene, const Moment& moment) {
+  return (frame_in_take(scene, moment.frame) + moment.later) / scene.fps;
 }
 
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette) {
-  write_palette(asset_of(scene, instance), clip_in(scene, instance, find_take(scene, frame)),
-                scene.instances[instance], frame_time(scene, frame), scratch, palette);
+  instance_palette(scene, instance, Moment{frame, 0}, scratch, palette);
+}
+
+void instance_palette(const Scene& scene, std::uint32_t instance, const Moment& moment,
+                      asset::SampleScratch& scratch, std::span<Matrix4> palette) {
+  write_palette(asset_of(scene, instance), clip_in(scene, instance, find_take(scene, moment.frame)),
+                scene.instances[instance], moment_time(scene, moment), scratch, palette);
 }
 
 void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                             std::span<float> weights) {
-  write_morph_weights(asset_of(scene, instance), clip_in(scene, instance, find_take(scene, frame)),
-                      scene.instances[instance], frame_time(scene, frame), weights);
+  instance_morph_weights(scene, instance, Moment{frame, 0}, weights);
+}
+
+void instance_morph_weights(const Scene& scene, std::uint32_t instance, const Moment& moment,
+                            std::span<float> weights) {
+  write_morph_weights(asset_of(scene, instance),
+                      clip_in(scene, instance, find_take(scene, moment.frame)),
+                      scene.instances[instance], moment_time(scene, moment), weights);
 }
 
 void instance_palette(const asset::Asset& asset, const Instance& instance, double seconds,

@@ -118,6 +118,15 @@ Result<void> check_morph_weights(const Scene& scene, std::uint32_t instance);
 /// the scene has takes, divided by fps. O(log takes).
 double frame_time(const Scene& scene, std::uint32_t frame);
 
+/// A time of a scene: this many frames after a frame, in the same take.
+struct Moment {
+  std::uint32_t frame = 0;
+  double later = 0;
+};
+
+/// Returns the time of a moment in seconds, as `frame_time` does. O(log takes).
+double moment_time(const Scene& scene, const Moment& moment);
+
 /// Writes the joint palette of one instance at one frame: the clip's pose, transformed by
 /// T(translation + velocity t) R(rotation) S(scale). Cost and allocation: those of
 /// `asset::sample_palette`, and O(clips).
@@ -126,11 +135,18 @@ double frame_time(const Scene& scene, std::uint32_t frame);
 void instance_palette(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
                       asset::SampleScratch& scratch, std::span<Matrix4> palette);
 
+/// Writes the joint palette of one instance at a moment. If the moment is a frame, the palette is
+/// that of the frame.
+void instance_palette(const Scene& scene, std::uint32_t instance, const Moment& moment,
+                      asset::SampleScratch& scratch, std::span<Matrix4> palette);
+
 /// Writes the morph weights of one instance at one frame: its fixed weights, and otherwise those of
 /// its clip. Cost: that of `asset::sample_morph_weights` and `check_morph_weights`, and O(clips).
 ///
 /// Precondition: `weights` has one element per morph target of the instance's asset.
 void instance_morph_weights(const Scene& scene, std::uint32_t instance, std::uint32_t frame,
+                            std::span<float> weights);
+void instance_morph_weights(const Scene& scene, std::uint32_t instance, const Moment& moment,
                             std::span<float> weights);
 
 /// Writes the joint palette of an instance without a scene at a time. Precondition: `asset` has the

@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                      {"without --clearance, but this check is --clearance 0.1"}},
         RefusedCheck{{"--baseline", "known.jsonl", "--inside"}, {"was written without --inside"}},
         RefusedCheck{{"--fail-on", "worse"},
-                     {"--fail-on", "contact, grown, new, unknown or never"}},
+                     {"--fail-on", "contact, between, grown, new, unknown or never"}},
         RefusedCheck{{"--fail-on", "new"}, {"--fail-on: new requires", "--baseline FILE"}},
         RefusedCheck{{"--fail-on", "grown"}, {"--fail-on: grown requires", "--baseline FILE"}}));
 

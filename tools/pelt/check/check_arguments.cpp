@@ -77,15 +77,39 @@ Result<std::optional<std::uint32_t>> choose_budget(const CheckArguments& argumen
   return arguments.budget;
 }
 
+/// Returns the option that cannot be combined with --between, or null.
+const char* excludes_between(const CheckArguments& arguments, methods::MethodKind method) {
+  if (method != methods::kOnDemand) return "--method";
+  if (arguments.clearance) return "--clearance";
+  if (arguments.budget) return "--budget";
+  if (arguments.first) return "--first";
+  if (arguments.max_contacts) return "--max-contacts";
+  if (!arguments.html.empty()) return "--html";
+  return nullptr;
+}
+
+Result<std::optional<std::uint32_t>> choose_substeps(const CheckArguments& arguments,
+                                                     methods::MethodKind method) {
+  using Substeps = std::optional<std::uint32_t>;
+  if (!arguments.between && !arguments.substeps) return Substeps();
+  if (!arguments.between)
+    return output::bad_argument("--substeps", "requires --between", "give both");
+  if (const char* const option = excludes_between(arguments, method))
+    return output::bad_argument("--between", std::string("cannot be combined with ") + option,
+                                "give one of the two");
+  return Substeps(arguments.substeps.value_or(1));
+}
+
 /// Returns the option that excludes tests of bodies against themselves, or null.
 const char* excluded_by(const CheckSettings& settings) {
   if (settings.method != methods::kOnDemand) return "--method";
   if (settings.clearance) return "--clearance";
   if (settings.budget) return "--budget";
+  if (settings.substeps) return "--between";
   return nullptr;
 }
 
-/// Precondition: `settings` has its method, clearance and granularity.
+/// Precondition: `settings` has its method, clearance, substeps and granularity.
 Result<SelfChoice> choose_self(const CheckArguments& arguments, const CheckSettings& settings,
                                const scenes::Scene& scene) {
   const Result<scenes::SelfOptions> given = parse_self(arguments.self);
@@ -182,10 +206,12 @@ Result<FailOn> choose_fail_on(const CheckArguments& arguments) {
   const auto fail_on = find_fail_on(arguments.fail_on);
   if (!fail_on)
     return output::bad_argument("--fail-on", "unknown value " + asset::quoted(arguments.fail_on),
-                                "give contact, grown, new, unknown or never");
+                                "give contact, between, grown, new, unknown or never");
   if (*fail_on == FailOn::unknown && !arguments.budget)
     return output::bad_argument("--fail-on", "unknown requires a limit of the work",
                                 "give one with --budget WORK");
+  if (*fail_on == FailOn::between && !arguments.between)
+    return output::bad_argument("--fail-on", "between requires --between", "give both");
   const bool needs_baseline = *fail_on == FailOn::grown || *fail_on == FailOn::newly;
   if (needs_baseline && arguments.baseline.empty())
     return output::bad_argument("--fail-on", arguments.fail_on + " requires a baseline",
@@ -241,7 +267,7 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
       {.type = "FILE"});
   verb.option("--fail-on", arguments.fail_on,
               "What sets the exit code to 1 (default: contact; with --baseline: grown)",
-              {.type = "contact|grown|new|unknown|never"});
+              {.type = "contact|between|grown|new|unknown|never"});
   verb.flag(
       "--allow-empty", arguments.allow_empty,
       "Accept a check that has nothing to test, such as one of a single instance with --self no "
@@ -266,6 +292,14 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
               "Limit the work of each pair in each frame, in units of about one test of two "
               "triangles, and report what is not decided",
               {.type = "WORK", .least = 1});
+  verb.flag("--between", arguments.between,
+            "Also test each step from one frame to the next, with vertices that move in straight "
+            "lines: find triangles that touch between frames and in neither frame, when first, "
+            "and which corners, edges or faces meet");
+  verb.option("--substeps", arguments.substeps,
+              "Divide each step of --between into K straight pieces, with poses of the clips at "
+              "their ends (default: 1)",
+              {.type = "K", .least = 1, .most = 1000});
   verb.option("--html", arguments.html,
               "Write a self-contained page that plays the scene and finds its contacts",
               {.type = "FILE"});
@@ -287,6 +321,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   choices.take(choose_method(arguments.method, arguments.known_methods), settings.method);
   choices.take(choose_clearance(arguments, settings.method), settings.clearance);
   choices.take(choose_budget(arguments, settings.method), settings.budget);
+  choices.take(choose_substeps(arguments, settings.method), settings.substeps);
   choices.take(scene::choose_granularity(arguments.by), settings.granularity);
   choices.take(choose_self(arguments, settings, scene), settings.self);
   choices.take(arguments::choose_frames(arguments.frames, arguments.scene, scene), settings.frames);

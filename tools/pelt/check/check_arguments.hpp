@@ -18,6 +18,8 @@ struct CheckArguments {
   methods::MethodKinds known_methods;  ///< possible values of --method
   std::string frames, by = "instance", method = "on_demand";
   bool first = false, pairs = false, contacts = false, inside = false, allow_empty = false;
+  bool between = false;
+  std::optional<std::uint32_t> substeps;
   std::optional<double> clearance;
   std::optional<std::uint32_t> budget;
   std::optional<std::uint32_t> max_contacts, glb_frame;

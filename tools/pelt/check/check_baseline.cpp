@@ -84,13 +84,16 @@ Result<void> compare_questions(const json& theirs, const json& ours) {
   if (ours["inside"] == true && value_of(theirs, "inside") != true)
     return incomparable("was written without --inside",
                         "write a new baseline with --inside, or leave out --inside");
+  if (!ours["between"].is_null() && value_of(theirs, "between").is_null())
+    return incomparable("was written without --between",
+                        "write a new baseline with --between, or leave out --between");
   return {};
 }
 
 /// Notes differences that do not prevent a comparison.
 void note_differences(const json& theirs, const json& ours, std::vector<std::string>& notes) {
-  for (const char* key :
-       {"clips", "frames", "self", "fps", "ignore", "exclude", "no_unskinned", "renormalise"}) {
+  for (const char* key : {"clips", "frames", "between", "self", "fps", "ignore", "exclude",
+                          "no_unskinned", "renormalise"}) {
     const json then = value_of(theirs, key);
     if (then.is_null() || then == ours[key]) continue;
     notes.push_back(std::string(key) + " was " + then.dump() + " in the baseline and is " +
@@ -181,7 +184,9 @@ Result<CheckBaseline> CheckBaseline::compare(const json& first, const json& last
   if (const auto same = compare_questions(first["options"], ours); !same) return same.error();
   CheckBaseline baseline;
   note_differences(first["options"], ours, baseline.notes_);
-  baseline.take_touches(totals);
+  baseline.touches_ = read_touches(totals, "touches");
+  if (!ours["between"].is_null())
+    baseline.touches_between_ = read_touches(totals, "touches_between");
   if (ours["inside"] == true) baseline.take_held(totals);
   const std::vector<std::string> models = models_of(header);
   if (errors.get()) return *errors.get();
@@ -190,13 +195,15 @@ Result<CheckBaseline> CheckBaseline::compare(const json& first, const json& last
   return baseline;
 }
 
-void CheckBaseline::take_touches(const JsonObject& totals) {
-  if (!totals.has("touches")) totals.refuse("touches", "is missing from the last line");
-  for (const JsonObject& touch : totals.objects("touches")) {
+CheckBaseline::Touches CheckBaseline::read_touches(const JsonObject& totals, const char* key) {
+  Touches touches;
+  if (!totals.has(key)) totals.refuse(key, "is missing from the last line");
+  for (const JsonObject& touch : totals.objects(key)) {
     const TouchNames names =
         ordered(read_place(touch.object("a")), read_place(touch.object("b")), read_clip(touch));
-    touches_[names] = std::max(touches_[names], touch.object("worst").count("contacts"));
+    touches[names] = std::max(touches[names], touch.object("worst").count("contacts"));
   }
+  return touches;
 }
 
 void CheckBaseline::take_held(const JsonObject& totals) {
@@ -228,9 +235,10 @@ Result<CheckBaseline> CheckBaseline::read(const std::string& path, const CheckQu
   return parse(path, {text, bytes->size()}, question, scene);
 }
 
-std::uint64_t CheckBaseline::worst(const TouchNames& names) const {
-  const auto found = touches_.find(names);
-  return found == touches_.end() ? 0 : found->second;
+std::uint64_t worst_of(const CheckBaseline::Touches& touches,
+                       const CheckBaseline::TouchNames& names) {
+  const auto found = touches.find(names);
+  return found == touches.end() ? 0 : found->second;
 }
 
 CheckBaseline::TouchNames names_of(const scene::StagedScene& staged, const Touch& touch) {

@@ -42,9 +42,10 @@ class CheckBaseline {
   static Result<CheckBaseline> read(const std::string& path, const CheckQuestion& question,
                                     const scenes::Scene& scene);
 
-  /// The most contacts of one frame; 0 if they did not touch.
-  std::uint64_t worst(const TouchNames& names) const;
-  const std::map<TouchNames, std::uint64_t>& touches() const { return touches_; }
+  /// The most contacts of one frame, or of one step between frames, of each touch.
+  using Touches = std::map<TouchNames, std::uint64_t>;
+  const Touches& touches() const { return touches_; }
+  const Touches& touches_between() const { return touches_between_; }
 
   const std::set<HeldNames>& held() const { return held_; }
 
@@ -54,13 +55,17 @@ class CheckBaseline {
  private:
   static Result<CheckBaseline> compare(const nlohmann::json& first, const nlohmann::json& last,
                                        const CheckQuestion& question, const scenes::Scene& scene);
-  void take_touches(const asset::JsonObject& totals);
+  static Touches read_touches(const asset::JsonObject& totals, const char* key);
   void take_held(const asset::JsonObject& totals);
 
-  std::map<TouchNames, std::uint64_t> touches_;
+  Touches touches_, touches_between_;
   std::set<HeldNames> held_;
   std::vector<std::string> notes_;
 };
+
+/// The most contacts of one frame or step; 0 if the places did not touch.
+std::uint64_t worst_of(const CheckBaseline::Touches& touches,
+                       const CheckBaseline::TouchNames& names);
 
 /// Returns the names of a touch and of a contained body in a baseline.
 CheckBaseline::TouchNames names_of(const scene::StagedScene& staged, const Touch& touch);

@@ -33,6 +33,7 @@ nlohmann::ordered_json question_json(const CheckQuestion& question) {
       {"contacts", question.contacts},
       {"inside", question.inside},
       {"clearance", nullptr},
+      {"between", nullptr},
       {"self", self_json(question.self)},
       {"ignore", nlohmann::ordered_json::array()},
       {"exclude", question.exclude},
@@ -42,6 +43,7 @@ nlohmann::ordered_json question_json(const CheckQuestion& question) {
   if (!question.clips.empty()) json["clips"] = question.clips;
   if (question.clearance) json["clearance"] = *question.clearance;
   if (question.budget) json["budget"] = *question.budget;
+  if (question.substeps) json["between"] = {{"substeps", *question.substeps}};
   if (question.max_contacts) json["max_contacts"] = *question.max_contacts;
   return json;
 }

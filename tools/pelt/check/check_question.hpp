@@ -23,6 +23,7 @@ struct CheckQuestion {
   std::optional<std::uint32_t> max_contacts;
   std::optional<double> clearance;
   std::optional<std::uint32_t> budget;
+  std::optional<std::uint32_t> substeps;  ///< of --between
   bool pairs = false, contacts = false, inside = false;
   SelfChoice self;
   std::vector<scenes::NamePair> ignore;

@@ -77,9 +77,10 @@ class ExtraQueries {
  public:
   /// All arguments must outlive this.
   ExtraQueries(const scene::StagedScene& staged, const CheckSettings& settings,
-               const scenes::IgnoredPairs& ignored)
+               const scenes::IgnoredPairs& ignored, const TouchTally& empty_tally)
       : scene_(staged.scene) {
     if (settings.asks_inside) inside_.emplace(staged, ignored);
+    if (settings.substeps) between_.emplace(staged, *settings.substeps, ignored, empty_tally);
     if (!settings.describes_contacts) return;
     details_.emplace(staged);
     patches_.emplace(staged);
@@ -94,6 +95,12 @@ class ExtraQueries {
     return {};
   }
 
+  /// `found` has the counted contacts.
+  Result<void> ask_between(std::uint32_t frame, const scene::Palettes& palettes,
+                           const scene::FrameContacts& found) {
+    return between_ ? between_->ask(frame, palettes, found) : Result<void>();
+  }
+
   Result<void> describe(std::uint32_t frame, const scene::Palettes& palettes,
                         const scene::FrameContacts& found) {
     if (!details_) return {};
@@ -103,24 +110,33 @@ class ExtraQueries {
   }
 
   FrameExtras of_frame() const {
-    return {details_ ? &*details_ : nullptr, inside_ ? &*inside_ : nullptr};
+    return {.details = details_ ? &*details_ : nullptr,
+            .inside = inside_ ? &*inside_ : nullptr,
+            .step = between_ ? between_->step() : nullptr};
   }
 
-  void report(CheckReport& report) const {
+  Result<void> report(CheckReport& report) {
     if (patches_) {
       report.patches = patches_->patches();
       report.longest_patches = patches_->longest();
     }
-    if (!inside_) return;
-    report.inside = insides_;
-    report.inside->closed_colliders = inside_->closed_count();
-    report.totals.work += inside_->work();
+    if (inside_) {
+      report.inside = insides_;
+      report.inside->closed_colliders = inside_->closed_count();
+      report.totals.work += inside_->work();
+    }
+    if (!between_) return {};
+    Result<BetweenReport> between = between_->report();
+    if (!between) return between.error();
+    report.totals.between = std::move(*between);
+    return {};
   }
 
  private:
   const scenes::Scene& scene_;
   std::optional<InsideQuery> inside_;
   InsideTally insides_;
+  std::optional<BetweenCheck> between_;
   std::optional<ContactDetails> details_;
   std::optional<PatchTally> patches_;
 };
@@ -172,7 +188,8 @@ void count_unknown(std::uint32_t frame, const BudgetQuery* query, UnknownTotals&
   totals.most_pairs = std::max(totals.most_pairs, pairs);
 }
 
-/// `Query` is SceneQuery, ClearanceQuery or BudgetQuery.
+/// `Query` is SceneQuery, ClearanceQuery or BudgetQuery. Precondition: `tally` is
+/// empty.
 template <typename Query>
 Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
                               const CheckSettings& settings, TouchTally& tally,
@@ -187,7 +204,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   scene::FrameContacts found, unfiltered;
   scene::ContactHash hash;
   std::optional<AlwaysTally> always = make_always_tally(staged, settings);
-  ExtraQueries extras(staged, settings, *ignored);
+  ExtraQueries extras(staged, settings, *ignored, tally);
   Result<std::optional<scene::SelfQuery>> self = make_self_query(staged, settings);
   if (!self) return self.error();
   const auto ask = [&](const scene::Palettes& palettes) -> Result<QueryStats> {
@@ -207,6 +224,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
     tally.add(frame, found);
     if (always) always->add(found);
     hash.add(frame, found);
+    if (const auto asked = extras.ask_between(frame, palettes, found); !asked) return asked;
     if (const auto asked = extras.describe(frame, palettes, found); !asked) return asked;
     FrameExtras of_frame = extras.of_frame();
     of_frame.budget = budget_of(query);
@@ -220,7 +238,7 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   report.frame_seconds = std::move(costs->seconds);
   report.totals.work = query.work();
   if (*self) report.totals.work += (*self)->work();
-  extras.report(report);
+  if (const auto reported = extras.report(report); !reported) return reported.error();
   if (!settings.max_contacts && report.totals.unknown.frames.empty())
     report.totals.hash = hash.value();
   if (always) report.always = always->counts();
@@ -239,6 +257,7 @@ void conclude(const scene::StagedScene& staged, const CheckSettings& settings,
   const std::vector<Touch> touches = tally.touches();
   Findings found = {touches};
   if (report.inside) found.held = report.inside->held;
+  if (report.totals.between) found.between = report.totals.between->touches;
   found.frames_unknown = report.totals.unknown.frames.size();
   const CheckBaseline* const baseline = settings.baseline ? &*settings.baseline : nullptr;
   report.verdict = judge(staged, found,

@@ -39,6 +39,7 @@ std::string outer_lines(const scene::StagedScene& staged, const CheckQuestion& q
   const std::vector<Touch> touches = tally.touches();
   Findings found = {touches};
   if (report.inside) found.held = report.inside->held;
+  if (report.totals.between) found.between = report.totals.between->touches;
   std::ostringstream lines;
   JsonlWriter writer(&lines, question, staged);
   writer.header();

@@ -13,6 +13,7 @@ CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& sc
   question.max_contacts = settings.max_contacts;
   question.clearance = settings.clearance;
   question.budget = settings.budget;
+  question.substeps = settings.substeps;
   question.pairs = settings.lists_triangles;
   question.contacts = settings.describes_contacts;
   question.inside = settings.asks_inside;

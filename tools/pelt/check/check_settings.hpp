@@ -19,11 +19,13 @@ struct CheckSettings {
   /// Nullopt: find triangles that touch; otherwise triangles at most this far apart.
   std::optional<double> clearance;
   std::optional<std::uint32_t> budget;  ///< units of work per pair of colliders and frame
-  bool lists_triangles = false;         ///< all pairs of them, not only their number
-  bool describes_contacts = false;      ///< describe the geometry of contacts
-  std::uint32_t rows_listed = 10;       ///< most rows of each list of the summary
-  bool asks_inside = false;             ///< test which bodies are inside others
-  SelfChoice self;                      ///< whether bodies are tested against themselves
+  /// Straight pieces of each step between frames; nullopt: steps are not tested.
+  std::optional<std::uint32_t> substeps;
+  bool lists_triangles = false;     ///< all pairs of them, not only their number
+  bool describes_contacts = false;  ///< describe the geometry of contacts
+  std::uint32_t rows_listed = 10;   ///< most rows of each list of the summary
+  bool asks_inside = false;         ///< test which bodies are inside others
+  SelfChoice self;                  ///< whether bodies are tested against themselves
   std::vector<scenes::NamePair> ignore;
   std::optional<CheckBaseline> baseline;
   FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline

@@ -1,5 +1,6 @@
 #include "tools/pelt/check/jsonl.hpp"
 
+#include "tools/pelt/check/between_json.hpp"
 #include "tools/pelt/check/contact_json.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
@@ -79,6 +80,8 @@ void JsonlWriter::header() {
 void JsonlWriter::frame(std::uint32_t frame, const scene::FrameContacts& found,
                         const FrameExtras& extras) {
   if (out_ == nullptr) return;
+  if (extras.step != nullptr)
+    scene::write_line(step_json(staged_, *extras.step, question_.pairs), *out_);
   ordered_json line = scene::frame_json(staged_.scene, frame);
   line["contacts"] = found.contacts.size();
   line["pairs"] = pairs_json(found, extras.details);
@@ -131,6 +134,17 @@ ordered_json JsonlWriter::held_list(std::span<const Held> held) const {
   return list;
 }
 
+/// Appends to the lists of `json`.
+void JsonlWriter::add_changes(const TouchChanges& changes, TouchJson* json_of,
+                              ordered_json& json) const {
+  for (const Worse& worse : changes.worse) {
+    json["worse"].push_back(json_of(staged_, worse.touch));
+    json["worse"].back()["known"] = worse.known;
+  }
+  for (const GoneTouch& gone : changes.gone) json["gone"].push_back(gone_json(gone));
+  for (const GoneTouch& gone : changes.left_out) json["left_out"].push_back(gone_json(gone));
+}
+
 ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
   ordered_json json = {{"fail_on", name_of(verdict.fail_on)},
                        {"failed", verdict.is_failed},
@@ -139,12 +153,13 @@ ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
     json[key] = verdict.comparison ? ordered_json::array() : ordered_json();
   if (!verdict.comparison) return json;
   const Comparison& comparison = *verdict.comparison;
-  for (const Worse& worse : comparison.worse) {
-    json["worse"].push_back(touch_json(staged_, worse.touch));
-    json["worse"].back()["known"] = worse.known;
+  add_changes(comparison.touches, touch_json, json);
+  if (question_.substeps) {
+    json["between"] = {{"worse", ordered_json::array()},
+                       {"gone", ordered_json::array()},
+                       {"left_out", ordered_json::array()}};
+    add_changes(comparison.between, touch_between_json, json["between"]);
   }
-  for (const GoneTouch& gone : comparison.gone) json["gone"].push_back(gone_json(gone));
-  for (const GoneTouch& gone : comparison.left_out) json["left_out"].push_back(gone_json(gone));
   json["newly_held"] = held_list(comparison.newly_held);
   for (const CheckBaseline::HeldNames& names : comparison.no_longer_held)
     json["no_longer_held"].push_back(held_names_json(names));
@@ -174,6 +189,12 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
   if (!totals.takes.empty()) last["clips"] = takes_json(staged_.scene, totals.takes);
   last["touches"] = ordered_json::array();
   for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(staged_, touch));
+  if (totals.between) {
+    last["totals"]["between"] = between_json(staged_, *totals.between);
+    last["touches_between"] = ordered_json::array();
+    for (const Touch& touch : found.between)
+      last["touches_between"].push_back(touch_between_json(staged_, touch));
+  }
   if (question_.inside) last["held"] = held_list(found.held);
   last["verdict"] = verdict_json(verdict);
   scene::write_line(last, *out_);

@@ -5,6 +5,7 @@
 #include <pelt/self_collide.hpp>
 
 #include "scenes/scene.hpp"
+#include "tools/pelt/check/between_check.hpp"
 #include "tools/pelt/check/budget_query.hpp"
 #include "tools/pelt/check/check_question.hpp"
 #include "tools/pelt/check/contact_details.hpp"
@@ -39,10 +40,11 @@ struct UnknownTotals {
 
 struct CheckTotals {
   std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
-  std::uint64_t ignored = 0;  ///< contacts that do not count
-  LeftOut left_out;           ///< contacts of bodies with themselves that do not count
-  QueryStats work;
-  std::vector<TakeTotals> takes;  ///< of checked frames; empty if the scene has no takes
+  std::uint64_t ignored = 0;             ///< contacts that do not count
+  LeftOut left_out;                      ///< contacts of bodies with themselves that do not count
+  QueryStats work;                       ///< without that of steps
+  std::optional<BetweenReport> between;  ///< if steps were tested
+  std::vector<TakeTotals> takes;         ///< of checked frames; empty if the scene has no takes
   UnknownTotals unknown;
   std::optional<std::uint64_t> hash;  ///< nullopt if contacts were limited
 };
@@ -51,8 +53,9 @@ struct CheckTotals {
 struct FrameExtras {
   const ContactDetails* details = nullptr;
   const InsideQuery* inside = nullptr;
-  const LeftOut* left_out = nullptr;  ///< by the filters of contacts of bodies with themselves
   const BudgetQuery* budget = nullptr;
+  const LeftOut* left_out = nullptr;   ///< by the filters of contacts of bodies with themselves
+  const StepContacts* step = nullptr;  ///< that ends with the frame and has contacts between frames
 };
 
 /// Writes the lines of a check, or nothing if there is no stream.
@@ -64,6 +67,7 @@ class JsonlWriter {
 
   void header();
 
+  /// Writes the line of the step that ends with the frame, if any, and that of the frame.
   void frame(std::uint32_t frame, const scene::FrameContacts& found, const FrameExtras& extras);
   void totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict);
 
@@ -73,6 +77,9 @@ class JsonlWriter {
   nlohmann::ordered_json inside_json(const InsideQuery& inside) const;
 
   nlohmann::ordered_json held_list(std::span<const Held> held) const;
+  using TouchJson = nlohmann::ordered_json(const scene::StagedScene& staged, const Touch& touch);
+  void add_changes(const TouchChanges& changes, TouchJson* json_of,
+                   nlohmann::ordered_json& json) const;
   nlohmann::ordered_json verdict_json(const Verdict& verdict) const;
 
   std::ostream* out_;

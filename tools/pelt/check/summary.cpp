@@ -1,8 +1,8 @@
 #include "tools/pelt/check/summary.hpp"
 
-#include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "scenes/takes.hpp"
+#include "tools/pelt/check/between_summary.hpp"
 #include "tools/pelt/check/summary_lists.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
@@ -104,11 +104,14 @@ void print_takes(const scenes::Scene& scene, const std::vector<TakeTotals>& take
 void print_touching(const scenes::Scene& scene, const CheckReport& report, const TouchTally& tally,
                     const ListLength& length, std::ostream& out) {
   const std::uint64_t contacts = report.totals.contacts;
-  if (contacts == 0) return;
-  if (scene::has_many_parts(scene))
-    print_rows({"parts that touch", tally.parts(), contacts}, scene, length, out);
-  print_rows({"joints that touch", tally.joints(), contacts}, scene, length, out);
-  out << '\n';
+  const bool has_between = report.totals.between && report.totals.between->contacts > 0;
+  if (contacts > 0) {
+    if (scene::has_many_parts(scene))
+      print_rows({"parts that touch", tally.parts(), contacts}, scene, length, out);
+    print_rows({"joints that touch", tally.joints(), contacts}, scene, length, out);
+  }
+  if (has_between) print_touching_between(scene, *report.totals.between, length, out);
+  if (contacts > 0 || has_between) out << '\n';
 }
 
 std::string held_words(const scene::StagedScene& staged, const Held& held) {
@@ -138,10 +141,13 @@ void print_worse(const scene::StagedScene& staged, std::span<const Worse> worse,
 
 /// Prints the touches of the baseline that this check did not find.
 void print_gone(const Comparison& comparison, std::ostream& out) {
-  const std::size_t touches = comparison.gone.size(), held = comparison.no_longer_held.size();
+  const std::size_t touches = comparison.touches.gone.size() + comparison.between.gone.size();
+  const std::size_t held = comparison.no_longer_held.size();
   if (touches + held == 0) return;
   scene::label(out, "gone") << output::with_commas(touches) << " of "
-                            << output::with_commas(comparison.known_touches) << " known touches";
+                            << output::with_commas(comparison.touches.known +
+                                                   comparison.between.known)
+                            << " known touches";
   if (held > 0)
     out << ", and " << output::with_commas(held)
         << (held == 1 ? " known contained body" : " known contained bodies");
@@ -150,32 +156,49 @@ void print_gone(const Comparison& comparison, std::ostream& out) {
 }
 
 /// Returns the number of touches that are not in the baseline.
-std::size_t new_touches(const Comparison& comparison) {
+std::size_t new_touches(const TouchChanges& changes) {
   return static_cast<std::size_t>(
-      std::count_if(comparison.worse.begin(), comparison.worse.end(),
+      std::count_if(changes.worse.begin(), changes.worse.end(),
                     [](const Worse& worse) { return worse.known == 0; }));
 }
 
-/// Prints the differences from the baseline.
-void print_comparison(const scene::StagedScene& staged, const Comparison& comparison,
-                      const ListLength& length, std::ostream& out) {
-  for (const std::string& note : comparison.notes)
-    scene::label(out, "note") << asset::printable(note) << '\n';
-  const std::size_t fresh = new_touches(comparison), grown = comparison.worse.size() - fresh;
+/// Prints how many touches are new, have grown, or are as in the baseline.
+void print_changes(const TouchChanges& changes, const char* where, std::ostream& out) {
+  const std::size_t fresh = new_touches(changes), grown = changes.worse.size() - fresh;
   const std::size_t as_known =
-      comparison.known_touches - comparison.gone.size() - comparison.left_out.size() - grown;
+      changes.known - changes.gone.size() - changes.left_out.size() - grown;
   scene::label(out, "baseline") << output::with_commas(fresh) << " new, "
                                 << output::with_commas(grown) << " grown, "
-                                << output::with_commas(as_known) << " as known\n";
-  const std::span<const Worse> worse = comparison.worse;
+                                << output::with_commas(as_known) << " as known" << where << '\n';
+}
+
+void print_left_out_touches(const Comparison& comparison, std::ostream& out) {
+  const std::size_t count = comparison.touches.left_out.size() + comparison.between.left_out.size();
+  if (count == 0) return;
+  scene::label(out, "left out") << output::with_commas(count) << " of "
+                                << output::with_commas(comparison.touches.known +
+                                                       comparison.between.known)
+                                << " known touches, of parts that this check leaves out\n";
+}
+
+/// Prints the differences from the baseline.
+void print_comparison(const scene::StagedScene& staged, const CheckSettings& settings,
+                      const Comparison& comparison, const ListLength& length, std::ostream& out) {
+  for (const std::string& note : comparison.notes)
+    scene::label(out, "note") << asset::printable(note) << '\n';
+  const TouchChanges& touches = comparison.touches;
+  const std::size_t fresh = new_touches(touches);
+  print_changes(touches, "", out);
+  const std::span<const Worse> worse = touches.worse;
   print_worse(staged, worse.first(fresh), length, out);
   print_held(staged, "new", comparison.newly_held, length, out);
   print_worse(staged, worse.subspan(fresh), length, out);
+  if (settings.substeps) {
+    print_changes(comparison.between, " between frames", out);
+    print_worse(staged, comparison.between.worse, length, out);
+  }
   print_gone(comparison, out);
-  if (!comparison.left_out.empty())
-    scene::label(out, "left out") << output::with_commas(comparison.left_out.size()) << " of "
-                                  << output::with_commas(comparison.known_touches)
-                                  << " known touches, of parts that this check leaves out\n";
+  print_left_out_touches(comparison, out);
 }
 
 void print_longest(const scenes::Scene& scene, const CheckReport& report, const ListLength& length,
@@ -254,13 +277,19 @@ void print_summary(const scene::StagedScene& staged, const CheckSettings& settin
     scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
   print_left_out(report.totals.left_out, settings.self.rules, out);
   if (report.always) print_always(*report.always, out);
+  if (report.totals.between) print_between(staged, *report.totals.between, length, out);
   // Failures come first.
-  if (report.verdict.comparison) print_comparison(staged, *report.verdict.comparison, length, out);
+  if (report.verdict.comparison)
+    print_comparison(staged, settings, *report.verdict.comparison, length, out);
   print_touching(staged.scene, report, tally, length, out);
   if (report.patches > 0) print_longest(staged.scene, report, length, out);
   if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, length, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
+  if (report.totals.between) print_costs_between(*report.totals.between, out);
   if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';
+  if (report.totals.between)
+    scene::label(out, "hash") << output::hex16(report.totals.between->hash)
+                              << " of contacts between frames\n";
 }
 
 }  // namespace pelt::tools::check

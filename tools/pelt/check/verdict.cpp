@@ -14,25 +14,33 @@
 namespace pelt::tools::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, FailOn>, 5> kNames = {
+constexpr std::array<std::pair<std::string_view, FailOn>, 6> kNames = {
     {{"contact", FailOn::contact},
+     {"between", FailOn::between},
      {"grown", FailOn::grown},
      {"new", FailOn::newly},
      {"unknown", FailOn::unknown},
      {"never", FailOn::never}}};
 
-bool has_new(const Comparison& comparison) {
+bool has_new(const TouchChanges& changes) {
   const auto is_new = [](const Worse& worse) { return worse.known == 0; };
-  return !comparison.newly_held.empty() ||
-         std::any_of(comparison.worse.begin(), comparison.worse.end(), is_new);
+  return std::any_of(changes.worse.begin(), changes.worse.end(), is_new);
+}
+
+bool has_new(const Comparison& comparison) {
+  return !comparison.newly_held.empty() || has_new(comparison.touches) ||
+         has_new(comparison.between);
 }
 
 bool fails(FailOn fail_on, const Findings& found, const std::optional<Comparison>& comparison) {
   switch (fail_on) {
     case FailOn::contact:
-      return !found.touches.empty() || !found.held.empty();
+      return !found.touches.empty() || !found.held.empty() || !found.between.empty();
+    case FailOn::between:
+      return !found.between.empty();
     case FailOn::grown:
-      return has_new(*comparison) || !comparison->worse.empty();
+      return has_new(*comparison) || !comparison->touches.worse.empty() ||
+             !comparison->between.worse.empty();
     case FailOn::newly:
       return has_new(*comparison);
     case FailOn::unknown:
@@ -78,23 +86,25 @@ void sort_by_importance(std::vector<Worse>& worse) {
                         [](const Worse& touch) { return touch.known == 0; });
 }
 
-void compare_touches(const scene::StagedScene& staged, std::span<const Touch> touches,
-                     const CheckBaseline& baseline, Comparison& comparison) {
-  std::map<CheckBaseline::TouchNames, std::uint64_t> rest = baseline.touches();
-  comparison.known_touches = rest.size();
+TouchChanges compare_touches(const scene::StagedScene& staged, std::span<const Touch> touches,
+                             const CheckBaseline::Touches& baseline) {
+  TouchChanges changes;
+  CheckBaseline::Touches rest = baseline;
+  changes.known = rest.size();
   for (const Touch& touch : touches) {
     const CheckBaseline::TouchNames names = names_of(staged, touch);
-    const std::uint64_t known = baseline.worst(names);
-    if (touch.worst > known) comparison.worse.push_back({touch, known});
+    const std::uint64_t known = worst_of(baseline, names);
+    if (touch.worst > known) changes.worse.push_back({touch, known});
     rest.erase(names);
   }
-  sort_by_importance(comparison.worse);
+  sort_by_importance(changes.worse);
   const LeftOutParts left_out(staged.scene);
   for (const auto& [names, known] : rest) {
     const bool asked =
         !left_out.contains(names.first.body) && !left_out.contains(names.second.body);
-    (asked ? comparison.gone : comparison.left_out).push_back({names, known});
+    (asked ? changes.gone : changes.left_out).push_back({names, known});
   }
+  return changes;
 }
 
 void compare_held(const scene::StagedScene& staged, std::span<const Held> held,
@@ -129,7 +139,8 @@ Comparison compare(const scene::StagedScene& staged, const Findings& found,
                    const CheckBaseline& baseline) {
   Comparison comparison;
   comparison.notes.assign(baseline.notes().begin(), baseline.notes().end());
-  compare_touches(staged, found.touches, baseline, comparison);
+  comparison.touches = compare_touches(staged, found.touches, baseline.touches());
+  comparison.between = compare_touches(staged, found.between, baseline.touches_between());
   compare_held(staged, found.held, baseline, comparison);
   return comparison;
 }

@@ -14,7 +14,8 @@
 namespace pelt::tools::check {
 
 enum class FailOn {
-  contact,  ///< any contact and any contained body
+  contact,  ///< any contact, in frames or between them, and any contained body
+  between,  ///< any contact between frames
   grown,    ///< new touches or bodies, and touches with more contacts in their worst frame
   newly,    ///< new touches or contained bodies
   unknown,  ///< like `contact`, and any undecided pair of bodies
@@ -28,8 +29,9 @@ const char* name_of(FailOn fail_on);
 /// Results of a check.
 struct Findings {
   std::span<const Touch> touches;
-  std::span<const Held> held = {};   ///< empty if not requested
-  std::uint64_t frames_unknown = 0;  ///< frames with undecided pairs of bodies
+  std::span<const Held> held = {};      ///< empty if not requested
+  std::span<const Touch> between = {};  ///< between frames; empty if not requested
+  std::uint64_t frames_unknown = 0;     ///< frames with undecided pairs of bodies
 };
 
 /// A touch that is worse than in the baseline.
@@ -44,12 +46,18 @@ struct GoneTouch {
   std::uint64_t known = 0;  ///< contacts of its worst frame in the baseline
 };
 
-/// Differences from a baseline.
-struct Comparison {
-  std::size_t known_touches = 0;  ///< number of touches in the baseline
-  std::vector<Worse> worse;       ///< new ones first; then by number of contacts
+/// Differences of touches from those of a baseline.
+struct TouchChanges {
+  std::size_t known = 0;     ///< number of touches in the baseline
+  std::vector<Worse> worse;  ///< new ones first; then by number of contacts
   std::vector<GoneTouch> gone;
   std::vector<GoneTouch> left_out;  ///< of parts that options leave out of this check
+};
+
+/// Differences from a baseline.
+struct Comparison {
+  TouchChanges touches;  ///< in frames
+  TouchChanges between;  ///< between frames; contacts are those of the worst step
   std::vector<Held> newly_held;
   std::vector<CheckBaseline::HeldNames> no_longer_held;
   std::vector<std::string> notes;  ///< differences of the earlier check from this one

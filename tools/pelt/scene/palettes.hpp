@@ -21,5 +21,12 @@ struct Palettes {
 /// Resizes `palettes` as needed.
 void sample_palettes(const scenes::Scene& scene, std::uint32_t frame, asset::SampleScratch& scratch,
                      Palettes& palettes);
+void sample_palettes(const scenes::Scene& scene, const scenes::Moment& moment,
+                     asset::SampleScratch& scratch, Palettes& palettes);
+
+/// Samples only one instance. The other instances keep their values.
+void sample_instance(const scenes::Scene& scene, std::uint32_t instance,
+                     const scenes::Moment& moment, asset::SampleScratch& scratch,
+                     Palettes& palettes);
 
 }  // namespace pelt::tools::scene

@@ -27,6 +27,7 @@ Examples:
   pelt check scene.json --clearance 0.02
   pelt check scene.json --budget 20000 --fail-on unknown
   pelt check scene.json --inside
+  pelt check scene.json --between --substeps 4 --fail-on between
   pelt check scene.json --self --self-rings 2 --self-near-joints drop
   pelt check scene.json --first --jsonl - > contacts.jsonl
   pelt check scene.json --glb worst.glb
@@ -44,13 +45,17 @@ are new or have grown fail the check.
 With --budget, contacts may be missing. The line "unknown" of the summary shows in how many frames, how
 many pairs of triangles are undecided at most, and how long the regions are in which they are.
 --fail-on unknown fails on contacts and on undecided pairs. The answer is the same on every machine.
+With --between, a step leads from each checked frame to the next. In a step, or in each of its
+--substeps, every vertex moves in a straight line at constant speed, and the answer is exact for this
+motion. The summary shows how far the clips deviate from it. A contact between frames is a contact for
+the exit code and for --baseline.
 A single character is tested against itself; several characters only with --self. The options
 --self-... drop contacts of a character with itself; the summary shows how many each option drops. A
 check that has nothing to test, such as one of a single character with --self no, fails with exit code
 2, unless --allow-empty is given.
-Exit codes: 0 nothing that --fail-on selects, 1 what --fail-on selects (by default any contact, and
-with --inside any contained body; with --baseline only what is new or has grown), 2 bad input or
-arguments, or nothing to test, 3 internal error.)";
+Exit codes: 0 nothing that --fail-on selects, 1 what --fail-on selects (by default any contact, with
+--between also any contact between frames, and with --inside any contained body; with --baseline only
+what is new or has grown), 2 bad input or arguments, or nothing to test, 3 internal error.)";
 
 Result<void> check_for_page(const check::CheckArguments& arguments) {
   if (arguments.html.empty()) return {};
@@ -86,7 +91,8 @@ Result<void> check_outputs(const check::CheckArguments& arguments, const scenes:
 Error nothing_compared() {
   return output::bad_argument(
       "INPUT", "nothing was compared, because a single body was not tested against itself",
-      "leave out --self no, --method and --clearance, or give another model, or use --by part if "
+      "leave out --self no, --method, --clearance and --between, or give another model, or use "
+      "--by part if "
       "the model has several parts, or accept this with --allow-empty");
 }
 
