@@ -22,4 +22,16 @@ inline constexpr std::string_view kDemoScene = R"({
 }
 )";
 
+/// A sword that swings through the left forearm of the first character of the demo. It is before
+/// the arm in frame 5, behind it in frame 6, and touches it in no frame.
+inline constexpr std::string_view kSwordScene = R"({
+  "models": {"azure": "azure.glb", "sword": "sword.glb"},
+  "frames": {"count": 12, "fps": 30},
+  "instances": [
+    {"model": "azure", "clip": "idle"},
+    {"model": "sword", "clip": "swing", "translation": [1.2, 0.76, 0]}
+  ]
+}
+)";
+
 }  // namespace pelt::scenes

@@ -15,6 +15,27 @@
 namespace pelt::test {
 namespace {
 
+/// The sword is before the arm in frame 5 and behind it in frame 6.
+void expect_sword_between_frames(const TestFolder& folder) {
+  const Ended frames = run_pelt(folder, {"check", "pelt-demo/sword.json"});
+  EXPECT_EQ(frames.exit_code, 0) << frames.err;
+  const Ended between = run_pelt(
+      folder, {"check", "pelt-demo/sword.json", "--between", "--substeps", "4", "--jsonl", "-"});
+  EXPECT_EQ(between.exit_code, 1) << between.err;
+  const json totals = json::parse(lines_of(between.out).back());
+  EXPECT_EQ(totals["totals"]["contacts"], 0);
+  const json& found = totals["totals"]["between"];
+  EXPECT_EQ(found["steps"], 11);
+  EXPECT_EQ(found["steps_in_contact"], 1);
+  EXPECT_EQ(found["contacts"], 342);
+  EXPECT_EQ(found["earliest"]["step"], 5);
+  EXPECT_NEAR(found["earliest"]["first"].get<double>(), 0.1766, 5e-5);
+  EXPECT_LT(found["deviation"]["distance"], 0.003);
+  ASSERT_EQ(totals["touches_between"].size(), 1u);
+  EXPECT_EQ(totals["touches_between"][0]["a"]["joint"], "fore_arm_l");
+  EXPECT_EQ(totals["touches_between"][0]["b"]["joint"], "grip");
+}
+
 /// An empty PATH hides POV-Ray, so that the test is quick and the same everywhere.
 TEST(Demo, WritesItsFilesWithoutARayTracer) {
   const TestFolder folder;
@@ -38,6 +59,8 @@ TEST(Demo, WritesItsFilesWithoutARayTracer) {
   const auto character = asset::load_gltf(folder / "pelt-demo/azure.glb");
   ASSERT_TRUE(character) << character.error().message;
   EXPECT_NE(character->find_clip("walk"), nullptr);
+
+  expect_sword_between_frames(folder);
 
   // `check` accepts the scene that was written, and finds the same contacts.
   const Ended check = run_pelt(

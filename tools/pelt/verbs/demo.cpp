@@ -4,6 +4,7 @@
 #include "asset/printable.hpp"
 #include "scenes/character_glb.hpp"
 #include "scenes/demo_scene.hpp"
+#include "scenes/sword.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_scene.hpp"
 #include "tools/pelt/output/output.hpp"
@@ -39,7 +40,9 @@ Examples:
 Writes scene.json (then try `pelt check pelt-demo/scene.json`), azure.glb and sand.glb (its two
 characters, with skins and clips), contacts.jsonl (every pair of intersecting triangles in every
 frame), contacts.glb (the worst frame, for any glTF viewer), report.html (a page that plays the whole
-clip in a browser) and still.png (a picture of one frame, rendered by POV-Ray).)";
+clip in a browser) and still.png (a picture of one frame, rendered by POV-Ray). Also writes sword.json
+and sword.glb, a scene for `pelt check pelt-demo/sword.json --between`: a sword that passes through an
+arm between two frames.)";
 
 /// The frame of still.png.
 constexpr std::uint32_t kStillFrame = 40;
@@ -75,6 +78,17 @@ Result<void> write_characters(const scenes::Scene& scene, const fs::path& folder
     if (!written) return written;
     output::print_written(path.string(), std::cout);
   }
+  return {};
+}
+
+/// Writes the scene of a sword and the sword. The other character is that of the first scene.
+Result<void> write_sword(const fs::path& folder) {
+  const fs::path scene = folder / "sword.json", sword = folder / "sword.glb";
+  if (const auto written = write_text(scene, scenes::kSwordScene); !written) return written;
+  output::print_written(scene.string(), std::cout);
+  const auto written = output::write_file(sword, scenes::character_glb(scenes::make_sword()));
+  if (!written) return written;
+  output::print_written(sword.string(), std::cout);
   return {};
 }
 
@@ -152,8 +166,9 @@ Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
 }
 
 /// All files that the demo may write.
-constexpr std::array kFiles = {"scene.json",   "azure.glb",   "sand.glb",   "contacts.jsonl",
-                               "contacts.glb", "report.html", kDescription, kPicture};
+constexpr std::array kFiles = {"scene.json", "azure.glb",      "sand.glb",     "sword.json",
+                               "sword.glb",  "contacts.jsonl", "contacts.glb", "report.html",
+                               kDescription, kPicture};
 
 /// A demo writes its scene first, so the other files of a folder with this scene are of a demo too.
 bool holds_a_demo(const fs::path& folder) {
@@ -196,6 +211,7 @@ Result<arguments::ExitCode> demo(const Arguments& arguments) {
   const Result<scenes::Scene> scene = write_scene(folder);
   if (!scene) return scene.error();
   if (const auto written = write_characters(*scene, folder); !written) return written.error();
+  if (const auto written = write_sword(folder); !written) return written.error();
   // A missing viewer does not fail the demo either.
   const Result<std::string> viewer = page::read_viewer();
   if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
