@@ -28,8 +28,9 @@ export async function serve(file) {
 export const urlOf = (file) => pathToFileURL(file).href;
 
 /** Opens the page and waits until it has counted the contacts of every frame; `prepare`, a
- * function and its argument, runs in it before all else. */
-export async function openPage(browser, url, options = {}, prepare = []) {
+ * function and its argument, runs in it before all else. Complaints with the word `expected` do
+ * not count. */
+export async function openPage(browser, url, options = {}, prepare = [], expected = null) {
   const context = await browser.newContext({
     viewport: { width: 960, height: 600 },
     deviceScaleFactor: 0.5, // the processor draws
@@ -41,12 +42,27 @@ export async function openPage(browser, url, options = {}, prepare = []) {
   if (prepare.length > 0) await page.addInitScript(...prepare);
   page.complaints = [];
   page.fetched = [];
-  page.on('pageerror', (error) => page.complaints.push(error.message));
-  page.on('console', (line) => line.type() === 'error' && page.complaints.push(line.text()));
+  const isExpected = (text) => expected !== null && text.includes(expected);
+  const complain = (text) => isExpected(text) || page.complaints.push(text);
+  page.on('pageerror', (error) => complain(error.message));
+  page.on('console', (line) => line.type() === 'error' && complain(line.text()));
   page.on('request', (request) => page.fetched.push(request.url()));
   await page.goto(url);
   await counted(page);
   return page;
+}
+
+/** Runs in the page: makes it one without a picture. */
+export function hideWebGL() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...options) {
+    return kind.startsWith('webgl') ? null : getContext.call(this, kind, ...options);
+  };
+}
+
+/** The same without a picture, which takes most of the time: for tests that count and read. */
+export function openToCount(browser, url) {
+  return openPage(browser, url, { reducedMotion: 'reduce' }, [hideWebGL], 'WebGL');
 }
 
 export async function counted(page) {

@@ -22,7 +22,7 @@ function workshopOfClips(t) {
 }
 
 async function open(t, url) {
-  const page = await browsing.openPage(browser, url, { reducedMotion: 'reduce' });
+  const page = await browsing.openToCount(browser, url);
   t.after(() => page.context().close());
   return page;
 }

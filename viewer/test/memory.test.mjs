@@ -18,7 +18,7 @@ before(async () => {
     await context.addInitScript(limitWorkers, MEMORY);
     return context;
   };
-  page = await browsing.openPage({ newContext }, browsing.urlOf(built));
+  page = await browsing.openToCount({ newContext }, browsing.urlOf(built));
 });
 after(() => browser.close());
 
