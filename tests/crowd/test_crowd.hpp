@@ -118,7 +118,8 @@ inline std::vector<Matrix4> palette_for(Random& random, std::uint32_t model, dou
     for (Matrix4& m : palette) m.m[12] += place.x, m.m[13] += place.y, m.m[14] += place.z;
     return palette;
   }
-  return bend_limb(random, model == 0 ? 3 : 5, random.uniform(-0.6, 0.6), random.point(room));
+  const Vec3 place = random.point(room);
+  return bend_limb(random, model == 0 ? 3 : 5, random.uniform(-0.6, 0.6), place);
 }
 
 inline TestCrowd make_mixed_crowd(Random& random, std::uint32_t count, double room) {

@@ -39,9 +39,11 @@ struct Hike {
     field =
         make_hills(random, 12, 12, {-6 * spacing, 0.1f, -6 * spacing}, spacing, 0.4, 0.05).build();
     const auto palette = [&] {
-      return bend_limb(random, 3, random.uniform(-0.4, 0.4), random.point(0.35));
+      const double angle = random.uniform(-0.4, 0.4);
+      return bend_limb(random, 3, angle, random.point(0.35));
     };
-    limb.move(palette(), palette());
+    const auto from = palette(), to = palette();
+    limb.move(from, to);
   }
 
   Body limb = Body(make_limb(10, 6, 3));

@@ -168,7 +168,8 @@ inline MovingIntegers nearly_meeting(Random& random) {
   Point& to = motion.to.b[0];
   from = meeting - k * velocity;
   to = meeting + (16 - k) * velocity;
-  if (random() % 3) (random() % 2 ? from : to)[random() % 3] += uniform(random, -1, 1);
+  const std::size_t axis = random() % 3;
+  if (random() % 3) (random() % 2 ? from : to)[axis] += uniform(random, -1, 1);
   return motion;
 }
 
@@ -189,7 +190,8 @@ inline MovingIntegers landing_on_an_edge(Random& random) {
     motion.from.b[corner] = meeting - k * velocity;
     motion.to.b[corner] = meeting + (16 - k) * velocity;
   }
-  if (random() % 4 == 0) motion.from.b[0][random() % 3] += uniform(random, -1, 1);
+  const std::size_t axis = random() % 3;
+  if (random() % 2) motion.from.b[0][axis] += uniform(random, -1, 1);
   return motion;
 }
 
@@ -282,7 +284,7 @@ inline constexpr MovingFamily kMovingFamilies[] = {
     {"Sliding", moving_integers<sliding>},
     {"Swapping", moving_integers<swapping>},
     {"NearlyMeeting", moving_integers<nearly_meeting>},
-    {"LandingOnAnEdge", moving_integers<landing_on_an_edge>},
+    {"LandingOnAnEdge", moving_integers<landing_on_an_edge>, 0.05, 1},
     {"Grazing", moving_integers<grazing>, 0.05, 1},
     {"AllMagnitudes", of_all_magnitudes},
 };

@@ -81,10 +81,12 @@ struct Limbs {
 
   void move(Random& random, double distance) {
     const auto bend = [&](std::uint32_t joints) {
-      return bend_limb(random, joints, random.uniform(-0.4, 0.4), random.point(distance));
+      const double angle = random.uniform(-0.4, 0.4);
+      return bend_limb(random, joints, angle, random.point(distance));
     };
-    a.move(bend(4), bend(4));
-    b.move(bend(3), bend(3));
+    const auto from_a = bend(4), to_a = bend(4), from_b = bend(3), to_b = bend(3);
+    a.move(from_a, to_a);
+    b.move(from_b, to_b);
   }
 };
 

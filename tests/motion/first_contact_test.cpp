@@ -68,7 +68,7 @@ TEST(FirstContact, IsTheSameWithEveryInstructionSet) {
   Random random(1822);
   Limbs limbs;
   int found = 0;
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < 20; ++round) {
     limbs.move(random, 0.6);
     const auto expected = first_contact_of(limbs.a, limbs.b, true);
     found += expected.has_value();
@@ -86,8 +86,9 @@ TEST(FirstContact, IsTheFirstOfAllContactsOfSoups) {
     Body a(make_soup(random, 40, 4, 2, Weights::random));
     Body b(make_soup(random, 40, 4, 2, Weights::random));
     const auto palette = [&] { return make_palette(random, 4, test::Motion::rigid, 1); };
-    a.move(palette(), palette());
-    b.move(palette(), palette());
+    const auto from_a = palette(), to_a = palette(), from_b = palette(), to_b = palette();
+    a.move(from_a, to_a);
+    b.move(from_b, to_b);
     const auto expected = first_after_start(a, b, brute_force(a, b));
     EXPECT_EQ(first_contact_of(a, b, true), expected);
     later += expected.has_value();

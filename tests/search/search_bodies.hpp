@@ -37,15 +37,17 @@ template <typename Body>
 void for_search_bodies(Random& random, int rounds, std::uint32_t soup_triangles, const Body& body) {
   SearchBodies limbs(make_limb(24, 10, 5), make_limb(17, 9, 4));
   for (int round = 0; round < rounds; ++round) {
-    limbs.set(bend_limb(random, 5, random.uniform(-0.6, 0.6), {}),
-              bend_limb(random, 4, random.uniform(-0.6, 0.6), random.point(0.3)));
+    const Vec3 place = random.point(0.3);
+    const auto bent = bend_limb(random, 4, random.uniform(-0.6, 0.6), place);
+    limbs.set(bend_limb(random, 5, random.uniform(-0.6, 0.6), {}), bent);
     body(limbs);
   }
   for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
     for (const Weights weights : {Weights::random, Weights::adversarial}) {
       SearchBodies soups(make_soup(random, soup_triangles, 6, 4, weights),
                          make_soup(random, soup_triangles, 5, 4, weights));
-      soups.set(make_palette(random, 6, motion, 1), make_palette(random, 5, motion, 1));
+      const auto palette = make_palette(random, 6, motion, 1);
+      soups.set(palette, make_palette(random, 5, motion, 1));
       body(soups);
     }
 }
