@@ -64,6 +64,7 @@
 #include <pelt/result.hpp>
 #include <pelt/search.hpp>
 #include <pelt/self_collide.hpp>
+#include <pelt/self_motion.hpp>
 #include <pelt/self_tracker.hpp>
 #include <pelt/shapes.hpp>
 #include <pelt/solid.hpp>

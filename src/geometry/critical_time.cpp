@@ -165,14 +165,6 @@ class SignSequence {
   int sign_of_fourth_ = 0;
 };
 
-Cubic derivative(const Cubic& p) {
-  Cubic result;
-  for (std::size_t i = 1; i < 4; ++i)
-    result.coefficients[i - 1].assign_product(p.coefficients[i],
-                                              Coefficient(static_cast<std::int64_t>(i)));
-  return result;
-}
-
 /// Divides by t as often as possible, and by t - 1. Precondition: p is not zero.
 void divide_out_ends(Cubic& p) {
   auto& c = p.coefficients;
@@ -321,6 +313,14 @@ Dyadic dyadic(double time) {
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(numerator));
   result.numerator = decltype(result.numerator)(numerator >> zeros);
   result.exponent = static_cast<unsigned>(53 - exponent - zeros);
+  return result;
+}
+
+Cubic derivative(const Cubic& p) {
+  Cubic result;
+  for (std::size_t i = 1; i < 4; ++i)
+    result.coefficients[i - 1].assign_product(p.coefficients[i],
+                                              Coefficient(static_cast<std::int64_t>(i)));
   return result;
 }
 

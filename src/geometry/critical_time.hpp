@@ -24,6 +24,9 @@ struct Cubic {
 
 bool is_zero(const Cubic& p);
 
+/// Precondition: p is a polynomial of two moving triangles, or a derivative of one.
+Cubic derivative(const Cubic& p);
+
 /// The time numerator / 2^exponent, from 0 to 1.
 struct Dyadic {
   BigInteger<2 * kCoefficientBits + 64> numerator;

@@ -8,12 +8,19 @@
 
 namespace pelt::detail {
 
-/// The signs of the polynomials of two moving triangles at one time. A sign is computed when it is
-/// first needed.
+/// At a time, or just after it: until the next time at which a sign changes.
+enum class Moment : std::uint8_t { at, after };
+
+/// The signs of the polynomials of two moving triangles at one time, or just after it. A sign is
+/// computed when it is first needed.
 class InstantSigns {
  public:
-  InstantSigns(MovingPolynomials& polynomials, const Dyadic& time)
-      : polynomials_(polynomials), dyadic_(&time) {}
+  InstantSigns(MovingPolynomials& polynomials, const Dyadic& time, Moment moment = Moment::at)
+      : polynomials_(polynomials), dyadic_(&time), moment_(moment) {}
+
+  /// Just after the root of a polynomial.
+  InstantSigns(MovingPolynomials& polynomials, const CriticalTime& time)
+      : polynomials_(polynomials), root_(&time), moment_(Moment::after) {}
 
   /// `zero` is the number of a polynomial with a root at this time, or kCount.
   InstantSigns(MovingPolynomials& polynomials, const CriticalTime& time, std::size_t zero)
@@ -31,8 +38,17 @@ class InstantSigns {
  private:
   static constexpr std::int8_t kUnknown = 2;
 
+  /// Just after a root, a polynomial has the sign of its first derivative that is not zero there.
   int compute(std::size_t number) {
     const Cubic& p = polynomials_[number];
+    const int sign = sign_of(p);
+    if (sign != 0 || moment_ == Moment::at) return sign;
+    for (Cubic slope = derivative(p); !is_zero(slope); slope = derivative(slope))
+      if (const int after = sign_of(slope)) return after;
+    return 0;
+  }
+
+  int sign_of(const Cubic& p) const {
     return root_ != nullptr ? root_->sign_of(p) : sign_at(p, *dyadic_);
   }
 
@@ -45,6 +61,7 @@ class InstantSigns {
   MovingPolynomials& polynomials_;
   const CriticalTime* root_ = nullptr;
   const Dyadic* dyadic_ = nullptr;
+  Moment moment_ = Moment::at;
   std::array<std::int8_t, MovingPolynomials::kCount> signs_ = all_unknown();
 };
 

@@ -72,6 +72,15 @@ class MovingCross {
     result[3] = dot(end_, l1);
   }
 
+  /// The product with a constant vector: a quadratic, in the basis of Bernstein.
+  void along(const Point& n, const Number& a_half, Number (&result)[3]) const {
+    result[0] = dot(start_, n);
+    result[1] = dot(twice_middle_, n) * a_half;
+    result[2] = dot(end_, n);
+  }
+
+  const Point& twice_middle() const { return twice_middle_; }
+
  private:
   Point start_, twice_middle_, end_;
 };

@@ -33,184 +33,27 @@
 /// common part is an end of the edge or a point of an edge of the other.
 #include "geometry/moving_pair.hpp"
 
-#include "geometry/instant_signs.hpp"
-#include "geometry/pair_by_signs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <span>
+#include "geometry/candidate_times.hpp"
+#include "geometry/feature_pairs.hpp"
+#include "geometry/instant_corners.hpp"
 
 namespace pelt::detail {
 namespace {
 
-// Functions that the template of the triangle pair test calls.
+bool triangles_meet(InstantSigns& signs) { return hulls_meet(signs, {0, 1, 2}, {3, 4, 5}); }
 
-/// A corner of two moving triangles, at one time.
-struct InstantCorner {
-  InstantSigns* signs = nullptr;
-  std::size_t corner = 0;
-};
-
-struct FlatInstantCorner {
-  InstantSigns* signs = nullptr;
-  std::size_t corner = 0, axis = 0;
-};
-
-using InstantTriangle = std::array<InstantCorner, 3>;
-
-/// Returns -1, 0 or 1 if the coordinate of p is less than, equal to or greater than that of q.
-int compare(const InstantCorner& p, const InstantCorner& q, std::size_t axis) {
-  return p.signs->of(MovingPolynomials::compare(axis, q.corner, p.corner));
-}
-
-bool all_before(const InstantTriangle& a, const InstantTriangle& b, std::size_t axis) {
-  return std::all_of(a.begin(), a.end(), [&](const InstantCorner& p) {
-    return std::all_of(b.begin(), b.end(),
-                       [&](const InstantCorner& q) { return compare(p, q, axis) < 0; });
+const Candidate* first_meeting_candidate(const Candidates& candidates,
+                                         MovingPolynomials& polynomials) {
+  return first_of(candidates, [&](const Candidate& candidate) {
+    InstantSigns signs(polynomials, candidate.time, candidate.polynomial);
+    return triangles_meet(signs);
   });
 }
 
-bool disjoint_boxes(const InstantTriangle& a, const InstantTriangle& b) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (all_before(a, b, axis) || all_before(b, a, axis)) return true;
-  return false;
-}
-
-int orient3d(const InstantCorner& p, const InstantCorner& q, const InstantCorner& r,
-             const InstantCorner& s) {
-  return p.signs->of(MovingPolynomials::orient3d({p.corner, q.corner, r.corner, s.corner}));
-}
-
-PlaneSides sides_of(const InstantTriangle& corners, const InstantTriangle& plane) {
-  const auto side = [&](const InstantCorner& p) {
-    return orient3d(plane[0], plane[1], plane[2], p);
-  };
-  return {side(corners[0]), side(corners[1]), side(corners[2])};
-}
-
-FlatInstantCorner without(const InstantCorner& p, int axis) {
-  return {p.signs, p.corner, static_cast<std::size_t>(axis)};
-}
-
-int orient2d(const FlatInstantCorner& p, const FlatInstantCorner& q, const FlatInstantCorner& r) {
-  return p.signs->of(MovingPolynomials::orient2d(p.axis, {p.corner, q.corner, r.corner}));
-}
-
-bool lexicographically_less(const InstantCorner& p, const InstantCorner& q) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (const int order = compare(p, q, axis)) return order < 0;
-  return false;
-}
-
-bool flat_triangles_intersect(const InstantTriangle& a, const InstantTriangle& b) {
-  return flat_corners_intersect(a, b);
-}
-
-bool segment_meets_triangle(const InstantTriangle& collapsed, const InstantTriangle& triangle) {
-  return segment_meets_corners(collapsed, triangle);
-}
-
-/// Whether the hulls of two triples of corners intersect, given by their numbers of six.
-bool hulls_meet(InstantSigns& signs, const std::array<std::size_t, 3>& a,
-                const std::array<std::size_t, 3>& b) {
-  const auto corner = [&](std::size_t i) { return InstantCorner{&signs, i}; };
-  return corners_intersect(InstantTriangle{corner(a[0]), corner(a[1]), corner(a[2])},
-                           InstantTriangle{corner(b[0]), corner(b[1]), corner(b[2])});
-}
-
-bool triangles_meet(InstantSigns& signs) { return hulls_meet(signs, {0, 1, 2}, {3, 4, 5}); }
-
-// Features.
-
-using Kind = ClosedFeature::Kind;
-
-/// The corners of a feature, of which some are repeated. `first` is 0 for triangle a, 3 for b.
-std::array<std::size_t, 3> corners_of(const ClosedFeature& feature, std::size_t first) {
-  const std::size_t i = feature.number, next = (i + 1) % 3;
-  switch (feature.kind) {
-    case Kind::corner:
-      return {first + i, first + i, first + i};
-    case Kind::edge:
-      return {first + i, first + next, first + next};
-    case Kind::face:
-      break;
-  }
-  return {first, first + 1, first + 2};
-}
-
 void find_features(InstantSigns& signs, FirstMeeting& meeting) {
-  constexpr std::array<std::array<Kind, 2>, 6> kOrder = {{{Kind::corner, Kind::corner},
-                                                          {Kind::corner, Kind::edge},
-                                                          {Kind::edge, Kind::corner},
-                                                          {Kind::corner, Kind::face},
-                                                          {Kind::face, Kind::corner},
-                                                          {Kind::edge, Kind::edge}}};
-  const auto count = [](Kind kind) { return kind == Kind::face ? 1 : 3; };
-  for (const auto& [kind_a, kind_b] : kOrder)
-    for (int i = 0; i < count(kind_a); ++i)
-      for (int k = 0; k < count(kind_b); ++k) {
-        meeting.a = {kind_a, static_cast<std::uint8_t>(i)};
-        meeting.b = {kind_b, static_cast<std::uint8_t>(k)};
-        if (hulls_meet(signs, corners_of(meeting.a, 0), corners_of(meeting.b, 3))) return;
-      }
-  PELT_ASSERT(false);
-}
-
-// Times.
-
-struct Candidate {
-  CriticalTime time;
-  std::size_t polynomial = MovingPolynomials::kCount;  ///< a polynomial with a root then, if known
-};
-
-/// Critical times of all polynomials of one degree: at most 45, 120 or 45.
-class Candidates {
- public:
-  explicit Candidates(MovingPolynomials& polynomials) {
-    constexpr std::size_t kFlat = MovingPolynomials::kOrient3d;
-    constexpr std::size_t kInLine = kFlat + MovingPolynomials::kOrient2d;
-    if (!add(polynomials, 0, kFlat) && !add(polynomials, kFlat, kInLine))
-      add(polynomials, kInLine, MovingPolynomials::kCount);
-    for (std::size_t i = 0; i < count_; ++i) order_[i] = &candidates_[i];
-    std::sort(
-        order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count_),
-        [](const Candidate* p, const Candidate* q) { return p->time.above() < q->time.above(); });
-  }
-
-  /// In ascending order of their lower bounds.
-  std::span<const Candidate* const> ordered() const { return {order_.data(), count_}; }
-
- private:
-  /// Returns false if all of these polynomials are zero.
-  bool add(MovingPolynomials& polynomials, std::size_t begin, std::size_t end) {
-    bool any = false;
-    CriticalTimes found;
-    for (std::size_t number = begin; number < end; ++number) {
-      any = any || !is_zero(polynomials[number]);
-      find_critical_times(polynomials[number], found);
-      for (std::size_t i = 0; i < found.count; ++i) {
-        const auto& [time, is_root] = found.entries[i];
-        candidates_[count_++] = {time, is_root ? number : MovingPolynomials::kCount};
-      }
-    }
-    return any;
-  }
-
-  std::array<Candidate, 120> candidates_;
-  std::array<const Candidate*, 120> order_{};
-  std::size_t count_ = 0;
-};
-
-/// The first candidate at which the triangles meet; null if there is none.
-const Candidate* first_of(const Candidates& candidates, MovingPolynomials& polynomials) {
-  const Candidate* first = nullptr;
-  for (const Candidate* candidate : candidates.ordered()) {
-    if (first != nullptr && first->time.below() <= candidate->time.above()) break;
-    if (first != nullptr && candidate->time.compare(first->time) >= 0) continue;
-    InstantSigns signs(polynomials, candidate->time, candidate->polynomial);
-    if (triangles_meet(signs)) first = candidate;
-  }
-  return first;
+  [[maybe_unused]] const bool is_found = find_feature_pair(
+      meeting.a, meeting.b, [&](const auto& a, const auto& b) { return hulls_meet(signs, a, b); });
+  PELT_ASSERT(is_found);
 }
 
 }  // namespace
@@ -224,7 +67,7 @@ std::optional<FirstMeeting> first_meeting(const MovingPoints& points) {
   if (meeting.at_start) return meeting;
 
   const Candidates candidates(polynomials);
-  if (const Candidate* first = first_of(candidates, polynomials)) {
+  if (const Candidate* first = first_meeting_candidate(candidates, polynomials)) {
     InstantSigns signs(polynomials, first->time, first->polynomial);
     meeting.time = first->time.rounded_down();
     find_features(signs, meeting);
@@ -245,7 +88,7 @@ CriticalTime first_time_of(const MovingTriangle& a, const MovingTriangle& b) {
   const MovingPoints points = moving_points(a, b);
   MovingPolynomials polynomials(points);
   const Candidates candidates(polynomials);
-  const Candidate* first = first_of(candidates, polynomials);
+  const Candidate* first = first_meeting_candidate(candidates, polynomials);
   PELT_ASSERT(first != nullptr);
   return first->time;
 }

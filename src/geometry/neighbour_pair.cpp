@@ -24,75 +24,24 @@
 
 #include "geometry/neighbour_pair.hpp"
 
+#include "geometry/neighbour_by_signs.hpp"
 #include "geometry/predicates.hpp"
 
 namespace pelt::detail {
-namespace {
-
-bool is_same_corner(const SurfaceTriangle& a, std::size_t i, const SurfaceTriangle& b,
-                    std::size_t k) {
-  return a.vertices[i] == b.vertices[k] && a.corners[i] == b.corners[k];
-}
-
-/// Whether the first `count` corners of `t` include this corner.
-bool has_corner(const SurfaceTriangle& t, std::size_t count, const SurfaceTriangle& of,
-                std::size_t corner) {
-  for (std::size_t i = 0; i < count; ++i)
-    if (is_same_corner(t, i, of, corner)) return true;
-  return false;
-}
-
-/// The distinct corners of a triangle.
-struct Distinct {
-  Distinct(const SurfaceTriangle& of, const SurfaceTriangle& other) {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!has_corner(of, i, of, i))
-        (has_corner(other, 3, of, i) ? shared[shared_count++] : own[own_count++]) = of.corners[i];
-  }
-
-  Vec3 shared[3], own[3];
-  std::size_t shared_count = 0, own_count = 0;
-};
-
-/// Whether the own corner, or the edge between the two own corners, meets the other triangle.
-bool own_part_meets(const Distinct& part, const SurfaceTriangle& other) {
-  if (part.own_count == 0) return false;
-  return triangles_intersect({part.own[0], part.own[part.own_count - 1], part.own[0]},
-                             other.corners);
-}
-
-/// Whether c and d lie in one plane with u and v, strictly on the same side of the line uv.
-bool is_folded_flat(const Vec3& u, const Vec3& v, const Vec3& c, const Vec3& d) {
-  if (orient3d(u, v, c, d) != 0) return false;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec2d from = without(u, axis), to = without(v, axis);
-    if (const int side = orient2d(from, to, without(c, axis)))
-      return orient2d(from, to, without(d, axis)) == side;
-  }
-  return false;  // u, v and c are on one line
-}
 
 /// Whether all own corners are strictly on one side of the other triangle's plane. Decides most
 /// pairs of neighbours: no rule of the table then holds. A triangle with a plane has not collapsed,
 /// and the first triangle meets the plane only in the hull of the shared corners. No own corner or
 /// opposite edge of the other triangle reaches this hull: a shared corner or the shared edge.
-bool own_part_is_aside(const Distinct& part, const SurfaceTriangle& other) {
+static bool is_aside(const DistinctCorners<Vec3>& part, const TriangleCorners& other) {
   if (part.own_count == 0) return false;
-  const OrientedPlane plane(other.corners[0], other.corners[1], other.corners[2]);
+  const OrientedPlane plane(other[0], other[1], other[2]);
   const int side = plane.side(part.own[0]);
   return side != 0 && (part.own_count == 1 || plane.side(part.own[1]) == side);
 }
 
-}  // namespace
-
 bool surface_triangles_intersect(const SurfaceTriangle& a, const SurfaceTriangle& b) {
-  const Distinct of_a(a, b), of_b(b, a);
-  if (of_a.shared_count == 0) return triangles_intersect(a.corners, b.corners);
-  if (of_a.own_count == 0 && of_b.own_count == 0) return true;
-  if (own_part_is_aside(of_a, b) || own_part_is_aside(of_b, a)) return false;
-  if (own_part_meets(of_a, b) || own_part_meets(of_b, a)) return true;
-  return of_a.shared_count == 2 && of_a.own_count == 1 && of_b.own_count == 1 &&
-         is_folded_flat(of_a.shared[0], of_a.shared[1], of_a.own[0], of_b.own[0]);
+  return surface_corners_intersect<Vec3>({a.corners, a.vertices}, {b.corners, b.vertices});
 }
 
 }  // namespace pelt::detail

@@ -48,9 +48,11 @@ class MovingPairs {
   MovingPairs(const Tree& a, const Tree& b) : tree_a_(a), tree_b_(b) {}
 
   /// Adds the pairs of triangles of two clusters whose boxes overlap at some time until `latest`.
-  /// Calls `flush()` whenever there are eight; it must call `clear`.
+  /// Calls `flush()` whenever there are eight; it must call `clear`. Without the pairs whose bits
+  /// are set in `skipped`, if given: bit t of row s for triangle s of `a` and triangle t of `b`.
   template <typename Flush>
-  void add(const MovingCluster& a, const MovingCluster& b, float latest, const Flush& flush);
+  void add(const MovingCluster& a, const MovingCluster& b, float latest, const Flush& flush,
+           const std::uint16_t* skipped = nullptr);
 
   std::uint32_t count() const { return waiting_.count(); }
   void clear() { waiting_.clear(); }
@@ -110,16 +112,19 @@ class MovingPairs {
 
 template <typename Flush>
 void MovingPairs::add(const MovingCluster& a, const MovingCluster& b, float latest,
-                      const Flush& flush) {
+                      const Flush& flush, const std::uint16_t* skipped) {
   const MovingTriangleBoxes boxes_a(a), boxes_b(b);
   const unsigned near_b = boxes_b.near(all_triangles(b), box_of(a), latest);
   if (near_b == 0) return;
   const unsigned near_a = boxes_a.near(all_triangles(a), box_of(b), latest);
-  for (SetBits i(near_a); i; ++i)
-    for (SetBits k(boxes_b.near(near_b, boxes_a.one(*i), latest)); k; ++k) {
+  for (SetBits i(near_a); i; ++i) {
+    const unsigned asked = skipped == nullptr ? near_b : near_b & ~unsigned{skipped[*i]};
+    if (asked == 0) continue;
+    for (SetBits k(boxes_b.near(asked, boxes_a.one(*i), latest)); k; ++k) {
       waiting_.add({side(a, *i), side(b, *k)});
       if (waiting_.is_full()) flush();
     }
+  }
 }
 
 inline MovingPairs8 MovingPairs::corners8() {

@@ -9,16 +9,18 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
-class SelfAnswer {
+/// `AnyContact`: Contact or MovingContact.
+template <typename AnyContact>
+class SelfAnswerOf {
  public:
-  SelfAnswer(const SelfFilter& filter, Stack<Contact>& contacts, Stack<std::uint32_t>& ring,
-             std::uint32_t max_contacts, LeftOut& left_out)
+  SelfAnswerOf(const SelfFilter& filter, Stack<AnyContact>& contacts, Stack<std::uint32_t>& ring,
+               std::uint32_t max_contacts, LeftOut& left_out)
       : filter_(filter), sink_(contacts, max_contacts), ring_(ring), left_out_(left_out) {
     ring.clear();
   }
 
   /// To append contacts; `settle` must be called before the next question to this object.
-  Stack<Contact>& contacts() const { return sink_.contacts(); }
+  Stack<AnyContact>& contacts() const { return sink_.contacts(); }
 
   bool is_full() const { return sink_.is_full(); }
   bool is_impatient() const { return sink_.is_impatient(); }
@@ -33,11 +35,13 @@ class SelfAnswer {
 
  private:
   const SelfFilter& filter_;
-  ContactSink sink_;
+  LimitedSink<AnyContact> sink_;
   Stack<std::uint32_t>& ring_;
   LeftOut& left_out_;
   std::size_t settled_ = 0;
 };
+
+using SelfAnswer = SelfAnswerOf<Contact>;
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

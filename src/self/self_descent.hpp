@@ -5,7 +5,9 @@
 /// before the other, as PairDescent does (query/pair_descent.hpp): all pairs of slots of two nodes
 /// are compared at once. The recursion is at most twice as deep as the tree.
 ///
-/// `Rule` decides what happens at the leaves:
+/// `Rule` decides what is pruned and what happens at the leaves:
+///   SlotMatrix overlapping_slots(std::uint32_t a, std::uint32_t b) const
+///                                                      slots of two nodes whose boxes overlap
 ///   void test(std::uint32_t low, std::uint32_t high)   two clusters whose boxes overlap
 ///   bool is_full() const                               ends the descent
 
@@ -23,12 +25,12 @@ inline namespace PELT_INSTRUCTION_SET {
 template <typename Rule>
 class SelfDescent {
  public:
-  SelfDescent(const PosedTree& posed, const PairMasks& masks, Rule& rule, QueryStats& work)
-      : posed_(posed), masks_(masks), rule_(rule), work_(work) {}
+  SelfDescent(const Tree& tree, const PairMasks& masks, Rule& rule, QueryStats& work)
+      : tree_(tree), masks_(masks), rule_(rule), work_(work) {}
 
   /// Visits each pair of different clusters that are no neighbours once.
   void run() {
-    const auto node_count = static_cast<std::uint32_t>(posed_.tree.nodes.size());
+    const auto node_count = static_cast<std::uint32_t>(tree_.nodes.size());
     for (std::uint32_t n = 0; n < node_count && !rule_.is_full(); ++n) compare(n, n, kLaterSlots);
   }
 
@@ -36,8 +38,8 @@ class SelfDescent {
   /// Visits the pairs of slots of two nodes that are asked for. Precondition: a <= b.
   void compare(std::uint32_t a, std::uint32_t b, SlotMatrix asked) {
     ++work_.node_pairs;
-    const SlotMatrix near = asked & overlapping_slots(*posed_.opened[a], *posed_.opened[b]);
-    const Node &node_a = posed_.tree.nodes.data()[a], &node_b = posed_.tree.nodes.data()[b];
+    const SlotMatrix near = asked & rule_.overlapping_slots(a, b);
+    const Node &node_a = tree_.nodes.data()[a], &node_b = tree_.nodes.data()[b];
     const SlotMatrix clusters = first_slots(node_a.cluster_count, node_b.cluster_count);
     for (SlotMatrix pairs = near & clusters & ~masks_.neighbours(a, b); pairs; pairs &= pairs - 1) {
       const auto pair = static_cast<std::uint32_t>(std::countr_zero(pairs));
@@ -47,16 +49,9 @@ class SelfDescent {
     if ((near & ~clusters) != 0) descend(a, b, near);
   }
 
-  static SlotMatrix overlapping_slots(const OpenedNode& a, const OpenedNode& b) {
-    SlotMatrix matrix = 0;
-    for (unsigned row = 0; row < 8; ++row)
-      matrix |= SlotMatrix{slots_in(b, lane_box(a.low, a.high, row))} << 8 * row;
-    return matrix;
-  }
-
   /// Visits each child with the children and with the clusters that it overlaps.
   void descend(std::uint32_t a, std::uint32_t b, SlotMatrix near) {
-    const Node &node_a = posed_.tree.nodes.data()[a], &node_b = posed_.tree.nodes.data()[b];
+    const Node &node_a = tree_.nodes.data()[a], &node_b = tree_.nodes.data()[b];
     const unsigned clusters_a = clusters_of(node_a), clusters_b = clusters_of(node_b);
     for (SetBits i(kAllSlots & ~clusters_a); i; ++i) {
       const unsigned row = row_of(near, *i);
@@ -73,7 +68,7 @@ class SelfDescent {
     a < b ? compare(a, b, all_pairs(slots_a, slots_b)) : compare(b, a, all_pairs(slots_b, slots_a));
   }
 
-  const PosedTree& posed_;
+  const Tree& tree_;
   const PairMasks& masks_;
   Rule& rule_;
   QueryStats& work_;

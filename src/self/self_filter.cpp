@@ -95,15 +95,24 @@ std::uint64_t& counter_of(LeftOut& left_out, LeftOutBy by) {
   return left_out.groups;
 }
 
+void exchange_sides(Contact& contact) { std::swap(contact.triangle_a, contact.triangle_b); }
+
+void exchange_sides(MovingContact& contact) {
+  exchange_sides(contact.contact);
+  std::swap(contact.a, contact.b);
+}
+
 }  // namespace
 
-void leave_out(const SelfFilter& filter, std::size_t first, Stack<Contact>& contacts,
+template <typename AnyContact>
+void leave_out(const SelfFilter& filter, std::size_t first, Stack<AnyContact>& contacts,
                Stack<std::uint32_t>& ring, LeftOut& left_out) {
   std::size_t kept = first;
   for (std::size_t i = first; i < contacts.size(); ++i) {
-    Contact contact = contacts.begin()[i];
-    if (contact.triangle_b < contact.triangle_a) std::swap(contact.triangle_a, contact.triangle_b);
-    const LeftOutBy by = filter.filters.left_out_by(filter.tree(), filter.fans, contact, ring);
+    AnyContact contact = contacts.begin()[i];
+    if (pair_of(contact).triangle_b < pair_of(contact).triangle_a) exchange_sides(contact);
+    const LeftOutBy by =
+        filter.filters.left_out_by(filter.tree(), filter.fans, pair_of(contact), ring);
     if (by == LeftOutBy::none)
       contacts.begin()[kept++] = contact;
     else
@@ -111,6 +120,11 @@ void leave_out(const SelfFilter& filter, std::size_t first, Stack<Contact>& cont
   }
   contacts.shrink(kept);
 }
+
+template void leave_out(const SelfFilter&, std::size_t, Stack<Contact>&, Stack<std::uint32_t>&,
+                        LeftOut&);
+template void leave_out(const SelfFilter&, std::size_t, Stack<MovingContact>&,
+                        Stack<std::uint32_t>&, LeftOut&);
 
 }  // namespace detail
 

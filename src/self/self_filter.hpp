@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pelt/motion.hpp>
 #include <pelt/self_collide.hpp>
 
 #include "model/model.hpp"
@@ -22,10 +23,15 @@ struct SelfFilter {
   PairFilters filters;
 };
 
+inline Contact& pair_of(Contact& contact) { return contact; }
+inline Contact& pair_of(MovingContact& contact) { return contact.contact; }
+
 /// Removes from the contacts those from number `first` on that the filter leaves out, and counts
 /// them. Orders the triangles of each contact. `ring` is working memory: empty, or from the last
 /// call for this filter.
-void leave_out(const SelfFilter& filter, std::size_t first, Stack<Contact>& contacts,
+/// `AnyContact`: Contact or MovingContact.
+template <typename AnyContact>
+void leave_out(const SelfFilter& filter, std::size_t first, Stack<AnyContact>& contacts,
                Stack<std::uint32_t>& ring, LeftOut& left_out);
 
 }  // namespace pelt::detail

@@ -24,6 +24,9 @@ double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
 float first_touch(pelt::Motion sword, pelt::Motion arm, pelt::Scratch& scratch);
 std::vector<pelt::MovingContact> new_touches(pelt::Motion sword, pelt::Motion arm,
                                              pelt::Scratch& scratch);
+std::vector<pelt::MovingContact> new_self_contacts(pelt::Motion motion,
+                                                   const pelt::SelfFilter& filter,
+                                                   pelt::Scratch& scratch);
 bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
                std::span<const float> weights);
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
@@ -204,6 +207,20 @@ TEST_F(QueryExamples, Motion) {
   const auto touches = new_touches({sword, sword_later}, {pose_, pose_}, scratch_);
   ASSERT_GT(touches.size(), 10u);
   for (const MovingContact& contact : touches) EXPECT_GE(contact.time, first);
+}
+
+TEST_F(QueryExamples, SelfMotion) {
+  const SkinnedModel model = limb();
+  const SelfFilter filter = *build_self_filter(model);
+  Pose straight(model), inside_out(model);
+  ASSERT_TRUE(straight.set_palette(moved(0)));
+  std::vector<Matrix4> palette = moved(0);
+  for (Matrix4& m : palette) m.m[0] = -1;
+  ASSERT_TRUE(inside_out.set_palette(palette));
+  EXPECT_TRUE(new_self_contacts({straight, straight}, filter, scratch_).empty());
+  const auto contacts = new_self_contacts({straight, inside_out}, filter, scratch_);
+  ASSERT_GT(contacts.size(), 100u);
+  for (const MovingContact& contact : contacts) EXPECT_EQ(contact.time, 0.5f);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <pelt/motion.hpp>
+#include <pelt/self_motion.hpp>
 
 // The first time, 0 to 1, at which a sword touches an arm on the way to the next frame; 2 if never.
 float first_touch(pelt::Motion sword, pelt::Motion arm, pelt::Scratch& scratch) {
@@ -12,5 +12,14 @@ std::vector<pelt::MovingContact> new_touches(pelt::Motion sword, pelt::Motion ar
                                              pelt::Scratch& scratch) {
   std::vector<pelt::MovingContact> contacts;
   pelt::collide_moving(sword, arm, scratch, contacts, {.leave_out_start = true});
+  return contacts;
+}
+
+// The triangles of one character that do not intersect each other yet in the first frame.
+std::vector<pelt::MovingContact> new_self_contacts(pelt::Motion motion,
+                                                   const pelt::SelfFilter& filter,
+                                                   pelt::Scratch& scratch) {
+  std::vector<pelt::MovingContact> contacts;
+  pelt::self_collide_moving(motion, filter, scratch, contacts, {.leave_out_start = true});
   return contacts;
 }

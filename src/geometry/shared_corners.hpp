@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace pelt::detail {
+
+/// The corners that two triangles share, by number: first the shared ones, in the same order for a
+/// and b, then the others.
+struct SharedCorners {
+  std::array<std::uint8_t, 3> a = {0, 1, 2}, b = {0, 1, 2};
+  std::uint32_t count = 0;
+
+  /// `are_one(i, k)`: whether corner i of a and corner k of b are one corner. Precondition: a
+  /// corner is shared with at most one.
+  template <typename AreOne>
+  explicit SharedCorners(const AreOne& are_one) {
+    for (std::uint8_t i = 0; i < 3; ++i)
+      for (std::uint8_t k = 0; k < 3; ++k)
+        if (are_one(i, k)) add(i, k);
+  }
+
+ private:
+  void add(std::uint8_t i, std::uint8_t k) {
+    move_to(a, count, i);
+    move_to(b, count, k);
+    ++count;
+  }
+
+  static void move_to(std::array<std::uint8_t, 3>& order, std::uint32_t place,
+                      std::uint8_t corner) {
+    for (std::uint32_t i = place; i < 3; ++i)
+      if (order[i] == corner) std::swap(order[i], order[place]);
+  }
+};
+
+}  // namespace pelt::detail
