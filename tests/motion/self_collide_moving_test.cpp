@@ -3,9 +3,9 @@
 #include <pelt/self_motion.hpp>
 
 #include "bodies.hpp"
-#include "geometry/moving_neighbours.hpp"
 #include "self/self_brute_force.hpp"
 #include "self/surface_shapes.hpp"
+#include "self_moving_brute_force.hpp"
 #include "support/allocation_count.hpp"
 #include "support/instruction_sets.hpp"
 
@@ -32,32 +32,9 @@ struct SelfBody : Body {
   Scratch scratch;
 };
 
-bool share_vertex(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](std::uint32_t v) { return std::count(b.begin(), b.end(), v) > 0; });
-}
-
-std::vector<MovingContact> brute_force_self_moving(const Body& body) {
-  const auto triangles = body.triangles();
+std::vector<MovingContact> all_pairs_of(const Body& body) {
   const auto surface = surface_vertices(body.shape);
-  const auto corners = [&](std::uint32_t t) -> std::array<std::uint32_t, 3> {
-    const Triangle& triangle = body.shape.triangles[t];
-    return {surface[triangle[0]], surface[triangle[1]], surface[triangle[2]]};
-  };
-  std::vector<MovingContact> contacts;
-  for (std::uint32_t s = 0; s < triangles.size(); ++s)
-    for (std::uint32_t t = s + 1; t < triangles.size(); ++t) {
-      if (are_far(triangles[s], triangles[t])) continue;
-      const auto first = share_vertex(corners(s), corners(t))
-                             ? detail::first_meeting_of_neighbours({triangles[s], corners(s)},
-                                                                   {triangles[t], corners(t)})
-                             : detail::filtered_first_meeting(triangles[s], triangles[t]);
-      if (!first) continue;
-      MovingContact contact{{s, t}, first->time, first->at_start, {}, {}};
-      if (!first->at_start) contact.a = feature(first->a), contact.b = feature(first->b);
-      contacts.push_back(contact);
-    }
-  return contacts;
+  return brute_force_self_moving(body.triangles(), surface_corners(body.shape.triangles, surface));
 }
 
 std::vector<Contact> pairs_of(const std::vector<MovingContact>& contacts) {
@@ -84,7 +61,7 @@ TEST(SelfCollideMoving, EqualsTheExactTestOfAllPairsOnFoldingLimbs) {
   std::size_t contacts = 0, later = 0;
   for (int round = 0; round < 8; ++round) {
     limb.fold(random);
-    const auto expected = brute_force_self_moving(limb);
+    const auto expected = all_pairs_of(limb);
     ASSERT_EQ(limb.contacts(), expected) << "round " << round;
     contacts += expected.size();
     for (const MovingContact& c : expected) later += !c.at_start;
@@ -102,7 +79,7 @@ TEST(SelfCollideMoving, EqualsTheExactTestOfAllPairsOnGridSoups) {
     SelfBody soup(make_grid_soup(random, 30, 3, joints));
     const auto from = make_palette(random, joints, test::Motion::affine, 1);
     soup.move(from, make_palette(random, joints, test::Motion::affine, 1));
-    const auto expected = brute_force_self_moving(soup);
+    const auto expected = all_pairs_of(soup);
     ASSERT_EQ(soup.contacts(), expected);
     contacts += expected.size();
     cracked += joints == 2 ? expected.size() : 0;
