@@ -1,6 +1,7 @@
 /// The program `pelt-lab`: compares Pelt with methods from other papers. It is not installed.
 
 #include "evaluation/methods/lab_methods.hpp"
+#include "evaluation/methods/lab_moving_methods.hpp"
 #include "evaluation/methods/lab_self_methods.hpp"
 #include "evaluation/reproduce/command.hpp"
 #include "tools/pelt/arguments/command_line.hpp"
@@ -19,13 +20,17 @@ rigid and paper_rigid show the cost of the same query between rigid bodies: buil
 not timed. The column "of rigid" is the cost over that of rigid.
 
 With --self, eager queries the tree of boxes against itself as if it were two characters, and decides
-neighbours one by one.)";
+neighbours one by one.
+
+With --moving, united prunes by one box over the whole step instead of by the boxes of both ends, and
+finds no first contact.)";
 
 void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
   using namespace pelt::tools::verbs;
   add_bench(app, chosen,
             {{pelt::lab::kLabMethods, "paper,paper_eager,eager,on_demand,rigid"},
              {pelt::lab::kLabSelfMethods, "boxes,self,eager"},
+             {pelt::lab::kLabMovingMethods, "eager,united,on_demand"},
              kBenchNotes});
   add_check(app, chosen, pelt::lab::kLabMethods);
   add_reproduce(app, chosen);

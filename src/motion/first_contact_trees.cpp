@@ -31,7 +31,7 @@ class FirstWhileMoving : public MovingOverlap {
   }
 
   void test(const MovingCluster& a, const MovingCluster& b) {
-    pairs_.add(a, b, latest(), [this] { flush(); });
+    pairs_.add(a, b, OverlapUntil{latest()}, [this] { flush(); });
     flush();
   }
 

@@ -63,5 +63,15 @@ class TimeRanges8 {
   return near & times.not_empty();
 }
 
+/// Whether boxes may overlap at some time until `latest`, as an argument of MovingPairs::add.
+struct OverlapUntil {
+  float latest = 1;
+
+  unsigned operator()(const MovingBoxes8& a, const MovingBoxes8& b) const {
+    TimeRanges8 times(latest);
+    return may_overlap(a, b, times);
+  }
+};
+
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

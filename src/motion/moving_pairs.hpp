@@ -20,13 +20,12 @@ struct MovingTriangleBoxes {
       : from(triangle_boxes(c.moving.from, c.node, c.opened.from, c.slot)),
         to(triangle_boxes(c.moving.to, c.node, c.opened.to, c.slot)) {}
 
-  /// Returns which of the triangles `asked` may overlap `box` at some time until `latest`, one bit
-  /// each.
-  unsigned near(unsigned asked, const MovingBoxes8& box, float latest) const {
-    TimeRanges8 low(latest), high(latest);
+  /// Returns which of the triangles `asked` may overlap `box`, one bit each.
+  template <typename Overlap>
+  unsigned near(unsigned asked, const MovingBoxes8& box, const Overlap& overlap) const {
     unsigned found = 0;
-    if ((asked & 0xFF) != 0) found = may_overlap(eight(0), box, low);
-    if (asked >> 8 != 0) found |= may_overlap(eight(8), box, high) << 8;
+    if ((asked & 0xFF) != 0) found = overlap(eight(0), box);
+    if (asked >> 8 != 0) found |= overlap(eight(8), box) << 8;
     return asked & found;
   }
 
@@ -47,12 +46,13 @@ class MovingPairs {
  public:
   MovingPairs(const Tree& a, const Tree& b) : tree_a_(a), tree_b_(b) {}
 
-  /// Adds the pairs of triangles of two clusters whose boxes overlap at some time until `latest`.
-  /// Calls `flush()` whenever there are eight; it must call `clear`. Without the pairs whose bits
-  /// are set in `skipped`, if given: bit t of row s for triangle s of `a` and triangle t of `b`.
-  template <typename Flush>
-  void add(const MovingCluster& a, const MovingCluster& b, float latest, const Flush& flush,
-           const std::uint16_t* skipped = nullptr);
+  /// Adds the pairs of triangles of two clusters whose boxes may overlap. `overlap(boxes, boxes)`
+  /// returns one bit for each lane, as OverlapUntil does. Calls `flush()` whenever there are eight
+  /// pairs; it must call `clear`. Without the pairs whose bits are set in `skipped`, if given: bit
+  /// t of row s for triangle s of `a` and triangle t of `b`.
+  template <typename Overlap, typename Flush>
+  void add(const MovingCluster& a, const MovingCluster& b, const Overlap& overlap,
+           const Flush& flush, const std::uint16_t* skipped = nullptr);
 
   std::uint32_t count() const { return waiting_.count(); }
   void clear() { waiting_.clear(); }
@@ -110,17 +110,17 @@ class MovingPairs {
   Batch8<Pair> waiting_;
 };
 
-template <typename Flush>
-void MovingPairs::add(const MovingCluster& a, const MovingCluster& b, float latest,
+template <typename Overlap, typename Flush>
+void MovingPairs::add(const MovingCluster& a, const MovingCluster& b, const Overlap& overlap,
                       const Flush& flush, const std::uint16_t* skipped) {
   const MovingTriangleBoxes boxes_a(a), boxes_b(b);
-  const unsigned near_b = boxes_b.near(all_triangles(b), box_of(a), latest);
+  const unsigned near_b = boxes_b.near(all_triangles(b), box_of(a), overlap);
   if (near_b == 0) return;
-  const unsigned near_a = boxes_a.near(all_triangles(a), box_of(b), latest);
+  const unsigned near_a = boxes_a.near(all_triangles(a), box_of(b), overlap);
   for (SetBits i(near_a); i; ++i) {
     const unsigned asked = skipped == nullptr ? near_b : near_b & ~unsigned{skipped[*i]};
     if (asked == 0) continue;
-    for (SetBits k(boxes_b.near(asked, boxes_a.one(*i), latest)); k; ++k) {
+    for (SetBits k(boxes_b.near(asked, boxes_a.one(*i), overlap)); k; ++k) {
       waiting_.add({side(a, *i), side(b, *k)});
       if (waiting_.is_full()) flush();
     }

@@ -24,7 +24,7 @@ class IntersectingWhileMoving : public MovingOverlap {
   bool is_impatient() const { return sink_.is_impatient(); }
 
   void test(const MovingCluster& a, const MovingCluster& b) {
-    pairs_.add(a, b, latest(), [this] { flush(); });
+    pairs_.add(a, b, OverlapUntil{latest()}, [this] { flush(); });
     if (is_impatient()) flush();
   }
 

@@ -83,7 +83,8 @@ class SeparateWhileMoving {
 
   void add(std::uint32_t low, std::uint32_t high, const PairMask& skipped) {
     pairs_.add(
-        cluster(low), cluster(high), overlap_.latest(), [this] { flush(); }, skipped.rows);
+        cluster(low), cluster(high), OverlapUntil{overlap_.latest()}, [this] { flush(); },
+        skipped.rows);
     if (answer_.is_impatient()) flush();
   }
 

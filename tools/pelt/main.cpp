@@ -2,6 +2,7 @@
 
 #include "tools/pelt/arguments/command_line.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
+#include "tools/pelt/methods/moving_methods.hpp"
 #include "tools/pelt/methods/self_methods.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -31,6 +32,7 @@ void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
   add_bench(app, chosen,
             {{pelt::methods::kCommandMethods, "paper,eager,on_demand"},
              {pelt::methods::kSelfMethods, "boxes,self"},
+             {pelt::methods::kCommandMovingMethods, "eager,on_demand"},
              kBenchNotes});
 }
 

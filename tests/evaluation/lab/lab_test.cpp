@@ -96,5 +96,15 @@ TEST(Lab, BenchesEveryMethodBesideRigid) {
   EXPECT_NE(again.out.find("of rigid", columns + 1), std::string::npos) << "in the comparison";
 }
 
+TEST(Lab, BenchesUnitedBoxesBetweenFrames) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const json file = bench(folder, {"--moving"});
+  std::vector<std::string> names;
+  for (const json& method : file["scenes"][0]["methods"])
+    if (method["query"] == "times") names.push_back(method["method"]);
+  EXPECT_EQ(names, (std::vector<std::string>{"eager", "united", "on_demand"}));
+}
+
 }  // namespace
 }  // namespace pelt::test

@@ -1,7 +1,5 @@
-#include <pelt/version.hpp>
-
 #include "tools/pelt/bench/bench_report.hpp"
-#include "tools/pelt/bench/machine.hpp"
+#include "tools/pelt/bench/machine_json.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
@@ -12,17 +10,6 @@ namespace pelt::tools::bench {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json machine_json() {
-  const Machine machine = this_machine();
-  return {{"cpu", machine.cpu},
-          {"cores", machine.cores},
-          {"instruction_set", machine.instruction_set},
-          {"compiler", machine.compiler},
-          {"build", machine.build},
-          {"flags", machine.flags},
-          {"pelt", PELT_VERSION}};
-}
 
 ordered_json method_json(const Figures& figures) {
   const Times& times = figures.times;

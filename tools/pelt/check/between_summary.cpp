@@ -19,7 +19,7 @@ std::string seconds_words(double seconds) { return output::fixed(seconds, 4) + "
 std::string feature_words(const scene::StagedScene& staged, std::uint32_t collider,
                           std::uint32_t triangle, const Feature& feature) {
   std::string text = name_of(feature.kind);
-  if (feature.kind != FeatureKind::face) text += " " + std::to_string(feature.number);
+  if (feature.kind != FeatureKind::face) text.append(" ").append(std::to_string(feature.number));
   return text + " of triangle " + std::to_string(triangle) + " of " +
          scene::collider_name(staged, staged.colliders[collider]);
 }

@@ -1,5 +1,5 @@
-/// `pelt bench`: the cost of each method on a scene, or on a character against itself. Prints no
-/// time unless all methods give the same answer.
+/// `pelt bench`: the cost of each method on a scene, in the steps between its frames, or on a
+/// character against itself. Prints no time unless all methods give the same answer.
 
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
@@ -9,6 +9,7 @@
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/bench_against.hpp"
+#include "tools/pelt/bench/bench_moving.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/output.hpp"
@@ -25,14 +26,16 @@
 namespace pelt::tools::verbs {
 namespace {
 
+constexpr const char *kAllQueries = "all,first", *kAllCaches = "hot,cold";
+
 struct Arguments {
   std::string program;
   std::vector<std::string> inputs, clips;
-  bool is_self = false;
+  bool is_self = false, is_moving = false;
   std::optional<double> fps;
   BenchMethods known;
   std::string methods;
-  std::string queries = "all,first", caches = "hot,cold";
+  std::string queries = kAllQueries, caches = kAllCaches;
   std::string threads, json, against, frames, simd;
   std::optional<std::uint32_t> margin;
   std::uint32_t repetitions = bench::kEnoughRepetitions;
@@ -48,6 +51,7 @@ Examples:
   pelt bench scene.json --methods eager,on_demand --threads 1,2
   pelt bench knight.glb --clip Walk
   pelt bench scene.json --self
+  pelt bench scene.json --moving
 
 Each repetition of a frame first runs the previous frame untimed (for the first frame, the last one),
 then times setting the palettes and querying all pairs. The time of a frame is the median of its
@@ -70,6 +74,15 @@ of triangles. boxes skins all vertices and computes all boxes, and finds nothing
 of a method over that of boxes. "vs all" is the speed-up of the query first over the query all. The line
 "frames in order" compares self with a SelfTracker, while the frames are played in order.
 
+--moving measures the queries between frames, for each step from a frame of --frames to the next:
+pairs: which triangles touch during the step; times: the same with times and features; first: the
+first contact of each pair of instances; touch: whether each pair touches. collide is the discrete
+query at the end of the step. Each repetition first queries the step before, untimed. "update"
+computes one end of the step, because the other is the end of the step before. "of collide" and "of
+on_demand" are the cost over that of on_demand for collide and for the same query. All hashes must be
+those of brute, which decides every pair of triangles whose extents overlap, without a tree. The last
+table shows which share of the pairs of triangles each arithmetic decides.
+
 --against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
 method over paper and eager, or its cost over boxes: then (in FILE), now, and now/then. "worse" marks a
 ratio that has become worse by more than --margin. Ratios differ little between machines, but they are
@@ -88,7 +101,11 @@ failure. An answer that differs from FILE is a failure, with exit code 3.
     methods  method, query, cache, asked (pairs, crowd, self or none), threads, frames
              (timed frames), mean_us, mean_contact_us (null without contact), p95_us, mean_update_us, hash
     counters of a method over all frames: node_pairs, refits, posed_vertices, triangle_pairs, displacements
-Names that end in _us are microseconds per frame. pelt(1) describes each field, with an example.)";
+With --moving, the format is "pelt-bench-moving"; scenes have triangles, steps, repetitions, skinning
+and methods, and methods have method, query, mean_us, median_us, mean_contact_us, p95_us,
+mean_update_us, of_collide, ns_per_pair (null for collide, first and touch), steps_in_contact, contacts, hash and counters, with
+double_pairs and exact_pairs: pairs of triangles that were not decided in float, or not in double.
+Names that end in _us are microseconds per frame or step. pelt(1) describes each field, with an example.)";
 
 /// A larger number is probably a typing error.
 constexpr std::uint32_t kMaxThreads = 256;
@@ -182,6 +199,41 @@ Result<bench::BenchSettings> choose(const Arguments& arguments) {
   settings.repetitions = arguments.repetitions;
   settings.models = arguments.models;
   settings.program = arguments.program;
+  if (arguments.frames.empty()) return settings;
+  const auto frames = arguments::parse_frame_range(arguments.frames);
+  if (!frames) return frames.error();
+  settings.frames = *frames;
+  return settings;
+}
+
+/// Returns an error if an option was given that --moving does not have.
+Result<void> check_moving(const Arguments& arguments) {
+  const std::pair<bool, const char*> others[] = {{arguments.is_self, "--self"},
+                                                 {arguments.queries != kAllQueries, "--queries"},
+                                                 {arguments.caches != kAllCaches, "--caches"},
+                                                 {!arguments.threads.empty(), "--threads"},
+                                                 {!arguments.against.empty(), "--against"},
+                                                 {arguments.margin.has_value(), "--margin"}};
+  for (const auto& [is_given, option] : others)
+    if (is_given)
+      return output::bad_argument("--moving", "cannot be combined with " + std::string(option),
+                                  "leave out one of them");
+  return {};
+}
+
+Result<bench::MovingSettings> choose_moving(const Arguments& arguments) {
+  const auto& [known, measured] = arguments.known.moving;
+  std::vector<std::string_view> names;
+  for (const methods::MovingMethodKind& kind : known) names.push_back(kind.name);
+  const auto kinds = parse_list<methods::MovingMethodKind>(
+      "--methods", arguments.methods.empty() ? measured : arguments.methods, known, names);
+  if (!kinds) return kinds.error();
+  bench::MovingSettings settings;
+  for (const methods::MovingMethodKind& kind : *kinds)
+    settings.methods.push_back(bench::moving_method_of(kind));
+  settings.program = arguments.program;
+  settings.repetitions = arguments.repetitions;
+  settings.models = arguments.models;
   if (arguments.frames.empty()) return settings;
   const auto frames = arguments::parse_frame_range(arguments.frames);
   if (!frames) return frames.error();
@@ -283,6 +335,43 @@ Result<bool> has_only_models(const Arguments& arguments) {
                               "add --self, or start a run for each");
 }
 
+/// Opens the file of --json. Does nothing without --json.
+Result<void> open_json(const Arguments& arguments, output::OutputFile& json) {
+  if (const auto checked = check_output(arguments); !checked) return checked;
+  return json.open(arguments.json);
+}
+
+/// Does nothing without --json.
+Result<void> write_json(const Arguments& arguments, const std::string& text,
+                        output::OutputFile& json, std::ostream& words) {
+  if (arguments.json.empty()) return {};
+  const auto written = json.write_and_close(std::as_bytes(std::span(text)));
+  if (written) output::print_written(arguments.json, words);
+  return written;
+}
+
+Result<arguments::ExitCode> bench_steps(const Arguments& arguments) {
+  if (const auto checked = check_moving(arguments); !checked) return checked.error();
+  const Result<bench::MovingSettings> settings = choose_moving(arguments);
+  if (!settings) return settings.error();
+  output::OutputFile json;
+  if (const auto opened = open_json(arguments, json); !opened) return opened.error();
+  std::ostream& words = output::words_beside({arguments.json});
+  std::vector<bench::MovingSceneFigures> figures;
+  for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
+    const auto scene = load_input(arguments, i);
+    if (!scene) return scene.error();
+    for (const std::string& note : scene->notes) words << "note: " << note << '\n';
+    const auto exit = bench::bench_moving(*scene, *settings, figures, std::cerr);
+    if (!exit || *exit != arguments::ExitCode::success) return exit;
+    if (figures.size() == 1) bench::print_machine(words);
+    bench::print_moving_figures(figures.back(), words);
+  }
+  const auto written = write_json(arguments, bench::moving_figures_json(figures), json, words);
+  if (!written) return written.error();
+  return arguments::ExitCode::success;
+}
+
 Result<arguments::ExitCode> bench_inputs(Arguments arguments) {
   const Result<bool> only_models = has_only_models(arguments);
   if (!only_models) return only_models.error();
@@ -291,32 +380,39 @@ Result<arguments::ExitCode> bench_inputs(Arguments arguments) {
     return output::bad_argument("--clip", "was given more often than there are models",
                                 "give it at most once per model, in the order of the models");
   if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
+  if (arguments.is_moving && *only_models)
+    return output::bad_argument("--moving", "requires scene files", "write a scene of the models");
+  if (arguments.is_moving) return bench_steps(arguments);
   const Result<bench::BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
   const auto baseline = choose_baseline(arguments);
   if (!baseline) return baseline.error();
-  if (const auto checked = check_output(arguments); !checked) return checked.error();
   output::OutputFile json;
-  if (const auto opened = json.open(arguments.json); !opened) return opened.error();
+  if (const auto opened = open_json(arguments, json); !opened) return opened.error();
   std::ostream& words = output::words_beside({arguments.json});
   std::vector<bench::SceneFigures> figures;
   for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
     const Result<arguments::ExitCode> exit = bench_input(arguments, i, *settings, figures, words);
     if (!exit || *exit != arguments::ExitCode::success) return exit;
   }
-  if (!arguments.json.empty()) {
-    const std::string text = bench::figures_json(figures);
-    const auto written = json.write_and_close(std::as_bytes(std::span(text)));
-    if (!written) return written.error();
-    output::print_written(arguments.json, words);
-  }
+  const auto written = write_json(arguments, bench::figures_json(figures), json, words);
+  if (!written) return written.error();
   return *baseline ? compare(**baseline, arguments, figures, words) : arguments::ExitCode::success;
+}
+
+std::string listed(methods::MovingMethodKinds kinds) {
+  std::string list;
+  for (const methods::MovingMethodKind& kind : kinds)
+    list.append(list.empty() ? "" : ", ").append(kind.name);
+  return list;
 }
 
 std::string help_on_methods(const BenchMethods& known) {
   return "Methods to measure, separated by commas, of " + methods::listed(known.pairs.known) +
          " (default: " + known.pairs.measured + "); with --self, of " +
-         methods::listed(known.self.known) + " (default: " + known.self.measured + ")";
+         methods::listed(known.self.known) + " (default: " + known.self.measured +
+         "); with --moving, of " + listed(known.moving.known) +
+         " (default: " + known.moving.measured + ")";
 }
 
 void add_options(arguments::Verb& verb, Arguments& arguments) {
@@ -328,6 +424,7 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
   verb.option("--fps", arguments.fps,
               "Frames per second of clips (default: that of the scene, or 30)", {.type = "FPS"});
   verb.flag("--self", arguments.is_self, "Query each instance of a scene against itself");
+  verb.flag("--moving", arguments.is_moving, "Query the steps between the frames of scenes");
   verb.option("--methods", arguments.methods, help_on_methods(arguments.known), {.type = "A,B"});
   verb.option("--queries", arguments.queries,
               "all: every contact; first: only whether each pair touches", {.type = "all,first"});

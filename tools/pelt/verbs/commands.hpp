@@ -6,6 +6,7 @@
 
 #include "tools/pelt/arguments/exit_code.hpp"
 #include "tools/pelt/methods/method.hpp"
+#include "tools/pelt/methods/moving_method.hpp"
 
 #include <string>
 
@@ -23,9 +24,16 @@ struct BenchMethods {
     std::string measured;
   };
 
-  Choice pairs;       ///< for pairs of instances
-  Choice self;        ///< for an instance against itself
-  std::string notes;  ///< added to --help after the text for all methods
+  /// The same for --moving.
+  struct MovingChoice {
+    methods::MovingMethodKinds known;
+    std::string measured;
+  };
+
+  Choice pairs;         ///< for pairs of instances
+  Choice self;          ///< for an instance against itself
+  MovingChoice moving;  ///< for pairs of instances between frames
+  std::string notes;    ///< added to --help after the text for all methods
 };
 
 void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);

@@ -1,0 +1,101 @@
+/// Compiled once for each instruction set.
+#include "evaluation/rivals/united_boxes.hpp"
+
+#include "base/instruction_set.hpp"
+#include "motion/moving_overlap.hpp"
+#include "motion/moving_pairs.hpp"
+#include "motion/moving_roots.hpp"
+#include "motion/moving_triangles.hpp"
+#include "query/contact_sink.hpp"
+
+namespace pelt::rivals {
+inline namespace PELT_INSTRUCTION_SET {
+namespace {
+
+using detail::Boxes8;
+using detail::Float8;
+using detail::Mask8;
+using detail::MovingBoxes8;
+using detail::MovingCluster;
+using detail::MovingNode;
+
+Boxes8 united(const MovingBoxes8& boxes) {
+  Boxes8 all;
+  for (int axis = 0; axis < 3; ++axis) {
+    all.low[axis] = min(boxes.from.low[axis], boxes.to.low[axis]);
+    all.high[axis] = max(boxes.from.high[axis], boxes.to.high[axis]);
+  }
+  return all;
+}
+
+/// In place of detail::OverlapUntil.
+struct OverlapOfUnions {
+  unsigned operator()(const MovingBoxes8& a, const MovingBoxes8& b) const {
+    const Boxes8 all_a = united(a), all_b = united(b);
+    Mask8 apart = Float8(1.0f) < Float8(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+      apart = apart | (all_a.high[axis] < all_b.low[axis]) | (all_b.high[axis] < all_a.low[axis]);
+    return ~apart.bits() & 0xFF;
+  }
+};
+
+/// As the query of the library, but with boxes over the whole step.
+class IntersectingUnited : public detail::MovingOverlap {
+ public:
+  IntersectingUnited(const detail::Tree& a, const detail::Tree& b,
+                     const detail::LimitedSink<MovingContact>& sink, const MovingOptions& options,
+                     MovingStats& work)
+      : sink_(sink), pairs_(a, b), triangles_(pairs_, sink.contacts(), options, work) {}
+
+  static bool overlaps(const MovingNode& a, const MovingNode& b) {
+    return OverlapOfUnions()(box_of(a), box_of(b)) != 0;
+  }
+
+  static unsigned slots_near(const MovingNode& of, const MovingNode& all) {
+    return OverlapOfUnions()(boxes_of(of), box_of(all));
+  }
+
+  static unsigned slots_near(const MovingNode& of, const MovingNode& other, unsigned slot) {
+    return OverlapOfUnions()(boxes_of(of), box_of(other, slot));
+  }
+
+  bool is_full() const { return sink_.is_full(); }
+  bool is_impatient() const { return sink_.is_impatient(); }
+
+  void test(const MovingCluster& a, const MovingCluster& b) {
+    pairs_.add(a, b, OverlapOfUnions(), [this] { flush(); });
+    if (is_impatient()) flush();
+  }
+
+  void flush() { triangles_.flush(); }
+
+ private:
+  static MovingBoxes8 boxes_of(const MovingNode& node) {
+    return {detail::load_boxes(node.from.low, node.from.high, 0),
+            detail::load_boxes(node.to.low, node.to.high, 0)};
+  }
+
+  const detail::LimitedSink<MovingContact>& sink_;
+  detail::MovingPairs pairs_;
+  detail::MovingTriangles<detail::MovingPairs> triangles_;
+};
+
+}  // namespace
+
+CollideUnited collide_united;
+
+MovingStats collide_united(const detail::MovingTree& a, const detail::MovingTree& b,
+                           detail::Scratch& scratch, const MovingOptions& options) {
+  MovingStats work;
+  scratch.moving.clear();
+  if (!detail::roots_overlap(a, b, work)) return work;
+  const detail::LimitedSink sink(scratch.moving, options.max_contacts);
+  IntersectingUnited rule(a.tree, b.tree, sink, options, work);
+  const bool is_unfinished = detail::descend_from_roots(a, b, scratch, rule, work);
+  rule.flush();
+  work.cut_short = sink.cut(is_unfinished);
+  return work;
+}
+
+}  // namespace PELT_INSTRUCTION_SET
+}  // namespace pelt::rivals
