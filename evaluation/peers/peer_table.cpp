@@ -1,6 +1,7 @@
-/// Compares Pelt with other libraries on scenes, and on characters against themselves; prints a
-/// table and writes a CSV file.
+/// Compares Pelt with other libraries on scenes, in the steps between the frames of scenes, and on
+/// characters against themselves; prints a table and writes a CSV file.
 
+#include "evaluation/peers/moving_peer_figures.hpp"
 #include "evaluation/peers/peer_figures.hpp"
 #include "tools/pelt/arguments/frame_range.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> inputs, clips;
-  bool is_self = false;
+  bool is_self = false, is_moving = false;
   std::string frames, csv;
   std::uint32_t repetitions = 5;
 };
@@ -55,6 +56,24 @@ Result<ScenePeers> measure_input(const Arguments& arguments, std::size_t i) {
       {*scene, *colliders, *frames}, arguments.repetitions, [&] { progress.advance(); }, contest);
 }
 
+Result<MovingScenePeers> measure_steps(const Arguments& arguments, const std::string& input) {
+  arguments::SceneArguments alone;
+  alone.inputs = {input};
+  const Result<scenes::Scene> scene = arguments::open_scene(alone);
+  if (!scene) return scene.error();
+  std::optional<arguments::FrameRange> frames;
+  if (!arguments.frames.empty()) {
+    const auto range = arguments::parse_frame_range(arguments.frames);
+    if (!range) return range.error();
+    frames = *range;
+  }
+  const auto steps = bench::choose_steps(*scene, frames);
+  if (!steps) return steps.error();
+  const auto colliders = scene::make_colliders(*scene, scene::Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  return measure_moving_peers({*scene, *colliders, *steps}, arguments.repetitions);
+}
+
 int fail(const std::string& message) {
   std::cerr << "peer_table: " << message << '\n';
   return 1;
@@ -67,7 +86,19 @@ Result<void> check_csv(const Arguments& arguments) {
   return output::check_outputs({&csv, 1}, inputs);
 }
 
+int run_moving(const Arguments& arguments) {
+  if (arguments.is_self || !arguments.csv.empty())
+    return fail("--moving cannot be combined with --self or --csv");
+  for (const std::string& input : arguments.inputs) {
+    const Result<MovingScenePeers> scene = measure_steps(arguments, input);
+    if (!scene) return fail(scene.error().message);
+    print_moving_peers(*scene, std::cout);
+  }
+  return 0;
+}
+
 int run(const Arguments& arguments) {
+  if (arguments.is_moving) return run_moving(arguments);
   if (const auto checked = check_csv(arguments); !checked) return fail(checked.error().message);
   output::OutputFile csv;
   if (const auto opened = csv.open(arguments.csv); !opened) return fail(opened.error().message);
@@ -91,6 +122,7 @@ int parse_and_run(int argc, char** argv) {
   app.add_option("--clip", arguments.clips, "Clip of a model, in the order of the models")
       ->allow_extra_args(false);
   app.add_flag("--self", arguments.is_self, "Each instance of a scene against itself");
+  app.add_flag("--moving", arguments.is_moving, "Steps between the frames of scenes");
   app.add_option("--frames", arguments.frames, "A:B or A:B:STEP; all frames");
   app.add_option("--repetitions", arguments.repetitions, "The median of so many counts")
       ->capture_default_str()

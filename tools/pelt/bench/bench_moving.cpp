@@ -17,23 +17,6 @@ bool is_step(const scenes::Scene& scene, std::uint32_t from) {
          scenes::take_index(scene, from) == scenes::take_index(scene, from + 1);
 }
 
-Result<std::vector<Step>> choose_steps(const scenes::Scene& scene,
-                                       const std::optional<arguments::FrameRange>& chosen) {
-  const arguments::FrameRange frames = chosen.value_or(arguments::FrameRange{0, scene.frame_count});
-  if (frames.end > scene.frame_count)
-    return output::bad_argument("--frames",
-                                std::to_string(frames.end) + " goes beyond the last frame",
-                                scene.name + " has frames 0:" + std::to_string(scene.frame_count));
-  std::vector<Step> steps;
-  for (const std::uint32_t from : frames.frames())
-    if (is_step(scene, from))
-      steps.push_back({from > 0 && is_step(scene, from - 1) ? from - 1 : from, from, from + 1});
-  if (steps.empty())
-    return output::bad_argument("--frames", "no step begins with these frames",
-                                "choose a frame that has a next one");
-  return steps;
-}
-
 /// Whether a method gives the answers of brute force. Prints a message if not.
 bool agrees(const std::string& where, const std::string& method, const MovingSettings& settings,
             const MovingAnswers& answers, const MovingAnswers& expected, std::ostream& errors) {
@@ -93,6 +76,23 @@ Result<Skinning> measure_skinning_of(const MovingSubject& subject, std::uint32_t
 }
 
 }  // namespace
+
+Result<std::vector<Step>> choose_steps(const scenes::Scene& scene,
+                                       const std::optional<arguments::FrameRange>& chosen) {
+  const arguments::FrameRange frames = chosen.value_or(arguments::FrameRange{0, scene.frame_count});
+  if (frames.end > scene.frame_count)
+    return output::bad_argument("--frames",
+                                std::to_string(frames.end) + " goes beyond the last frame",
+                                scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+  std::vector<Step> steps;
+  for (const std::uint32_t from : frames.frames())
+    if (is_step(scene, from))
+      steps.push_back({from > 0 && is_step(scene, from - 1) ? from - 1 : from, from, from + 1});
+  if (steps.empty())
+    return output::bad_argument("--frames", "no step begins with these frames",
+                                "choose a frame that has a next one");
+  return steps;
+}
 
 MovingBenchMethod moving_method_of(const methods::MovingMethodKind& kind) {
   return {std::string(kind.name), kind.make};

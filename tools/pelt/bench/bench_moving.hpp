@@ -26,6 +26,10 @@ struct MovingSettings {
   arguments::ModelArguments models;
 };
 
+/// The steps that begin with these frames, or an error if there are none.
+Result<std::vector<Step>> choose_steps(const scenes::Scene& scene,
+                                       const std::optional<arguments::FrameRange>& chosen);
+
 MovingBenchMethod moving_method_of(const methods::MovingMethodKind& kind);
 
 /// Appends the scene's figures. If the answers of a method differ from those of brute force, prints
