@@ -15,8 +15,8 @@
  * later call of the engine and of its objects throws a PeltError with the code 'engine_ended'.
  * `delete()` may still be called, and returned arrays stay valid.
  *
- * Characters, poses, filters, tallies, crowds and hashes live in the memory of the engine, which is limited
- * to 2 GB.
+ * Characters, poses, filters, searches, tallies, crowds and hashes live in the memory of the engine, which
+ * is limited to 2 GB.
  * `delete()` frees an object at once. Otherwise it is freed when the garbage collector finalises it.
  */
 
@@ -37,15 +37,25 @@ import type {
   NearPairs,
   Penetration,
 } from './types/distances.js';
+import type {
+  FirstContactOptions,
+  Motion,
+  MovingContact,
+  MovingContacts,
+  MovingOptions,
+} from './types/motion.js';
 import type { Pose } from './types/pose.js';
 import type { ContactHash, Crowd, Scene, SceneParts } from './types/scene.js';
+import type { CollisionSearch, SearchOptions } from './types/search.js';
 import type { ContactTally, SelfContacts, SelfFilter } from './types/self.js';
 export * from './types/character.js';
 export * from './types/pose.js';
 export * from './types/solids.js';
 export * from './types/contacts.js';
 export * from './types/distances.js';
+export * from './types/motion.js';
 export * from './types/scene.js';
+export * from './types/search.js';
 export * from './types/self.js';
 
 /** Loads an engine. Each Web Worker must load its own engine. */
@@ -189,6 +199,29 @@ export interface Pelt {
    * body. Precondition: `a` and `b` are different poses.
    */
   containment(a: Pose, b: Pose): 'none' | 'a_in_b' | 'b_in_a';
+
+  /**
+   * Finds every pair of triangles of `a` and `b` that intersect at any time of a step, in ascending order,
+   * with the first time and what meets then. The answer is exact with respect to the posed vertices at both
+   * ends, and to real numbers between them. Precondition: `a` and `b` have no pose in common.
+   */
+  collideMoving(a: Motion, b: Motion, options?: MovingOptions): MovingContacts;
+
+  /** Returns whether any triangles of `a` and `b` intersect at any time of a step. */
+  touchWhileMoving(a: Motion, b: Motion): boolean;
+
+  /**
+   * Returns the pair of triangles that intersects first in a step, or null if none does; of pairs with
+   * exactly the same time, the lowest. It is one of the pairs of `collideMoving`, with the same time and
+   * features. Precondition: that of `collideMoving`.
+   */
+  firstContact(a: Motion, b: Motion, options?: FirstContactOptions): MovingContact | null;
+
+  /**
+   * Starts a search for the contacts of `collide` that can be stopped after any amount of work, read, and
+   * resumed. Precondition: `a` and `b` are different poses.
+   */
+  makeSearch(a: Pose, b: Pose, options?: SearchOptions): CollisionSearch;
 
   /** Creates a crowd, which queries many instances at once, like `pelt check`. */
   makeCrowd(): Crowd;

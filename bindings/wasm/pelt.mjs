@@ -10,6 +10,7 @@ import { invalid } from './lib/errors.mjs';
 import { withFiles } from './lib/files.mjs';
 import { expose } from './lib/internals.mjs';
 import { Memory } from './lib/memory.mjs';
+import { collideMoving, firstContact, touchWhileMoving } from './lib/motion.mjs';
 import {
   kCreatureRules,
   kFaceRules,
@@ -28,11 +29,13 @@ import {
 } from './lib/queries.mjs';
 import { Pose } from './lib/pose.mjs';
 import { Scene } from './lib/scene.mjs';
+import { CollisionSearch } from './lib/search.mjs';
 import { ContactTally, selfCollide, selfIntersects } from './lib/self.mjs';
 import { requireSimd } from './lib/simd.mjs';
 import { readStats } from './lib/stats.mjs';
 
 export { PeltError } from './lib/errors.mjs';
+export { FeatureKind } from './lib/motion.mjs';
 export { NodeState } from './lib/pose.mjs';
 export { ContactKind } from './lib/queries.mjs';
 
@@ -165,6 +168,22 @@ class Pelt {
 
   containment(a, b) {
     return containment(this.#memory, different(this.#memory, a, b));
+  }
+
+  collideMoving(a, b, options = undefined) {
+    return collideMoving(this.#memory, a, b, options);
+  }
+
+  touchWhileMoving(a, b) {
+    return touchWhileMoving(this.#memory, a, b);
+  }
+
+  firstContact(a, b, options = undefined) {
+    return firstContact(this.#memory, a, b, options);
+  }
+
+  makeSearch(a, b, options = undefined) {
+    return new CollisionSearch(this.#memory, a, b, options);
   }
 
   makeCrowd() {

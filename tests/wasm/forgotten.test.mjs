@@ -14,6 +14,7 @@ function useAndForget() {
   const face = pelt.generateFace({ triangles: 1000 });
   const [a, b] = [face.makePose(), face.makePose()];
   pelt.collide(a, b);
+  pelt.makeSearch(a, b).run(Infinity);
   pelt.selfCollide(a, face.makeSelfFilter());
   const crowd = pelt.makeCrowd();
   crowd.add(face);
@@ -22,7 +23,7 @@ function useAndForget() {
   pelt.makeContactTally().add(pelt.selfCollide(a, face.makeSelfFilter()).pairs);
 }
 
-test('characters, poses, filters, crowds and hashes that are forgotten are given back', async () => {
+test('characters, poses, filters, searches, crowds and hashes that are forgotten are given back', async () => {
   useAndForget();
   for (let turn = 0; turn < 20; ++turn) {
     collectGarbage();

@@ -26,6 +26,11 @@ function useEverything() {
   pelt.collideEagerly(...poses);
   pelt.describeContacts(...poses, pairs);
   pelt.distance(...poses);
+  const [a, b] = poses.map((pose) => ({ from: pose, to: pose }));
+  assert.ok(pelt.collideMoving(a, b).count >= count);
+  const search = pelt.makeSearch(...poses, { order: 'contacts' });
+  search.run(Infinity);
+  search.delete();
   const filter = poses[0].character.makeSelfFilter({ rings: 1, atRest: new Uint32Array([0, 1]) });
   pelt.selfCollide(poses[0], filter);
   pelt.describeSelfContacts(poses[0], Uint32Array.of());

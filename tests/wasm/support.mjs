@@ -12,7 +12,7 @@ export const kShared = process.env.PELT_SHARED_DIR;
 export const kGenerated = process.env.PELT_GENERATED_DIR;
 export const kFaces = fileURLToPath(new URL('faces.json', import.meta.url));
 
-export const { ContactKind, loadPelt, NodeState, PeltError } = await import(
+export const { ContactKind, FeatureKind, loadPelt, NodeState, PeltError } = await import(
   path.join(kPackage, 'pelt.mjs')
 );
 const internals = await import(path.join(kPackage, 'lib/internals.mjs'));

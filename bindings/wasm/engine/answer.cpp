@@ -31,6 +31,8 @@ constexpr Field kFields[] = {
     {"trianglePairs", offsetof(Answer, triangle_pairs), 1},
     {"displacements", offsetof(Answer, displacements), 1},
     {"cutShort", offsetof(Answer, cut_short), 1},
+    {"doublePairs", offsetof(Answer, double_pairs), 1},
+    {"exactPairs", offsetof(Answer, exact_pairs), 1},
     {"distance", offsetof(Answer, distance), 1},
     {"lowerBound", offsetof(Answer, lower_bound), 1},
     {"vertex", offsetof(Answer, vertex), 1},

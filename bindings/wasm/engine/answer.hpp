@@ -30,17 +30,18 @@ inline Numbers3 numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 /// places that `pelt_answer_layout` lists.
 struct Answer {
   double node_pairs = 0, refits = 0, posed_vertices = 0, triangle_pairs = 0, displacements = 0;
-  double cut_short = 0;                  ///< 1: yes
-  double distance = 0, lower_bound = 0;  ///< of two surfaces, or of a surface and a point
-  double vertex = 0, depth = 0;          ///< the deepest vertex
-  Numbers3 position = {};                ///< of that vertex
-  double inside_count = 0;               ///< number of triangles inside
-  double instance = 0;                   ///< number of an instance of a crowd
-  double ignored = 0;                    ///< number of ignored contacts
-  std::array<double, 6> left_out = {};   ///< see LeftOut
-  double hash_high = 0, hash_low = 0;    ///< the halves of a hash
-  Numbers3 low = {}, high = {};          ///< a box
-  Numbers3 centre = {};                  ///< a sphere
+  double cut_short = 0;                      ///< 1: yes
+  double double_pairs = 0, exact_pairs = 0;  ///< of queries of motions
+  double distance = 0, lower_bound = 0;      ///< of two surfaces, or of a surface and a point
+  double vertex = 0, depth = 0;              ///< the deepest vertex
+  Numbers3 position = {};                    ///< of that vertex
+  double inside_count = 0;                   ///< number of triangles inside
+  double instance = 0;                       ///< number of an instance of a crowd
+  double ignored = 0;                        ///< number of ignored contacts
+  std::array<double, 6> left_out = {};       ///< see LeftOut
+  double hash_high = 0, hash_low = 0;        ///< the halves of a hash
+  Numbers3 low = {}, high = {};              ///< a box
+  Numbers3 centre = {};                      ///< a sphere
   double radius = 0;
   const void* data = nullptr;
   std::uint32_t count = 0;  ///< elements of `data`

@@ -8,7 +8,7 @@ import { readStats } from './stats.mjs';
 
 export const ContactKind = Object.freeze({ segment: 0, point: 1, coplanar: 2, collapsed: 3 });
 
-const limit = (most, name) => (most === Infinity ? check.kMaxCount : check.count(most, name, 1));
+export const limit = (most, name) => (most === Infinity ? check.kMaxCount : check.count(most, name, 1));
 const kCollideRules = { firstContact: check.flag, maxContacts: limit };
 const kClearanceRules = { firstPair: check.flag, maxPairs: limit };
 

@@ -25,6 +25,7 @@ import {
   type ConvexPolyhedron,
   type Contacts,
   type CollideOptions,
+  type CollisionSearch,
   type CreatureOptions,
   type Crowd,
   type CrowdContacts,
@@ -33,7 +34,10 @@ import {
   type ErrorCode,
   type Face,
   type FaceOptions,
+  type Feature,
+  FeatureKind,
   type Files,
+  type FirstContactOptions,
   type Frustum,
   type HalfSpace,
   type Instance,
@@ -41,10 +45,16 @@ import {
   loadPelt,
   type MeshoptDecode,
   type ModelOptions,
+  type Motion,
+  type MovingContact,
+  type MovingContacts,
+  type MovingOptions,
+  type MovingStats,
   type NamePair,
   type NearPairs,
   type NodeBoxes,
   NodeState,
+  type OpenRegions,
   type OrientedBox,
   type Part,
   type Pelt,
@@ -57,6 +67,7 @@ import {
   type Region,
   type Scene,
   type SceneParts,
+  type SearchOptions,
   type SelfChoices,
   type SelfContacts,
   type SelfFilter,
@@ -304,6 +315,46 @@ function useDistance(pelt: Pelt, a: Pose, b: Pose): void {
   useStats(stats);
 }
 
+function useMotion(pelt: Pelt, a: Pose, b: Pose): void {
+  const steps: [Motion, Motion] = [
+    { from: a, to: a },
+    { from: b, to: b },
+  ];
+  const options: MovingOptions = { leaveOutStart: false, times: true, maxContacts: 9 };
+  const found: MovingContacts = pelt.collideMoving(...steps, options);
+  const { count, pairs, times, atStart, features, stats } = found;
+  const lengths: number[] = [pairs.length, times.length, atStart.length, features.length];
+  check(lengths.join() === [2 * count, count, count, 4 * count].join(), 'collideMoving');
+  const { doublePairs, exactPairs }: MovingStats = stats;
+  check(count === 9 && stats.cutShort && doublePairs >= exactPairs, 'moving stats');
+  check(pelt.touchWhileMoving(...steps), 'touchWhileMoving');
+  const first: MovingContact | null = pelt.firstContact(...steps);
+  if (first === null) throw new Error('firstContact');
+  check(first.atStart && first.time === 0 && first.triangleA + first.triangleB > 0, 'first');
+  useStats(first.stats);
+  const parts: Feature[] = [first.featureA, first.featureB];
+  const kinds: number[] = [FeatureKind.corner, FeatureKind.edge, FeatureKind.face];
+  check(parts.every(({ kind, number }) => kinds.includes(kind) && number < 3), 'features');
+  const later: FirstContactOptions = { leaveOutStart: true };
+  check(pelt.firstContact(...steps, later) === null, 'they stand still');
+}
+
+function useSearch(pelt: Pelt, a: Pose, b: Pose): void {
+  const options: SearchOptions = { order: 'contacts', maxOpen: 100 };
+  const search: CollisionSearch = pelt.makeSearch(a, b, options);
+  check(search.verdict === 'unknown' && !search.isComplete && !search.isStale, 'search');
+  check(search.run(500).cutShort, 'run');
+  const { count, boxes, depths, pairCounts }: OpenRegions = search.openRegions();
+  check(boxes.length + depths.length + pairCounts.length === 8 * count, 'openRegions');
+  const numbers: number[] = [search.undecidedPairs, search.resolution, search.distanceBound];
+  check(numbers.every((number) => number >= 0), 'enclosures');
+  check(search.workDone >= search.longestStep, 'work');
+  search.restart();
+  search.run(Infinity);
+  check(search.pairs().length === pelt.collide(a, b).pairs.length, 'pairs');
+  search.delete();
+}
+
 function useScene(pelt: Pelt, walker: Character): void {
   const self: SelfChoices = {
     wanted: 'also',
@@ -344,6 +395,8 @@ function useScene(pelt: Pelt, walker: Character): void {
   check(a.character === walker, 'character');
   usePose(a);
   useContacts(pelt, a, b);
+  useMotion(pelt, a, b);
+  useSearch(pelt, a, b);
   useSelf(pelt, a);
   useDistance(pelt, a, b);
   useCrowd(pelt, scene);
@@ -393,6 +446,10 @@ export function misuse(pelt: Pelt, pose: Pose, character: Character, scene: Scen
   pelt.generateFace({ triangles: '2000' });
   // @ts-expect-error a pose, and no character
   pelt.collide(pose, character);
+  // @ts-expect-error a motion, and no pose
+  pelt.collideMoving(pose, pose);
+  // @ts-expect-error there is no such order
+  pelt.makeSearch(pose, pose, { order: 'fast' });
   // @ts-expect-error null has no distance
   pelt.distance(pose, pose).distance;
   // @ts-expect-error there may be no hit
