@@ -41,6 +41,7 @@ Result<Section> crowd_of_fifty(const Conditions& conditions);  // walking.cpp
 Result<Section> real_pairs(const Conditions& conditions);      // real_pairs.cpp
 Result<Section> growth(const Conditions& conditions);          // growth.cpp
 Result<Section> self_collision(const Conditions& conditions);  // self_collision.cpp
+Result<Section> between_frames(const Conditions& conditions);  // between_frames.cpp
 Result<Section> comparison(const Conditions& conditions);      // comparison.cpp
 Result<Section> peers(const Conditions& conditions);           // peers.cpp
 

@@ -17,6 +17,7 @@ constexpr std::array kExperiments = {
     Experiment{"real_pairs", "Intersecting real characters", real_pairs},
     Experiment{"growth", "How queries grow", growth},
     Experiment{"self_collision", "Characters against themselves", self_collision},
+    Experiment{"between_frames", "Between frames", between_frames},
     Experiment{"comparison", "The open comparison: trees, hashing, image space", comparison},
 };
 

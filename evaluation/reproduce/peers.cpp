@@ -1,5 +1,6 @@
 /// Times of other libraries for the same query, and the part of the contacts that they find.
 
+#include "evaluation/peers/moving_peer_figures.hpp"
 #include "evaluation/peers/peer_figures.hpp"
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/method_title.hpp"
@@ -83,6 +84,50 @@ Result<Table> measure_peer_walk(const PeerWalk& walk, const Conditions& conditio
   return table_of(walk.id, walk.title, *figures);
 }
 
+/// The steps between the frames of the creatures that pass through each other.
+Result<Table> measure_moving_peer_walk(const Conditions& conditions) {
+  const auto scene = scenes::parse_scene(passing_through_scene(), {});
+  if (!scene) return scene.error();
+  const auto colliders =
+      tools::scene::make_colliders(*scene, tools::scene::Granularity::instance, {});
+  if (!colliders) return colliders.error();
+  const auto steps = tools::bench::choose_steps(
+      *scene, tools::arguments::FrameRange{0, scene->frame_count, conditions.is_quick ? 60u : 10u});
+  if (!steps) return steps.error();
+  const auto figures =
+      tools::measure_moving_peers({*scene, *colliders, *steps}, conditions.is_quick ? 3 : 9);
+  if (!figures) return figures.error();
+  Table table = {"peers_between",
+                 "Two creatures through each other, between frames",
+                 {{"library", "library"},
+                  {"skinning_us", "skinning [us]"},
+                  {"update_us", "structure [us]"},
+                  {"query_us", "query, with times [us]"},
+                  {"step_us", "step [us]"},
+                  {"of_pelt", "cost over Pelt"},
+                  {"missing", "missing pairs that first touch during a step"},
+                  {"missing_at_start", "missing pairs that touch from the start"},
+                  {"extra", "extra pairs"},
+                  {"early", "times too early"},
+                  {"late", "times too late"}},
+                 {},
+                 tools::output::counted(figures->steps, "step") + ", " +
+                     tools::output::with_commas(figures->contacts) + " contacts in all, " +
+                     tools::output::with_commas(figures->contacts_at_start) +
+                     " of them from the start of the step. A time is wrong if it differs by more "
+                     "than 0.0001 of a step. FCL's tolerances are absolute: the last row is FCL "
+                     "with positions in millimetres instead of metres."};
+  for (const tools::MovingPeerFigures& of : figures->methods)
+    table.rows.push_back(
+        {shown_name(of.method), of.skinning_us > 0 ? Cell(of.skinning_us) : Cell(), of.update_us,
+         of.query_us, of.step_us, of.step_us / figures->methods[0].step_us,
+         static_cast<double>(of.difference.missing_later),
+         static_cast<double>(of.difference.missing_at_start),
+         static_cast<double>(of.difference.extra), static_cast<double>(of.difference.early),
+         static_cast<double>(of.difference.late)});
+  return table;
+}
+
 }  // namespace
 
 Result<Section> peers(const Conditions& conditions) {
@@ -107,6 +152,9 @@ Result<Section> peers(const Conditions& conditions) {
     if (!table) return table.error();
     section.tables.push_back(std::move(*table));
   }
+  auto between = measure_moving_peer_walk(conditions);
+  if (!between) return between.error();
+  section.tables.push_back(std::move(*between));
   return section;
 }
 
