@@ -125,6 +125,26 @@ async function alignedSwitches(page) {
   return new Set(boxes.map(({ y }) => y)).size;
 }
 
+test('a report of steps lists and marks those with contacts between frames', async (t) => {
+  const [still, other] = SCENE.instances;
+  const flying = { ...other, translation: [-0.5, 0.15, 0.05], velocity: [0.5, 0, 0] };
+  const shop = new Workshop(t, { ...SCENE, instances: [still, flying] });
+  const answer = shop.check('--between');
+  const { contacts, steps_in_contact: steps } = answer.totals.between;
+  assert.ok(steps > 0, 'steps worth testing');
+  const page = await openToCount(t, browsing.urlOf(shop.at('report.html')));
+  await agreesWith(page, answer);
+  await says(page, new RegExp(`${contacts.toLocaleString('en')} contacts? between frames only`));
+  assert.equal(await page.locator('.steps button').count(), Math.min(steps, 8));
+  assert.equal(await page.locator('.steps-between rect').count(), steps);
+  await page.locator('.steps button').first().click();
+  const [frame] = (await page.locator('.steps button').first().innerText()).match(/\d+/);
+  await page.waitForSelector(`[data-fact=frame]:text-is("${frame}")`);
+  assert.deepEqual(await smallTargets(page), []);
+  assert.deepEqual(await poorContrasts(page), []);
+  assert.deepEqual(page.complaints, []);
+});
+
 test('a report of some frames counts and marks just these', async (t) => {
   const shop = new Workshop(t);
   const words = ['--frames', '2:12:3'];

@@ -46,6 +46,48 @@ describe("a report's files", () => {
   });
 });
 
+describe('steps with contacts between frames', () => {
+  const steps = [
+    { step: 2, to: 3, only_between: 4, first: 0.7 },
+    { step: 5, to: 6, only_between: 9, first: 0.1 },
+    { step: 7, to: 8, only_between: 4, first: 0.9 },
+  ];
+
+  test('are listed with the most contacts first', async () => {
+    const { betweenInWords, worstSteps } = await load('panels/between.tsx');
+    assert.deepEqual(
+      worstSteps(steps).map(({ step }) => step),
+      [5, 2, 7],
+    );
+    assert.equal(betweenInWords(steps), '17 contacts between frames only, in 3 steps');
+  });
+
+  test('belong to a clip, and count from its start', async () => {
+    const { reelOf } = await load('report/clips.ts');
+    const scene = JSON.stringify({ instances: [{ clip: '*' }] });
+    const verdict = { worse: null, gone: null, newly_held: null };
+    const answer = {
+      options: { frames: [0, 10, 1] },
+      counts: new Array(10).fill(0),
+      steps,
+      touches: [],
+      totals: {},
+      verdict,
+    };
+    const clips = [
+      { clip: 'a', first_frame: 0, frames: 5 },
+      { clip: 'b', first_frame: 5, frames: 5 },
+    ];
+    const report = { scene: 's', files: { s: btoa(scene) }, clips, answer };
+    const [a, b] = reelOf(report).clips.map((one) => one.report.answer.steps);
+    assert.deepEqual(a, [steps[0]]);
+    assert.deepEqual(b, [
+      { ...steps[1], step: 0, to: 1 },
+      { ...steps[2], step: 2, to: 3 },
+    ]);
+  });
+});
+
 describe('the tally of touches', () => {
   /** A character of 4 triangles, in two parts that follow two joints. */
   const character = {

@@ -77,6 +77,33 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
   EXPECT_EQ(parse_check_file(again.out).totals["hash"], file.totals["hash"]);
 }
 
+TEST_F(CheckHtml, HasTheStepsWithContactsBetweenTheirFrames) {
+  const Ended run = run_pelt(folder_, {"check", "scene.json", "--between", "--fps", "3", "--html",
+                                       "report.html", "--jsonl", "answer.jsonl"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const std::string page = read_text(folder_ / "report.html");
+  const CheckFile file = parse_check_file(read_text(folder_ / "answer.jsonl"));
+  json steps = json::array();
+  for (const json& line : file.frames)
+    if (line.contains("step"))
+      steps.push_back({{"step", line["step"]},
+                       {"to", line["to"]},
+                       {"only_between", line["only_between"]},
+                       {"first", line["first"]}});
+  EXPECT_GT(steps.size(), 0u);
+  EXPECT_EQ(data_of(page)["answer"]["steps"], steps);
+  const json between = file.totals["totals"]["between"];
+  const std::string words = " contacts in " + between["steps_in_contact"].dump() + " of " +
+                            between["steps"].dump() + " steps.";
+  EXPECT_NE(page.find(words), std::string::npos);
+}
+
+TEST_F(CheckHtml, HasNoStepsWithoutBetween) {
+  const Ended run = run_pelt(folder_, {"check", "scene.json", "--html", "report.html"});
+  ASSERT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_TRUE(data_of(read_text(folder_ / "report.html"))["answer"]["steps"].is_null());
+}
+
 TEST_F(CheckHtml, ShowsTheResultWithoutTheScript) {
   const Ended run =
       run_pelt(folder_, {"check", "scene.json", "--frames", "2:12:2", "--html", "a<b&c.html"});

@@ -84,7 +84,6 @@ const char* excludes_between(const CheckArguments& arguments, methods::MethodKin
   if (arguments.budget) return "--budget";
   if (arguments.first) return "--first";
   if (arguments.max_contacts) return "--max-contacts";
-  if (!arguments.html.empty()) return "--html";
   return nullptr;
 }
 

@@ -47,6 +47,15 @@ std::string outer_lines(const scene::StagedScene& staged, const CheckQuestion& q
   return lines.str();
 }
 
+/// Returns nullopt without --between.
+std::optional<std::vector<page::PageStep>> page_steps(const CheckTotals& totals) {
+  if (!totals.between) return std::nullopt;
+  std::vector<page::PageStep> steps;
+  for (const StepBetween& step : totals.between->found)
+    steps.push_back({step.from, step.to, step.contacts, step.earliest.first.seconds});
+  return steps;
+}
+
 Result<void> write_page(output::OutputFile& file, const scenes::Scene& scene,
                         const arguments::ModelArguments& models, const page::PageData& data) {
   const Result<std::string> page = page::page_of_scene(scene, models, data);
@@ -76,7 +85,8 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
   if (!drawn) return drawn.error();
   if (files.html.stream() != nullptr) {
     const page::PageAnswer answer = {report->frame_contacts,
-                                     outer_lines(staged, question, *report, *tally)};
+                                     outer_lines(staged, question, *report, *tally),
+                                     page_steps(report->totals)};
     const auto written = write_page(files.html, scene, models, {outputs.words, answer});
     if (!written) return written.error();
   }

@@ -86,11 +86,24 @@ ordered_json clips_json(const scenes::Scene& scene) {
   return clips;
 }
 
+/// Null without --between.
+ordered_json steps_json(const std::optional<std::vector<PageStep>>& steps) {
+  if (!steps) return nullptr;
+  ordered_json json = ordered_json::array();
+  for (const PageStep& step : *steps)
+    json.push_back({{"step", step.from},
+                    {"to", step.to},
+                    {"only_between", step.contacts},
+                    {"first", step.first_seconds}});
+  return json;
+}
+
 ordered_json answer_json(const PageAnswer& answer) {
   std::istringstream lines(answer.lines);
   ordered_json first, last;
   lines >> first >> last;
   ordered_json json = {{"options", first["options"]}, {"counts", answer.counts}};
+  json["steps"] = steps_json(answer.steps);
   json.update(last);
   return json;
 }

@@ -14,10 +14,18 @@
 
 namespace pelt::tools::page {
 
+/// A step in which triangles touch that touch in neither of its frames.
+struct PageStep {
+  std::uint32_t from = 0, to = 0;  ///< frames
+  std::uint64_t contacts = 0;      ///< that touch in neither frame
+  double first_seconds = 0;        ///< the first time of these contacts, in the clip
+};
+
 /// Results of `pelt check`, which the page compares with its own.
 struct PageAnswer {
-  std::vector<std::uint64_t> counts;  ///< contacts of each frame
-  std::string lines;                  ///< the first and the last line of --jsonl
+  std::vector<std::uint64_t> counts;           ///< contacts of each frame
+  std::string lines;                           ///< the first and the last line of --jsonl
+  std::optional<std::vector<PageStep>> steps;  ///< with --between
 };
 
 struct PageData {

@@ -50,6 +50,14 @@ const char* self_sentence(const ordered_json& options) {
   return " Contacts of characters with themselves count, too.";
 }
 
+/// Says what touches between frames only, with --between.
+std::string between_sentence(const ordered_json& totals) {
+  if (!totals.contains("between")) return "";
+  const ordered_json& between = totals["between"];
+  return " Between frames only: " + number(between["contacts"]) + " contacts in " +
+         number(between["steps_in_contact"]) + " of " + number(between["steps"]) + " steps.";
+}
+
 }  // namespace
 
 std::string verdict_html(const PageData& data) {
@@ -61,7 +69,8 @@ std::string verdict_html(const PageData& data) {
   return std::string(headline(last["verdict"])) + ": " + number(totals["frames_in_contact"]) +
          " of " + number(totals["frames"]) + " frames in contact, " + number(totals["contacts"]) +
          " contacts" + clearance_words(first["options"]) + limit_words(first["options"]) + "." +
-         self_sentence(first["options"]) + " Command: <code>" + escaped(data.command) + "</code>";
+         self_sentence(first["options"]) + between_sentence(totals) + " Command: <code>" +
+         escaped(data.command) + "</code>";
 }
 
 }  // namespace pelt::tools::page

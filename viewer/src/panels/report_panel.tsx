@@ -6,6 +6,7 @@ import { headlineOf, isAsItCame, worstFrame } from '../report/verdict';
 import { pauseAt } from '../state/changes';
 import type { State } from '../state/state';
 import { counted, withCommas } from '../words';
+import { Between } from './between';
 import type { PanelProps } from './panel_props';
 
 /** The result of the command, and whether the page agrees. */
@@ -21,6 +22,7 @@ export function ReportPanel({ state, update }: PanelProps) {
       </h2>
       <p class="headline">{headlineOf(answer)}</p>
       <Comparison report={report} answer={answer} />
+      <Between answer={answer} update={update} />
       <Held answer={answer} update={update} />
       <Found answer={answer} update={update} />
       <code>{command}</code>

@@ -3,9 +3,11 @@ import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../sta
 import { whyNothingIsCompared } from '../state/compared';
 import { checkedFrames } from '../state/frames';
 import { frameInPicture } from '../state/shots';
-import type { Update } from '../state/state';
+import { isAsItCame } from '../report/verdict';
+import type { State, Update } from '../state/state';
 import { counted } from '../words';
 import type { PanelProps } from './panel_props';
+import { betweenInWords } from './between';
 import { Chart } from './chart';
 import { Announcement, FrameFacts, SweepFacts } from './clip_facts';
 
@@ -23,6 +25,7 @@ export function Timeline({ state, update }: PanelProps) {
           frameCount={scene.frameCount}
           checked={checkedFrames(state)}
         />
+        <StepMarks state={state} />
         <i class="playhead" style={{ left: `${(100 * (frame + 0.5)) / scene.frameCount}%` }} />
         <input
           type="range"
@@ -44,6 +47,20 @@ export function Timeline({ state, update }: PanelProps) {
         />
       </div>
     </footer>
+  );
+}
+
+/** Marks the steps in which the command found contacts between frames, until something changes. */
+function StepMarks({ state }: { state: State }) {
+  const steps = state.report?.answer?.steps;
+  if (!steps || steps.length === 0 || !isAsItCame(state)) return null;
+  const percent = (frames: number) => `${(100 * frames) / state.scene!.frameCount}%`;
+  return (
+    <svg class="steps-between" aria-label={betweenInWords(steps)} role="img">
+      {steps.map(({ step, to }) => (
+        <rect x={percent(step + 0.5)} width={percent(to - step)} height="5" />
+      ))}
+    </svg>
   );
 }
 

@@ -2,7 +2,7 @@
 
 import type { Scene } from '../scene/scene';
 import type { FrameRange } from '../worker/protocol';
-import type { ReportAnswer, Report, ReportedTake } from './report';
+import type { ReportAnswer, Report, ReportedStep, ReportedTake } from './report';
 import { worstFrame } from './verdict';
 
 /** One clip of a report of all clips. */
@@ -105,6 +105,7 @@ function answerOfTake(answer: ReportAnswer, take: ReportedTake): ReportAnswer | 
     ...answer,
     options: { ...answer.options, frames },
     counts,
+    ...(answer.steps && { steps: stepsOfTake(answer.steps, take) }),
     totals: { frames: counts.length, frames_in_contact: inContact, contacts, ignored: 0 },
     hash: null,
     touches: ofClip(answer.touches)!,
@@ -114,8 +115,19 @@ function answerOfTake(answer: ReportAnswer, take: ReportedTake): ReportAnswer | 
       worse: ofClip(verdict.worse),
       gone: ofClip(verdict.gone),
       newly_held: ofClip(verdict.newly_held),
+      ...(verdict.between && { between: { worse: ofClip(verdict.between.worse)! } }),
     },
   };
+}
+
+/** Returns the steps of the clip, counted from its start. */
+function stepsOfTake(
+  steps: readonly ReportedStep[],
+  { first_frame: start, frames: count }: ReportedTake,
+): ReportedStep[] {
+  return steps
+    .filter(({ step }) => step >= start && step < start + count)
+    .map((one) => ({ ...one, step: one.step - start, to: one.to - start }));
 }
 
 /** Returns the checked frames, counted from the start of the clip, and the index of the first. */

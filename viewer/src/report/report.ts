@@ -62,6 +62,8 @@ export interface ReportAnswer {
   };
   /** Contacts of each of these frames. */
   counts: number[];
+  /** Steps with contacts between their frames; null or absent without --between. */
+  steps?: ReportedStep[] | null;
   totals: {
     frames: number;
     frames_in_contact: number;
@@ -87,9 +89,22 @@ export interface ReportAnswer {
     gone: GoneTouch[] | null;
     /** Bodies that another one holds whole, with --inside. */
     newly_held: { clip?: string }[] | null;
+    /** The same for contacts between frames, with --between and a baseline. */
+    between?: { worse: { clip?: string }[] };
     /** Differences of the earlier check from this one. */
     notes: string[] | null;
   };
+}
+
+/** A step in which triangles touch that touch in neither of its frames. */
+export interface ReportedStep {
+  /** The frame in which the step begins, and the one in which it ends. */
+  step: number;
+  to: number;
+  /** Contacts that touch in neither frame. */
+  only_between: number;
+  /** Seconds from the start of the clip to the first of these contacts. */
+  first: number;
 }
 
 /** Options of tests of bodies against themselves. */
