@@ -10,23 +10,9 @@ inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
 struct CountPairs {
-  explicit CountPairs(const detail::PosedTree& p) : posed(p) {}
-
   static bool is_full() { return false; }
-
-  detail::SlotMatrix overlapping_slots(std::uint32_t a, std::uint32_t b) const {
-    const detail::OpenedNode &opened_a = *posed.opened[a], &opened_b = *posed.opened[b];
-    detail::SlotMatrix matrix = 0;
-    for (unsigned row = 0; row < detail::kMaxSlots; ++row)
-      matrix |= detail::SlotMatrix{detail::slots_in(
-                    opened_b, detail::lane_box(opened_a.low, opened_a.high, row))}
-                << 8 * row;
-    return matrix;
-  }
-
   void test(std::uint32_t, std::uint32_t) { ++count; }
 
-  const detail::PosedTree& posed;
   std::uint64_t count = 0;
 };
 
@@ -36,9 +22,9 @@ DescendSelf descend_self;
 BoxAllTriangles box_all_triangles;
 
 std::uint64_t descend_self(const detail::PosedTree& posed, const detail::PairMasks& masks) {
-  CountPairs rule(posed);
+  CountPairs rule;
   QueryStats work;
-  detail::SelfDescent(posed.tree, masks, rule, work).run();
+  detail::SelfDescent(posed, masks, rule, work).run();
   return rule.count;
 }
 

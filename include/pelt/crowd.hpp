@@ -229,11 +229,12 @@ class PELT_API Crowd {
   /// because each test ends at its first contact. Ignores `CrowdOptions::max_contacts`.
   CrowdStats intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
 
-  /// Appends the triangles of different instances that intersect at any time of the current step,
-  /// in ascending order of the instances and triangles. Exact like `collide_moving` of two motions.
+  /// Appends the triangles that intersect at any time of the current step, in ascending order of
+  /// the instances and triangles. Exact like `collide_moving` of two motions and
+  /// `self_collide_moving`.
   ///
-  /// `moving`: as for two motions. `moving.max_contacts` is the limit of each pair of instances.
-  /// `options`: selects the pairs. `max_contacts` and `self_filter` are ignored.
+  /// `moving`: as for two motions. `moving.max_contacts` is the limit of each pair of instances,
+  /// and of each instance against itself. `options`: selects the tests. `max_contacts` is ignored.
   ///
   /// Cost, threads, allocation and exceptions: as `collide`. The broad phase compares boxes around
   /// both ends of the motions.

@@ -103,9 +103,7 @@ CrowdStats Crowd::intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdO
 
 CrowdStats Crowd::collide_moving(std::vector<CrowdMovingContact>& contacts,
                                  const CrowdOptions& options, const MovingOptions& moving) {
-  CrowdOptions pairs = options;
-  pairs.self_filter = nullptr;
-  const CrowdStats stats = crowd_->query.run_moving(crowd_->instances, pairs, moving);
+  const CrowdStats stats = crowd_->query.run_moving(crowd_->instances, options, moving);
   std::size_t end = contacts.size(), count = 0;
   for (const detail::TouchingPair& pair : crowd_->query.touching()) count += pair.moving.size();
   contacts.resize(end + count);

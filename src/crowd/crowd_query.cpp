@@ -4,6 +4,7 @@
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"
 #include "motion/moving_trees.hpp"
+#include "motion/self_moving_tree.hpp"
 #include "query/sort_contacts.hpp"
 #include "self/self_filter.hpp"
 #include "self/self_tree.hpp"
@@ -241,12 +242,24 @@ void CrowdQuery::Worker::collide_moving_pair(const Question& question, const Cro
 
 void CrowdQuery::Worker::collide_self(const Question& question, std::uint32_t instance,
                                       Arena& arena) {
-  const SelfStats stats =
-      self_collide_tree(question.instances[instance].posed_tree(arena),
-                        *question.self_filters[instance], nullptr, scratch, question.max_contacts);
+  const PosedTree posed = question.instances[instance].posed_tree(arena);
+  if (question.moving) return collide_moving_self(question, instance, posed, arena);
+  const SelfStats stats = self_collide_tree(posed, *question.self_filters[instance], nullptr,
+                                            scratch, question.max_contacts);
   work += stats;
   left_out += stats.left_out;
   keep_found({instance, instance});
+}
+
+void CrowdQuery::Worker::collide_moving_self(const Question& question, std::uint32_t instance,
+                                             const PosedTree& to, Arena& arena) {
+  CrowdInstances& instances = question.instances;
+  const PosedTree from = instances[instance].start_tree(instances.moves(instance), arena);
+  const SelfMovingStats stats = self_collide_moving_tree(
+      {from, to}, *question.self_filters[instance], scratch, *question.moving);
+  work += stats;
+  left_out += stats.left_out;
+  keep_moving({instance, instance});
 }
 
 void CrowdQuery::Worker::keep_found(const CrowdPair& pair) {

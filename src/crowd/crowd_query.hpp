@@ -81,6 +81,8 @@ class CrowdQuery {
     void collide_pair(const Question& question, const CrowdPair& pair, Arena& arena);
     void collide_moving_pair(const Question& question, const CrowdPair& pair, Arena& arena);
     void collide_self(const Question& question, std::uint32_t instance, Arena& arena);
+    void collide_moving_self(const Question& question, std::uint32_t instance, const PosedTree& to,
+                             Arena& arena);
     void keep_found(const CrowdPair& pair);
     void keep_moving(const CrowdPair& pair);
     template <typename AnyContact>

@@ -17,6 +17,25 @@ namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
+/// Precondition: the node is open at both ends.
+MovingNode opened_node(const MovingTree& moving, std::uint32_t node) {
+  return {*moving.from.opened[node], *moving.to.opened[node]};
+}
+
+}  // namespace
+
+/// For SelfDescent.
+inline SlotMatrix overlapping_slots(const MovingTree& moving, std::uint32_t a, std::uint32_t b) {
+  const MovingOverlap overlap;
+  const MovingNode node_a = opened_node(moving, a), node_b = opened_node(moving, b);
+  SlotMatrix matrix = 0;
+  for (unsigned row = 0; row < kMaxSlots; ++row)
+    matrix |= SlotMatrix{overlap.slots_near(node_b, node_a, row)} << 8 * row;
+  return matrix;
+}
+
+namespace {
+
 /// Tests the triangles of overlapping clusters that share no surface vertex.
 class SeparateWhileMoving {
  public:
@@ -30,14 +49,6 @@ class SeparateWhileMoving {
         triangles_(pairs_, answer.contacts(), options, work) {}
 
   bool is_full() const { return answer_.is_full(); }
-
-  SlotMatrix overlapping_slots(std::uint32_t a, std::uint32_t b) const {
-    const MovingNode node_a = opened(a), node_b = opened(b);
-    SlotMatrix matrix = 0;
-    for (unsigned row = 0; row < kMaxSlots; ++row)
-      matrix |= SlotMatrix{overlap_.slots_near(node_b, node_a, row)} << 8 * row;
-    return matrix;
-  }
 
   /// Tests two clusters that are no neighbours.
   void test(std::uint32_t low, std::uint32_t high) {
@@ -60,14 +71,10 @@ class SeparateWhileMoving {
   }
 
  private:
-  MovingNode opened(std::uint32_t node) const {
-    return {*moving_.from.opened[node], *moving_.to.opened[node]};
-  }
-
   MovingCluster cluster(std::uint32_t number) const {
     const std::uint32_t n = filter_.masks.cluster_nodes.data()[number];
     const Node& node = moving_.tree.nodes.data()[n];
-    return {moving_, node, opened(n), number - node.first_cluster};
+    return {moving_, node, opened_node(moving_, n), number - node.first_cluster};
   }
 
   bool has_hubs(std::uint32_t low, std::uint32_t high) const {
@@ -104,7 +111,7 @@ void test_separate_triangles(const MovingTree& moving, const SelfFilter& filter,
                              const MovingOptions& options, SelfAnswerOf<MovingContact>& answer,
                              MovingStats& work) {
   SeparateWhileMoving rule(moving, filter, options, answer, work);
-  SelfDescent(moving.tree, filter.masks, rule, work).run();
+  SelfDescent(moving, filter.masks, rule, work).run();
   const std::size_t cluster_count = moving.tree.clusters.size();
   for (std::uint32_t c = 0; c < cluster_count && !rule.is_full(); ++c) rule.test_neighbours(c);
   if (!rule.is_full()) rule.flush();

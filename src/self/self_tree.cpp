@@ -24,8 +24,7 @@ class SeparateTriangles {
  public:
   SeparateTriangles(const PosedTree& posed, const SelfFilter& filter, SelfTrack* track,
                     Arena& memory, SelfAnswer& answer, QueryStats& work)
-      : posed_(posed),
-        filter_(filter),
+      : filter_(filter),
         track_(track),
         answer_(answer),
         work_(work),
@@ -34,15 +33,6 @@ class SeparateTriangles {
 
   bool is_full() const { return answer_.is_full(); }
   bool is_impatient() const { return answer_.is_impatient(); }
-
-  SlotMatrix overlapping_slots(std::uint32_t a, std::uint32_t b) const {
-    const OpenedNode &opened_a = *posed_.opened[a], &opened_b = *posed_.opened[b];
-    SlotMatrix matrix = 0;
-    for (unsigned row = 0; row < kMaxSlots; ++row)
-      matrix |= SlotMatrix{slots_in(opened_b, lane_box(opened_a.low, opened_a.high, row))}
-                << 8 * row;
-    return matrix;
-  }
 
   /// Tests two clusters that are no neighbours.
   void test(std::uint32_t low, std::uint32_t high) {
@@ -102,7 +92,6 @@ class SeparateTriangles {
 
   static constexpr PairMask kNoneSkipped = {};
 
-  const PosedTree& posed_;
   const SelfFilter& filter_;
   SelfTrack* track_;  // or null
   SelfAnswer& answer_;
@@ -116,7 +105,7 @@ class SeparateTriangles {
 void test_separate_triangles(const PosedTree& posed, const SelfFilter& filter, SelfTrack* track,
                              Scratch& scratch, SelfAnswer& answer, QueryStats& work) {
   SeparateTriangles rule(posed, filter, track, scratch.boxes, answer, work);
-  SelfDescent(posed.tree, filter.masks, rule, work).run();
+  SelfDescent(posed, filter.masks, rule, work).run();
   const std::size_t cluster_count = posed.tree.clusters.size();
   for (std::uint32_t c = 0; c < cluster_count && !rule.is_full(); ++c) rule.test_neighbours(c);
   if (!rule.is_full()) rule.flush();

@@ -1,8 +1,12 @@
 /// A crowd in motion, against every pair of motions one by one.
 
 #include <pelt/instruction_set.hpp>
+#include <pelt/self_motion.hpp>
 
 #include "crowd/test_crowd.hpp"
+
+#include <algorithm>
+#include <tuple>
 
 namespace pelt::test {
 namespace {
@@ -149,6 +153,40 @@ TEST(MovingCrowd, MovesMorphWeights) {
   std::vector<CrowdContact> at_end;
   crowd.collide(at_end);
   EXPECT_GT(found.size(), at_end.size());
+}
+
+TEST(MovingCrowd, TestsInstancesAgainstThemselves) {
+  Random random(1849);
+  MovingCrowd crowd(random, 6);
+  std::vector<SelfFilter> filters;
+  for (const Pose& pose : crowd.from) filters.push_back(*build_self_filter(pose.model()));
+  CrowdOptions options;
+  options.self_filter = [&](std::uint32_t i) { return i == 4 ? nullptr : &filters[i]; };
+  std::size_t own = 0;
+  for (int round = 0; round < 3; ++round) {
+    crowd.step(random);
+    auto expected = crowd.expected();
+    Scratch scratch;
+    for (std::uint32_t i = 0; i < filters.size(); ++i) {
+      if (i == 4) continue;
+      std::vector<MovingContact> contacts;
+      self_collide_moving({crowd.from[i], crowd.to[i]}, filters[i], scratch, contacts);
+      for (const MovingContact& contact : contacts) expected.push_back({i, i, contact});
+      own += contacts.size();
+    }
+    std::sort(expected.begin(), expected.end(), [](const auto& x, const auto& y) {
+      return std::tie(x.instance_a, x.instance_b, x.moving.contact) <
+             std::tie(y.instance_a, y.instance_b, y.moving.contact);
+    });
+    for (const std::uint32_t threads : {1u, 3u}) {
+      options.threads = threads;
+      std::vector<CrowdMovingContact> found;
+      const CrowdStats stats = crowd.crowd.crowd.collide_moving(found, options);
+      ASSERT_EQ(found, expected) << "round " << round;
+      EXPECT_EQ(stats.self_tests, filters.size() - 1);
+    }
+  }
+  EXPECT_GT(own, 100u);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tools/pelt/scene/posed_instances.hpp"
 #include "tools/run_program.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
@@ -70,6 +71,16 @@ inline std::string hash_of(const CheckFile& file) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state));
   return text;
+}
+
+/// The lines of steps, which are removed from the frames.
+inline std::vector<nlohmann::json> take_steps(CheckFile& file) {
+  const auto steps =
+      std::stable_partition(file.frames.begin(), file.frames.end(),
+                            [](const nlohmann::json& line) { return line.contains("frame"); });
+  std::vector<nlohmann::json> lines(steps, file.frames.end());
+  file.frames.erase(steps, file.frames.end());
+  return lines;
 }
 
 }  // namespace pelt::test

@@ -28,15 +28,6 @@ std::string write_passing(const TestFolder& folder, const std::string& name, int
   return folder / name;
 }
 
-/// The lines of steps, which are removed from the frames.
-std::vector<json> take_steps(CheckFile& file) {
-  const auto steps = std::stable_partition(file.frames.begin(), file.frames.end(),
-                                           [](const json& line) { return line.contains("frame"); });
-  std::vector<json> lines(steps, file.frames.end());
-  file.frames.erase(steps, file.frames.end());
-  return lines;
-}
-
 bool boxes_meet(const detail::MovingTriangle& a, const detail::MovingTriangle& b) {
   const auto along = [](const detail::MovingTriangle& t, float Vec3::*axis) {
     std::vector<float> values;
@@ -257,14 +248,13 @@ TEST(CheckBetween, RefusesWhatItCannotTest) {
     const std::string message = refusal(options);
     EXPECT_NE(message.find("cannot be combined with"), std::string::npos) << message;
   };
-  refused_with({"--self"});
   refused_with({"--first"});
   refused_with({"--max-contacts", "3"});
   refused_with({"--clearance", "0.1"});
   refused_with({"--method", "brute"});
   refused_with({"--budget", "100"});
   EXPECT_NE(refusal({"--substeps", "2"}).find("requires --between"), std::string::npos);
-  EXPECT_NE(run_pelt(folder, {"check", "one.glb", "--clip", "sway", "--between"})
+  EXPECT_NE(run_pelt(folder, {"check", "one.glb", "--clip", "sway", "--self", "no", "--between"})
                 .err.find("nothing was compared"),
             std::string::npos);
 }

@@ -4,6 +4,7 @@
 
 #include "check_self.hpp"
 #include "geometry/neighbour_pair.hpp"
+#include "motion/self_moving_brute_force.hpp"
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
 
@@ -94,6 +95,63 @@ TEST(CheckSelf, EqualsBruteForceInEveryFrame) {
   EXPECT_GT(without, 1u);
   EXPECT_EQ(file.totals["verdict"]["pairs_compared"], 3);
   EXPECT_EQ(file.totals["hash"], hash_of(file));
+}
+
+/// The pairs of triangles of one instance that meet in a step and at neither end, by tests of all.
+json brute_force_between(const scenes::Scene& scene, std::uint32_t instance, std::uint32_t frame) {
+  const auto from = tools::scene::pose_instances(scene, frame, {});
+  const auto to = tools::scene::pose_instances(scene, frame + 1, {});
+  EXPECT_TRUE(from && to);
+  const asset::Asset& asset = scene.characters[scene.instances[instance].character].asset;
+  const std::vector<Vec3>&first = (*from)[instance].positions, &last = (*to)[instance].positions;
+  std::vector<detail::MovingTriangle> triangles;
+  for (const Triangle& t : asset.triangles)
+    triangles.push_back(
+        {{first[t[0]], first[t[1]], first[t[2]]}, {last[t[0]], last[t[1]], last[t[2]]}});
+  const json at_end = brute_force_self(scene, instance, frame + 1);
+  json contacts = json::array();
+  for (const MovingContact& c : brute_force_self_moving(
+           triangles, surface_corners(asset.triangles, self_surface(asset)), true)) {
+    const json pair = {c.contact.triangle_a, c.contact.triangle_b};
+    if (!c.at_start && std::find(at_end.begin(), at_end.end(), pair) == at_end.end())
+      contacts.push_back(pair);
+  }
+  return contacts;
+}
+
+json between_of(const json& step, std::uint32_t instance) {
+  json triangles = json::array();
+  for (const json& pair : step["pairs"])
+    if (pair["a"] == instance && pair["b"] == instance)
+      for (const json& contact : pair["between"]) triangles.push_back(contact["triangles"]);
+  return triangles;
+}
+
+TEST(CheckSelf, EqualsBruteForceBetweenFrames) {
+  const TestFolder folder;
+  write_curl(folder);
+  write_text(folder / "scene.json", kTwoCurls);
+  const auto scene = scenes::load_scene(folder / "scene.json");
+  ASSERT_TRUE(scene) << scene.error().message;
+  const CommandWords all = {"scene.json", "--self",         "only", "--self-rings",
+                            "0",          "--self-at-rest", "keep", "--self-near-joints",
+                            "keep",       "--between"};
+  CheckFile file = check_self(folder, all, 1);
+  const std::vector<json> steps = take_steps(file);
+  std::size_t contacts = 0, next = 0;
+  for (std::uint32_t frame = 0; frame + 1 < 12; ++frame) {
+    const json first = brute_force_between(*scene, 0, frame);
+    const json second = brute_force_between(*scene, 1, frame);
+    contacts += first.size() + second.size();
+    if (first.empty() && second.empty()) continue;
+    ASSERT_LT(next, steps.size());
+    const json& step = steps[next++];
+    EXPECT_EQ(step["step"], frame);
+    EXPECT_EQ(between_of(step, 0), first);
+    EXPECT_EQ(between_of(step, 1), second);
+  }
+  EXPECT_EQ(next, steps.size());
+  EXPECT_GT(contacts, 20u);
 }
 
 TEST(CheckSelf, LeavesThePairsOfInstancesAsTheyAre) {

@@ -16,8 +16,9 @@ StepBetween::Earliest earliest_of(const StepContacts& step) {
 }  // namespace
 
 BetweenCheck::BetweenCheck(const scene::StagedScene& staged, std::uint32_t substeps,
-                           const scenes::IgnoredPairs& ignored, TouchTally tally)
-    : query_(staged, substeps, ignored), deviation_(staged), tally_(std::move(tally)) {
+                           const scenes::IgnoredPairs& ignored, const BetweenTests& tests,
+                           TouchTally tally)
+    : query_(staged, substeps, ignored, tests), deviation_(staged), tally_(std::move(tally)) {
   report_.substeps = substeps;
 }
 

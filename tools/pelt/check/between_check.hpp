@@ -49,7 +49,7 @@ class BetweenCheck {
  public:
   /// `tally` must be empty. See BetweenQuery.
   BetweenCheck(const scene::StagedScene& staged, std::uint32_t substeps,
-               const scenes::IgnoredPairs& ignored, TouchTally tally);
+               const scenes::IgnoredPairs& ignored, const BetweenTests& tests, TouchTally tally);
 
   /// See BetweenQuery::ask.
   Result<void> ask(std::uint32_t frame, const scene::Palettes& palettes,

@@ -44,9 +44,21 @@ std::size_t StepContacts::earliest() const {
 }
 
 BetweenQuery::BetweenQuery(const scene::StagedScene& staged, std::uint32_t substeps,
-                           const scenes::IgnoredPairs& ignored)
-    : staged_(staged), substeps_(substeps), ignored_(ignored), parted_(staged.colliders) {
+                           const scenes::IgnoredPairs& ignored, const BetweenTests& tests)
+    : staged_(staged),
+      substeps_(substeps),
+      ignored_(ignored),
+      tests_(tests),
+      parted_(staged.colliders) {
   for (const scene::Collider& collider : staged.colliders) crowd_.add(collider.model);
+  if (tests.self == nullptr || tests.self->of_parts.empty()) return;
+  std::size_t filter = 0;
+  for (std::size_t c = 0; c < staged.colliders.size(); ++c) {
+    const std::uint32_t instance = staged.colliders[c].instance;
+    if (c > 0 && instance != staged.colliders[c - 1].instance) ++filter;
+    filters_of_parts_.resize(instance + 1);
+    filters_of_parts_[instance] = &tests.self->of_parts[filter];
+  }
 }
 
 Result<void> BetweenQuery::ask(std::uint32_t frame, const scene::Palettes& palettes,
@@ -94,10 +106,49 @@ Result<void> BetweenQuery::ask_pieces(std::uint32_t frame, const scene::Palettes
   return {};
 }
 
+CrowdOptions BetweenQuery::tests() const {
+  CrowdOptions options;
+  if (!tests_.pairs) options.filter = [](std::uint32_t, std::uint32_t) { return false; };
+  if (tests_.self != nullptr)
+    options.self_filter = [this](std::uint32_t c) { return &tests_.self->of_colliders[c]; };
+  return options;
+}
+
+/// Removes the contacts of parts of one instance that its filter drops. Parts are ordered by their
+/// triangles, so that the order of the triangles of a contact stays.
+void BetweenQuery::filter_parts() {
+  auto kept = moving_.begin();
+  for (auto begin = moving_.begin(); begin != moving_.end();) {
+    const std::uint32_t a = begin->instance_a, b = begin->instance_b;
+    const auto end = std::find_if(begin, moving_.end(), [&](const CrowdMovingContact& c) {
+      return c.instance_a != a || c.instance_b != b;
+    });
+    const scene::Collider &of_a = staged_.colliders[a], &of_b = staged_.colliders[b];
+    if (a == b || of_a.instance != of_b.instance) {
+      kept = std::move(begin, end, kept);
+      begin = end;
+      continue;
+    }
+    kept_.clear();
+    for (auto c = begin; c != end; ++c)
+      kept_.push_back(scene::numbered_in_assets(c->moving.contact, of_a, of_b));
+    leave_out(*filters_of_parts_[of_a.instance], scratch_, kept_);
+    auto next = kept_.begin();
+    for (; begin != end; ++begin)
+      if (next != kept_.end() &&
+          *next == scene::numbered_in_assets(begin->moving.contact, of_a, of_b)) {
+        *kept++ = *begin;
+        ++next;
+      }
+  }
+  moving_.erase(kept, moving_.end());
+}
+
 /// Adds the contacts of a piece that count.
 void BetweenQuery::ask_piece(std::uint32_t piece) {
   moving_.clear();
-  work_ += crowd_.collide_moving(moving_, {}, {.leave_out_start = true});
+  work_ += crowd_.collide_moving(moving_, tests(), {.leave_out_start = true});
+  if (!filters_of_parts_.empty()) filter_parts();
   for (const auto& [a, b, moving] : moving_) {
     const Contact contact =
         scene::numbered_in_assets(moving.contact, staged_.colliders[a], staged_.colliders[b]);

@@ -9,6 +9,7 @@
 #include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/palettes.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/self_filters.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <optional>
@@ -16,6 +17,15 @@
 #include <vector>
 
 namespace pelt::tools::check {
+
+/// Which colliders a step tests against each other.
+struct BetweenTests {
+  bool pairs = true;  ///< colliders against each other
+
+  /// Also tests each collider against itself, and applies the filters to contacts of the parts of
+  /// one instance, unless null.
+  const scene::SelfFilters* self = nullptr;
+};
 
 /// When two triangles first touch in a step, and which of their parts meet.
 struct FirstTouch {
@@ -42,7 +52,7 @@ class BetweenQuery {
   /// `substeps`: number of straight pieces of each step, at least 1. Contacts that `ignored`
   /// matches are left out. All arguments must outlive the query.
   BetweenQuery(const scene::StagedScene& staged, std::uint32_t substeps,
-               const scenes::IgnoredPairs& ignored);
+               const scenes::IgnoredPairs& ignored, const BetweenTests& tests);
 
   /// Queries the step that leads from the frame of the call before to `frame`. `found` has the
   /// counted contacts of `frame`. Error messages name the instance.
@@ -68,17 +78,23 @@ class BetweenQuery {
   Result<void> set_palettes(const scene::Palettes& palettes);
   Result<void> ask_pieces(std::uint32_t frame, const scene::Palettes& palettes);
   void ask_piece(std::uint32_t piece);
+  CrowdOptions tests() const;
+  void filter_parts();
   void sort_out(const scene::FrameContacts& at_end);
 
   scene::StagedScene staged_;
   std::uint32_t substeps_;
   const scenes::IgnoredPairs& ignored_;
-  Crowd crowd_;  // of the colliders
+  BetweenTests tests_;
+  std::vector<const SelfFilter*> filters_of_parts_;  // of each instance; empty without such filters
+  Crowd crowd_;                                      // of the colliders
   scene::PartedInstances parted_;
   scene::InputSelection selection_;
   asset::SampleScratch sample_scratch_;
   scene::Palettes palettes_;
   std::vector<CrowdMovingContact> moving_;
+  std::vector<Contact> kept_;  // of `filter_parts`
+  Scratch scratch_;
   std::vector<Found> found_;
   std::optional<std::uint32_t> frame_;  // of the latest call
   scene::FrameContacts at_start_;       // counted contacts of that frame

@@ -104,7 +104,6 @@ const char* excluded_by(const CheckSettings& settings) {
   if (settings.method != methods::kOnDemand) return "--method";
   if (settings.clearance) return "--clearance";
   if (settings.budget) return "--budget";
-  if (settings.substeps) return "--between";
   return nullptr;
 }
 

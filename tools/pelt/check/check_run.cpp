@@ -77,10 +77,13 @@ class ExtraQueries {
  public:
   /// All arguments must outlive this.
   ExtraQueries(const scene::StagedScene& staged, const CheckSettings& settings,
-               const scenes::IgnoredPairs& ignored, const TouchTally& empty_tally)
+               const scenes::IgnoredPairs& ignored, const scene::SelfQuery* self,
+               const TouchTally& empty_tally)
       : scene_(staged.scene) {
     if (settings.asks_inside) inside_.emplace(staged, ignored);
-    if (settings.substeps) between_.emplace(staged, *settings.substeps, ignored, empty_tally);
+    const BetweenTests tests = {settings.self.asks_pairs(), self ? &self->filters() : nullptr};
+    if (settings.substeps)
+      between_.emplace(staged, *settings.substeps, ignored, tests, empty_tally);
     if (!settings.describes_contacts) return;
     details_.emplace(staged);
     patches_.emplace(staged);
@@ -204,9 +207,9 @@ Result<CheckReport> run_query(Query& query, const scene::StagedScene& staged,
   scene::FrameContacts found, unfiltered;
   scene::ContactHash hash;
   std::optional<AlwaysTally> always = make_always_tally(staged, settings);
-  ExtraQueries extras(staged, settings, *ignored, tally);
   Result<std::optional<scene::SelfQuery>> self = make_self_query(staged, settings);
   if (!self) return self.error();
+  ExtraQueries extras(staged, settings, *ignored, *self ? &**self : nullptr, tally);
   const auto ask = [&](const scene::Palettes& palettes) -> Result<QueryStats> {
     if (const auto posed = query.set_palettes(palettes); !posed) return posed.error();
     query.collide(*self ? (*self)->limit_of_pairs(options) : options, found);

@@ -34,6 +34,8 @@ class SelfQuery {
   /// of the pair a, a.
   void collide(const CollideOptions& options, FrameContacts& found);
 
+  const SelfFilters& filters() const { return filters_; }
+
   /// Number of contacts that each filter has left out of the latest frame.
   const LeftOut& left_out() const { return left_out_; }
 
