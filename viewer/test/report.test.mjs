@@ -138,8 +138,16 @@ test('a report of steps lists and marks those with contacts between frames', asy
   assert.equal(await page.locator('.steps button').count(), Math.min(steps, 8));
   assert.equal(await page.locator('.steps-between rect').count(), steps);
   await page.locator('.steps button').first().click();
-  const [frame] = (await page.locator('.steps button').first().innerText()).match(/\d+/);
+  const [frame, to] = (await page.locator('.steps button').first().innerText()).match(/\d+/g);
   await page.waitForSelector(`[data-fact=frame]:text-is("${frame}")`);
+  await page.getByText(`to ${to}: first contact between them`).waitFor();
+  await page.waitForSelector(`[data-answered="${frame}"]`);
+  assert.equal(await page.locator('[data-fact=contacts]').innerText(), '1');
+  await page.keyboard.press('ArrowRight');
+  await page.waitForSelector(`[data-fact=frame]:text-is("${to}")`);
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForSelector(`[data-fact=frame]:text-is("${frame}")`);
+  assert.equal(await page.getByText('first contact between them').count(), 0);
   assert.deepEqual(await smallTargets(page), []);
   assert.deepEqual(await poorContrasts(page), []);
   assert.deepEqual(page.complaints, []);

@@ -7,6 +7,7 @@
 #include "tools/pelt/page/character_files.hpp"
 #include "tools/test_scenes.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace pelt::test {
@@ -79,19 +80,27 @@ TEST_F(CheckHtml, HasAllThatThePageNeedsToAnswerAgain) {
 
 TEST_F(CheckHtml, HasTheStepsWithContactsBetweenTheirFrames) {
   const Ended run = run_pelt(folder_, {"check", "scene.json", "--between", "--fps", "3", "--html",
-                                       "report.html", "--jsonl", "answer.jsonl"});
+                                       "report.html", "--pairs", "--jsonl", "answer.jsonl"});
   ASSERT_EQ(run.exit_code, 1) << run.err;
   const std::string page = read_text(folder_ / "report.html");
-  const CheckFile file = parse_check_file(read_text(folder_ / "answer.jsonl"));
-  json steps = json::array();
-  for (const json& line : file.frames)
-    if (line.contains("step"))
-      steps.push_back({{"step", line["step"]},
-                       {"to", line["to"]},
-                       {"only_between", line["only_between"]},
-                       {"first", line["first"]}});
-  EXPECT_GT(steps.size(), 0u);
-  EXPECT_EQ(data_of(page)["answer"]["steps"], steps);
+  CheckFile file = parse_check_file(read_text(folder_ / "answer.jsonl"));
+  const std::vector<json> lines = take_steps(file);
+  const json steps = data_of(page)["answer"]["steps"];
+  ASSERT_GT(lines.size(), 0u);
+  ASSERT_EQ(steps.size(), lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const char* key : {"step", "to", "only_between", "first"})
+      EXPECT_EQ(steps[i][key], lines[i][key]) << key;
+    const double begin = lines[i]["time"], end = lines[i]["end_time"], first = lines[i]["first"];
+    EXPECT_NEAR(steps[i]["share"].get<double>(), (first - begin) / (end - begin), 1e-6);
+    const json& pair = lines[i]["pairs"][0];
+    EXPECT_EQ(steps[i]["a"], pair["a"]);
+    EXPECT_EQ(steps[i]["b"], pair["b"]);
+    EXPECT_EQ(steps[i]["of_self"], false);
+    EXPECT_TRUE(std::any_of(pair["between"].begin(), pair["between"].end(), [&](const json& c) {
+      return c["triangles"] == steps[i]["triangles"] && c["first"] == first;
+    }));
+  }
   const json between = file.totals["totals"]["between"];
   const std::string words = " contacts in " + between["steps_in_contact"].dump() + " of " +
                             between["steps"].dump() + " steps.";

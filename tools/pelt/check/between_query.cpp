@@ -158,7 +158,7 @@ void BetweenQuery::ask_piece(std::uint32_t piece) {
     const double of_step = (piece + static_cast<double>(moving.time)) / substeps_;
     const double seconds =
         scenes::moment_time(staged_.scene, {step_.from, (step_.to - step_.from) * of_step});
-    found_.push_back({a, b, contact, {seconds, moving.a, moving.b}});
+    found_.push_back({a, b, contact, {seconds, of_step, moving.a, moving.b}});
   }
 }
 

@@ -30,6 +30,7 @@ struct BetweenTests {
 /// When two triangles first touch in a step, and which of their parts meet.
 struct FirstTouch {
   double seconds = 0;  ///< time of the scene, as of its frames
+  double share = 0;    ///< of the step that has passed, 0 to 1
   Feature a, b;
 };
 

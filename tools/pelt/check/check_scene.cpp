@@ -48,11 +48,22 @@ std::string outer_lines(const scene::StagedScene& staged, const CheckQuestion& q
 }
 
 /// Returns nullopt without --between.
-std::optional<std::vector<page::PageStep>> page_steps(const CheckTotals& totals) {
+std::optional<std::vector<page::PageStep>> page_steps(const CheckTotals& totals,
+                                                      const scene::StagedScene& staged) {
   if (!totals.between) return std::nullopt;
   std::vector<page::PageStep> steps;
-  for (const StepBetween& step : totals.between->found)
-    steps.push_back({step.from, step.to, step.contacts, step.earliest.first.seconds});
+  for (const StepBetween& step : totals.between->found) {
+    const auto& [a, b, contact, first] = step.earliest;
+    steps.push_back({.from = step.from,
+                     .to = step.to,
+                     .contacts = step.contacts,
+                     .first_seconds = first.seconds,
+                     .first_share = first.share,
+                     .a = staged.colliders[a].instance,
+                     .b = staged.colliders[b].instance,
+                     .triangles = contact,
+                     .is_of_self = a == b});
+  }
   return steps;
 }
 
@@ -86,7 +97,7 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
   if (files.html.stream() != nullptr) {
     const page::PageAnswer answer = {report->frame_contacts,
                                      outer_lines(staged, question, *report, *tally),
-                                     page_steps(report->totals)};
+                                     page_steps(report->totals, staged)};
     const auto written = write_page(files.html, scene, models, {outputs.words, answer});
     if (!written) return written.error();
   }

@@ -94,7 +94,12 @@ ordered_json steps_json(const std::optional<std::vector<PageStep>>& steps) {
     json.push_back({{"step", step.from},
                     {"to", step.to},
                     {"only_between", step.contacts},
-                    {"first", step.first_seconds}});
+                    {"first", step.first_seconds},
+                    {"share", step.first_share},
+                    {"a", step.a},
+                    {"b", step.b},
+                    {"triangles", {step.triangles.triangle_a, step.triangles.triangle_b}},
+                    {"of_self", step.is_of_self}});
   return json;
 }
 

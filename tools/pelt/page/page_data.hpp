@@ -7,6 +7,8 @@
 #include "scenes/scene.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 
+#include <pelt/collide.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,7 +20,14 @@ namespace pelt::tools::page {
 struct PageStep {
   std::uint32_t from = 0, to = 0;  ///< frames
   std::uint64_t contacts = 0;      ///< that touch in neither frame
-  double first_seconds = 0;        ///< the first time of these contacts, in the clip
+
+  /// The contact of these that touches first: when, in the clip; which share of the step has passed
+  /// then; instances; triangle numbers of the assets; and whether a body touches itself.
+  double first_seconds = 0;
+  double first_share = 0;
+  std::uint32_t a = 0, b = 0;
+  Contact triangles;
+  bool is_of_self = false;
 };
 
 /// Results of `pelt check`, which the page compares with its own.

@@ -5,7 +5,7 @@ import { betterSide } from '../scene/sides';
 import { frameTime, placeAt, translationFor, type Instance } from '../scene/scene';
 import type { Quaternion, Vector3 } from '../scene/scene';
 import type { AnsweredShot, CameraMove, State } from '../state/state';
-import type { Glow as Contacts, Surface } from '../worker/protocol';
+import type { Glow as Contacts, Shot, Surface } from '../worker/protocol';
 import { ClosestLines } from './closest_lines';
 import { DARK, LIGHT, type Ambience } from './colours';
 import { Figure } from './figure';
@@ -32,7 +32,7 @@ export class View {
   private shown: State | null = null;
   private ambience: Ambience | null = null;
   /** The spot that the camera went to last. */
-  private visited: State['spot'] = null;
+  private visited: Shot['moment'] | Shot['spot'] = null;
 
   constructor(
     container: HTMLElement,
@@ -100,10 +100,11 @@ export class View {
     else this.studio.zoom(move.factor);
   }
 
-  /** The camera goes once to a spot that has been chosen, and round to where it is seen. */
+  /** The camera goes once to what has been chosen, and round to where it is seen. */
   private visit({ shot, spot }: AnsweredShot): void {
-    if (shot.spot === this.visited) return;
-    this.visited = shot.spot;
+    const chosen = shot.moment ?? shot.spot;
+    if (chosen === this.visited) return;
+    this.visited = chosen;
     if (!spot || spot.glow.triangles === 0) return;
     this.studio.lookAt(boxAround(spot.glow), (present) => betterSide(spot.seen, present));
   }

@@ -1,7 +1,8 @@
 /** Steps with contacts between their frames, which `pelt check --between` has found. */
 
 import type { ReportAnswer, ReportedStep } from '../report/report';
-import { pauseAt } from '../state/changes';
+import { pauseBetween } from '../state/changes';
+import type { Moment } from '../worker/protocol';
 import { counted, withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 
@@ -25,12 +26,16 @@ export function Between({ answer: { steps, verdict }, update }: BetweenProps) {
         {worse > 0 && <b>, {withCommas(worse)} new or grown</b>}
       </p>
       <ul class="steps">
-        {listed.map(({ step, to, only_between: contacts, first }) => (
+        {listed.map((one) => (
           <li>
-            <button class="link" onClick={() => update(pauseAt(step))}>
-              from frame {step} to {to}
+            <button
+              class="link"
+              title="Go to the first time of contact"
+              onClick={() => update(pauseBetween(one.step, momentOfStep(one)))}
+            >
+              from frame {one.step} to {one.to}
             </button>
-            : {counted(contacts, 'contact')}, first at {first.toFixed(4)} s
+            : {counted(one.only_between, 'contact')}, first at {one.first.toFixed(4)} s
           </li>
         ))}
         {steps.length > listed.length && (
@@ -39,6 +44,11 @@ export function Between({ answer: { steps, verdict }, update }: BetweenProps) {
       </ul>
     </>
   );
+}
+
+function momentOfStep({ of_self: isOfSelf, first: seconds, ...step }: ReportedStep): Moment {
+  const { to, share, a, b, triangles } = step;
+  return { to, share, seconds, a, b, triangles, isOfSelf };
 }
 
 /** Returns the steps with the most contacts first; of equal ones, the earliest. */

@@ -3,7 +3,7 @@
 import { frameTime } from '../scene/scene';
 import { totalsOf } from '../state/counts';
 import { checkedFrames, isInRange } from '../state/frames';
-import { isInStep, isLate } from '../state/shots';
+import { isInStep, isLate, momentOf } from '../state/shots';
 import type { State, SweepState } from '../state/state';
 import { counted, withCommas } from '../words';
 import { memo } from './memo';
@@ -11,13 +11,15 @@ import { memo } from './memo';
 export function FrameFacts({ state, frame }: { state: State; frame: number }) {
   const { scene, answer } = state;
   const count = scene!.frameCount;
+  const moment = momentOf(state);
   return (
     <p>
       <span>
         frame <b data-fact="frame">{frame}</b>
         <small>
-          {count > 1 ? ` of 0–${count - 1}` : ', the only one'} ·{' '}
-          {frameTime(scene!, frame).toFixed(3)} s ·{' '}
+          {moment && ` to ${moment.to}: first contact between them`}
+          {!moment && (count > 1 ? ` of 0–${count - 1}` : ', the only one')} ·{' '}
+          {moment ? moment.seconds.toFixed(4) : frameTime(scene!, frame).toFixed(3)} s ·{' '}
         </small>
       </span>
       <span

@@ -2,7 +2,7 @@ import type { JSX } from 'preact';
 import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../state/changes';
 import { whyNothingIsCompared } from '../state/compared';
 import { checkedFrames } from '../state/frames';
-import { frameInPicture } from '../state/shots';
+import { frameInPicture, momentOf } from '../state/shots';
 import { isAsItCame } from '../report/verdict';
 import type { State, Update } from '../state/state';
 import { counted } from '../words';
@@ -15,6 +15,8 @@ export function Timeline({ state, update }: PanelProps) {
   const { scene, sweep } = state;
   if (!scene) return <footer class="time" />;
   const frame = frameInPicture(state);
+  const moment = momentOf(state);
+  const time = moment ? frame + moment.share * (moment.to - frame) : frame;
   return (
     <footer class="time">
       <Transport state={state} update={update} />
@@ -26,7 +28,7 @@ export function Timeline({ state, update }: PanelProps) {
           checked={checkedFrames(state)}
         />
         <StepMarks state={state} />
-        <i class="playhead" style={{ left: `${(100 * (frame + 0.5)) / scene.frameCount}%` }} />
+        <i class="playhead" style={{ left: `${(100 * (time + 0.5)) / scene.frameCount}%` }} />
         <input
           type="range"
           min={0}

@@ -105,6 +105,13 @@ export interface ReportedStep {
   only_between: number;
   /** Seconds from the start of the clip to the first of these contacts. */
   first: number;
+  /** The share of the step that has passed then. */
+  share: number;
+  /** Instances and triangles of this contact, and whether a body touches itself. */
+  a: number;
+  b: number;
+  triangles: [number, number];
+  of_self: boolean;
 }
 
 /** Options of tests of bodies against themselves. */

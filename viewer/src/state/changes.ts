@@ -10,6 +10,7 @@ import { arrange, USUAL_ARRANGEMENT } from '../scene/arrange';
 import { wantedSelf, type SelfChoices } from '../scene/self';
 import type {
   CharacterFacts,
+  Moment,
   Opened,
   ReadingOptions,
   Refusal,
@@ -27,13 +28,23 @@ export type Change = (state: State) => Partial<State>;
 export function toFrame(frame: number): Change {
   return ({ scene }) => {
     const count = scene?.frameCount ?? 1;
-    return { frame: ((frame % count) + count) % count };
+    return { frame: ((frame % count) + count) % count, moment: null };
   };
 }
 
 /** Goes to a frame and pauses. */
 export function pauseAt(frame: number): Change {
   return (state) => ({ ...toFrame(frame)(state), isPlaying: false });
+}
+
+/** Goes to a time after a frame and pauses. */
+export function pauseBetween(frame: number, moment: Moment): Change {
+  return ({ scene }) => ({
+    ...(scene && { moment: { scene, frame, moment: { ...moment } } }),
+    frame,
+    spot: null,
+    isPlaying: false,
+  });
 }
 
 /** Steps stop what plays. */
@@ -45,7 +56,7 @@ export function step(frames: number): Change {
 export function jumpToContact(direction: 1 | -1): Change {
   return (state) => {
     const frame = nextContact(state.sweep.counts, state.frame, direction);
-    return frame === null ? {} : { frame, isPlaying: false };
+    return frame === null ? {} : pauseAt(frame)(state);
   };
 }
 

@@ -3,7 +3,7 @@
 import { isSameSelf, selfQuestion } from '../scene/self';
 import { checkedFrames } from './frames';
 import type { State } from './state';
-import type { SelfQuestion, Shot } from '../worker/protocol';
+import type { Moment, SelfQuestion, Shot } from '../worker/protocol';
 
 /** How bodies are tested against themselves; null if they are not, or if there is no scene. */
 export function selfOf(state: State): SelfQuestion | null {
@@ -20,11 +20,18 @@ export function asksPairs(state: State): boolean {
   return selfOf(state)?.isOnly !== true;
 }
 
+/** The time after the frame that is shown; null for the frame itself. It ends with any change. */
+export function momentOf({ moment, scene, frame, isPlaying }: State): Moment | null {
+  if (!moment || isPlaying || moment.scene !== scene || moment.frame !== frame) return null;
+  return moment.moment;
+}
+
 /** While other characters are being read, the worker may have given up those of the scene. */
 export function shotOf(state: State): Shot | null {
   const { scene, reading, frame, by, maxContacts, clearance, boxLevel, spot } = state;
   if (!scene || reading) return null;
-  return { scene, frame, by, maxContacts, clearance, self: selfOf(state), boxLevel, spot };
+  const [self, moment] = [selfOf(state), momentOf(state)];
+  return { scene, frame, moment, by, maxContacts, clearance, self, boxLevel, spot };
 }
 
 export function isSameShot(one: Shot, other: Shot): boolean {
@@ -36,6 +43,7 @@ export function isSameQuery(one: Shot, other: Shot): boolean {
   return (
     one.scene === other.scene &&
     one.frame === other.frame &&
+    one.moment === other.moment &&
     one.by === other.by &&
     one.maxContacts === other.maxContacts &&
     one.clearance === other.clearance &&
@@ -55,13 +63,16 @@ export function isInStep(state: State): boolean {
     answer.shot.maxContacts === maxContacts &&
     answer.shot.clearance === clearance &&
     answer.shot.boxLevel === boxLevel &&
-    answer.shot.spot === spot
+    answer.shot.spot === spot &&
+    (answer.shot.moment === null || answer.shot.moment === momentOf(state))
   );
 }
 
 /** Whether the displayed frame is earlier than the wanted one. */
-export function isLate({ answer, isPlaying, frame }: State): boolean {
-  return !isPlaying && answer?.shot.frame !== frame;
+export function isLate(state: State): boolean {
+  const { answer, isPlaying, frame } = state;
+  const isShown = answer?.shot.frame === frame && answer.shot.moment === momentOf(state);
+  return !isPlaying && !isShown;
 }
 
 /** While the scene plays, that which all numbers and the picture are of. */

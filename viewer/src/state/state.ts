@@ -14,6 +14,7 @@ import type {
   Costs,
   FrameAnswer,
   FrameRange,
+  Moment,
   ReadingOptions,
   Shot,
   Spot,
@@ -36,6 +37,8 @@ export interface State {
   reading: string | null;
 
   frame: number;
+  /** A time after the frame, of this scene; see `momentOf`. */
+  moment: { scene: Scene; frame: number; moment: Moment } | null;
   isPlaying: boolean;
   by: By;
   /** Most contacts of each pair of bodies, and of each body with itself; null for all. */
@@ -161,6 +164,7 @@ export const initialState: State = {
   readingOptions: {},
   reading: 'the engine',
   frame: 0,
+  moment: null,
   isPlaying: true,
   by: 'instance',
   maxContacts: null,

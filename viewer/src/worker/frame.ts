@@ -6,6 +6,7 @@ import { collidingPairs, pairsWithin } from './colliding_pairs';
 import { glowOf } from './glow';
 import type {
   FrameAnswer,
+  Moment,
   PosedInstance,
   Shot,
   Spare,
@@ -17,6 +18,7 @@ import type {
 import { limit, split, type SplitContacts } from './scene_crowd';
 import { contactsInSpot } from './spots';
 import type { Stage } from './stage';
+import { NOTHING_LEFT_OUT, NO_WORK } from './sums';
 import { TouchTally } from './touches';
 import { seenFromSides } from './visibility';
 import { wholeWorkOf } from './whole_work';
@@ -29,6 +31,7 @@ export function answerFrame(
   shot: Shot,
   spares: readonly Spare[] = [],
 ): FrameAnswer {
+  if (shot.moment) return answerMoment(stage, scene, shot, shot.moment, spares);
   const { frame, by, self, boxLevel, clearance, spot } = shot;
   stage.set(scene, frame, by, self);
   const found = stage.collide(shot);
@@ -60,6 +63,53 @@ export function answerFrame(
 export function answerStill(pelt: Pelt, stage: Stage, scene: EngineScene, shot: Shot): StillAnswer {
   const answer = answerFrame(pelt, stage, scene, shot);
   return { ...answer, seen: seenFromSides(stage.poses, answer.glow) };
+}
+
+/** The contact of a time between two frames. Vertices are on straight lines between these. */
+function answerMoment(
+  stage: Stage,
+  scene: EngineScene,
+  { frame, by, self }: Shot,
+  { to, share, a, b, triangles, isOfSelf }: Moment,
+  spares: readonly Spare[],
+): FrameAnswer {
+  stage.set(scene, to, by, self);
+  const later = stage.poses.map((pose) => drawn(pose, undefined));
+  stage.set(scene, frame, by, self);
+  const instances = stage.poses.map((pose, i) => ({
+    ...between(drawn(pose, spares[i]), later[i], share),
+    ...boxesOf([], null),
+  }));
+  const contact = Uint32Array.of(a, b, ...triangles);
+  const [ofSelf, ofPairs] = isOfSelf ? [contact, NO_CONTACTS] : [NO_CONTACTS, contact];
+  const { characters, poses, sets } = stage;
+  const glow = glowOf(characters, instances, sets.gather(ofSelf), sets.gather(ofPairs));
+  const tally = new TouchTally(characters);
+  tally.addAll(frame, contact);
+  return {
+    instances,
+    glow,
+    spot: { pairs: Uint32Array.from(triangles), glow, seen: seenFromSides(poses, glow) },
+    contacts: 1,
+    selfContacts: Number(isOfSelf),
+    leftOut: NOTHING_LEFT_OUT,
+    isPreliminary: false,
+    ignored: 0,
+    touches: tally.sorted(),
+    closest: [],
+    work: workOf(stage.colliding, NO_WORK),
+  };
+}
+
+const NO_CONTACTS = new Uint32Array();
+
+/** Replaces positions and normals by those after a share of the way to `later`. */
+function between(drawn: Spare, later: Spare, share: number): Spare {
+  for (const values of ['positions', 'normals'] as const) {
+    const [from, to] = [drawn[values], later[values]];
+    for (let i = 0; i < from.length; ++i) from[i] += share * (to[i] - from[i]);
+  }
+  return drawn;
 }
 
 function answerSpot(

@@ -45,10 +45,27 @@ export interface SelfQuestion {
   frames: FrameRange | null;
 }
 
-/** A frame of a scene, and its query. */
+/** A time between two frames, at which triangles first touch. */
+export interface Moment {
+  /** The frame in which the step ends. */
+  to: number;
+  /** The share of the step that has passed. */
+  share: number;
+  /** Seconds from the start of the scene. */
+  seconds: number;
+  /** Instances and triangles that touch, and whether a body touches itself. */
+  a: number;
+  b: number;
+  triangles: [number, number];
+  isOfSelf: boolean;
+}
+
+/** A frame of a scene, and its query; or a time after it. */
 export interface Shot {
   scene: Scene;
   frame: number;
+  /** Between this frame and a later one. No query is asked: the answer has this contact only. */
+  moment: Moment | null;
   by: By;
   /** Most contacts of each pair of bodies, and of each body with itself; null for all. */
   maxContacts: number | null;

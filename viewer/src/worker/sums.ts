@@ -11,7 +11,7 @@ export const NOTHING_LEFT_OUT: LeftOut = {
   groups: 0,
 };
 
-const NO_WORK: QueryStats = {
+export const NO_WORK: QueryStats = {
   nodePairs: 0,
   refits: 0,
   posedVertices: 0,
