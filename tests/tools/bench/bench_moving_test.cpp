@@ -134,7 +134,7 @@ TEST(BenchMoving, RefusesWrongContactsTimesAndFeatures) {
       {"times", [](auto& contacts) { ++contacts.back().b.number; }}};
   for (const auto& [query, spoil] : spoils) {
     const MovingBenchMethod spoilt = {"spoilt",
-                                      [&spoil] { return std::make_unique<Spoilt>(spoil); }};
+                                      [&spoil = spoil] { return std::make_unique<Spoilt>(spoil); }};
     MovingSettings settings = settings_of({moving_method_of(methods::kMovingOnDemand), spoilt});
     settings.program = "pelt-lab";
     const Outcome outcome = run(walkers(), settings);
