@@ -234,9 +234,8 @@ class Choices {
   std::optional<Error> refusal_;
 };
 
-}  // namespace
-
-void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
+/// Options of what is tested.
+void add_test_options(arguments::Verb& verb, CheckArguments& arguments) {
   arguments::add_scene_options(verb, arguments.scene);
   verb.option(
       "--frames", arguments.frames,
@@ -256,6 +255,10 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
               "Stop after N contacts of each pair in each frame",
               {.type = "N", .least = 1, .excludes = "--first"});
   add_self_options(verb, arguments.self);
+}
+
+/// Options of the verdict, and of the summary and the answer.
+void add_answer_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--ignore", arguments.ignore,
               "Do not count contacts between two parts or joints (repeatable)", {.type = "A,B"});
   verb.option(
@@ -280,6 +283,10 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.flag("--contacts", arguments.contacts,
             "Describe how the triangles intersect: segments, curves, patches (connected sets of "
             "contacts), normals, depths, joints");
+}
+
+/// Options of questions other than which triangles touch in a frame.
+void add_question_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.flag("--inside", arguments.inside,
             "For closed surfaces, also report contained bodies and, where surfaces touch, the "
             "depth of the deepest vertex; compares different instances (or parts) only");
@@ -298,6 +305,9 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
               "Divide each step of --between into K straight pieces, with poses of the clips at "
               "their ends (default: 1)",
               {.type = "K", .least = 1, .most = 1000});
+}
+
+void add_picture_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--html", arguments.html,
               "Write a self-contained page that plays the scene and finds its contacts",
               {.type = "FILE"});
@@ -305,6 +315,15 @@ void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
               "Write the posed characters of the worst frame, with intersecting triangles coloured",
               {.type = "FILE"});
   verb.option("--glb-frame", arguments.glb_frame, "Write this frame to --glb", {.type = "N"});
+}
+
+}  // namespace
+
+void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
+  add_test_options(verb, arguments);
+  add_answer_options(verb, arguments);
+  add_question_options(verb, arguments);
+  add_picture_options(verb, arguments);
 }
 
 Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::Scene& scene) {
