@@ -43,6 +43,7 @@ import type {
   MovingContact,
   MovingContacts,
   MovingOptions,
+  SelfMovingContacts,
 } from './types/motion.js';
 import type { Pose } from './types/pose.js';
 import type { ContactHash, Crowd, Scene, SceneParts } from './types/scene.js';
@@ -216,6 +217,18 @@ export interface Pelt {
    * features. Precondition: that of `collideMoving`.
    */
   firstContact(a: Motion, b: Motion, options?: FirstContactOptions): MovingContact | null;
+
+  /**
+   * Finds every pair of triangles of one character that intersect at any time of a step, beyond corners that
+   * they share, and that the filter does not leave out. Pairs are in ascending order, and the first triangle
+   * of a pair has the lower number. Precondition: the filter was made for the character and the part of
+   * the poses. Cost: computes all vertices and boxes at both ends, unless this has been done since the last
+   * palettes.
+   */
+  selfCollideMoving(motion: Motion, filter: SelfFilter, options?: MovingOptions): SelfMovingContacts;
+
+  /** Returns whether `selfCollideMoving` would find any pair. */
+  selfTouchesWhileMoving(motion: Motion, filter: SelfFilter): boolean;
 
   /**
    * Starts a search for the contacts of `collide` that can be stopped after any amount of work, read, and

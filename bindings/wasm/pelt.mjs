@@ -10,7 +10,13 @@ import { invalid } from './lib/errors.mjs';
 import { withFiles } from './lib/files.mjs';
 import { expose } from './lib/internals.mjs';
 import { Memory } from './lib/memory.mjs';
-import { collideMoving, firstContact, touchWhileMoving } from './lib/motion.mjs';
+import {
+  collideMoving,
+  firstContact,
+  selfCollideMoving,
+  selfTouchesWhileMoving,
+  touchWhileMoving,
+} from './lib/motion.mjs';
 import {
   kCreatureRules,
   kFaceRules,
@@ -180,6 +186,14 @@ class Pelt {
 
   firstContact(a, b, options = undefined) {
     return firstContact(this.#memory, a, b, options);
+  }
+
+  selfCollideMoving(motion, filter, options = undefined) {
+    return selfCollideMoving(this.#memory, motion, filter, options);
+  }
+
+  selfTouchesWhileMoving(motion, filter) {
+    return selfTouchesWhileMoving(this.#memory, motion, filter);
   }
 
   makeSearch(a, b, options = undefined) {

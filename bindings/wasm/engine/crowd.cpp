@@ -7,6 +7,7 @@
 #include "base/hash.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
+#include "bindings/wasm/engine/moving_columns.hpp"
 #include "scenes/ignored_pairs.hpp"
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,7 @@ struct CrowdHandle {
   std::optional<scenes::IgnoredPairs> ignored;  ///< of these characters; created on first use
   std::vector<float> input;                     ///< where JavaScript writes a palette or weights
   std::vector<CrowdContact> found;
+  std::vector<CrowdMovingContact> moving;
 
   std::uint32_t number_of(const std::shared_ptr<Character>& character) {
     const auto known = std::find(characters.begin(), characters.end(), character);
@@ -53,14 +55,18 @@ Result<void> know_ignored(CrowdHandle& handle) {
   return {};
 }
 
+/// Converts to the characters' triangle numbers.
+void number_in_characters(const CrowdHandle& handle, CrowdContact& contact) {
+  contact.triangle_a += handle.members[contact.instance_a].first_triangle;
+  contact.triangle_b += handle.members[contact.instance_b].first_triangle;
+}
+
 /// Appends contacts with the characters' triangle numbers.
 CrowdStats collide(CrowdHandle& handle, const CrowdOptions& options) {
   const std::size_t begin = handle.found.size();
   const CrowdStats stats = handle.crowd.collide(handle.found, options);
-  for (CrowdContact& contact : std::span(handle.found).subspan(begin)) {
-    contact.triangle_a += handle.members[contact.instance_a].first_triangle;
-    contact.triangle_b += handle.members[contact.instance_b].first_triangle;
-  }
+  for (CrowdContact& contact : std::span(handle.found).subspan(begin))
+    number_in_characters(handle, contact);
   return stats;
 }
 
@@ -152,6 +158,58 @@ std::size_t take_ignored_out(CrowdHandle& handle) {
   });
 }
 
+/// Tests instances against themselves with their filters.
+CrowdOptions self_tests(CrowdHandle* handle) {
+  CrowdOptions options;
+  options.self_filter = [handle](std::uint32_t instance) {
+    const std::optional<SelfFilter>& own = handle->members[instance].self_filter;
+    return own ? &*own : nullptr;
+  };
+  return options;
+}
+
+/// Sets `found` to the triangles of `moving`.
+void write_found(CrowdHandle& handle) {
+  handle.found.clear();
+  for (const auto& [instance_a, instance_b, moving] : handle.moving) {
+    handle.found.push_back(
+        {instance_a, instance_b, moving.contact.triangle_a, moving.contact.triangle_b});
+    number_in_characters(handle, handle.found.back());
+  }
+}
+
+/// Writes the times and features of the contacts in `found`, some of those in `moving`, in the same
+/// order.
+void write_moving_columns(const CrowdHandle& handle) {
+  clear_moving_columns();
+  auto moving = handle.moving.begin();
+  for (const CrowdContact& kept : handle.found) {
+    const auto is_kept = [&](const CrowdMovingContact& other) {
+      const auto& [triangle_a, triangle_b] = other.moving.contact;
+      CrowdContact contact = {other.instance_a, other.instance_b, triangle_a, triangle_b};
+      number_in_characters(handle, contact);
+      return contact == kept;
+    };
+    moving = std::find_if(moving, handle.moving.end(), is_kept);
+    add_to_moving_columns((moving++)->moving);
+  }
+}
+
+/// Finds moving contacts up to the limit. Filters of parts may drop any contacts of pairs, so that
+/// all are needed.
+CrowdStats collide_moving(CrowdHandle& handle, const MovingOptions& options) {
+  MovingOptions asked = options;
+  if (!handle.part_filters.empty()) asked.max_contacts = MovingOptions().max_contacts;
+  handle.moving.clear();
+  CrowdStats stats = handle.crowd.collide_moving(handle.moving, self_tests(&handle), asked);
+  write_found(handle);
+  if (handle.part_filters.empty()) return stats;
+  stats.left_out += filter_parts(handle);
+  const bool is_cut = limit_contacts(handle.found, options.max_contacts);
+  stats.cut_short = stats.cut_short || is_cut;
+  return stats;
+}
+
 void add(detail::Fnv1a64& hash, std::uint32_t frame, const CrowdContact& contact) {
   hash.add_u32(frame);
   hash.add_u32(contact.instance_a);
@@ -225,18 +283,40 @@ PELT_EXPORT std::uint32_t pelt_set_crowd_weights(CrowdHandle* handle, std::uint3
 PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t most) {
   if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
   handle->found.clear();
-  CrowdOptions options;
+  CrowdOptions options = self_tests(handle);
   options.max_contacts = most;
-  options.self_filter = [handle](std::uint32_t instance) {
-    const std::optional<SelfFilter>& own = handle->members[instance].self_filter;
-    return own ? &*own : nullptr;
-  };
   const bool is_limited = most < CrowdOptions().max_contacts;
   const CrowdStats stats =
       is_limited ? collide_limited(*handle, options) : collide_all(*handle, options);
   answer_stats(stats);
   answer_left_out(stats.left_out);
   answer().ignored = static_cast<double>(take_ignored_out(*handle));
+  answer_data<CrowdContact>(handle->found);
+  return 1;
+}
+
+PELT_EXPORT void pelt_begin_crowd_step(CrowdHandle* handle) { handle->crowd.begin_step(); }
+
+/// The palettes at both ends of the step are in the input, one after the other.
+PELT_EXPORT std::uint32_t pelt_set_crowd_motion(CrowdHandle* handle, std::uint32_t instance) {
+  const std::span<const float> input = handle->input;
+  const std::size_t half = input.size() / 2;
+  return done(handle->crowd.set_motion(instance, input.first(half), input.last(half)));
+}
+
+/// Answers like pelt_collide_crowd. JavaScript reads the rest with pelt_moving_column.
+PELT_EXPORT std::uint32_t pelt_collide_crowd_moving(CrowdHandle* handle,
+                                                    std::uint32_t leaves_out_start,
+                                                    std::uint32_t has_times, std::uint32_t most) {
+  if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
+  const CrowdStats stats = collide_moving(*handle, {leaves_out_start != 0, has_times != 0, most});
+  answer_stats(stats);
+  answer_left_out(stats.left_out);
+  answer().ignored = static_cast<double>(take_ignored_out(*handle));
+  if (has_times != 0)
+    write_moving_columns(*handle);
+  else
+    clear_moving_columns();
   answer_data<CrowdContact>(handle->found);
   return 1;
 }

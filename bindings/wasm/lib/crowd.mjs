@@ -2,6 +2,7 @@ import { Character } from './character.mjs';
 import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
 import { partNumber } from './lookup.mjs';
+import { readMovingColumns, readMovingOptions } from './motion.mjs';
 import { mostContacts } from './queries.mjs';
 import { filterOf, readLeftOut, SelfFilter } from './self.mjs';
 import { readStats } from './stats.mjs';
@@ -72,20 +73,30 @@ export class Crowd {
 
   collide(options = undefined) {
     const most = mostContacts(this.#memory, options);
-    if (this.#ignores && most !== check.kMaxCount) {
-      throw invalid(
-        'a limit: cannot be combined with ignored pairs, because the first contacts may be ignored',
-      );
-    }
+    this.#checkLimit(most);
     this.#memory.accepted(this.#memory.module._pelt_collide_crowd(this.#handle, most));
-    const contacts = this.#memory.data(Uint32Array, 4);
-    return {
-      count: contacts.length / 4,
-      contacts,
-      ignored: this.#memory.field('ignored'),
-      leftOut: readLeftOut(this.#memory),
-      stats: readStats(this.#memory),
-    };
+    return this.#readContacts();
+  }
+
+  beginStep() {
+    this.#memory.module._pelt_begin_crowd_step(this.#handle);
+  }
+
+  setMotion(instance, from, to) {
+    const floats = 16 * this.#member(instance).character.jointCount;
+    const { module } = this.#memory;
+    const address = module._pelt_crowd_input(this.#handle, 2 * floats);
+    this.#memory.write(Float32Array, address, from, floats, 'from');
+    this.#memory.write(Float32Array, address + 4 * floats, to, floats, 'to');
+    this.#memory.accepted(module._pelt_set_crowd_motion(this.#handle, instance));
+  }
+
+  collideMoving(options = undefined) {
+    const read = readMovingOptions(this.#memory, options);
+    this.#checkLimit(read.at(-1));
+    this.#memory.accepted(this.#memory.module._pelt_collide_crowd_moving(this.#handle, ...read));
+    const { count, contacts, ...rest } = this.#readContacts();
+    return { count, contacts, ...readMovingColumns(this.#memory), ...rest };
   }
 
   withoutIgnored(contacts) {
@@ -105,6 +116,24 @@ export class Crowd {
 
   get #handle() {
     return this.#memory.handles.of(this);
+  }
+
+  #checkLimit(most) {
+    if (!this.#ignores || most === check.kMaxCount) return;
+    throw invalid(
+      'a limit: cannot be combined with ignored pairs, because the first contacts may be ignored',
+    );
+  }
+
+  #readContacts() {
+    const contacts = this.#memory.data(Uint32Array, 4);
+    return {
+      count: contacts.length / 4,
+      contacts,
+      ignored: this.#memory.field('ignored'),
+      leftOut: readLeftOut(this.#memory),
+      stats: readStats(this.#memory),
+    };
   }
 
   /** Checks an instance, or a triangle of the instance two numbers before. */

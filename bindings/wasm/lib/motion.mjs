@@ -5,6 +5,7 @@ import { invalid } from './errors.mjs';
 import { readObject, readOptions } from './options.mjs';
 import { Pose } from './pose.mjs';
 import { limit } from './queries.mjs';
+import { filterOf, readLeftOut } from './self.mjs';
 import { readStats } from './stats.mjs';
 
 /** Numbered as in motion.hpp. */
@@ -15,9 +16,8 @@ const kMotionRules = { from: any, to: any };
 const kFirstRules = { leaveOutStart: check.flag };
 const kMovingRules = { leaveOutStart: check.flag, times: check.flag, maxContacts: limit };
 
-/** Same order as in motion.cpp. */
+/** Same order as in moving_columns.cpp. */
 const kColumns = [
-  ['pairs', Uint32Array, 2],
   ['times', Float32Array, 1],
   ['atStart', Uint8Array, 1],
   ['features', Uint8Array, 1],
@@ -30,7 +30,8 @@ function motion(memory, given, name) {
     memory.handles.given(from, Pose, `${name}.from`),
     memory.handles.given(to, Pose, `${name}.to`),
   ];
-  if (from.character === to.character && from.part === to.part) return { poses: [from, to], handles };
+  const isOfOne = from.character === to.character && from.part === to.part;
+  if (isOfOne) return { poses: [from, to], handles };
   throw invalid(`${name}: expected two poses of one character, or of one part of a character`);
 }
 
@@ -51,7 +52,15 @@ function readMovingStats(memory) {
   };
 }
 
-function readColumns(memory) {
+/** Returns the options as numbers for the engine. */
+export function readMovingOptions(memory, options) {
+  const read = readOptions(memory, options, kMovingRules);
+  const { leaveOutStart = false, times = true, maxContacts = check.kMaxCount } = read;
+  return [leaveOutStart ? 1 : 0, times ? 1 : 0, maxContacts];
+}
+
+/** Reads what the last query has found about each contact beside its triangles. */
+export function readMovingColumns(memory) {
   return Object.fromEntries(
     kColumns.map(([name, type, width], column) => {
       memory.module._pelt_moving_column(column);
@@ -60,14 +69,17 @@ function readColumns(memory) {
   );
 }
 
-export function collideMoving(memory, a, b, options) {
-  const read = readOptions(memory, options, kMovingRules);
-  const { leaveOutStart = false, times = true, maxContacts = check.kMaxCount } = read;
-  const handles = motions(memory, a, b);
-  memory.module._pelt_collide_moving(...handles, leaveOutStart ? 1 : 0, times ? 1 : 0, maxContacts);
+/** Reading the columns replaces the answer, so it comes last. */
+function readMovingContacts(memory) {
+  const pairs = memory.data(Uint32Array, 2);
   const stats = readMovingStats(memory);
-  const columns = readColumns(memory);
-  return { count: columns.pairs.length / 2, ...columns, stats };
+  return { count: pairs.length / 2, pairs, ...readMovingColumns(memory), stats };
+}
+
+export function collideMoving(memory, a, b, options) {
+  const read = readMovingOptions(memory, options);
+  memory.module._pelt_collide_moving(...motions(memory, a, b), ...read);
+  return readMovingContacts(memory);
 }
 
 export function touchWhileMoving(memory, a, b) {
@@ -78,8 +90,7 @@ export function firstContact(memory, a, b, options) {
   const { leaveOutStart = false } = readOptions(memory, options, kFirstRules);
   const handles = motions(memory, a, b);
   if (!memory.module._pelt_first_contact(...handles, leaveOutStart ? 1 : 0)) return null;
-  const stats = readMovingStats(memory);
-  const { pairs, times, atStart, features } = readColumns(memory);
+  const { pairs, times, atStart, features, stats } = readMovingContacts(memory);
   return {
     triangleA: pairs[0],
     triangleB: pairs[1],
@@ -89,4 +100,21 @@ export function firstContact(memory, a, b, options) {
     featureB: { kind: features[2], number: features[3] },
     stats,
   };
+}
+
+/** Returns the handles of both poses, and that of the filter. */
+function motionWith(memory, given, filter) {
+  const { poses, handles } = motion(memory, given, 'motion');
+  return [...handles, filterOf(memory, filter, poses[0].character, poses[0].part)];
+}
+
+export function selfCollideMoving(memory, given, filter, options) {
+  const read = readMovingOptions(memory, options);
+  memory.module._pelt_self_collide_moving(...motionWith(memory, given, filter), ...read);
+  const leftOut = readLeftOut(memory);
+  return { ...readMovingContacts(memory), leftOut };
+}
+
+export function selfTouchesWhileMoving(memory, given, filter) {
+  return memory.module._pelt_self_touches_while_moving(...motionWith(memory, given, filter)) !== 0;
 }

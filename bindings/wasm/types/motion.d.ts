@@ -2,6 +2,7 @@
 
 import type { QueryStats } from './contacts.js';
 import type { Pose } from './pose.js';
+import type { LeftOut } from './self.js';
 
 /**
  * A step of one character. Each vertex moves in a straight line, at constant speed, from its posed
@@ -58,10 +59,8 @@ export interface MovingStats extends QueryStats {
   readonly exactPairs: number;
 }
 
-export interface MovingContacts {
-  readonly count: number;
-  /** [N][2] Triangles of `a` and `b`, in ascending order. */
-  readonly pairs: Uint32Array;
+/** When triangles first intersect, and what meets then. */
+export interface MovingColumns {
   /**
    * [N] The largest float that is not above the first time at which the triangles intersect, 0 to 1. The
    * triangles are apart at all earlier times. Empty without `times`, like the next arrays.
@@ -75,7 +74,21 @@ export interface MovingContacts {
    * and a corner, a corner and a face, a face and a corner, two edges. Zeros if `atStart` is 1.
    */
   readonly features: Uint8Array;
+}
+
+export interface MovingContacts extends MovingColumns {
+  readonly count: number;
+  /** [N][2] Triangles of `a` and `b`, in ascending order. */
+  readonly pairs: Uint32Array;
   readonly stats: MovingStats;
+}
+
+/**
+ * In `pairs`, the first triangle of each pair has the lower number. Features that contain a shared corner of
+ * the two triangles are left out of `features`; if no others meet, both are whole faces.
+ */
+export interface SelfMovingContacts extends MovingContacts {
+  readonly leftOut: LeftOut;
 }
 
 /** The pair of triangles that intersects first. */

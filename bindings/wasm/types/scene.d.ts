@@ -2,6 +2,7 @@
 
 import type { Character } from './character.js';
 import type { CollideOptions, QueryStats } from './contacts.js';
+import type { MovingColumns, MovingOptions } from './motion.js';
 import type { Pose } from './pose.js';
 import type { LeftOut, SelfFilter } from './self.js';
 
@@ -92,8 +93,9 @@ export interface Crowd {
   setPalette(instance: number, palette: Float32Array | Float64Array): void;
   setMorphWeights(instance: number, weights: Float32Array): void;
   /**
-   * With a filter, `collide` also tests the instance against itself. With null, it does not. The filter
-   * must have been made for the character and the part of the instance, and may be deleted afterwards.
+   * With a filter, `collide` and `collideMoving` also test the instance against itself. With null, they do
+   * not. The filter must have been made for the character and the part of the instance, and may be deleted
+   * afterwards.
    */
   setSelfFilter(instance: number, filter: SelfFilter | null): void;
   /**
@@ -105,8 +107,8 @@ export interface Crowd {
   /**
    * Replaces the list of ignored pairs. `collide` then leaves out all contacts that match a pair. The
    * list also applies to instances that are added later. A name that matches nothing has no effect here,
-   * but `readScene` rejects such a name. While the list is not empty, `collide` rejects the options
-   * `firstContact` and `maxContacts`, because the contacts found first may be ignored.
+   * but `readScene` rejects such a name. While the list is not empty, `collide` and `collideMoving` reject
+   * limits of the contacts, because the contacts found first may be ignored.
    */
   ignore(pairs: readonly NamePair[]): void;
   /**
@@ -114,6 +116,27 @@ export interface Crowd {
    * `maxContacts` applies to each pair of instances, and to each instance with itself.
    */
   collide(options?: CollideOptions): CrowdContacts;
+  /**
+   * Begins a step for `collideMoving`: the present poses of all instances become the start of the step. The
+   * first `setPalette` or `setMorphWeights` of an instance after this call begins its motion. Later calls
+   * change the end of the motion. An instance without such a call stands still.
+   */
+  beginStep(): void;
+  /**
+   * Sets the palettes of an instance at both ends of the current step. Morph weights at both ends are the
+   * present ones. `collide` uses the palette `to`. After an error, the instance stands still.
+   */
+  setMotion(
+    instance: number,
+    from: Float32Array | Float64Array,
+    to: Float32Array | Float64Array,
+  ): void;
+  /**
+   * Finds all triangles of any two instances, and of instances with a self filter, that intersect at any
+   * time of the current step. The answer is that of `Pelt.collideMoving` and `Pelt.selfCollideMoving`.
+   * `maxContacts` applies to each pair of instances, and to each instance with itself.
+   */
+  collideMoving(options?: MovingOptions): CrowdMovingContacts;
   /**
    * Leaves out contacts that match an ignored pair. `contacts` are rows as in `CrowdContacts`, with the
    * instances of the crowd and the triangle numbers of whole characters, from any query, such as
@@ -143,6 +166,9 @@ export interface CrowdContacts {
   readonly leftOut: LeftOut;
   readonly stats: QueryStats;
 }
+
+/** Rows ascend. The arrays of `MovingColumns` are empty without the option `times`. */
+export interface CrowdMovingContacts extends CrowdContacts, MovingColumns {}
 
 /** FNV-1a hash with 64 bits over all contacts of a run, as printed by `pelt check`. */
 export interface ContactHash {

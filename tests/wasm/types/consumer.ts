@@ -29,6 +29,7 @@ import {
   type CreatureOptions,
   type Crowd,
   type CrowdContacts,
+  type CrowdMovingContacts,
   type Distance,
   type DistanceOptions,
   type ErrorCode,
@@ -46,6 +47,7 @@ import {
   type MeshoptDecode,
   type ModelOptions,
   type Motion,
+  type MovingColumns,
   type MovingContact,
   type MovingContacts,
   type MovingOptions,
@@ -72,6 +74,7 @@ import {
   type SelfContacts,
   type SelfFilter,
   type SelfFilterOptions,
+  type SelfMovingContacts,
   type Sphere,
   type SurfacePoint,
   type TrianglesInRegion,
@@ -335,6 +338,12 @@ function useMotion(pelt: Pelt, a: Pose, b: Pose): void {
   const parts: Feature[] = [first.featureA, first.featureB];
   const kinds: number[] = [FeatureKind.corner, FeatureKind.edge, FeatureKind.face];
   check(parts.every(({ kind, number }) => kinds.includes(kind) && number < 3), 'features');
+  const filter: SelfFilter = a.character.makeSelfFilter();
+  const own: SelfMovingContacts = pelt.selfCollideMoving(steps[0], filter, options);
+  const columns: MovingColumns = own;
+  check(columns.times.length === own.count && own.leftOut.rings === 0, 'selfCollideMoving');
+  check(pelt.selfTouchesWhileMoving(steps[0], filter) === own.count > 0, 'selfTouchesWhileMoving');
+  filter.delete();
   const later: FirstContactOptions = { leaveOutStart: true };
   check(pelt.firstContact(...steps, later) === null, 'they stand still');
 }
@@ -419,6 +428,11 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
   const counted: CountedContacts = crowd.withoutIgnored(contacts);
   check(counted.contacts.length === contacts.length && counted.ignored === 0, 'counted');
   useStats(stats);
+  const palettes: [Float32Array, Float32Array] = [scene.palette(0, 3), scene.palette(0, 4)];
+  crowd.beginStep();
+  crowd.setMotion(0, ...palettes);
+  const moving: CrowdMovingContacts = crowd.collideMoving({ leaveOutStart: true });
+  check(moving.contacts.length === 4 * moving.times.length, 'crowd in motion');
   const hash: ContactHash = pelt.makeContactHash();
   hash.addCrowd(3, contacts);
   hash.add(4, 0, 1, new Uint32Array(2));
