@@ -65,6 +65,12 @@ export const KEYS: Key[] = [
   { keys: ['ctrl+y', 'ctrl+shift+z'], shown: 'Ctrl Y', meaning: 'redo', change: redo },
   { keys: ['g'], shown: 'G', meaning: 'move the character', change: () => ({ gizmo: 'move' }) },
   { keys: ['r'], shown: 'R', meaning: 'turn the character', change: () => ({ gizmo: 'turn' }) },
+  {
+    keys: ['e'],
+    shown: 'E',
+    meaning: 'contacts between frames on or off',
+    change: changes.toggleBetween,
+  },
   { keys: ['f'], shown: 'F', meaning: 'limit contacts of each pair', change: changes.toggleLimit },
   { keys: ['x'], shown: 'X', meaning: 'self-contacts on or off', change: changes.toggleSelf },
   { keys: ['b'], shown: 'B', meaning: 'draw bounds', change: changes.toggleBoxes },

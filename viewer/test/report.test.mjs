@@ -121,7 +121,7 @@ async function alignedSwitches(page) {
   const boxes = await Promise.all(
     (await page.locator('.switches .switch').all()).map((one) => one.boundingBox()),
   );
-  assert.equal(boxes.length, 2);
+  assert.equal(boxes.length, 3);
   return new Set(boxes.map(({ y }) => y)).size;
 }
 

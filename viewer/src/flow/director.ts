@@ -6,6 +6,7 @@ import type { Shot, Spare } from '../worker/protocol';
 import type { Asker } from './asker';
 import { checkedFrames } from '../state/frames';
 import { isSameShot, selfOf, shotOf } from '../state/shots';
+import { asksBetween } from '../state/steps';
 import { isSameSelf } from '../scene/self';
 
 /** While a gizmo is dragged, scenes follow each other faster than they can be swept. */
@@ -61,7 +62,9 @@ export class Director {
     if (!scene) return;
     const frames = checkedFrames(this.store.state);
     const self = selfOf(this.store.state);
-    void this.asker.ask('sweep', { id: sweep.id, scene, by, maxContacts, clearance, self, frames });
+    const between = asksBetween(this.store.state);
+    const query = { by, maxContacts, clearance, self, between };
+    void this.asker.ask('sweep', { id: sweep.id, scene, ...query, frames });
   }
 }
 
@@ -81,6 +84,7 @@ function sweepsDiffer(state: State, before: State): boolean {
     state.by !== before.by ||
     state.maxContacts !== before.maxContacts ||
     state.clearance !== before.clearance ||
+    asksBetween(state) !== asksBetween(before) ||
     !isSameSelf(selfOf(state), selfOf(before))
   );
 }

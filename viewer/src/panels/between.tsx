@@ -1,62 +1,102 @@
-/** Steps with contacts between their frames, which `pelt check --between` has found. */
+/** Steps with contacts between their frames. */
 
-import type { ReportAnswer, ReportedStep } from '../report/report';
 import { pauseBetween } from '../state/changes';
-import type { Moment } from '../worker/protocol';
+import { momentOf } from '../state/shots';
+import type { State } from '../state/state';
+import { betweenHash, knownSteps } from '../state/steps';
+import type { Step } from '../worker/protocol';
 import { counted, withCommas } from '../words';
+import { useFew } from './few';
 import type { PanelProps } from './panel_props';
 
-const MOST_LISTED = 8;
+const FEW = 8;
 
-interface BetweenProps {
-  answer: ReportAnswer;
-  update: PanelProps['update'];
-}
-
-/** Lists the steps with the most contacts first. The page does not count them itself. */
-export function Between({ answer: { steps, verdict }, update }: BetweenProps) {
+/** Lists the steps with the most contacts first; each leads to its first time of contact. */
+export function BetweenFrames({ state, update }: PanelProps) {
+  const steps = knownSteps(state);
+  const { shown, more } = useFew(worstSteps(steps ?? []), FEW);
   if (!steps) return null;
-  if (steps.length === 0) return <p class="quiet">Nothing touches between frames only.</p>;
-  const worse = verdict.between?.worse.length ?? 0;
-  const listed = worstSteps(steps).slice(0, MOST_LISTED);
+  const at = momentOf(state);
   return (
-    <>
-      <p class="between-frames">
-        {betweenInWords(steps)}
-        {worse > 0 && <b>, {withCommas(worse)} new or grown</b>}
-      </p>
+    <div class="between" role="group" aria-labelledby="between-frames">
+      <h3>
+        <i class="dot of-steps" />
+        <span id="between-frames">Only between frames</span>
+        <span class="count" data-fact="between">
+          {withCommas(contactsOf(steps))}
+        </span>
+      </h3>
+      <p class="quiet">{explanation(state, steps)}</p>
       <ul class="steps">
-        {listed.map((one) => (
-          <li>
-            <button
-              class="link"
-              title="Go to the first time of contact"
-              onClick={() => update(pauseBetween(one.step, momentOfStep(one)))}
-            >
-              from frame {one.step} to {one.to}
-            </button>
-            : {counted(one.only_between, 'contact')}, first at {one.first.toFixed(4)} s
-          </li>
+        {shown.map((step) => (
+          <Row
+            step={step}
+            isCurrent={at?.to === step.first.to && state.frame === step.frame}
+            update={update}
+          />
         ))}
-        {steps.length > listed.length && (
-          <li class="quiet">and {counted(steps.length - listed.length, 'more step')}</li>
-        )}
       </ul>
-    </>
+      {more}
+      {steps.length > 0 && <Hash hash={betweenHash(state)} />}
+    </div>
   );
 }
 
-function momentOfStep({ of_self: isOfSelf, first: seconds, ...step }: ReportedStep): Moment {
-  const { to, share, a, b, triangles } = step;
-  return { to, share, seconds, a, b, triangles, isOfSelf };
+interface RowProps {
+  step: Step;
+  /** Whether the page stands at its first time of contact. */
+  isCurrent: boolean;
+  update: PanelProps['update'];
+}
+
+function Row({ step: { frame, contacts, first }, isCurrent, update }: RowProps) {
+  return (
+    <li>
+      <button
+        class="touch"
+        aria-pressed={isCurrent}
+        title="Go to the first time of contact"
+        onClick={() => update(pauseBetween(frame, first))}
+      >
+        <span>
+          frames {frame}–{first.to}
+        </span>
+        <span class="quiet">first at {first.seconds.toFixed(4)} s</span>
+        <span class="count">{withCommas(contacts)}</span>
+      </button>
+    </li>
+  );
+}
+
+function explanation({ sweep }: State, steps: readonly Step[]): string {
+  if (steps.length > 0) {
+    const where = counted(steps.length, 'step');
+    return `Triangles that touch on the way from one frame to the next, but in neither, in ${where}:`;
+  }
+  return sweep.total ? 'Nothing touches between frames only.' : 'Not counted yet …';
+}
+
+/** As `pelt check --between` prints it. */
+function Hash({ hash }: { hash: string | null }) {
+  if (!hash) return null;
+  return (
+    <p class="quiet">
+      hash between frames <code data-fact="between-hash">{hash}</code>
+    </p>
+  );
 }
 
 /** Returns the steps with the most contacts first; of equal ones, the earliest. */
-export function worstSteps(steps: readonly ReportedStep[]): ReportedStep[] {
-  return [...steps].sort((x, y) => y.only_between - x.only_between || x.step - y.step);
+export function worstSteps(steps: readonly Step[]): Step[] {
+  return [...steps].sort((x, y) => y.contacts - x.contacts || x.frame - y.frame);
 }
 
-export function betweenInWords(steps: readonly ReportedStep[]): string {
-  const contacts = steps.reduce((sum, { only_between: count }) => sum + count, 0);
-  return `${counted(contacts, 'contact')} between frames only, in ${counted(steps.length, 'step')}`;
+function contactsOf(steps: readonly Step[]): number {
+  return steps.reduce((sum, { contacts }) => sum + contacts, 0);
+}
+
+export function betweenInWords(steps: readonly Step[]): string {
+  if (steps.length === 0) return 'Nothing touches between frames only.';
+  const [contacts, where] = [counted(contactsOf(steps), 'contact'), counted(steps.length, 'step')];
+  return `${contacts} between frames only, in ${where}`;
 }

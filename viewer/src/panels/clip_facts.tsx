@@ -5,6 +5,7 @@ import { totalsOf } from '../state/counts';
 import { checkedFrames, isInRange } from '../state/frames';
 import { isInStep, isLate, momentOf } from '../state/shots';
 import type { State, SweepState } from '../state/state';
+import { knownSteps } from '../state/steps';
 import { counted, withCommas } from '../words';
 import { memo } from './memo';
 
@@ -12,6 +13,7 @@ export function FrameFacts({ state, frame }: { state: State; frame: number }) {
   const { scene, answer } = state;
   const count = scene!.frameCount;
   const moment = momentOf(state);
+  const step = knownSteps(state)?.find((one) => one.frame === frame);
   return (
     <p>
       <span>
@@ -30,6 +32,7 @@ export function FrameFacts({ state, frame }: { state: State; frame: number }) {
         <small>
           {answer?.contacts === 1 ? ' contact' : ' contacts'}
           {!isInRange(frame, checkedFrames(state)) && ', not checked'}
+          {step && !moment && `, ${withCommas(step.contacts)} more before frame ${step.first.to}`}
         </small>
       </span>
     </p>

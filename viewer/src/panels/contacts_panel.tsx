@@ -10,6 +10,7 @@ import { asksPairs, asksSelf, isLate } from '../state/shots';
 import type { State } from '../state/state';
 import type { Touch } from '../worker/protocol';
 import { withCommas } from '../words';
+import { BetweenFrames } from './between';
 import { ClosestList } from './closest_list';
 import { Filters } from './filters';
 import { Gone } from './gone';
@@ -49,6 +50,7 @@ export function ContactsPanel({ state, update }: PanelProps) {
       <Checked state={state} update={update} />
       <Ignored count={listing === 'clip' ? sweep.total?.ignored : answer?.ignored} />
       <SameNumbers state={state} />
+      <BetweenFrames state={state} update={update} />
       <ClosestList state={state} />
       <Stills state={state} update={update} />
       <Lists state={state} update={update} />

@@ -49,6 +49,11 @@ function Shown() {
         intersecting triangles of one character. The filters leave out creases, and what touches at
         rest.
       </Thing>
+      <Thing name="Between frames">
+        with “between frames” on: contacts of a step from one frame to the next that are in neither
+        of them. Marks along the upper edge of the timeline show the steps, and the list leads to
+        the first time of contact.
+      </Thing>
       <Thing colour={OPENED} name="Opened">
         with bounds on: boxes that the query opened. Vertices were skinned only there.
       </Thing>

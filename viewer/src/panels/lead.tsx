@@ -1,6 +1,7 @@
 import { isOneBody } from '../scene/self';
 import { checkedFrames, rangeInWords } from '../state/frames';
 import { asksPairs, asksSelf } from '../state/shots';
+import { asksBetween } from '../state/steps';
 import { counted } from '../words';
 import type { PanelProps } from './panel_props';
 
@@ -19,7 +20,8 @@ export function Lead({ state }: PanelProps) {
   ];
   return (
     <p class="lead">
-      {capital(marks.join('; ') || `No ${thing} is tested`)}, in {frames} of <b>{scene.name}</b>.
+      {capital(marks.join('; ') || `No ${thing} is tested`)}, in {frames} of <b>{scene.name}</b>
+      {asksBetween(state) && ', and in the steps between them'}.
     </p>
   );
 }

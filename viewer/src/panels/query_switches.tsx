@@ -1,5 +1,6 @@
-import { limitContacts, toggleBy, toggleLimit } from '../state/changes';
+import { limitContacts, toggleBetween, toggleBy, toggleLimit } from '../state/changes';
 import type { State } from '../state/state';
+import { asksBetween, whyNotBetween } from '../state/steps';
 import { counted } from '../words';
 import { NumberField } from './number_field';
 import type { PanelProps } from './panel_props';
@@ -24,6 +25,7 @@ export function QuerySwitches({ state, update }: PanelProps) {
           parts
         </label>
       )}
+      <BetweenSwitch state={state} update={update} />
       <LimitSwitch state={state} update={update} />
       {state.maxContacts !== null && (
         <NumberField
@@ -43,6 +45,29 @@ export function QuerySwitches({ state, update }: PanelProps) {
 
 /** The largest limit of the engine. */
 const MOST_CONTACTS = 2 ** 32 - 1;
+
+/** Whether the steps between frames are tested, too. */
+function BetweenSwitch({ state, update }: PanelProps) {
+  const problem = whyNotBetween(state);
+  return (
+    <label
+      class="switch"
+      title={
+        problem ??
+        'Also find what touches only on the way from one frame to the next, in straight lines (E)'
+      }
+    >
+      <input
+        type="checkbox"
+        role="switch"
+        disabled={problem !== null}
+        checked={asksBetween(state)}
+        onChange={() => update(toggleBetween)}
+      />
+      between frames
+    </label>
+  );
+}
 
 function LimitSwitch({ state, update }: PanelProps) {
   return (

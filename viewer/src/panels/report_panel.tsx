@@ -1,12 +1,12 @@
 import type { ComponentChildren } from 'preact';
 import { comparisonOf } from '../report/baseline';
-import { baselineOf } from '../report/report';
+import { baselineOf, stepsOf } from '../report/report';
 import type { HeldBody, Report, ReportAnswer, ReportedSelf } from '../report/report';
 import { headlineOf, isAsItCame, worstFrame } from '../report/verdict';
 import { pauseAt } from '../state/changes';
 import type { State } from '../state/state';
 import { counted, withCommas } from '../words';
-import { Between } from './between';
+import { betweenInWords } from './between';
 import type { PanelProps } from './panel_props';
 
 /** The result of the command, and whether the page agrees. */
@@ -22,7 +22,7 @@ export function ReportPanel({ state, update }: PanelProps) {
       </h2>
       <p class="headline">{headlineOf(answer)}</p>
       <Comparison report={report} answer={answer} />
-      <Between answer={answer} update={update} />
+      <BetweenFrames answer={answer} />
       <Held answer={answer} update={update} />
       <Found answer={answer} update={update} />
       <code>{command}</code>
@@ -56,6 +56,19 @@ function Comparison({ report, answer }: { report: Report; answer: ReportAnswer }
       {gone > 0 && `, ${withCommas(gone)} gone`}
       {newlyHeld > 0 && `, ${withCommas(newlyHeld)} newly contained`}
       <small> compared with {baselineOf(report)}</small>
+    </p>
+  );
+}
+
+/** With --between. The steps are in the panel of contacts. */
+function BetweenFrames({ answer }: { answer: ReportAnswer }) {
+  const steps = stepsOf(answer);
+  if (!steps) return null;
+  const worse = answer.verdict.between?.worse.length ?? 0;
+  return (
+    <p class="between-frames">
+      {betweenInWords(steps)}
+      {worse > 0 && <b>, {withCommas(worse)} new or grown</b>}
     </p>
   );
 }

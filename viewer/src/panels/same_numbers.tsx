@@ -1,6 +1,7 @@
 import { isAsItCame } from '../report/verdict';
 import { checkCommand } from '../scene/command';
 import { checkedFrames } from '../state/frames';
+import { asksBetween } from '../state/steps';
 import type { State } from '../state/state';
 import { saveScene } from './save';
 
@@ -8,7 +9,12 @@ import { saveScene } from './save';
 export function SameNumbers({ state }: { state: State }) {
   const { scene, report } = state;
   if (!scene || (report?.answer && isAsItCame(state))) return null;
-  const { words, needsFile } = checkCommand({ ...state, scene, frames: checkedFrames(state) });
+  const { words, needsFile } = checkCommand({
+    ...state,
+    scene,
+    between: asksBetween(state),
+    frames: checkedFrames(state),
+  });
   return (
     <p class="same quiet">
       Same result: <code>{words}</code>

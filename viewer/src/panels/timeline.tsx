@@ -3,7 +3,7 @@ import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../sta
 import { whyNothingIsCompared } from '../state/compared';
 import { checkedFrames } from '../state/frames';
 import { frameInPicture, momentOf } from '../state/shots';
-import { isAsItCame } from '../report/verdict';
+import { knownSteps } from '../state/steps';
 import type { State, Update } from '../state/state';
 import { counted } from '../words';
 import type { PanelProps } from './panel_props';
@@ -52,15 +52,15 @@ export function Timeline({ state, update }: PanelProps) {
   );
 }
 
-/** Marks the steps in which the command found contacts between frames, until something changes. */
+/** Marks the steps with contacts between their frames. */
 function StepMarks({ state }: { state: State }) {
-  const steps = state.report?.answer?.steps;
-  if (!steps || steps.length === 0 || !isAsItCame(state)) return null;
+  const steps = knownSteps(state);
+  if (!steps || steps.length === 0) return null;
   const percent = (frames: number) => `${(100 * frames) / state.scene!.frameCount}%`;
   return (
     <svg class="steps-between" aria-label={betweenInWords(steps)} role="img">
-      {steps.map(({ step, to }) => (
-        <rect x={percent(step + 0.5)} width={percent(to - step)} height="5" />
+      {steps.map(({ frame, first: { to } }) => (
+        <rect x={percent(frame + 0.5)} width={percent(to - frame)} height="5" />
       ))}
     </svg>
   );

@@ -1,7 +1,7 @@
 /** Data in the page from `pelt check --html` and `pelt view`. README.md describes the format. */
 
 import type { NamePair } from 'pelt';
-import type { By, FrameRange, ReadingOptions } from '../worker/protocol';
+import type { By, FrameRange, ReadingOptions, Step } from '../worker/protocol';
 
 /** Version of the engine in the page. */
 const PELT_VERSION: string = import.meta.env.VITE_PELT_VERSION;
@@ -58,6 +58,8 @@ export interface ReportAnswer {
     clearance: number | null;
     /** Null or absent: no body was tested against itself. */
     self?: ReportedSelf | null;
+    /** Absent without --between. Straight pieces of each step. */
+    between?: { substeps: number };
     ignore: NamePair[];
   };
   /** Contacts of each of these frames. */
@@ -72,6 +74,8 @@ export interface ReportAnswer {
     ignored: number;
     /** Contacts of bodies with themselves that filters have left out, if they were tested. */
     left_out?: Record<'rings' | 'at_rest' | 'always' | 'near_joints', number>;
+    /** With --between, but not for one clip of a report of all clips. */
+    between?: { hash: string };
   };
   /** Null if contacts were limited, and for one clip of a report of all clips. */
   hash: string | null;
@@ -208,6 +212,22 @@ function parse(text: string): Partial<Report> {
 /** Most contacts of each pair; null for all. */
 export function limitOf({ answer }: Report): number | null {
   return answer ? answer.options.max_contacts : null;
+}
+
+/** Whether the command tested the steps between frames. */
+export function asksBetween({ answer }: Report): boolean {
+  return answer !== null && stepsOf(answer) !== null;
+}
+
+/** The steps with contacts between their frames; null if the command did not test steps. */
+export function stepsOf({ steps }: ReportAnswer): Step[] | null {
+  return steps?.map(stepOf) ?? null;
+}
+
+function stepOf(reported: ReportedStep): Step {
+  const { step: frame, only_between: contacts, first: seconds, of_self: isOfSelf } = reported;
+  const { to, share, a, b, triangles } = reported;
+  return { frame, contacts, first: { to, share, seconds, a, b, triangles, isOfSelf } };
 }
 
 /** Largest distance of two triangles in contact; null if they have to touch. */

@@ -3,11 +3,20 @@
 import type { Scene } from '../scene/scene';
 import { isSameSelf, selfQuestion } from '../scene/self';
 import type { State, SweepState } from '../state/state';
-import type { FrameRange, SelfQuestion, Surface, SweepTotal, Touch } from '../worker/protocol';
+import type {
+  FrameRange,
+  SelfQuestion,
+  Step,
+  Surface,
+  SweepTotal,
+  Touch,
+} from '../worker/protocol';
 import { counted, withCommas } from '../words';
 import {
+  asksBetween,
   clearanceOf,
   limitOf,
+  stepsOf,
   type KnownPlace,
   type KnownTouch,
   type ReportAnswer,
@@ -33,14 +42,15 @@ export function findingOf(state: State): Finding | null {
   return isSame(answer, state.sweep) ? 'agrees' : 'differs';
 }
 
-function isSame(answer: ReportAnswer, { counts, total }: SweepState): boolean {
+function isSame(answer: ReportAnswer, { counts, steps, total }: SweepState): boolean {
   const frames = framesOf(answer.options.frames);
   const sameCounts = answer.counts.every((count, i) => counts[frames[i]] === count);
   return (
     sameCounts &&
     total !== null &&
     (answer.hash === null ? hasSameTouches(answer, total) : total.hash === answer.hash) &&
-    leavesOutTheSame(answer, total)
+    leavesOutTheSame(answer, total) &&
+    hasSameSteps(answer, steps)
   );
 }
 
@@ -66,6 +76,15 @@ export function placeName({ instance, part, joint }: KnownPlace | Surface): stri
   return `${instance}\t${part}\t${joint}`;
 }
 
+/** Not compared if the command divided steps into pieces, which the page does not. */
+function hasSameSteps(answer: ReportAnswer, own: readonly Step[]): boolean {
+  const theirs = stepsOf(answer);
+  if (!theirs || (answer.options.between?.substeps ?? 1) > 1) return true;
+  const key = ({ frame, contacts, first: { to, share, a, b, triangles } }: Step) =>
+    [frame, to, contacts, share, a, b, ...triangles].join();
+  return theirs.map(key).join('\n') === own.map(key).join('\n');
+}
+
 function leavesOutTheSame({ totals }: ReportAnswer, total: SweepTotal): boolean {
   if (!totals.left_out) return true;
   const { rings, at_rest: atRest, always, near_joints: joints } = totals.left_out;
@@ -89,12 +108,13 @@ export type Asked = Pick<
   | 'by'
   | 'frames'
   | 'self'
+  | 'between'
   | 'characters'
 >;
 
 /** Whether scene and query are still those of the report. */
 export function isAsItCame(asked: Asked): boolean {
-  const { report, reported, scene, maxContacts, clearance, by, frames } = asked;
+  const { report, reported, scene, maxContacts, clearance, by, frames, between } = asked;
   return (
     report !== null &&
     scene === reported &&
@@ -102,6 +122,7 @@ export function isAsItCame(asked: Asked): boolean {
     maxContacts === limitOf(report) &&
     clearance === clearanceOf(report) &&
     by === report.answer?.options.by &&
+    between === asksBetween(report) &&
     asksSelfAsReported(asked, report.answer)
   );
 }

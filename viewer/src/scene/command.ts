@@ -15,6 +15,8 @@ export interface Asking {
   /** Largest distance of two triangles in contact; null if they have to touch. */
   clearance: number | null;
   self: SelfChoices;
+  /** Whether the steps between frames are tested, too. */
+  between: boolean;
   /** Null for all frames. */
   frames: FrameRange | null;
   readingOptions: ReadingOptions;
@@ -67,7 +69,7 @@ function modelWords({ scene: { instances }, characters }: Asking): string[] {
 }
 
 function optionWords(asking: Asking): string[] {
-  const { by, maxContacts, clearance, frames, readingOptions } = asking;
+  const { by, maxContacts, clearance, between, frames, readingOptions } = asking;
   const { renormalise, noUnskinned, exclude = [] } = readingOptions;
   return [
     ...(by === 'part' ? ['--by', 'part'] : []),
@@ -75,6 +77,7 @@ function optionWords(asking: Asking): string[] {
     ...limitWords(maxContacts),
     ...(clearance === null ? [] : ['--clearance', String(clearance)]),
     ...selfWords(asking),
+    ...(between ? ['--between'] : []),
     ...(renormalise ? ['--renormalise'] : []),
     ...(noUnskinned ? ['--no-unskinned'] : []),
     ...exclude.flatMap((node) => ['--exclude', node]),

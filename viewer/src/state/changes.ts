@@ -4,7 +4,7 @@
  */
 
 import { sceneOfClip, type ClipReport } from '../report/clips';
-import { clearanceOf, type Report } from '../report/report';
+import { asksBetween, clearanceOf, type Report } from '../report/report';
 import { findingOf, framesToCheck, worstFrame } from '../report/verdict';
 import { arrange, USUAL_ARRANGEMENT } from '../scene/arrange';
 import { wantedSelf, type SelfChoices } from '../scene/self';
@@ -69,6 +69,7 @@ function nextContact(counts: Counts, from: number, direction: 1 | -1): number | 
 }
 
 export const togglePlaying: Change = ({ isPlaying }) => ({ isPlaying: !isPlaying });
+export const toggleBetween: Change = ({ between }) => ({ between: !between });
 export const toggleBy: Change = ({ by }) => ({ by: by === 'part' ? 'instance' : 'part' });
 
 export const toggleLimit: Change = (state) =>
@@ -219,7 +220,13 @@ export function openReported(opened: Opened, report: Report): Change {
     frames: answer && framesToCheck(answer, opened.scene),
     clearance: clearanceOf(report),
   });
-  return (state) => ({ ...openScene(state), report, reported: opened.scene, finding: null });
+  return (state) => ({
+    ...openScene(state),
+    between: asksBetween(report),
+    report,
+    reported: opened.scene,
+    finding: null,
+  });
 }
 
 /** Whether the clips of the report can be chosen: its characters are still on the stage. */
@@ -268,7 +275,7 @@ export function dismiss(problem: Problem): Change {
 }
 
 /** Progress of a sweep that has been given up is passed over. */
-export function sweepOn({ id, searched, counts, selfCounts, total }: SweepProgress): Change {
+export function sweepOn({ id, searched, counts, selfCounts, steps, total }: SweepProgress): Change {
   return (state) => {
     if (id !== state.sweep.id) return {};
     const sweep = {
@@ -276,6 +283,7 @@ export function sweepOn({ id, searched, counts, selfCounts, total }: SweepProgre
       searched,
       counts: [...state.sweep.counts, ...counts],
       selfCounts: [...state.sweep.selfCounts, ...selfCounts],
+      steps: [...state.sweep.steps, ...steps],
       total,
     };
     return { sweep, finding: state.finding ?? findingOf({ ...state, sweep }) };

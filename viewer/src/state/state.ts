@@ -18,6 +18,7 @@ import type {
   ReadingOptions,
   Shot,
   Spot,
+  Step,
   Surface,
   SweepTotal,
 } from '../worker/protocol';
@@ -47,6 +48,8 @@ export interface State {
   lastMaxContacts: number;
   /** Largest distance of two triangles in contact, from a report; null if they have to touch. */
   clearance: number | null;
+  /** Whether the steps between frames are tested, too; see `asksBetween`. */
+  between: boolean;
   /** Whether and how characters are tested against themselves. */
   self: SelfChoices;
   /** The frames to be checked, of a report of some frames; null for all. */
@@ -132,6 +135,8 @@ export interface SweepState {
   counts: (number | null)[];
   /** Contacts of bodies with themselves, which are among these. */
   selfCounts: (number | null)[];
+  /** The steps so far with contacts between their frames. */
+  steps: Step[];
   /** Number of frames that have been searched for a filter, before frames are counted. */
   searched: number;
   total: SweepTotal | null;
@@ -152,7 +157,7 @@ export interface Problem {
 }
 
 export function newSweep(id: number): SweepState {
-  return { id, counts: [], selfCounts: [], searched: 0, total: null };
+  return { id, counts: [], selfCounts: [], steps: [], searched: 0, total: null };
 }
 
 export const initialState: State = {
@@ -170,6 +175,7 @@ export const initialState: State = {
   maxContacts: null,
   lastMaxContacts: 1,
   clearance: null,
+  between: false,
   self: {},
   frames: null,
   past: [],

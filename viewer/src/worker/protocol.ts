@@ -60,6 +60,16 @@ export interface Moment {
   isOfSelf: boolean;
 }
 
+/** A step between two checked frames in which triangles touch that touch in neither of them. */
+export interface Step {
+  /** The frame in which the step begins. */
+  frame: number;
+  /** Contacts that touch in neither frame. */
+  contacts: number;
+  /** When the first of them touches. */
+  first: Moment;
+}
+
 /** A frame of a scene, and its query; or a time after it. */
 export interface Shot {
   scene: Scene;
@@ -111,6 +121,8 @@ export interface Questions {
     maxContacts: number | null;
     clearance: number | null;
     self: SelfQuestion | null;
+    /** Whether the steps between the frames are tested, too. Not with a limit or a clearance. */
+    between: boolean;
     /** Frames to be counted, or null for all frames. */
     frames: FrameRange | null;
   };
@@ -287,6 +299,8 @@ export interface SweepProgress {
   counts: (number | null)[];
   /** Contacts of bodies with themselves, which are among these. */
   selfCounts: (number | null)[];
+  /** Steps that end in these frames, of those with contacts between frames only. */
+  steps: Step[];
   /** Sent with the last frame. */
   total: SweepTotal | null;
 }
@@ -296,6 +310,8 @@ export interface SweepTotal {
   leftOut: LeftOut;
   /** Hash as in `pelt check`; null if contacts are limited. */
   hash: string | null;
+  /** The same of contacts between frames; null if steps were not tested. */
+  betweenHash: string | null;
   /** Contacts that do not count. */
   ignored: number;
   touches: Touch[];

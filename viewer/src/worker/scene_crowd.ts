@@ -8,6 +8,7 @@ import type {
   CollideOptions,
   Crowd,
   CrowdContacts,
+  CrowdMovingContacts,
   NamePair,
   Pelt,
   Scene as EngineScene,
@@ -22,6 +23,12 @@ import { NOTHING_LEFT_OUT, sumOfLeftOut, sumOfStats } from './sums';
 export interface SceneContacts extends CrowdContacts {
   /** Like `contacts`, with numbers of bodies instead of instances, for the hash. */
   ofBodies: Uint32Array;
+}
+
+/** Contacts of a step that do not touch at its start. */
+export interface MovingSceneContacts extends Pick<SceneContacts, 'contacts' | 'ofBodies'> {
+  /** Of each contact: the share of the step that has passed when it first touches. */
+  times: Float32Array;
 }
 
 /** How bodies are tested against themselves, and where the filters are. */
@@ -96,6 +103,18 @@ export class SceneCrowd {
     return { ...found, contacts: this.ofInstances(found.contacts), ofBodies: found.contacts };
   }
 
+  /** The present frame becomes the start of a step. The next one is its end. */
+  beginStep(): void {
+    for (const crowd of this.crowds) crowd.beginStep();
+  }
+
+  /** What touches in the step, but not at its start. */
+  collideMoving(): MovingSceneContacts {
+    const found = this.crowds.map((crowd) => crowd.collideMoving({ leaveOutStart: true }));
+    const { contacts } = joined(found);
+    return { contacts: this.ofInstances(contacts), ofBodies: contacts, times: joinedTimes(found) };
+  }
+
   delete(): void {
     for (const crowd of this.crowds) crowd.delete();
     this.near?.delete();
@@ -166,6 +185,17 @@ function joined(found: readonly CrowdContacts[]): CrowdContacts {
     leftOut: sumOfLeftOut(found.map(({ leftOut }) => leftOut)),
     stats: sumOfStats(found.map(({ stats }) => stats)),
   };
+}
+
+/** In the order of the joined contacts. */
+function joinedTimes(found: readonly CrowdMovingContacts[]): Float32Array {
+  const times = new Float32Array(found.reduce((sum, one) => sum + one.times.length, 0));
+  let next = 0;
+  for (const one of found) {
+    times.set(one.times, next);
+    next += one.times.length;
+  }
+  return times;
 }
 
 /** Contacts of bodies with themselves, and all others. */

@@ -2,9 +2,10 @@
 
 import type { ContactHash, LeftOut, Pelt, Scene as EngineScene } from 'pelt';
 import { AlwaysSearch } from './always_search';
-import type { FrameRange, Questions, SweepProgress, SweepTotal } from './protocol';
+import type { FrameRange, Questions, Step, SweepProgress, SweepTotal } from './protocol';
 import { countSelf, SceneCrowd } from './scene_crowd';
 import type { SelfFilters } from './self_filters';
+import { Steps } from './steps';
 import { NOTHING_LEFT_OUT, sumOfLeftOut } from './sums';
 import { TouchTally } from './touches';
 
@@ -22,6 +23,8 @@ export class Sweep {
   private search: AlwaysSearch | null = null;
   private readonly hash: ContactHash;
   private tally: TouchTally | null = null;
+  /** Null if the steps between frames are not tested. */
+  private steps: Steps | null = null;
   private searched = 0;
   private next = 0;
   private ignored = 0;
@@ -29,6 +32,7 @@ export class Sweep {
   /** Counts not reported yet, and the time of the last report. */
   private counts: (number | null)[] = [];
   private selfCounts: (number | null)[] = [];
+  private foundSteps: Step[] = [];
   private reported = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private end!: (problem?: unknown) => void;
@@ -52,6 +56,7 @@ export class Sweep {
     this.crowd?.delete();
     this.search?.delete();
     this.hash.delete();
+    this.steps?.delete();
     this.end();
   }
 
@@ -76,9 +81,9 @@ export class Sweep {
 
   private reportCounts(): void {
     const total = this.isDone() ? this.total() : null;
-    const { searched, counts, selfCounts } = this;
-    this.report({ id: this.question.id, searched, counts, selfCounts, total });
-    [this.counts, this.selfCounts] = [[], []];
+    const { searched, counts, selfCounts, foundSteps: steps } = this;
+    this.report({ id: this.question.id, searched, counts, selfCounts, steps, total });
+    [this.counts, this.selfCounts, this.foundSteps] = [[], [], []];
     this.reported = performance.now();
   }
 
@@ -89,10 +94,11 @@ export class Sweep {
   /** Finds what nearly all frames have in common, if that is not to count; then counts. */
   private begin(): void {
     const { pelt, filters, scene, question } = this;
-    const { by, self } = question;
+    const { by, self, between } = question;
     if (filters.areReady(scene, by, self)) {
       this.crowd = new SceneCrowd(pelt, scene, by, { question: self, filters });
       this.tally = new TouchTally(this.crowd.characters);
+      this.steps = between ? new Steps(pelt, scene, this.crowd) : null;
     } else {
       this.search = new AlwaysSearch(pelt, filters, scene, by, self!);
     }
@@ -120,8 +126,11 @@ export class Sweep {
       this.selfCounts.push(null);
       return;
     }
+    this.steps?.begin();
     crowd.set(this.scene, frame);
     const found = crowd.collide(this.question);
+    const step = this.steps?.end(frame, found);
+    if (step) this.foundSteps.push(step);
     this.hash.addCrowd(frame, found.ofBodies);
     this.tally!.addAll(frame, found.contacts);
     this.ignored += found.ignored;
@@ -133,6 +142,7 @@ export class Sweep {
   private total(): SweepTotal {
     return {
       hash: this.question.maxContacts === null ? this.hash.value : null,
+      betweenHash: this.steps?.hashValue ?? null,
       ignored: this.ignored,
       leftOut: this.leftOut,
       touches: this.tally!.sorted(),
