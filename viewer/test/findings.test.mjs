@@ -57,6 +57,8 @@ describe('beside a baseline', () => {
   const asked = {
     maxContacts: null,
     clearance: null,
+    budget: null,
+    between: false,
     by: 'instance',
     frames,
     self: {},

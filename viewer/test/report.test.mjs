@@ -153,6 +153,64 @@ test('a report of steps lists and marks those with contacts between frames', asy
   assert.deepEqual(page.complaints, []);
 });
 
+/** A walker goes through another one. */
+const WALKERS = {
+  models: {
+    red: { creature: { triangles: 2000, joints: 45, seed: 5 } },
+    blue: { creature: { triangles: 1664, joints: 45, seed: 3 } },
+  },
+  frames: { count: 24, fps: 12 },
+  instances: [
+    { model: 'red', clip: 'walk' },
+    { model: 'blue', clip: 'walk', translation: [-2, 0, 0.2], velocity: [2, 0, 0] },
+  ],
+};
+
+test('a report with a budget shows what is unknown, until all contacts are wanted', async (t) => {
+  const shop = new Workshop(t, WALKERS);
+  const answer = shop.check('--budget', '1000');
+  const { frames, frames_in_contact: touching, contacts, unknown } = answer.totals;
+  assert.equal(answer.hash, null);
+  assert.ok(touching > 0 && unknown.frames > touching, 'a budget worth testing');
+  const page = await openToCount(t, browsing.urlOf(shop.at('report.html')));
+  await says(page, 'the page agrees');
+  await says(page, `Contact in ${touching} of ${frames} frames, ${unknown.frames} not decided`);
+  assert.equal(await number(page, 'total'), contacts);
+  assert.equal(await page.locator('[data-fact=hash]').count(), 0);
+  assert.equal(await number(page, 'unknown'), unknown.frames - touching);
+  assert.equal(await number(page, 'touching'), touching);
+  assert.equal(await number(page, 'decided'), frames - unknown.frames);
+  assert.ok((await page.locator('.undecided rect').count()) > 0);
+  assert.equal(await page.locator('.self').count(), 0, 'there is no such self-test');
+  assert.ok(await page.getByRole('switch', { name: 'limit' }).isDisabled());
+  await page.getByRole('button', { name: 'this frame' }).click();
+  await goToFrame(page, 8);
+  assert.match(await page.locator('.facts').innerText(), /[\d,]+ pairs of triangles not decided/);
+  await page.getByText('No contact is known.').waitFor();
+  if (process.env.PELT_PICTURES) await picture(page, 'budget');
+  for (const check of [smallTargets, poorContrasts]) assert.deepEqual(await check(page), []);
+  for (const key of ['b', '[', '[']) await page.keyboard.press(key);
+  await page.waitForFunction(() => {
+    return /[1-9]\d* opened/.test(document.querySelector('.legend')?.innerText);
+  });
+  await page.getByRole('button', { name: 'Find all contacts' }).click();
+  const { totals, hash } = shop.check();
+  await page.waitForSelector(`[data-fact=hash]:text-is("${hash}")`);
+  assert.equal(await number(page, 'total'), totals.contacts);
+  await says(page, 'the page agrees; changed since');
+  assert.equal(await page.locator('.undecided, .budget').count(), 0);
+  assert.deepEqual(page.complaints, []);
+});
+
+test('a budget that suffices leaves nothing unknown', async (t) => {
+  const shop = new Workshop(t);
+  const answer = shop.check('--budget', '1000000', '--by', 'part');
+  const page = await openToCount(t, browsing.urlOf(shop.at('report.html')));
+  await agreesWith(page, answer);
+  assert.equal(await number(page, 'decided'), answer.totals.frames);
+  assert.equal(await page.locator('.undecided').count(), 0);
+});
+
 test('a report of some frames counts and marks just these', async (t) => {
   const shop = new Workshop(t);
   const words = ['--frames', '2:12:3'];

@@ -228,6 +228,8 @@ describe('the command with the same numbers', () => {
     by: 'instance',
     maxContacts: null,
     clearance: null,
+    budget: null,
+    between: false,
     self: {},
     readingOptions: {},
   };
@@ -268,6 +270,8 @@ describe('the command with the same numbers', () => {
       });
       const { words } = checkCommand({ ...asking, maxContacts: 12, clearance: 0.02 });
       assert.match(words, /^pelt check scene\.json --max-contacts 12 --clearance 0\.02 /);
+      const timed = checkCommand({ ...asking, maxContacts: null, budget: 500, between: true });
+      assert.match(timed.words, /^pelt check scene\.json --budget 500 --between /);
     }
   });
 });

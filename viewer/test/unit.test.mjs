@@ -366,7 +366,8 @@ describe('who asks the worker', () => {
 
 describe('costs', () => {
   const scene = {};
-  const shot = (frame) => ({ scene, frame, maxContacts: null, clearance: null, boxLevel: null });
+  const query = { maxContacts: null, clearance: null, budget: null };
+  const shot = (frame) => ({ ...query, scene, frame, boxLevel: null });
   const answer = (frame, allVertices = 10) => ({ shot: shot(frame), work: { allVertices } });
   const costs = (microseconds) => ({
     onDemand: { microseconds },

@@ -339,6 +339,21 @@ TEST_F(CheckHtml, TellsThePageTheLimitOfContacts) {
   for (const json& count : answer["counts"]) EXPECT_LE(count, 3);
 }
 
+TEST_F(CheckHtml, TellsThePageTheBudget) {
+  const Ended run =
+      run_pelt(folder_, {"check", "scene.json", "--html", "report.html", "--budget", "500"});
+  EXPECT_LE(run.exit_code, 1) << run.err;
+  const std::string page = read_text(folder_ / "report.html");
+  const json answer = data_of(page)["answer"];
+  EXPECT_EQ(answer["options"]["budget"], 500);
+  EXPECT_EQ(answer["hash"], nullptr);
+  const auto frames = answer["totals"]["unknown"]["frames"].get<int>();
+  EXPECT_GT(frames, 0);
+  EXPECT_NE(page.find(" The budget did not suffice: more contacts are possible in " +
+                      std::to_string(frames) + " frames. Command:"),
+            std::string::npos);
+}
+
 TEST_F(CheckHtml, TellsThePageTheFramesOfAllClips) {
   write_strip(folder_, "strip.glb");
   const std::vector<std::string> words = {"check",  "strip.glb", "--by",   "part",

@@ -62,7 +62,6 @@ const char* excluded_by_budget(const CheckArguments& arguments) {
   if (arguments.first) return "--first";
   if (arguments.max_contacts) return "--max-contacts";
   if (!arguments.baseline.empty()) return "--baseline";
-  if (!arguments.html.empty()) return "--html";
   return nullptr;
 }
 

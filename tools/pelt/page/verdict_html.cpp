@@ -58,6 +58,13 @@ std::string between_sentence(const ordered_json& totals) {
          number(between["steps_in_contact"]) + " of " + number(between["steps"]) + " steps.";
 }
 
+/// Says in how many frames contacts may be missing, with --budget.
+std::string unknown_sentence(const ordered_json& totals) {
+  if (!totals.contains("unknown") || totals["unknown"]["frames"] == 0) return "";
+  return " The budget did not suffice: more contacts are possible in " +
+         number(totals["unknown"]["frames"]) + " frames.";
+}
+
 }  // namespace
 
 std::string verdict_html(const PageData& data) {
@@ -69,8 +76,8 @@ std::string verdict_html(const PageData& data) {
   return std::string(headline(last["verdict"])) + ": " + number(totals["frames_in_contact"]) +
          " of " + number(totals["frames"]) + " frames in contact, " + number(totals["contacts"]) +
          " contacts" + clearance_words(first["options"]) + limit_words(first["options"]) + "." +
-         self_sentence(first["options"]) + between_sentence(totals) + " Command: <code>" +
-         escaped(data.command) + "</code>";
+         self_sentence(first["options"]) + between_sentence(totals) + unknown_sentence(totals) +
+         " Command: <code>" + escaped(data.command) + "</code>";
 }
 
 }  // namespace pelt::tools::page

@@ -57,13 +57,13 @@ export class Director {
   }
 
   private sweep(): void {
-    const { scene, by, maxContacts, clearance, sweep, reading } = this.store.state;
+    const { scene, by, maxContacts, clearance, budget, sweep, reading } = this.store.state;
     if (reading) return this.sweepLater();
     if (!scene) return;
     const frames = checkedFrames(this.store.state);
     const self = selfOf(this.store.state);
     const between = asksBetween(this.store.state);
-    const query = { by, maxContacts, clearance, self, between };
+    const query = { by, maxContacts, clearance, budget, self, between };
     void this.asker.ask('sweep', { id: sweep.id, scene, ...query, frames });
   }
 }
@@ -84,6 +84,7 @@ function sweepsDiffer(state: State, before: State): boolean {
     state.by !== before.by ||
     state.maxContacts !== before.maxContacts ||
     state.clearance !== before.clearance ||
+    state.budget !== before.budget ||
     asksBetween(state) !== asksBetween(before) ||
     !isSameSelf(selfOf(state), selfOf(before))
   );

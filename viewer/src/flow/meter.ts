@@ -49,6 +49,7 @@ export class Meter {
     const { answer, costs, isPlaying, isWorkOpen, reading, scene } = this.store.state;
     if (!isWorkOpen || !answer || reading || answer.shot.scene !== scene) return null;
     if (answer.shot.clearance !== null) return null; // refitting all has no query for distances
+    if (answer.shot.budget !== null) return null; // nor one with a limit of the work
     if (answer.work.allVertices > MOST_VERTICES[isPlaying ? 'playing' : 'still']) return null;
     const isMeasured = costs !== null && isSameQuery(costs.shot, answer.shot);
     if (!isMeasured) this.rounds = 0;

@@ -1,7 +1,7 @@
 /** Opens files as characters of the scene, or reports a readable error. */
 
 import { filesWithClip, reelOf, worstClip } from '../report/clips';
-import { clearanceOf, limitOf, originalPath, type Report } from '../report/report';
+import { budgetOf, clearanceOf, limitOf, originalPath, type Report } from '../report/report';
 import * as changes from '../state/changes';
 import * as edits from '../state/edits';
 import type { Problem, State } from '../state/state';
@@ -45,6 +45,7 @@ export class Opener {
     const by = answer?.options.by ?? 'instance';
     const maxContacts = limitOf(report);
     const clearance = clearanceOf(report);
+    const budget = budgetOf(report);
     this.store.update(({ lastMaxContacts }) => ({
       report,
       reel,
@@ -52,6 +53,7 @@ export class Opener {
       maxContacts,
       lastMaxContacts: maxContacts ?? lastMaxContacts,
       clearance,
+      budget,
       listing: answer ? 'clip' : 'frame',
     }));
     this.read(title, async () => {

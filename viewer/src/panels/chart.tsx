@@ -7,6 +7,8 @@ interface ChartProps {
   counts: Counts;
   /** Contacts of characters with themselves, which are among these. */
   selfCounts: Counts;
+  /** Pairs of triangles that are not decided. */
+  undecided: Counts;
   frameCount: number;
   /** Null if all frames are checked. */
   checked: FrameRange | null;
@@ -16,8 +18,10 @@ interface ChartProps {
 const MOST_BARS = 2000;
 
 /** A bar a frame, or for a few of them; roots, so that one contact is seen beside thousands. */
-export const Chart = memo(({ counts, selfCounts, frameCount, checked }: ChartProps) => {
+export const Chart = memo((props: ChartProps) => {
+  const { counts, selfCounts, undecided, frameCount, checked } = props;
   const width = Math.ceil(frameCount / MOST_BARS);
+  const isUndecided = mostOfEach(undecided, width).map((pairs) => pairs > 0);
   const bars = mostOfEach(counts, width);
   const most = Math.sqrt(bars.reduce((one, other) => Math.max(one, other), 1));
   const pathOf = (count: number, bar: number) => {
@@ -31,27 +35,38 @@ export const Chart = memo(({ counts, selfCounts, frameCount, checked }: ChartPro
         <path d={bars.map(pathOf).join('')} />
         <path class="of-self" d={mostOfEach(selfCounts, width).map(pathOf).join('')} />
       </svg>
-      {checked && <Unchecked checked={checked} frameCount={frameCount} width={width} />}
+      {isUndecided.includes(true) && (
+        <Hatching name="undecided" runs={runsOf(isUndecided, width, frameCount)} {...props} />
+      )}
+      {checked && (
+        <Hatching name="unchecked" runs={uncheckedRuns(checked, frameCount, width)} {...props} />
+      )}
     </>
   );
 });
 
-interface UncheckedProps extends Pick<ChartProps, 'frameCount'> {
-  checked: FrameRange;
-  /** Frames per bar. */
-  width: number;
+interface HatchingProps extends Pick<ChartProps, 'frameCount'> {
+  /** Why the bars are hatched: their class. */
+  name: 'unchecked' | 'undecided';
+  /** Begin and end of each run of hatched bars, in frames. */
+  runs: [number, number][];
 }
 
-/** Hatches the bars without a checked frame; not in the drawing above, which is stretched. */
-function Unchecked({ checked, frameCount, width }: UncheckedProps) {
+/** Hatches bars; not in the drawing above, which is stretched. */
+function Hatching({ name, runs, frameCount }: HatchingProps) {
   const percent = (frames: number) => `${(100 * frames) / frameCount}%`;
   return (
-    <svg class="unchecked" aria-hidden="true">
-      <pattern id="hatch" width="5" height="5" patternUnits="userSpaceOnUse">
+    <svg class={name} aria-hidden="true">
+      <pattern id={`hatch-${name}`} width="5" height="5" patternUnits="userSpaceOnUse">
         <path d="M0 5L5 0" />
       </pattern>
-      {uncheckedRuns(checked, frameCount, width).map(([begin, end]) => (
-        <rect x={percent(begin)} width={percent(end - begin)} height="100%" fill="url(#hatch)" />
+      {runs.map(([begin, end]) => (
+        <rect
+          x={percent(begin)}
+          width={percent(end - begin)}
+          height="100%"
+          fill={`url(#hatch-${name})`}
+        />
       ))}
     </svg>
   );
@@ -63,15 +78,23 @@ export function uncheckedRuns(
   frameCount: number,
   width: number,
 ): [number, number][] {
+  const isUnchecked = Array.from({ length: Math.ceil(frameCount / width) }, (_, bar) => {
+    const end = Math.min((bar + 1) * width, frameCount);
+    for (let frame = bar * width; frame < end; ++frame) if (isInRange(frame, checked)) return false;
+    return true;
+  });
+  return runsOf(isUnchecked, width, frameCount);
+}
+
+/** Returns the begin and the end of each run of hatched bars, in frames. */
+function runsOf(isHatched: boolean[], width: number, frameCount: number): [number, number][] {
   const runs: [number, number][] = [];
-  for (let begin = 0; begin < frameCount; begin += width) {
-    const end = Math.min(begin + width, frameCount);
-    const frames = Array.from({ length: end - begin }, (_, i) => begin + i);
-    if (frames.some((frame) => isInRange(frame, checked))) continue;
+  isHatched.forEach((isOne, bar) => {
+    const [begin, end] = [bar * width, Math.min((bar + 1) * width, frameCount)];
     const last = runs.at(-1);
-    if (last?.[1] === begin) last[1] = end;
-    else runs.push([begin, end]);
-  }
+    if (isOne && last?.[1] === begin) last[1] = end;
+    else if (isOne) runs.push([begin, end]);
+  });
   return runs;
 }
 

@@ -32,6 +32,7 @@ export function FrameFacts({ state, frame }: { state: State; frame: number }) {
         <small>
           {answer?.contacts === 1 ? ' contact' : ' contacts'}
           {!isInRange(frame, checkedFrames(state)) && ', not checked'}
+          {!!answer?.undecided && `, ${counted(answer.undecided, 'pair')} of triangles not decided`}
           {step && !moment && `, ${withCommas(step.contacts)} more before frame ${step.first.to}`}
         </small>
       </span>
@@ -58,19 +59,21 @@ interface SweepFactsProps {
 }
 
 export const SweepFacts = memo(({ sweep, frameCount, compares }: SweepFactsProps) => {
-  const { counts, searched, total } = sweep;
+  const { counts, undecided, searched, total } = sweep;
   const percentOf = (frames: number) => `${Math.floor((100 * frames) / frameCount)} %`;
   if (!total && searched > 0 && counts.length === 0) {
     return <small>looking for what always touches {percentOf(searched)}</small>;
   }
   if (!total) return <small>counting {percentOf(counts.length)}</small>;
   const { contacts, inContact, checked } = totalsOf(counts);
+  const notDecided = undecided.filter((count) => count).length;
   return (
     <small title="The same numbers as in `pelt check`">
       <span data-fact="total">{withCommas(contacts)}</span>
       {contacts === 1 ? ' contact' : ' contacts'} in{' '}
       {frameCount > 1 && `${withCommas(inContact)} of `}
       {counted(checked, checked === frameCount ? 'frame' : 'checked frame')}
+      {notDecided > 0 && ` · ${withCommas(notDecided)} not decided`}
       {!compares && ' · nothing was compared'}
       {total.hash && (
         <>

@@ -12,6 +12,7 @@ import type { Touch } from '../worker/protocol';
 import { withCommas } from '../words';
 import { BetweenFrames } from './between';
 import { ClosestList } from './closest_list';
+import { Budget } from './budget';
 import { Filters } from './filters';
 import { Gone } from './gone';
 import type { PanelProps } from './panel_props';
@@ -48,6 +49,7 @@ export function ContactsPanel({ state, update }: PanelProps) {
       <QuerySwitches state={state} update={update} />
       {asksSelf(state) && <SelfFilters state={state} update={update} />}
       <Checked state={state} update={update} />
+      <Budget state={state} update={update} />
       <Ignored count={listing === 'clip' ? sweep.total?.ignored : answer?.ignored} />
       <SameNumbers state={state} />
       <BetweenFrames state={state} update={update} />
@@ -153,7 +155,7 @@ function Nothing({ state, update }: PanelProps) {
   const walksPast = isNever && arrangement === 'walking' && scene!.instances.length > 1;
   return (
     <div class="nothing quiet">
-      <p>{isNever ? 'Nothing touches in any frame.' : 'Nothing touches.'}</p>
+      <p>{nothingInWords(state, isNever)}</p>
       {walksPast && (
         <button class="link" onClick={() => update(rearrange('together'))}>
           Put all in the same place
@@ -161,6 +163,12 @@ function Nothing({ state, update }: PanelProps) {
       )}
     </div>
   );
+}
+
+function nothingInWords({ answer, listing, sweep }: State, isNever: boolean): string {
+  const isUnknown = listing === 'clip' ? sweep.undecided.some((count) => count) : answer?.undecided;
+  if (isUnknown) return 'No contact is known. Some pairs of triangles are not decided.';
+  return isNever ? 'Nothing touches in any frame.' : 'Nothing touches.';
 }
 
 /** Says which frames count, if not all do. */

@@ -43,7 +43,8 @@ function Shown() {
         intersecting triangles of two characters, decided exactly; a faint glow if something hides
         them. The bars are the contacts of each frame. The hash beside the total equals the hash of{' '}
         <code>pelt check</code> if and only if all contacts are the same. In a report with{' '}
-        <code>--clearance</code>, contacts are the triangles within that distance.
+        <code>--clearance</code>, contacts are the triangles within that distance. In one with{' '}
+        <code>--budget</code>, hatched frames may have more contacts.
       </Thing>
       <Thing colour={SELF_ACCENT} name="Self-contacts">
         intersecting triangles of one character. The filters leave out creases, and what touches at

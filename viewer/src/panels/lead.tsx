@@ -7,7 +7,7 @@ import type { PanelProps } from './panel_props';
 
 /** Says in a sentence or two what is looked at. */
 export function Lead({ state }: PanelProps) {
-  const { scene, by, characters, maxContacts, clearance } = state;
+  const { scene, by, characters, maxContacts, clearance, budget } = state;
   if (!scene) return null;
   const range = checkedFrames(state);
   const frames = range ? `frames ${rangeInWords(range)}` : counted(scene.frameCount, 'frame');
@@ -20,7 +20,9 @@ export function Lead({ state }: PanelProps) {
   ];
   return (
     <p class="lead">
-      {capital(marks.join('; ') || `No ${thing} is tested`)}, in {frames} of <b>{scene.name}</b>
+      {budget !== null && 'As far as the budget suffices, '}
+      {(budget === null ? capital : String)(marks.join('; ') || `No ${thing} is tested`)}, in{' '}
+      {frames} of <b>{scene.name}</b>
       {asksBetween(state) && ', and in the steps between them'}.
     </p>
   );

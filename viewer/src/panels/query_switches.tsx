@@ -75,7 +75,7 @@ function LimitSwitch({ state, update }: PanelProps) {
       <input
         type="checkbox"
         role="switch"
-        disabled={ignores(state)}
+        disabled={ignores(state) || state.budget !== null}
         checked={state.maxContacts !== null}
         onChange={() => update(toggleLimit)}
       />
@@ -85,6 +85,7 @@ function LimitSwitch({ state, update }: PanelProps) {
 }
 
 function titleOfLimit(state: State): string {
+  if (state.budget !== null) return 'Not available with a budget';
   if (ignores(state))
     return 'Not available: the first contacts may be those that the scene ignores';
   return `Stop each query after ${counted(state.lastMaxContacts, 'contact')} of a pair (F)`;

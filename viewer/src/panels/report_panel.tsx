@@ -170,6 +170,8 @@ function optionsOf({ reading, made, pelt }: Report, { options, verdict }: Report
   if (options.max_contacts !== null)
     rows.push(['max-contacts', `${withCommas(options.max_contacts)} per pair and frame`]);
   if (options.clearance !== null) rows.push(['clearance', String(options.clearance)]);
+  if (options.budget !== undefined)
+    rows.push(['budget', `${counted(options.budget, 'unit')} of work per pair and frame`]);
   if (options.self) rows.push(...selfRows(options.self));
   for (const pair of options.ignore) rows.push(['ignore', pair.join(', ')]);
   for (const note of verdict.notes ?? []) rows.push(['baseline', note]);

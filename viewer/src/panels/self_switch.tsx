@@ -4,8 +4,8 @@ import type { PanelProps } from './panel_props';
 
 /** Whether characters are tested against themselves. */
 export function SelfSwitch({ state, update }: PanelProps) {
-  const { scene, by, characters, self, clearance } = state;
-  if (!scene || clearance !== null) return null;
+  const { scene, by, characters, self, clearance, budget } = state;
+  if (!scene || clearance !== null || budget !== null) return null;
   const asking = { scene, by, characters, self };
   const present = wantedSelf(asking);
   const thing = by === 'part' ? 'part' : 'character';

@@ -24,6 +24,7 @@ export function Timeline({ state, update }: PanelProps) {
         <Chart
           counts={sweep.counts}
           selfCounts={sweep.selfCounts}
+          undecided={sweep.undecided}
           frameCount={scene.frameCount}
           checked={checkedFrames(state)}
         />

@@ -56,6 +56,8 @@ export interface ReportAnswer {
     max_contacts: number | null;
     /** Null: triangles have to touch. */
     clearance: number | null;
+    /** Units of work for each pair and frame; absent without --budget. */
+    budget?: number;
     /** Null or absent: no body was tested against itself. */
     self?: ReportedSelf | null;
     /** Absent without --between. Straight pieces of each step. */
@@ -74,6 +76,8 @@ export interface ReportAnswer {
     ignored: number;
     /** Contacts of bodies with themselves that filters have left out, if they were tested. */
     left_out?: Record<'rings' | 'at_rest' | 'always' | 'near_joints', number>;
+    /** With --budget: frames with undecided pairs of triangles, and the most pairs of one frame. */
+    unknown?: { frames: number; pairs: number };
     /** With --between, but not for one clip of a report of all clips. */
     between?: { hash: string };
   };
@@ -233,6 +237,11 @@ function stepOf(reported: ReportedStep): Step {
 /** Largest distance of two triangles in contact; null if they have to touch. */
 export function clearanceOf({ answer }: Report): number | null {
   return answer ? answer.options.clearance : null;
+}
+
+/** Units of work for each pair of bodies in a frame; null without a limit. */
+export function budgetOf({ answer }: Report): number | null {
+  return answer?.options.budget ?? null;
 }
 
 /** Returns the original path of a file of the report. */

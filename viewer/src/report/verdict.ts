@@ -14,6 +14,7 @@ import type {
 import { counted, withCommas } from '../words';
 import {
   asksBetween,
+  budgetOf,
   clearanceOf,
   limitOf,
   stepsOf,
@@ -42,7 +43,8 @@ export function findingOf(state: State): Finding | null {
   return isSame(answer, state.sweep) ? 'agrees' : 'differs';
 }
 
-function isSame(answer: ReportAnswer, { counts, steps, total }: SweepState): boolean {
+function isSame(answer: ReportAnswer, sweep: SweepState): boolean {
+  const { counts, undecided, steps, total } = sweep;
   const frames = framesOf(answer.options.frames);
   const sameCounts = answer.counts.every((count, i) => counts[frames[i]] === count);
   return (
@@ -50,7 +52,8 @@ function isSame(answer: ReportAnswer, { counts, steps, total }: SweepState): boo
     total !== null &&
     (answer.hash === null ? hasSameTouches(answer, total) : total.hash === answer.hash) &&
     leavesOutTheSame(answer, total) &&
-    hasSameSteps(answer, steps)
+    hasSameSteps(answer, steps) &&
+    hasSameUnknown(answer, undecided)
   );
 }
 
@@ -85,6 +88,14 @@ function hasSameSteps(answer: ReportAnswer, own: readonly Step[]): boolean {
   return theirs.map(key).join('\n') === own.map(key).join('\n');
 }
 
+function hasSameUnknown({ totals }: ReportAnswer, undecided: SweepState['undecided']): boolean {
+  if (!totals.unknown) return true;
+  const { frames, pairs } = totals.unknown;
+  const known = undecided.filter((count) => count);
+  const most = known.reduce<number>((one, other) => Math.max(one, other ?? 0), 0);
+  return known.length === frames && most === pairs;
+}
+
 function leavesOutTheSame({ totals }: ReportAnswer, total: SweepTotal): boolean {
   if (!totals.left_out) return true;
   const { rings, at_rest: atRest, always, near_joints: joints } = totals.left_out;
@@ -105,6 +116,7 @@ export type Asked = Pick<
   | 'scene'
   | 'maxContacts'
   | 'clearance'
+  | 'budget'
   | 'by'
   | 'frames'
   | 'self'
@@ -114,13 +126,14 @@ export type Asked = Pick<
 
 /** Whether scene and query are still those of the report. */
 export function isAsItCame(asked: Asked): boolean {
-  const { report, reported, scene, maxContacts, clearance, by, frames, between } = asked;
+  const { report, reported, scene, maxContacts, clearance, budget, by, frames, between } = asked;
   return (
     report !== null &&
     scene === reported &&
     (!report.answer || frames === framesToCheck(report.answer, scene)) &&
     maxContacts === limitOf(report) &&
     clearance === clearanceOf(report) &&
+    budget === budgetOf(report) &&
     by === report.answer?.options.by &&
     between === asksBetween(report) &&
     asksSelfAsReported(asked, report.answer)
@@ -149,10 +162,17 @@ function reportedSelf({ self }: ReportAnswer['options']): SelfQuestion | null {
 export function headlineOf({ totals, options, verdict }: ReportAnswer): string {
   if (verdict.pairs_compared === 0) return 'Nothing was compared';
   const { frames, frames_in_contact: inContact } = totals;
-  const which = inContact === 0 ? 'No contact' : 'Contact';
-  if (frames === 1) return `${which} in frame ${options.frames[0]}`;
-  if (inContact === 0) return `${which} in ${counted(frames, 'frame')}`;
-  return `${which} in ${withCommas(inContact)} of ${counted(frames, 'frame')}`;
+  const which = inContact === 0 ? `No contact${totals.unknown?.frames ? ' known' : ''}` : 'Contact';
+  const rest = unknownInWords(totals);
+  if (frames === 1) return `${which} in frame ${options.frames[0]}${rest}`;
+  if (inContact === 0) return `${which} in ${counted(frames, 'frame')}${rest}`;
+  return `${which} in ${withCommas(inContact)} of ${counted(frames, 'frame')}${rest}`;
+}
+
+/** With --budget: how many frames may have more contacts. */
+function unknownInWords({ frames, unknown }: ReportAnswer['totals']): string {
+  if (!unknown || unknown.frames === 0) return '';
+  return frames === 1 ? ', not decided' : `, ${withCommas(unknown.frames)} not decided`;
 }
 
 /** The first frame with the most contacts; nothing where none has any. */

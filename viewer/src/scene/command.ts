@@ -14,6 +14,8 @@ export interface Asking {
   maxContacts: number | null;
   /** Largest distance of two triangles in contact; null if they have to touch. */
   clearance: number | null;
+  /** Units of work for each pair of bodies; null: no limit. */
+  budget: number | null;
   self: SelfChoices;
   /** Whether the steps between frames are tested, too. */
   between: boolean;
@@ -69,13 +71,14 @@ function modelWords({ scene: { instances }, characters }: Asking): string[] {
 }
 
 function optionWords(asking: Asking): string[] {
-  const { by, maxContacts, clearance, between, frames, readingOptions } = asking;
+  const { by, maxContacts, clearance, budget, between, frames, readingOptions } = asking;
   const { renormalise, noUnskinned, exclude = [] } = readingOptions;
   return [
     ...(by === 'part' ? ['--by', 'part'] : []),
     ...(frames ? ['--frames', frames.join(':')] : []),
     ...limitWords(maxContacts),
     ...(clearance === null ? [] : ['--clearance', String(clearance)]),
+    ...(budget === null ? [] : ['--budget', String(budget)]),
     ...selfWords(asking),
     ...(between ? ['--between'] : []),
     ...(renormalise ? ['--renormalise'] : []),

@@ -4,7 +4,7 @@
  */
 
 import { sceneOfClip, type ClipReport } from '../report/clips';
-import { asksBetween, clearanceOf, type Report } from '../report/report';
+import { asksBetween, budgetOf, clearanceOf, type Report } from '../report/report';
 import { findingOf, framesToCheck, worstFrame } from '../report/verdict';
 import { arrange, USUAL_ARRANGEMENT } from '../scene/arrange';
 import { wantedSelf, type SelfChoices } from '../scene/self';
@@ -75,19 +75,24 @@ export const toggleBy: Change = ({ by }) => ({ by: by === 'part' ? 'instance' : 
 export const toggleLimit: Change = (state) =>
   state.maxContacts === null ? limitContacts(state.lastMaxContacts)(state) : { maxContacts: null };
 
-/** Does nothing if the scene ignores contacts, because the first contacts may be ignored. */
+/**
+ * Does nothing if the scene ignores contacts, because the first contacts may be ignored, or with a
+ * budget.
+ */
 export function limitContacts(maxContacts: number): Change {
-  return ({ scene }) =>
-    scene?.ignore.length === 0 ? { maxContacts, lastMaxContacts: maxContacts } : {};
+  return ({ scene, budget }) =>
+    scene?.ignore.length === 0 && budget === null
+      ? { maxContacts, lastMaxContacts: maxContacts }
+      : {};
 }
 
 export function chooseSelf(change: SelfChoices): Change {
   return ({ self }) => ({ self: { ...self, ...change }, spot: null });
 }
 
-/** Off, or on; not for distances, which are between different bodies. */
+/** Off, or on; not for distances, which are between different bodies, and not with a budget. */
 export const toggleSelf: Change = (state) => {
-  if (!state.scene || state.clearance !== null) return {};
+  if (!state.scene || state.clearance !== null || state.budget !== null) return {};
   const isOff = wantedSelf({ ...state, scene: state.scene }) === 'off';
   return chooseSelf({ wanted: isOff ? 'also' : 'off' })(state);
 };
@@ -96,6 +101,8 @@ export const toggleSelfFilters: Change = ({ areSelfFiltersOpen }) => ({
   areSelfFiltersOpen: !areSelfFiltersOpen,
 });
 
+/** Finds all contacts, however much work that is. */
+export const decideAll: Change = () => ({ budget: null });
 export const checkAllFrames: Change = () => ({ frames: null });
 export const toggleTheme: Change = ({ theme }) => ({ theme: isDark(theme) ? 'light' : 'dark' });
 export const toggleHelp: Change = ({ isHelpOpen }) => ({ isHelpOpen: !isHelpOpen });
@@ -162,6 +169,7 @@ export interface Beginning {
   gizmo: State['gizmo'];
   frames: State['frames'];
   clearance: State['clearance'];
+  budget: State['budget'];
 }
 
 /** The new characters take the stage. */
@@ -174,6 +182,7 @@ export function open(
     gizmo = 'move',
     frames = null,
     clearance = null,
+    budget = null,
   }: Partial<Beginning> = {},
 ): Change {
   return ({ boxLevel, maxContacts }) => {
@@ -191,6 +200,7 @@ export function open(
       frame,
       frames,
       clearance,
+      budget,
       isPlaying: plays && !wantsStillness(),
       past: [],
       future: [],
@@ -219,6 +229,7 @@ export function openReported(opened: Opened, report: Report): Change {
     gizmo: null, // otherwise a click could lead to a move by accident
     frames: answer && framesToCheck(answer, opened.scene),
     clearance: clearanceOf(report),
+    budget: budgetOf(report),
   });
   return (state) => ({
     ...openScene(state),
@@ -275,7 +286,8 @@ export function dismiss(problem: Problem): Change {
 }
 
 /** Progress of a sweep that has been given up is passed over. */
-export function sweepOn({ id, searched, counts, selfCounts, steps, total }: SweepProgress): Change {
+export function sweepOn(progress: SweepProgress): Change {
+  const { id, searched, counts, selfCounts, undecided, steps, total } = progress;
   return (state) => {
     if (id !== state.sweep.id) return {};
     const sweep = {
@@ -283,6 +295,7 @@ export function sweepOn({ id, searched, counts, selfCounts, steps, total }: Swee
       searched,
       counts: [...state.sweep.counts, ...counts],
       selfCounts: [...state.sweep.selfCounts, ...selfCounts],
+      undecided: [...state.sweep.undecided, ...undecided],
       steps: [...state.sweep.steps, ...steps],
       total,
     };

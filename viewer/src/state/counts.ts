@@ -20,3 +20,16 @@ export function totalsOf(counts: Counts): Totals {
     inContact: known.filter((count) => count > 0).length,
   };
 }
+
+/** Numbers of frames by what is known about them with a limit of the work. */
+export function undecidedFrames({
+  counts,
+  undecided,
+}: Pick<State['sweep'], 'counts' | 'undecided'>) {
+  const frames = { unknown: 0, touching: 0, decided: 0 };
+  undecided.forEach((pairs, frame) => {
+    if (pairs === null) return;
+    ++frames[pairs === 0 ? 'decided' : counts[frame] ? 'touching' : 'unknown'];
+  });
+  return frames;
+}

@@ -28,10 +28,10 @@ export function momentOf({ moment, scene, frame, isPlaying }: State): Moment | n
 
 /** While other characters are being read, the worker may have given up those of the scene. */
 export function shotOf(state: State): Shot | null {
-  const { scene, reading, frame, by, maxContacts, clearance, boxLevel, spot } = state;
+  const { scene, reading, frame, by, maxContacts, clearance, budget, boxLevel, spot } = state;
   if (!scene || reading) return null;
   const [self, moment] = [selfOf(state), momentOf(state)];
-  return { scene, frame, moment, by, maxContacts, clearance, self, boxLevel, spot };
+  return { scene, frame, moment, by, maxContacts, clearance, budget, self, boxLevel, spot };
 }
 
 export function isSameShot(one: Shot, other: Shot): boolean {
@@ -47,13 +47,14 @@ export function isSameQuery(one: Shot, other: Shot): boolean {
     one.by === other.by &&
     one.maxContacts === other.maxContacts &&
     one.clearance === other.clearance &&
+    one.budget === other.budget &&
     isSameSelf(one.self, other.self)
   );
 }
 
 /** Whether the answer is to the scene as it is now, at whatever frame. */
 export function isInStep(state: State): boolean {
-  const { answer, scene, by, maxContacts, clearance, boxLevel, spot } = state;
+  const { answer, scene, by, maxContacts, clearance, budget, boxLevel, spot } = state;
   return (
     answer !== null &&
     !answer.isPreliminary &&
@@ -62,6 +63,7 @@ export function isInStep(state: State): boolean {
     answer.shot.by === by &&
     answer.shot.maxContacts === maxContacts &&
     answer.shot.clearance === clearance &&
+    answer.shot.budget === budget &&
     answer.shot.boxLevel === boxLevel &&
     answer.shot.spot === spot &&
     (answer.shot.moment === null || answer.shot.moment === momentOf(state))

@@ -48,6 +48,8 @@ export interface State {
   lastMaxContacts: number;
   /** Largest distance of two triangles in contact, from a report; null if they have to touch. */
   clearance: number | null;
+  /** Units of work for each pair of bodies, from a report; null: all contacts are found. */
+  budget: number | null;
   /** Whether the steps between frames are tested, too; see `asksBetween`. */
   between: boolean;
   /** Whether and how characters are tested against themselves. */
@@ -135,6 +137,8 @@ export interface SweepState {
   counts: (number | null)[];
   /** Contacts of bodies with themselves, which are among these. */
   selfCounts: (number | null)[];
+  /** Pairs of triangles that the budget has left undecided, as `counts`. */
+  undecided: (number | null)[];
   /** The steps so far with contacts between their frames. */
   steps: Step[];
   /** Number of frames that have been searched for a filter, before frames are counted. */
@@ -157,7 +161,8 @@ export interface Problem {
 }
 
 export function newSweep(id: number): SweepState {
-  return { id, counts: [], selfCounts: [], steps: [], searched: 0, total: null };
+  const [counts, selfCounts, undecided] = [[], [], []];
+  return { id, counts, selfCounts, undecided, steps: [], searched: 0, total: null };
 }
 
 export const initialState: State = {
@@ -175,6 +180,7 @@ export const initialState: State = {
   maxContacts: null,
   lastMaxContacts: 1,
   clearance: null,
+  budget: null,
   between: false,
   self: {},
   frames: null,

@@ -9,13 +9,17 @@ import type { State } from './state';
 export function whyNotBetween({
   maxContacts,
   clearance,
-}: Pick<State, 'maxContacts' | 'clearance'>): string | null {
+  budget,
+}: Pick<State, 'maxContacts' | 'clearance' | 'budget'>): string | null {
   if (clearance !== null) return 'Not available for distances';
+  if (budget !== null) return 'Not available with a budget';
   if (maxContacts !== null) return 'Not available with a limit';
   return null;
 }
 
-export function asksBetween(state: Pick<State, 'between' | 'maxContacts' | 'clearance'>): boolean {
+export function asksBetween(
+  state: Pick<State, 'between' | 'maxContacts' | 'clearance' | 'budget'>,
+): boolean {
   return state.between && whyNotBetween(state) === null;
 }
 

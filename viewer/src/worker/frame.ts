@@ -1,6 +1,7 @@
 /** Computes one frame: poses everything, queries all pairs, and collects what the page shows. */
 
 import type { Pelt, Pose, QueryStats, Scene as EngineScene } from 'pelt';
+import { findWithBudget } from './budget_search';
 import { closestPointsOf } from './closest_points';
 import { collidingPairs, pairsWithin } from './colliding_pairs';
 import { glowOf } from './glow';
@@ -53,6 +54,7 @@ export function answerFrame(
     leftOut: found.leftOut,
     isPreliminary: !stage.isReady,
     ignored: found.ignored,
+    undecided: found.undecided,
     touches: tally.sorted(),
     // After the boxes, which show what the query itself has opened.
     closest: clearance === null ? [] : closestPointsOf(pelt, stage, found, clearance),
@@ -95,6 +97,7 @@ function answerMoment(
     leftOut: NOTHING_LEFT_OUT,
     isPreliminary: false,
     ignored: 0,
+    undecided: 0,
     touches: tally.sorted(),
     closest: [],
     work: workOf(stage.colliding, NO_WORK),
@@ -126,8 +129,13 @@ function answerSpot(
 }
 
 /** A crowd keeps no opened nodes: the same query of two poses at a time does. */
-function openNodes(pelt: Pelt, stage: Stage, { maxContacts, clearance, self }: Shot): void {
+function openNodes(pelt: Pelt, stage: Stage, shot: Shot): void {
+  const { maxContacts, clearance, budget, self } = shot;
   const poses = stage.colliding;
+  if (budget !== null) {
+    findWithBudget(pelt, poses, budget);
+    return;
+  }
   if (clearance !== null) {
     const maxPairs = maxContacts ?? Infinity;
     for (const [a, b] of pairsWithin(poses, clearance))

@@ -81,6 +81,8 @@ export interface Shot {
   maxContacts: number | null;
   /** Largest distance of two triangles in contact; null if they have to touch. */
   clearance: number | null;
+  /** Units of work for each pair of bodies, after which contacts may be missing; null: no limit. */
+  budget: number | null;
   /** Null: no body is tested against itself. */
   self: SelfQuestion | null;
   /** Level of the trees whose boxes are drawn. */
@@ -90,7 +92,7 @@ export interface Shot {
 }
 
 /** Which contacts of two bodies are found. */
-export type ContactQuestion = Pick<Shot, 'maxContacts' | 'clearance'>;
+export type ContactQuestion = Pick<Shot, 'maxContacts' | 'clearance' | 'budget'>;
 
 /** Arguments of each kind of request. */
 export interface Questions {
@@ -120,6 +122,7 @@ export interface Questions {
     by: By;
     maxContacts: number | null;
     clearance: number | null;
+    budget: number | null;
     self: SelfQuestion | null;
     /** Whether the steps between the frames are tested, too. Not with a limit or a clearance. */
     between: boolean;
@@ -269,6 +272,8 @@ export interface FrameAnswer {
   isPreliminary: boolean;
   /** Contacts that do not count. */
   ignored: number;
+  /** Pairs of triangles that the budget has left undecided; 0 without a budget. */
+  undecided: number;
   /** The most contacts first. */
   touches: Touch[];
   spot: SpotAnswer | null;
@@ -299,6 +304,8 @@ export interface SweepProgress {
   counts: (number | null)[];
   /** Contacts of bodies with themselves, which are among these. */
   selfCounts: (number | null)[];
+  /** Pairs of triangles that the budget has left undecided; null for frames left out. */
+  undecided: (number | null)[];
   /** Steps that end in these frames, of those with contacts between frames only. */
   steps: Step[];
   /** Sent with the last frame. */
@@ -308,7 +315,7 @@ export interface SweepProgress {
 export interface SweepTotal {
   /** See FrameAnswer. */
   leftOut: LeftOut;
-  /** Hash as in `pelt check`; null if contacts are limited. */
+  /** Hash as in `pelt check`; null if contacts are limited, or if pairs are undecided. */
   hash: string | null;
   /** The same of contacts between frames; null if steps were not tested. */
   betweenHash: string | null;

@@ -11,10 +11,13 @@ import type {
   CrowdMovingContacts,
   NamePair,
   Pelt,
+  Pose,
   Scene as EngineScene,
 } from 'pelt';
 import { bodiesOf, type Body } from './bodies';
-import { NearBodies } from './near_bodies';
+import { BodyPoses } from './body_poses';
+import { findWithBudget } from './budget_search';
+import { findNear } from './near_bodies';
 import { setFilters } from './own_contacts';
 import type { By, ContactQuestion, SelfQuestion } from './protocol';
 import type { SelfFilters } from './self_filters';
@@ -23,6 +26,8 @@ import { NOTHING_LEFT_OUT, sumOfLeftOut, sumOfStats } from './sums';
 export interface SceneContacts extends CrowdContacts {
   /** Like `contacts`, with numbers of bodies instead of instances, for the hash. */
   ofBodies: Uint32Array;
+  /** Pairs of triangles that the budget has left undecided. */
+  undecided: number;
 }
 
 /** Contacts of a step that do not touch at its start. */
@@ -48,8 +53,8 @@ export class SceneCrowd {
   readonly isReady: boolean;
   /** One with all bodies, or one for each body if no two bodies are tested. */
   private readonly crowds: Crowd[];
-  /** Created on first use. */
-  private near: NearBodies | null = null;
+  /** For queries of two bodies; created on first use. */
+  private poses: BodyPoses | null = null;
   private readonly ignored: string;
   private readonly selfKey: string;
 
@@ -95,12 +100,14 @@ export class SceneCrowd {
     });
   }
 
-  collide({ maxContacts, clearance }: ContactQuestion): SceneContacts {
-    const found =
-      clearance === null
-        ? joined(this.crowds.map((crowd) => crowd.collide(limit(maxContacts))))
-        : this.findNear(clearance, maxContacts);
-    return { ...found, contacts: this.ofInstances(found.contacts), ofBodies: found.contacts };
+  collide(question: ContactQuestion): SceneContacts {
+    const found = this.find(question);
+    return {
+      undecided: 0,
+      ...found,
+      contacts: this.ofInstances(found.contacts),
+      ofBodies: found.contacts,
+    };
   }
 
   /** The present frame becomes the start of a step. The next one is its end. */
@@ -117,16 +124,27 @@ export class SceneCrowd {
 
   delete(): void {
     for (const crowd of this.crowds) crowd.delete();
-    this.near?.delete();
+    this.poses?.delete();
   }
 
-  /** Precondition: no body is tested against itself. */
-  private findNear(distance: number, maxContacts: number | null): CrowdContacts {
-    this.near ??= new NearBodies(this.pelt, this.characters, this.bodies);
-    this.near.set(this.palettes, this.morphWeights);
-    const { contacts: all, stats } = this.near.find(distance, maxContacts ?? Infinity);
-    const { contacts, ignored } = this.crowds[0].withoutIgnored(all);
-    return { count: contacts.length / 4, contacts, ignored, leftOut: NOTHING_LEFT_OUT, stats };
+  private find({ maxContacts, clearance, budget }: ContactQuestion) {
+    if (clearance !== null)
+      return this.counted(findNear(this.pelt, this.posed(), clearance, maxContacts ?? Infinity));
+    if (budget !== null) return this.counted(findWithBudget(this.pelt, this.posed(), budget));
+    return joined(this.crowds.map((crowd) => crowd.collide(limit(maxContacts))));
+  }
+
+  /** Leaves out what is ignored. Precondition: no body is tested against itself. */
+  private counted<Found extends Pick<CrowdContacts, 'contacts' | 'stats'>>(found: Found) {
+    const { contacts, ignored } = this.crowds[0].withoutIgnored(found.contacts);
+    return { ...found, count: contacts.length / 4, contacts, ignored, leftOut: NOTHING_LEFT_OUT };
+  }
+
+  /** Poses of the bodies in the current frame. */
+  private posed(): readonly Pose[] {
+    this.poses ??= new BodyPoses(this.characters, this.bodies);
+    this.poses.set(this.palettes, this.morphWeights);
+    return this.poses.all;
   }
 
   private makeCrowd(bodies: readonly Body[], ignore: NamePair[]): Crowd {

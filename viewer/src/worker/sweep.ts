@@ -32,6 +32,8 @@ export class Sweep {
   /** Counts not reported yet, and the time of the last report. */
   private counts: (number | null)[] = [];
   private selfCounts: (number | null)[] = [];
+  private undecided: (number | null)[] = [];
+  private isDecided = true;
   private foundSteps: Step[] = [];
   private reported = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -81,9 +83,9 @@ export class Sweep {
 
   private reportCounts(): void {
     const total = this.isDone() ? this.total() : null;
-    const { searched, counts, selfCounts, foundSteps: steps } = this;
-    this.report({ id: this.question.id, searched, counts, selfCounts, steps, total });
-    [this.counts, this.selfCounts, this.foundSteps] = [[], [], []];
+    const { searched, counts, selfCounts, undecided, foundSteps: steps } = this;
+    this.report({ id: this.question.id, searched, counts, selfCounts, undecided, steps, total });
+    [this.counts, this.selfCounts, this.undecided, this.foundSteps] = [[], [], [], []];
     this.reported = performance.now();
   }
 
@@ -124,6 +126,7 @@ export class Sweep {
     if (!isIn(this.question.frames, frame)) {
       this.counts.push(null);
       this.selfCounts.push(null);
+      this.undecided.push(null);
       return;
     }
     this.steps?.begin();
@@ -136,12 +139,14 @@ export class Sweep {
     this.ignored += found.ignored;
     this.leftOut = sumOfLeftOut([this.leftOut, found.leftOut]);
     this.counts.push(found.count);
+    this.undecided.push(found.undecided);
+    this.isDecided &&= found.undecided === 0;
     this.selfCounts.push(this.question.self ? countSelf(found) : 0);
   }
 
   private total(): SweepTotal {
     return {
-      hash: this.question.maxContacts === null ? this.hash.value : null,
+      hash: this.question.maxContacts === null && this.isDecided ? this.hash.value : null,
       betweenHash: this.steps?.hashValue ?? null,
       ignored: this.ignored,
       leftOut: this.leftOut,
