@@ -90,6 +90,22 @@ test('a step leads to its first time of contact, which is drawn', async () => {
   assert.match(await page.locator('.facts').innerText(), new RegExp(`more before frame ${to}`));
 });
 
+test('keys lead to steps that begin without contact', async () => {
+  const begin = Number(await fact(page, 'frame'));
+  await page.keyboard.press('Home');
+  await answered(page, 0);
+  await page.keyboard.press('n');
+  await page.getByText('first contact between them').waitFor();
+  const [, frame, to] = (await page.locator('.facts').innerText()).match(/frame (\d+) to (\d+)/);
+  assert.ok(Number(frame) < begin);
+  await answered(page, Number(frame));
+  await page.keyboard.press('n');
+  await answered(page, Number(to));
+  assert.ok((await number(page, 'contacts')) > 0, 'the frame in which that step ends');
+  await page.keyboard.press('p');
+  await page.getByText(`frame ${frame} to ${to}: first contact`).waitFor();
+});
+
 test('steps are not tested with a limit, and vanish when they are switched off', async () => {
   await page.keyboard.press('f');
   await page.waitForSelector('.between', { state: 'detached' });

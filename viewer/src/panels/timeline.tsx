@@ -89,9 +89,11 @@ function scrubbing(frameCount: number, update: Update) {
   };
 }
 
-function Transport({ state: { isPlaying, scene, sweep }, update }: PanelProps) {
+function Transport({ state, update }: PanelProps) {
+  const { isPlaying, scene, sweep } = state;
   const common = { update, problem: scene!.frameCount === 1 ? 'The scene has one frame only' : '' };
-  const hasNone = sweep.total !== null && sweep.counts.every((count) => !count);
+  const hasNone =
+    sweep.total !== null && sweep.counts.every((count) => !count) && !knownSteps(state)?.length;
   const ofContacts = { ...common, problem: hasNone ? 'There are no contacts' : common.problem };
   return (
     <div class="transport" role="group" aria-label="Playing">

@@ -18,9 +18,10 @@ import type {
   SweepProgress,
 } from '../worker/protocol';
 import { isDark, wantsStillness } from '../theme';
-import type { Counts } from './counts';
 import { NO_FILTER, type Filter } from './listing';
+import { momentOf } from './shots';
 import type { CameraMove, Problem, State } from './state';
+import { knownSteps } from './steps';
 
 export type Change = (state: State) => Partial<State>;
 
@@ -52,20 +53,45 @@ export function step(frames: number): Change {
   return (state) => pauseAt(state.frame + frames)(state);
 }
 
-/** Jumps to the nearest start of a range of frames in contact, forwards or backwards. */
+/**
+ * Jumps to the nearest start of a range of frames in contact, forwards or backwards, or to the first
+ * contact of a step that begins without contact.
+ */
 export function jumpToContact(direction: 1 | -1): Change {
   return (state) => {
-    const frame = nextContact(state.sweep.counts, state.frame, direction);
-    return frame === null ? {} : pauseAt(frame)(state);
+    const next = nextStart(startsOfContact(state), timeOf(state), direction);
+    if (!next) return {};
+    const { frame, moment } = next;
+    return (moment ? pauseBetween(frame, moment) : pauseAt(frame))(state);
   };
 }
 
-/** Goes to the next first frame of contact, cyclically; does nothing without contacts. */
-function nextContact(counts: Counts, from: number, direction: 1 | -1): number | null {
-  const begins = counts.flatMap((count, frame) => (count && !counts[frame - 1] ? [frame] : []));
-  if (begins.length === 0) return null;
-  if (direction > 0) return begins.find((frame) => frame > from) ?? begins[0];
-  return begins.findLast((frame) => frame < from) ?? begins[begins.length - 1];
+/** A frame, or a time after it. */
+type Start = { frame: number; moment: Moment | null };
+
+function startsOfContact(state: State): Start[] {
+  const { counts } = state.sweep;
+  const frames = counts.flatMap((count, frame) => (count && !counts[frame - 1] ? [frame] : []));
+  const steps = (knownSteps(state) ?? []).filter(({ frame }) => !counts[frame]);
+  return [
+    ...frames.map((frame) => ({ frame, moment: null })),
+    ...steps.map(({ frame, first }) => ({ frame, moment: first })),
+  ].sort((one, other) => timeAt(one) - timeAt(other));
+}
+
+/** Time in frames. */
+function timeAt({ frame, moment }: Start): number {
+  return moment ? frame + moment.share * (moment.to - frame) : frame;
+}
+
+function timeOf(state: State): number {
+  return timeAt({ frame: state.frame, moment: momentOf(state) });
+}
+
+/** Returns the next start, cyclically; nothing without contacts. `starts` ascend. */
+function nextStart(starts: readonly Start[], from: number, direction: 1 | -1): Start | undefined {
+  if (direction > 0) return starts.find((start) => timeAt(start) > from) ?? starts[0];
+  return starts.findLast((start) => timeAt(start) < from) ?? starts.at(-1);
 }
 
 export const togglePlaying: Change = ({ isPlaying }) => ({ isPlaying: !isPlaying });
