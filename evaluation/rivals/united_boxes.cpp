@@ -7,6 +7,7 @@
 #include "motion/moving_roots.hpp"
 #include "motion/moving_triangles.hpp"
 #include "query/contact_sink.hpp"
+#include "query/pair_descent.hpp"
 
 namespace pelt::rivals {
 inline namespace PELT_INSTRUCTION_SET {
@@ -88,10 +89,10 @@ MovingStats collide_united(const detail::MovingTree& a, const detail::MovingTree
                            detail::Scratch& scratch, const MovingOptions& options) {
   MovingStats work;
   scratch.moving.clear();
-  if (!detail::roots_overlap(a, b, work)) return work;
+  if (!detail::begin_descent(a, b, work)) return work;
   const detail::LimitedSink sink(scratch.moving, options.max_contacts);
   IntersectingUnited rule(a.tree, b.tree, sink, options, work);
-  const bool is_unfinished = detail::descend_from_roots(a, b, scratch, rule, work);
+  const bool is_unfinished = detail::descend_from_roots(a, b, scratch.slot_pairs, rule, work);
   rule.flush();
   work.cut_short = sink.cut(is_unfinished);
   return work;

@@ -119,8 +119,10 @@ struct FirstContactOptions {
 ///
 /// Preconditions and allocation: those of `collide_moving`.
 ///
-/// Cost: if triangles intersect at time 0, that of `collide`. Otherwise, parts of the trees whose
-/// boxes overlap only after the earliest time found so far are not visited.
+/// Cost: parts of the trees without a triangle of `a` that is lower than the lowest pair found so
+/// far at time 0 are not visited. If nothing intersects at time 0, the query continues with the
+/// step: parts of the trees whose boxes overlap only after the earliest time found so far are not
+/// visited.
 PELT_API MovingStats first_contact(const Motion& a, const Motion& b, Scratch& scratch,
                                    std::optional<MovingContact>& first,
                                    const FirstContactOptions& options = {});

@@ -122,6 +122,13 @@ inline Float8 select(const Mask8& mask, const Float8& yes, const Float8& no) {
 
 #endif
 
+/// Returns one lane. Goes through memory.
+inline float lane_of(const Float8& v, unsigned lane) {
+  float lanes[8];
+  v.store(lanes);
+  return lanes[lane];
+}
+
 /// [a a a a b b b b], factors for two adjacent columns of a matrix.
 inline Float8 pair8(float a, float b) { return {Float4(a), Float4(b)}; }
 

@@ -5,8 +5,7 @@
 #include "collide/collide_trees.hpp"
 
 #include "collide/cluster_pair.hpp"
-#include "pose/open_node.hpp"
-#include "query/box_overlap.hpp"
+#include "collide/pair_roots.hpp"
 #include "query/contact_sink.hpp"
 #include "query/pair_descent.hpp"
 
@@ -49,12 +48,6 @@ class LimitedTriangles : public IntersectingTriangles {
   std::uint64_t max_work_;
 };
 
-bool roots_overlap(const PosedTree& a, const PosedTree& b, QueryStats& work) {
-  ++work.node_pairs;
-  const RootBox &root_a = root_box(a, work), &root_b = root_box(b, work);
-  return boxes_overlap(root_a.low, root_a.high, root_b.low, root_b.high);
-}
-
 /// Descends with the rule that `make_rule(sink, work)` returns. The result's `cut_short` says
 /// whether pairs are left.
 template <typename MakeRule>
@@ -62,17 +55,11 @@ QueryStats descend(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                    std::uint32_t max_contacts, const MakeRule& make_rule) {
   QueryStats work;
   scratch.found.clear();
-  if (!roots_overlap(a, b, work)) return work;
-  make_table(a);
-  make_table(b);
-  scratch.slot_pairs.clear();
-  scratch.slot_pairs.push({0, kAllSlots, 0, kAllSlots});
+  if (!begin_descent(a, b, work)) return work;
   const ContactSink sink(scratch.found, max_contacts);
   auto rule = make_rule(sink, work);
-  PairDescent descent(a, b, scratch.slot_pairs, rule, work);
-  descent.run();
+  const bool is_unfinished = descend_from_roots(a, b, scratch.slot_pairs, rule, work);
   rule.flush();
-  const bool is_unfinished = descent.is_unfinished();
   work.cut_short = sink.is_full() ? sink.cut(is_unfinished) : is_unfinished;
   return work;
 }

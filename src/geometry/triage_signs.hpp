@@ -38,6 +38,9 @@ class Certainty {
     return positive(lowest({abs(v[0]), abs(v[1]), abs(v[2])}));
   }
 
+  /// The bound of one lane, in all lanes.
+  Certainty of_lane(unsigned lane) const { return Certainty(Float8(lane_of(error_, lane))); }
+
   Edge edge_down(const Three& heights) const {
     return {positive(heights[0]) & negative(heights[1]),
             positive(heights[1]) & negative(heights[2])};

@@ -102,7 +102,7 @@ Result<SkinnedModel> load_model(std::span<const std::byte> file) {
   if (found.empty()) found = detail::check_node_bounds(model->bounds, model->tree);
   if (!found.empty()) return malformed("is malformed, " + found);
   index_triangles(model->tree);
-  count_triangles_below(model->tree);
+  index_triangles_below(model->tree);
   return SkinnedModel(std::move(model));
 }
 

@@ -75,7 +75,10 @@ struct Tree {
 
   std::vector<Cluster> clusters;
   std::vector<Node> nodes;
-  std::vector<std::uint32_t> triangles_below;  // [N] of each node's subtree; not in prepared files
+
+  // Of the triangles below each node, and below each slot; not in prepared files.
+  std::vector<std::uint32_t> triangles_below;                      // [N] how many
+  std::vector<std::array<std::uint32_t, kMaxSlots>> lowest_below;  // [N] the lowest triangle_ids
 
   std::vector<std::uint32_t> vertex_places;  // [V] position in [P] of each of the caller's vertices
 

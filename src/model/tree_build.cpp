@@ -186,7 +186,7 @@ Tree build_tree(const SkinnedMesh& mesh, std::span<const std::vector<Vec3>> samp
   const ClusterTree clusters = build_cluster_tree(SampleBoxes(mesh.triangles, samples));
   Tree tree = TreeWriter(mesh, clusters).write(collapse(clusters));
   index_triangles(tree);
-  count_triangles_below(tree);
+  index_triangles_below(tree);
   return tree;
 }
 

@@ -2,11 +2,15 @@
 
 #include "model/tree.hpp"
 
+#include <cstdint>
+
 namespace pelt::detail {
 
-/// Computes Tree::triangles_below from the clusters and nodes. Precondition: parents precede their
-/// children.
-void count_triangles_below(Tree& tree);
+inline constexpr std::uint32_t kNoTriangle = UINT32_MAX;
+
+/// Computes Tree::triangles_below, and Tree::lowest_below with kNoTriangle in slots that are not in
+/// use. Precondition: parents precede their children.
+void index_triangles_below(Tree& tree);
 
 /// Number of triangles below a slot: those of a cluster, or those of a child and all nodes below
 /// it. Precondition: the slot is in use.

@@ -26,7 +26,7 @@ class FirstWhileMoving : public MovingOverlap {
   float depth(const MovingNode& a, unsigned slot, const MovingNode& b) const {
     TimeRanges8 times(latest());
     slots_in(a, box_of(b), times);
-    const float start = lane(times.start(), slot);
+    const float start = lane_of(times.start(), slot);
     return start > 0 ? -start : BoxOverlap::depth(a.from, slot, b.from);
   }
 
@@ -36,12 +36,6 @@ class FirstWhileMoving : public MovingOverlap {
   }
 
  private:
-  static float lane(const Float8& values, unsigned number) {
-    float lanes[8];
-    values.store(lanes);
-    return lanes[number];
-  }
-
   void flush() {
     const unsigned kept = (1u << pairs_.count()) - 1;
     if (kept == 0) return;
@@ -51,7 +45,7 @@ class FirstWhileMoving : public MovingOverlap {
     const unsigned left =
         kept & ~triage(corners.from).intersecting & ~moving_triage(corners, until_latest, 0).apart;
     for (SetBits pair(left); pair; ++pair)
-      if (lane(times.start, *pair) <= latest()) decide(*pair);
+      if (lane_of(times.start, *pair) <= latest()) decide(*pair);
     work_.triangle_pairs += pairs_.count();
     pairs_.clear();
   }
@@ -72,10 +66,10 @@ MovingStats first_contact_of_trees(const MovingTree& a, const MovingTree& b, Scr
                                    std::optional<MovingContact>& first) {
   MovingStats work;
   first.reset();
-  if (!roots_overlap(a, b, work)) return work;
+  if (!begin_descent(a, b, work)) return work;
   EarliestPair earliest;
   FirstWhileMoving rule(a.tree, b.tree, earliest, work);
-  descend_from_roots(a, b, scratch, rule, work);
+  descend_from_roots(a, b, scratch.slot_pairs, rule, work);
   first = earliest.contact();
   return work;
 }

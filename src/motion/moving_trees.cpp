@@ -8,6 +8,7 @@
 #include "motion/moving_roots.hpp"
 #include "motion/moving_triangles.hpp"
 #include "query/contact_sink.hpp"
+#include "query/pair_descent.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
@@ -42,10 +43,10 @@ MovingStats collide_moving_trees(const MovingTree& a, const MovingTree& b, Scrat
                                  const MovingOptions& options) {
   MovingStats work;
   scratch.moving.clear();
-  if (!roots_overlap(a, b, work)) return work;
+  if (!begin_descent(a, b, work)) return work;
   const LimitedSink sink(scratch.moving, options.max_contacts);
   IntersectingWhileMoving rule(a.tree, b.tree, sink, options, work);
-  const bool is_unfinished = descend_from_roots(a, b, scratch, rule, work);
+  const bool is_unfinished = descend_from_roots(a, b, scratch.slot_pairs, rule, work);
   rule.flush();
   work.cut_short = sink.cut(is_unfinished);
   return work;

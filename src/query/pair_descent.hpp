@@ -122,5 +122,17 @@ class PairDescent {
   bool is_unfinished_ = false;  // a visit ended early
 };
 
+/// Visits the pair of roots and all pairs below it. Returns whether pairs are left that were not
+/// visited. Precondition: there are tables of opened nodes.
+template <typename View, typename Rule>
+bool descend_from_roots(const View& a, const View& b, Stack<SlotPair>& pairs, Rule& rule,
+                        QueryStats& work) {
+  pairs.clear();
+  pairs.push({0, kAllSlots, 0, kAllSlots});
+  PairDescent descent(a, b, pairs, rule, work);
+  descent.run();
+  return descent.is_unfinished();
+}
+
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

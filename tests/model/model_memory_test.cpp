@@ -13,7 +13,7 @@ namespace {
 // array, add it there too.
 static_assert(sizeof(detail::PoolMorphs) == 4 * sizeof(std::vector<int>));
 static_assert(sizeof(detail::Tree) ==
-              12 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 8);
+              13 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 8);
 static_assert(sizeof(detail::NodeBounds) == 7 * sizeof(std::vector<int>));
 
 template <typename... Array>
@@ -28,12 +28,12 @@ TEST(ModelMemory, CountsEveryArrayAndNeedsLittleMore) {
   const auto model = build_model(limb.view());
   ASSERT_TRUE(model);
   const auto& [positions, begins, joints, weights, corners, ids, triangle_places, cluster_vertices,
-               clusters, nodes, triangles_below, places, morphs, joint_count, extent] =
-      model->detail().tree;
+               clusters, nodes, triangles_below, lowest_below, places, morphs, joint_count,
+               extent] = model->detail().tree;
   const auto& bounds = model->detail().bounds;
   const std::size_t used =
       bytes_of(positions, begins, joints, weights, corners, ids, triangle_places, cluster_vertices,
-               clusters, nodes, triangles_below, places) +
+               clusters, nodes, triangles_below, lowest_below, places) +
       bytes_of(morphs.extents, morphs.node_begin, morphs.targets, morphs.displacements) +
       bytes_of(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits,
                bounds.displacement_begin, bounds.displacements);
