@@ -18,9 +18,9 @@ struct TimeSpans8 {
 
 TimeSpans8 times_of_boxes(const MovingPairs8& pairs);
 
-/// Decides about nine of ten pairs in general position. `apart`: the triangles never intersect;
-/// `intersecting`: they intersect at some time; looked for only in the lanes `asked`. Both as
-/// `first_meeting` decides.
+/// Decides nearly all of the pairs `asked` in general position. `apart`: the triangles never
+/// intersect; `intersecting`: they intersect at some time. Both as `first_meeting` decides. Of
+/// other pairs, finds those that one plane or two edges separate at all times, half of all pairs.
 ///
 /// Precondition: no pair intersects before its `start` or after its `end`, which are from 0 to 1.
 /// For the coordinates, that of `triage`.

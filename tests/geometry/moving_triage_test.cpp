@@ -35,10 +35,10 @@ struct Case {
 };
 
 constexpr Case kCases[] = {
-    {"CloseAt1", close_at_1, 0, 0.05, 0.05},
-    {"CloseAt1000", close_at_1000, 0, 0.05, 0.05},
+    {"CloseAt1", close_at_1, 0, 0.02, 0.05},
+    {"CloseAt1000", close_at_1000, 0, 0.02, 0.05},
     {"Slow", slow, 0, 0.01, 0.1},
-    {"BesideAStillOne", beside_a_still_one, 0, 0.05, 0.05},
+    {"BesideAStillOne", beside_a_still_one, 0, 0.02, 0.05},
     {"Large", of_size<30>, 0, 0.4, 0.1},
     {"LargestProducts", of_size<41>, 0.1, 1, 0},
     {"Overflowing", of_size<59>, 0.5, 1, 0},
@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(All, MovingTriage, testing::ValuesIn(kCases),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(MovingTriageMasks, AreTheSameForEveryTargetAndCompiler) {
-  constexpr std::uint64_t kGolden = 0x7b08be6dd314f488u;
+  constexpr std::uint64_t kGolden = 0xcffe9c1081ca7f90u;
   for (const Compiled& compiled : kCompiled) {
     if (!compiled.runs_here()) continue;
     Random random(192);
