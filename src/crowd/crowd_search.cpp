@@ -58,7 +58,7 @@ void CrowdSearch::start(CrowdInstances& instances, std::span<const CrowdPair> pa
     search.state.max_open = budget.max_open;
     workers_[0].work += start_search(instances[a].posed_tree(workers_[0].nodes),
                                      instances[b].posed_tree(workers_[0].nodes), search.state);
-    search.started = search.state.done;
+    search.started = search.state.work.done;
     if (!is_decided(search.state)) active_.push_back(i);
   }
   std::sort(active_.begin(), active_.end(), [this](std::uint32_t i, std::uint32_t k) {
@@ -71,7 +71,7 @@ void CrowdSearch::start(CrowdInstances& instances, std::span<const CrowdPair> pa
 std::uint64_t CrowdSearch::work_done() const {
   std::uint64_t done = 0;
   for (const PairSearch& search : std::span(searches_).first(count_))
-    done += search.state.done - search.started;
+    done += search.state.work.done - search.started;
   return done;
 }
 
@@ -88,7 +88,7 @@ void CrowdSearch::run_round(CrowdInstances& instances, const CrowdBudget& budget
     while (const auto next = shares_.take(number)) {
       PairSearch& search = searches_[active_[*next]];
       const auto [a, b] = search.instances;
-      search.state.granted += *next < whole ? budget.slice : rest;
+      search.state.work.granted += *next < whole ? budget.slice : rest;
       worker.work += advance_search(instances[a].posed_tree(worker.nodes),
                                     instances[b].posed_tree(worker.nodes), search.state);
     }

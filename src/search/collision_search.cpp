@@ -9,7 +9,6 @@
 #include "search/search_of_poses.hpp"
 #include "search/search_steps.hpp"
 
-#include <limits>
 #include <utility>
 
 namespace pelt {
@@ -51,8 +50,7 @@ QueryStats CollisionSearch::advance(std::uint64_t work, Scratch& scratch) {
   detail::SearchOfPoses& s = *search_;
   QueryStats stats = std::exchange(s.unreported, {});
   if (is_complete() || is_stale()) return stats;
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
-  s.state.granted = work <= kMost - s.state.granted ? s.state.granted + work : kMost;
+  s.state.work.grant(work);
   stats += advance_search(s.a->posed_tree(), s.b->posed_tree(), s.state);
   if (is_complete()) detail::sort_contacts(s.state.found, scratch.detail().sorting);
   stats.cut_short = !is_complete();
@@ -77,8 +75,8 @@ std::uint64_t CollisionSearch::undecided_pairs() const {
 
 double CollisionSearch::resolution() const { return resolution_of(search_->state); }
 double CollisionSearch::distance_bound() const { return detail::distance_bound(search_->state); }
-std::uint64_t CollisionSearch::work_done() const { return search_->state.done; }
-std::uint64_t CollisionSearch::longest_step() const { return search_->state.longest_step; }
+std::uint64_t CollisionSearch::work_done() const { return search_->state.work.done; }
+std::uint64_t CollisionSearch::longest_step() const { return search_->state.work.longest_step; }
 
 void CollisionSearch::open_regions(std::vector<OpenRegion>& regions) const {
   append_open_regions(search_->state, search_->tree_a(), search_->tree_b(), regions);

@@ -6,11 +6,12 @@
 #include <pelt/search.hpp>
 
 #include "query/stack.hpp"
+#include "search/needed_nodes.hpp"
+#include "search/search_work.hpp"
 
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace pelt::detail {
 
@@ -58,18 +59,14 @@ struct OpenItems {
   }
 };
 
-/// The nodes of a tree that a search has needed so far, one bit each.
-using NodeSet = std::vector<std::uint64_t>;
-
 struct SearchState {
   SearchOrder order = SearchOrder::first_contact;
   std::uint32_t max_open = 0;
   OpenItems items;
   Stack<Contact> found;
   NodeSet needed_a, needed_b;
-  std::uint64_t granted = 0, done = 0;  ///< units of work
-  std::uint64_t longest_step = 0;       ///< units of work
-  float whole_size = 0;                 ///< longest side of the first region
+  SearchWork work;
+  float whole_size = 0;  ///< longest side of the first region
 
   /// Squared distance of the farthest corners of two boxes, the least so far.
   double squared_reach = std::numeric_limits<double>::infinity();

@@ -5,9 +5,9 @@
 #include "search/search_steps.hpp"
 
 #include "collide/cluster_pair.hpp"
-#include "pose/morph_pool.hpp"
 #include "pose/open_node.hpp"
 #include "query/box_overlap.hpp"
+#include "search/needed_nodes.hpp"
 #include "search/open_queue.hpp"
 #include "search/search_rank.hpp"
 
@@ -70,19 +70,16 @@ class Steps {
         state_(state),
         queue_(state.items),
         triangles_(a.tree, b.tree, state.found, work_),
-        base_(state.done),
+        base_(state.work.done),
         stops_at_first_(state.order == SearchOrder::first_contact && state.found.empty()) {}
 
   QueryStats run() {
-    while (!queue_.is_empty() && has_work_left()) step(queue_.pop());
+    while (!queue_.is_empty() && state_.work.is_left()) step(queue_.pop());
     triangles_.flush();
     return work_;
   }
 
  private:
-  /// Whether another step may begin.
-  bool has_work_left() const { return state_.done < state_.granted; }
-
   void step(const OpenItem& item) {
     if (item.step == ItemStep::compare) return compare(item);
     if (item.step == ItemStep::replace_b) return replace_b(item);
@@ -92,33 +89,11 @@ class Steps {
 
   /// Counts the work of a step. The waiting triangles count already, so that the size of slices
   /// makes no difference.
-  void end_step() {
-    const std::uint64_t done = base_ + work_.triangle_pairs + triangles_.waiting();
-    state_.longest_step = std::max(state_.longest_step, done - state_.done);
-    state_.done = done;
-  }
+  void end_step() { state_.work.end_step(base_ + work_.triangle_pairs + triangles_.waiting()); }
 
-  /// Opens a node. A node counts as work when the search needs it first, whether another query has
-  /// opened it or not, so partial answers do not depend on other queries.
   const OpenedNode& open(const Side& side, std::uint32_t index) {
-    std::uint64_t& word = side.needed[index / 64];
-    const std::uint64_t bit = std::uint64_t{1} << index % 64;
-    if ((word & bit) == 0) {
-      word |= bit;
-      base_ += work_to_open(side.posed, index);
-    }
+    base_ += work_to_need(side.posed, index, side.needed);
     return open_node(side.posed, index, work_);
-  }
-
-  static std::uint64_t work_to_open(const PosedTree& posed, std::uint32_t index) {
-    const Node& node = posed.tree.nodes[index];
-    QueryStats work;
-    work.refits = node.cluster_count + node.child_count;
-    work.posed_vertices = node.vertex_count;
-    if (posed.palette.morphs().any())
-      work.displacements = displacement_count(posed.tree, index, posed.palette.morphs());
-    return kRefitWork * work.refits + kPosedVertexWork * work.posed_vertices +
-           kDisplacementWork * work.displacements;
   }
 
   /// Lowers the upper bound of the distance of the two bodies. Each box contains vertices of its
@@ -185,7 +160,7 @@ class Steps {
                      const unsigned (&clusters_near)[kMaxSlots]) {
     const std::uint32_t count = a_.posed.tree.nodes[item.node_a].cluster_count;
     std::uint32_t slot = 0;
-    for (; slot < count && has_work_left(); ++slot)
+    for (; slot < count && state_.work.is_left(); ++slot)
       if (clusters_near[slot] != 0) test(item.node_a, slot, item.node_b, clusters_near[slot]);
     const OpenedNode& opened_a = *a_.posed.opened[item.node_a];
     const OpenedNode& opened_b = *b_.posed.opened[item.node_b];
@@ -230,7 +205,7 @@ class Steps {
     }
     if (stops_at_first_) triangles_.flush();
     end_step();
-    if (stops_at_first_ && !state_.found.empty()) state_.granted = state_.done;
+    if (stops_at_first_ && !state_.found.empty()) state_.work.granted = state_.work.done;
   }
 
   /// Pushes the items that a step has added.
@@ -278,10 +253,9 @@ QueryStats start_search(const PosedTree& a, const PosedTree& b, SearchState& sta
   work.node_pairs = 1;
   state.items.clear();
   state.found.clear();
-  state.needed_a.assign((a.tree.nodes.size() + 63) / 64, 0);
-  state.needed_b.assign((b.tree.nodes.size() + 63) / 64, 0);
-  state.granted = state.done = kNodePairWork + 2 * kRefitWork;
-  state.longest_step = 0;
+  clear_needed(state.needed_a, a.tree);
+  clear_needed(state.needed_b, b.tree);
+  state.work.start(kNodePairWork + 2 * kRefitWork);
   const RootBox &root_a = root_box(a, work), &root_b = root_box(b, work);
   const Box4 box_a = {load4(root_a.low), load4(root_a.high)};
   const Box4 box_b = {load4(root_b.low), load4(root_b.high)};
