@@ -51,6 +51,7 @@
 #include <pelt/crowd.hpp>
 #include <pelt/distance.hpp>
 #include <pelt/farthest.hpp>
+#include <pelt/first_contact_search.hpp>
 #include <pelt/height_field.hpp>
 #include <pelt/inside.hpp>
 #include <pelt/math.hpp>

@@ -53,6 +53,13 @@ struct QueryStats {
 inline constexpr std::uint64_t kNodePairWork = 8, kRefitWork = 5, kPosedVertexWork = 2,
                                kTrianglePairWork = 1, kDisplacementWork = 2, kClusterPairWork = 8;
 
+/// Units of work of a `FirstContactSearch`: per pair of nodes and per pair of clusters that move,
+/// and per pair of triangles tested in float, in double and in exact arithmetic. A pair that is
+/// tested in several ways counts in each. These numbers never change, either.
+inline constexpr std::uint64_t kMovingNodePairWork = 24, kMovingClusterPairWork = 24,
+                               kMovingTrianglePairWork = 28, kDoublePairWork = 500,
+                               kExactPairWork = 24'000;
+
 /// The work of a query in units of about one test of two triangles: the counts, multiplied by the
 /// constants above.
 PELT_API std::uint64_t work_of(const QueryStats& stats);

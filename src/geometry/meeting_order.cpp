@@ -103,10 +103,15 @@ bool have_same_root(const MeetingPair& p, const MeetingPair& q) {
 
 }  // namespace
 
-int compare_first_times(const MeetingPair& p, const MeetingPair& q) {
+std::optional<int> certain_order(const MeetingPair& p, const MeetingPair& q) {
   const float time_p = p.first.time, time_q = q.first.time;
   if (time_p != time_q) return time_p < time_q ? -1 : 1;
   if (time_p == 1 || have_same_root(p, q)) return 0;
+  return std::nullopt;
+}
+
+int compare_first_times(const MeetingPair& p, const MeetingPair& q) {
+  if (const std::optional<int> order = certain_order(p, q)) return *order;
   return first_time_of(p.a, p.b).compare(first_time_of(q.a, q.b));
 }
 

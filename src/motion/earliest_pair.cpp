@@ -9,16 +9,18 @@ namespace pelt::detail {
 void EarliestPair::add(const Contact& contact, const MovingTriangle& a, const MovingTriangle& b,
                        MovingStats& work) {
   const std::optional<FirstMeeting> first = find_first_meeting(a, b, work);
-  if (!first || first->at_start) return;
-  const MeetingPair pair = {a, b, *first};
-  if (pair_ && !is_earlier(contact, pair)) return;
-  contact_ = contact;
-  pair_ = pair;
+  if (first && !first->at_start) add(contact, {a, b, *first});
 }
 
-bool EarliestPair::is_earlier(const Contact& contact, const MeetingPair& pair) const {
-  const int order = compare_first_times(pair, *pair_);
-  return order < 0 || (order == 0 && contact < contact_);
+bool EarliestPair::add(const Contact& contact, const MeetingPair& pair) {
+  std::optional<int> order = pair_ ? certain_order(pair, *pair_) : -1;
+  const bool is_certain = order.has_value();
+  if (!is_certain) order = compare_first_times(pair, *pair_);
+  if (*order < 0 || (*order == 0 && contact < contact_)) {
+    contact_ = contact;
+    pair_ = pair;
+  }
+  return is_certain;
 }
 
 float EarliestPair::latest() const { return pair_ ? std::nextafter(pair_->first.time, 2.0f) : 1; }

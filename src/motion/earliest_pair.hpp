@@ -15,6 +15,10 @@ class EarliestPair {
   void add(const Contact& contact, const MovingTriangle& a, const MovingTriangle& b,
            MovingStats& work);
 
+  /// Adds a pair that first meets after time 0. Returns whether the order of two equal times was
+  /// certain without exact arithmetic, which takes as long as two pairs in exact arithmetic.
+  bool add(const Contact& contact, const MeetingPair& pair);
+
   /// No time after this one is earlier than or equal to that of the earliest pair.
   float latest() const;
 
@@ -22,8 +26,6 @@ class EarliestPair {
   std::optional<MovingContact> contact() const;
 
  private:
-  bool is_earlier(const Contact& contact, const MeetingPair& pair) const;
-
   Contact contact_;
   std::optional<MeetingPair> pair_;
 };

@@ -26,7 +26,9 @@ struct MovingBoxes8 {
 class TimeRanges8 {
  public:
   /// From 0 to `latest`.
-  explicit TimeRanges8(float latest) : start_(0.0f), end_(latest) {}
+  explicit TimeRanges8(float latest) : TimeRanges8(0, latest) {}
+
+  TimeRanges8(float earliest, float latest) : start_(earliest), end_(latest) {}
 
   /// Removes times at which a gap is certainly negative. Precondition: in lanes that matter, it is
   /// not negative at both ends.
@@ -39,6 +41,7 @@ class TimeRanges8 {
 
   unsigned not_empty() const { return (start_ <= end_).bits(); }
   const Float8& start() const { return start_; }
+  const Float8& end() const { return end_; }
 
  private:
   Float8 start_, end_;

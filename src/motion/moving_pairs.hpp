@@ -61,6 +61,9 @@ class MovingPairs {
   /// there is a pair.
   MovingPairs8 corners8();
 
+  /// The same at time 0 only.
+  TrianglePairs8 corners_at_start8();
+
   Contact contact(unsigned lane) const {
     const Pair& pair = waiting_[lane];
     return {tree_a_.triangle_ids[pair.a.triangle], tree_b_.triangle_ids[pair.b.triangle]};
@@ -98,6 +101,8 @@ class MovingPairs {
             corners_at([&](std::size_t k) { return side.to + corners[k]; })};
   }
 
+  TrianglePairs8 corners8(const float* Side::*end) const;
+
   Points8 corner8(const Tree& tree, Side Pair::*side, const float* Side::*end,
                   std::size_t k) const {
     return gather_points([&](std::uint32_t lane) {
@@ -129,12 +134,19 @@ void MovingPairs::add(const MovingCluster& a, const MovingCluster& b, const Over
 
 inline MovingPairs8 MovingPairs::corners8() {
   waiting_.pad();
-  MovingPairs8 pairs;
+  return {corners8(&Side::from), corners8(&Side::to)};
+}
+
+inline TrianglePairs8 MovingPairs::corners_at_start8() {
+  waiting_.pad();
+  return corners8(&Side::from);
+}
+
+inline TrianglePairs8 MovingPairs::corners8(const float* Side::*end) const {
+  TrianglePairs8 pairs;
   for (std::size_t k = 0; k < 3; ++k) {
-    pairs.from.a[k] = corner8(tree_a_, &Pair::a, &Side::from, k);
-    pairs.from.b[k] = corner8(tree_b_, &Pair::b, &Side::from, k);
-    pairs.to.a[k] = corner8(tree_a_, &Pair::a, &Side::to, k);
-    pairs.to.b[k] = corner8(tree_b_, &Pair::b, &Side::to, k);
+    pairs.a[k] = corner8(tree_a_, &Pair::a, end, k);
+    pairs.b[k] = corner8(tree_b_, &Pair::b, end, k);
   }
   return pairs;
 }
