@@ -27,6 +27,8 @@ std::vector<pelt::MovingContact> new_touches(pelt::Motion sword, pelt::Motion ar
 std::vector<pelt::MovingContact> new_self_contacts(pelt::Motion motion,
                                                    const pelt::SelfFilter& filter,
                                                    pelt::Scratch& scratch);
+float free_part(pelt::Motion a, pelt::Motion b, std::uint64_t work);
+bool touch_before(pelt::Motion a, pelt::Motion b, float time);
 bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
                std::span<const float> weights);
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
@@ -207,6 +209,20 @@ TEST_F(QueryExamples, Motion) {
   const auto touches = new_touches({sword, sword_later}, {pose_, pose_}, scratch_);
   ASSERT_GT(touches.size(), 10u);
   for (const MovingContact& contact : touches) EXPECT_GE(contact.time, first);
+}
+
+TEST_F(QueryExamples, FirstContactSearch) {
+  const SkinnedModel model = limb();
+  Pose sword(model), sword_later(model);
+  ASSERT_TRUE(sword.set_palette(moved(-4)));
+  ASSERT_TRUE(sword_later.set_palette(moved(4)));
+  const float first = first_touch({sword, sword_later}, {pose_, pose_}, scratch_);
+  EXPECT_EQ(free_part({sword, sword_later}, {pose_, pose_}, UINT64_MAX), first);
+  const float part = free_part({sword, sword_later}, {pose_, pose_}, 500);
+  EXPECT_GT(part, 0);
+  EXPECT_LT(part, first);
+  EXPECT_TRUE(touch_before({sword, sword_later}, {pose_, pose_}, first + 0.01f));
+  EXPECT_FALSE(touch_before({sword, sword_later}, {pose_, pose_}, first - 0.01f));
 }
 
 TEST_F(QueryExamples, SelfMotion) {
