@@ -220,7 +220,11 @@ class FirstContactSteps : MovingOverlap {
       new_[place] = moved;
     }
     for (std::uint32_t i = 0; i < count_; ++i)
-      is_full ? state_.open.push_depth_first(new_[i]) : state_.open.push(new_[i]);
+      if (is_full) {
+        state_.open.push_depth_first(new_[i]);
+      } else {
+        state_.open.push(new_[i]);
+      }
   }
 
   static bool is_sooner(const TimedItem& item, const TimedItem& other) {

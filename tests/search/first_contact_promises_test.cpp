@@ -112,6 +112,27 @@ TEST(FirstContactPromises, HoldAfterAnyAmountOfWork) {
   EXPECT_GT(hits.improved, 5u);
 }
 
+/// Boxes of nodes that are opened on demand do not nest, so parts may seem to overlap earlier than
+/// the whole.
+TEST(FirstContactPromises, TheLowerBoundNeverFalls) {
+  Random random(651);
+  Limbs limbs;
+  std::size_t rises = 0;
+  for (int round = 0; round < 60; ++round) {
+    move_past(random, limbs);
+    FirstContactSearch search(limbs.a.step(), limbs.b.step());
+    float former = search.apart_until();
+    while (!search.is_complete()) {
+      search.advance(1);
+      ASSERT_GE(search.apart_until(), former) << "round " << round;
+      rises += search.apart_until() > former;
+      former = search.apart_until();
+    }
+  }
+  std::printf("seed 651: %zu rises\n", rises);
+  EXPECT_GT(rises, 200u);
+}
+
 /// Parallel sheets, tilted so that their boxes overlap, that approach each other. Only one vertex
 /// reaches the other sheet, and each vertex is the one in turn.
 TEST(FirstContactPromises, TheFirstContactMayBeAtAnyVertex) {

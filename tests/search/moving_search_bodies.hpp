@@ -12,12 +12,28 @@
 
 namespace pelt::test {
 
-/// Calls `body(a, b)` for limbs that move by different distances, and for soups of this size.
+/// Moves the second limb fast from one side of the first to the other. Parts of them overlap only
+/// for a part of the step.
+inline void move_past(Random& random, Limbs& limbs) {
+  const Vec3 way = random.point(2), aside = random.point(0.4);
+  const auto bend = [&](std::uint32_t joints, const Vec3& place) {
+    const double angle = random.uniform(-0.6, 0.6);
+    return bend_limb(random, joints, angle, place);
+  };
+  const auto from_a = bend(4, {}), to_a = bend(4, {});
+  const auto from_b = bend(3, {aside.x - way.x, aside.y - way.y, aside.z - way.z});
+  const auto to_b = bend(3, {aside.x + way.x, aside.y + way.y, aside.z + way.z});
+  limbs.a.move(from_a, to_a);
+  limbs.b.move(from_b, to_b);
+}
+
+/// Calls `body(a, b)` for limbs that move a little, much or past each other, and for soups of this
+/// size.
 template <typename Test>
 void for_moving_bodies(Random& random, int rounds, std::uint32_t soup_triangles, const Test& body) {
   Limbs limbs;
   for (int round = 0; round < rounds; ++round) {
-    limbs.move(random, round % 2 ? 0.12 : 0.6);
+    round % 2 ? limbs.move(random, round % 4 == 1 ? 0.12 : 0.6) : move_past(random, limbs);
     body(limbs.a, limbs.b);
   }
   for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed})
