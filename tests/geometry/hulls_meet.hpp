@@ -26,7 +26,10 @@ class HullsMeet {
   HullsMeet(const IntegerTriangle<Integer>& a, const IntegerTriangle<Integer>& b)
       : points_{&a[0], &a[1], &a[2], &b[0], &b[1], &b[2]} {}
 
-  bool operator()() { return any_smaller_subset(0b111111); }
+  /// Whether the hulls of the points in `subset` intersect. Bit i is set for point i.
+  bool operator()(unsigned subset = 0b111111) {
+    return subset == 0b111111 ? any_smaller_subset(subset) : proves(subset);
+  }
 
  private:
   struct Members {

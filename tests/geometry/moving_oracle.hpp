@@ -108,27 +108,39 @@ class OracleTime {
 
   int sign_of(const IntegerPolynomial& g) {
     if (g.empty()) return 0;
-    for (int halvings = 0;; ++halvings) {
+    for (bool is_tested = false;; halve()) {
       if (is_point_) return sign_at(g, m_, k_);
       if (const int sign = sign_between(g)) return sign;
-      if (halvings == 30 && is_root_of(greatest_common_divisor(f_, g))) return 0;
-      halve();
+      if (k_ < kSmall || is_tested) continue;
+      if (is_root_of(greatest_common_divisor(f_, g))) return 0;
+      is_tested = true;
     }
   }
 
   /// -1, 0 or 1 if this time is before, equal to or after the other.
   int compare(OracleTime& other) {
-    for (int halvings = 0;; ++halvings) {
+    for (bool is_tested = false;; halve(), other.halve()) {
       if (other.is_point_) return compare_number(other.m_, other.k_);
       if (is_point_) return -other.compare_number(m_, k_);
       while (k_ < other.k_ && !is_point_) halve();
       while (other.k_ < k_ && !other.is_point_) other.halve();
       if (is_point_ || other.is_point_) continue;
       if (const int order = cmp(m_, other.m_)) return order < 0 ? -1 : 1;
-      if (halvings == 30 && is_root_of(greatest_common_divisor(f_, other.f_))) return 0;
-      halve();
-      other.halve();
+      if (k_ < kSmall || is_tested) continue;
+      if (is_root_of(greatest_common_divisor(f_, other.f_))) return 0;
+      is_tested = true;
     }
+  }
+
+  /// Whether this is known to be m / 2^k.
+  bool is_dyadic() const { return is_point_; }
+
+  /// p(m / 2^k) 2^k. Precondition: is_dyadic(), and p is linear.
+  mpz_class value_of(const IntegerPolynomial& p) const {
+    mpz_class value;
+    if (!p.empty()) value = p[0] << k_;
+    if (p.size() > 1) value += p[1] * m_;
+    return value;
   }
 
   float rounded_down() {
@@ -142,6 +154,9 @@ class OracleTime {
   }
 
  private:
+  /// Halvings of the step after which equality is tested: most numbers differ before.
+  static constexpr unsigned kSmall = 16;
+
   static mpq_class power(unsigned k) { return mpq_class(mpz_class(1) << k); }
 
   /// Whether a divisor of f has its root in the interval.
@@ -198,7 +213,8 @@ class OracleTime {
 class OracleRoots {
  public:
   static void append(IntegerPolynomial p, std::vector<OracleTime>& roots) {
-    if (p.size() < 2) return;
+    if (p.size() < 2 || (sign_at(p, 1, 0) != 0 && OracleRoots(p, roots).sign_changes(0, 0) == 0))
+      return;
     make_primitive(p);
     const IntegerPolynomial f = exact_quotient(p, greatest_common_divisor(p, derivative(p)));
     if (sign_at(f, 1, 0) == 0) roots.emplace_back(f, 1, 0, true);
@@ -285,52 +301,88 @@ class NumberAt {
   OracleTime* time_ = nullptr;
 };
 
+/// The corners of two triangles, first those of a, then those of b. x, y and z of each, at both
+/// ends, in a unit that all coordinates on this axis share.
+using MovingCorners = std::array<std::array<std::array<mpz_class, 2>, 3>, 6>;
+
 class MovingOracle {
  public:
-  MovingOracle(const detail::MovingTriangle& a, const detail::MovingTriangle& b) {
-    int unit = 0;
-    for (const detail::MovingTriangle* t : {&a, &b})
-      for (const auto* corners : {&t->from, &t->to})
-        for (const Vec3& p : *corners)
-          for (const float x : {p.x, p.y, p.z}) unit = std::max(unit, bits_below_one(x));
-    const auto linear = [unit](float x, float y) {
-      const mpz_class start(std::ldexp(double{x}, unit)), end(std::ldexp(double{y}, unit));
-      IntegerPolynomial p = {start, end - start};
-      trim(p);
-      return p;
-    };
-    for (std::size_t i = 0; i < 6; ++i) {
-      const detail::MovingTriangle& triangle = i < 3 ? a : b;
-      const Vec3 &from = triangle.from[i % 3], &to = triangle.to[i % 3];
-      points_[i] = {linear(from.x, to.x), linear(from.y, to.y), linear(from.z, to.z)};
-    }
+  /// A triple of numbers of corners: equal ones, an edge as {i, k, k}, or a face.
+  using Corners = std::array<std::size_t, 3>;
+
+  explicit MovingOracle(const MovingCorners& corners) {
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto& [from, to] = corners[i][axis];
+        points_[i][axis] = {from, to - from};
+        trim(points_[i][axis]);
+      }
   }
 
+  MovingOracle(const detail::MovingTriangle& a, const detail::MovingTriangle& b)
+      : MovingOracle(moving_corners(a, b)) {}
+
   std::optional<detail::FirstMeeting> first_meeting() {
-    detail::FirstMeeting meeting;
-    OracleTime start({}, 0, 0, true);
-    meeting.at_start = hulls_meet_at(start, {0, 1, 2}, {3, 4, 5});
-    if (meeting.at_start) return meeting;
+    if (const auto meeting = meeting_at_start({0, 1, 2}, {3, 4, 5})) return meeting;
     for (std::size_t i = 0; i < 3; ++i) {
       search({i, i, i}, {3, 4, 5});
       search({0, 1, 2}, {3 + i, 3 + i, 3 + i});
       for (std::size_t k = 0; k < 3; ++k) search(edge(i, 0), edge(k, 3));
     }
-    if (!first_) return std::nullopt;
-    meeting.time = first_->rounded_down();
-    find_features(meeting);
+    auto meeting = first_found();
+    if (meeting) find_features(*meeting);
     return meeting;
   }
 
+  /// The same for a corner and a face or for two edges, without features.
+  std::optional<detail::FirstMeeting> first_meeting_of(const Corners& a, const Corners& b) {
+    if (const auto meeting = meeting_at_start(a, b)) return meeting;
+    search(a, b);
+    return first_found();
+  }
+
  private:
-  using Corners = std::array<std::size_t, 3>;
   using Kind = detail::ClosedFeature::Kind;
+
+  static MovingCorners moving_corners(const detail::MovingTriangle& a,
+                                      const detail::MovingTriangle& b) {
+    int unit = 0;
+    for (const detail::MovingTriangle* t : {&a, &b})
+      for (const auto* corners : {&t->from, &t->to})
+        for (const Vec3& p : *corners)
+          for (const float x : {p.x, p.y, p.z}) unit = std::max(unit, bits_below_one(x));
+    MovingCorners result;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const detail::MovingTriangle& triangle = i < 3 ? a : b;
+      const Vec3 &from = triangle.from[i % 3], &to = triangle.to[i % 3];
+      const auto integer = [unit](float x) { return mpz_class(std::ldexp(double{x}, unit)); };
+      result[i] = {{{integer(from.x), integer(to.x)},
+                    {integer(from.y), integer(to.y)},
+                    {integer(from.z), integer(to.z)}}};
+    }
+    return result;
+  }
 
   /// The least n for which x is a multiple of 2^-n.
   static int bits_below_one(float x) {
     int n = 0;
     while (std::ldexp(double{x}, n) != std::trunc(std::ldexp(double{x}, n))) ++n;
     return n;
+  }
+
+  std::optional<detail::FirstMeeting> meeting_at_start(const Corners& a, const Corners& b) const {
+    OracleTime start({}, 0, 0, true);
+    if (!hulls_meet_at(start, a, b)) return std::nullopt;
+    detail::FirstMeeting meeting;
+    meeting.at_start = true;
+    return meeting;
+  }
+
+  std::optional<detail::FirstMeeting> first_found() {
+    if (!first_) return std::nullopt;
+    detail::FirstMeeting meeting;
+    meeting.time = first_->rounded_down();
+    return meeting;
   }
 
   static Corners edge(std::size_t i, std::size_t first) {
@@ -350,14 +402,27 @@ class MovingOracle {
   }
 
   bool hulls_meet_at(OracleTime& time, const Corners& a, const Corners& b) const {
+    if (time.is_dyadic())
+      return hulls_meet<mpz_class>(
+          a, b, [&](const IntegerPolynomial& coordinate) { return time.value_of(coordinate); });
     if (have_disjoint_boxes(time, a, b)) return false;
-    IntegerTriangle<NumberAt> of_a, of_b;
-    for (std::size_t i = 0; i < 3; ++i)
+    return hulls_meet<NumberAt>(
+        a, b, [&](const IntegerPolynomial& coordinate) { return NumberAt(coordinate, &time); });
+  }
+
+  template <typename Number, typename ValueOf>
+  bool hulls_meet(const Corners& a, const Corners& b, const ValueOf& value_of) const {
+    IntegerTriangle<Number> of_a, of_b;
+    unsigned distinct = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        of_a[i][axis] = NumberAt(points_[a[i]][axis], &time);
-        of_b[i][axis] = NumberAt(points_[b[i]][axis], &time);
+        of_a[i][axis] = value_of(points_[a[i]][axis]);
+        of_b[i][axis] = value_of(points_[b[i]][axis]);
       }
-    return hulls_meet(of_a, of_b);
+      if (i == 0 || a[i] != a[i - 1]) distinct |= 1u << i;
+      if (i == 0 || b[i] != b[i - 1]) distinct |= 8u << i;
+    }
+    return HullsMeet<Number>(of_a, of_b)(distinct);
   }
 
   IntegerPolynomial difference(std::size_t axis, std::size_t i, std::size_t k) const {

@@ -21,7 +21,7 @@ using detail::FirstMeeting;
 
 int pairs_per_family() {
   const char* text = std::getenv("PELT_MOVING_PAIRS");
-  return text == nullptr ? 60 : std::atoi(text);
+  return text == nullptr ? 100 : std::atoi(text);
 }
 
 std::string to_text(const ClosedFeature& feature) {
