@@ -1,6 +1,7 @@
 #include "geometry/big_integer.hpp"
 
-#include <gmpxx.h>
+#include "gmp_integers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,17 +16,11 @@ namespace {
 using Integer = detail::BigInteger<1'000>;
 using Random = std::mt19937_64;
 
-mpz_class exact(const Integer& number) {
-  mpz_class result;
-  for (unsigned i = number.size(); i-- > 0;) result = (result << 32) + number.limb(i);
-  return number.sign() * result;
-}
-
 /// Expects the value, and that the number agrees about its sign and size.
 void expect_equal(const Integer& number, const mpz_class& expected) {
-  ASSERT_EQ(exact(number), expected);
+  ASSERT_EQ(to_gmp(number), expected);
   ASSERT_EQ(number.sign(), sgn(expected));
-  ASSERT_EQ(number.bits(), expected == 0 ? 0 : mpz_sizeinbase(expected.get_mpz_t(), 2));
+  ASSERT_EQ(number.bits(), bits_of(expected));
   if (expected == 0) return;
   ASSERT_EQ(number.trailing_zeros(), mpz_scan1(expected.get_mpz_t(), 0));
 }
@@ -59,7 +54,7 @@ TEST(BigInteger, ComputesAsGmp) {
   for (int i = 0; i < 20'000 && !HasFatalFailure(); ++i) {
     const Integer a = number_of(random, 480);
     const Integer b = random() % 8 == 0 ? a : random() % 8 == 0 ? -a : number_of(random, 480);
-    const mpz_class x = exact(a), y = exact(b);
+    const mpz_class x = to_gmp(a), y = to_gmp(b);
     const auto count = static_cast<unsigned>(random() % 500);
     expect_equal(a + b, x + y);
     expect_equal(a - b, x - y);
@@ -95,7 +90,7 @@ TEST(BigInteger, RoundsToADouble) {
   Random random(kSeed);
   for (int i = 0; i < 20'000; ++i) {
     const Integer a = number_of(random, 960);
-    const mpz_class x = exact(a);
+    const mpz_class x = to_gmp(a);
     const mpq_class error = abs(mpq_class(rounded(a)) - x);
     ASSERT_LE(error * (mpz_class(1) << 52), abs(x));
     if (a.bits() <= 53) {

@@ -1,10 +1,12 @@
 #pragma once
 
-/// Collections of moving vertex-face and edge-edge pairs with known answers: CSV files with eight
-/// rows a query, each x, y and z as numerator and denominator. The answers are in a seventh column,
-/// or in an array of a JSON file beside the CSV file.
+/// Collections of moving vertex-face and edge-edge pairs with known answers, in CSV files with
+/// eight rows a query. A row is a point: x, y and z, each as numerator and denominator (six
+/// columns) or as a number (three columns). The answer is in one more column, 0 or 1, or in a JSON
+/// file
+/// (`ccd_answers.hpp`). Empty lines and lines that start with # are skipped.
 
-#include "geometry/moving_polynomials.hpp"
+#include "rational_distance.hpp"
 
 #include <array>
 #include <cstdint>
@@ -15,12 +17,6 @@
 
 namespace pelt::test {
 
-/// numerator / 2^exponent
-struct BinaryFraction {
-  detail::BigInteger<1'200> numerator;
-  unsigned exponent = 0;
-};
-
 enum class CcdKind : std::uint8_t { vertex_face, edge_edge };
 
 struct CcdQuery {
@@ -28,24 +24,16 @@ struct CcdQuery {
   CcdKind kind = CcdKind::vertex_face;
   /// Four points at time 0, then at time 1: the vertex and the corners of the face, or the ends of
   /// both edges.
-  std::array<std::array<BinaryFraction, 3>, 8> points;
+  std::array<RationalPoint, 8> points;
   bool meets = false;
 };
 
-/// A file that cannot be read, or that this program cannot ask.
+/// A file that cannot be read. The text names the file, and the line if that is what is wrong.
 struct CcdProblem : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// Reads all queries of a CSV file. Throws CcdProblem.
 std::vector<CcdQuery> read_ccd_queries(const std::filesystem::path& csv);
-
-/// The query as collapsed triangles: {v, v, v} and the face, or {a, b, b} and {c, d, d}. Throws
-/// CcdProblem if coordinates differ by too many powers of two.
-detail::MovingPoints collapsed_triangles(const CcdQuery& query);
-
-/// The same if all coordinates are float32; otherwise returns false.
-bool collapsed_triangles(const CcdQuery& query, detail::MovingTriangle& a,
-                         detail::MovingTriangle& b);
 
 }  // namespace pelt::test

@@ -2,6 +2,7 @@
 #include "geometry/critical_time.hpp"
 
 #include "geometry/predicates.hpp"
+#include "gmp_integers.hpp"
 #include "moving_oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -26,19 +27,9 @@ std::int64_t uniform(Random& random, std::int64_t low, std::int64_t high) {
   return std::uniform_int_distribution<std::int64_t>(low, high)(random);
 }
 
-Coefficient coefficient(const mpz_class& value) {
-  Coefficient result;
-  for (std::size_t i = mpz_sizeinbase(value.get_mpz_t(), 2); i-- > 0;) {
-    result <<= 1;
-    if (mpz_tstbit(mpz_class(abs(value)).get_mpz_t(), i)) result += Coefficient(1);
-  }
-  if (value < 0) result.negate();
-  return result;
-}
-
 Cubic cubic(const IntegerPolynomial& p) {
   Cubic result;
-  for (std::size_t i = 0; i < p.size(); ++i) result.coefficients[i] = coefficient(p[i]);
+  for (std::size_t i = 0; i < p.size(); ++i) result.coefficients[i] = from_gmp<Coefficient>(p[i]);
   return result;
 }
 
