@@ -249,6 +249,17 @@ MovingPair moving_integers(Random& random) {
           {scaled(motion.from.b, exponent), scaled(motion.to.b, exponent)}};
 }
 
+/// A pair of `nearly_meeting`, with one coordinate moved to a neighbouring float.
+inline MovingPair one_ulp_from_meeting(Random& random) {
+  MovingPair pair = moving_integers<nearly_meeting>(random);
+  const std::array ends = {&pair.a.from, &pair.a.to, &pair.b.from, &pair.b.to};
+  const auto end = random() % ends.size(), corner = random() % 3, axis = random() % 3;
+  Vec3& p = (*ends[end])[corner];
+  float& x = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  x = std::nextafter(x, random() % 2 ? 0x1p60f : -0x1p60f);
+  return pair;
+}
+
 /// Any finite bit pattern up to 2^60.
 inline float float_within_limit(Random& random) {
   while (true) {
@@ -284,6 +295,7 @@ inline constexpr MovingFamily kMovingFamilies[] = {
     {"Sliding", moving_integers<sliding>},
     {"Swapping", moving_integers<swapping>},
     {"NearlyMeeting", moving_integers<nearly_meeting>},
+    {"OneUlpFromMeeting", one_ulp_from_meeting},
     {"LandingOnAnEdge", moving_integers<landing_on_an_edge>, 0.05, 1},
     {"Grazing", moving_integers<grazing>, 0.05, 1},
     {"AllMagnitudes", of_all_magnitudes},
