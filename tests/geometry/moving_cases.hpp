@@ -6,6 +6,7 @@
 #include "geometry/moving_polynomials.hpp"
 #include "triangle_cases.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -260,6 +261,24 @@ inline MovingPair one_ulp_from_meeting(Random& random) {
   return pair;
 }
 
+/// Two points that pass each other, and in every other pair are at one position at time p / q. The
+/// time at which a coordinate is equal rounds differently on each axis.
+inline MovingPair points_passing(Random& random) {
+  const std::int64_t p = uniform(random, 1, 9), q = p + uniform(random, 1, 9);
+  const bool is_missing = random() % 2 != 0;
+  Point from, to;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t unit = uniform(random, 1, (1 << 24) / std::max(p, q - p));
+    const std::int64_t sign = random() % 2 ? 1 : -1;
+    from[axis] = sign * p * unit;
+    to[axis] = -sign * (q - p) * unit;
+  }
+  if (is_missing) from[0] -= from[0] < 0 ? -1 : 1;
+  const IntegerCorners start = {from, from, from}, end = {to, to, to};
+  const detail::TriangleCorners still = {};
+  return {{still, still}, {scaled(start, 0), scaled(end, 0)}};
+}
+
 /// Any finite bit pattern up to 2^60.
 inline float float_within_limit(Random& random) {
   while (true) {
@@ -298,6 +317,7 @@ inline constexpr MovingFamily kMovingFamilies[] = {
     {"OneUlpFromMeeting", one_ulp_from_meeting},
     {"LandingOnAnEdge", moving_integers<landing_on_an_edge>, 0.05, 1},
     {"Grazing", moving_integers<grazing>, 0.05, 1},
+    {"PointsPassing", points_passing},
     {"AllMagnitudes", of_all_magnitudes},
 };
 

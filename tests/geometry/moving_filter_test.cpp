@@ -48,6 +48,7 @@ constexpr Case kCases[] = {
     {"Swapping", moving_integers<swapping>},
     {"NearlyMeeting", moving_integers<nearly_meeting>, 0.25, 0.3},
     {"OneUlpFromMeeting", one_ulp_from_meeting, 0.25, 0.3},
+    {"PointsPassing", points_passing},
     {"LandingOnAnEdge", moving_integers<landing_on_an_edge>, 0.05, 0.9},
     {"Grazing", moving_integers<grazing>},
 };

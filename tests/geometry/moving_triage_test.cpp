@@ -56,6 +56,7 @@ constexpr Case kCases[] = {
     {"Swapping", moving_integers<swapping>, 0.1, 1, 0},
     {"NearlyMeeting", moving_integers<nearly_meeting>, 0.01, 0.95, 0.01},
     {"Grazing", moving_integers<grazing>, 0.1, 1, 0},
+    {"PointsPassing", points_passing, 0.4, 1, 0},
 };
 
 /// The test, as compiled for one instruction set.

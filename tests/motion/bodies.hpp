@@ -44,6 +44,13 @@ struct Body {
   Pose from, to;
 };
 
+inline std::vector<MovingContact> contacts_of(Body& a, Body& b, const MovingOptions& options = {}) {
+  Scratch scratch;
+  std::vector<MovingContact> contacts;
+  collide_moving(a.step(), b.step(), scratch, contacts, options);
+  return contacts;
+}
+
 inline Feature feature(const detail::ClosedFeature& f) {
   return {static_cast<FeatureKind>(f.kind), f.number};
 }

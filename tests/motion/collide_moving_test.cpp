@@ -14,13 +14,6 @@
 namespace pelt::test {
 namespace {
 
-std::vector<MovingContact> contacts_of(Body& a, Body& b, const MovingOptions& options = {}) {
-  Scratch scratch;
-  std::vector<MovingContact> contacts;
-  collide_moving(a.step(), b.step(), scratch, contacts, options);
-  return contacts;
-}
-
 std::vector<Contact> pairs_of(const std::vector<MovingContact>& contacts) {
   std::vector<Contact> pairs;
   for (const MovingContact& c : contacts) pairs.push_back(c.contact);
