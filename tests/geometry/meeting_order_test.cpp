@@ -84,5 +84,26 @@ TEST(MeetingOrder, DistinguishesTimesWithTheSameFloat) {
   EXPECT_EQ(detail::compare_first_times(earlier, same), -1);
 }
 
+/// Four corners that are coplanar twice, at 1/3 - d and 1/3 + d with d = 2^-26 / 3: their
+/// determinant is (3t - 1)^2 - 2^-52 up to a factor. At the first of these times, one of them is
+/// inside the triangle of the others; at the second, it is outside, and the segments of two each
+/// cross. Both times have the same float.
+TEST(MeetingOrder, DistinguishesTwoRootsOfOneDeterminant) {
+  const Vec3 left = {-4, 0, 0}, right = {4, 0, 0};
+  const Vec3 below_from = {0, -4, -4}, below_to = {0, -4, 8};
+  const Vec3 corner_from = {0, -1, -0x1p-52f}, corner_to = {0, 2, -0x1p-52f};
+  const detail::MovingTriangle corner = {{{corner_from, corner_from, corner_from}},
+                                         {{corner_to, corner_to, corner_to}}};
+  const detail::MovingTriangle face = {{{left, right, below_from}}, {{left, right, below_to}}};
+  const detail::MovingTriangle edge = {{{corner_from, below_from, below_from}},
+                                       {{corner_to, below_to, below_to}}};
+  const detail::MovingTriangle still_edge = {{{left, right, right}}, {{left, right, right}}};
+  const MeetingPair first = {corner, face, *detail::first_meeting(corner, face)};
+  const MeetingPair second = {edge, still_edge, *detail::first_meeting(edge, still_edge)};
+  ASSERT_EQ(first.first.time, second.first.time);
+  EXPECT_EQ(detail::compare_first_times(first, second), -1);
+  EXPECT_EQ(detail::compare_first_times(second, first), 1);
+}
+
 }  // namespace
 }  // namespace pelt::test
