@@ -5,6 +5,7 @@
 
 #include "rational_distance.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,23 +64,35 @@ inline std::optional<RationalPoint> only_common_point(const RationalPoints& p,
   return point;
 }
 
-/// Points whose hull is the intersection of the hulls of `p` and `q`. Empty if these do not
-/// intersect.
+inline bool have_disjoint_boxes(const RationalPoints& p, const RationalPoints& q) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto is_less = [axis](const RationalPoint& x, const RationalPoint& y) {
+      return x[axis] < y[axis];
+    };
+    const auto [low_p, high_p] = std::minmax_element(p.begin(), p.end(), is_less);
+    const auto [low_q, high_q] = std::minmax_element(q.begin(), q.end(), is_less);
+    if (is_less(*high_p, *low_q) || is_less(*high_q, *low_p)) return true;
+  }
+  return false;
+}
+
+/// Whether one of the points holds whose hull is the intersection of the hulls of `p` and `q`.
 ///
 /// The pairs of coefficients that represent a common point as a mean of `p` and as a mean of `q`
 /// form a polytope. Each extreme point of the intersection is the image of an extreme point of this
 /// polytope, whose positive coefficients are the only solution for their points.
-inline RationalPoints common_points(const RationalPoints& p, const RationalPoints& q) {
-  RationalPoints found;
+template <typename Holds>
+bool any_common_point(const RationalPoints& p, const RationalPoints& q, const Holds& holds) {
+  if (have_disjoint_boxes(p, q)) return false;
   for (unsigned of_p = 1; of_p < 1u << p.size(); ++of_p)
     for (unsigned of_q = 1; of_q < 1u << q.size(); ++of_q)
       if (const auto point = only_common_point(subset_of(p, of_p), subset_of(q, of_q)))
-        found.push_back(*point);
-  return found;
+        if (holds(*point)) return true;
+  return false;
 }
 
 inline bool hulls_intersect(const RationalPoints& p, const RationalPoints& q) {
-  return !common_points(p, q).empty();
+  return any_common_point(p, q, [](const RationalPoint&) { return true; });
 }
 
 }  // namespace pelt::test

@@ -55,9 +55,9 @@ class ExactNeighbours {
   /// corners. Precondition: the triangles have not collapsed.
   bool intersect_by_rule() const {
     if (shared_.size() == 3) return true;
-    for (const RationalPoint& point : common_points(all_a_, all_b_))
-      if (shared_.empty() || !hulls_intersect({point}, shared_)) return true;
-    return false;
+    return any_common_point(all_a_, all_b_, [this](const RationalPoint& point) {
+      return shared_.empty() || !hulls_intersect({point}, shared_);
+    });
   }
 
  private:

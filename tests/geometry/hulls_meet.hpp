@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -137,6 +138,18 @@ class HullsMeet {
   std::array<const IntegerPoint<Integer>*, 6> points_;
   std::uint64_t visited_ = 0;
 };
+
+/// Whether the boxes of the triples are disjoint: then the hulls are, too.
+template <typename Number>
+bool have_disjoint_boxes(const IntegerTriangle<Number>& a, const IntegerTriangle<Number>& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto range = [axis](const IntegerTriangle<Number>& t) {
+      return std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+    };
+    if (range(a).second < range(b).first || range(b).second < range(a).first) return true;
+  }
+  return false;
+}
 
 template <typename Integer>
 bool hulls_meet(const IntegerTriangle<Integer>& a, const IntegerTriangle<Integer>& b) {

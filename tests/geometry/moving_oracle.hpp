@@ -104,7 +104,11 @@ inline int sign_at(const IntegerPolynomial& p, const mpz_class& m, unsigned k) {
 class OracleTime {
  public:
   OracleTime(IntegerPolynomial f, mpz_class m, unsigned k, bool is_point)
-      : f_(std::move(f)), m_(std::move(m)), k_(k), is_point_(is_point) {}
+      : f_(std::move(f)),
+        m_(std::move(m)),
+        k_(k),
+        is_point_(is_point),
+        sign_at_low_(is_point ? 0 : sign_at(f_, m_, k_)) {}
 
   int sign_of(const IntegerPolynomial& g) {
     if (g.empty()) return 0;
@@ -172,17 +176,16 @@ class OracleTime {
     if (x >= high) return -1;
     const int sign = sign_at(f_, m, k);
     if (sign == 0) return 0;
-    return sign == sign_at(f_, m_, k_) ? 1 : -1;
+    return sign == sign_at_low_ ? 1 : -1;
   }
 
   void halve() {
     if (is_point_) return;
-    const int sign_at_low = sign_at(f_, m_, k_);
     m_ = 2 * m_ + 1;
     ++k_;
     const int sign = sign_at(f_, m_, k_);
     if (sign == 0) is_point_ = true;
-    if (sign == -sign_at_low) --m_;
+    if (sign == -sign_at_low_) --m_;
   }
 
   /// The sign of g if it is constant on the interval by Horner's rule with bounds; otherwise 0.
@@ -207,6 +210,7 @@ class OracleTime {
   mpz_class m_;
   unsigned k_;
   bool is_point_;
+  int sign_at_low_;  ///< of f at m / 2^k, unless this is the root
 };
 
 /// Appends the roots of p in (0, 1], by Descartes' rule and bisection.

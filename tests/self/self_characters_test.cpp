@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <span>
 #include <string>
 
 namespace pelt::test {
@@ -18,6 +20,7 @@ struct Case {
   const char* model;
   int frames;             ///< per clip
   std::size_t least_all;  ///< contacts in all frames, at least
+  std::size_t most_clips = std::numeric_limits<std::size_t>::max();
 };
 
 /// A character in poses of its clips.
@@ -88,7 +91,8 @@ TEST_P(SelfCollideOfModels, EqualsBruteForce) {
   EXPECT_LE(actor.filter.memory_bytes(), 40 * asset->triangles.size() + 4096);
   actor.move(nullptr, 0);
   std::size_t contacts = actor.check();
-  for (const asset::Clip& clip : asset->clips)
+  const std::size_t clips = std::min(asset->clips.size(), GetParam().most_clips);
+  for (const asset::Clip& clip : std::span(asset->clips).first(clips))
     for (int frame = 1; frame <= GetParam().frames && !HasFailure(); ++frame) {
       SCOPED_TRACE(testing::Message() << "clip " << clip.name << ", frame " << frame);
       const float time =
@@ -112,10 +116,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"cyber_character.glb", 2, 1}, Case{"cyber_enemy_large.glb", 2, 1},
                     Case{"fox_khronos.glb", 3, 1}, Case{"fox_m2m.glb", 2, 1},
                     Case{"frog.glb", 2, 1}, Case{"human.glb", 1, 1}, Case{"human_8inf.glb", 1, 1},
-                    Case{"human_hi.glb", 1, 1}, Case{"kaiju.glb", 2, 1}, Case{"knight.glb", 2, 1},
-                    Case{"mannequin.glb", 1, 1}, Case{"mech_george.glb", 2, 1},
-                    Case{"robot_expressive.glb", 2, 1}, Case{"simple_skin.gltf", 3, 0},
-                    Case{"sintel.glb", 1, 1}, Case{"spider.glb", 2, 1}),
+                    Case{"human_hi.glb", 1, 1, 3}, Case{"kaiju.glb", 2, 1},
+                    Case{"knight.glb", 2, 1}, Case{"mannequin.glb", 1, 1},
+                    Case{"mech_george.glb", 2, 1}, Case{"robot_expressive.glb", 2, 1},
+                    Case{"simple_skin.gltf", 3, 0}, Case{"sintel.glb", 1, 1},
+                    Case{"spider.glb", 2, 1}),
     [](const auto& param_info) {
       std::string name = param_info.param.model;
       return name.substr(0, name.find('.'));
