@@ -71,6 +71,10 @@ class BigInteger {
   template <unsigned kA, unsigned kB>
   void assign_product(const BigInteger<kA>& a, const BigInteger<kB>& b);
 
+  /// Divides by a number that is a divisor: of the quotient and the remainder, only the first.
+  template <unsigned kOther>
+  void divide_exactly(BigInteger<kOther> divisor);
+
   friend BigInteger operator+(BigInteger a, const BigInteger& b) { return a += b; }
   friend BigInteger operator-(BigInteger a, const BigInteger& b) { return a -= b; }
   friend BigInteger operator-(BigInteger a) {
@@ -237,15 +241,52 @@ void BigInteger<kBits>::assign_product(const BigInteger<kA>& a, const BigInteger
   trim();
 }
 
-/// Returns the number rounded to a double, with a relative error below 2^-52. Precondition: the
-/// number is below 2^1023.
+/// The inverse of an odd number modulo 2^32, by Newton's method. Each step doubles the number of
+/// correct bits, of which the first value has three.
+inline std::uint32_t inverse_of_odd(std::uint32_t odd) {
+  std::uint32_t inverse = odd;
+  for (int step = 0; step < 4; ++step) inverse *= 2 - odd * inverse;
+  return inverse;
+}
+
+/// From the lowest limb: each limb of the quotient makes one limb of the dividend zero (Jebelean,
+/// "An algorithm for exact division", 1993).
 template <unsigned kBits>
-double rounded(BigInteger<kBits> number) {
+template <unsigned kOther>
+void BigInteger<kBits>::divide_exactly(BigInteger<kOther> divisor) {
+  if (sign_ == 0) return;
+  const unsigned zeros = divisor.trailing_zeros();
+  divisor >>= zeros;
+  *this >>= zeros;
+  PELT_ASSERT(size_ >= divisor.size());
+  const unsigned size = size_ - divisor.size() + 1;
+  const std::uint32_t inverse = inverse_of_odd(divisor.limb(0));
+  for (unsigned i = 0; i < size; ++i) {
+    const std::uint64_t quotient = limbs_[i] * inverse;
+    std::uint64_t borrow = 0;
+    for (unsigned k = 0; i + k < size && (k < divisor.size() || borrow != 0); ++k) {
+      if (k < divisor.size()) borrow += quotient * divisor.limb(k);
+      const auto low = static_cast<std::uint32_t>(borrow);
+      borrow = (borrow >> 32) + (limbs_[i + k] < low ? 1 : 0);
+      limbs_[i + k] -= low;
+    }
+    limbs_[i] = static_cast<std::uint32_t>(quotient);
+  }
+  size_ = size;
+  sign_ *= divisor.sign();
+  trim();
+}
+
+/// Returns number / 2^halvings rounded to a double, with a relative error below 2^-52 or, if the
+/// result is below 2^-1022, an error below 2^-1074. Precondition: the result is below 2^1023.
+template <unsigned kBits>
+double rounded(BigInteger<kBits> number, unsigned halvings = 0) {
   const unsigned bits = number.bits(), dropped = bits > 64 ? bits - 64 : 0;
   number >>= dropped;
   std::uint64_t magnitude = 0;
   for (unsigned i = number.size(); i-- > 0;) magnitude = magnitude << 32 | number.limb(i);
-  return number.sign() * std::ldexp(static_cast<double>(magnitude), static_cast<int>(dropped));
+  return number.sign() * std::ldexp(static_cast<double>(magnitude),
+                                    static_cast<int>(dropped) - static_cast<int>(halvings));
 }
 
 }  // namespace pelt::detail

@@ -7,140 +7,156 @@
 /// is divided: before each step of a division, the dividend is multiplied by the absolute value of
 /// the divisor's leading coefficient.
 ///
-/// Bits. Let L be the number of bits of the coefficients of f and g, both of degree 3.
+/// The remainders are divided by what they are known to contain, which keeps them short: with the
+/// leading coefficient g of the last dividend and the factor h, both positive, a remainder after
+/// d + 1 steps is a multiple of g h^d. Then h becomes (next g)^d / h^(d - 1) (Brown, "The
+/// subresultant PRS algorithm", 1978). The sequence starts with f' g and f, or with f and f' g if
+/// the degree of f' g is lower.
 ///
-///   polynomial   degree   bits
-///   f'           2        L + 2
-///   f' g         5        2 L + 4     each coefficient is a sum of at most three products
-///   S_1          2        5 L + 7     three steps; each multiplies by L bits and adds: L + 1 more
-///   S_2          1        11 L + 16   two steps: 2 (5 L + 8) more than S_0
-///   S_3          0        27 L + 41   two steps: 2 (11 L + 17) more than S_1
+/// Bits. Let n be the degree of f and g, and L the number of bits of their coefficients. f' g has
+/// degree 2 n - 1 and coefficients of at most 2 L + 6 bits, for n up to 6. An element whose
+/// predecessor has degree j + 1 is a determinant of n - j rows of coefficients of f' g and of 2 n -
+/// 1 - j rows of coefficients of f. With the sums of 12 terms in one kind of row and of 7 in the
+/// other, it has less than (4 n - 1 - 3 j) (L + 16) bits. Before it is divided, a remainder is a
+/// sum of products of a coefficient of a dividend of degree a, and of a - b + 1 of its divisor,
+/// which has degree b: with b = 1, at most (4 n - 1 - 3 a) (L + 16) + a (4 n + 2 - 3 a) (L + 16)
+/// bits.
 ///
-/// If S_1 has degree 1, S_2 is a constant of at most L + 3 (5 L + 8) bits. L is at most
-/// kCoefficientBits + 3 = 649 (below), which gives 17,564 bits.
-///
-/// Ends of intervals. Two roots of an integer polynomial with degree n = 3 and coefficients of L
-/// bits are farther apart than sqrt(3) n^(-(n + 2) / 2) sqrt(D) |f|^(1 - n) (Mahler 1964), with a
-/// discriminant D of at least 1 and a norm |f| of at most 2^(L + 1): farther than 2^-(2 L + 6). For
-/// f with a multiple root, all roots are rational; two of them have a difference with a denominator
-/// below 2^(2 L). Bisection therefore ends at a width of 2^-(2 L + 7) or before. A step halves the
-/// interval, unless f or f' vanishes at its middle. This happens at most five times, and adds four
-/// bits instead of one. Ends thus have at most 2 L + 40 bits. The values of S_1 at them have at
-/// most 5 L + 7 + 2 (2 L + 40) + 2 bits, those of f at most L + 3 (2 L + 40) + 2: both are less
-/// than S_3 can have.
+/// Ends of intervals. Two roots of an integer polynomial with degree n and coefficients of L bits
+/// are farther apart than sqrt(3) n^(-(n + 2) / 2) sqrt(D) |f|^(1 - n) (Mahler 1964), with a
+/// discriminant D of at least 1 and a norm |f| of at most 2^(L + 2): farther than 2^-((n - 1) (L +
+/// 2) + 11). For f with a multiple root, this holds for its squarefree divisor, which has a lower
+/// degree and coefficients of at most 2^n |f|. Bisection therefore ends at a width of half of this
+/// or before. A step halves the interval, unless f or f' vanishes at its middle. This happens at
+/// most 2 n - 1 times for each of the derivatives of f, and adds four bits instead of one. Ends
+/// thus have at most the bits of DyadicOf, E. The values of f at them have at most L + n E + 4
+/// bits, those of an element of degree j at most (4 n - 1 - 3 j) (L + 16) + j E + 4: less than the
+/// remainders before they are divided.
 ///
 /// Derivatives and quotients. The coefficients of the quotients of f by t - 1 are sums of
-/// coefficients of f, at most three each, and a derivative multiplies them by 3 or less; a quotient
-/// of degree 2 has sums of at most three, of which a derivative takes two at most twice. The
-/// factors in all are at most 6: three bits.
+/// coefficients of f, at most three each for a cubic, and a derivative multiplies them by 3 or
+/// less; a quotient of degree 2 has sums of at most three, of which a derivative takes two at most
+/// twice. The factors in all are at most 6: three bits. For degree 6, derivatives multiply by 720
+/// at most, and each of at most six quotients sums at most seven coefficients: 28 bits.
 #include "geometry/critical_time.hpp"
 
 #include "base/bits.hpp"
-#include "geometry/exact_number.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace pelt::detail {
 namespace {
 
+/// Bits of an element of a sequence (the head of this file).
+template <typename P>
+constexpr unsigned kElementBits = (4 * P::kDegree - 1) * (P::kBits + 16);
+
+/// Bits of a remainder before it is divided.
+template <typename P>
+constexpr unsigned remainder_bits() {
+  unsigned most = 0;
+  for (unsigned a = 2; a <= P::kDegree; ++a) {
+    const unsigned element = 4 * P::kDegree - 1 - 3 * a;
+    most = std::max(most, element + a * (element + 3));
+  }
+  return most * (P::kBits + 16);
+}
+
 /// Room for all that the head of this file counts.
-using Wide = BigInteger<18'432>;
+template <typename P>
+using Wide = BigInteger<remainder_bits<P>()>;
 
 /// Bits of a time for which a double is exact.
 constexpr unsigned kDoubleBits = 52;
 
-template <typename Integer, std::size_t kSize>
-int degree(const std::array<Integer, kSize>& coefficients) {
-  int result = static_cast<int>(kSize) - 1;
+template <typename Integers>
+int degree(const Integers& coefficients) {
+  int result = static_cast<int>(coefficients.size()) - 1;
   while (result >= 0 && coefficients[static_cast<std::size_t>(result)].sign() == 0) --result;
   return result;
 }
 
 /// The sign of a polynomial by Horner's rule: of the sum of coefficients[i] m^i 2^(k (n - i)) for
 /// the time m / 2^k.
-template <typename Integer, std::size_t kSize>
-int horner_sign(const std::array<Integer, kSize>& coefficients, const Dyadic& time) {
+template <typename P, typename Integers>
+int horner_sign(const Integers& coefficients, const DyadicOf<P>& time) {
   int i = degree(coefficients);
   if (i < 0) return 0;
-  Wide sum(coefficients[static_cast<std::size_t>(i)]), product;
+  Wide<P> sum(coefficients[static_cast<std::size_t>(i)]), product;
   for (unsigned shift = time.exponent; i-- > 0; shift += time.exponent) {
     product.assign_product(sum, time.numerator);
-    sum = Wide(coefficients[static_cast<std::size_t>(i)]);
+    sum = Wide<P>(coefficients[static_cast<std::size_t>(i)]);
     sum <<= shift;
     sum += product;
   }
   return sum.sign();
 }
 
-/// Divides by the largest common power of two.
-template <std::size_t kSize>
-void shorten(std::array<Wide, kSize>& coefficients) {
-  unsigned common = ~0u;
-  for (const Wide& c : coefficients)
-    if (c.sign() != 0) common = std::min(common, c.trailing_zeros());
-  if (common == 0 || common == ~0u) return;
-  for (Wide& c : coefficients) c >>= common;
-}
-
-/// Replaces `dividend` by a positive multiple of its remainder.
-template <std::size_t kDividend, typename Integer, std::size_t kDivisor>
-void reduce(std::array<Wide, kDividend>& dividend, const std::array<Integer, kDivisor>& divisor) {
-  const int of_divisor = degree(divisor);
-  const auto n = static_cast<std::size_t>(of_divisor);
-  Wide positive(divisor[n]);
+/// Replaces `dividend` by its remainder, multiplied once per step by the absolute value of the
+/// divisor's leading coefficient.
+template <typename Integer, typename Divisor>
+void reduce(std::span<Integer> dividend, const Divisor& divisor) {
+  const auto n = static_cast<std::size_t>(degree(divisor));
+  Integer positive(divisor[n]), factor, product;
   if (positive.sign() < 0) positive.negate();
-  for (int d = degree(dividend); d >= of_divisor; d = degree(dividend)) {
-    const auto lead = static_cast<std::size_t>(d), shift = lead - n;
-    Wide factor = dividend[lead], product;
+  for (std::size_t lead = dividend.size(); lead-- > n;) {
+    factor = dividend[lead];
     if (divisor[n].sign() > 0) factor.negate();
     for (std::size_t i = 0; i < lead; ++i) {
       product.assign_product(dividend[i], positive);
       dividend[i] = product;
-      if (i < shift) continue;
-      product.assign_product(divisor[i - shift], factor);
+      if (i < lead - n) continue;
+      product.assign_product(divisor[i - (lead - n)], factor);
       dividend[i] += product;
     }
-    dividend[lead] = Wide();
+    dividend[lead] = Integer();
   }
 }
 
 /// The sequence of Sturm and Tarski of two polynomials.
+template <typename P>
 class SignSequence {
  public:
-  SignSequence(const Cubic& f, const Cubic& g) : first_(f.coefficients) {
-    std::array<Wide, 6> product = derivative_times(g);
-    reduce(product, first_);
-    std::copy_n(product.begin(), second_.size(), second_.begin());
-    shorten(second_);
-    if (degree(second_) < 1) return;
-    std::array<Wide, 4> rest;
-    for (std::size_t i = 0; i < 4; ++i) rest[i] = Wide(first_[i]);
-    reduce(rest, second_);
-    for (std::size_t i = 0; i < third_.size(); ++i) third_[i] = -rest[i];
-    shorten(third_);
-    if (degree(third_) < 1) return;
-    std::array<Wide, 3> last = second_;
-    reduce(last, third_);
-    sign_of_fourth_ = -last[0].sign();
+  SignSequence(const P& f, const P& g) {
+    set(0, f.coefficients, 1);
+    Dividend product = derivative_times(f, g);
+    const int degree_of_product = degree(product), degree_of_f = degree(f.coefficients);
+    if (degree_of_product < 0) return;
+    if (degree_of_product < degree_of_f) {
+      set(1, product, 1);
+    } else {
+      append_remainder(product, 1);
+    }
+    for (std::size_t k = 1; last_ == k && degree(element(k)) > 0; ++k) {
+      Dividend dividend;
+      for (std::size_t i = 0; i < element(k - 1).size(); ++i)
+        dividend[i] = Wide<P>(element(k - 1)[i]);
+      append_remainder(dividend, -1);
+    }
   }
 
   /// Returns the sum of the signs of g at the roots of f in the open interval. Precondition: f is
   /// not zero at its ends.
-  int sum_between(const Dyadic& low, const Dyadic& high) const {
+  int sum_between(const DyadicOf<P>& low, const DyadicOf<P>& high) const {
     return changes_at(low) - changes_at(high);
   }
 
  private:
-  std::array<Wide, 6> derivative_times(const Cubic& g) const {
-    std::array<Wide, 6> product;
-    Wide term;
-    for (std::size_t i = 1; i < 4; ++i) {
-      Wide slope;
-      slope.assign_product(first_[i], Wide(static_cast<std::int64_t>(i)));
-      for (std::size_t k = 0; k < 4; ++k) {
+  static constexpr std::size_t kDegree = P::kDegree;
+  using Element = BigInteger<kElementBits<P>>;
+  using Dividend = std::array<Wide<P>, 2 * kDegree>;
+
+  static Dividend derivative_times(const P& f, const P& g) {
+    Dividend product;
+    Wide<P> slope, term;
+    for (std::size_t i = 1; i <= kDegree; ++i) {
+      slope.assign_product(f.coefficients[i], Wide<P>(static_cast<std::int64_t>(i)));
+      for (std::size_t k = 0; k <= kDegree; ++k) {
         term.assign_product(slope, g.coefficients[k]);
         product[i - 1 + k] += term;
       }
@@ -148,10 +164,56 @@ class SignSequence {
     return product;
   }
 
-  int changes_at(const Dyadic& time) const {
+  /// Element k has at most the degree n - k.
+  static constexpr std::size_t begin_of(std::size_t k) {
+    return k * (kDegree + 1) - k * (k - 1) / 2;
+  }
+  std::span<const Element> element(std::size_t k) const {
+    return {&coefficients_[begin_of(k)], kDegree + 1 - k};
+  }
+
+  /// Sets element k to a polynomial, or to its negative.
+  template <typename Integers>
+  void set(std::size_t k, const Integers& values, int sign) {
+    for (std::size_t i = 0; i < kDegree + 1 - k; ++i) {
+      Element& coefficient = coefficients_[begin_of(k) + i];
+      coefficient = Element(values[i]);
+      if (sign < 0) coefficient.negate();
+    }
+    last_ = k;
+  }
+
+  /// Appends the remainder of a division by the last element, or its negative, unless it is zero.
+  void append_remainder(Dividend& dividend, int sign) {
+    const std::span<const Element> divisor = element(last_);
+    const int n = degree(divisor), steps = degree(dividend) - n;
+    reduce(std::span(dividend).first(static_cast<std::size_t>(n + steps + 1)), divisor);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+      dividend[i].divide_exactly(lead_);
+      for (int step = 0; step < steps; ++step) dividend[i].divide_exactly(factor_);
+    }
+    lead_ = divisor[static_cast<std::size_t>(n)];
+    if (lead_.sign() < 0) lead_.negate();
+    raise_factor(steps);
+    if (degree(dividend) >= 0) set(last_ + 1, dividend, sign);
+  }
+
+  /// factor = lead^steps / factor^(steps - 1). All intermediate quotients are integers.
+  void raise_factor(int steps) {
+    if (steps == 0) return;
+    Wide<P> power(lead_), product;
+    for (int step = 1; step < steps; ++step) {
+      product.assign_product(power, lead_);
+      power = product;
+      power.divide_exactly(factor_);
+    }
+    factor_ = Element(power);
+  }
+
+  int changes_at(const DyadicOf<P>& time) const {
     int changes = 0, previous = 0;
-    for (const int sign : {horner_sign(first_, time), horner_sign(second_, time),
-                           horner_sign(third_, time), sign_of_fourth_}) {
+    for (std::size_t k = 0; k <= last_; ++k) {
+      const int sign = horner_sign<P>(element(k), time);
       if (sign == 0) continue;
       changes += previous == -sign;
       previous = sign;
@@ -159,35 +221,46 @@ class SignSequence {
     return changes;
   }
 
-  const std::array<Coefficient, 4>& first_;
-  std::array<Wide, 3> second_;
-  std::array<Wide, 2> third_;
-  int sign_of_fourth_ = 0;
+  std::array<Element, (kDegree + 1) * (kDegree + 2) / 2> coefficients_;  // of all elements
+  std::size_t last_ = 0;                                                 // number of an element
+  Element lead_ = Element(1), factor_ = Element(1);
 };
 
 /// Divides by t as often as possible, and by t - 1. Precondition: p is not zero.
-void divide_out_ends(Cubic& p) {
+template <typename P>
+void divide_out_ends(P& p) {
   auto& c = p.coefficients;
-  while (c[0].sign() == 0) {
-    for (std::size_t i = 0; i < 3; ++i) c[i] = c[i + 1];
-    c[3] = Coefficient();
-  }
-  while ((c[0] + c[1] + c[2] + c[3]).sign() == 0) {
-    c[2] += c[3];
-    c[1] += c[2];
-    for (std::size_t i = 0; i < 3; ++i) c[i] = c[i + 1];
-    c[3] = Coefficient();
+  const auto shift = [&] {
+    for (std::size_t i = 0; i < P::kDegree; ++i) c[i] = c[i + 1];
+    c[P::kDegree] = typename P::Coefficient();
+  };
+  const auto value_at_one = [&] {
+    typename P::Coefficient sum;
+    for (const auto& coefficient : c) sum += coefficient;
+    return sum;
+  };
+  while (c[0].sign() == 0) shift();
+  while (value_at_one().sign() == 0) {
+    for (std::size_t i = P::kDegree; i > 1; --i) c[i - 1] += c[i];
+    shift();
   }
 }
 
 /// Number of sign changes in the coefficients of p in the basis of Bernstein on [0, 1]. It is at
 /// least the number of roots in between, counted with multiplicity, and has the same parity.
-int bernstein_changes(const Cubic& p) {
-  const auto& [c0, c1, c2, c3] = p.coefficients;
-  const Coefficient second = c0 + c0 + c0 + c1, third = second + c1 + c2;
-  const int signs[4] = {c0.sign(), second.sign(), third.sign(), (c0 + c1 + c2 + c3).sign()};
+///
+/// Coefficient k, times a binomial, is the sum of binomial(n - i, k - i) p_i. As a polynomial in x,
+/// these are the values of (1 + x)^n p(x / (1 + x)), by Horner's rule from the lowest power.
+template <typename P>
+int bernstein_changes(const P& p) {
+  std::array<typename P::Coefficient, P::kDegree + 1> b;
+  for (std::size_t i = 0; i <= P::kDegree; ++i) {
+    for (std::size_t k = i; k > 0; --k) b[k] += b[k - 1];
+    b[i] += p.coefficients[i];
+  }
   int changes = 0, previous = 0;
-  for (const int sign : signs) {
+  for (const auto& coefficient : b) {
+    const int sign = coefficient.sign();
     if (sign == 0) continue;
     changes += previous == -sign;
     previous = sign;
@@ -196,8 +269,9 @@ int bernstein_changes(const Cubic& p) {
 }
 
 /// Returns low + (high - low) sixteenths / 16.
-Dyadic between(const Dyadic& low, const Dyadic& high, unsigned sixteenths) {
-  Dyadic result, end = high;
+template <typename Time>
+Time between(const Time& low, const Time& high, unsigned sixteenths) {
+  Time result, end = high;
   result.exponent = std::max(low.exponent, high.exponent);
   result.numerator = low.numerator;
   result.numerator <<= result.exponent - low.exponent;
@@ -214,31 +288,35 @@ Dyadic between(const Dyadic& low, const Dyadic& high, unsigned sixteenths) {
 }
 
 /// Finds disjoint intervals with one root each.
+template <typename P>
 class Isolation {
  public:
-  explicit Isolation(CriticalTimes& found) : found_(found) {}
+  explicit Isolation(RootsOf<P>& found) : found_(found) {}
 
   /// Precondition: p is zero neither at 0 nor at 1.
-  void search(const Cubic& p) {
+  void search(const P& p) {
     const int changes = bernstein_changes(p);
     if (changes == 0) return;
-    const Dyadic start = dyadic(0), end = dyadic(1);
+    const Time start = dyadic<P>(0), end = dyadic<P>(1);
     if (changes == 1) return add(p, start, end, true);
     search(p, start, end, true);
   }
 
  private:
-  void search(const Cubic& p, const Dyadic& low, const Dyadic& high, bool is_root) {
-    Cubic one;
-    one.coefficients[0] = Coefficient(1);
-    const SignSequence roots(p, one);
+  using Time = DyadicOf<P>;
+  using Sequence = SignSequence<P>;
+
+  void search(const P& p, const Time& low, const Time& high, bool is_root) {
+    P one;
+    one.coefficients[0] = typename P::Coefficient(1);
+    const Sequence roots(p, one);
     search(p, roots, low, high, is_root);
   }
 
-  void search(const Cubic& p, const SignSequence& roots, Dyadic low, Dyadic high, bool is_root) {
+  void search(const P& p, const Sequence& roots, Time low, Time high, bool is_root) {
     int count = roots.sum_between(low, high);
     while (count > 1) {
-      const Dyadic middle = point_without_zeros(p, low, high);
+      const Time middle = point_without_zeros(p, low, high);
       const int below = roots.sum_between(low, middle);
       if (below > 0 && below < count) search(p, roots, low, middle, is_root);
       (below == count ? high : low) = middle;
@@ -246,43 +324,62 @@ class Isolation {
     }
     if (count == 0) return;
     if (sign_at(p, low) != sign_at(p, high)) return add(p, low, high, is_root);
-    Cubic slope = derivative(p);
+    P slope = derivative(p);
     divide_out_ends(slope);
     search(slope, low, high, false);
   }
 
   /// A point near the middle of an interval at which neither p nor its derivative is zero.
-  static Dyadic point_without_zeros(const Cubic& p, const Dyadic& low, const Dyadic& high) {
-    const Cubic slope = derivative(p);
-    for (const unsigned sixteenths : {8u, 7u, 9u, 6u, 10u}) {
-      const Dyadic point = between(low, high, sixteenths);
+  /// Together, they have at most 11 zeros.
+  static Time point_without_zeros(const P& p, const Time& low, const Time& high) {
+    const P slope = derivative(p);
+    for (const unsigned sixteenths : {8u, 7u, 9u, 6u, 10u, 5u, 11u, 4u, 12u, 3u, 13u}) {
+      const Time point = between(low, high, sixteenths);
       if (sign_at(p, point) != 0 && sign_at(slope, point) != 0) return point;
     }
-    return between(low, high, 5);  // five zeros were found, and there are no more
+    return between(low, high, 2);
   }
 
-  void add(const Cubic& p, const Dyadic& low, const Dyadic& high, bool is_root) {
+  void add(const P& p, const Time& low, const Time& high, bool is_root) {
     PELT_ASSERT(found_.count < found_.entries.size());
-    found_.entries[found_.count++] = {CriticalTime(p, low, high), is_root};
+    found_.entries[found_.count++] = {RootOf<P>(p, low, high), is_root};
   }
 
-  CriticalTimes& found_;
+  RootsOf<P>& found_;
 };
 
-std::array<Rounded, 4> rounded_coefficients(const Cubic& p) {
-  const auto coefficient = [&](std::size_t i) {
-    const double value = rounded(p.coefficients[i]);
-    return Rounded::within(value, 0x1p-52 * std::abs(value));
+template <typename P>
+using RoundedCoefficients = std::array<Rounded, P::kDegree + 1>;
+
+/// A positive multiple of p that does not overflow.
+template <typename P, std::size_t... kPowers>
+RoundedCoefficients<P> rounded_coefficients(const P& p, std::index_sequence<kPowers...>) {
+  constexpr unsigned kMostBits = 900;
+  unsigned bits = kMostBits;
+  for (const auto& c : p.coefficients) bits = std::max(bits, c.bits());
+  const auto coefficient = [&](const auto& c) {
+    if (c.sign() == 0) return Rounded(0);
+    const double value = rounded(c, bits - kMostBits);
+    return Rounded::within(value, 0x1p-52 * std::abs(value) + (bits > kMostBits ? 0x1p-1000 : 0));
   };
-  return {coefficient(0), coefficient(1), coefficient(2), coefficient(3)};
+  return {coefficient(p.coefficients[kPowers])...};
 }
 
-Rounded value_at(const std::array<Rounded, 4>& c, const Rounded& time) {
-  return ((c[3] * time + c[2]) * time + c[1]) * time + c[0];
+template <typename P>
+RoundedCoefficients<P> rounded_coefficients(const P& p) {
+  return rounded_coefficients(p, std::make_index_sequence<P::kDegree + 1>());
+}
+
+template <std::size_t kCount>
+Rounded value_at(const std::array<Rounded, kCount>& c, const Rounded& time) {
+  Rounded value = c[kCount - 1];
+  for (std::size_t i = kCount - 1; i-- > 0;) value = value * time + c[i];
+  return value;
 }
 
 /// Returns -1, 0 or 1 if a is less than, equal to or greater than b.
-int compare_numbers(const Dyadic& a, const Dyadic& b) {
+template <typename Time>
+int compare_numbers(const Time& a, const Time& b) {
   const unsigned exponent = std::max(a.exponent, b.exponent);
   auto difference = a.numerator, subtrahend = b.numerator;
   difference <<= exponent - a.exponent;
@@ -301,11 +398,15 @@ std::uint32_t bits_below(double time) {
 
 }  // namespace
 
-bool is_zero(const Cubic& p) { return degree(p.coefficients) < 0; }
+template <typename P>
+bool is_zero(const P& p) {
+  return degree(p.coefficients) < 0;
+}
 
-Dyadic dyadic(double time) {
+template <typename P>
+DyadicOf<P> dyadic(double time) {
   PELT_ASSERT(time >= 0 && time <= 1);
-  Dyadic result;
+  DyadicOf<P> result;
   if (time == 0) return result;
   int exponent = 0;
   const double fraction = std::frexp(time, &exponent);
@@ -316,27 +417,29 @@ Dyadic dyadic(double time) {
   return result;
 }
 
-Cubic derivative(const Cubic& p) {
-  Cubic result;
-  for (std::size_t i = 1; i < 4; ++i)
-    result.coefficients[i - 1].assign_product(p.coefficients[i],
-                                              Coefficient(static_cast<std::int64_t>(i)));
+template <typename P>
+P derivative(const P& p) {
+  P result;
+  for (std::size_t i = 1; i <= P::kDegree; ++i)
+    result.coefficients[i - 1].assign_product(
+        p.coefficients[i], typename P::Coefficient(static_cast<std::int64_t>(i)));
   return result;
 }
 
-int sign_at(const Cubic& p, const Dyadic& time) { return horner_sign(p.coefficients, time); }
+template <typename P>
+int sign_at(const P& p, const DyadicOf<P>& time) {
+  return horner_sign<P>(p.coefficients, time);
+}
 
-CriticalTime::CriticalTime(const Cubic& polynomial, const Dyadic& low, const Dyadic& high)
+template <typename P>
+RootOf<P>::RootOf(const P& polynomial, const Time& low, const Time& high)
     : polynomial_(polynomial),
       low_(low),
       high_(high),
       sign_at_low_(detail::sign_at(polynomial, low)) {
   PELT_ASSERT(sign_at_low_ != 0 && detail::sign_at(polynomial, high) == -sign_at_low_);
-  const auto number = [](const Dyadic& t) {
-    return std::ldexp(rounded(t.numerator), -static_cast<int>(t.exponent));
-  };
-  above_ = number(low);
-  below_ = number(high);
+  above_ = rounded(low.numerator, low.exponent);
+  below_ = rounded(high.numerator, high.exponent);
   if (low.exponent <= kDoubleBits && high.exponent <= kDoubleBits) {
     refine();
   } else {
@@ -347,8 +450,9 @@ CriticalTime::CriticalTime(const Cubic& polynomial, const Dyadic& low, const Dya
 
 /// Halves the interval of the bounds while rounded arithmetic decides on which side the root is,
 /// and a few times more.
-void CriticalTime::refine() {
-  const std::array<Rounded, 4> coefficients = rounded_coefficients(polynomial_);
+template <typename P>
+void RootOf<P>::refine() {
+  const RoundedCoefficients<P> coefficients = rounded_coefficients(polynomial_);
   int exact_signs = 3;
   while (exact_signs > 0) {
     const double middle = above_ + (below_ - above_) / 2;
@@ -356,7 +460,7 @@ void CriticalTime::refine() {
     std::optional<int> sign = value_at(coefficients, Rounded(middle)).sign();
     if (!sign) {
       --exact_signs;
-      sign = detail::sign_at(polynomial_, dyadic(middle));
+      sign = detail::sign_at(polynomial_, dyadic<P>(middle));
     }
     if (*sign == 0) {
       above_ = std::nextafter(middle, 0.0);
@@ -367,16 +471,16 @@ void CriticalTime::refine() {
   }
 }
 
-int CriticalTime::sign_of(const Cubic& p) const {
-  const double radius = (below_ - above_) / 2;
-  const Rounded time = Rounded::within(above_ + radius, radius * (1 + 0x1p-50) + 0x1p-53 * below_);
-  if (const std::optional<int> sign = value_at(rounded_coefficients(p), time).sign()) return *sign;
+template <typename P>
+int RootOf<P>::sign_of(const P& p) const {
+  if (const auto sign = value_at(rounded_coefficients(p), enclosure()).sign()) return *sign;
   if (is_zero(p)) return 0;
   ++exact_sign_count();
-  return SignSequence(polynomial_, p).sum_between(low_, high_);
+  return SignSequence<P>(polynomial_, p).sum_between(low_, high_);
 }
 
-int CriticalTime::compare(const Dyadic& other) const {
+template <typename P>
+int RootOf<P>::compare(const Time& other) const {
   if (compare_numbers(other, low_) <= 0) return 1;
   if (compare_numbers(other, high_) >= 0) return -1;
   const int sign = detail::sign_at(polynomial_, other);
@@ -384,7 +488,8 @@ int CriticalTime::compare(const Dyadic& other) const {
   return sign == sign_at_low_ ? 1 : -1;
 }
 
-int CriticalTime::compare(const CriticalTime& other) const {
+template <typename P>
+int RootOf<P>::compare(const RootOf& other) const {
   if (below_ <= other.above_) return -1;
   if (above_ >= other.below_) return 1;
   if (compare(other.low_) <= 0) return -1;
@@ -394,22 +499,37 @@ int CriticalTime::compare(const CriticalTime& other) const {
   return sign == other.sign_at_low_ ? -1 : 1;
 }
 
-float CriticalTime::rounded_down() const {
+template <typename P>
+float RootOf<P>::rounded_down() const {
   // The float of `low` is not above the time, the float of `high` is above it.
   std::uint32_t low = bits_below(above_), high = bits_below(below_) + 1;
   while (high - low > 1) {
     const std::uint32_t middle = low + (high - low) / 2;
-    (compare(dyadic(double{float_from(middle)})) >= 0 ? low : high) = middle;
+    (compare(dyadic<P>(double{float_from(middle)})) >= 0 ? low : high) = middle;
   }
   return float_from(low);
 }
 
-void find_critical_times(const Cubic& p, CriticalTimes& found) {
+template <typename P>
+void find_critical_times(const P& p, RootsOf<P>& found) {
   found.count = 0;
   if (is_zero(p)) return;
-  Cubic inner = p;
+  P inner = p;
   divide_out_ends(inner);
-  Isolation(found).search(inner);
+  Isolation<P>(found).search(inner);
 }
+
+template bool is_zero(const Cubic& p);
+template bool is_zero(const Sextic& p);
+template Cubic derivative(const Cubic& p);
+template Sextic derivative(const Sextic& p);
+template Dyadic dyadic<Cubic>(double time);
+template DyadicOf<Sextic> dyadic<Sextic>(double time);
+template int sign_at(const Cubic& p, const Dyadic& time);
+template int sign_at(const Sextic& p, const DyadicOf<Sextic>& time);
+template class RootOf<Cubic>;
+template class RootOf<Sextic>;
+template void find_critical_times(const Cubic& p, CriticalTimes& found);
+template void find_critical_times(const Sextic& p, RootsOf<Sextic>& found);
 
 }  // namespace pelt::detail

@@ -38,14 +38,10 @@ class InstantSigns {
  private:
   static constexpr std::int8_t kUnknown = 2;
 
-  /// Just after a root, a polynomial has the sign of its first derivative that is not zero there.
   int compute(std::size_t number) {
     const Cubic& p = polynomials_[number];
-    const int sign = sign_of(p);
-    if (sign != 0 || moment_ == Moment::at) return sign;
-    for (Cubic slope = derivative(p); !is_zero(slope); slope = derivative(slope))
-      if (const int after = sign_of(slope)) return after;
-    return 0;
+    if (moment_ == Moment::at) return sign_of(p);
+    return sign_just_after(p, [this](const Cubic& slope) { return sign_of(slope); });
   }
 
   int sign_of(const Cubic& p) const {

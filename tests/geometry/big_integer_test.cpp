@@ -67,6 +67,11 @@ TEST(BigInteger, ComputesAsGmp) {
     expect_equal(itself += itself, 2 * x);
     const Integer& same = itself;
     expect_equal(itself -= same, 0);
+    if (b.sign() != 0) {
+      Integer quotient = a * b;
+      quotient.divide_exactly(b);
+      expect_equal(quotient, x);
+    }
     most_bits = std::max(most_bits, (a * b).bits());
     zeros += (a - b).sign() == 0;
   }

@@ -17,21 +17,27 @@
 namespace pelt::test {
 namespace {
 
-using detail::Coefficient;
 using detail::CriticalTime;
 using detail::CriticalTimes;
 using detail::Cubic;
+using detail::RootOf;
+using detail::RootsOf;
+using detail::Sextic;
 using Random = std::mt19937_64;
 
 std::int64_t uniform(Random& random, std::int64_t low, std::int64_t high) {
   return std::uniform_int_distribution<std::int64_t>(low, high)(random);
 }
 
-Cubic cubic(const IntegerPolynomial& p) {
-  Cubic result;
-  for (std::size_t i = 0; i < p.size(); ++i) result.coefficients[i] = from_gmp<Coefficient>(p[i]);
+template <typename P>
+P polynomial(const IntegerPolynomial& p) {
+  P result;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    result.coefficients[i] = from_gmp<typename P::Coefficient>(p[i]);
   return result;
 }
+
+Cubic cubic(const IntegerPolynomial& p) { return polynomial<Cubic>(p); }
 
 mpz_class random_integer(Random& random, unsigned bits) {
   mpz_class result;
@@ -40,18 +46,27 @@ mpz_class random_integer(Random& random, unsigned bits) {
   return random() % 2 ? mpz_class(-result) : result;
 }
 
-/// n factors: with small coefficients, so that roots are often equal, or with as many bits as
-/// coefficients of cubics can have.
+/// Bits of coefficients, without the room for sums.
+template <typename P>
+constexpr unsigned kInputBits = 0;
+template <>
+constexpr unsigned kInputBits<Cubic> = detail::kCoefficientBits;
+template <>
+constexpr unsigned kInputBits<Sextic> = Sextic::kBits - 30;
+
+/// Factors with small coefficients, so that roots are often equal, or with as many bits as
+/// coefficients can have.
+template <typename P>
 IntegerPolynomial random_polynomial(Random& random) {
   if (random() % 4 == 0) {
-    IntegerPolynomial p(1 + random() % 4);
-    for (mpz_class& c : p) c = random_integer(random, detail::kCoefficientBits);
+    IntegerPolynomial p(1 + random() % (P::kDegree + 1));
+    for (mpz_class& c : p) c = random_integer(random, kInputBits<P>);
     trim(p);
     return p;
   }
   IntegerPolynomial p = {uniform(random, -2, 2)};
   trim(p);
-  for (auto factors = random() % 4; factors > 0; --factors)
+  for (auto factors = random() % (P::kDegree + 1); factors > 0; --factors)
     p = p * IntegerPolynomial{-uniform(random, 0, 8), uniform(random, 1, 8)};
   return p;
 }
@@ -83,17 +98,18 @@ std::vector<OracleTime> inner_roots(const IntegerPolynomial& p) {
 }
 
 /// Critical times that are roots, ascending.
-std::vector<CriticalTime> roots_of(const Cubic& p) {
-  CriticalTimes found;
+template <typename P>
+std::vector<RootOf<P>> roots_of(const P& p) {
+  RootsOf<P> found;
   find_critical_times(p, found);
-  std::vector<CriticalTime> roots;
+  std::vector<RootOf<P>> roots;
   for (std::size_t i = 0; i < found.count; ++i) {
     const int sign = found.entries[i].time.sign_of(p);
     EXPECT_TRUE(sign == 0 || !found.entries[i].is_root);
     if (sign == 0) roots.push_back(found.entries[i].time);
   }
   std::sort(roots.begin(), roots.end(),
-            [](const CriticalTime& a, const CriticalTime& b) { return a.compare(b) < 0; });
+            [](const RootOf<P>& a, const RootOf<P>& b) { return a.compare(b) < 0; });
   return roots;
 }
 
@@ -101,10 +117,11 @@ struct Counts {
   int roots = 0, zeros = 0, equal = 0;
 };
 
+template <typename P>
 void compare(const IntegerPolynomial& f, const IntegerPolynomial& g, Counts& counts) {
   std::vector<OracleTime> expected = inner_roots(f), others = inner_roots(g);
-  const Cubic exact_f = cubic(f), exact_g = cubic(g);
-  const std::vector<CriticalTime> roots = roots_of(exact_f), other_roots = roots_of(exact_g);
+  const P exact_f = polynomial<P>(f), exact_g = polynomial<P>(g);
+  const std::vector<RootOf<P>> roots = roots_of(exact_f), other_roots = roots_of(exact_g);
   ASSERT_EQ(roots.size(), expected.size());
   ASSERT_EQ(other_roots.size(), others.size());
   for (std::size_t i = 0; i < roots.size(); ++i) {
@@ -130,6 +147,7 @@ IntegerPolynomial to_compare_with(const IntegerPolynomial& f, IntegerPolynomial 
   return make(random);
 }
 
+template <typename P>
 void compare_many(IntegerPolynomial (*make)(Random&), std::uint64_t seed, int pairs) {
   std::cout << "seed " << seed << ": ";
   Random random(seed);
@@ -137,21 +155,25 @@ void compare_many(IntegerPolynomial (*make)(Random&), std::uint64_t seed, int pa
   for (int i = 0; i < pairs && !testing::Test::HasFailure(); ++i) {
     const IntegerPolynomial f = make(random);
     SCOPED_TRACE(i);
-    compare(f, to_compare_with(f, make, random), counts);
+    compare<P>(f, to_compare_with(f, make, random), counts);
   }
   std::cout << counts.roots << " roots, " << counts.zeros << " signs of 0, " << counts.equal
             << " equal times\n";
-  EXPECT_GT(counts.roots, 1'000);
+  EXPECT_GT(counts.roots, 500);
   EXPECT_GT(counts.zeros, 20);
   EXPECT_GT(counts.equal, 20);
 }
 
 TEST(CriticalTime, HasTheSignsOfPolynomialsWithSmallFactorsOrManyBits) {
-  compare_many(random_polynomial, 173, 10'000);
+  compare_many<Cubic>(random_polynomial<Cubic>, 173, 10'000);
 }
 
 TEST(CriticalTime, TellsApartRootsThatAreCloserThanDoubles) {
-  compare_many(with_close_roots, 174, 700);
+  compare_many<Cubic>(with_close_roots, 174, 700);
+}
+
+TEST(CriticalTime, HasTheSignsOfPolynomialsOfDegreeSix) {
+  compare_many<Sextic>(random_polynomial<Sextic>, 175, 1'000);
 }
 
 TEST(CriticalTime, ComparesWithDyadicTimes) {
