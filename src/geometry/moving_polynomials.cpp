@@ -1,8 +1,9 @@
 #include "geometry/moving_polynomials.hpp"
 
+#include "geometry/scaled_float.hpp"
+
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 namespace pelt::detail {
@@ -110,21 +111,6 @@ Cubic difference_of(const MovingPoints& points, std::size_t axis,
   return result;
 }
 
-/// A float as an odd number times a power of two.
-struct OddTimesPower {
-  std::int64_t odd = 0;
-  int exponent = 0;
-
-  explicit OddTimesPower(float value) {
-    if (value == 0) return;
-    const float fraction = std::frexp(value, &exponent);
-    odd = static_cast<std::int64_t>(std::ldexp(fraction, 24));
-    const int zeros = std::countr_zero(static_cast<std::uint64_t>(odd));
-    odd >>= zeros;
-    exponent += zeros - 24;
-  }
-};
-
 float coordinate(const Vec3& p, std::size_t axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
@@ -139,14 +125,9 @@ void set_axis(MovingPoints& points, std::size_t axis, const MovingTriangle& a,
     for (const float value : values[i])
       if (value != 0) unit = std::min(unit, OddTimesPower(value).exponent);
   }
-  const auto integer = [unit](float value) {
-    const OddTimesPower parts(value);
-    BigInteger<kCoordinateBits> result(parts.odd);
-    if (parts.odd != 0) result <<= static_cast<unsigned>(parts.exponent - unit);
-    return result;
-  };
   for (std::size_t i = 0; i < 6; ++i)
-    points[i][axis] = {integer(values[i][0]), integer(values[i][1])};
+    points[i][axis] = {scaled<kCoordinateBits>(values[i][0], unit),
+                       scaled<kCoordinateBits>(values[i][1], unit)};
 }
 
 }  // namespace

@@ -1,0 +1,270 @@
+/// Reduction to finitely many times. Let the triangle be apart from the capsule at time 0, and
+/// touch it first at time t. The distance of the triangle and the segment is continuous, so at time
+/// t it equals the radius r. It is attained between points in the interiors of two features.
+///
+/// If r is positive, the triangle and the segment are disjoint, and these are a pair of
+/// capsule_by_signs.hpp: if the edge and the segment are parallel, or if the triangle has
+/// collapsed, the distance is also attained at an end or on an edge. The polynomial of this pair is
+/// zero at t. It does not vanish identically. Otherwise the extended features would always have
+/// distance r, their closest points would still be in the interiors of the features shortly before
+/// t, and the triangle would then already touch the capsule.
+///
+/// If r is 0, the features have a common point. If this point is in the interior of the triangle
+/// and of the segment, then either they cross there, which they would already do shortly before t,
+/// or the segment lies in the plane of the triangle, or the triangle has collapsed; then another
+/// common point is an end, or is on an edge. If it is in the interior of an edge and of the segment
+/// and these are collinear, another common point is an end or a corner. Some pair of
+/// capsule_by_signs.hpp remains, and its polynomial does not vanish identically, as above.
+///
+/// Conversely, the triangle touches the capsule at a root of the polynomial of a pair if the
+/// closest points then belong to the features. The first time is thus the first such root, or
+/// time 1.
+///
+/// Bits. Floats are multiples of 2^-149. The segment has coordinates below 2^128 and the triangle
+/// below 2^61, so differences have at most 278 bits, and 212 between corners; they change by one
+/// bit more. The longest coefficients are those of an edge and the segment: (w . n)^2, where n has
+/// less than 2 * 2^(278 + 214) and w . n less than 3 * 2^279 * 2^493 = 2^774, and with the sums of
+/// coefficients less than 2^1554. The other polynomials contain a difference from the segment at
+/// most four times in a product of four, or twice in one of six.
+
+#include "geometry/capsule_by_signs.hpp"
+#include "geometry/capsule_triangle.hpp"
+#include "geometry/moving_numbers.hpp"
+#include "geometry/moving_region.hpp"
+#include "geometry/scaled_float.hpp"
+#include "geometry/triangle_distance.hpp"
+
+namespace pelt::detail {
+namespace {
+
+using SexticRoot = RootOf<Sextic>;
+
+/// The corners of a moving triangle and the ends of a capsule's segment.
+class MovingCapsule {
+ public:
+  MovingCapsule(const MovingTriangle& triangle, const Capsule& capsule) : radius_(capsule.radius) {
+    for (std::size_t i = 0; i < 3; ++i) set(i, triangle.from[i], triangle.to[i]);
+    set(3, capsule.a, capsule.a);
+    set(4, capsule.b, capsule.b);
+  }
+
+  Vector<Rounded> from_to(std::size_t i, std::size_t j, const Rounded& time) const {
+    const auto difference = [&](std::size_t axis) {
+      return at_time(from_[j][axis], to_[j][axis], time) -
+             at_time(from_[i][axis], to_[i][axis], time);
+    };
+    return {difference(0), difference(1), difference(2)};
+  }
+
+  /// In the unit of all coordinates.
+  Vector<Sextic> from_to(std::size_t i, std::size_t j) const {
+    const auto difference = [&](std::size_t axis) {
+      Sextic result;
+      result.coefficients[0] = integer(from_[j][axis]) - integer(from_[i][axis]);
+      result.coefficients[1] = integer(to_[j][axis]) - integer(to_[i][axis]);
+      result.coefficients[1] -= result.coefficients[0];
+      return result;
+    };
+    return {difference(0), difference(1), difference(2)};
+  }
+
+  float radius() const { return radius_; }
+
+  Sextic radius_in_unit() const {
+    Sextic result;
+    result.coefficients[0] = integer(radius_);
+    return result;
+  }
+
+ private:
+  void set(std::size_t i, const Vec3& from, const Vec3& to) {
+    from_[i] = {from.x, from.y, from.z};
+    to_[i] = {to.x, to.y, to.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      include_in_unit(from_[i][axis]);
+      include_in_unit(to_[i][axis]);
+    }
+  }
+
+  void include_in_unit(float value) {
+    if (value != 0) unit_ = std::min(unit_, OddTimesPower(value).exponent);
+  }
+
+  Sextic::Coefficient integer(float value) const { return scaled<Sextic::kBits>(value, unit_); }
+
+  std::array<std::array<float, 3>, 5> from_, to_;
+  float radius_;
+  int unit_ = radius_ != 0 ? OddTimesPower(radius_).exponent : 128;
+};
+
+/// `Signs`: RegionInstant or RegionPiece.
+template <typename Signs>
+class CapsuleSource {
+ public:
+  CapsuleSource(const MovingCapsule& moving, const Signs& signs) : moving_(moving), signs_(signs) {}
+
+  template <typename Number>
+  Vector<Number> from_to(std::size_t i, std::size_t j) const {
+    if constexpr (std::is_same_v<Number, Rounded>) {
+      return moving_.from_to(i, j, signs_.enclosure());
+    } else {
+      return moving_.from_to(i, j);
+    }
+  }
+
+  template <typename Number>
+  Number squared_radius() const {
+    if constexpr (std::is_same_v<Number, Rounded>) {
+      return Rounded(double{moving_.radius()}) * Rounded(double{moving_.radius()});
+    } else {
+      return moving_.radius_in_unit() * moving_.radius_in_unit();
+    }
+  }
+
+  template <typename AnyPolynomial>
+  int sign(const AnyPolynomial& polynomial) const {
+    return signs_.sign(polynomial);
+  }
+
+ private:
+  const MovingCapsule& moving_;
+  const Signs& signs_;
+};
+
+/// Calls visit(pair) for all pairs of features.
+template <typename Visit>
+void for_each_pair(bool is_sphere, const Visit& visit) {
+  for (std::uint8_t corner = 0; corner < 3; ++corner) {
+    const auto pairs = pairs_of_corner(corner);
+    for (std::size_t i = 0; i < (is_sphere ? 1 : pairs.size()); ++i) visit(pairs[i]);
+  }
+  for (std::size_t i = 0; i < (is_sphere ? 4 : kPairsOfEdgesAndFace.size()); ++i)
+    visit(kPairsOfEdgesAndFace[i]);
+}
+
+class FirstTouchOfCapsule {
+ public:
+  FirstTouchOfCapsule(const MovingTriangle& triangle, const Capsule& capsule)
+      : triangle_(triangle),
+        capsule_(capsule),
+        is_sphere_(capsule.a == capsule.b),
+        moving_(triangle, capsule) {}
+
+  std::optional<FirstTouch> run() {
+    if (touches(triangle_.from)) return FirstTouch{0, true};
+    for_each_pair(is_sphere_, [this](const CapsulePair& pair) { search(pair); });
+    if (first_) return FirstTouch{first_->rounded_down(), false};
+    if (touches(triangle_.to)) return FirstTouch{1, false};
+    return std::nullopt;
+  }
+
+ private:
+  bool touches(const TriangleCorners& corners) const {
+    return place_triangle(corners, capsule_) != TrianglePlace::apart;
+  }
+
+  void search(const CapsulePair& pair) {
+    RootsOf<Sextic> found;
+    find_critical_times(beyond(pair), found);
+    for (std::size_t i = 0; i < found.count; ++i) {
+      const auto& [time, is_root] = found.entries[i];
+      if (first_ && time.compare(*first_) >= 0) continue;
+      if (is_near_at(time, is_root, pair)) first_ = time;
+    }
+  }
+
+  Sextic beyond(const CapsulePair& pair) const {
+    const RegionInstant start(nullptr, Moment::at);
+    const CapsuleSource source(moving_, start);
+    return CapsuleBySigns(source, is_sphere_).template beyond<Sextic>(pair);
+  }
+
+  /// `is_root`: whether the distance of the extended features certainly equals the radius.
+  bool is_near_at(const SexticRoot& time, bool is_root, const CapsulePair& pair) const {
+    const RegionInstant instant(&time, Moment::at);
+    const CapsuleSource source(moving_, instant);
+    const CapsuleBySigns test(source, is_sphere_);
+    return is_root ? test.is_beside(pair) : test.is_near(pair);
+  }
+
+  const MovingTriangle& triangle_;
+  const Capsule& capsule_;
+  bool is_sphere_;
+  MovingCapsule moving_;
+  std::optional<SexticRoot> first_;
+};
+
+/// A corner at a time, rounded.
+Vec3 corner_at(const Vec3& from, const Vec3& to, double time) {
+  const auto between = [&](float a, float b) {
+    return static_cast<float>(double{a} + time * (double{b} - double{a}));
+  };
+  return {between(from.x, to.x), between(from.y, to.y), between(from.z, to.z)};
+}
+
+class CertainCapsule {
+ public:
+  CertainCapsule(const MovingTriangle& triangle, const Capsule& capsule)
+      : triangle_(triangle),
+        capsule_(capsule),
+        is_sphere_(capsule.a == capsule.b),
+        moving_(triangle, capsule) {}
+
+  /// Looks for a direction in which the triangle is certainly farther from the segment than the
+  /// radius at both ends of a piece. Because the corners move in straight lines, it is so in
+  /// between.
+  bool is_apart(double low, double high) const {
+    const double middle = low + (high - low) / 2;
+    TriangleCorners corners;
+    for (std::size_t i = 0; i < 3; ++i)
+      corners[i] = corner_at(triangle_.from[i], triangle_.to[i], middle);
+    const TriangleCorners segment = {capsule_.a, capsule_.b, capsule_.b};
+    const ClosestPoints closest = closest_points(corners, segment);
+    const Vec3d way = point_at(corners, closest.a) - point_at(segment, closest.b);
+    const Vector<Rounded> direction{Rounded(way.x), Rounded(way.y), Rounded(way.z)};
+    return is_beyond(direction, low) && is_beyond(direction, high);
+  }
+
+  bool touches(double time) const {
+    const RegionPiece piece(time, time);
+    const CapsuleSource source(moving_, piece);
+    const CapsuleBySigns test(source, is_sphere_);
+    bool is_near = false;
+    for_each_pair(is_sphere_, [&](const CapsulePair& pair) {
+      if (!is_near) is_near = test.is_near(pair) && piece.take_certain();
+      piece.take_certain();
+    });
+    return is_near;
+  }
+
+ private:
+  bool is_beyond(const Vector<Rounded>& direction, double time) const {
+    const Rounded at = enclosure_of(time, time), radius(double{capsule_.radius});
+    const Rounded limit = radius * radius * squared_length(direction);
+    for (std::size_t end = 3; end < (is_sphere_ ? 4 : 5); ++end)
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Rounded gap = dot(direction, moving_.from_to(end, corner, at));
+        if (gap.sign() != 1 || (gap * gap - limit).sign() != 1) return false;
+      }
+    return true;
+  }
+
+  const MovingTriangle& triangle_;
+  const Capsule& capsule_;
+  bool is_sphere_;
+  MovingCapsule moving_;
+};
+
+}  // namespace
+
+std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, const Capsule& capsule) {
+  return FirstTouchOfCapsule(triangle, capsule).run();
+}
+
+CertainAnswer certainly_touches(const MovingTriangle& triangle, const Capsule& capsule) {
+  const CertainCapsule test(triangle, capsule);
+  return search_pieces([&](double low, double high) { return test.is_apart(low, high); },
+                       [&](double time) { return test.touches(time); });
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,209 @@
+/// Reduction to finitely many times. Faces that exclude the triangle together, of the kinds in
+/// faces_by_signs.hpp, do so until the sign of one of the polynomials of this kind changes: between
+/// two roots of these polynomials, they exclude it at all times or at no time. The triangle is
+/// apart from the polyhedron on an open set of times. If it is apart at a time, it therefore is so
+/// just after this time, too, where some faces exclude it, and the next time to test is the first
+/// root of their polynomials. There are finitely many faces and roots, so the search ends.
+///
+/// Bits. The elements of a normal are multiples of a power of two and have at most 277 bits,
+/// because floats are multiples of 2^-149 below 2^128. Differences of a corner and an origin have
+/// at most 278 bits, their products with normals are below 2^555, and a sum of three less an offset
+/// is below 2^557. It moves from s to s + d with |d| < 2^558. A determinant of three rows is a sum
+/// of six products with coefficients below 12 * 2^(3 * 557), thus below 2^1678.
+
+#include "geometry/faces_by_signs.hpp"
+#include "geometry/moving_numbers.hpp"
+#include "geometry/moving_region.hpp"
+#include "geometry/scaled_float.hpp"
+
+namespace pelt::detail {
+namespace {
+
+using SexticRoot = RootOf<Sextic>;
+
+std::array<float, 3> elements(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// The distances of a moving triangle's corners from faces, as functions of time.
+class MovingSides {
+ public:
+  MovingSides(const MovingTriangle& triangle, std::span<const Face> faces)
+      : triangle_(triangle), faces_(faces) {}
+
+  Rounded side(std::size_t face, std::size_t corner, const Rounded& time) const {
+    const auto normal = elements(faces_[face].normal), origin = elements(faces_[face].origin);
+    const auto from = elements(triangle_.from[corner]), to = elements(triangle_.to[corner]);
+    Rounded sum(-double{faces_[face].offset});
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum = sum + Rounded(double{normal[axis]}) *
+                      (at_time(from[axis], to[axis], time) - Rounded(double{origin[axis]}));
+    return sum;
+  }
+
+  /// In a unit of the face.
+  Sextic side(std::size_t face, std::size_t corner) const {
+    Sextic result;
+    result.coefficients[0] = side_of(faces_[face], triangle_.from[corner]);
+    result.coefficients[1] = side_of(faces_[face], triangle_.to[corner]);
+    result.coefficients[1] -= result.coefficients[0];
+    return result;
+  }
+
+ private:
+  using Integer = Sextic::Coefficient;
+
+  /// The exponent of a power of two that divides all of the values.
+  static int unit_of(std::initializer_list<Vec3> vectors) {
+    int unit = 128;
+    for (const Vec3& v : vectors)
+      for (const float value : elements(v))
+        if (value != 0) unit = std::min(unit, OddTimesPower(value).exponent);
+    return unit;
+  }
+
+  Integer side_of(const Face& face, const Vec3& point) const {
+    const auto& [a, b, c] = triangle_.from;
+    const auto& [d, e, f] = triangle_.to;
+    const int of_points = unit_of({a, b, c, d, e, f, face.origin});
+    const int of_normal = unit_of({face.normal});
+    int unit = of_points + of_normal;
+    if (face.offset != 0) unit = std::min(unit, OddTimesPower(face.offset).exponent);
+
+    Integer sum, product;
+    const auto normal = elements(face.normal), origin = elements(face.origin);
+    const auto at = elements(point);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Integer difference = scaled<Sextic::kBits>(at[axis], of_points);
+      difference -= scaled<Sextic::kBits>(origin[axis], of_points);
+      product.assign_product(difference, scaled<Sextic::kBits>(normal[axis], of_normal));
+      sum += product;
+    }
+    sum <<= static_cast<unsigned>(of_points + of_normal - unit);
+    return sum -= scaled<Sextic::kBits>(face.offset, unit);
+  }
+
+  const MovingTriangle& triangle_;
+  std::span<const Face> faces_;
+};
+
+/// `Signs`: RegionInstant or RegionPiece.
+template <typename Signs>
+class FacesSource {
+ public:
+  FacesSource(const MovingSides& sides, const Signs& signs) : sides_(sides), signs_(signs) {}
+
+  template <typename Number>
+  Number side(std::size_t face, std::size_t corner) const {
+    if constexpr (std::is_same_v<Number, Rounded>) {
+      return sides_.side(face, corner, signs_.enclosure());
+    } else {
+      return sides_.side(face, corner);
+    }
+  }
+
+  template <typename AnyPolynomial>
+  int sign(const AnyPolynomial& polynomial) const {
+    return signs_.sign(polynomial);
+  }
+
+ private:
+  const MovingSides& sides_;
+  const Signs& signs_;
+};
+
+/// Calls visit(polynomial) for the polynomials whose signs decide whether some faces exclude the
+/// triangle.
+template <typename Visit>
+void for_each_polynomial(const Separators& separators, const MovingSides& sides,
+                         const Visit& visit) {
+  const RegionInstant start(nullptr, Moment::at);
+  const FacesSource source(sides, start);
+  const FacesBySigns polynomials(source);
+  const auto [i, j, k] = separators.faces;
+  if (separators.count == 3) {
+    visit(polynomials.template determinant<Sextic>(i, j, k));
+    visit(polynomials.template determinant_with_ones<Sextic>(i, j));
+    visit(polynomials.template determinant_with_ones<Sextic>(j, k));
+    visit(polynomials.template determinant_with_ones<Sextic>(k, i));
+    return;
+  }
+  for (std::size_t face = 0; face < separators.count; ++face)
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      visit(sides.side(separators.faces[face], corner));
+  if (separators.count == 1) return;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    visit(polynomials.template minor<Sextic>(i, j, corner, (corner + 1) % 3));
+}
+
+class FirstTouchOfFaces {
+ public:
+  FirstTouchOfFaces(const MovingTriangle& triangle, std::span<const Face> faces)
+      : triangle_(triangle), face_count_(faces.size()), faces_(faces), sides_(triangle, faces) {}
+
+  std::optional<FirstTouch> run() {
+    if (place_triangle(triangle_.from, faces_) != TrianglePlace::apart) return FirstTouch{0, true};
+    while (advance())
+      if (is_touching()) return FirstTouch{time_->rounded_down(), false};
+    if (place_triangle(triangle_.to, faces_) != TrianglePlace::apart) return FirstTouch{1, false};
+    return std::nullopt;
+  }
+
+ private:
+  const SexticRoot* root() const { return time_ ? &*time_ : nullptr; }
+
+  bool is_touching() const {
+    const RegionInstant instant(root(), Moment::at);
+    const FacesSource source(sides_, instant);
+    return FacesBySigns(source).place(face_count_) != TrianglePlace::apart;
+  }
+
+  Separators separators_after() const {
+    const RegionInstant instant(root(), Moment::after);
+    const FacesSource source(sides_, instant);
+    FacesBySigns test(source);
+    [[maybe_unused]] const TrianglePlace place = test.place(face_count_);
+    PELT_ASSERT(place == TrianglePlace::apart);
+    return test.separators();
+  }
+
+  /// Goes to the next time to test. Returns false if there is none before time 1.
+  bool advance() {
+    std::optional<SexticRoot> next;
+    for_each_polynomial(separators_after(), sides_, [&](const Sextic& p) {
+      RootsOf<Sextic> found;
+      find_critical_times(p, found);
+      for (std::size_t i = 0; i < found.count; ++i) {
+        const SexticRoot& time = found.entries[i].time;
+        if (time_ && time.compare(*time_) <= 0) continue;
+        if (!next || time.compare(*next) < 0) next = time;
+      }
+    });
+    if (next) time_ = next;
+    return next.has_value();
+  }
+
+  const MovingTriangle& triangle_;
+  std::size_t face_count_;
+  std::span<const Face> faces_;
+  MovingSides sides_;
+  std::optional<SexticRoot> time_;  // at the start: none
+};
+
+}  // namespace
+
+std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, std::span<const Face> faces) {
+  return FirstTouchOfFaces(triangle, faces).run();
+}
+
+CertainAnswer certainly_touches(const MovingTriangle& triangle, std::span<const Face> faces) {
+  const MovingSides sides(triangle, faces);
+  const auto is_place = [&](double low, double high, bool is_apart) {
+    const RegionPiece piece(low, high);
+    const FacesSource source(sides, piece);
+    const TrianglePlace place = FacesBySigns(source).place(faces.size());
+    return piece.take_certain() && (place == TrianglePlace::apart) == is_apart;
+  };
+  return search_pieces([&](double low, double high) { return is_place(low, high, true); },
+                       [&](double time) { return is_place(time, time, false); });
+}
+
+}  // namespace pelt::detail

@@ -1,0 +1,38 @@
+#pragma once
+
+/// When a moving triangle first touches a region that stands still.
+
+#include "geometry/faces_triangle.hpp"
+#include "geometry/moving_filter.hpp"
+
+#include <optional>
+#include <span>
+
+namespace pelt::detail {
+
+struct FirstTouch {
+  /// The largest float32 that is not above the exact first time.
+  float time = 0;
+
+  /// Whether the triangle touches the region at time 0.
+  bool at_start = false;
+
+  friend bool operator==(const FirstTouch&, const FirstTouch&) = default;
+};
+
+/// Decides exactly whether a closed triangle touches a region at any time from 0 to 1, and when
+/// first. At each time, the triangle touches the region as `place_triangle` defines. Its corners
+/// move in straight lines between float32 positions, in exact arithmetic.
+///
+/// Preconditions: those of `place_triangle`. In addition, the coordinates of the triangle are below
+/// 2^61.
+///
+/// Uses about 500 KB of the stack. Never allocates.
+std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, std::span<const Face> faces);
+std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, const Capsule& capsule);
+
+/// Whether the triangle touches the region at any time, decided in double if that is certain.
+CertainAnswer certainly_touches(const MovingTriangle& triangle, std::span<const Face> faces);
+CertainAnswer certainly_touches(const MovingTriangle& triangle, const Capsule& capsule);
+
+}  // namespace pelt::detail

@@ -1,0 +1,174 @@
+/// A moving triangle against regions, by an independent method with numbers of GMP. The environment
+/// variable PELT_MOVING_REGIONS sets the number of cases per family.
+#include "geometry/moving_region.hpp"
+
+#include "geometry/capsule_triangle.hpp"
+#include "moving_region_oracle.hpp"
+#include "support/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace pelt::test {
+namespace {
+
+using detail::CertainAnswer;
+using detail::Face;
+using detail::FirstTouch;
+using detail::MovingTriangle;
+using detail::TrianglePlace;
+
+int cases_per_family() {
+  const char* text = std::getenv("PELT_MOVING_REGIONS");
+  return text == nullptr ? 100 : std::atoi(text);
+}
+
+/// Where coordinates come from.
+struct Family {
+  const char* name;
+  float (*coordinate)(Random&);
+};
+
+float on_small_grid(Random& random) { return static_cast<float>(random.index(7)) - 3; }
+
+float in_general_position(Random& random) { return random.uniformf(-3, 3); }
+
+float on_all_scales(Random& random) {
+  const float fraction = random.uniformf(-1, 1);
+  const auto exponent = static_cast<int>(random.index(100)) - 50;
+  return random.chance(0.2) ? 0.0f : std::ldexp(fraction, exponent);
+}
+
+/// As many bits as a coordinate can have.
+float on_extreme_scales(Random& random) {
+  const float fraction = random.uniformf(-1, 1);
+  return std::ldexp(fraction, random.chance(0.5) ? -125 - static_cast<int>(random.index(24)) : 60);
+}
+
+constexpr Family kFamilies[] = {{"SmallGrid", on_small_grid},
+                                {"GeneralPosition", in_general_position},
+                                {"AllScales", on_all_scales},
+                                {"ExtremeScales", on_extreme_scales}};
+
+class Maker {
+ public:
+  Maker(Random& random, const Family& family) : random_(random), family_(family) {}
+
+  Vec3 point() {
+    const float x = number(), y = number(), z = number();
+    return {x, y, z};
+  }
+
+  float number() { return family_.coordinate(random_); }
+
+  /// Still, moved without a turn, with some still corners, collapsed, or any.
+  MovingTriangle triangle() {
+    MovingTriangle t{{point(), point(), point()}, {point(), point(), point()}};
+    const auto kind = random_.index(8);
+    if (kind == 0) t.to = t.from;
+    if (kind == 1) t.to[0] = t.from[0], t.to[1] = t.from[1];
+    if (kind == 2) t.from[1] = t.from[0], t.to[1] = t.to[0];
+    if (kind == 3) t.from[2] = t.from[1] = t.from[0], t.to[2] = t.to[1] = t.to[0];
+    if (kind == 4)
+      for (std::size_t k = 0; k < 3; ++k) t.from[k].y = t.to[k].y = t.from[0].y;
+    if (kind == 5) t.from[2] = t.from[1] = t.from[0];
+    return t;
+  }
+
+  std::vector<Face> faces() {
+    std::vector<Face> faces(1 + random_.index(5));
+    for (Face& face : faces) {
+      face = {point(), point(), std::fabs(number())};
+      if (random_.chance(0.3)) face.normal = {0, face.normal.x, 0};
+      if (random_.chance(0.5)) face.origin = {};
+    }
+    return faces;
+  }
+
+  /// A sphere, a capsule, a segment or a point, often parallel to an axis.
+  Capsule capsule() {
+    Capsule capsule{point(), point(), std::fabs(number())};
+    if (random_.chance(0.3)) capsule.b = capsule.a;
+    if (random_.chance(0.3)) capsule.b.x = capsule.a.x, capsule.b.y = capsule.a.y;
+    if (random_.chance(0.2)) capsule.radius = 0;
+    return capsule;
+  }
+
+ private:
+  Random& random_;
+  const Family& family_;
+};
+
+MovingTriangle reversed(const MovingTriangle& t) { return {t.to, t.from}; }
+
+std::string to_text(const std::optional<FirstTouch>& touch) {
+  if (!touch) return "never";
+  return touch->at_start ? "at the start" : std::to_string(touch->time);
+}
+
+struct Counts {
+  int at_start = 0, later = 0, never = 0, certain = 0, wrong = 0;
+
+  void add(const std::optional<FirstTouch>& touch, CertainAnswer answer) {
+    ++(!touch ? never : touch->at_start ? at_start : later);
+    certain += answer != CertainAnswer::unknown;
+    wrong += answer == (touch ? CertainAnswer::no : CertainAnswer::yes);
+  }
+
+  void expect_many(int cases) const {
+    std::printf("%d at the start, %d later, %d never; %d decided in double\n", at_start, later,
+                never, certain);
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(at_start, cases / 50);
+    EXPECT_GT(later, cases / 25);
+    EXPECT_GT(never, cases / 25);
+  }
+};
+
+/// `Oracle`: FacesOracle or CapsuleOracle.
+template <typename Oracle, typename AnyRegion>
+void expect_as_oracle(const MovingTriangle& triangle, const AnyRegion& region, Counts& counts) {
+  const auto touch = detail::first_touch(triangle, region);
+  const auto expected = Oracle(triangle, region).first_touch();
+  ASSERT_EQ(touch, expected) << to_text(touch) << " instead of " << to_text(expected);
+  ASSERT_EQ(touch.has_value(), detail::first_touch(reversed(triangle), region).has_value());
+  if (detail::place_triangle(triangle.to, region) != TrianglePlace::apart) {
+    ASSERT_TRUE(touch.has_value());
+  }
+  counts.add(touch, detail::certainly_touches(triangle, region));
+}
+
+class MovingRegion : public testing::TestWithParam<Family> {};
+
+TEST_P(MovingRegion, TouchesFacesAsByAnIndependentMethod) {
+  Random random(1861);
+  Maker make(random, GetParam());
+  Counts counts;
+  for (int i = 0; i < cases_per_family() && !HasFatalFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const MovingTriangle triangle = make.triangle();
+    expect_as_oracle<FacesOracle>(triangle, std::span<const Face>(make.faces()), counts);
+  }
+  counts.expect_many(cases_per_family());
+}
+
+TEST_P(MovingRegion, TouchesACapsuleAsByAnIndependentMethod) {
+  Random random(1862);
+  Maker make(random, GetParam());
+  Counts counts;
+  for (int i = 0; i < cases_per_family() && !HasFatalFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const MovingTriangle triangle = make.triangle();
+    expect_as_oracle<CapsuleOracle>(triangle, make.capsule(), counts);
+  }
+  counts.expect_many(cases_per_family());
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, MovingRegion, testing::ValuesIn(kFamilies),
+                         [](const auto& family) { return std::string(family.param.name); });
+
+}  // namespace
+}  // namespace pelt::test
