@@ -68,6 +68,20 @@ class MovingCapsule {
     return {difference(0), difference(1), difference(2)};
   }
 
+  Vector<RoundedPolynomial> rounded_from_to(std::size_t i, std::size_t j) const {
+    const auto difference = [&](std::size_t axis) {
+      const auto at = [&](const auto& ends) {
+        return Rounded(double{ends[j][axis]}) - Rounded(double{ends[i][axis]});
+      };
+      RoundedPolynomial result;
+      result.degree = 1;
+      result.coefficients[0] = at(from_);
+      result.coefficients[1] = at(to_) - at(from_);
+      return result;
+    };
+    return {difference(0), difference(1), difference(2)};
+  }
+
   float radius() const { return radius_; }
 
   Sextic radius_in_unit() const {
@@ -107,6 +121,8 @@ class CapsuleSource {
   Vector<Number> from_to(std::size_t i, std::size_t j) const {
     if constexpr (std::is_same_v<Number, Rounded>) {
       return moving_.from_to(i, j, signs_.enclosure());
+    } else if constexpr (std::is_same_v<Number, RoundedPolynomial>) {
+      return moving_.rounded_from_to(i, j);
     } else {
       return moving_.from_to(i, j);
     }
@@ -114,8 +130,13 @@ class CapsuleSource {
 
   template <typename Number>
   Number squared_radius() const {
+    const Rounded rounded(double{moving_.radius()});
     if constexpr (std::is_same_v<Number, Rounded>) {
-      return Rounded(double{moving_.radius()}) * Rounded(double{moving_.radius()});
+      return rounded * rounded;
+    } else if constexpr (std::is_same_v<Number, RoundedPolynomial>) {
+      RoundedPolynomial result;
+      result.coefficients[0] = rounded * rounded;
+      return result;
     } else {
       return moving_.radius_in_unit() * moving_.radius_in_unit();
     }
@@ -164,8 +185,9 @@ class FirstTouchOfCapsule {
   }
 
   void search(const CapsulePair& pair) {
+    if (beyond<RoundedPolynomial>(pair).certainly_has_no_root() || is_never_beside(pair)) return;
     RootsOf<Sextic> found;
-    find_critical_times(beyond(pair), found);
+    find_critical_times(beyond<Sextic>(pair), found);
     for (std::size_t i = 0; i < found.count; ++i) {
       const auto& [time, is_root] = found.entries[i];
       if (first_ && time.compare(*first_) >= 0) continue;
@@ -173,10 +195,18 @@ class FirstTouchOfCapsule {
     }
   }
 
-  Sextic beyond(const CapsulePair& pair) const {
+  template <typename Number>
+  Number beyond(const CapsulePair& pair) const {
     const RegionInstant start(nullptr, Moment::at);
     const CapsuleSource source(moving_, start);
-    return CapsuleBySigns(source, is_sphere_).template beyond<Sextic>(pair);
+    return CapsuleBySigns(source, is_sphere_).template beyond<Number>(pair);
+  }
+
+  /// Whether the closest points certainly belong to the features at no time.
+  bool is_never_beside(const CapsulePair& pair) const {
+    const RegionPiece all(0, 1);
+    const CapsuleSource source(moving_, all);
+    return !CapsuleBySigns(source, is_sphere_).is_beside(pair) && all.take_certain();
   }
 
   /// `is_root`: whether the distance of the extended features certainly equals the radius.

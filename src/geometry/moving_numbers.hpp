@@ -10,6 +10,9 @@
 #include "geometry/moving_filter.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
 #include <optional>
 #include <type_traits>
 
@@ -73,6 +76,52 @@ class RegionPiece {
 inline Rounded at_time(double from, double to, const Rounded& time) {
   return Rounded(from) + time * (Rounded(to) - Rounded(from));
 }
+
+/// A polynomial of time with rounded coefficients.
+struct RoundedPolynomial {
+  static constexpr std::size_t kDegree = Sextic::kDegree;
+
+  std::array<Rounded, kDegree + 1> coefficients = {Rounded(0), Rounded(0), Rounded(0), Rounded(0),
+                                                   Rounded(0), Rounded(0), Rounded(0)};
+  std::size_t degree = 0;  ///< higher coefficients are 0
+
+  friend RoundedPolynomial operator+(RoundedPolynomial p, const RoundedPolynomial& q) {
+    p.degree = std::max(p.degree, q.degree);
+    for (std::size_t i = 0; i <= q.degree; ++i)
+      p.coefficients[i] = p.coefficients[i] + q.coefficients[i];
+    return p;
+  }
+  friend RoundedPolynomial operator-(RoundedPolynomial p, const RoundedPolynomial& q) {
+    p.degree = std::max(p.degree, q.degree);
+    for (std::size_t i = 0; i <= q.degree; ++i)
+      p.coefficients[i] = p.coefficients[i] - q.coefficients[i];
+    return p;
+  }
+  friend RoundedPolynomial operator*(const RoundedPolynomial& p, const RoundedPolynomial& q) {
+    RoundedPolynomial result;
+    result.degree = p.degree + q.degree;
+    PELT_ASSERT(result.degree <= kDegree);
+    for (std::size_t i = 0; i <= p.degree; ++i)
+      for (std::size_t k = 0; k <= q.degree; ++k)
+        result.coefficients[i + k] =
+            result.coefficients[i + k] + p.coefficients[i] * q.coefficients[k];
+    return result;
+  }
+
+  /// Whether the polynomial certainly has no root from 0 to 1: its coefficients in the basis of
+  /// Bernstein (see bernstein_changes in critical_time.cpp) have one sign.
+  bool certainly_has_no_root() const {
+    RoundedPolynomial b;
+    for (std::size_t i = 0; i <= degree; ++i) {
+      for (std::size_t k = i; k > 0; --k)
+        b.coefficients[k] = b.coefficients[k] + b.coefficients[k - 1];
+      b.coefficients[i] = b.coefficients[i] + coefficients[i];
+    }
+    int sum = 0;
+    for (std::size_t i = 0; i <= degree; ++i) sum += b.coefficients[i].sign().value_or(0);
+    return std::abs(sum) == static_cast<int>(degree) + 1;
+  }
+};
 
 /// Searches the time from 0 to 1 in pieces. `is_apart(low, high)` returns whether a triangle and a
 /// region are certainly apart at all times of a piece, `touch(time)` whether they certainly touch.

@@ -1,0 +1,49 @@
+#include <pelt/solid.hpp>
+
+#include "motion/steps.hpp"
+#include "pose/pose.hpp"
+#include "query/reserve_more.hpp"
+#include "query/scratch.hpp"
+#include "query/sort_contacts.hpp"
+#include "query/yes_or_no.hpp"
+#include "solid/moving_descent.hpp"
+#include "solid/prepared_region.hpp"
+
+namespace pelt {
+namespace {
+
+/// Writes the triangles to `scratch`, in no particular order.
+MovingStats find_moving(const Motion& motion, const Region& region, Scratch& scratch,
+                        const MovingOptions& options) {
+  detail::require_step(motion);
+  const detail::PosedTree from = motion.from.detail().posed_tree();
+  const detail::PosedTree to = motion.to.detail().posed_tree();
+  const detail::PreparedRegion prepared(region);
+  return prepared.is_capsule ? detail::descend_moving_in_capsule({from, to}, prepared.capsule,
+                                                                 scratch.detail(), options)
+                             : detail::descend_moving_in_faces({from, to}, prepared.faces,
+                                                               scratch.detail(), options);
+}
+
+}  // namespace
+
+MovingStats collide_moving(const Motion& motion, const Region& region, Scratch& scratch,
+                           std::vector<RegionEntry>& entries, const MovingOptions& options) {
+  const MovingStats stats = find_moving(motion, region, scratch, options);
+  detail::Stack<MovingContact>& found = scratch.detail().moving;
+  detail::sort_contacts(found, scratch.detail().sorting_moving);
+  detail::reserve_more(entries, found.size());
+  for (const MovingContact& c : found)
+    entries.push_back({c.contact.triangle_a, c.time, c.at_start});
+  return stats;
+}
+
+YesNo touch_while_moving(const Motion& motion, const Region& region, Scratch& scratch) {
+  MovingOptions options;
+  options.times = false;
+  options.max_contacts = 1;
+  const MovingStats stats = find_moving(motion, region, scratch, options);
+  return detail::yes_or_no(!scratch.detail().moving.empty(), stats);
+}
+
+}  // namespace pelt

@@ -1,0 +1,270 @@
+/// A moving character against regions, against the exact test of all triangles.
+
+#include "geometry/moving_region.hpp"
+#include "motion/bodies.hpp"
+#include "solid/prepared_region.hpp"
+#include "solid/random_regions.hpp"
+#include "support/allocation_count.hpp"
+#include "support/instruction_sets.hpp"
+
+#include <pelt/solid.hpp>
+
+namespace pelt::test {
+namespace {
+
+std::optional<detail::FirstTouch> first_touch(const detail::PreparedRegion& region,
+                                              const detail::MovingTriangle& triangle) {
+  if (region.is_capsule) return detail::first_touch(triangle, region.capsule.capsule);
+  return detail::first_touch(triangle, std::span(region.faces.exact, region.faces.count));
+}
+
+std::vector<RegionEntry> brute_force(const Body& body, const Region& region) {
+  const detail::PreparedRegion prepared(region);
+  std::vector<RegionEntry> entries;
+  const auto triangles = body.triangles();
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    if (const auto touch = first_touch(prepared, triangles[i]))
+      entries.push_back({i, touch->time, touch->at_start});
+  return entries;
+}
+
+std::vector<RegionEntry> entries_of(Body& body, const Region& region,
+                                    const MovingOptions& options = {}) {
+  Scratch scratch;
+  std::vector<RegionEntry> entries;
+  collide_moving(body.step(), region, scratch, entries, options);
+  return entries;
+}
+
+std::vector<std::uint32_t> triangles_of(const std::vector<RegionEntry>& entries) {
+  std::vector<std::uint32_t> triangles;
+  for (const RegionEntry& entry : entries) triangles.push_back(entry.triangle);
+  return triangles;
+}
+
+std::vector<std::uint32_t> triangles_at(Pose& pose, const Region& region) {
+  Scratch scratch;
+  std::vector<std::uint32_t> triangles;
+  collide(pose, region, scratch, triangles);
+  return triangles;
+}
+
+bool contains(const std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+/// A bending limb that moves near a region, into it or through it.
+struct Walk {
+  explicit Walk(Random& random) : regions(random) {
+    const auto palette = [&] {
+      const double angle = random.uniform(-0.4, 0.4);
+      return bend_limb(random, 3, angle, random.point(0.6));
+    };
+    first = palette();
+    last = palette();
+    limb.move(first, last);
+    region = regions.next({0, 0.5f, 0}, random.chance(0.3) ? 2 : 0.5);
+  }
+
+  RandomRegions regions;
+  Body limb = Body(make_limb(10, 6, 3));
+  std::vector<Matrix4> first, last;
+  Region region;
+};
+
+TEST(MovingSolid, EqualsTheExactTestOfAllTriangles) {
+  Random random(1871);
+  std::size_t at_start = 0, later = 0, between = 0;
+  int apart = 0;
+  for (int round = 0; round < 120; ++round) {
+    Walk walk(random);
+    const auto expected = brute_force(walk.limb, walk.region);
+    const auto entries = entries_of(walk.limb, walk.region);
+    ASSERT_EQ(entries, expected) << "round " << round << ", kind " << walk.region.index();
+    const auto all = triangles_of(entries), at_end = triangles_at(walk.limb.to, walk.region);
+    std::vector<std::uint32_t> first;
+    for (const RegionEntry& entry : entries)
+      if (entry.at_start) first.push_back(entry.triangle);
+    ASSERT_EQ(first, triangles_at(walk.limb.from, walk.region));
+    ASSERT_TRUE(contains(all, at_end));
+    at_start += first.size();
+    later += entries.size() - first.size();
+    for (const RegionEntry& entry : entries)
+      between +=
+          !entry.at_start && !std::binary_search(at_end.begin(), at_end.end(), entry.triangle);
+    apart += entries.empty();
+  }
+  std::printf(
+      "seed 1871: %zu entries at the start, %zu later, of which %zu not at the end, %d steps "
+      "without\n",
+      at_start, later, between, apart);
+  EXPECT_GT(at_start, 500u);
+  EXPECT_GT(later, 500u);
+  EXPECT_GT(between, 50u);
+  EXPECT_GT(apart, 5);
+}
+
+TEST(MovingSolid, HasTheOptionsOfTwoMotions) {
+  Random random(1872);
+  std::size_t all_count = 0;
+  int touching = 0, apart = 0;
+  for (int round = 0; round < 100; ++round) {
+    Walk walk(random);
+    const auto all = entries_of(walk.limb, walk.region);
+    std::vector<RegionEntry> rest, untimed;
+    for (const RegionEntry& entry : all) {
+      if (!entry.at_start) rest.push_back(entry);
+      untimed.push_back({entry.triangle, 0, false});
+    }
+    EXPECT_EQ(entries_of(walk.limb, walk.region, {.leave_out_start = true}), rest);
+    EXPECT_EQ(entries_of(walk.limb, walk.region, {.times = false}), untimed);
+    EXPECT_EQ(
+        triangles_of(entries_of(walk.limb, walk.region, {.leave_out_start = true, .times = false})),
+        triangles_of(rest));
+    Scratch scratch;
+    std::vector<RegionEntry> some;
+    const MovingStats stats =
+        collide_moving(walk.limb.step(), walk.region, scratch, some, {.max_contacts = 7});
+    EXPECT_EQ(some.size(), std::min<std::size_t>(all.size(), 7));
+    EXPECT_EQ(stats.cut_short || all.size() == 7, all.size() >= 7);
+    EXPECT_TRUE(contains(triangles_of(all), triangles_of(some)));
+    EXPECT_EQ(touch_while_moving(walk.limb.step(), walk.region, scratch).answer, !all.empty());
+    all_count += all.size();
+    ++(all.empty() ? apart : touching);
+  }
+  EXPECT_GT(all_count, 2000u);
+  EXPECT_GT(touching, 30);
+  EXPECT_GT(apart, 5);
+}
+
+TEST(MovingSolid, HasTheSameTrianglesBackwards) {
+  Random random(1873);
+  std::size_t found = 0;
+  for (int round = 0; round < 60; ++round) {
+    Walk walk(random);
+    const auto forwards = triangles_of(entries_of(walk.limb, walk.region, {.times = false}));
+    walk.limb.move(walk.last, walk.first);
+    EXPECT_EQ(triangles_of(entries_of(walk.limb, walk.region, {.times = false})), forwards);
+    found += forwards.size();
+  }
+  EXPECT_GT(found, 1000u);
+}
+
+TEST(MovingSolid, OfAStillCharacterIsCollide) {
+  Random random(1874);
+  std::size_t found = 0;
+  for (int round = 0; round < 60; ++round) {
+    Walk walk(random);
+    Scratch scratch;
+    std::vector<RegionEntry> entries;
+    collide_moving({walk.limb.from, walk.limb.from}, walk.region, scratch, entries);
+    EXPECT_EQ(triangles_of(entries), triangles_at(walk.limb.from, walk.region));
+    for (const RegionEntry& entry : entries) EXPECT_TRUE(entry.at_start);
+    found += entries.size();
+  }
+  EXPECT_GT(found, 500u);
+}
+
+TEST(MovingSolid, IsTheSameWithEveryInstructionSet) {
+  Random random(1875);
+  std::size_t found = 0;
+  for (int round = 0; round < 40; ++round) {
+    Walk walk(random);
+    const auto expected = entries_of(walk.limb, walk.region);
+    found += expected.size();
+    std::vector<MovingStats> work;
+    on_each_instruction_set([&](InstructionSet) {
+      walk.limb.move(walk.first, walk.last);
+      Scratch scratch;
+      std::vector<RegionEntry> entries;
+      work.push_back(collide_moving(walk.limb.step(), walk.region, scratch, entries));
+      EXPECT_EQ(entries, expected);
+    });
+    for (const MovingStats& other : work) {
+      EXPECT_EQ(other.node_pairs, work[0].node_pairs);
+      EXPECT_EQ(other.posed_vertices, work[0].posed_vertices);
+      EXPECT_EQ(other.triangle_pairs, work[0].triangle_pairs);
+      EXPECT_EQ(other.double_pairs, work[0].double_pairs);
+      EXPECT_EQ(other.exact_pairs, work[0].exact_pairs);
+    }
+  }
+  EXPECT_GT(found, 500u);
+}
+
+TEST(MovingSolid, DoesNotAllocateOnceReserved) {
+  Random random(1876);
+  std::size_t found = 0;
+  Walk first(random);
+  Body& limb = first.limb;
+  const auto count = static_cast<std::uint32_t>(limb.shape.triangles.size());
+  Scratch scratch;
+  std::vector<RegionEntry> entries;
+  limb.from.reserve();
+  limb.to.reserve();
+  scratch.reserve(count);
+  entries.reserve(count);
+  for (int round = 0; round < 40; ++round) {
+    const Walk other(random);
+    limb.move(other.first, other.last);
+    entries.clear();
+    const std::size_t before = allocation_count();
+    collide_moving(limb.step(), other.region, scratch, entries);
+    EXPECT_EQ(touch_while_moving(limb.step(), other.region, scratch).answer, !entries.empty());
+    EXPECT_EQ(allocation_count(), before);
+    found += entries.size();
+  }
+  EXPECT_GT(found, count);
+}
+
+std::vector<Matrix4> at_height(float y) {
+  std::vector<Matrix4> palette(3);
+  for (Matrix4& m : palette) m.m[13] = y;
+  return palette;
+}
+
+/// A limb that goes through a thin plate, a ball and a bar from one frame to the next.
+TEST(MovingSolid, FindsWhatNoEndOfTheStepShows) {
+  Body limb(make_limb(10, 6, 3));
+  limb.move(at_height(0.5f), at_height(-2));
+  for (const Region& region :
+       {Region(Box{{-9, -0.1f, -9}, {9, -0.09f, 9}}), Region(Sphere{{0, -0.2f, 0}, 0.1f}),
+        Region(Capsule{{-9, -0.2f, 0}, {9, -0.2f, 0}, 0.05f})}) {
+    EXPECT_TRUE(triangles_at(limb.from, region).empty());
+    EXPECT_TRUE(triangles_at(limb.to, region).empty());
+    EXPECT_GT(entries_of(limb, region).size(), 5u);
+  }
+}
+
+/// Faces that the lowest vertices reach exactly at the end, or miss by one float.
+TEST(MovingSolid, TouchingAtOneInstantCounts) {
+  Body limb(make_limb(10, 6, 3));
+  limb.move(at_height(2), at_height(1));
+  std::vector<Vec3> positions(limb.shape.rest_positions.size());
+  posed_vertices(limb.to, positions);
+  float lowest = positions[0].y;
+  for (const Vec3& p : positions) lowest = std::min(lowest, p.y);
+  const auto entries = entries_of(limb, HalfSpace{{0, 1, 0}, lowest});
+  EXPECT_FALSE(entries.empty());
+  for (const RegionEntry& entry : entries) EXPECT_EQ(entry.time, 1);
+  EXPECT_TRUE(entries_of(limb, HalfSpace{{0, 1, 0}, std::nextafter(lowest, lowest - 1)}).empty());
+}
+
+TEST(MovingSolid, DecidedByTheRootBoxesPosesNothing) {
+  Body limb(make_limb(40, 12, 5));
+  Random random(1877);
+  const auto from = bend_limb(random, 5, 0.4, {}), to = bend_limb(random, 5, 0.4, {});
+  const auto expect_entries = [&](const Region& region, std::size_t count) {
+    limb.move(from, to);
+    Scratch scratch;
+    std::vector<RegionEntry> entries;
+    const MovingStats stats = collide_moving(limb.step(), region, scratch, entries);
+    EXPECT_EQ(stats.node_pairs, 1u);
+    EXPECT_EQ(stats.posed_vertices, 0u);
+    EXPECT_EQ(entries.size(), count);
+  };
+  expect_entries(Sphere{{50, 0, 0}, 10}, 0);
+  expect_entries(Sphere{{0, 0, 0}, 100}, limb.shape.triangles.size());
+}
+
+}  // namespace
+}  // namespace pelt::test
