@@ -20,6 +20,7 @@ namespace pelt::detail {
 /// A double, with a bound of its error.
 class Rounded {
  public:
+  Rounded() = default;
   explicit Rounded(double exact) : value_(exact) {}
 
   /// A number that differs from `value` by at most `error`.
@@ -40,6 +41,8 @@ class Rounded {
                                             std::abs(b.value_) * a.error_ + a.error_ * b.error_);
   }
 
+  double value() const { return value_; }
+
   /// Returns -1, 0 or 1 if the sign is certain.
   std::optional<int> sign() const {
     if (value_ > error_) return 1;
@@ -57,7 +60,7 @@ class Rounded {
     if (error_ != 0) error_ += 0x1p-1000;
   }
 
-  double value_, error_ = 0;
+  double value_ = 0, error_ = 0;
 };
 
 /// An exact number.

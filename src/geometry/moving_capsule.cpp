@@ -50,8 +50,7 @@ class MovingCapsule {
 
   Vector<Rounded> from_to(std::size_t i, std::size_t j, const Rounded& time) const {
     const auto difference = [&](std::size_t axis) {
-      return at_time(from_[j][axis], to_[j][axis], time) -
-             at_time(from_[i][axis], to_[i][axis], time);
+      return at_time(rounded(from_, axis, i, j), rounded(to_, axis, i, j), time);
     };
     return {difference(0), difference(1), difference(2)};
   }
@@ -70,13 +69,10 @@ class MovingCapsule {
 
   Vector<RoundedPolynomial> rounded_from_to(std::size_t i, std::size_t j) const {
     const auto difference = [&](std::size_t axis) {
-      const auto at = [&](const auto& ends) {
-        return Rounded(double{ends[j][axis]}) - Rounded(double{ends[i][axis]});
-      };
       RoundedPolynomial result;
       result.degree = 1;
-      result.coefficients[0] = at(from_);
-      result.coefficients[1] = at(to_) - at(from_);
+      result.coefficients[0] = rounded(from_, axis, i, j);
+      result.coefficients[1] = rounded(to_, axis, i, j) - result.coefficients[0];
       return result;
     };
     return {difference(0), difference(1), difference(2)};
@@ -91,6 +87,12 @@ class MovingCapsule {
   }
 
  private:
+  using Points = std::array<std::array<float, 3>, 5>;
+
+  static Rounded rounded(const Points& points, std::size_t axis, std::size_t i, std::size_t j) {
+    return Rounded(double{points[j][axis]}) - Rounded(double{points[i][axis]});
+  }
+
   void set(std::size_t i, const Vec3& from, const Vec3& to) {
     from_[i] = {from.x, from.y, from.z};
     to_[i] = {to.x, to.y, to.z};
@@ -106,7 +108,7 @@ class MovingCapsule {
 
   Sextic::Coefficient integer(float value) const { return scaled<Sextic::kBits>(value, unit_); }
 
-  std::array<std::array<float, 3>, 5> from_, to_;
+  Points from_, to_;
   float radius_;
   int unit_ = radius_ != 0 ? OddTimesPower(radius_).exponent : 128;
 };
@@ -224,12 +226,42 @@ class FirstTouchOfCapsule {
   std::optional<SexticRoot> first_;
 };
 
-/// A corner at a time, rounded.
-Vec3 corner_at(const Vec3& from, const Vec3& to, double time) {
-  const auto between = [&](float a, float b) {
-    return static_cast<float>(double{a} + time * (double{b} - double{a}));
-  };
-  return {between(from.x, to.x), between(from.y, to.y), between(from.z, to.z)};
+Vec3d corner_at(const Vec3& from, const Vec3& to, double time) {
+  const Vec3d start(from);
+  return start + time * (Vec3d(to) - start);
+}
+
+/// The part of w that is orthogonal to all of the given directions, of which two span their plane.
+Vec3d orthogonal_part(const Vec3d& w, std::span<const Vec3d> directions) {
+  if (directions.empty()) return w;
+  const Vec3d& e = directions[0];
+  if (directions.size() == 1) return w - (dot(w, e) / squared_length(e)) * e;
+  const Vec3d n = cross(e, directions[1]);
+  return (dot(w, n) / squared_length(n)) * n;
+}
+
+/// From the closest point of the segment to that of the triangle at a time. Which features they
+/// belong to is found in float. In double, the way is then made orthogonal to these features,
+/// because a direction with the error of a float would see a gap that is too small.
+Vec3d way_to_triangle(const MovingTriangle& triangle, const TriangleCorners& segment, double time) {
+  std::array<Vec3d, 3> at;
+  TriangleCorners rounded;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at[i] = corner_at(triangle.from[i], triangle.to[i], time);
+    rounded[i] = to_float(at[i]);
+  }
+  const ClosestPoints closest = closest_points(rounded, segment);
+  std::array<Vec3d, 3> directions;
+  std::size_t count = 0;
+  std::size_t first = 0;
+  while (closest.a[first] == 0) ++first;
+  for (std::size_t i = first + 1; i < 3; ++i)
+    if (closest.a[i] != 0) directions[count++] = at[i] - at[first];
+  if (closest.b[0] != 0 && closest.b[0] != 1)
+    directions[count++] = Vec3d(segment[1]) - Vec3d(segment[0]);
+  const Vec3d w = closest.a[0] * at[0] + closest.a[1] * at[1] + closest.a[2] * at[2] -
+                  point_at(segment, closest.b);
+  return orthogonal_part(w, std::span(directions).first(count));
 }
 
 class CertainCapsule {
@@ -240,19 +272,22 @@ class CertainCapsule {
         is_sphere_(capsule.a == capsule.b),
         moving_(triangle, capsule) {}
 
-  /// Looks for a direction in which the triangle is certainly farther from the segment than the
-  /// radius at both ends of a piece. Because the corners move in straight lines, it is so in
-  /// between.
-  bool is_apart(double low, double high) const {
-    const double middle = low + (high - low) / 2;
-    TriangleCorners corners;
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[i] = corner_at(triangle_.from[i], triangle_.to[i], middle);
-    const TriangleCorners segment = {capsule_.a, capsule_.b, capsule_.b};
-    const ClosestPoints closest = closest_points(corners, segment);
-    const Vec3d way = point_at(corners, closest.a) - point_at(segment, closest.b);
+  /// In the direction of the closest points at time `low`, the corners move away from the segment
+  /// or towards it at constant speeds.
+  double apart_until(double low) const {
+    const Vec3d way = way_to_triangle(triangle_, {capsule_.a, capsule_.b, capsule_.b}, low);
     const Vector<Rounded> direction{Rounded(way.x), Rounded(way.y), Rounded(way.z)};
-    return is_beyond(direction, low) && is_beyond(direction, high);
+    const double reach = double{capsule_.radius} * std::sqrt(squared_length(way));
+    for (const double margin : kRootMargins) {
+      double until = 1;
+      for_each_gap([&](std::size_t end, std::size_t corner) {
+        until = std::min(until,
+                         just_before_root(low, gap(direction, end, corner, low).value() - reach,
+                                          gap(direction, end, corner, 1).value() - reach, margin));
+      });
+      if (until > low && is_beyond(direction, low) && is_beyond(direction, until)) return until;
+    }
+    return low;
   }
 
   bool touches(double time) const {
@@ -268,15 +303,28 @@ class CertainCapsule {
   }
 
  private:
-  bool is_beyond(const Vector<Rounded>& direction, double time) const {
-    const Rounded at = enclosure_of(time, time), radius(double{capsule_.radius});
-    const Rounded limit = radius * radius * squared_length(direction);
+  /// Calls visit(end, corner) for the ends of the segment and the corners of the triangle.
+  template <typename Visit>
+  void for_each_gap(const Visit& visit) const {
     for (std::size_t end = 3; end < (is_sphere_ ? 4 : 5); ++end)
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Rounded gap = dot(direction, moving_.from_to(end, corner, at));
-        if (gap.sign() != 1 || (gap * gap - limit).sign() != 1) return false;
-      }
-    return true;
+      for (std::size_t corner = 0; corner < 3; ++corner) visit(end, corner);
+  }
+
+  Rounded gap(const Vector<Rounded>& direction, std::size_t end, std::size_t corner,
+              double time) const {
+    return dot(direction, moving_.from_to(end, corner, Rounded(time)));
+  }
+
+  /// Whether the triangle is certainly farther from the segment than the radius in a direction.
+  bool is_beyond(const Vector<Rounded>& direction, double time) const {
+    const Rounded radius(double{capsule_.radius});
+    const Rounded limit = radius * radius * squared_length(direction);
+    bool is_beyond = true;
+    for_each_gap([&](std::size_t end, std::size_t corner) {
+      const Rounded g = gap(direction, end, corner, time);
+      if (g.sign() != 1 || (g * g - limit).sign() != 1) is_beyond = false;
+    });
+    return is_beyond;
   }
 
   const MovingTriangle& triangle_;
@@ -292,9 +340,12 @@ std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, const Caps
 }
 
 CertainAnswer certainly_touches(const MovingTriangle& triangle, const Capsule& capsule) {
-  const CertainCapsule test(triangle, capsule);
-  return search_pieces([&](double low, double high) { return test.is_apart(low, high); },
-                       [&](double time) { return test.touches(time); });
+  return certainly_touches(CertainCapsule(triangle, capsule));
+}
+
+bool find_certain_first_touch(const MovingTriangle& triangle, const Capsule& capsule,
+                              std::optional<FirstTouch>& touch) {
+  return find_certain_first_touch(CertainCapsule(triangle, capsule), touch);
 }
 
 }  // namespace pelt::detail

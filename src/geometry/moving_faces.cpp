@@ -27,16 +27,16 @@ std::array<float, 3> elements(const Vec3& v) { return {v.x, v.y, v.z}; }
 class MovingSides {
  public:
   MovingSides(const MovingTriangle& triangle, std::span<const Face> faces)
-      : triangle_(triangle), faces_(faces) {}
+      : triangle_(triangle), faces_(faces) {
+    for (std::size_t face = 0; face < faces.size(); ++face)
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        rounded_[face][corner] = {rounded_side(faces[face], triangle.from[corner]),
+                                  rounded_side(faces[face], triangle.to[corner])};
+  }
 
   Rounded side(std::size_t face, std::size_t corner, const Rounded& time) const {
-    const auto normal = elements(faces_[face].normal), origin = elements(faces_[face].origin);
-    const auto from = elements(triangle_.from[corner]), to = elements(triangle_.to[corner]);
-    Rounded sum(-double{faces_[face].offset});
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sum = sum + Rounded(double{normal[axis]}) *
-                      (at_time(from[axis], to[axis], time) - Rounded(double{origin[axis]}));
-    return sum;
+    const auto& [from, to] = rounded_[face][corner];
+    return at_time(from, to, time);
   }
 
   /// In a unit of the face.
@@ -50,6 +50,11 @@ class MovingSides {
 
  private:
   using Integer = Sextic::Coefficient;
+
+  static Rounded rounded_side(const Face& face, const Vec3& p) {
+    const auto vector = [](const Vec3& v) { return Vector<Rounded>(v); };
+    return dot(vector(face.normal), vector(p) - vector(face.origin)) - Rounded(double{face.offset});
+  }
 
   /// The exponent of a power of two that divides all of the values.
   static int unit_of(std::initializer_list<Vec3> vectors) {
@@ -83,6 +88,7 @@ class MovingSides {
 
   const MovingTriangle& triangle_;
   std::span<const Face> faces_;
+  std::array<std::array<std::array<Rounded, 2>, 3>, ConvexPolyhedron::kMaxFaces> rounded_;
 };
 
 /// `Signs`: RegionInstant or RegionPiece.
@@ -188,6 +194,58 @@ class FirstTouchOfFaces {
   std::optional<SexticRoot> time_;  // at the start: none
 };
 
+class CertainFaces {
+ public:
+  CertainFaces(const MovingTriangle& triangle, std::span<const Face> faces)
+      : face_count_(faces.size()), sides_(triangle, faces) {}
+
+  double apart_until(double low) const {
+    double until = low;
+    for (std::size_t face = 0; face < face_count_; ++face)
+      until = std::max(until, outside_until(face, low));
+    constexpr double kLeastWidth = 0x1p-12;
+    for (double width = (1 - low) / 2; until == low && width > kLeastWidth; width /= 2)
+      if (is_certainly(low, low + width, true)) until = low + width;
+    return until;
+  }
+
+  bool touches(double time) const { return is_certainly(time, time, false); }
+
+ private:
+  /// Up to a time at which all corners are certainly outside of a face, as at time `low`.
+  double outside_until(std::size_t face, double low) const {
+    for (const double margin : kRootMargins) {
+      double until = 1;
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        until = std::min(
+            until, just_before_root(low, side(face, corner, low), side(face, corner, 1), margin));
+      if (until > low && is_outside(face, low) && is_outside(face, until)) return until;
+    }
+    return low;
+  }
+
+  double side(std::size_t face, std::size_t corner, double time) const {
+    return sides_.side(face, corner, Rounded(time)).value();
+  }
+
+  bool is_outside(std::size_t face, double time) const {
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      if (sides_.side(face, corner, Rounded(time)).sign() != 1) return false;
+    return true;
+  }
+
+  /// Whether the triangle is certainly apart, or certainly not, in a piece of time.
+  bool is_certainly(double low, double high, bool apart) const {
+    const RegionPiece piece(low, high);
+    const FacesSource source(sides_, piece);
+    const TrianglePlace place = FacesBySigns(source).place(face_count_);
+    return piece.take_certain() && (place == TrianglePlace::apart) == apart;
+  }
+
+  std::size_t face_count_;
+  MovingSides sides_;
+};
+
 }  // namespace
 
 std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, std::span<const Face> faces) {
@@ -195,15 +253,12 @@ std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, std::span<
 }
 
 CertainAnswer certainly_touches(const MovingTriangle& triangle, std::span<const Face> faces) {
-  const MovingSides sides(triangle, faces);
-  const auto is_place = [&](double low, double high, bool is_apart) {
-    const RegionPiece piece(low, high);
-    const FacesSource source(sides, piece);
-    const TrianglePlace place = FacesBySigns(source).place(faces.size());
-    return piece.take_certain() && (place == TrianglePlace::apart) == is_apart;
-  };
-  return search_pieces([&](double low, double high) { return is_place(low, high, true); },
-                       [&](double time) { return is_place(time, time, false); });
+  return certainly_touches(CertainFaces(triangle, faces));
+}
+
+bool find_certain_first_touch(const MovingTriangle& triangle, std::span<const Face> faces,
+                              std::optional<FirstTouch>& touch) {
+  return find_certain_first_touch(CertainFaces(triangle, faces), touch);
 }
 
 }  // namespace pelt::detail

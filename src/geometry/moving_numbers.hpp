@@ -7,10 +7,11 @@
 
 #include "geometry/critical_time.hpp"
 #include "geometry/instant_signs.hpp"
-#include "geometry/moving_filter.hpp"
+#include "geometry/moving_region.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
@@ -72,17 +73,16 @@ class RegionPiece {
   mutable bool is_certain_ = true;
 };
 
-/// A coordinate at a time.
-inline Rounded at_time(double from, double to, const Rounded& time) {
-  return Rounded(from) + time * (Rounded(to) - Rounded(from));
+/// A number that moves from `from` to `to`.
+inline Rounded at_time(const Rounded& from, const Rounded& to, const Rounded& time) {
+  return from + time * (to - from);
 }
 
 /// A polynomial of time with rounded coefficients.
 struct RoundedPolynomial {
   static constexpr std::size_t kDegree = Sextic::kDegree;
 
-  std::array<Rounded, kDegree + 1> coefficients = {Rounded(0), Rounded(0), Rounded(0), Rounded(0),
-                                                   Rounded(0), Rounded(0), Rounded(0)};
+  std::array<Rounded, kDegree + 1> coefficients;
   std::size_t degree = 0;  ///< higher coefficients are 0
 
   friend RoundedPolynomial operator+(RoundedPolynomial p, const RoundedPolynomial& q) {
@@ -123,22 +123,55 @@ struct RoundedPolynomial {
   }
 };
 
-/// Searches the time from 0 to 1 in pieces. `is_apart(low, high)` returns whether a triangle and a
-/// region are certainly apart at all times of a piece, `touch(time)` whether they certainly touch.
-template <typename IsApart, typename Touch>
-CertainAnswer search_pieces(const IsApart& is_apart, const Touch& touch) {
-  constexpr double kLeastWidth = 1.0 / 64;
-  for (double low = 0, width = 1; low < 1;) {
-    if (is_apart(low, low + width)) {
-      low += width;
-      width = std::min(2 * width, 1 - low);
-    } else {
-      width /= 2;
-      if (touch(low + width)) return CertainAnswer::yes;
-      if (width < kLeastWidth) return CertainAnswer::unknown;
-    }
+/// Margins for `just_before_root`, to try one after the other. The closer a root is, the larger is
+/// the margin that rounding needs.
+inline constexpr double kRootMargins[] = {0x1p-40, 0x1p-30, 0x1p-20, 0x1p-10, 0x1p-2};
+
+/// Returns a time just before the root of a linear function, relative to the way from `low`, to
+/// allow for rounding. The function is positive at `low`. Without a root before 1, returns 1.
+inline double just_before_root(double low, double at_low, double at_end, double margin) {
+  if (at_end >= at_low) return 1;
+  const double way = (1 - low) * (at_low / (at_low - at_end)) * (1 - margin);
+  return std::min(low + way, 1.0);
+}
+
+/// Follows a triangle that is apart from a region until it is about to touch it. Returns a time up
+/// to which it is certainly apart. `Test`:
+///   double apart_until(double low) const   a time up to which it is certainly apart, from `low` on
+///   bool touches(double time) const        whether it certainly touches the region
+template <typename Test>
+double advance_certainly(const Test& test) {
+  constexpr int kMostSteps = 40;
+  constexpr double kLeastStep = 0x1p-38;
+  double low = 0;
+  for (int step = 0; step < kMostSteps && low < 1; ++step) {
+    const double high = test.apart_until(low);
+    if (high - low < kLeastStep) return high;
+    low = high;
   }
-  return CertainAnswer::no;
+  return low;
+}
+
+template <typename Test>
+CertainAnswer certainly_touches(const Test& test) {
+  const double low = advance_certainly(test);
+  if (low >= 1) return CertainAnswer::no;
+  for (const double later : {0x1p-20, 0x1p-10, 0x1p-5})
+    if (test.touches(std::min(low + later, 1.0))) return CertainAnswer::yes;
+  return CertainAnswer::unknown;
+}
+
+template <typename Test>
+bool find_certain_first_touch(const Test& test, std::optional<FirstTouch>& touch) {
+  touch.reset();
+  const double low = advance_certainly(test);
+  if (low >= 1) return true;
+  const float nearest = static_cast<float>(low);
+  const float time = double{nearest} > low ? std::nextafter(nearest, 0.0f) : nearest;
+  const double before_next = std::nextafter(double{std::nextafter(time, 1.0f)}, 0.0);
+  if (!test.touches(before_next)) return false;
+  touch = {time, false};
+  return true;
 }
 
 }  // namespace pelt::detail

@@ -31,8 +31,16 @@ struct FirstTouch {
 std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, std::span<const Face> faces);
 std::optional<FirstTouch> first_touch(const MovingTriangle& triangle, const Capsule& capsule);
 
-/// Whether the triangle touches the region at any time, decided in double if that is certain.
+// The stages in double. Precondition: the triangle is apart from the region at time 0.
+
+/// Whether the triangle touches the region at any time.
 CertainAnswer certainly_touches(const MovingTriangle& triangle, std::span<const Face> faces);
 CertainAnswer certainly_touches(const MovingTriangle& triangle, const Capsule& capsule);
+
+/// Returns false if the first time is not certain. Otherwise sets `touch`.
+bool find_certain_first_touch(const MovingTriangle& triangle, std::span<const Face> faces,
+                              std::optional<FirstTouch>& touch);
+bool find_certain_first_touch(const MovingTriangle& triangle, const Capsule& capsule,
+                              std::optional<FirstTouch>& touch);
 
 }  // namespace pelt::detail

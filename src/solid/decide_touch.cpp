@@ -7,7 +7,29 @@
 namespace pelt::detail {
 namespace {
 
-/// `AnyRegion`: faces or a capsule.
+// `AnyRegion`: faces or a capsule. The triangle is apart from the region at time 0.
+
+template <typename AnyRegion>
+std::optional<FirstTouch> decide_whether(const AnyRegion& region, const MovingTriangle& triangle,
+                                         MovingStats& work) {
+  CertainAnswer answer = certainly_touches(triangle, region);
+  if (answer == CertainAnswer::unknown) {
+    ++work.exact_pairs;
+    answer = first_touch(triangle, region) ? CertainAnswer::yes : CertainAnswer::no;
+  }
+  if (answer == CertainAnswer::no) return std::nullopt;
+  return FirstTouch{};
+}
+
+template <typename AnyRegion>
+std::optional<FirstTouch> decide_when(const AnyRegion& region, const MovingTriangle& triangle,
+                                      MovingStats& work) {
+  std::optional<FirstTouch> touch;
+  if (find_certain_first_touch(triangle, region, touch)) return touch;
+  ++work.exact_pairs;
+  return first_touch(triangle, region);
+}
+
 template <typename AnyRegion>
 std::optional<FirstTouch> decide(const AnyRegion& region, const MovingTriangle& triangle,
                                  const MovingOptions& options, MovingStats& work) {
@@ -21,12 +43,8 @@ std::optional<FirstTouch> decide(const AnyRegion& region, const MovingTriangle& 
   }
   if (!options.times && touches(triangle.to)) return FirstTouch{};
   ++work.double_pairs;
-  const CertainAnswer answer = certainly_touches(triangle, region);
-  if (answer == CertainAnswer::no) return std::nullopt;
-  if (answer == CertainAnswer::yes && !options.times) return FirstTouch{};
-  ++work.exact_pairs;
-  const std::optional<FirstTouch> touch = first_touch(triangle, region);
-  return touch && !options.times ? FirstTouch{} : touch;
+  return options.times ? decide_when(region, triangle, work)
+                       : decide_whether(region, triangle, work);
 }
 
 }  // namespace
