@@ -109,9 +109,11 @@ struct RegionEntry {
 ///
 /// Preconditions: those of `Motion` and `Region`.
 ///
-/// Cost: as `collide`, but nodes are opened in both poses. Without `times`, a filter in double
-/// precision decides nearly all triangles. With `times`, each triangle that touches the region only
-/// after time 0 costs up to some hundred microseconds of exact arithmetic.
+/// Cost: as `collide`, but nodes are opened in both poses. A search in double precision with error
+/// bounds decides nearly all triangles that boxes and the ends of the step leave undecided, in a
+/// few microseconds each. Exact arithmetic decides the others, in about 100 us each and with up to
+/// 900 KB of the stack: triangles that touch the region only at a single time, and triangles that
+/// move through a box or polyhedron without thickness.
 ///
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `entries` than any
 /// earlier query.

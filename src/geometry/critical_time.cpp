@@ -124,18 +124,17 @@ class SignSequence {
  public:
   SignSequence(const P& f, const P& g) {
     set(0, f.coefficients, 1);
-    Dividend product = derivative_times(f, g);
-    const int degree_of_product = degree(product), degree_of_f = degree(f.coefficients);
+    Dividend dividend = derivative_times(f, g);
+    const int degree_of_product = degree(dividend);
     if (degree_of_product < 0) return;
-    if (degree_of_product < degree_of_f) {
-      set(1, product, 1);
+    if (degree_of_product < degree(f.coefficients)) {
+      set(1, dividend, 1);
     } else {
-      append_remainder(product, 1);
+      append_remainder(dividend, 1);
     }
     for (std::size_t k = 1; last_ == k && degree(element(k)) > 0; ++k) {
-      Dividend dividend;
-      for (std::size_t i = 0; i < element(k - 1).size(); ++i)
-        dividend[i] = Wide<P>(element(k - 1)[i]);
+      for (std::size_t i = 0; i < dividend.size(); ++i)
+        dividend[i] = i < element(k - 1).size() ? Wide<P>(element(k - 1)[i]) : Wide<P>();
       append_remainder(dividend, -1);
     }
   }
@@ -186,8 +185,9 @@ class SignSequence {
   /// Appends the remainder of a division by the last element, or its negative, unless it is zero.
   void append_remainder(Dividend& dividend, int sign) {
     const std::span<const Element> divisor = element(last_);
-    const int n = degree(divisor), steps = degree(dividend) - n;
-    reduce(std::span(dividend).first(static_cast<std::size_t>(n + steps + 1)), divisor);
+    const int n = degree(divisor), degree_of_dividend = degree(dividend);
+    const int steps = degree_of_dividend - n;
+    reduce(std::span(dividend).first(static_cast<std::size_t>(degree_of_dividend) + 1), divisor);
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
       dividend[i].divide_exactly(lead_);
       for (int step = 0; step < steps; ++step) dividend[i].divide_exactly(factor_);

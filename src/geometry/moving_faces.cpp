@@ -16,6 +16,9 @@
 #include "geometry/moving_region.hpp"
 #include "geometry/scaled_float.hpp"
 
+#include <limits>
+#include <utility>
+
 namespace pelt::detail {
 namespace {
 
@@ -194,52 +197,101 @@ class FirstTouchOfFaces {
   std::optional<SexticRoot> time_;  // at the start: none
 };
 
+/// Weights of faces that exclude the triangle together. The weighted sum of the corners' distances
+/// outside of the faces is positive at all corners.
+struct WeightedFaces {
+  Separators faces;
+  std::array<double, 3> weights = {1, 0, 0};
+};
+
+/// Distances of the three corners outside of a face.
+Vec3d rounded_sides(const MovingSides& sides, std::size_t face, double time) {
+  const auto side = [&](std::size_t corner) {
+    return sides.side(face, corner, Rounded(time)).value();
+  };
+  return {side(0), side(1), side(2)};
+}
+
+/// The middle of the possible ratios of the weights of two faces (faces_by_signs.hpp), or twice the
+/// least one.
+double ratio_of(const Vec3d& i, const Vec3d& j) {
+  double least = 0, greatest = std::numeric_limits<double>::infinity();
+  for (const auto& [of_i, of_j] : {std::pair(i.x, j.x), std::pair(i.y, j.y), std::pair(i.z, j.z)}) {
+    if (of_i < 0) least = std::max(least, -of_i / of_j);
+    if (of_j < 0) greatest = std::min(greatest, -of_i / of_j);
+  }
+  return std::isfinite(greatest) ? least + (greatest - least) / 2 : 2 * least;
+}
+
+/// Rounded: the sum must be tested.
+WeightedFaces weighted(const Separators& faces, const MovingSides& sides, double time) {
+  WeightedFaces result{faces};
+  if (faces.count == 1) return result;
+  const Vec3d i = rounded_sides(sides, faces.faces[0], time);
+  const Vec3d j = rounded_sides(sides, faces.faces[1], time);
+  if (faces.count == 2) {
+    result.weights[1] = ratio_of(i, j);
+    return result;
+  }
+  const Vec3d k = rounded_sides(sides, faces.faces[2], time);
+  const auto with_ones = [](const Vec3d& p, const Vec3d& q) {
+    const Vec3d minors = cross(p, q);
+    return std::abs(minors.x + minors.y + minors.z);
+  };
+  result.weights = {with_ones(j, k), with_ones(k, i), with_ones(i, j)};
+  return result;
+}
+
 class CertainFaces {
  public:
   CertainFaces(const MovingTriangle& triangle, std::span<const Face> faces)
       : face_count_(faces.size()), sides_(triangle, faces) {}
 
+  /// Faces that exclude the triangle a little later may exclude it longer than those that do so
+  /// now.
   double apart_until(double low) const {
-    double until = low;
-    for (std::size_t face = 0; face < face_count_; ++face)
-      until = std::max(until, outside_until(face, low));
-    constexpr double kLeastWidth = 0x1p-12;
-    for (double width = (1 - low) / 2; until == low && width > kLeastWidth; width /= 2)
-      if (is_certainly(low, low + width, true)) until = low + width;
-    return until;
+    constexpr double kLittle = 0x1p-20;
+    return std::max(excluded_until(low, std::min(low + kLittle, 1.0)), excluded_until(low, low));
   }
 
-  bool touches(double time) const { return is_certainly(time, time, false); }
+  bool touches(double time) const {
+    const RegionPiece instant(time, time);
+    const FacesSource source(sides_, instant);
+    const TrianglePlace place = FacesBySigns(source).place(face_count_);
+    return place != TrianglePlace::apart && instant.take_certain();
+  }
 
  private:
-  /// Up to a time at which all corners are certainly outside of a face, as at time `low`.
-  double outside_until(std::size_t face, double low) const {
+  /// Up to a time at which faces that exclude the triangle at a time still exclude it. While the
+  /// weights stay the same, the weighted sums are linear functions of time.
+  double excluded_until(double low, double time) const {
+    const RegionPiece instant(time, time);
+    const FacesSource source(sides_, instant);
+    FacesBySigns test(source);
+    if (test.place(face_count_) != TrianglePlace::apart) return low;
+    const WeightedFaces faces = weighted(test.separators(), sides_, time);
     for (const double margin : kRootMargins) {
       double until = 1;
       for (std::size_t corner = 0; corner < 3; ++corner)
-        until = std::min(
-            until, just_before_root(low, side(face, corner, low), side(face, corner, 1), margin));
-      if (until > low && is_outside(face, low) && is_outside(face, until)) return until;
+        until = std::min(until, just_before_root(low, sum(faces, corner, low).value(),
+                                                 sum(faces, corner, 1).value(), margin));
+      if (until > low && exclude(faces, low) && exclude(faces, until)) return until;
     }
     return low;
   }
 
-  double side(std::size_t face, std::size_t corner, double time) const {
-    return sides_.side(face, corner, Rounded(time)).value();
+  Rounded sum(const WeightedFaces& faces, std::size_t corner, double time) const {
+    Rounded sum;
+    for (std::size_t i = 0; i < faces.faces.count; ++i)
+      sum = sum +
+            Rounded(faces.weights[i]) * sides_.side(faces.faces.faces[i], corner, Rounded(time));
+    return sum;
   }
 
-  bool is_outside(std::size_t face, double time) const {
+  bool exclude(const WeightedFaces& faces, double time) const {
     for (std::size_t corner = 0; corner < 3; ++corner)
-      if (sides_.side(face, corner, Rounded(time)).sign() != 1) return false;
+      if (sum(faces, corner, time).sign() != 1) return false;
     return true;
-  }
-
-  /// Whether the triangle is certainly apart, or certainly not, in a piece of time.
-  bool is_certainly(double low, double high, bool apart) const {
-    const RegionPiece piece(low, high);
-    const FacesSource source(sides_, piece);
-    const TrianglePlace place = FacesBySigns(source).place(face_count_);
-    return piece.take_certain() && (place == TrianglePlace::apart) == apart;
   }
 
   std::size_t face_count_;

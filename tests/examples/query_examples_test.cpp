@@ -29,6 +29,8 @@ std::vector<pelt::MovingContact> new_self_contacts(pelt::Motion motion,
                                                    pelt::Scratch& scratch);
 float free_part(pelt::Motion a, pelt::Motion b, std::uint64_t work);
 bool touch_before(pelt::Motion a, pelt::Motion b, float time);
+std::vector<pelt::RegionEntry> entered(pelt::Motion motion, const pelt::Sphere& trigger,
+                                       pelt::Scratch& scratch);
 bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
                std::span<const float> weights);
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
@@ -209,6 +211,10 @@ TEST_F(QueryExamples, Motion) {
   const auto touches = new_touches({sword, sword_later}, {pose_, pose_}, scratch_);
   ASSERT_GT(touches.size(), 10u);
   for (const MovingContact& contact : touches) EXPECT_GE(contact.time, first);
+  const auto entries = entered({sword, sword_later}, {{0, 0.5f, 0}, 0.1f}, scratch_);
+  ASSERT_GT(entries.size(), 10u);
+  for (const RegionEntry& entry : entries) EXPECT_NEAR(entry.time, 0.5f, 0.1f);
+  EXPECT_TRUE(entered({sword, sword}, {{0, 0.5f, 0}, 0.1f}, scratch_).empty());
 }
 
 TEST_F(QueryExamples, FirstContactSearch) {

@@ -51,8 +51,8 @@ float on_extreme_scales(Random& random) {
 
 constexpr Family kFamilies[] = {{"SmallGrid", on_small_grid, 300},
                                 {"GeneralPosition", in_general_position, 200},
-                                {"AllScales", on_all_scales, 60},
-                                {"ExtremeScales", on_extreme_scales, 40}};
+                                {"AllScales", on_all_scales, 40},
+                                {"ExtremeScales", on_extreme_scales, 25}};
 
 class Maker {
  public:

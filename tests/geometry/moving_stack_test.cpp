@@ -1,6 +1,8 @@
-/// How much of the stack the exact test of moving triangles uses. The npm package sets the size of
+/// How much of the stack the exact tests of moving triangles use. The npm package sets the size of
 /// its stack (bindings/wasm/CMakeLists.txt).
 #include "geometry/moving_pair.hpp"
+
+#include "geometry/moving_region.hpp"
 #include "moving_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -22,6 +24,20 @@ void* ask_pairs_of_all_families(void* met) {
     for (int i = 0; i < 40; ++i) {
       const MovingPair pair = family.make(random);
       *static_cast<int*>(met) += detail::first_meeting(pair.a, pair.b).has_value();
+    }
+  }
+  return nullptr;
+}
+
+void* ask_regions_of_all_families(void* touched) {
+  for (const MovingFamily& family : kMovingFamilies) {
+    Random random(198);
+    for (int i = 0; i < 10; ++i) {
+      const auto [triangle, other] = family.make(random);
+      const auto& [p, q, r] = other.from;
+      const detail::Face faces[] = {{p, q, 1}, {q, r, 1}, {r, p, 1}, {p, r, 2}};
+      *static_cast<int*>(touched) += detail::first_touch(triangle, faces).has_value();
+      *static_cast<int*>(touched) += detail::first_touch(triangle, Capsule{p, q, 1}).has_value();
     }
   }
   return nullptr;
@@ -70,6 +86,16 @@ TEST(MovingPair, UsesNoMoreOfTheStackThanItsHeaderSays) {
   EXPECT_GT(met, 0);
   EXPECT_GT(stack.used(), std::size_t{100'000});
   EXPECT_LT(stack.used(), std::size_t{300'000});
+}
+
+TEST(MovingRegion, UsesNoMoreOfTheStackThanItsHeaderSays) {
+  MarkedStack stack;
+  int touched = 0;
+  stack.run(ask_regions_of_all_families, &touched);
+  std::cout << stack.used() << " bytes, " << touched << " regions are touched\n";
+  EXPECT_GT(touched, 0);
+  EXPECT_GT(stack.used(), std::size_t{200'000});
+  EXPECT_LT(stack.used(), std::size_t{900'000});
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ std::vector<RegionEntry> entries_of(Body& body, const Region& region,
 }
 
 std::vector<std::uint32_t> triangles_of(const std::vector<RegionEntry>& entries) {
-  std::vector<std::uint32_t> triangles;
-  for (const RegionEntry& entry : entries) triangles.push_back(entry.triangle);
+  std::vector<std::uint32_t> triangles(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) triangles[i] = entries[i].triangle;
   return triangles;
 }
 

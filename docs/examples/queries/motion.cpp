@@ -1,4 +1,5 @@
 #include <pelt/self_motion.hpp>
+#include <pelt/solid.hpp>
 
 // The first time, 0 to 1, at which a sword touches an arm on the way to the next frame; 2 if never.
 float first_touch(pelt::Motion sword, pelt::Motion arm, pelt::Scratch& scratch) {
@@ -22,4 +23,12 @@ std::vector<pelt::MovingContact> new_self_contacts(pelt::Motion motion,
   std::vector<pelt::MovingContact> contacts;
   pelt::self_collide_moving(motion, filter, scratch, contacts, {.leave_out_start = true});
   return contacts;
+}
+
+// The triangles of a character that get into a trigger volume on the way, and when.
+std::vector<pelt::RegionEntry> entered(pelt::Motion motion, const pelt::Sphere& trigger,
+                                       pelt::Scratch& scratch) {
+  std::vector<pelt::RegionEntry> entries;
+  pelt::collide_moving(motion, trigger, scratch, entries, {.leave_out_start = true});
+  return entries;
 }
