@@ -116,7 +116,7 @@ TEST(FirstContactPromises, HoldAfterAnyAmountOfWork) {
 /// the whole.
 TEST(FirstContactPromises, TheLowerBoundNeverFalls) {
   Random random(651);
-  Limbs limbs;
+  Limbs limbs = {Body(make_limb(60, 24, 4)), Body(make_limb(40, 20, 3))};
   std::size_t rises = 0;
   for (int round = 0; round < 60; ++round) {
     move_past(random, limbs);
@@ -157,6 +157,34 @@ TEST(FirstContactPromises, TheFirstContactMayBeAtAnyVertex) {
       ASSERT_NO_FATAL_FAILURE(climb(below, above, truth, false, max_open, hits));
   }
   EXPECT_GT(hits.later, 15u);
+}
+
+/// Such sheets, but a part of the upper one flies away early, so boxes of its parts overlap until
+/// different times.
+TEST(FirstContactPromises, TheFirstContactMayBeAfterOtherPartsHaveLeft) {
+  constexpr std::uint32_t kCells = 12;
+  const auto tilted = [](float by) {
+    return sheet_positions(kCells, [by](std::uint32_t x, std::uint32_t y) {
+      return static_cast<float>(x + 2 * y) + by;
+    });
+  };
+  Body below(make_sheet(kCells)), above(make_sheet(kCells));
+  below.move(pin(tilted(0)), pin(tilted(0)));
+  for (const bool stays_low : {false, true})
+    for (std::uint32_t border = 1; border < kCells; ++border) {
+      std::vector<Vec3> first = tilted(1), last = tilted(0.25f);
+      for (Vec3& p : last)
+        if ((p.y < static_cast<float>(border)) != stays_low) p.z += 200;
+      const std::size_t ahead = (stays_low ? border - 1 : border) * (kCells + 1) + kCells / 2;
+      first[ahead].z -= 0.25f;
+      last[ahead].z -= 0.5f;
+      above.move(pin(first), pin(last));
+      FirstContactSearch search(below.step(), above.step());
+      search.advance(UINT64_MAX);
+      ASSERT_TRUE(search.earliest()) << border;
+      EXPECT_EQ(search.earliest()->time, 0.75f);
+      EXPECT_EQ(search.earliest(), first_of(below, above, false));
+    }
 }
 
 /// The corner of a sheet and a vertex that passes it in the plane of the sheet: they touch at one
