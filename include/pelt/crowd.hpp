@@ -46,8 +46,8 @@ struct CrowdContact {
   friend auto operator<=>(const CrowdContact&, const CrowdContact&) = default;
 };
 
-/// Two triangles of different instances that intersect at some time of a step. instance_a <
-/// instance_b.
+/// Two triangles that intersect at some time of a step. instance_a <= instance_b. If both are the
+/// same instance, triangle_a < triangle_b.
 struct CrowdMovingContact {
   std::uint32_t instance_a = 0, instance_b = 0;
   MovingContact moving;  ///< of a triangle of instance_a and one of instance_b
@@ -182,15 +182,15 @@ class PELT_API Crowd {
   /// Begins a step for `collide_moving`: the current poses of all instances become the start of the
   /// step. The first `set_palette` or `set_morph_weights` of an instance after this call then
   /// begins its motion. Later calls change the end of the motion. An instance without such a call
-  /// stands still.
+  /// stands still, and so does every instance of a crowd for which no step was ever begun.
   ///
-  /// Cost: O(1). However, the first call for an instance in a step also copies its palette, and
-  /// allocates if it is the first one of the instance.
+  /// Cost: O(1). However, the first of these calls for an instance in a step also copies its
+  /// palette, and allocates if it is the first one of the instance.
   void begin_step();
 
   /// Sets the palettes of an instance at both ends of the current step, or returns an error for a
-  /// palette that `set_palette` refuses. The instance then stands still in its present pose. Morph
-  /// weights at both ends are the present ones. `collide` uses the palette `to`.
+  /// palette that `set_palette` refuses. On error, the instance stands still in its present pose.
+  /// Morph weights at both ends are the present ones. `collide` uses the palette `to`.
   ///
   /// Cost: that of two calls of `set_palette`. Allocates in the first call for the instance.
   Result<void> set_motion(std::uint32_t instance, std::span<const Matrix4> from,

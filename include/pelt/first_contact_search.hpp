@@ -27,28 +27,28 @@ struct SearchOfMotions;
 /// - `earliest` is a contact of `collide_moving`, with the same time and features. More work
 ///   replaces it only by a contact that is earlier, or that has exactly the same time and a lower
 ///   pair of triangles.
-/// - The first time is between both: `apart_until() <= earliest()->time`. If they are equal, the
-///   first time is certain, and further work decides only which pair of triangles is the lowest.
+/// - The first time lies between `apart_until()` and `earliest()->time`. If they are equal, this
+///   float is the final time; further work can only replace the pair and its features.
 /// - When nothing is open, `earliest` is the answer of `first_contact`, bit for bit.
 ///
 /// With `leave_out_start`, pairs of triangles that intersect at time 0 do not count as touching.
 ///
-/// The search visits what may touch earliest first, so that it visits little in vain and
-/// `apart_until` rises soon. `earliest` is empty until the first contact is found.
+/// The search visits pairs of nodes in the order of the earliest times at which their boxes
+/// overlap, so `apart_until` rises soon. `earliest` is empty until the first contact is found.
 ///
 /// The state of a search depends only on the poses, the options, `max_open` and `work_done`, with
 /// the exception that `CollisionSearch` describes. It does not depend on the instruction set, the
 /// compiler, the size of the slices, or on which nodes other queries have opened.
 ///
-/// Work is counted in the units of `work_of`, with the constants for motions in `query.hpp`. A node
-/// is opened in both poses of a motion. Opening it in a pose counts when the search first needs it
-/// there, even if it is open already. `advance` reads no clock. To spend a certain time, call
-/// `advance` with small slices.
+/// Work is counted in the units of `CollisionSearch`, with the constants for motions in
+/// `query.hpp`. One pair of triangles that needs exact arithmetic takes 24,000 units, so `advance`
+/// may exceed small slices by far (`longest_step`). Slices of 20,000 units or more are adequate. A
+/// node is opened in both poses of a motion. Opening it in a pose counts when the search first
+/// needs it there, even if it is open already. `advance` reads no clock. To spend a certain time,
+/// call `advance` with small slices.
 ///
 /// Only one thread at a time may use a search or its poses. The poses must outlive the search.
 /// Movable, not copyable. A moved-from search may only be assigned to or destroyed.
-///
-/// Source: `apart_until` is the lower bound of a best-first search.
 class PELT_API FirstContactSearch {
  public:
   /// Default of `max_open`.
@@ -89,9 +89,9 @@ class PELT_API FirstContactSearch {
   /// Precondition: the poses have not changed since the search was started (`is_stale`). Otherwise
   /// the program aborts in builds without NDEBUG, and in other builds nothing happens.
   ///
-  /// Cost: searching to the end costs about as much as `first_contact`, and twice as much if
-  /// triangles intersect at time 0. Allocates only if it needs more memory in the poses or in the
-  /// search than any earlier search.
+  /// Cost: searching to the end costs about as much as `first_contact`, and several times as
+  /// much if triangles intersect at time 0. Allocates only if it needs more memory in the poses or
+  /// in the search than any earlier search.
   MovingStats advance(std::uint64_t work);
 
   /// Whether nothing is open.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Terrain: a grid of heights, for `collide`, `distance` and rays.
+/// Terrain: a grid of heights, for `collide`, `collide_moving`, `distance` and rays.
 
 #include <pelt/cxx20.hpp>
 

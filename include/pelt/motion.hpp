@@ -26,7 +26,8 @@ namespace pelt {
 /// In a sequence of frames, use two poses in turn: the `to` of a step is the `from` of the next,
 /// and what queries have computed for it remains valid.
 ///
-/// Precondition: both poses are of one model. They may be one pose, which then stands still.
+/// Preconditions: both poses are of one model; otherwise the program aborts, in every build. They
+/// may be one pose, which then stands still. Only one thread at a time may use the poses.
 struct Motion {
   Pose& from;
   Pose& to;
@@ -37,7 +38,7 @@ enum class FeatureKind : std::uint8_t { corner, edge, face };
 
 struct Feature {
   FeatureKind kind = FeatureKind::face;
-  std::uint8_t number = 0;  ///< edge i leads from corner i to the next corner; 0 for a face
+  std::uint8_t number = 0;  ///< corner i; edge i leads from it to the next corner; 0 for a face
 
   friend bool operator==(const Feature&, const Feature&) = default;
 };
@@ -46,16 +47,17 @@ struct Feature {
 struct MovingContact {
   Contact contact;
 
-  /// The largest float that is not above the first time at which the triangles intersect, 0 to 1.
-  /// The triangles are apart at all earlier times.
+  /// The largest float that is not above the first time at which the triangles intersect, as a part
+  /// of the step: 0 to 1. The triangles are apart at all earlier times.
   float time = 0;
 
-  /// Whether the triangles intersect at time 0. The features then have no meaning.
+  /// Whether the triangles intersect at time 0. The features then have no meaning. Always false in
+  /// an answer without times.
   bool at_start = false;
 
   /// Which parts of triangle_a and triangle_b meet at the first time. Of all pairs that meet, this
   /// is the first one in this order: two corners, a corner and an edge, an edge and a corner, a
-  /// corner and a face, a face and a corner, two edges.
+  /// corner and a face, a face and a corner, two edges; then the lowest number of a, then of b.
   Feature a, b;
 
   friend bool operator==(const MovingContact&, const MovingContact&) = default;
@@ -69,12 +71,14 @@ struct MovingOptions {
   /// meaning, and the query is faster.
   bool times = true;
 
-  /// As in `CollideOptions`.
+  /// As in `CollideOptions`. The contacts that are found first need not be the earliest.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// Work of a query of motions. A certified test in float decides most pairs of triangles in groups
-/// of eight, and a slower one in double most others. Exact arithmetic decides the rest.
+/// of eight, and a slower one in double most others. Exact arithmetic decides the rest, and uses up
+/// to 260 KB of the stack, or 900 KB for a triangle and a region. Triangles and regions have no
+/// test in float.
 struct MovingStats : QueryStats {
   std::uint64_t double_pairs = 0;  ///< pairs of triangles tested in double
   std::uint64_t exact_pairs = 0;   ///< of these, pairs tested in exact arithmetic
@@ -87,7 +91,7 @@ struct MovingStats : QueryStats {
 ///
 /// The answer is exact with respect to the float32 posed vertices at both ends (see
 /// `posed_vertices`), and to real numbers between them. At each time, triangles intersect as
-/// defined at `collide`.
+/// defined at `collide`, so a body that is wholly inside another one has no contact.
 ///
 /// Preconditions:
 /// `a`, `b`: of different poses. A pose in both aborts the program, in every build.
@@ -113,16 +117,16 @@ struct FirstContactOptions {
   bool leave_out_start = false;
 };
 
-/// Sets `first` to the pair of triangles that intersects first; of pairs with exactly the same
-/// time, to the lowest. Without any, `first` is empty. The pair is one of those that
+/// Sets `first` to the pair of triangles with the least exact first time; of pairs with exactly the
+/// same time, to the lowest. If nothing intersects, `first` is empty. The pair is one of those that
 /// `collide_moving` finds, with the same time and features.
 ///
 /// Preconditions and allocation: those of `collide_moving`.
 ///
-/// Cost: parts of the trees without a triangle of `a` that is lower than the lowest pair found so
-/// far at time 0 are not visited. If nothing intersects at time 0, the query continues with the
-/// step: parts of the trees whose boxes overlap only after the earliest time found so far are not
-/// visited.
+/// Cost: looks for the lowest pair at time 0 first, and skips parts of a's tree whose triangles all
+/// have higher numbers than those of the lowest pair found so far. If nothing intersects at time 0,
+/// the query continues with the step, and skips parts of the trees whose boxes first overlap after
+/// the earliest time found so far.
 PELT_API MovingStats first_contact(const Motion& a, const Motion& b, Scratch& scratch,
                                    std::optional<MovingContact>& first,
                                    const FirstContactOptions& options = {});

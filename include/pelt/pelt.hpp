@@ -14,14 +14,16 @@
 /// Queries are declared in these headers:
 ///
 ///     one or two poses              bounds, collide, contact, distance, inside, search
-///     two poses in motion           motion
+///     two poses in motion           motion, first_contact_search
 ///     a pose and itself             self_collide, self_tracker, contact
+///     a pose in motion and itself   self_motion
 ///     a pose and a point            distance, inside
 ///     a pose and a direction        farthest
 ///     a pose and a ray              ray
 ///     a pose and a region or solid  solid
 ///     a solid and a ray             solid
 ///     a pose and a height field     height_field
+///     a pose in motion and a region or height field   solid, height_field
 ///     a height field and a ray      height_field
 ///     a pose and vertex groups      vertex_groups
 ///     a crowd                       crowd

@@ -55,13 +55,14 @@ inline constexpr std::uint64_t kNodePairWork = 8, kRefitWork = 5, kPosedVertexWo
 
 /// Units of work of a `FirstContactSearch`: per pair of nodes and per pair of clusters that move,
 /// and per pair of triangles tested in float, in double and in exact arithmetic. A pair that is
-/// tested in several ways counts in each. These numbers never change, either.
+/// tested in several ways counts in each. To order two pairs whose times may be equal takes two
+/// exact tests. These numbers never change, either.
 inline constexpr std::uint64_t kMovingNodePairWork = 24, kMovingClusterPairWork = 24,
                                kMovingTrianglePairWork = 28, kDoublePairWork = 500,
                                kExactPairWork = 24'000;
 
-/// The work of a query in units of about one test of two triangles: the counts, multiplied by the
-/// constants above.
+/// The work of a query in units of about one test of two triangles: the counts of QueryStats,
+/// multiplied by the first five constants above.
 PELT_API std::uint64_t work_of(const QueryStats& stats);
 
 /// A yes-or-no answer, with the work of the query:

@@ -20,7 +20,7 @@ namespace detail {
 struct SearchOfPoses;
 }
 
-/// What is known about two poses.
+/// What is known about two poses, two motions or two instances of a crowd.
 enum class Verdict : std::uint8_t {
   apart,     ///< they do not touch
   touching,  ///< they touch
@@ -37,7 +37,7 @@ enum class SearchOrder : std::uint8_t {
 /// Triangles below two nodes that have not been compared yet.
 struct OpenRegion {
   Box region;       ///< contains every contact of these triangles
-  float depth = 0;  ///< least translation along an axis that parts the boxes of the two nodes
+  float depth = 0;  ///< least translation along an axis that separates the boxes of the two nodes
   std::uint64_t pairs = 0;  ///< number of pairs of these triangles
 };
 
@@ -51,16 +51,17 @@ struct OpenRegion {
 /// - `contacts` are contacts of `collide`. More work adds contacts and removes none.
 /// - Each missing contact is a pair of triangles of an open region. `undecided_pairs` counts the
 ///   pairs of triangles of all open regions and never rises.
-/// - Each missing contact touches in the box of its open region. More work replaces a region by
+/// - The triangles of each missing contact have a common point in the box of its open region. More
+/// work replaces a region by
 ///   regions inside of it, so the union of all regions shrinks.
 /// - The distance of the poses is at most `distance_bound`, which never rises.
 /// - When nothing is open, `contacts` is the answer of `collide`, bit for bit.
 ///
 /// The state of a search depends only on the poses, the order, `max_open` and `work_done`. It does
 /// not depend on the instruction set, the compiler, the size of the slices, or on which nodes other
-/// queries have opened. For an exception, a query that opens all nodes at once, such as
-/// `self_collide` or a cast of many rays, computes smaller boxes, so a later search of the same
-/// pose needs less work.
+/// queries have opened. Exception: after a query that opens all nodes at once, such as
+/// `self_collide` or a cast of many rays, boxes are smaller, so a later search of the same pose
+/// needs less work.
 ///
 /// Work is counted in the units of `work_of`, with `kClusterPairWork` for each pair of clusters.
 /// Opening a node counts when the search first needs the node, even if it is open already. A unit

@@ -25,14 +25,14 @@ struct SelfMovingStats : MovingStats {
 /// not appended.
 ///
 /// At each time, triangles intersect as defined at `self_collide`, for the positions of the
-/// vertices at this time: two triangles share the corners with one surface vertex and one position.
-/// The answer is exact, as that of `collide_moving`. It contains the pairs that `self_collide`
-/// finds in the poses at both ends.
+/// vertices at this time: two corners are shared if they have the same surface vertex, and the same
+/// position at this time. The answer is exact, as that of `collide_moving`. With default options,
+/// it contains the pairs that `self_collide` finds in the poses at both ends.
 ///
 /// Times and features are those of `collide_moving`, with two differences for triangles that share
-/// corners. Features that have a shared corner in common are left out; if no others meet, both are
-/// whole faces. Triangles that stay in one plane may fold open at one instant and overlap
-/// immediately after it: then the time is that instant.
+/// corners. Features that have a shared corner in common are left out; if only these meet, both
+/// features are the whole face. Coplanar triangles can start to overlap right after an instant at
+/// which they only fold; the time is then that instant.
 ///
 /// Preconditions:
 /// `motion`: a step of the model of `filter`. Otherwise the program aborts, in every build.

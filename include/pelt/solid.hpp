@@ -1,9 +1,9 @@
 #pragma once
 
 /// Tests of a posed skin against a region of space or a solid, and rays against a solid. The
-/// queries find the triangles that touch or lie inside, decide whether the skin is inside or
-/// outside, and compute its distance from a solid. Use them for culling, selection, triggers, and
-/// collisions of characters with simple obstacles.
+/// queries find the triangles that touch or lie inside, now or at any time of a step, decide
+/// whether the skin is inside or outside, and compute its distance from a solid. Use them for
+/// culling, selection, triggers, and collisions of characters with simple obstacles.
 ///
 /// `Region` and `Solid` are two types because distances and rays do not support a ConvexPolyhedron.
 
@@ -107,7 +107,8 @@ struct RegionEntry {
 /// between them, and to the float32 numbers of the region. At each time, triangles touch the region
 /// as defined at `classify`.
 ///
-/// Preconditions: those of `Motion` and `Region`.
+/// Preconditions: those of `Motion` and `Region`; `scratch` is not used by another thread at the
+/// same time.
 ///
 /// Cost: as `collide`, but nodes are opened in both poses. A search in double precision with error
 /// bounds decides nearly all triangles that boxes and the ends of the step leave undecided, in a

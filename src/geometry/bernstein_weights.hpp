@@ -17,7 +17,7 @@ namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
 /// The weights of the coefficients of a cubic in its polar form. Exact if the arguments are
-/// multiples of 1/128, because then no product has more than 21 bits.
+/// multiples of 1/128 in [0, 1]: all intermediate values are then multiples of 2^-21 in [0, 1].
 class BernsteinWeights {
  public:
   BernsteinWeights(const Float8& x, const Float8& y, const Float8& z) {

@@ -2,9 +2,9 @@
 
 /// Tests one pair of moving triangles in eight pieces of its time at once, one in each lane.
 ///
-///     times    0                                   1
-///     first    |    |    |    | ?  | ?  |    |    |    |      undecided pieces
-///     then                    |_|_|_|_|_|_|_|_|               eight pieces of these
+///     times    0                                       1
+///     first    |    |    |    | ?  | ?  |    |    |    |   ?: undecided pieces
+///     then                    |_|_|_|_|_|_|_|_|            from the first to the last of these
 
 #include "geometry/bernstein_weights.hpp"
 #include "geometry/moving_filter.hpp"

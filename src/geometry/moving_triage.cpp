@@ -7,22 +7,23 @@
 /// Apart. At all times, one of two things separates the triangles:
 ///   The plane of one of them, if all three corners of the other are on one side, with all twelve
 /// coefficients.
-///   The planes that edge i of a, from p, and edge j of b, from r, span. Let n be the product of
-///   the
-/// two edges' vectors, and let f, g and h be the heights along n of r over p, of a's third corner
-/// over p, and of b's third corner over r. All of b is above all of a along n if f + min(0, h) -
-/// max(0, g) > 0, and below if f + max(0, h) - min(0, g) < 0. Such a function is bounded by what
-/// the same formula makes of coefficients. Furthermore,
+///   The planes that edge i of a, from p, and edge j of b, from q, span. Let n be the cross product
+///   of
+/// the two edges' vectors, and let f, g and h be the heights along n of q over p, of a's third
+/// corner over p, and of b's third corner over q. All of b is above all of a along n if f + min(0,
+/// h) - max(0, g) > 0, and below if f + max(0, h) - min(0, g) < 0. Such a function is bounded by
+/// what the same formula makes of coefficients. Furthermore,
 ///   f = -orient3d of the edges,  g = -rise of b's edge over a's plane,  h = rise of a's edge over
 ///   b's plane,
 /// because n times an edge of a is a determinant with two edges of a, whose product is a's normal.
 ///
-/// Intersecting. At the middle or at a quarter of the times, or in the middle of a piece, the test
-/// of `triangle_triage.cpp` finds that they do.
+/// Intersecting. At times 1/2, 1/4 and 3/4, or in the middle of a piece, the test of
+/// `triangle_triage.cpp` finds that they do.
 ///
 /// Pieces. A pair that is neither is tested in eight pieces of its time at once, one in each lane,
-/// and again in eight pieces of the times that are left (eight_pieces.hpp). The coefficients on a
-/// piece are means of those on [0, 1]. A pair is apart if it is apart in all pieces.
+/// and again in eight pieces of the time from the first to the last undecided piece
+/// (eight_pieces.hpp). The coefficients on a piece are means of those on [0, 1]. A pair is apart if
+/// it is apart in all pieces.
 ///
 /// Rounding. Let e = 2^-24, A the largest computed absolute component of u and v at both ends, B
 /// that of r and s, W that of w, and D the largest of the three. A coefficient of a determinant is
@@ -38,9 +39,9 @@
 ///
 /// If products are below V, the error of a coefficient is therefore below 6 * 21.1 e V < 127 e V,
 /// and its value below 6.1 V. A determinant at one time, or a coefficient on a piece, is the sum of
-/// four coefficients times exact weights that sum to 1, with four more relative errors: below 127 e
-/// V + 4 * 6.1 e V < 152 e V. Sums of two or three determinants are below 13 V and 19 V, so that
-/// they add 13 e V and 19 e V.
+/// four coefficients times exact weights that sum to 1, with at most four more relative errors:
+/// below 127 e V + 4 * 6.1 e V < 152 e V. Sums of two or three determinants are below 13 V and 19
+/// V, so that they add 13 e V and 19 e V.
 ///
 ///   value                                  V      error                          bound
 ///   height over a, two determinants        A A D  (2 * 152 + 13) e V = 317       512 e V
@@ -53,10 +54,12 @@
 ///     partial sums below 61 V and 74 V             + 135 = 2142                  2304 e V
 ///
 /// The bounds also cover the rounding of V and of themselves.
-///   Underflow: sums do not underflow. A product in a cross product has an additional error of at
-/// most 2^-150, which is multiplied by a difference below 2^61.1; a coefficient is a mean of sums
-/// of twelve of these, a separator has 12 coefficients: less than 2^-81. Later products add less
-/// than 2^-140.
+///   Underflow: sums do not underflow. A product that interpolates a component may lose 2^-150. The
+/// code adds 2^-100 to A and B, so this is less than 2^-49 relative to them, which the bounds
+/// cover. A product in a cross product has an additional error of at most 2^-150, which is
+/// multiplied by a difference below 2^61.1; a coefficient is a mean of at most 18 of these, a
+/// separator has 12 coefficients: less than 2^-80, which the code adds to the bounds. Later
+/// products add less than 2^-140.
 ///   Overflow: sums of two cross products are below 2^125. No value exceeds 80 V, and bounds are
 /// computed from 128 V. If that overflows, the bound is infinite or NaN, no comparison with it
 /// holds, and the lane remains undecided.
@@ -83,7 +86,7 @@ struct Range8 {
         high(highest({corners[0].*axis, corners[1].*axis, corners[2].*axis})) {}
 };
 
-/// Leaves out the times at which there is a gap, given at times 0 and 1.
+/// Removes the times at which a gap is positive. The gap is linear in time.
 void cut(TimeSpans8& times, const Float8& gap_at_0, const Float8& gap_at_1) {
   const Float8 zero(0.0f), quotient = gap_at_0 / (gap_at_0 - gap_at_1);
   const Float8 early = quotient * Float8(1 - 0x1p-21f) - Float8(0x1p-100f);
@@ -95,7 +98,7 @@ void cut(TimeSpans8& times, const Float8& gap_at_0, const Float8& gap_at_1) {
   times.end = select(at_0 & at_1, Float8(-1.0f), times.end);
 }
 
-/// Looks for times at which pairs that are left of `asked` intersect.
+/// Looks for times at which the pairs in `asked` that are not decided yet intersect.
 void find_intersecting(const Cubics8& cubics, const MovingCertainties& certainly, unsigned asked,
                        Triage& result) {
   for (const int k : {4, 2, 6}) {
@@ -107,7 +110,7 @@ void find_intersecting(const Cubics8& cubics, const MovingCertainties& certainly
   }
 }
 
-/// Tests pairs that are left of `asked` in pieces.
+/// Tests the pairs in `asked` that are not decided yet in pieces.
 void decide_in_pieces(const Cubics8& cubics, const MovingCertainties& certainly, unsigned asked,
                       Triage& result) {
   for (unsigned rest = asked & ~result.intersecting; rest != 0; rest &= rest - 1) {
