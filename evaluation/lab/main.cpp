@@ -5,6 +5,7 @@
 #include "evaluation/methods/lab_self_methods.hpp"
 #include "evaluation/reproduce/command.hpp"
 #include "tools/pelt/arguments/command_line.hpp"
+#include "tools/pelt/methods/anytime_methods.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
 namespace {
@@ -31,6 +32,7 @@ void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
             {{pelt::lab::kLabMethods, "paper,paper_eager,eager,on_demand,rigid"},
              {pelt::lab::kLabSelfMethods, "boxes,self,eager"},
              {pelt::lab::kLabMovingMethods, "eager,united,on_demand"},
+             {pelt::methods::kCommandAnytimeMethods, "contacts,resolution,first_contact,paper"},
              kBenchNotes});
   add_check(app, chosen, pelt::lab::kLabMethods);
   add_reproduce(app, chosen);

@@ -30,12 +30,7 @@ class Descent {
 
   /// Appends all contacts, or the first `max_contacts` that it finds.
   QueryStats run() {
-    ++stats_.node_pairs;
-    make_room(1);
-    stack_[0] = {0, 0};
-    a_.refresh(0, 1);
-    b_.refresh(0, 1);
-    waiting_ = balls_meet(a_.sphere(0), b_.sphere(0));
+    start();
     while (waiting_ > 0 && left_ > 0) {
       const auto [node_a, node_b] = stack_[--waiting_];
       open(node_a, node_b);
@@ -44,8 +39,17 @@ class Descent {
     return stats_;
   }
 
- private:
+ protected:
   using NodePair = std::pair<std::uint32_t, std::uint32_t>;
+
+  void start() {
+    ++stats_.node_pairs;
+    make_room(1);
+    stack_[0] = {0, 0};
+    a_.refresh(0, 1);
+    b_.refresh(0, 1);
+    waiting_ = balls_meet(a_.sphere(0), b_.sphere(0));
+  }
 
   void open(std::uint32_t node_a, std::uint32_t node_b) {
     const Node& a = a_.tree().nodes[node_a];

@@ -1,6 +1,7 @@
 /// The command `pelt`.
 
 #include "tools/pelt/arguments/command_line.hpp"
+#include "tools/pelt/methods/anytime_methods.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/methods/moving_methods.hpp"
 #include "tools/pelt/methods/self_methods.hpp"
@@ -33,6 +34,7 @@ void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
             {{pelt::methods::kCommandMethods, "paper,eager,on_demand"},
              {pelt::methods::kSelfMethods, "boxes,self"},
              {pelt::methods::kCommandMovingMethods, "eager,on_demand"},
+             {pelt::methods::kCommandAnytimeMethods, "contacts,resolution,first_contact,paper"},
              kBenchNotes});
 }
 

@@ -55,6 +55,14 @@ Paths moving_paths(const TestFolder& folder) {
   return paths_of(json::parse(read_text(folder / "moving.json")));
 }
 
+Paths anytime_paths(const TestFolder& folder) {
+  write_limbs(folder);
+  const Ended run = run_pelt(folder, {"bench", "scene.json", "--anytime", "--repeat", "1",
+                                      "--frames", "5:6", "--json", "anytime.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return paths_of(json::parse(read_text(folder / "anytime.json")));
+}
+
 /// The section of the manual page whose title begins so.
 std::string manual_section(const std::string& title = "Figures (") {
   const std::string page = read_text(std::string(PELT_DOCS_DIR) + "/pelt.1");
@@ -80,6 +88,11 @@ TEST(BenchJson, ManualDescribesEveryFieldAndNoOther) {
 TEST(BenchJson, ManualDescribesEveryFieldOfMovingAndNoOther) {
   const TestFolder folder;
   EXPECT_EQ(described_in(manual_section("Figures of steps (")), moving_paths(folder));
+}
+
+TEST(BenchJson, ManualDescribesEveryFieldOfAnytimeAndNoOther) {
+  const TestFolder folder;
+  EXPECT_EQ(described_in(manual_section("Figures of searches (")), anytime_paths(folder));
 }
 
 TEST(BenchJson, ManualsExampleHasTheFieldsThatAreWritten) {

@@ -2,6 +2,7 @@
 
 /// Runs `pelt check` of characters against themselves.
 
+#include "support/gltf_builder.hpp"
 #include "tools/answer.hpp"
 
 #include <string>

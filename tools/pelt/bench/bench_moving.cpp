@@ -2,6 +2,7 @@
 
 #include "asset/printable.hpp"
 #include "scenes/takes.hpp"
+#include "tools/pelt/bench/bench_frames.hpp"
 #include "tools/pelt/bench/bench_skinning.hpp"
 #include "tools/pelt/methods/moving_methods.hpp"
 #include "tools/pelt/output/progress.hpp"
@@ -79,13 +80,10 @@ Result<Skinning> measure_skinning_of(const MovingSubject& subject, std::uint32_t
 
 Result<std::vector<Step>> choose_steps(const scenes::Scene& scene,
                                        const std::optional<arguments::FrameRange>& chosen) {
-  const arguments::FrameRange frames = chosen.value_or(arguments::FrameRange{0, scene.frame_count});
-  if (frames.end > scene.frame_count)
-    return output::bad_argument("--frames",
-                                std::to_string(frames.end) + " goes beyond the last frame",
-                                scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+  const auto frames = choose_frames(scene, chosen);
+  if (!frames) return frames.error();
   std::vector<Step> steps;
-  for (const std::uint32_t from : frames.frames())
+  for (const std::uint32_t from : *frames)
     if (is_step(scene, from))
       steps.push_back({from > 0 && is_step(scene, from - 1) ? from - 1 : from, from, from + 1});
   if (steps.empty())
@@ -101,11 +99,7 @@ MovingBenchMethod moving_method_of(const methods::MovingMethodKind& kind) {
 Result<arguments::ExitCode> bench_moving(const scenes::Scene& scene, const MovingSettings& settings,
                                          std::vector<MovingSceneFigures>& figures,
                                          std::ostream& errors) {
-  if (scene.instances.size() < 2)
-    return output::bad_argument(asset::printable(scene.name),
-                                "has " + output::counted(scene.instances.size(), "instance") +
-                                    ", so there is no pair to measure",
-                                "add instances until there are at least two");
+  if (const auto checked = require_two_instances(scene); !checked) return checked.error();
   const auto steps = choose_steps(scene, settings.frames);
   if (!steps) return steps.error();
   const auto colliders =

@@ -1,6 +1,7 @@
 #include "tools/pelt/bench/bench_scene.hpp"
 
 #include "asset/printable.hpp"
+#include "tools/pelt/bench/bench_frames.hpp"
 #include "tools/pelt/bench/bench_self.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
@@ -16,15 +17,6 @@ namespace {
 /// The reference for all answers; shares no tree with the fast methods.
 BenchMethod reference_of(const BenchSettings& settings) {
   return settings.is_self ? self_method(methods::kSelfBrute) : method_of(methods::kPaper);
-}
-
-Result<std::vector<std::uint32_t>> choose_frames(
-    const scenes::Scene& scene, const std::optional<arguments::FrameRange>& chosen) {
-  const arguments::FrameRange frames = chosen.value_or(arguments::FrameRange{0, scene.frame_count});
-  if (frames.end <= scene.frame_count) return frames.frames();
-  return output::bad_argument("--frames",
-                              std::to_string(frames.end) + " goes beyond the last frame",
-                              scene.name + " has frames 0:" + std::to_string(scene.frame_count));
 }
 
 struct Prepared {
@@ -137,13 +129,11 @@ Result<void> add_self_figures(const Subject& subject, SceneFigures& scene) {
 
 Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
                                         std::vector<SceneFigures>& figures, std::ostream& errors) {
-  if (!settings.is_self && scene.instances.size() < 2)
-    return output::bad_argument(
-        asset::printable(scene.name),
-        "has " + output::counted(scene.instances.size(), "instance") +
-            ", so there is no pair to measure",
-        "add instances until there are at least two, or measure each instance "
-        "against itself with --self");
+  if (!settings.is_self) {
+    const auto checked =
+        require_two_instances(scene, ", or measure each instance against itself with --self");
+    if (!checked) return checked.error();
+  }
   const auto frames = choose_frames(scene, settings.frames);
   if (!frames) return frames.error();
   const Result<Prepared> prepared = prepare(scene, settings.models);

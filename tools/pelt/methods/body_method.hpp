@@ -2,43 +2,27 @@
 
 /// A method made of bodies: validates a palette for each body, sorts contacts, counts work.
 
-#include "model/model.hpp"
-#include "model/unpack.hpp"
+#include "tools/pelt/methods/body_set.hpp"
 #include "tools/pelt/methods/method.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace pelt::methods {
 
-/// Traits have the types Body, Prepared (computed once for each model) and Scratch; the constants
-/// kUpdateCounts and kMorphs (whether morph weights are known); and prepare(mesh),
-/// make_body(mesh, prepared), update(body, palette) and collide(a, palette of a, b, palette of b,
-/// scratch, contacts, max_contacts), whose contacts may have any order.
+/// Traits are those of BodySet, and have a type Scratch, the constant kUpdateCounts, and collide(a,
+/// palette of a, b, palette of b, scratch, contacts, max_contacts), whose contacts may have any
+/// order.
 template <typename Traits>
 class BodyMethod final : public Method {
  public:
-  void add(const SkinnedModel& model) override {
-    auto& prepared = prepared_[&model.detail()];
-    if (!prepared) prepared = std::make_unique<PreparedModel>(model);
-    const detail::SkinnedMesh& mesh = prepared->mesh;
-    palettes_.emplace_back(mesh.joint_count, mesh.rest_extent, mesh.morph_extents);
-    bodies_.push_back(Traits::make_body(mesh, prepared->prepared));
-    update_work_ += Traits::update(*bodies_.back(), palettes_.back());
-  }
+  void add(const SkinnedModel& model) override { bodies_.add(model); }
 
   Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
-    const bool any = std::any_of(weights.begin(), weights.end(), [](float w) { return w != 0; });
-    if (any && !Traits::kMorphs)
-      return Error{ErrorCode::unsupported,
-                   "this method has no bounds for morph targets: choose another method"};
-    return palettes_[body].set_morph_weights(weights);
+    return bodies_.set_morph_weights(body, weights);
   }
 
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
-    Result<void> taken = palettes_[body].set(palette);
-    if (taken) update_work_ += Traits::update(*bodies_[body], palettes_[body]);
-    return taken;
+    return bodies_.set_palette(body, palette);
   }
 
   bool update_counts() const override { return Traits::kUpdateCounts; }
@@ -46,29 +30,18 @@ class BodyMethod final : public Method {
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      const CollideOptions& options) override {
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
-    const QueryStats work = Traits::collide(*bodies_[a], palettes_[a], *bodies_[b], palettes_[b],
-                                            scratch_, contacts, options.max_contacts);
+    const QueryStats work =
+        Traits::collide(bodies_[a], bodies_.palette(a), bodies_[b], bodies_.palette(b), scratch_,
+                        contacts, options.max_contacts);
     std::sort(contacts.begin() + first, contacts.end());
     return work;
   }
 
-  QueryStats update_work() const override { return update_work_; }
+  QueryStats update_work() const override { return bodies_.update_work(); }
 
  private:
-  struct PreparedModel {
-    explicit PreparedModel(const SkinnedModel& m)
-        : model(m), mesh(detail::unpack_mesh(m.detail().tree)), prepared(Traits::prepare(mesh)) {}
-
-    SkinnedModel model;
-    detail::SkinnedMesh mesh;
-    typename Traits::Prepared prepared;
-  };
-
-  std::map<const detail::Model*, std::unique_ptr<PreparedModel>> prepared_;
-  std::vector<detail::Palette> palettes_;
-  std::vector<std::unique_ptr<typename Traits::Body>> bodies_;
+  BodySet<Traits> bodies_;
   typename Traits::Scratch scratch_;
-  QueryStats update_work_;
 };
 
 }  // namespace pelt::methods

@@ -2,6 +2,7 @@
 
 /// The paper's method. The only place where the product includes code of evaluation/paper.
 
+#include "evaluation/paper/breadth_first.hpp"
 #include "evaluation/paper/on_demand.hpp"
 #include "tools/pelt/methods/body_method.hpp"
 

@@ -1,5 +1,6 @@
 /// `pelt bench`: the cost of each method on a scene, in the steps between its frames, or on a
-/// character against itself. Prints no time unless all methods give the same answer.
+/// character against itself; and what a search knows when it is stopped. Prints no time unless all
+/// methods give the same answer.
 
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
@@ -8,9 +9,13 @@
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/bench/anytime_chart.hpp"
+#include "tools/pelt/bench/anytime_report.hpp"
 #include "tools/pelt/bench/bench_against.hpp"
+#include "tools/pelt/bench/bench_anytime.hpp"
 #include "tools/pelt/bench/bench_moving.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/methods/anytime_methods.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
@@ -31,12 +36,12 @@ constexpr const char *kAllQueries = "all,first", *kAllCaches = "hot,cold";
 struct Arguments {
   std::string program;
   std::vector<std::string> inputs, clips;
-  bool is_self = false, is_moving = false;
+  bool is_self = false, is_moving = false, is_anytime = false;
   std::optional<double> fps;
   BenchMethods known;
   std::string methods;
   std::string queries = kAllQueries, caches = kAllCaches;
-  std::string threads, json, against, frames, simd;
+  std::string threads, json, svg, against, frames, simd;
   std::optional<std::uint32_t> margin;
   std::uint32_t repetitions = bench::kEnoughRepetitions;
   arguments::ModelArguments models;
@@ -52,6 +57,7 @@ Examples:
   pelt bench knight.glb --clip Walk
   pelt bench scene.json --self
   pelt bench scene.json --moving
+  pelt bench scene.json --anytime --frames 20:40:5 --svg anytime.svg
 
 Each repetition of a frame first runs the previous frame untimed (for the first frame, the last one),
 then times setting the palettes and querying all pairs. The time of a frame is the median of its
@@ -83,6 +89,18 @@ on_demand" are the cost over that of on_demand for collide and for the same quer
 those of brute, which decides every pair of triangles whose extents overlap, without a tree. The last
 table shows which share of the pairs of triangles each arithmetic decides.
 
+--anytime measures what a CollisionSearch knows when it is stopped, for each pair of instances that is
+in contact in a frame, and prints means over the pairs: the share of the contacts that are listed, the
+share of the pairs of triangles that are undecided, and the longest side of an open region, after 1 to
+100 % of the work. contacts, resolution and first_contact are the orders of the search; paper is the
+paper's sphere tree, refitted on demand, one level after the other. Each method is first run to its end
+in 200 equal slices of its work, which is counted and the same on every machine. Then the time of each
+share is measured: both instances are posed anew, untimed, and a new search runs to that share. Times are
+relative to a complete search of the same pair in the order contacts. "area" is the area below contacts
+listed over the work: 1 if all contacts are listed at once, 0 if all are listed at the end. The tables
+"after the same time" stop all methods at the same time. "longest step" is what advance may exceed its
+work by. Complete searches must find the contacts of collide. --svg draws all this over time.
+
 --against compares with FILE. The last tables show, for each scene, query and cache, the speed-up of a
 method over paper and eager, or its cost over boxes: then (in FILE), now, and now/then. "worse" marks a
 ratio that has become worse by more than --margin. Ratios differ little between machines, but they are
@@ -105,6 +123,10 @@ With --moving, the format is "pelt-bench-moving"; scenes have triangles, steps, 
 and methods, and methods have method, query, mean_us, median_us, mean_contact_us, p95_us,
 mean_update_us, of_collide, ns_per_pair (null for collide, first and touch), steps_in_contact, contacts, hash and counters, with
 double_pairs and exact_pairs: pairs of triangles that were not decided in float, or not in double.
+With --anytime, the format is "pelt-bench-anytime"; scenes have triangles, frames_in_contact, pairs,
+contacts, hash, repetitions, collide_us and methods, and methods have method, work, longest_step,
+mean_us, area_over_work, area_over_time, over_work, over_time and course: what is known after shares of
+the work, of the time, and at many times, with share, time, listed, undecided and resolution.
 Names that end in _us are microseconds per frame or step. pelt(1) describes each field, with an example.)";
 
 /// A larger number is probably a typing error.
@@ -184,6 +206,26 @@ Result<std::vector<bench::BenchMethod>> choose_methods(const Arguments& argument
   return methods;
 }
 
+/// Nullopt without --frames.
+Result<std::optional<arguments::FrameRange>> parse_frames(const Arguments& arguments) {
+  if (arguments.frames.empty()) return std::optional<arguments::FrameRange>();
+  const auto frames = arguments::parse_frame_range(arguments.frames);
+  if (!frames) return frames.error();
+  return std::optional(*frames);
+}
+
+/// Sets what all modes have in common.
+template <typename Settings>
+Result<void> set_common(const Arguments& arguments, Settings& settings) {
+  settings.program = arguments.program;
+  settings.repetitions = arguments.repetitions;
+  settings.models = arguments.models;
+  const auto frames = parse_frames(arguments);
+  if (!frames) return frames.error();
+  settings.frames = *frames;
+  return {};
+}
+
 Result<bench::BenchSettings> choose(const Arguments& arguments) {
   bench::BenchSettings settings;
   settings.is_self = arguments.is_self;
@@ -196,48 +238,60 @@ Result<bench::BenchSettings> choose(const Arguments& arguments) {
   const auto caches = parse_list("--caches", arguments.caches, kCaches);
   if (!caches) return caches.error();
   settings.caches = *caches;
-  settings.repetitions = arguments.repetitions;
-  settings.models = arguments.models;
-  settings.program = arguments.program;
-  if (arguments.frames.empty()) return settings;
-  const auto frames = arguments::parse_frame_range(arguments.frames);
-  if (!frames) return frames.error();
-  settings.frames = *frames;
+  if (const auto set = set_common(arguments, settings); !set) return set.error();
   return settings;
 }
 
-/// Returns an error if an option was given that --moving does not have.
-Result<void> check_moving(const Arguments& arguments) {
-  const std::pair<bool, const char*> others[] = {{arguments.is_self, "--self"},
-                                                 {arguments.queries != kAllQueries, "--queries"},
-                                                 {arguments.caches != kAllCaches, "--caches"},
-                                                 {!arguments.threads.empty(), "--threads"},
-                                                 {!arguments.against.empty(), "--against"},
-                                                 {arguments.margin.has_value(), "--margin"}};
+/// Returns an error if an option was given that cannot be combined with `mode`, which is --moving
+/// or --anytime.
+Result<void> check_alone(const char* mode, const Arguments& arguments) {
+  const std::pair<bool, const char*> others[] = {
+      {arguments.is_self, "--self"},
+      {arguments.is_moving && arguments.is_anytime, "--moving"},
+      {arguments.queries != kAllQueries, "--queries"},
+      {arguments.caches != kAllCaches, "--caches"},
+      {!arguments.threads.empty(), "--threads"},
+      {!arguments.against.empty(), "--against"},
+      {arguments.margin.has_value(), "--margin"}};
   for (const auto& [is_given, option] : others)
     if (is_given)
-      return output::bad_argument("--moving", "cannot be combined with " + std::string(option),
+      return output::bad_argument(mode, "cannot be combined with " + std::string(option),
                                   "leave out one of them");
   return {};
 }
 
-Result<bench::MovingSettings> choose_moving(const Arguments& arguments) {
-  const auto& [known, measured] = arguments.known.moving;
+/// The methods of --methods, or those that are measured without it, from the kinds of --moving or
+/// --anytime.
+template <typename Choice>
+auto parse_kinds(const Arguments& arguments, const Choice& choice) {
+  using Kind = std::remove_cv_t<typename decltype(choice.known)::element_type>;
   std::vector<std::string_view> names;
-  for (const methods::MovingMethodKind& kind : known) names.push_back(kind.name);
-  const auto kinds = parse_list<methods::MovingMethodKind>(
-      "--methods", arguments.methods.empty() ? measured : arguments.methods, known, names);
+  for (const Kind& kind : choice.known) names.push_back(kind.name);
+  return parse_list<Kind>("--methods",
+                          arguments.methods.empty() ? choice.measured : arguments.methods,
+                          choice.known, names);
+}
+
+Result<bench::MovingSettings> choose_moving(const Arguments& arguments) {
+  const auto kinds = parse_kinds(arguments, arguments.known.moving);
   if (!kinds) return kinds.error();
   bench::MovingSettings settings;
   for (const methods::MovingMethodKind& kind : *kinds)
     settings.methods.push_back(bench::moving_method_of(kind));
-  settings.program = arguments.program;
-  settings.repetitions = arguments.repetitions;
-  settings.models = arguments.models;
-  if (arguments.frames.empty()) return settings;
-  const auto frames = arguments::parse_frame_range(arguments.frames);
-  if (!frames) return frames.error();
-  settings.frames = *frames;
+  if (const auto set = set_common(arguments, settings); !set) return set.error();
+  return settings;
+}
+
+Result<bench::AnytimeSettings> choose_anytime(const Arguments& arguments) {
+  const auto kinds = parse_kinds(arguments, arguments.known.anytime);
+  if (!kinds) return kinds.error();
+  if (std::find(kinds->begin(), kinds->end(), methods::kAnytimeContacts) == kinds->end())
+    return output::bad_argument("--methods", "the method contacts is missing",
+                                "add it, because times are relative to its complete search");
+  bench::AnytimeSettings settings;
+  for (const methods::AnytimeMethodKind& kind : *kinds)
+    settings.methods.push_back(bench::anytime_method_of(kind));
+  if (const auto set = set_common(arguments, settings); !set) return set.error();
   return settings;
 }
 
@@ -260,20 +314,6 @@ Result<scenes::Scene> load_input(const Arguments& arguments, std::size_t i) {
   for (const std::string& clip : alone.clips) scene->name += " " + clip;
   if (arguments::asks_for_scene(alone)) scene->name += " --self";
   return scene;
-}
-
-Result<arguments::ExitCode> bench_input(const Arguments& arguments, std::size_t i,
-                                        const bench::BenchSettings& settings,
-                                        std::vector<bench::SceneFigures>& figures,
-                                        std::ostream& words) {
-  const auto scene = load_input(arguments, i);
-  if (!scene) return scene.error();
-  for (const std::string& note : scene->notes) words << "note: " << note << '\n';
-  const Result<arguments::ExitCode> exit = bench::bench_scene(*scene, settings, figures, std::cerr);
-  if (!exit || *exit != arguments::ExitCode::success) return exit;
-  if (figures.size() == 1) bench::print_machine(words);
-  bench::print_figures(figures.back(), words);
-  return exit;
 }
 
 /// Nullopt without --against.
@@ -303,7 +343,8 @@ arguments::ExitCode compare(const bench::Baseline& baseline, const Arguments& ar
 /// Loads the inputs a second time, because the check needs the names of their models before they
 /// are measured.
 Result<void> check_output(const Arguments& arguments) {
-  if (arguments.json.empty() && !output::is_standard_output_a_file()) return {};
+  if (arguments.json.empty() && arguments.svg.empty() && !output::is_standard_output_a_file())
+    return {};
   std::vector<output::InputFile> inputs;
   if (!arguments.against.empty())
     inputs.push_back({arguments.against, "what --against compares with"});
@@ -313,8 +354,8 @@ Result<void> check_output(const Arguments& arguments) {
     for (output::InputFile& file : arguments::files_of_scene(input_alone(arguments, i), *scene))
       inputs.push_back(std::move(file));
   }
-  const output::NamedOutput output = {"--json", arguments.json};
-  return output::check_outputs({&output, 1}, inputs);
+  const output::NamedOutput outputs[] = {{"--json", arguments.json}, {"--svg", arguments.svg}};
+  return output::check_outputs(outputs, inputs);
 }
 
 bool is_scene_file(const std::string& path) {
@@ -335,41 +376,99 @@ Result<bool> has_only_models(const Arguments& arguments) {
                               "add --self, or start a run for each");
 }
 
-/// Opens the file of --json. Does nothing without --json.
-Result<void> open_json(const Arguments& arguments, output::OutputFile& json) {
+/// The files that a run writes. Those that are not named are not written.
+struct Outputs {
+  output::OutputFile json, svg;
+};
+
+Result<void> open_outputs(const Arguments& arguments, Outputs& outputs) {
   if (const auto checked = check_output(arguments); !checked) return checked;
-  return json.open(arguments.json);
+  if (const auto opened = outputs.json.open(arguments.json); !opened) return opened;
+  return outputs.svg.open(arguments.svg);
 }
 
-/// Does nothing without --json.
-Result<void> write_json(const Arguments& arguments, const std::string& text,
-                        output::OutputFile& json, std::ostream& words) {
-  if (arguments.json.empty()) return {};
-  const auto written = json.write_and_close(std::as_bytes(std::span(text)));
-  if (written) output::print_written(arguments.json, words);
+/// Does nothing without a name.
+Result<void> write_output(const std::string& name, const std::string& text,
+                          output::OutputFile& file, std::ostream& words) {
+  if (name.empty()) return {};
+  const auto written = file.write_and_close(std::as_bytes(std::span(text)));
+  if (written) output::print_written(name, words);
   return written;
 }
 
-Result<arguments::ExitCode> bench_steps(const Arguments& arguments) {
-  if (const auto checked = check_moving(arguments); !checked) return checked.error();
-  const Result<bench::MovingSettings> settings = choose_moving(arguments);
-  if (!settings) return settings.error();
-  output::OutputFile json;
-  if (const auto opened = open_json(arguments, json); !opened) return opened.error();
-  std::ostream& words = output::words_beside({arguments.json});
-  std::vector<bench::MovingSceneFigures> figures;
+std::ostream& words_of(const Arguments& arguments) {
+  return output::words_beside({arguments.json, arguments.svg});
+}
+
+/// Loads each input, and appends its figures with `measure(scene, figures)` and prints them with
+/// `print(figures, words)`. Stops if a method gives a wrong answer.
+template <typename Figures, typename Measure, typename Print>
+Result<arguments::ExitCode> bench_each(const Arguments& arguments, std::vector<Figures>& figures,
+                                       const Measure& measure, const Print& print) {
+  std::ostream& words = words_of(arguments);
   for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
     const auto scene = load_input(arguments, i);
     if (!scene) return scene.error();
     for (const std::string& note : scene->notes) words << "note: " << note << '\n';
-    const auto exit = bench::bench_moving(*scene, *settings, figures, std::cerr);
+    const Result<arguments::ExitCode> exit = measure(*scene, figures);
     if (!exit || *exit != arguments::ExitCode::success) return exit;
     if (figures.size() == 1) bench::print_machine(words);
-    bench::print_moving_figures(figures.back(), words);
+    print(figures.back(), words);
   }
-  const auto written = write_json(arguments, bench::moving_figures_json(figures), json, words);
-  if (!written) return written.error();
   return arguments::ExitCode::success;
+}
+
+Result<arguments::ExitCode> bench_steps(const Arguments& arguments) {
+  if (const auto checked = check_alone("--moving", arguments); !checked) return checked.error();
+  const Result<bench::MovingSettings> settings = choose_moving(arguments);
+  if (!settings) return settings.error();
+  Outputs outputs;
+  if (const auto opened = open_outputs(arguments, outputs); !opened) return opened.error();
+  std::vector<bench::MovingSceneFigures> figures;
+  const auto exit = bench_each(
+      arguments, figures,
+      [&](const auto& scene, auto& all) {
+        return bench::bench_moving(scene, *settings, all, std::cerr);
+      },
+      bench::print_moving_figures);
+  if (!exit || *exit != arguments::ExitCode::success) return exit;
+  const auto written = write_output(arguments.json, bench::moving_figures_json(figures),
+                                    outputs.json, words_of(arguments));
+  if (!written) return written.error();
+  return exit;
+}
+
+Result<arguments::ExitCode> bench_searches(const Arguments& arguments) {
+  if (const auto checked = check_alone("--anytime", arguments); !checked) return checked.error();
+  const Result<bench::AnytimeSettings> settings = choose_anytime(arguments);
+  if (!settings) return settings.error();
+  Outputs outputs;
+  if (const auto opened = open_outputs(arguments, outputs); !opened) return opened.error();
+  std::vector<bench::AnytimeSceneFigures> figures;
+  const auto exit = bench_each(
+      arguments, figures,
+      [&](const auto& scene, auto& all) {
+        return bench::bench_anytime(scene, *settings, all, std::cerr);
+      },
+      bench::print_anytime_figures);
+  if (!exit || *exit != arguments::ExitCode::success) return exit;
+  std::ostream& words = words_of(arguments);
+  const auto json =
+      write_output(arguments.json, bench::anytime_figures_json(figures), outputs.json, words);
+  if (!json) return json.error();
+  const auto svg = write_output(arguments.svg, bench::anytime_chart(figures), outputs.svg, words);
+  if (!svg) return svg.error();
+  return exit;
+}
+
+/// Returns an error if a mode that queries pairs of instances got models.
+Result<void> require_scenes(const Arguments& arguments, bool only_models) {
+  if (!only_models) return {};
+  for (const auto& [is_given, mode] :
+       {std::pair(arguments.is_moving, "--moving"), std::pair(arguments.is_anytime, "--anytime")})
+    if (is_given)
+      return output::bad_argument(mode, "requires scene files", "write a scene of the models");
+  return {};
 }
 
 Result<arguments::ExitCode> bench_inputs(Arguments arguments) {
@@ -380,30 +479,38 @@ Result<arguments::ExitCode> bench_inputs(Arguments arguments) {
     return output::bad_argument("--clip", "was given more often than there are models",
                                 "give it at most once per model, in the order of the models");
   if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
-  if (arguments.is_moving && *only_models)
-    return output::bad_argument("--moving", "requires scene files", "write a scene of the models");
+  if (const auto checked = require_scenes(arguments, *only_models); !checked)
+    return checked.error();
+  if (!arguments.svg.empty() && !arguments.is_anytime)
+    return output::bad_argument("--svg", "requires --anytime", "add --anytime");
+  if (arguments.is_anytime) return bench_searches(arguments);
   if (arguments.is_moving) return bench_steps(arguments);
   const Result<bench::BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
   const auto baseline = choose_baseline(arguments);
   if (!baseline) return baseline.error();
-  output::OutputFile json;
-  if (const auto opened = open_json(arguments, json); !opened) return opened.error();
-  std::ostream& words = output::words_beside({arguments.json});
+  Outputs outputs;
+  if (const auto opened = open_outputs(arguments, outputs); !opened) return opened.error();
   std::vector<bench::SceneFigures> figures;
-  for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
-    const Result<arguments::ExitCode> exit = bench_input(arguments, i, *settings, figures, words);
-    if (!exit || *exit != arguments::ExitCode::success) return exit;
-  }
-  const auto written = write_json(arguments, bench::figures_json(figures), json, words);
+  const auto exit = bench_each(
+      arguments, figures,
+      [&](const auto& scene, auto& all) {
+        return bench::bench_scene(scene, *settings, all, std::cerr);
+      },
+      bench::print_figures);
+  if (!exit || *exit != arguments::ExitCode::success) return exit;
+  std::ostream& words = words_of(arguments);
+  const auto written =
+      write_output(arguments.json, bench::figures_json(figures), outputs.json, words);
   if (!written) return written.error();
   return *baseline ? compare(**baseline, arguments, figures, words) : arguments::ExitCode::success;
 }
 
-std::string listed(methods::MovingMethodKinds kinds) {
+/// The names of --moving or --anytime.
+template <typename Kind>
+std::string listed(std::span<const Kind> kinds) {
   std::string list;
-  for (const methods::MovingMethodKind& kind : kinds)
-    list.append(list.empty() ? "" : ", ").append(kind.name);
+  for (const Kind& kind : kinds) list.append(list.empty() ? "" : ", ").append(kind.name);
   return list;
 }
 
@@ -412,7 +519,8 @@ std::string help_on_methods(const BenchMethods& known) {
          " (default: " + known.pairs.measured + "); with --self, of " +
          methods::listed(known.self.known) + " (default: " + known.self.measured +
          "); with --moving, of " + listed(known.moving.known) +
-         " (default: " + known.moving.measured + ")";
+         " (default: " + known.moving.measured + "); with --anytime, of " +
+         listed(known.anytime.known) + " (default: all)";
 }
 
 void add_options(arguments::Verb& verb, Arguments& arguments) {
@@ -425,6 +533,8 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
               "Frames per second of clips (default: that of the scene, or 30)", {.type = "FPS"});
   verb.flag("--self", arguments.is_self, "Query each instance of a scene against itself");
   verb.flag("--moving", arguments.is_moving, "Query the steps between the frames of scenes");
+  verb.flag("--anytime", arguments.is_anytime,
+            "Show what is known about pairs in contact when their search is stopped");
   verb.option("--methods", arguments.methods, help_on_methods(arguments.known), {.type = "A,B"});
   verb.option("--queries", arguments.queries,
               "all: every contact; first: only whether each pair touches", {.type = "all,first"});
@@ -437,6 +547,7 @@ void add_options(arguments::Verb& verb, Arguments& arguments) {
   verb.option("--frames", arguments.frames, "Frames A to B - 1, each S-th of them",
               {.type = "A:B[:S]"});
   verb.option("--json", arguments.json, "Write the figures", {.type = "FILE"});
+  verb.option("--svg", arguments.svg, "With --anytime: draw a chart", {.type = "FILE"});
   verb.option("--against", arguments.against, "Compare with figures that --json has written",
               {.type = "FILE"});
   verb.option("--margin", arguments.margin,

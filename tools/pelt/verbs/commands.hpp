@@ -5,6 +5,7 @@
 /// methods of the program.
 
 #include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/methods/anytime_method.hpp"
 #include "tools/pelt/methods/method.hpp"
 #include "tools/pelt/methods/moving_method.hpp"
 
@@ -30,10 +31,17 @@ struct BenchMethods {
     std::string measured;
   };
 
-  Choice pairs;         ///< for pairs of instances
-  Choice self;          ///< for an instance against itself
-  MovingChoice moving;  ///< for pairs of instances between frames
-  std::string notes;    ///< added to --help after the text for all methods
+  /// The same for --anytime.
+  struct AnytimeChoice {
+    methods::AnytimeMethodKinds known;
+    std::string measured;
+  };
+
+  Choice pairs;           ///< for pairs of instances
+  Choice self;            ///< for an instance against itself
+  MovingChoice moving;    ///< for pairs of instances between frames
+  AnytimeChoice anytime;  ///< for searches that are stopped
+  std::string notes;      ///< added to --help after the text for all methods
 };
 
 void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);
