@@ -31,7 +31,7 @@ enum class Verdict : std::uint8_t {
 enum class SearchOrder : std::uint8_t {
   first_contact,  ///< depth first, deepest overlap first, as `intersects`: a verdict soon
   resolution,     ///< longest region first: shrinks all regions evenly
-  contacts,       ///< thickest region first, relative to its length: many contacts soon
+  contacts,       ///< deepest overlap first, relative to its length: many contacts soon
 };
 
 /// Triangles below two nodes that have not been compared yet.

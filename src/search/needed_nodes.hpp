@@ -31,6 +31,10 @@ inline std::uint64_t work_to_open(const PosedTree& posed, std::uint32_t index) {
          kDisplacementWork * work.displacements;
 }
 
+inline bool is_needed(const NodeSet& needed, std::uint32_t node) {
+  return (needed[node / 64] >> node % 64 & 1) != 0;
+}
+
 /// Adds a node. Returns the work of opening it, or 0 if the search has needed it before.
 inline std::uint64_t work_to_need(const PosedTree& posed, std::uint32_t index, NodeSet& needed) {
   std::uint64_t& word = needed[index / 64];

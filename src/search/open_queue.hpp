@@ -34,7 +34,9 @@ class OpenQueue {
 
   /// Pushes an item that was made before.
   void push(std::uint32_t place, std::uint32_t rank) {
-    (*this)[place].next = items_.heads[rank];
+    OpenItem& item = (*this)[place];
+    item.next = items_.heads[rank];
+    item.rank = static_cast<std::uint8_t>(rank);
     items_.heads[rank] = place;
     items_.occupied[rank / 64] |= std::uint64_t{1} << rank % 64;
     ++items_.count;

@@ -32,21 +32,34 @@ inline std::uint32_t logarithmic_rank(float value, float most) {
   return static_cast<std::uint32_t>(std::clamp(kHighest - steps(most) + steps(value), 0, kHighest));
 }
 
-/// Deep crossings of surfaces have regions that are about as thick as long, and grazing ones have
-/// thin regions.
-inline std::uint32_t rank_by_thickness(const OpenItem& item) {
-  const std::array<float, 3> sides = sorted_sides(item);
-  return sides[2] > 0 ? logarithmic_rank(sides[0] / sides[2], 1) : OpenItems::kDepthFirst - 1;
+/// Ranks by the depth of the overlap, relative to the length of the region: surfaces that cross
+/// deeply have many contacts, and those that graze each other have few. The rank is the mean with
+/// that of the item which it is a part of, because the boxes of small parts say less about them.
+inline std::uint32_t rank_by_depth(const OpenItem& item, std::uint32_t rank_of_whole) {
+  const float length = sorted_sides(item)[2];
+  const std::uint32_t rank =
+      length > 0 ? logarithmic_rank(item.depth, length) : OpenItems::kDepthFirst - 1;
+  return rank_of_whole == OpenItems::kDepthFirst ? rank : (rank + rank_of_whole) / 2;
 }
 
-inline std::uint32_t rank_of(const SearchState& state, const OpenItem& item) {
+/// Opening nodes is most of the work, so items whose nodes are both open are always next.
+inline std::uint32_t rank_for_contacts(const SearchState& state, const OpenItem& item,
+                                       std::uint32_t rank_of_whole) {
+  return is_needed(state.needed_a, item.node_a) && is_needed(state.needed_b, item.node_b)
+             ? OpenItems::kDepthFirst
+             : rank_by_depth(item, rank_of_whole);
+}
+
+/// The rank of an item that is a part of another one.
+inline std::uint32_t rank_of(const SearchState& state, const OpenItem& item,
+                             std::uint32_t rank_of_whole) {
   switch (state.order) {
     case SearchOrder::first_contact:
       return OpenItems::kDepthFirst;
     case SearchOrder::resolution:
       return logarithmic_rank(sorted_sides(item)[2], state.whole_size);
     case SearchOrder::contacts:
-      return rank_by_thickness(item);
+      return rank_for_contacts(state, item, rank_of_whole);
   }
   return 0;
 }

@@ -27,6 +27,7 @@ struct OpenItem {
   std::uint32_t node_a, node_b;
   std::uint8_t slots_a, slots_b;  ///< one bit per slot
   ItemStep step;
+  std::uint8_t rank;   ///< of the item in the queue
   float depth;         ///< least translation that parts the two boxes
   std::uint32_t next;  ///< item of the same rank
 };

@@ -149,7 +149,7 @@ class Steps {
       if (const unsigned slots_a = slots_of_child_b[slot])
         add(ItemStep::compare, item.node_a, slots_a, child(node_b, slot), kAllSlots,
             Part(region, opened_b, slot), BoxOverlap::depth(opened_b, slot, opened_a));
-    push_new();
+    push_new(item.rank);
     end_step();
     test_clusters(item, region, clusters_near);
   }
@@ -190,7 +190,7 @@ class Steps {
         add(ItemStep::compare, item.node_a, slots_a, child(node_b, *slot), kAllSlots, part,
             BoxOverlap::depth(opened_b, *slot, opened_a));
     }
-    push_new();
+    push_new(item.rank);
     end_step();
   }
 
@@ -208,13 +208,13 @@ class Steps {
     if (stops_at_first_ && !state_.found.empty()) state_.work.granted = state_.work.done;
   }
 
-  /// Pushes the items that a step has added.
-  void push_new() {
+  /// Pushes the items that a step has added, which are parts of an item of this rank.
+  void push_new(std::uint32_t rank_of_whole) {
     const bool is_full = queue_.size() + count_ > state_.max_open;
     if (state_.order == SearchOrder::first_contact || is_full) put_deepest_last();
     for (std::uint32_t i = 0; i < count_; ++i)
-      queue_.push(new_[i].place,
-                  is_full ? OpenItems::kDepthFirst : rank_of(state_, queue_[new_[i].place]));
+      queue_.push(new_[i].place, is_full ? OpenItems::kDepthFirst
+                                         : rank_of(state_, queue_[new_[i].place], rank_of_whole));
   }
 
   void put_deepest_last() {

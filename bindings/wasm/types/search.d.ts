@@ -7,7 +7,7 @@ export interface SearchOptions {
    * What the search does first:
    * - 'firstContact': depth first, deepest overlap first, like `intersects`: a verdict soon. The default.
    * - 'resolution': longest region first: shrinks all regions evenly.
-   * - 'contacts': thickest region first, relative to its length: many contacts soon.
+   * - 'contacts': deepest overlap first, relative to its length: many contacts soon.
    */
   order?: 'firstContact' | 'resolution' | 'contacts';
   /**
