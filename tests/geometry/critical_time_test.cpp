@@ -169,7 +169,7 @@ TEST(CriticalTime, HasTheSignsOfPolynomialsWithSmallFactorsOrManyBits) {
 }
 
 TEST(CriticalTime, TellsApartRootsThatAreCloserThanDoubles) {
-  compare_many<Cubic>(with_close_roots, 174, 700);
+  compare_many<Cubic>(with_close_roots, 174, 450);
 }
 
 TEST(CriticalTime, HasTheSignsOfPolynomialsOfDegreeSix) {
