@@ -40,7 +40,7 @@ TEST(BreadthFirst, FindsTheContactsOfTheDepthFirstDescent) {
   Body a(test::make_limb(20, 9, 6)), b(test::make_limb(17, 8, 5));
   std::size_t touching = 0;
   for (int round = 0; round < 30; ++round) {
-    const Vec3 place = random.point(0.4);
+    const Vec3 place = random.point(0.15);
     const double bend_a = random.uniform(-0.5, 0.5), bend_b = random.uniform(-0.5, 0.5);
     const Palette palette_a = test::checked_palette(a.mesh, bend_limb(random, 6, bend_a, {}));
     const Palette palette_b = test::checked_palette(b.mesh, bend_limb(random, 5, bend_b, place));
