@@ -72,20 +72,66 @@ TEST(BenchMovingCommand, RefusesOptionsWithoutMeaning) {
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--self"},
                                                   {"--queries", "all"},
                                                   {"--caches", "hot"},
-                                                  {"--threads", "2"},
-                                                  {"--against", "a.json"},
-                                                  {"--margin", "3"}}) {
+                                                  {"--threads", "2"}}) {
     const Ended run = bench_moving(folder, options);
     EXPECT_EQ(run.exit_code, 2) << options[0];
     EXPECT_NE(run.err.find("--moving: cannot be combined with " + options[0]), std::string::npos)
         << run.err;
   }
+  const Ended margin = bench_moving(folder, {"--margin", "3"});
+  EXPECT_NE(margin.err.find("--margin: requires --against"), std::string::npos) << margin.err;
   const Ended model = run_pelt(folder, {"bench", "one.glb", "--moving"});
   EXPECT_EQ(model.exit_code, 2);
   EXPECT_NE(model.err.find("--moving: requires scene files"), std::string::npos) << model.err;
   const Ended method = bench_moving(folder, {"--methods", "on_demnd"});
   EXPECT_EQ(method.exit_code, 2);
   EXPECT_NE(method.err.find("did you mean \"on_demand\"?"), std::string::npos) << method.err;
+}
+
+/// In the file, on demand takes a billionth of its real time in the steps.
+TEST(BenchMovingCommand, ComparesWithWhatJsonWrote) {
+  const TestFolder folder;
+  write_limbs(folder);
+  ASSERT_EQ(bench_moving(folder, {"--json", "old.json"}).exit_code, 0);
+  json file = json::parse(read_text(folder / "old.json"));
+  for (json& method : file["scenes"][0]["methods"])
+    if (method["method"] == "on_demand" && method["query"] != "collide")
+      method["mean_us"] = 1e-9 * double(method["mean_us"]);
+  write_text(folder / "old.json", file.dump());
+  const Ended run = bench_moving(folder, {"--against", "old.json", "--margin", "1000"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("against old.json: "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("4 of 14 ratios worse by more than 1000 %"), std::string::npos) << run.out;
+}
+
+TEST(BenchMovingCommand, AnotherAnswerOrAnotherKindOfFileIsAFailure) {
+  const TestFolder folder;
+  write_limbs(folder);
+  ASSERT_EQ(bench_moving(folder, {"--json", "old.json"}).exit_code, 0);
+  json file = json::parse(read_text(folder / "old.json"));
+  for (json& method : file["scenes"][0]["methods"])
+    if (method["query"] == "times") method["hash"] = "0123456789abcdef";
+  write_text(folder / "old.json", file.dump());
+  const Ended other = bench_moving(folder, {"--against", "old.json"});
+  EXPECT_EQ(other.exit_code, 3);
+  EXPECT_NE(other.out.find("query times: different answers: hash 0123456789abcdef then"),
+            std::string::npos)
+      << other.out;
+  EXPECT_NE(other.err.find("1 answer different from old.json"), std::string::npos) << other.err;
+  const Ended scene = run_pelt(folder, {"bench", "scene.json", "--against", "old.json"});
+  EXPECT_EQ(scene.exit_code, 2);
+  EXPECT_NE(scene.err.find("old.json: format: must be pelt-bench, not pelt-bench-moving: give a "
+                           "file written by pelt bench --json"),
+            std::string::npos)
+      << scene.err;
+  file["format"] = "pelt-bench";
+  write_text(folder / "old.json", file.dump());
+  const Ended moving = bench_moving(folder, {"--against", "old.json"});
+  EXPECT_EQ(moving.exit_code, 2);
+  EXPECT_NE(moving.err.find("old.json: format: must be pelt-bench-moving, not pelt-bench: give a "
+                            "file written by pelt bench --moving --json"),
+            std::string::npos)
+      << moving.err;
 }
 
 }  // namespace

@@ -184,14 +184,22 @@ class Comparer {
 BenchComparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
                                  std::uint32_t margin_percent, std::ostream& out) {
   Comparer comparer(then, margin_percent, out);
-  out << "against " << asset::printable(then.path) << ": "
-      << asset::printable(in_words(then.machine)) << '\n';
+  print_comparison_head(then.path, then.machine, out);
   for (const SceneFigures& scene : now) comparer.compare(scene);
-  const BenchComparison& result = comparer.result();
+  print_comparison_result(comparer.result(), margin_percent, out);
+  return comparer.result();
+}
+
+void print_comparison_head(const std::string& path, const Machine& machine, std::ostream& out) {
+  out << "against " << asset::printable(path) << ": " << asset::printable(in_words(machine))
+      << '\n';
+}
+
+void print_comparison_result(const BenchComparison& result, std::uint32_t margin_percent,
+                             std::ostream& out) {
   out << '\n'
       << result.worse << " of " << output::counted(result.ratios, "ratio") << " worse by more than "
       << margin_percent << " %\n";
-  return result;
 }
 
 }  // namespace pelt::tools::bench

@@ -25,4 +25,11 @@ struct BenchComparison {
 BenchComparison print_comparison(const Baseline& then, std::span<const SceneFigures> now,
                                  std::uint32_t margin_percent, std::ostream& out);
 
+/// The line above the tables of a comparison.
+void print_comparison_head(const std::string& path, const Machine& machine, std::ostream& out);
+
+/// The line below them.
+void print_comparison_result(const BenchComparison& result, std::uint32_t margin_percent,
+                             std::ostream& out);
+
 }  // namespace pelt::tools::bench

@@ -4,7 +4,7 @@
 #include "tools/pelt/bench/bench_measure.hpp"
 #include "tools/pelt/bench/bench_ratios.hpp"
 #include "tools/pelt/bench/machine_json.hpp"
-#include "tools/pelt/methods/moving_methods.hpp"
+#include "tools/pelt/bench/moving_ratios.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
@@ -26,27 +26,6 @@ void print_columns(const std::string& name, const std::vector<std::string>& cell
   out << std::left << std::setw(kMethodColumn) << name << std::right;
   for (const std::string& cell : cells) out << std::setw(kFigureColumn) << cell;
   out << '\n';
-}
-
-/// The mean time of a question to a method, or null.
-const double* mean_of(const MovingSceneFigures& scene, std::string_view method,
-                      MovingQuestion question) {
-  const auto found = std::find_if(
-      scene.figures.begin(), scene.figures.end(),
-      [&](const MovingFigures& f) { return f.method == method && f.question == question; });
-  return found == scene.figures.end() ? nullptr : &found->times.mean_us;
-}
-
-/// The cost over that of the discrete query of on_demand; nullopt if that was not measured.
-std::optional<double> of_collide(const MovingSceneFigures& scene, const MovingFigures& figures) {
-  return ratio(&figures.times.mean_us,
-               mean_of(scene, methods::kMovingOnDemand.name, MovingQuestion::collide));
-}
-
-/// The cost over that of on_demand for the same question.
-std::optional<double> of_on_demand(const MovingSceneFigures& scene, const MovingFigures& figures) {
-  return ratio(&figures.times.mean_us,
-               mean_of(scene, methods::kMovingOnDemand.name, figures.question));
 }
 
 /// Pairs of triangles that each stage has decided.

@@ -15,6 +15,7 @@
 #include "tools/pelt/bench/bench_anytime.hpp"
 #include "tools/pelt/bench/bench_moving.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
+#include "tools/pelt/bench/moving_against.hpp"
 #include "tools/pelt/methods/anytime_methods.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/output.hpp"
@@ -107,7 +108,8 @@ ratio that has become worse by more than --margin. Ratios differ little between 
 noisy: on a loaded machine, 1 in 14 speed-ups of an unchanged build was marked at 15 %, so repeat a
 measurement that looks worse. If a method has lost speed-up over paper, but not over eager, then paper
 has become faster, and vice versa. The output lists what is missing from FILE. A slower method is not a
-failure. An answer that differs from FILE is a failure, with exit code 3.
+failure. An answer that differs from FILE is a failure, with exit code 3. With --moving, FILE must be
+written with --moving, and the ratios are "of collide" and "of on_demand".
 
 --json writes {"format": "pelt-bench", "version": 1, "machine": {...}, "scenes": [...]}:
   machine    cpu, cores, instruction_set, compiler, build, flags, pelt (version)
@@ -251,8 +253,8 @@ Result<void> check_alone(const char* mode, const Arguments& arguments) {
       {arguments.queries != kAllQueries, "--queries"},
       {arguments.caches != kAllCaches, "--caches"},
       {!arguments.threads.empty(), "--threads"},
-      {!arguments.against.empty(), "--against"},
-      {arguments.margin.has_value(), "--margin"}};
+      {arguments.is_anytime && !arguments.against.empty(), "--against"},
+      {arguments.is_anytime && arguments.margin.has_value(), "--margin"}};
   for (const auto& [is_given, option] : others)
     if (is_given)
       return output::bad_argument(mode, "cannot be combined with " + std::string(option),
@@ -316,25 +318,28 @@ Result<scenes::Scene> load_input(const Arguments& arguments, std::size_t i) {
   return scene;
 }
 
-/// Nullopt without --against.
-Result<std::optional<bench::Baseline>> choose_baseline(const Arguments& arguments) {
+/// Reads the file of --against with `read(path)`. Nullopt without --against.
+template <typename Baseline>
+Result<std::optional<Baseline>> choose_baseline(const Arguments& arguments,
+                                                Result<Baseline> (*read)(const std::string& path)) {
   if (arguments.against.empty() && arguments.margin)
     return output::bad_argument("--margin", "requires --against",
                                 "name the file with --against FILE");
-  if (arguments.against.empty()) return std::optional<bench::Baseline>();
-  auto baseline = bench::read_baseline(arguments.against);
+  if (arguments.against.empty()) return std::optional<Baseline>();
+  auto baseline = read(arguments.against);
   if (!baseline) return baseline.error();
-  return std::optional<bench::Baseline>(std::move(*baseline));
+  return std::optional<Baseline>(std::move(*baseline));
 }
 
-arguments::ExitCode compare(const bench::Baseline& baseline, const Arguments& arguments,
-                            std::span<const bench::SceneFigures> figures, std::ostream& words) {
-  const bench::BenchComparison comparison = bench::print_comparison(
-      baseline, figures, arguments.margin.value_or(bench::kNoisePercent), words);
+std::uint32_t margin_of(const Arguments& arguments) {
+  return arguments.margin.value_or(bench::kNoisePercent);
+}
+
+arguments::ExitCode exit_of(const bench::BenchComparison& comparison, const Arguments& arguments) {
   if (comparison.different_answers == 0) return arguments::ExitCode::success;
   std::cerr
       << arguments.program << ": error: " << output::counted(comparison.different_answers, "answer")
-      << " different from " << asset::printable(baseline.path)
+      << " different from " << asset::printable(arguments.against)
       << ": if scenes, characters and options are the same, please report this; if the answers "
          "should differ, write a new file with --json\n";
   return arguments::ExitCode::internal;
@@ -422,6 +427,8 @@ Result<arguments::ExitCode> bench_steps(const Arguments& arguments) {
   if (const auto checked = check_alone("--moving", arguments); !checked) return checked.error();
   const Result<bench::MovingSettings> settings = choose_moving(arguments);
   if (!settings) return settings.error();
+  const auto baseline = choose_baseline(arguments, bench::read_moving_baseline);
+  if (!baseline) return baseline.error();
   Outputs outputs;
   if (const auto opened = open_outputs(arguments, outputs); !opened) return opened.error();
   std::vector<bench::MovingSceneFigures> figures;
@@ -432,10 +439,13 @@ Result<arguments::ExitCode> bench_steps(const Arguments& arguments) {
       },
       bench::print_moving_figures);
   if (!exit || *exit != arguments::ExitCode::success) return exit;
-  const auto written = write_output(arguments.json, bench::moving_figures_json(figures),
-                                    outputs.json, words_of(arguments));
+  std::ostream& words = words_of(arguments);
+  const auto written =
+      write_output(arguments.json, bench::moving_figures_json(figures), outputs.json, words);
   if (!written) return written.error();
-  return exit;
+  if (!*baseline) return exit;
+  return exit_of(bench::print_moving_comparison(**baseline, figures, margin_of(arguments), words),
+                 arguments);
 }
 
 Result<arguments::ExitCode> bench_searches(const Arguments& arguments) {
@@ -487,7 +497,7 @@ Result<arguments::ExitCode> bench_inputs(Arguments arguments) {
   if (arguments.is_moving) return bench_steps(arguments);
   const Result<bench::BenchSettings> settings = choose(arguments);
   if (!settings) return settings.error();
-  const auto baseline = choose_baseline(arguments);
+  const auto baseline = choose_baseline(arguments, bench::read_baseline);
   if (!baseline) return baseline.error();
   Outputs outputs;
   if (const auto opened = open_outputs(arguments, outputs); !opened) return opened.error();
@@ -503,7 +513,9 @@ Result<arguments::ExitCode> bench_inputs(Arguments arguments) {
   const auto written =
       write_output(arguments.json, bench::figures_json(figures), outputs.json, words);
   if (!written) return written.error();
-  return *baseline ? compare(**baseline, arguments, figures, words) : arguments::ExitCode::success;
+  if (!*baseline) return exit;
+  return exit_of(bench::print_comparison(**baseline, figures, margin_of(arguments), words),
+                 arguments);
 }
 
 /// The names of --moving or --anytime.
