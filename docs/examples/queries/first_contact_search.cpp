@@ -1,7 +1,7 @@
 #include <pelt/first_contact_search.hpp>
 
-// Called by a solver: the part of a step, 0 to 1, that is certainly free of contact. More work
-// gives a longer part, up to the first contact.
+// Called by a solver: a time, 0 to 1, before which a step is certainly free of contact. More work
+// gives a later time, up to the first contact.
 float free_part(pelt::Motion a, pelt::Motion b, std::uint64_t work) {
   pelt::FirstContactSearch search(a, b);
   search.advance(work);
