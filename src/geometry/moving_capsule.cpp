@@ -2,7 +2,7 @@
 /// touch it first at time t. The distance of the triangle and the segment is continuous, so at time
 /// t it equals the radius r. It is attained between points in the interiors of two features.
 ///
-/// If r is positive, the triangle and the segment are disjoint, and these are a pair of
+/// If r is positive, the triangle and the segment are disjoint, and the two features are a pair of
 /// capsule_by_signs.hpp: if the edge and the segment are parallel, or if the triangle has
 /// collapsed, the distance is also attained at an end or on an edge. The polynomial of this pair is
 /// zero at t. It does not vanish identically. Otherwise the extended features would always have
@@ -23,9 +23,10 @@
 /// Bits. Floats are multiples of 2^-149. The segment has coordinates below 2^128 and the triangle
 /// below 2^61, so differences have at most 278 bits, and 212 between corners; they change by one
 /// bit more. The longest coefficients are those of an edge and the segment: (w . n)^2, where n has
-/// less than 2 * 2^(278 + 214) and w . n less than 3 * 2^279 * 2^493 = 2^774, and with the sums of
-/// coefficients less than 2^1554. The other polynomials contain a difference from the segment at
-/// most four times in a product of four, or twice in one of six.
+/// less than 2 * 2^(278 + 214), the coefficients of w . n less than 6 * 2^279 * 2^493 < 2^775, and
+/// those of the square, which are sums of at most three products of these, less than 2^1552. The
+/// other polynomials contain a difference from the segment at most four times in a product of four,
+/// or twice in one of six.
 
 #include "geometry/capsule_by_signs.hpp"
 #include "geometry/capsule_triangle.hpp"

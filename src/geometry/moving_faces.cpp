@@ -1,15 +1,15 @@
-/// Reduction to finitely many times. Faces that exclude the triangle together, of the kinds in
-/// faces_by_signs.hpp, do so until the sign of one of the polynomials of this kind changes: between
-/// two roots of these polynomials, they exclude it at all times or at no time. The triangle is
-/// apart from the polyhedron on an open set of times. If it is apart at a time, it therefore is so
-/// just after this time, too, where some faces exclude it, and the next time to test is the first
-/// root of their polynomials. There are finitely many faces and roots, so the search ends.
+/// Reduction to finitely many times. The polynomials of a set of faces, of the kinds in
+/// faces_by_signs.hpp, decide whether these faces exclude the triangle, so the answer changes only
+/// at their roots. The triangle is apart from the polyhedron on an open set of times. If it is
+/// apart at a time, it is therefore apart just after this time, too, and some faces exclude it
+/// there. The next time to test is the first later root of the polynomials of these faces. There
+/// are finitely many faces and roots, so the search ends.
 ///
 /// Bits. The elements of a normal are multiples of a power of two and have at most 277 bits,
 /// because floats are multiples of 2^-149 below 2^128. Differences of a corner and an origin have
 /// at most 278 bits, their products with normals are below 2^555, and a sum of three less an offset
-/// is below 2^557. It moves from s to s + d with |d| < 2^558. A determinant of three rows is a sum
-/// of six products with coefficients below 12 * 2^(3 * 557), thus below 2^1678.
+/// is below 2^557. Such a distance moves from s to s + d with |d| < 2^558. A determinant of three
+/// rows is a sum of six products with coefficients below 12 * 2^(3 * 557), thus below 2^1678.
 
 #include "geometry/faces_by_signs.hpp"
 #include "geometry/moving_numbers.hpp"

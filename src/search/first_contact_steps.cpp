@@ -1,6 +1,7 @@
-/// Steps of a search for the first contact. Each step replaces the open item of the earliest start
-/// by items for parts of the same triangles, or tests the triangles of two clusters. An item starts
-/// no earlier than the item that it replaces, so the earliest start of all items never falls.
+/// Steps of a search for the first contact. Each step replaces one open item by items for parts of
+/// the same triangles, or tests the triangles of two clusters: the item of the earliest start or,
+/// beyond `max_open`, the item that was added last. An item starts no earlier than the item that it
+/// replaces, so the earliest start of all items never falls.
 ///
 /// Once triangles are known to intersect at time 0, only the `from` poses matter: both motions are
 /// replaced by motions that stand still.

@@ -19,7 +19,7 @@ namespace pelt::detail {
 enum class ItemStep : std::uint8_t {
   compare,    ///< compare the slots of both nodes
   replace_b,  ///< a's node is a child that was not compared yet: replace b's node by its slots
-  test,       ///< test the triangles of one cluster of a and several clusters of b
+  test,       ///< test the triangles of one cluster of a and several clusters of b, or one of each
 };
 
 struct OpenItem {
