@@ -148,6 +148,8 @@ test('a report of steps lists and marks those with contacts between frames', asy
   await page.keyboard.press('ArrowLeft');
   await page.waitForSelector(`[data-fact=frame]:text-is("${frame}")`);
   assert.equal(await page.getByText('first contact between them').count(), 0);
+  await page.waitForSelector(`[data-answered="${frame}"]`); // facts are pale until then
+  await page.waitForFunction(() => document.getAnimations().length === 0);
   assert.deepEqual(await smallTargets(page), []);
   assert.deepEqual(await poorContrasts(page), []);
   assert.deepEqual(page.complaints, []);
