@@ -14,11 +14,11 @@ namespace pelt::detail {
 /// One bit for each node of a tree.
 using NodeSet = std::vector<std::uint64_t>;
 
+inline namespace PELT_INSTRUCTION_SET {
+
 inline void clear_needed(NodeSet& needed, const Tree& tree) {
   needed.assign((tree.nodes.size() + 63) / 64, 0);
 }
-
-inline namespace PELT_INSTRUCTION_SET {
 
 inline std::uint64_t work_to_open(const PosedTree& posed, std::uint32_t index) {
   const Node& node = posed.tree.nodes[index];
