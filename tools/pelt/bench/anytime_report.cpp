@@ -39,6 +39,7 @@ void print_columns(const std::string& name, const std::vector<std::string>& cell
 
 std::vector<std::string> names_of_rungs() {
   std::vector<std::string> names;
+  names.reserve(kAnytimeRungs.size());
   for (const double share : kAnytimeRungs) names.push_back(output::fixed(100 * share, 0) + " %");
   return names;
 }
