@@ -20,7 +20,7 @@ namespace detail {
 struct SearchOfPoses;
 }
 
-/// What is known about two poses, two motions or two instances of a crowd.
+/// A decision, if certain, about two poses, two motions or two instances of a crowd.
 enum class Verdict : std::uint8_t {
   apart,     ///< they do not touch
   touching,  ///< they touch

@@ -138,7 +138,7 @@ class CapsuleBySigns {
     return cross(from_to<Number>(0, 1), from_to<Number>(0, 2));
   }
 
-  /// Of the segment and an edge.
+  /// Returns the cross product of the segment and an edge.
   template <typename Number>
   Vector<Number> normal(std::size_t p, std::size_t q) const {
     return cross(from_to<Number>(3, 4), from_to<Number>(p, q));
@@ -167,7 +167,7 @@ class CapsuleBySigns {
     return true;
   }
 
-  /// Of the segment and the edge pq.
+  /// Whether the closest points of the segment and the edge pq are inside both.
   bool are_beside(std::size_t p, std::size_t q) const {
     const auto squared_normal = [&]<typename Number>(const Number&) {
       return squared_length(normal<Number>(p, q));

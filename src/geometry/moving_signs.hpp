@@ -1,6 +1,6 @@
 #pragma once
 
-/// What is certain about eight pairs of moving triangles, given determinants with bounded errors.
+/// Certain decisions about eight pairs of moving triangles, from determinants with bounded errors.
 /// moving_triage.cpp derives the tests and the bounds.
 
 #include "geometry/moving_determinants.hpp"
@@ -34,7 +34,7 @@ struct MovingCertainties {
             bound(a * b * d, 2304)};
   }
 
-  /// Those of one lane, in all lanes.
+  /// Returns the bounds of one lane, in all lanes.
   MovingCertainties of_lane(unsigned lane) const {
     return {over_a.of_lane(lane), over_b.of_lane(lane), edges.of_lane(lane),
             separators.of_lane(lane)};

@@ -76,7 +76,7 @@ struct Tree {
   std::vector<Cluster> clusters;
   std::vector<Node> nodes;
 
-  // Of the triangles below each node, and below each slot; not in prepared files.
+  // The triangles below each node, and below each slot. Not in prepared files.
   std::vector<std::uint32_t> triangles_below;                      // [N] how many
   std::vector<std::array<std::uint32_t, kMaxSlots>> lowest_below;  // [N] the lowest triangle_ids
 
