@@ -5,6 +5,7 @@
 #include "motion/first_contact_trees.hpp"
 
 #include "motion/earliest_pair.hpp"
+#include "motion/lanes_until.hpp"
 #include "motion/moving_overlap.hpp"
 #include "motion/moving_pairs.hpp"
 #include "motion/moving_roots.hpp"
@@ -40,12 +41,9 @@ class FirstWhileMoving : public MovingOverlap {
     const unsigned kept = (1u << pairs_.count()) - 1;
     if (kept == 0) return;
     const MovingPairs8 corners = pairs_.corners8();
-    const TimeSpans8 times = times_of_boxes(corners);
-    const TimeSpans8 until_latest = {times.start, min(times.end, Float8(latest()))};
-    const unsigned left =
-        kept & ~triage(corners.from).intersecting & ~moving_triage(corners, until_latest, 0).apart;
-    for (SetBits pair(left); pair; ++pair)
-      if (lane_of(times.start, *pair) <= latest()) decide(*pair);
+    const LanesUntil lanes(corners, kept & ~triage(corners.from).intersecting, latest());
+    for (SetBits pair(lanes.left()); pair; ++pair)
+      if (lanes.start(*pair) <= latest()) decide(*pair);
     work_.triangle_pairs += pairs_.count();
     pairs_.clear();
   }

@@ -9,6 +9,7 @@
 #include "search/first_contact_steps.hpp"
 
 #include "motion/decide_pair.hpp"
+#include "motion/lanes_until.hpp"
 #include "motion/moving_overlap.hpp"
 #include "motion/moving_pairs.hpp"
 #include "motion/moving_roots.hpp"
@@ -301,14 +302,9 @@ class FirstContactSteps : MovingOverlap {
   }
 
   void decide_moving(unsigned kept, const MovingPairs8& corners) {
-    const TimeSpans8 times = times_of_boxes(corners);
-    const TimeSpans8 until_latest = {times.start,
-                                     min(times.end, Float8(std::min(item_span_.end, latest())))};
-    const unsigned left = kept & ~moving_triage(corners, until_latest, 0).apart;
-    float starts[8];
-    times.start.store(starts);
-    for (SetBits lane(left); lane; ++lane)
-      if (starts[*lane] <= latest()) decide(*lane);
+    const LanesUntil lanes(corners, kept, std::min(item_span_.end, latest()));
+    for (SetBits lane(lanes.left()); lane; ++lane)
+      if (lanes.start(*lane) <= latest()) decide(*lane);
   }
 
   void decide(unsigned lane) {
