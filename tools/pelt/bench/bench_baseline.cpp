@@ -1,7 +1,5 @@
 #include "tools/pelt/bench/bench_baseline.hpp"
 
-#include "tools/pelt/bench/figures_reader.hpp"
-
 namespace pelt::tools::bench {
 namespace {
 
@@ -32,15 +30,7 @@ SceneFigures read_scene(const JsonObject& object) {
 }  // namespace
 
 Result<Baseline> parse_baseline(const std::string& path, std::string_view text) {
-  Baseline baseline;
-  baseline.path = path;
-  const auto parsed = parse_figures(path, text, kSceneFormat, [&](const JsonObject& file) {
-    baseline.machine = read_machine(file.object("machine"));
-    for (const JsonObject& scene : file.objects("scenes"))
-      baseline.scenes.push_back(read_scene(scene));
-  });
-  if (!parsed) return parsed.error();
-  return baseline;
+  return parse_baseline(path, text, kSceneFormat, read_scene);
 }
 
 Result<Baseline> read_baseline(const std::string& path) {

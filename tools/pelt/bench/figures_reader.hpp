@@ -1,7 +1,7 @@
 #pragma once
 
-/// Reads figures that `pelt bench --json` has written. Errors name the file, the value and the
-/// remedy.
+/// Reads figures that `pelt bench --json` has written, for comparison with a later run. Errors name
+/// the file, the value and the remedy.
 
 #include <pelt/result.hpp>
 
@@ -13,6 +13,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pelt::tools::bench {
 
@@ -34,6 +35,30 @@ Result<void> parse_figures(const std::string& path, std::string_view text,
 Result<std::string> read_figures(const std::string& path, const FiguresFormat& format);
 
 Machine read_machine(const asset::JsonObject& object);
+
+/// Figures of an earlier run.
+template <typename AnyScene>
+struct BaselineOf {
+  std::string path;  ///< as given by the user
+  Machine machine;
+  std::vector<AnyScene> scenes;  ///< only compared values: names, counts, hashes, means
+};
+
+/// `path` is for messages. `read_scene(object)` reads the figures of one scene.
+template <typename AnyScene>
+Result<BaselineOf<AnyScene>> parse_baseline(const std::string& path, std::string_view text,
+                                            const FiguresFormat& format,
+                                            AnyScene (*read_scene)(const asset::JsonObject&)) {
+  BaselineOf<AnyScene> baseline;
+  baseline.path = path;
+  const auto parsed = parse_figures(path, text, format, [&](const asset::JsonObject& file) {
+    baseline.machine = read_machine(file.object("machine"));
+    for (const asset::JsonObject& scene : file.objects("scenes"))
+      baseline.scenes.push_back(read_scene(scene));
+  });
+  if (!parsed) return parsed.error();
+  return baseline;
+}
 
 /// The name of a member, or the name that it had in version 0.1.
 const char* known_key(const asset::JsonObject& object, const char* key, const char* former);

@@ -2,7 +2,6 @@
 
 #include "asset/printable.hpp"
 #include "tools/pelt/bench/bench_ratios.hpp"
-#include "tools/pelt/bench/figures_reader.hpp"
 #include "tools/pelt/bench/moving_ratios.hpp"
 #include "tools/pelt/methods/moving_methods.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -14,27 +13,7 @@
 namespace pelt::tools::bench {
 namespace {
 
-using asset::JsonObject;
-
 constexpr int kQueryWidth = 9, kMethodWidth = 12, kRatioWidth = 10, kMarkWidth = 7;
-
-MovingFigures read_moving_figures(const JsonObject& object) {
-  MovingFigures figures;
-  figures.method = required_text(object, "method");
-  figures.question = one_of(object, "query", kMovingQuestions);
-  figures.answer.hash = hash_in(object);
-  figures.times.mean_us = positive(object, "mean_us");
-  return figures;
-}
-
-MovingSceneFigures read_moving_scene(const JsonObject& object) {
-  MovingSceneFigures scene;
-  scene.scene = required_text(object, "scene");
-  scene.steps = object.count("steps");
-  for (const JsonObject& method : object.objects("methods"))
-    scene.figures.push_back(read_moving_figures(method));
-  return scene;
-}
 
 /// Compares scenes with those of a baseline, and prints the result.
 class MovingComparer {
@@ -133,24 +112,6 @@ class MovingComparer {
 };
 
 }  // namespace
-
-Result<MovingBaseline> parse_moving_baseline(const std::string& path, std::string_view text) {
-  MovingBaseline baseline;
-  baseline.path = path;
-  const auto parsed = parse_figures(path, text, kMovingFormat, [&](const JsonObject& file) {
-    baseline.machine = read_machine(file.object("machine"));
-    for (const JsonObject& scene : file.objects("scenes"))
-      baseline.scenes.push_back(read_moving_scene(scene));
-  });
-  if (!parsed) return parsed.error();
-  return baseline;
-}
-
-Result<MovingBaseline> read_moving_baseline(const std::string& path) {
-  const auto text = read_figures(path, kMovingFormat);
-  if (!text) return text.error();
-  return parse_moving_baseline(path, *text);
-}
 
 BenchComparison print_moving_comparison(const MovingBaseline& then,
                                         std::span<const MovingSceneFigures> now,
