@@ -12,6 +12,7 @@ float free_part(pelt::Motion a, pelt::Motion b, std::uint64_t work) {
 bool touch_before(pelt::Motion a, pelt::Motion b, float time) {
   pelt::FirstContactSearch search(a, b);
   const auto is_found = [&] { return search.earliest() && search.earliest()->time < time; };
-  while (!search.is_complete() && search.apart_until() < time && !is_found()) search.advance(2000);
+  while (!search.is_complete() && search.apart_until() < time && !is_found())
+    search.advance(20'000);
   return is_found();
 }
