@@ -2,6 +2,9 @@
 
 #include <pelt/math.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pelt::detail {
 
 /// A vector in double precision, for preparation and for exact decisions.
@@ -19,6 +22,10 @@ inline Vec3d operator*(double s, const Vec3d& v) { return {s * v.x, s * v.y, s *
 
 inline double dot(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline double squared_length(const Vec3d& v) { return dot(v, v); }
+
+inline double max_abs(const Vec3d& v) {
+  return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+}
 
 /// Rounds each coordinate to the nearest float.
 inline Vec3 to_float(const Vec3d& v) {

@@ -2,7 +2,7 @@
 
 /// The start of a descent of two posed trees.
 
-#include "pose/root_box.hpp"
+#include "pose/open_node.hpp"
 #include "query/box_overlap.hpp"
 
 namespace pelt::detail {

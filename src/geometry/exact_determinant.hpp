@@ -43,4 +43,15 @@ void add_determinant(ExactSum<kCapacity>& sum, const Vec3d& p, const Vec3d& q, c
   add_product(sum, -p.x, r.y, q.z);
 }
 
+/// Returns det(b - a, c - a, d - a) = det(b, c, d) - det(a, c, d) + det(a, b, d) - det(a, b, c),
+/// with an error below one unit in the last place.
+inline double exact_orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  ExactSum<96> sum;
+  add_determinant(sum, b, c, d);
+  add_determinant(sum, c, a, d);
+  add_determinant(sum, a, b, d);
+  add_determinant(sum, b, a, c);
+  return sum.rounded();
+}
+
 }  // namespace pelt::detail

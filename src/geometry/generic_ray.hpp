@@ -27,15 +27,21 @@
 
 namespace pelt::detail {
 
-/// k0, k1, k2. Not parallel to planes that triangles are usually placed in, so k0 alone nearly
-/// always decides.
-inline constexpr std::array<Vec3, 3> kGenericDirection = {
+/// k0, k1, k2.
+using GenericDirection = std::array<Vec3, 3>;
+
+/// Not parallel to planes that triangles are usually placed in, so k0 alone nearly always decides.
+inline constexpr GenericDirection kGenericDirection = {
     {{0.8391f, 0.4772f, 0.2613f}, {-0.3178f, 0.8845f, 0.3417f}, {0.1239f, -0.4381f, 0.8903f}}};
 
+inline constexpr GenericDirection kOppositeDirection = {
+    {{-0.8391f, -0.4772f, -0.2613f}, {0.3178f, -0.8845f, -0.3417f}, {-0.1239f, 0.4381f, -0.8903f}}};
+
 /// Returns how the generic ray from `origin` pierces a triangle, given the `crossing` of the
-/// triangle with the line from `origin` along `kGenericDirection[0]`: 1 from its back, -1 from its
-/// front, 0 not at all. Exact. Precondition: `origin` is not on the triangle.
-int pierce_from_back(const Vec3& origin, const TriangleCorners& triangle,
-                     const RayCrossing& crossing);
+/// triangle with the line from `origin` along k0: 1 from its back, -1 from its front, 0 not at all.
+/// Does not count triangles whose planes contain `origin`, as if the ray began an infinitesimal
+/// step after `origin`. Exact.
+int pierce_from_back(const Vec3& origin, const GenericDirection& direction,
+                     const TriangleCorners& triangle, const RayCrossing& crossing);
 
 }  // namespace pelt::detail

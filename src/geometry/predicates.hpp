@@ -4,8 +4,6 @@
 
 #include "base/vec3.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace pelt::detail {
@@ -43,10 +41,6 @@ class OrientedPlane {
   }
 
  private:
-  static double max_abs(const Vec3d& v) {
-    return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
-  }
-
   int exact_side(const Vec3& d) const;
 
   const Vec3 &a_, &b_, &c_;

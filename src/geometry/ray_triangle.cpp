@@ -28,10 +28,6 @@ constexpr double kDeterminantError = 56 * kRoundingUnit;
 /// Capacity for four determinants of floats, with two terms for each of six products.
 using Sum3d = ExactSum<48>;
 
-double max_abs(const Vec3d& v) {
-  return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
-}
-
 double determinant(const Vec3d& p, const Vec3d& q, const Vec3d& r) { return dot(p, cross(q, r)); }
 
 /// det(d, q - o, r - o), exactly.

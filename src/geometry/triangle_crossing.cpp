@@ -112,8 +112,6 @@ Edge edge_of(const TriangleCorners& t, Feature edge) {
   return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z) ? Edge{p, q} : Edge{q, p};
 }
 
-double max_abs(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 double max_abs(const TriangleCorners& t) {
   return std::max({max_abs(Vec3d(t[0])), max_abs(Vec3d(t[1])), max_abs(Vec3d(t[2]))});
 }
@@ -122,24 +120,6 @@ double max_abs(const TriangleCorners& t) {
 Vec3 divided(const Edge& edge, double at_from, double at_to) {
   const double share = std::clamp(at_from / (at_from - at_to), 0.0, 1.0);
   return to_float(Vec3d(edge.from) + share * (Vec3d(edge.to) - Vec3d(edge.from)));
-}
-
-template <std::size_t kCapacity>
-double value_of(const ExactSum<kCapacity>& sum) {
-  double value = 0;
-  for (const double term : sum.terms()) value += term;
-  return value;
-}
-
-/// det(b - a, c - a, d - a), rounded once: det(b, c, d) - det(a, c, d) + det(a, b, d) - det(a, b,
-/// c), exactly.
-double exact_orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
-  ExactSum<96> sum;
-  add_determinant(sum, b, c, d);
-  add_determinant(sum, c, a, d);
-  add_determinant(sum, a, b, d);
-  add_determinant(sum, b, a, c);
-  return value_of(sum);
 }
 
 /// The point where an edge passes through the face of a triangle. The determinants of its ends are
@@ -166,7 +146,7 @@ double exact_turn(const Vec2d& p, const Vec2d& q, const Vec2d& r) {
   ExactSum<6> sum;  // products of floats are exact
   for (const double term : {q.x * r.y, -r.x * q.y, r.x * p.y, -p.x * r.y, p.x * q.y, -q.x * p.y})
     sum.add(term);
-  return value_of(sum);
+  return sum.rounded();
 }
 
 /// The crossing of two coplanar edges, projected along an axis that preserves the crossing.

@@ -23,15 +23,6 @@
 #include "ray/ray_descent.hpp"
 
 namespace pelt {
-namespace {
-
-bool is_far(const detail::RootBox& root, const Vec3& p) {
-  return p.x < root.low[0] || root.high[0] < p.x || p.y < root.low[1] || root.high[1] < p.y ||
-         p.z < root.low[2] || root.high[2] < p.z;
-}
-
-}  // namespace
-
 QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                    PointSide& result) {
   detail::require(detail::is_surface_of(surface, pose),
@@ -42,7 +33,7 @@ QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratc
   QueryStats work;
   work.node_pairs = 1;
   result = PointSide::outside;
-  if (is_far(detail::root_box(posed, work), point)) return work;
+  if (!contains(detail::root_box(posed, work), point)) return work;
   const YesNo is_on = intersects(pose, Box{point, point}, scratch);
   work += is_on;
   if (is_on) {
@@ -50,7 +41,7 @@ QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratc
     return work;
   }
   int winding = 0;
-  work += detail::winding_number(posed, point, winding);
+  work += detail::winding_number(posed, point, detail::kGenericDirection, winding);
   if (winding != 0) result = PointSide::inside;
   return work;
 }

@@ -32,4 +32,11 @@ std::uint32_t slot_of_triangle(const Tree& tree, const Node& node, std::uint32_t
   return slot;
 }
 
+Places places_of(const Tree& tree, const Node& node) {
+  if (node.cluster_count == 0) return {};
+  const Cluster* clusters = tree.clusters.data() + node.first_cluster;
+  const Cluster& last = clusters[node.cluster_count - 1];
+  return {clusters[0].first_triangle, last.first_triangle + last.triangle_count};
+}
+
 }  // namespace pelt::detail

@@ -18,4 +18,12 @@ std::uint32_t node_of_triangle(const Tree& tree, std::uint32_t place);
 /// The slot of `node` whose cluster has the triangle at `place`. Precondition: the slot exists.
 std::uint32_t slot_of_triangle(const Tree& tree, const Node& node, std::uint32_t place);
 
+/// A range of places.
+struct Places {
+  std::uint32_t first = 0, end = 0;
+};
+
+/// The places of the triangles in the clusters of a node.
+Places places_of(const Tree& tree, const Node& node);
+
 }  // namespace pelt::detail

@@ -12,6 +12,11 @@ struct RootBox {
   float low[4], high[4];
 };
 
+inline bool contains(const RootBox& box, const Vec3& p) {
+  return box.low[0] <= p.x && p.x <= box.high[0] && box.low[1] <= p.y && p.y <= box.high[1] &&
+         box.low[2] <= p.z && p.z <= box.high[2];
+}
+
 inline namespace PELT_INSTRUCTION_SET {
 
 /// Computes the box from the joint palette and the morph weights, without posing vertices.

@@ -1,11 +1,9 @@
 #include "query/find_triangle.hpp"
 
 #include "base/assert.hpp"
-#include "model/triangle_places.hpp"
 #include "pose/open_node.hpp"
 
 namespace pelt::detail {
-namespace {
 
 TriangleCorners corners_at(const Tree& tree, std::uint32_t place, const OpenedNode& opened) {
   TriangleCorners corners;
@@ -15,8 +13,6 @@ TriangleCorners corners_at(const Tree& tree, std::uint32_t place, const OpenedNo
   }
   return corners;
 }
-
-}  // namespace
 
 FoundTriangle find_triangle(const PosedTree& posed, std::uint32_t id, QueryStats& work) {
   const Tree& tree = posed.tree;
@@ -31,18 +27,14 @@ TriangleReader::TriangleReader(const PosedTree& posed) : posed_(posed) { make_ta
 TriangleCorners TriangleReader::corners(std::uint32_t id, QueryStats& work) {
   PELT_ASSERT(id < posed_.tree.triangle_count());
   const std::uint32_t place = posed_.tree.triangle_places[id];
-  if (place < first_place_ || place >= end_place_) move_to_node_of(place);
+  if (place < places_.first || place >= places_.end) move_to_node_of(place);
   return corners_at(posed_.tree, place, open_node(posed_, node_, work));
 }
 
 void TriangleReader::move_to_node_of(std::uint32_t place) {
   const Tree& tree = posed_.tree;
   node_ = node_of_triangle(tree, place);
-  const Node& node = tree.nodes[node_];
-  const Cluster* clusters = tree.clusters.data() + node.first_cluster;
-  const Cluster& last = clusters[node.cluster_count - 1];
-  first_place_ = clusters[0].first_triangle;
-  end_place_ = last.first_triangle + last.triangle_count;
+  places_ = places_of(tree, tree.nodes[node_]);
 }
 
 }  // namespace pelt::detail

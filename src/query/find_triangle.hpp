@@ -3,11 +3,15 @@
 #include <pelt/query.hpp>
 
 #include "geometry/triangle_pair.hpp"
+#include "model/triangle_places.hpp"
 #include "pose/posed_tree.hpp"
 
 #include <cstdint>
 
 namespace pelt::detail {
+
+/// The corners of the triangle at `place`, which is in the opened node.
+TriangleCorners corners_at(const Tree& tree, std::uint32_t place, const OpenedNode& opened);
 
 /// The location of a triangle in an opened tree.
 struct FoundTriangle {
@@ -36,7 +40,7 @@ class TriangleReader {
 
   PosedTree posed_;
   std::uint32_t node_ = 0;
-  std::uint32_t first_place_ = 0, end_place_ = 0;  ///< of the triangles of `node_`
+  Places places_;  ///< of the triangles of `node_`
 };
 
 }  // namespace pelt::detail

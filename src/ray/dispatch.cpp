@@ -26,8 +26,9 @@ QueryStats all_hits(const PosedTree& posed, const Ray& ray, Facing facing, Stack
   return PELT_CHOOSE(all_hits)(posed, ray, facing, hits);
 }
 
-QueryStats winding_number(const PosedTree& posed, const Vec3& point, int& winding) {
-  return PELT_CHOOSE(winding_number)(posed, point, winding);
+QueryStats winding_number(const PosedTree& posed, const Vec3& point,
+                          const GenericDirection& direction, int& winding) {
+  return PELT_CHOOSE(winding_number)(posed, point, direction, winding);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

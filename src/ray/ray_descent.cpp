@@ -94,10 +94,11 @@ class AllHits {
 /// Sums the signs with which the generic ray pierces triangles.
 class SignedCrossings {
  public:
-  explicit SignedCrossings(const Ray& ray) : ray_(ray) {}
+  SignedCrossings(const Ray& ray, const GenericDirection& direction)
+      : ray_(ray), direction_(direction) {}
 
   float take(const Found& found) {
-    sum_ += pierce_from_back(ray_.origin, found.corners, found.crossing);
+    sum_ += pierce_from_back(ray_.origin, direction_, found.corners, found.crossing);
     return ray_.t_max;
   }
 
@@ -107,6 +108,7 @@ class SignedCrossings {
 
  private:
   const Ray& ray_;
+  const GenericDirection& direction_;
   int sum_ = 0;
 };
 
@@ -308,10 +310,11 @@ QueryStats all_hits(const PosedTree& posed, const Ray& ray, Facing facing, Stack
   return work;
 }
 
-QueryStats winding_number(const PosedTree& posed, const Vec3& point, int& winding) {
+QueryStats winding_number(const PosedTree& posed, const Vec3& point,
+                          const GenericDirection& direction, int& winding) {
   QueryStats work;
-  const Ray ray = {point, kGenericDirection[0]};
-  SignedCrossings crossings(ray);
+  const Ray ray = {point, direction[0]};
+  SignedCrossings crossings(ray, direction);
   descend(posed, ray, Facing::both, crossings, work);
   winding = crossings.sum();
   return work;

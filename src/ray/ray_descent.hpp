@@ -3,6 +3,7 @@
 #include <pelt/ray.hpp>
 
 #include "base/instruction_set.hpp"
+#include "geometry/generic_ray.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/stack.hpp"
 
@@ -24,8 +25,10 @@ QueryStats all_hits(const PosedTree& posed, const Ray& ray, Facing facing, Stack
 
 /// Computes the exact winding number of the surface around `point`, along the ray of
 /// `geometry/generic_ray.hpp`: the number of triangles that the ray leaves minus the number that it
-/// enters. Preconditions: the surface is closed, and `point` lies on no triangle.
-QueryStats winding_number(const PosedTree& posed, const Vec3& point, int& winding);
+/// enters. If `point` lies on a triangle, computes the winding number around the point an
+/// infinitesimal step away along `direction`. Precondition: the surface is closed.
+QueryStats winding_number(const PosedTree& posed, const Vec3& point,
+                          const GenericDirection& direction, int& winding);
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

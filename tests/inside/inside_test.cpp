@@ -3,6 +3,7 @@
 #include "base/vec3.hpp"
 #include "pose/pose.hpp"
 #include "support/allocation_count.hpp"
+#include "support/closed_shapes.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/values.hpp"
@@ -52,67 +53,6 @@ double winding_number(const Body& body, const std::vector<Vec3>& posed, const Ve
   return angle / (4 * 3.14159265358979323846);
 }
 
-Shape rigid(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
-  Shape shape;
-  shape.rest_positions = positions;
-  shape.triangles = triangles;
-  shape.influences_per_vertex = 1;
-  shape.joints.assign(positions.size(), 0);
-  shape.weights.assign(positions.size(), 1);
-  return shape;
-}
-
-/// Four triangles per side, around its middle.
-Shape cube(float half, const Vec3& at) {
-  std::vector<Vec3> positions;
-  for (const float z : {-half, half})
-    for (const float y : {-half, half})
-      for (const float x : {-half, half}) positions.push_back({at.x + x, at.y + y, at.z + z});
-  constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides = {
-      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-  std::vector<Triangle> triangles;
-  for (const auto& side : kSides) {
-    const auto middle = static_cast<std::uint32_t>(positions.size());
-    Vec3 sum;
-    for (const std::uint32_t corner : side)
-      sum = {sum.x + positions[corner].x, sum.y + positions[corner].y, sum.z + positions[corner].z};
-    positions.push_back({sum.x / 4, sum.y / 4, sum.z / 4});
-    for (std::size_t i = 0; i < 4; ++i) triangles.push_back({side[i], side[(i + 1) % 4], middle});
-  }
-  return rigid(positions, triangles);
-}
-
-/// Both shapes in one mesh.
-Shape together(const Shape& a, const Shape& b) {
-  std::vector<Vec3> positions = a.rest_positions;
-  positions.insert(positions.end(), b.rest_positions.begin(), b.rest_positions.end());
-  std::vector<Triangle> triangles = a.triangles;
-  const auto shift = static_cast<std::uint32_t>(a.rest_positions.size());
-  for (const Triangle& t : b.triangles)
-    triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-  return rigid(positions, triangles);
-}
-
-/// Each triangle cut into four; no two triangles share a vertex index.
-Shape cut(const Shape& shape) {
-  std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;
-  const auto middle = [](const Vec3& p, const Vec3& q) {
-    return Vec3{(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
-  };
-  for (const Triangle& t : shape.triangles) {
-    const Vec3 &a = shape.rest_positions[t[0]], &b = shape.rest_positions[t[1]];
-    const Vec3& c = shape.rest_positions[t[2]];
-    const auto first = static_cast<std::uint32_t>(positions.size());
-    for (const Vec3& p : {a, b, c, middle(a, b), middle(b, c), middle(c, a)})
-      positions.push_back(p);
-    for (const Triangle& part :
-         {Triangle{0, 3, 5}, Triangle{3, 1, 4}, Triangle{5, 4, 2}, Triangle{3, 4, 5}})
-      triangles.push_back({first + part[0], first + part[1], first + part[2]});
-  }
-  return rigid(positions, triangles);
-}
-
 TEST(SideOf, IsWhereTheSurfaceWinds) {
   Random random(11);
   Body body(make_limb(20, 9, 4));
@@ -138,7 +78,7 @@ TEST(SideOf, IsWhereTheSurfaceWinds) {
 }
 
 TEST(SideOf, FindsPointsOnTheSurface) {
-  Body body(cube(1, {0, 0, 0}));
+  Body body(make_cube(1, {0, 0, 0}));
   Scratch scratch;
   const auto side = [&](const Vec3& p) {
     return test::point_side(body.pose, body.surface, p, scratch);
@@ -152,7 +92,7 @@ TEST(SideOf, FindsPointsOnTheSurface) {
 }
 
 TEST(SideOf, IsExactForMirroredBodies) {
-  Body body(cube(1, {0, 0, 0}));
+  Body body(make_cube(1, {0, 0, 0}));
   Matrix4 mirror;
   mirror.m[0] = -1;
   body.set({mirror});
@@ -207,7 +147,7 @@ double depth_of(const Shape& shape_a, const Shape& shape_b) {
 }
 
 TEST(DeepestVertex, StaysAsDeepWhenTrianglesAreCut) {
-  const Shape small = cube(0.5f, {0.8f, 0.1f, 0.05f}), large = cube(1, {0, 0, 0});
+  const Shape small = make_cube(0.5f, {0.8f, 0.1f, 0.05f}), large = make_cube(1, {0, 0, 0});
   // The middle of the small cube's side x = 0.3 is closest to the large cube's side x = 1.
   EXPECT_NEAR(depth_of(small, large), 0.7, 1e-6);
   EXPECT_NEAR(depth_of(cut(small), large), 0.7, 1e-6);
@@ -215,8 +155,8 @@ TEST(DeepestVertex, StaysAsDeepWhenTrianglesAreCut) {
 }
 
 TEST(DeepestVertex, IsNoneOfBodiesApartOrAround) {
-  const Shape small = cube(0.5f, {0, 0, 0}), large = cube(1, {0, 0, 0});
-  EXPECT_EQ(depth_of(small, cube(1, {5, 0, 0})), 0);
+  const Shape small = make_cube(0.5f, {0, 0, 0}), large = make_cube(1, {0, 0, 0});
+  EXPECT_EQ(depth_of(small, make_cube(1, {5, 0, 0})), 0);
   EXPECT_EQ(depth_of(large, small), 0);
   EXPECT_NEAR(depth_of(small, large), 0.5, 1e-12);
 }
@@ -271,7 +211,7 @@ TEST(DeepestVertex, CountsAllWorkOnBothBodies) {
 }
 
 TEST(Containment, CountsAllWorkOnBothBodies) {
-  Body small(cube(0.5f, {0, 0, 0})), large(cube(1, {0.25f, 0, 0}));
+  Body small(make_cube(0.5f, {0, 0, 0})), large(make_cube(1, {0.25f, 0, 0}));
   Scratch scratch;
   Containment which = Containment::none;
   const QueryStats work =
@@ -291,24 +231,25 @@ Containment containment_of(const Shape& shape_a, const Shape& shape_b) {
 }
 
 TEST(Containment, FindsWhichBodyContainsTheOther) {
-  const Shape small = cube(0.5f, {0, 0, 0}), large = cube(1, {0.25f, 0, 0});
+  const Shape small = make_cube(0.5f, {0, 0, 0}), large = make_cube(1, {0.25f, 0, 0});
   EXPECT_EQ(containment_of(small, large), Containment::a_in_b);
   EXPECT_EQ(containment_of(large, small), Containment::b_in_a);
-  EXPECT_EQ(containment_of(small, cube(1, {5, 0, 0})), Containment::none);
+  EXPECT_EQ(containment_of(small, make_cube(1, {5, 0, 0})), Containment::none);
   // A side of one cube is in the plane of a side of the other.
-  EXPECT_EQ(containment_of(cube(0.5f, {0.75f, 0, 0}), large), Containment::none);
+  EXPECT_EQ(containment_of(make_cube(0.5f, {0.75f, 0, 0}), large), Containment::none);
 }
 
 TEST(Containment, IsOfAllPartsThatHangTogether) {
-  const Shape large = cube(1, {0, 0, 0}), part = cube(0.2f, {0.5f, 0, 0});
-  EXPECT_EQ(containment_of(together(part, cube(0.2f, {-0.5f, 0, 0})), large), Containment::a_in_b);
-  EXPECT_EQ(containment_of(together(part, cube(0.2f, {-5, 0, 0})), large), Containment::none);
+  const Shape large = make_cube(1, {0, 0, 0}), part = make_cube(0.2f, {0.5f, 0, 0});
+  EXPECT_EQ(containment_of(together(part, make_cube(0.2f, {-0.5f, 0, 0})), large),
+            Containment::a_in_b);
+  EXPECT_EQ(containment_of(together(part, make_cube(0.2f, {-5, 0, 0})), large), Containment::none);
 }
 
 TEST(Containment, IsNoneForSurfacesThatAreNotClosed) {
-  Shape open = cube(1, {0, 0, 0});
+  Shape open = make_cube(1, {0, 0, 0});
   open.triangles.pop_back();
-  EXPECT_EQ(containment_of(cube(0.5f, {0, 0, 0}), open), Containment::none);
+  EXPECT_EQ(containment_of(make_cube(0.5f, {0, 0, 0}), open), Containment::none);
 }
 
 }  // namespace
