@@ -1,6 +1,11 @@
 #include "contact/curves.hpp"
 
+#include "base/vec3.hpp"
+#include "contact/traces.hpp"
+
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 namespace pelt::detail {
 namespace {
@@ -24,10 +29,32 @@ void find_partners(std::size_t trace_count, ContactLinks& work) {
   }
 }
 
+/// The magnitude of the vector area of a closed curve. Positions are relative to the start of the
+/// curve, because far from the origin, products would cancel each other.
+double area_of(std::span<const CurveStep> steps, const std::vector<ContactTrace>& traces) {
+  const Vec3d start(traces[steps[0].trace].from);
+  Vec3d sum;
+  for (const CurveStep& step : steps) {
+    const Vec3d from = Vec3d(traces[step.trace].from) - start;
+    const Vec3d to = Vec3d(traces[step.trace].to) - start;
+    sum = sum + (step.is_reversed ? cross(to, from) : cross(from, to));
+  }
+  return std::sqrt(squared_length(sum)) / 2;
+}
+
+void measure(ContactCurve& curve, const ContactGeometry& geometry) {
+  const auto steps = std::span(geometry.steps).subspan(curve.first, curve.count);
+  double length = 0;
+  for (const CurveStep& step : steps) length += length_of(geometry.traces[step.trace]);
+  curve.length = static_cast<float>(length);
+  if (curve.is_closed) curve.area = static_cast<float>(area_of(steps, geometry.traces));
+}
+
 /// Follows a curve from the entered end of a trace until it ends or closes.
 void walk(std::uint32_t entered, ContactLinks& work, ContactGeometry& geometry) {
   std::vector<std::uint32_t>& is_walked = work.labels;
-  ContactCurve curve = {static_cast<std::uint32_t>(geometry.steps.size()), 0, false};
+  ContactCurve curve;
+  curve.first = static_cast<std::uint32_t>(geometry.steps.size());
   const std::uint32_t start = entered;
   do {
     is_walked[entered / 2] = 1;
@@ -36,6 +63,7 @@ void walk(std::uint32_t entered, ContactLinks& work, ContactGeometry& geometry) 
     entered = work.partners[entered ^ 1];  // continue at the partner of the other end
   } while (entered != kNone && entered != start);
   curve.is_closed = entered == start;
+  measure(curve, geometry);
   geometry.curves.push_back(curve);
 }
 

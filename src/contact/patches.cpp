@@ -2,6 +2,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/vec3.hpp"
+#include "contact/traces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,10 +65,6 @@ class PatchTrace {
   const ContactTrace& trace_;
   bool is_swapped_;
 };
-
-double length_of(const ContactTrace& trace) {
-  return std::sqrt(squared_length(Vec3d(trace.to) - Vec3d(trace.from)));
-}
 
 /// Sorts the values, and returns the most frequent one; of equally frequent values, the lowest.
 std::uint16_t most_frequent(std::vector<std::uint32_t>& values) {

@@ -80,4 +80,8 @@ ContactTrace trace_of(const Contact& contact, const ContactCorners& corners,
   return trace;
 }
 
+double length_of(const ContactTrace& trace) {
+  return std::sqrt(squared_length(Vec3d(trace.to) - Vec3d(trace.from)));
+}
+
 }  // namespace pelt::detail

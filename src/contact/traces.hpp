@@ -19,4 +19,7 @@ struct ContactCorners {
 ContactTrace trace_of(const Contact& contact, const ContactCorners& corners,
                       const ContactSurfaces& surfaces, std::array<EndKey, 2>& ends);
 
+/// The length of the segment of a trace.
+double length_of(const ContactTrace& trace);
+
 }  // namespace pelt::detail

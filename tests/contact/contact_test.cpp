@@ -2,6 +2,7 @@
 
 #include "base/vec3.hpp"
 #include "support/allocation_count.hpp"
+#include "support/closed_shapes.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 
@@ -142,6 +143,8 @@ TEST(Contact, CurvesEndAtABorder) {
   check_patches(geometry);
   ASSERT_EQ(geometry.curves.size(), 1u);
   EXPECT_FALSE(geometry.curves[0].is_closed);
+  EXPECT_FLOAT_EQ(geometry.curves[0].length, 2);
+  EXPECT_EQ(geometry.curves[0].area, 0);
   const ContactCurve& curve = geometry.curves[0];
   const Vec3 begin = ends_of(geometry, geometry.steps[curve.first]).first;
   const Vec3 end = ends_of(geometry, geometry.steps[curve.first + curve.count - 1]).second;
@@ -149,6 +152,53 @@ TEST(Contact, CurvesEndAtABorder) {
   EXPECT_EQ(std::max(begin.z, end.z), 1);
   EXPECT_FLOAT_EQ(geometry.patches[0].length, 2);
   EXPECT_FLOAT_EQ(geometry.patches[0].point.x, 0.25f);
+}
+
+TEST(Contact, MeasuresCurves) {
+  Body cube(make_cube(1, {0, 0, 0})), through_a_side(make_cube(0.5f, {0.1f, 0.2f, 1.1f}));
+  const ContactGeometry square = geometry_of(cube, through_a_side);
+  ASSERT_EQ(square.curves.size(), 1u);
+  EXPECT_TRUE(square.curves[0].is_closed);
+  EXPECT_NEAR(square.curves[0].length, 4, 1e-6);
+  EXPECT_NEAR(square.curves[0].area, 1, 1e-6);
+
+  Body sphere(make_sphere(1, 5)), other(make_sphere(1, 5));
+  other.set({rotation_about({1, 2, 3}, 0.3, {0, 0, 0}, {1, 0, 0})});
+  const ContactGeometry circle = geometry_of(sphere, other);
+  const double pi = 3.14159265358979323846, radius = std::sqrt(0.75);
+  ASSERT_EQ(circle.curves.size(), 1u);
+  EXPECT_NEAR(circle.curves[0].length, 2 * pi * radius, 0.02);
+  EXPECT_NEAR(circle.curves[0].area, pi * radius * radius, 0.02);
+}
+
+/// The definition, in plain doubles.
+void check_measures(const ContactGeometry& geometry, const ContactCurve& curve) {
+  double length = 0;
+  Vec3d area;
+  for (std::uint32_t i = 0; i < curve.count; ++i) {
+    const auto [from, to] = ends_of(geometry, geometry.steps[curve.first + i]);
+    length += std::sqrt(squared_length(Vec3d(to) - Vec3d(from)));
+    area = area + 0.5 * cross(Vec3d(from), Vec3d(to));
+  }
+  EXPECT_NEAR(curve.length, length, 1e-6 * length);
+  const double expected = curve.is_closed ? std::sqrt(squared_length(area)) : 0;
+  EXPECT_NEAR(curve.area, expected, 1e-6 * length * length);
+  EXPECT_LE(curve.area, length * length / (4 * 3.14159)) << "a circle encloses most";
+}
+
+TEST(Contact, MeasuresAllCurvesByTheirDefinition) {
+  Random random(9);
+  Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
+  std::size_t curves = 0;
+  for (int i = 0; i < 40; ++i) {
+    a.set(bend_limb(random, 4, 0.7, {0, 0, 0}));
+    b.set(bend_limb(random, 4, 0.7, {0.11f, 0.05f, 0.07f}));
+    const ContactGeometry geometry = geometry_of(a, b);
+    for (const ContactCurve& curve : geometry.curves) check_measures(geometry, curve);
+    curves += geometry.curves.size();
+  }
+  std::cout << curves << " curves\n";
+  EXPECT_GT(curves, 30u);
 }
 
 TEST(Contact, MeasuresHowDeepATriangleReachesBehindTheOther) {
