@@ -14,6 +14,7 @@
 #include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/inside.hpp>
+#include <pelt/volume.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -225,6 +226,17 @@ class Costs {
                     Penetration deepest;
                     deepest_vertex(a_, surface_, b_, surface_, scratch_, deepest);
                     answer.insert(answer.end(), {1.0 * deepest.vertex, deepest.depth});
+                  }));
+    measure(about("volume", nullptr, [this](const QueryFrame&, Answer& answer) {
+      Volume found;
+      volume(a_, surface_, found);
+      answer.insert(answer.end(), {found.value, found.error});
+    }));
+    measure(about("intersection volume, touching", &QueryFrame::touching,
+                  [this](const QueryFrame&, Answer& answer) {
+                    Volume found;
+                    intersection_volume(a_, surface_, b_, surface_, scratch_, found);
+                    answer.insert(answer.end(), {found.value, found.error});
                   }));
     for (const std::size_t count : {std::size_t{1}, std::size_t{100}})
       measure(about_one("side of " + std::to_string(count) + " point(s)",

@@ -13,7 +13,7 @@
 ///
 /// Queries are declared in these headers:
 ///
-///     one or two poses              bounds, collide, contact, distance, inside, search
+///     one or two poses              bounds, collide, contact, distance, inside, search, volume
 ///     two poses in motion           motion, first_contact_search
 ///     a pose and itself             self_collide, self_tracker, contact
 ///     a pose in motion and itself   self_motion
@@ -73,3 +73,4 @@
 #include <pelt/solid.hpp>
 #include <pelt/version.hpp>
 #include <pelt/vertex_groups.hpp>
+#include <pelt/volume.hpp>

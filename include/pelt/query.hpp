@@ -118,7 +118,7 @@ class PELT_API Scratch {
   /// `self`: `SelfFilter::scratch_size` of the filter of `self_collide`. For several filters, call
   ///   `reserve` once for each.
   ///
-  /// Memory: 192 KB, plus 68 bytes per contact, 36 bytes per hit and what `self` states.
+  /// Memory: 192 KB, plus 92 bytes per contact, 36 bytes per hit and what `self` states.
   void reserve(std::size_t contacts, std::size_t ray_hits = 0, const SelfScratchSize& self = {});
 
   /// For internal use.

@@ -40,8 +40,15 @@ class Rounded {
     return Rounded(a.value_ * b.value_, std::abs(a.value_) * b.error_ +
                                             std::abs(b.value_) * a.error_ + a.error_ * b.error_);
   }
+  /// Precondition: the sign of `b` is certain.
+  friend Rounded operator/(const Rounded& a, const Rounded& b) {
+    const double value = a.value_ / b.value_;
+    return Rounded(value, (a.error_ + std::abs(value) * b.error_) /
+                              (std::abs(b.value_) - b.error_) * (1 + 0x1p-48));
+  }
 
   double value() const { return value_; }
+  double error() const { return error_; }
 
   /// Returns -1, 0 or 1 if the sign is certain.
   std::optional<int> sign() const {

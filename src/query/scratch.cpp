@@ -51,6 +51,8 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, const SelfScra
   scratch_->touching.reserve(contacts);
   scratch_->inside.reserve(contacts);
   scratch_->sorting_numbers.reserve(contacts);
+  scratch_->turns_a.reserve(contacts);
+  scratch_->turns_b.reserve(contacts);
   scratch_->positions.reserve(self.vertices);
   if (self.vertices > 0) scratch_->ring.reserve(2 * self.vertices + 1);
   scratch_->boxes.reserve(self.box_bytes);

@@ -43,6 +43,13 @@ struct ContactLinks {
   std::vector<std::uint32_t> partners, labels;
 };
 
+/// How much greater the winding number of another surface is at corners 1 and 2 of a triangle than
+/// at corner 0.
+struct WindingTurns {
+  std::uint32_t triangle = 0;
+  std::array<std::int32_t, 2> to = {};
+};
+
 /// Working memory of queries. Every user clears the parts that it uses.
 struct Scratch {
   Stack<SlotPair> slot_pairs;
@@ -58,6 +65,7 @@ struct Scratch {
   Stack<std::uint32_t> ring;              // surface vertices near a triangle
   Arena boxes;                            // of clusters on a grid (self/grid_boxes.hpp)
   ContactLinks contact_links;
+  Stack<WindingTurns> turns_a, turns_b;  // of triangles that cross another body
 };
 
 }  // namespace pelt::detail

@@ -21,6 +21,8 @@ std::vector<pelt::ContactPatch> pushes(pelt::Pose& a, const pelt::Surface& surfa
                                        const pelt::Surface& surface_b, pelt::Scratch& scratch);
 double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
                 const pelt::Surface& surface_b, pelt::Scratch& scratch);
+double share_inside(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
+                    const pelt::Surface& surface_b, pelt::Scratch& scratch);
 float first_touch(pelt::Motion sword, pelt::Motion arm, pelt::Scratch& scratch);
 std::vector<pelt::MovingContact> new_touches(pelt::Motion sword, pelt::Motion arm,
                                              pelt::Scratch& scratch);
@@ -169,6 +171,18 @@ TEST_F(QueryExamples, Inside) {
   EXPECT_EQ(depth_in(pose_, surface, other, surface_of_other, scratch_), 0);
   ASSERT_TRUE(other.set_palette(moved(0.05f)));
   EXPECT_GT(depth_in(pose_, surface, other, surface_of_other, scratch_), 0);
+}
+
+TEST_F(QueryExamples, Volume) {
+  Pose other(limb());
+  const Surface surface(pose_.model()), surface_of_other(other.model());
+  EXPECT_NEAR(share_inside(pose_, surface, other, surface_of_other, scratch_), 1, 1e-12);
+  ASSERT_TRUE(other.set_palette(moved(0.05f)));
+  const double share = share_inside(pose_, surface, other, surface_of_other, scratch_);
+  EXPECT_GT(share, 0.1);
+  EXPECT_LT(share, 0.9);
+  ASSERT_TRUE(other.set_palette(moved(3)));
+  EXPECT_EQ(share_inside(pose_, surface, other, surface_of_other, scratch_), 0);
 }
 
 TEST_F(QueryExamples, Terrain) {

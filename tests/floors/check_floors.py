@@ -17,7 +17,8 @@ import sys
 
 LIBRARY = ["include/pelt", "src/base", "src/geometry", "src/skin", "src/model", "src/pose",
            "src/query", "src/collide", "src/self", "src/motion", "src/search", "src/bounds", "src/ray",
-           "src/distance", "src/farthest", "src/field", "src/solid", "src/contact", "src/inside", "src/crowd"]
+           "src/distance", "src/farthest", "src/field", "src/solid", "src/contact", "src/inside", "src/volume",
+           "src/crowd"]
 FLOORS = [*LIBRARY, "asset", "scenes", "bindings",
           *("tools/pelt/" + f for f in ("output", "arguments", "methods", "scene", "query", "bench",
                                         "picture", "prepared", "page", "check", "verbs")),

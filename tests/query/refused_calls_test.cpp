@@ -36,6 +36,8 @@ TEST_F(RefusedCalls, OnePoseTwice) {
   EXPECT_DEATH(deepest_vertex(a, of_a, a, of_a, scratch, deepest), message);
   EXPECT_DEATH(containment(a, of_a, a, of_a, scratch, containing), message);
   EXPECT_DEATH(describe_contacts(a, of_a, a, of_a, {}, scratch, geometry), message);
+  Volume common;
+  EXPECT_DEATH(intersection_volume(a, of_a, a, of_a, scratch, common), message);
 }
 
 TEST_F(RefusedCalls, ASurfaceOfAnotherModel) {
@@ -47,6 +49,10 @@ TEST_F(RefusedCalls, ASurfaceOfAnotherModel) {
   EXPECT_DEATH(describe_contacts(a, of_b, {}, scratch, geometry), message);
   EXPECT_DEATH(side_of(a, of_b, {}, scratch, side), message);
   EXPECT_DEATH(containment(a, of_a, b, of_a, scratch, containing), message);
+  Volume found;
+  EXPECT_DEATH(volume(a, of_b, found), message);
+  EXPECT_DEATH(self_intersection_volume(a, of_b, scratch, found), message);
+  EXPECT_DEATH(intersection_volume(a, of_a, b, of_a, scratch, found), message);
 }
 
 TEST_F(RefusedCalls, DistancesAndListsThatMakeNoSense) {

@@ -1,0 +1,197 @@
+/// Volumes against rational numbers, on closed surfaces that are as degenerate as possible.
+
+#include <pelt/volume.hpp>
+
+#include "prism_volume.hpp"
+#include "support/instruction_sets.hpp"
+#include "support/pinned_shapes.hpp"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+namespace pelt::test {
+namespace {
+
+using ExactVolume = PrismVolume<mpq_class>;
+
+/// A closed surface with freely chosen posed vertices.
+class Body {
+ public:
+  Body(const std::vector<Triangle>& triangles, std::uint32_t vertex_count)
+      : triangles_(triangles),
+        vertex_count_(vertex_count),
+        pose_(*build_model(make_pinned(vertex_count, triangles).view())),
+        surface_(pose_.model()) {
+    EXPECT_TRUE(surface_.is_closed());
+  }
+
+  void set(const std::vector<Vec3>& positions) {
+    ASSERT_TRUE(pose_.set_palette(pin(positions)));
+    positions_ = positions;
+  }
+
+  ExactVolume exact() const { return {positions_, triangles_}; }
+  std::uint32_t vertex_count() const { return vertex_count_; }
+  const std::vector<Vec3>& positions() const { return positions_; }
+  Pose& pose() { return pose_; }
+  const Surface& surface() const { return surface_; }
+
+ private:
+  std::vector<Triangle> triangles_;
+  std::uint32_t vertex_count_;
+  Pose pose_;
+  Surface surface_;
+  std::vector<Vec3> positions_;
+};
+
+Volume intersection_of(Body& a, Body& b) {
+  Scratch scratch;
+  Volume result;
+  intersection_volume(a.pose(), a.surface(), b.pose(), b.surface(), scratch, result);
+  return result;
+}
+
+/// Checks the stated error, and that it is small.
+void check(const Volume& found, const mpq_class& exact, double unit) {
+  const mpq_class off = abs(mpq_class(found.value) - exact);
+  EXPECT_LE(off, mpq_class(found.error)) << found.value << " instead of " << exact.get_d();
+  EXPECT_LE(found.error, 0x1p-40 * unit);
+}
+
+/// The kind of coordinates.
+enum class Numbers { grid, fine_grid, any, nearly_flat };
+
+float coordinate(Random& random, Numbers numbers) {
+  if (numbers == Numbers::grid) return static_cast<float>(random.index(4));
+  if (numbers == Numbers::fine_grid) return static_cast<float>(random.index(20)) / 4;
+  return random.uniformf(-1, 1);
+}
+
+Vec3 point_of(Random& random, Numbers numbers) {
+  Vec3 p = {coordinate(random, numbers), coordinate(random, numbers), coordinate(random, numbers)};
+  if (numbers == Numbers::nearly_flat) p.z *= 0x1p-24f;
+  return p;
+}
+
+/// Some vertices coincide with others of this body, or of the other one.
+std::vector<Vec3> positions_of(Random& random, Numbers numbers, std::uint32_t count,
+                               const std::vector<Vec3>& other) {
+  std::vector<Vec3> positions;
+  for (std::uint32_t v = 0; v < count; ++v) {
+    const bool is_shared = !other.empty() && random.chance(0.15);
+    positions.push_back(is_shared ? other[random.index(static_cast<std::uint32_t>(other.size()))]
+                        : v > 0 && random.chance(0.05) ? positions[random.index(v)]
+                                                       : point_of(random, numbers));
+  }
+  return positions;
+}
+
+struct Hits {
+  int volumes = 0, touches = 0;
+};
+
+Hits compare(Random& random, Body& a, Body& b, Numbers numbers, int rounds) {
+  Hits hits;
+  for (int i = 0; i < rounds; ++i) {
+    a.set(positions_of(random, numbers, a.vertex_count(), {}));
+    b.set(positions_of(random, numbers, b.vertex_count(), a.positions()));
+    const mpq_class exact = a.exact().of_intersection(b.exact());
+    check(intersection_of(a, b), exact, 1000);
+    check(intersection_of(b, a), exact, 1000);
+    Scratch scratch;
+    hits.volumes += exact != 0;
+    hits.touches += exact == 0 && intersects(a.pose(), b.pose(), scratch);
+  }
+  std::cout << hits.volumes << " of " << rounds << " intersect, " << hits.touches
+            << " touch without a volume\n";
+  return hits;
+}
+
+void compare_all(Body a, Body b, int rounds) {
+  Random random(31 + a.vertex_count() + b.vertex_count());
+  for (const Numbers numbers :
+       {Numbers::grid, Numbers::fine_grid, Numbers::any, Numbers::nearly_flat}) {
+    const Hits hits = compare(random, a, b, numbers, rounds);
+    EXPECT_GT(hits.volumes, rounds / 4);
+    if (numbers == Numbers::grid && a.vertex_count() < 10) {
+      EXPECT_GT(hits.touches, rounds / 20);
+    }
+  }
+}
+
+TEST(IntersectionVolume, IsExactForTetrahedra) {
+  compare_all({tetrahedron(), 4}, {tetrahedron(), 4}, 200);
+}
+
+TEST(IntersectionVolume, IsExactForOctahedra) {
+  compare_all({octahedron(), 6}, {octahedron(), 6}, 60);
+}
+
+TEST(IntersectionVolume, IsExactForTori) { compare_all({torus(5, 4), 20}, {torus(4, 4), 16}, 4); }
+
+TEST(IntersectionVolume, IsExactOnEachInstructionSet) {
+  on_each_instruction_set([](InstructionSet) {
+    compare_all({octahedron(), 6}, {tetrahedron(), 4}, 20);
+  });
+}
+
+/// The integral of w (w - 1) / 2.
+mpq_class exact_self_intersection(const Body& body, const Body& all) {
+  return (body.exact().of_intersection(body.exact()) - body.exact().of_intersection(all.exact())) /
+         2;
+}
+
+/// An octahedron around everything.
+Body around_all() {
+  Body all(octahedron(), 6);
+  all.set({{99, 0, 0}, {-99, 0, 0}, {0, 99, 0}, {0, -99, 0}, {0, 0, 99}, {0, 0, -99}});
+  return all;
+}
+
+void compare_self_intersections(Body body, int rounds) {
+  Random random(33 + body.vertex_count());
+  const Body all = around_all();
+  int hits = 0;
+  for (const Numbers numbers :
+       {Numbers::grid, Numbers::fine_grid, Numbers::any, Numbers::nearly_flat})
+    for (int i = 0; i < rounds; ++i) {
+      body.set(positions_of(random, numbers, body.vertex_count(), {}));
+      const mpq_class exact = exact_self_intersection(body, all);
+      Scratch scratch;
+      Volume found;
+      self_intersection_volume(body.pose(), body.surface(), scratch, found);
+      check(found, exact, 1000);
+      hits += exact != 0;
+    }
+  std::cout << hits << " of " << 4 * rounds << " overlap themselves\n";
+  EXPECT_GT(hits, rounds);
+}
+
+TEST(SelfIntersectionVolume, IsExactForTetrahedra) {
+  compare_self_intersections({tetrahedron(), 4}, 50);
+}
+
+TEST(SelfIntersectionVolume, IsExactForOctahedra) {
+  compare_self_intersections({octahedron(), 6}, 20);
+}
+
+TEST(SelfIntersectionVolume, IsExactForTori) { compare_self_intersections({torus(5, 4), 20}, 3); }
+
+TEST(Volume, IsExactForTori) {
+  Random random(32);
+  Body body(torus(5, 4), 20);
+  const Body all = around_all();
+  for (int i = 0; i < 20; ++i) {
+    body.set(positions_of(random, i % 2 == 0 ? Numbers::grid : Numbers::any, 20, {}));
+    Volume found;
+    volume(body.pose(), body.surface(), found);
+    check(found, body.exact().of_intersection(all.exact()), 1);
+  }
+}
+
+}  // namespace
+}  // namespace pelt::test
