@@ -159,6 +159,24 @@ TEST(IntersectionVolume, IsTheSameOnEachInstructionSetAndAllocatesNothingTheSeco
   });
 }
 
+TEST(IntersectionVolume, AllocatesNothingIfAllIsReserved) {
+  Random random(43);
+  Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
+  a.set(bend_limb(random, 4, 0.2, {0, 0, 0}));
+  b.set(bend_limb(random, 4, 0.2, {0.05f, 0.02f, 0.03f}));
+  std::vector<Contact> contacts;
+  Scratch other, scratch;
+  collide(a.pose, b.pose, other, contacts);
+  scratch.reserve(contacts.size());
+  a.pose.reserve();
+  b.pose.reserve();
+  Volume found;
+  const std::uint64_t before = allocation_count();
+  intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, found);
+  EXPECT_EQ(allocation_count(), before);
+  EXPECT_GT(found.value, 0);
+}
+
 TEST(SelfIntersectionVolume, IsThatOfOverlappingParts) {
   const Shape cube = make_cube(1, {0, 0, 0}), part = make_cube(1, {1, 0, 0});
   Scratch scratch;
