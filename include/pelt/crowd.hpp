@@ -179,10 +179,18 @@ class PELT_API Crowd {
   /// begins.
   Result<void> set_morph_weights(std::uint32_t instance, std::span<const float> weights);
 
+  /// Copies the positions of all vertices of an instance, or returns an error, like
+  /// Pose::set_vertices. Several threads may call it for different instances at the same time.
+  ///
+  /// Cost: O(V). Allocates 16 bytes per vertex in the first call for the instance, and the same
+  /// again in its first step.
+  Result<void> set_vertices(std::uint32_t instance, std::span<const Vec3> vertices);
+
   /// Begins a step for `collide_moving`: the current poses of all instances become the start of the
-  /// step. The first `set_palette` or `set_morph_weights` of an instance after this call then
-  /// begins its motion. Later calls change the end of the motion. An instance without such a call
-  /// stands still, and so does every instance of a crowd for which no step was ever begun.
+  /// step. The first `set_palette`, `set_morph_weights` or `set_vertices` of an instance after this
+  /// call then begins its motion. Later calls change the end of the motion. An instance without
+  /// such a call stands still, and so does every instance of a crowd for which no step was ever
+  /// begun.
   ///
   /// Cost: O(1). However, the first of these calls for an instance in a step also copies its
   /// palette, and allocates if it is the first one of the instance.

@@ -29,6 +29,10 @@ struct MorphTargetsView {
 ///
 /// Each vertex has K = `influences_per_vertex` (joint, weight) pairs, called influences. Unused
 /// pairs have the weight 0.
+///
+/// A mesh without joints has no `joints`, no `weights` and the `joint_count` 0. Its model has one
+/// joint, which all vertices follow with weight 1: a palette of one matrix places the rest
+/// positions, and `Pose::set_vertices` deforms them.
 struct SkinnedMeshView {
   std::span<const Vec3> rest_positions;     ///< [V] model units, finite
   std::span<const Triangle> triangles;      ///< [T] indices < V; degenerate triangles are allowed
@@ -38,7 +42,7 @@ struct SkinnedMeshView {
   std::span<const std::uint16_t> joints;
 
   std::span<const float> weights;       ///< [V][K] >= 0, each row sums to 1
-  std::uint32_t joint_count = 0;        ///< J, the number of matrices in a joint palette
+  std::uint32_t joint_count = 0;        ///< J, the number of matrices in a palette; 0: no joints
   MorphTargetsView morph_targets = {};  ///< M morph targets
 };
 

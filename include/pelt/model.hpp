@@ -32,6 +32,12 @@ struct ModelOptions {
   /// optimised for these poses. With six poses, queries are up to 20 % faster, and the build takes
   /// three times as long. Answers do not depend on the sample palettes. May be empty.
   std::span<const Matrix4> sample_palettes = {};
+
+  /// Whether to merge vertices that are equal in every bit of rest position, influences and
+  /// displacements. Files repeat such vertices at seams of textures, and queries are faster if they
+  /// pose each of them once. `Pose::set_vertices` then refuses different positions for merged
+  /// vertices. The vertices of a mesh without joints are never merged.
+  bool weld = true;
 };
 
 /// Counts of defects that `build_model` found in the mesh.

@@ -120,6 +120,17 @@ BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette
   return found;
 }
 
+BoxFound box_given(const GivenVertices& given, std::span<const std::uint32_t> places) {
+  Box4 box = empty_box();
+  for (const std::uint32_t place : places) {
+    const Float4 p = load4(given.at(place));
+    box = unite(box, {p, p});
+  }
+  BoxFound found = store(box);
+  found.work.refits = 1;
+  return found;
+}
+
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places) {
   std::uint64_t displacements = 0;

@@ -25,7 +25,10 @@ BoxFound bounding_box(const PosedTree& posed, std::uint32_t levels);
 /// Returns the bound of a set of vertices as a box, which is empty for an empty set.
 BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette& palette);
 
-/// Returns the exact box of the vertices at these positions in the pools.
+/// Returns the exact box of the given vertices at these positions in the pools.
+BoxFound box_given(const GivenVertices& given, std::span<const std::uint32_t> places);
+
+/// Returns the exact box of the posed vertices at these positions in the pools.
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places);
 

@@ -35,7 +35,9 @@ QueryStats bounds_of_levels(Pose& pose, std::uint32_t levels, Bounds& result) {
   const Vec3 high = {found.high[0], found.high[1], found.high[2]};
   const Vec3 centre = {middle(low.x, high.x), middle(low.y, high.y), middle(low.z, high.z)};
   const float around_centre[] = {centre.x, centre.y, centre.z, 0};
-  const float of_joints = detail::bounding_radius(posed.bounds, posed.palette, around_centre);
+  const float of_joints = posed.given
+                              ? std::numeric_limits<float>::infinity()
+                              : detail::bounding_radius(posed.bounds, posed.palette, around_centre);
   const Box box = {low, high};
   result = {box, {centre, std::min(radius_of(box, centre), of_joints)}};
   return found.work;

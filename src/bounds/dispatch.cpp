@@ -9,6 +9,7 @@ namespace pelt::detail {
 PELT_DECLARE_VERSIONS(bounding_box)
 PELT_DECLARE_VERSIONS(bounding_radius)
 PELT_DECLARE_VERSIONS(bound_of_set)
+PELT_DECLARE_VERSIONS(box_given)
 PELT_DECLARE_VERSIONS(box_places)
 
 inline namespace PELT_INSTRUCTION_SET {
@@ -23,6 +24,10 @@ float bounding_radius(const NodeBounds& bounds, const Palette& palette, const fl
 
 BoxFound bound_of_set(const NodeBounds& bounds, std::uint32_t set, const Palette& palette) {
   return PELT_CHOOSE(bound_of_set)(bounds, set, palette);
+}
+
+BoxFound box_given(const GivenVertices& given, std::span<const std::uint32_t> places) {
+  return PELT_CHOOSE(box_given)(given, places);
 }
 
 BoxFound box_places(const Tree& tree, const Palette& palette,

@@ -88,8 +88,9 @@ std::uint32_t opened_node_count(const Pose& pose) {
 }
 
 void copy_with_all_bounds(const Pose& pose, Pose& whole) {
-  whole.palette = pose.palette;
   whole.close_all();
+  whole.palette = pose.palette;
+  whole.given = pose.given;
   const PosedTree posed = whole.posed_tree();
   make_table(posed);
   compute_all_bounds(posed);

@@ -28,7 +28,7 @@ std::uint32_t level_count(const Tree& tree);
 std::uint32_t opened_node_count(const Pose& pose);
 
 /// Copies the palette of `pose` to `whole`, a pose of the same model, and computes all bounds of
-/// `whole`.
+/// `whole`. Given vertices are borrowed from `pose`.
 void copy_with_all_bounds(const Pose& pose, Pose& whole);
 
 /// Replaces the content of `out` with the boxes of `level` in `whole` (see `copy_with_all_bounds`)

@@ -100,8 +100,10 @@ QueryStats group_bounds(const Pose& pose, const VertexGroups& groups, std::uint3
   require(is_pose_of(pose, groups),
           "group_bounds: the groups belong to another model than the pose");
   require(group < groups.count(), "group_bounds: no group has that number; see count()");
-  const detail::BoxFound found =
-      detail::bound_of_set(groups.detail().bounds, group, pose.detail().palette);
+  const detail::Pose& data = pose.detail();
+  const detail::BoxFound found = data.given
+                                     ? box_given(data.given, groups.detail().places_of(group))
+                                     : bound_of_set(groups.detail().bounds, group, data.palette);
   result = to_box(found);
   return found.work;
 }
@@ -111,8 +113,11 @@ QueryStats exact_group_bounds(const Pose& pose, const VertexGroups& groups, std:
   require(is_pose_of(pose, groups),
           "exact_group_bounds: the groups belong to another model than the pose");
   require(group < groups.count(), "exact_group_bounds: no group has that number; see count()");
-  const detail::BoxFound found = detail::box_places(
-      pose.model().detail().tree, pose.detail().palette, groups.detail().places_of(group));
+  const detail::Pose& data = pose.detail();
+  const std::span<const std::uint32_t> places = groups.detail().places_of(group);
+  const detail::BoxFound found = data.given
+                                     ? box_given(data.given, places)
+                                     : box_places(pose.model().detail().tree, data.palette, places);
   result = to_box(found);
   return found.work;
 }

@@ -57,6 +57,10 @@ Result<void> Crowd::set_morph_weights(std::uint32_t instance, std::span<const fl
   return crowd_->instances.set_morph_weights(instance, weights);
 }
 
+Result<void> Crowd::set_vertices(std::uint32_t instance, std::span<const Vec3> vertices) {
+  return crowd_->instances.set_vertices(instance, vertices);
+}
+
 void Crowd::begin_step() { crowd_->instances.begin_step(); }
 
 Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const Matrix4> from,

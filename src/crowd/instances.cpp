@@ -2,14 +2,27 @@
 
 #include "base/assert.hpp"
 #include "base/bytes_held.hpp"
+#include "pose/refit_given.hpp"
 #include "pose/root_box.hpp"
 
 namespace pelt::detail {
 namespace {
 
 void take_box(CrowdInstance& instance) {
-  instance.root_box = box_root(instance.model.detail().bounds, instance.palette);
+  instance.root_box = box_root(instance.model.detail().bounds, instance.palette, instance.given);
   instance.has_moved = true;
+}
+
+/// Bytes that a pose holds.
+std::size_t bytes_of(const CrowdPose& pose) {
+  const std::size_t given = pose.memory ? sizeof(Arena) + pose.memory->capacity() : 0;
+  return pose.palette.memory_bytes() + given;
+}
+
+/// Takes the box of vertices that joints pose.
+void take_posed(CrowdInstance& instance) {
+  instance.given = {};
+  take_box(instance);
 }
 
 /// Computes the box at once, because the palette is in the caches now, and because this runs on all
@@ -17,7 +30,7 @@ void take_box(CrowdInstance& instance) {
 template <typename Element>
 Result<void> take_palette(CrowdInstance& instance, std::span<const Element> palette) {
   Result<void> set = instance.palette.set(palette);
-  if (set) take_box(instance);
+  if (set) take_posed(instance);
   return set;
 }
 
@@ -76,8 +89,26 @@ Result<void> CrowdInstances::set_morph_weights(std::uint32_t number,
   CrowdInstance& instance = (*this)[number];
   save_start(instance);
   Result<void> taken = instance.palette.set_morph_weights(weights);
-  if (taken) take_box(instance);
+  if (taken) take_posed(instance);
   return taken;
+}
+
+Result<void> CrowdInstances::set_vertices(std::uint32_t number, std::span<const Vec3> vertices) {
+  CrowdInstance& instance = (*this)[number];
+  const Tree& tree = instance.model.detail().tree;
+  save_start(instance);
+  if (Problem found = check_vertices(tree, vertices); !found.empty())
+    return invalid_argument(std::move(found));
+  instance.given = {};
+  instance.given = refit_given(tree, vertices, instance.empty_memory());
+  take_box(instance);
+  return {};
+}
+
+CrowdPose& CrowdInstances::start_of(CrowdInstance& instance) {
+  if (!instance.start) instance.start = std::make_unique<CrowdPose>(instance.model.detail().tree);
+  instance.start->given = {};
+  return *instance.start;
 }
 
 /// The pose before its first change in a step is the start of the step. Before the first step, an
@@ -86,9 +117,11 @@ void CrowdInstances::save_start(CrowdInstance& instance) {
   if (step_ == 0) {
     instance.step = CrowdInstance::kNever;
   } else if (instance.step != step_) {
-    if (!instance.start) instance.start = std::make_unique<Instance>(instance.model.detail().tree);
-    instance.start->palette = instance.palette;
-    instance.start->root_box = instance.root_box;
+    CrowdPose& start = start_of(instance);
+    start.palette = instance.palette;
+    if (instance.given)
+      start.given = copy_given(instance.model.detail().tree, instance.given, start.empty_memory());
+    start.root_box = instance.root_box;
     instance.step = step_;
   }
 }
@@ -98,11 +131,10 @@ Result<void> CrowdInstances::set_motion(std::uint32_t number, std::span<const El
                                         std::span<const Element> to) {
   CrowdInstance& instance = (*this)[number];
   instance.step = CrowdInstance::kNever;
-  if (!instance.start) instance.start = std::make_unique<Instance>(instance.model.detail().tree);
-  Instance& start = *instance.start;
+  CrowdPose& start = start_of(instance);
   start.palette = instance.palette;  // for the morph weights
   if (Result<void> set = start.palette.set(from); !set) return set;
-  start.root_box = box_root(instance.model.detail().bounds, start.palette);
+  start.root_box = box_root(instance.model.detail().bounds, start.palette, start.given);
   if (Result<void> set = take_palette(instance, to); !set) return set;
   instance.step = step_;
   return {};
@@ -119,8 +151,8 @@ std::size_t CrowdInstances::memory_bytes() const {
   std::size_t bytes = bytes_held(slots_, free_);
   for (const std::optional<CrowdInstance>& slot : slots_) {
     if (slot) {
-      bytes += slot->palette.memory_bytes();
-      if (slot->start) bytes += sizeof(Instance) + slot->start->palette.memory_bytes();
+      bytes += bytes_of(*slot);
+      if (slot->start) bytes += sizeof(CrowdPose) + bytes_of(*slot->start);
     }
   }
   return bytes;

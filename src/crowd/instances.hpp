@@ -14,10 +14,24 @@
 
 namespace pelt::detail {
 
+/// One pose of an instance. Unlike opened nodes, given vertices stay from one query to the next.
+struct CrowdPose : Instance {
+  using Instance::Instance;
+
+  /// Returns empty memory for given vertices.
+  Arena& empty_memory() {
+    if (!memory) memory = std::make_unique<Arena>();
+    memory->clear();
+    return *memory;
+  }
+
+  std::unique_ptr<Arena> memory;  // of given vertices, or null
+};
+
 /// An instance of a crowd. Its nodes are open during a query only.
-struct CrowdInstance : Instance {
+struct CrowdInstance : CrowdPose {
   CrowdInstance(SkinnedModel m, const CollisionMask& c)
-      : Instance(m.detail().tree), mask(c), model(std::move(m)) {}
+      : CrowdPose(m.detail().tree), mask(c), model(std::move(m)) {}
 
   /// View of the instance for the thread that owns `arena`.
   PosedTree posed_tree(Arena& arena) { return view(*this, arena); }
@@ -33,9 +47,9 @@ struct CrowdInstance : Instance {
 
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
-  bool has_moved = true;            // since the last query
-  std::uint64_t step = kNever;      // the step that `start` is of
-  std::unique_ptr<Instance> start;  // or null
+  bool has_moved = true;             // since the last query
+  std::uint64_t step = kNever;       // the step that `start` is of
+  std::unique_ptr<CrowdPose> start;  // or null
   CollisionMask mask;
   SkinnedModel model;
 
@@ -67,6 +81,7 @@ class CrowdInstances {
   Result<void> set_palette(std::uint32_t number, std::span<const Matrix3x4> palette);
   Result<void> set_palette(std::uint32_t number, std::span<const double> palette);
   Result<void> set_morph_weights(std::uint32_t number, std::span<const float> weights);
+  Result<void> set_vertices(std::uint32_t number, std::span<const Vec3> vertices);
 
   /// See Crowd.
   void begin_step() { ++step_; }
@@ -82,6 +97,7 @@ class CrowdInstances {
  private:
   void add_slot();
   void save_start(CrowdInstance& instance);
+  static CrowdPose& start_of(CrowdInstance& instance);
 
   std::vector<std::optional<CrowdInstance>> slots_;
   std::vector<std::uint32_t> free_;

@@ -30,7 +30,8 @@ class StructureCheck {
          {&StructureCheck::check_sizes, &StructureCheck::check_influence_begin,
           &StructureCheck::check_vertices, &StructureCheck::check_nodes,
           &StructureCheck::check_clusters, &StructureCheck::check_pools,
-          &StructureCheck::check_triangle_ids, &StructureCheck::check_vertex_places})
+          &StructureCheck::check_triangle_ids, &StructureCheck::check_vertex_places,
+          &StructureCheck::check_place_vertices})
       if (Problem found = (this->*check)(); !found.empty()) return found;
     return check_pool_morphs(tree_);
   }
@@ -46,6 +47,7 @@ class StructureCheck {
   Problem check_cluster(std::uint32_t c);
   Problem check_triangle_ids();
   Problem check_vertex_places();
+  Problem check_place_vertices();
 
   std::uint32_t influence_count(std::uint32_t p) const {
     return tree_.influence_begin[p + 1] - tree_.influence_begin[p];
@@ -236,6 +238,17 @@ Problem StructureCheck::check_triangle_ids() {
   return {};
 }
 
+Problem StructureCheck::check_place_vertices() {
+  if (tree_.place_vertices.size() != tree_.rest_positions.size())
+    return problem("place_vertices has %zu elements for %zu rest_positions",
+                   tree_.place_vertices.size(), tree_.rest_positions.size());
+  for (std::size_t p = 0; p < tree_.place_vertices.size(); ++p)
+    if (tree_.place_vertices[p] >= tree_.vertex_places.size())
+      return problem("place_vertices[%zu] is %u, but there are %zu vertex_places", p,
+                     tree_.place_vertices[p], tree_.vertex_places.size());
+  return {};
+}
+
 Problem StructureCheck::check_vertex_places() {
   for (std::size_t v = 0; v < tree_.vertex_places.size(); ++v)
     if (tree_.vertex_places[v] >= tree_.rest_positions.size())
@@ -249,26 +262,23 @@ std::size_t end_of_pools(const Tree& tree) {
   return std::size_t{tree.nodes.back().first_vertex} + tree.nodes.back().vertex_count;
 }
 
-/// Checks that no two vertices of a pool are equal, that vertices without triangles equal no other
-/// vertex, and that each vertex equals one of the caller's.
-Problem check_welding(const Tree& tree) {
+/// Checks that no pool has a vertex of the caller twice, that vertices without triangles are in no
+/// pool, and that each place has the bits of its vertex.
+Problem check_vertices_of_places(const Tree& tree) {
   const std::vector<std::uint32_t> welded = weld_vertices(unpack_vertices(tree));
-  std::vector<std::uint32_t> last_pool(welded.size(), kNone);
+  std::vector<std::uint32_t> last_pool(tree.vertex_count(), kNone);
   for (std::uint32_t n = 0; n < tree.nodes.size(); ++n)
     for (std::uint32_t i = 0; i < tree.nodes[n].vertex_count; ++i) {
       const std::uint32_t p = tree.nodes[n].first_vertex + i;
-      if (last_pool[welded[p]] == n)
+      if (std::exchange(last_pool[tree.place_vertices[p]], n) == n)
         return problem("rest_positions[%u] is twice in the pool of nodes[%u]", p, n);
-      last_pool[welded[p]] = n;
     }
   for (std::size_t p = end_of_pools(tree); p < welded.size(); ++p)
-    if (welded[p] != p) return problem("rest_positions[%zu] outside the pools is a duplicate", p);
-
-  std::vector<bool> known(welded.size(), false);
-  for (const std::uint32_t place : tree.vertex_places) known[welded[place]] = true;
+    if (std::exchange(last_pool[tree.place_vertices[p]], 0u) != kNone)
+      return problem("rest_positions[%zu] outside the pools is a duplicate", p);
   for (std::size_t p = 0; p < welded.size(); ++p)
-    if (!known[welded[p]])
-      return problem("rest_positions[%zu] belongs to no vertex of the caller", p);
+    if (welded[p] != welded[tree.vertex_places[tree.place_vertices[p]]])
+      return problem("rest_positions[%zu] is not that of vertex %u", p, tree.place_vertices[p]);
   return {};
 }
 
@@ -278,7 +288,7 @@ Problem check_structure(const Tree& tree) { return StructureCheck(tree).run(); }
 
 Problem check_tree(const Tree& tree) {
   const Problem found = check_structure(tree);
-  return found.empty() ? check_welding(tree) : found;
+  return found.empty() ? check_vertices_of_places(tree) : found;
 }
 
 }  // namespace pelt::detail

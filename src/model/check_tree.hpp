@@ -10,8 +10,8 @@ namespace pelt::detail {
 /// validated. O(T + P).
 Problem check_structure(const Tree& tree);
 
-/// Like `check_structure`, and also checks that equal vertices are welded as tree.hpp requires. If
-/// they are not, queries are slower, and the caller's vertex numbers are lost. O(T + P log P).
+/// Like `check_structure`, and also checks that each vertex of the caller is at most once in a pool
+/// and has the same bits in all pools. O(T + P log P).
 Problem check_tree(const Tree& tree);
 
 }  // namespace pelt::detail

@@ -6,6 +6,7 @@
 #include "model/prepared_format.hpp"
 #include "model/triangle_places.hpp"
 #include "model/triangles_below.hpp"
+#include "model/welded_vertices.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -103,6 +104,7 @@ Result<SkinnedModel> load_model(std::span<const std::byte> file) {
   if (!found.empty()) return malformed("is malformed, " + found);
   index_triangles(model->tree);
   index_triangles_below(model->tree);
+  index_welded_vertices(model->tree);
   return SkinnedModel(std::move(model));
 }
 

@@ -27,6 +27,7 @@ void each_array(AnyModel& model, Visit&& visit) {
   visit(model.tree.clusters);
   visit(model.tree.nodes);
   visit(model.tree.vertex_places);
+  visit(model.tree.place_vertices);
   visit(model.tree.morphs.extents);
   visit(model.tree.morphs.node_begin);
   visit(model.tree.morphs.targets);

@@ -24,9 +24,9 @@ namespace pelt::detail {
 /// Not valid text in any encoding, and damaged by any conversion of text, like the PNG signature.
 inline constexpr std::array<unsigned char, 8> kPreparedMagic = {0x8B, 'P',  'E',  'L',
                                                                 'T',  '\r', '\n', 0x1A};
-inline constexpr std::uint32_t kPreparedVersion = 3;
+inline constexpr std::uint32_t kPreparedVersion = 4;
 inline constexpr std::uint32_t kByteOrderMark = 0x01020304, kForeignMark = 0x04030201;
-inline constexpr std::size_t kPreparedArrays = 21;
+inline constexpr std::size_t kPreparedArrays = 22;
 
 struct PreparedHeader {
   std::array<unsigned char, 8> magic = kPreparedMagic;
@@ -41,7 +41,7 @@ struct PreparedHeader {
   std::array<std::uint32_t, kPreparedArrays> counts = {};  ///< elements of the arrays, in order
 };
 
-static_assert(sizeof(PreparedHeader) == 136 && std::is_trivially_copyable_v<PreparedHeader>);
+static_assert(sizeof(PreparedHeader) == 144 && std::is_trivially_copyable_v<PreparedHeader>);
 
 // The element types have no padding bytes.
 static_assert(sizeof(Cluster) == 12 && std::has_unique_object_representations_v<Cluster>);

@@ -57,6 +57,11 @@ struct Node {
   std::uint8_t child_count = 0;
 };
 
+/// A vertex of the caller that was merged with a lower one.
+struct WeldedVertex {
+  std::uint32_t vertex = 0, into = 0;
+};
+
 struct Tree {
   // Vertices [P] of all pools in the order of the nodes, then the vertices without triangles.
   std::vector<Vec3> rest_positions;            // [P]
@@ -81,6 +86,8 @@ struct Tree {
   std::vector<std::array<std::uint32_t, kMaxSlots>> lowest_below;  // [N] the lowest triangle_ids
 
   std::vector<std::uint32_t> vertex_places;  // [V] position in [P] of each of the caller's vertices
+  std::vector<std::uint32_t> place_vertices;  // [P] the caller's vertex; the lowest of welded ones
+  std::vector<WeldedVertex> welded_vertices;  // ascending; not in prepared files
 
   PoolMorphs morphs;
 

@@ -5,10 +5,12 @@
 #include "model/triangle_places.hpp"
 #include "model/triangles_below.hpp"
 #include "model/weld.hpp"
+#include "model/welded_vertices.hpp"
 #include "model/wide_nodes.hpp"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace pelt::detail {
@@ -21,13 +23,21 @@ std::uint32_t size32(std::size_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
+/// Returns for each vertex [V] the vertex that the tree stores for it.
+std::vector<std::uint32_t> merged_vertices(const SkinnedMesh& mesh) {
+  if (mesh.may_weld) return weld_vertices(mesh);
+  std::vector<std::uint32_t> apart(mesh.vertex_count());
+  std::iota(apart.begin(), apart.end(), 0u);
+  return apart;
+}
+
 /// Writes the arrays of a tree, node by node.
 class TreeWriter {
  public:
   TreeWriter(const SkinnedMesh& mesh, const ClusterTree& clusters)
       : mesh_(mesh),
         clusters_(clusters),
-        welded_(weld_vertices(mesh)),
+        welded_(merged_vertices(mesh)),
         last_node_(mesh.vertex_count(), kNowhere),
         places_(mesh.vertex_count(), kNowhere) {
     tree_.joint_count = mesh.joint_count;
@@ -83,6 +93,7 @@ class TreeWriter {
   void write_vertex(std::uint32_t v) {
     places_[v] = size32(tree_.rest_positions.size());
     tree_.rest_positions.push_back(mesh_.rest_positions[v]);
+    tree_.place_vertices.push_back(v);
     for (const Influence& influence : mesh_.influences_of(v)) {
       tree_.joints.push_back(static_cast<std::uint16_t>(influence.joint));
       tree_.weights.push_back(influence.weight);
@@ -151,6 +162,7 @@ class TreeWriter {
 
   void shrink() {
     tree_.rest_positions.shrink_to_fit();
+    tree_.place_vertices.shrink_to_fit();
     tree_.influence_begin.shrink_to_fit();
     tree_.joints.shrink_to_fit();
     tree_.weights.shrink_to_fit();
@@ -187,6 +199,7 @@ Tree build_tree(const SkinnedMesh& mesh, std::span<const std::vector<Vec3>> samp
   Tree tree = TreeWriter(mesh, clusters).write(collapse(clusters));
   index_triangles(tree);
   index_triangles_below(tree);
+  index_welded_vertices(tree);
   return tree;
 }
 

@@ -1,7 +1,5 @@
 #include "model/unpack.hpp"
 
-#include "model/weld.hpp"
-
 namespace pelt::detail {
 namespace {
 
@@ -34,23 +32,14 @@ void unpack_displacements(const PoolMorphs& morphs, SkinnedMesh& mesh) {
     }
 }
 
-/// Returns the caller's number of each vertex of the tree [P].
-std::vector<std::uint32_t> callers_numbers(const Tree& tree, const SkinnedMesh& vertices) {
-  const std::vector<std::uint32_t> welded = weld_vertices(vertices);
-  std::vector<std::uint32_t> numbers(welded.size());  // at first only where welded[p] == p
-  for (std::uint32_t v = tree.vertex_count(); v-- > 0;) numbers[welded[tree.vertex_places[v]]] = v;
-  for (std::size_t p = 0; p < welded.size(); ++p) numbers[p] = numbers[welded[p]];
-  return numbers;
-}
-
 /// Writes the triangles of one cluster with the caller's vertex numbers.
 void unpack_cluster(const Tree& tree, const Node& node, const Cluster& cluster,
-                    const std::vector<std::uint32_t>& numbers, std::vector<Triangle>& triangles) {
+                    std::vector<Triangle>& triangles) {
   const std::uint32_t end = cluster.first_triangle + cluster.triangle_count;
   for (std::uint32_t t = cluster.first_triangle; t < end; ++t)
     for (std::size_t k = 0; k < 3; ++k)
       triangles[tree.triangle_ids[t]][k] =
-          numbers[node.first_vertex + tree.corners[t][k] / kFloatsPerVertex];
+          tree.place_vertices[node.first_vertex + tree.corners[t][k] / kFloatsPerVertex];
 }
 
 }  // namespace
@@ -78,11 +67,10 @@ SkinnedMesh unpack_mesh(const Tree& tree) {
   if (!mesh.morph_extents.empty()) mesh.displacement_begin.push_back(0);
   for (const std::uint32_t place : tree.vertex_places) append_vertex(vertices, place, mesh);
 
-  const std::vector<std::uint32_t> numbers = callers_numbers(tree, vertices);
   mesh.triangles.resize(tree.triangle_count());
   for (const Node& node : tree.nodes)
     for (std::uint32_t c = 0; c < node.cluster_count; ++c)
-      unpack_cluster(tree, node, tree.clusters[node.first_cluster + c], numbers, mesh.triangles);
+      unpack_cluster(tree, node, tree.clusters[node.first_cluster + c], mesh.triangles);
   return mesh;
 }
 

@@ -9,8 +9,8 @@ namespace pelt::detail {
 /// `check_structure` finds no problem.
 SkinnedMesh unpack_vertices(const Tree& tree);
 
-/// Returns the mesh with the caller's triangle and vertex numbers. Of bit-identical vertices,
-/// triangles refer to the lowest. Precondition: `check_tree` finds no problem. O(P log P).
+/// Returns the mesh with the caller's triangle and vertex numbers. Of welded vertices,
+/// triangles refer to the lowest. Precondition: `check_structure` finds no problem. O(P).
 SkinnedMesh unpack_mesh(const Tree& tree);
 
 }  // namespace pelt::detail

@@ -37,12 +37,12 @@ struct Box {
   }
 };
 
-/// Poses all vertices by the definition.
-std::vector<Vec3> pose_all(const Tree& tree, const detail::Palette& palette) {
+/// Poses all vertices by the definition, or copies the given ones.
+std::vector<Vec3> pose_all(const Tree& tree, const detail::Pose& pose) {
   const detail::SkinnedMesh mesh = detail::unpack_vertices(tree);
   std::vector<Vec3> posed(tree.rest_positions.size());
   for (std::uint32_t v = 0; v < posed.size(); ++v)
-    posed[v] = scalar::posed_vertex(mesh, palette, v);
+    posed[v] = pose.given ? pose.given.vertex(v) : scalar::posed_vertex(mesh, pose.palette, v);
   return posed;
 }
 
@@ -141,13 +141,14 @@ class BoundsCheck {
 std::string check_bounds(const Pose& pose) {
   const detail::Pose& data = pose.detail();
   const Tree& tree = data.model.detail().tree;
-  const std::vector<Vec3> posed = pose_all(tree, data.palette);
+  const std::vector<Vec3> posed = pose_all(tree, data);
   BoundsCheck check(tree, posed);
   if (Problem problem = check.run(data); !problem.empty())
     return problem + ", in a pose that queries have opened";
 
   Pose fresh(data.model);
   fresh.detail().palette = data.palette;
+  fresh.detail().given = data.given;
   const detail::PosedTree posed_tree = fresh.detail().posed_tree();
   make_table(posed_tree);
   detail::compute_all_bounds(posed_tree);

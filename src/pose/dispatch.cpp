@@ -3,10 +3,13 @@
 #include "base/dispatch.hpp"
 #include "pose/all_bounds.hpp"
 #include "pose/open_node.hpp"
+#include "pose/refit_given.hpp"
 #include "pose/root_box.hpp"
 
 namespace pelt::detail {
 
+PELT_DECLARE_VERSIONS(are_within)
+PELT_DECLARE_VERSIONS(refit_given)
 PELT_DECLARE_VERSIONS(box_root)
 PELT_DECLARE_VERSIONS(pose_vertices)
 PELT_DECLARE_VERSIONS(root_box)
@@ -16,8 +19,14 @@ PELT_DECLARE_VERSIONS(compute_all_bounds)
 
 inline namespace PELT_INSTRUCTION_SET {
 
-RootBox box_root(const NodeBounds& bounds, const Palette& palette) {
-  return PELT_CHOOSE(box_root)(bounds, palette);
+bool are_within(std::span<const Vec3> vertices) { return PELT_CHOOSE(are_within)(vertices); }
+
+GivenVertices refit_given(const Tree& tree, std::span<const Vec3> vertices, Arena& arena) {
+  return PELT_CHOOSE(refit_given)(tree, vertices, arena);
+}
+
+RootBox box_root(const NodeBounds& bounds, const Palette& palette, const GivenVertices& given) {
+  return PELT_CHOOSE(box_root)(bounds, palette, given);
 }
 
 void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out) {

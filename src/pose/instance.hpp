@@ -6,7 +6,7 @@
 
 namespace pelt::detail {
 
-/// The palette of an instance, and what queries have computed from it.
+/// What poses the vertices of an instance, and what queries have computed from it.
 struct Instance {
   /// The rest pose.
   explicit Instance(const Tree& tree) : palette(rest_palette(tree)) {}
@@ -14,10 +14,11 @@ struct Instance {
   /// View of the instance for the thread that owns `arena`. `tree` and `bounds` are those of the
   /// instance's model.
   PosedTree posed_tree(const Tree& tree, const NodeBounds& bounds, Arena& arena) {
-    return {tree, bounds, palette, root_box, opened, arena};
+    return {tree, bounds, palette, given, root_box, opened, arena};
   }
 
   Palette palette;
+  GivenVertices given;
   RootBox root_box;
   OpenedNodes opened;
 };

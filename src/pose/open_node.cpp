@@ -81,20 +81,27 @@ void pose_morphed_node(const PosedTree& posed, const Node& node, float* out) {
       posed.palette.joints().data(), node.first_vertex, node.first_vertex + node.vertex_count, out);
 }
 
-/// Creates an unpublished node, poses its pool and counts the work.
-OpenedNode* begin_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
+/// Poses a pool and counts the work.
+const float* pose_pool_of(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
   const Node& node = posed.tree.nodes[index];
-  OpenedNode* opened = posed.arena.allocate<OpenedNode>();
   auto* positions = reinterpret_cast<float*>(
       posed.arena.allocate(std::size_t{node.vertex_count} * kFloatsPerVertex * sizeof(float)));
   const MorphWeights& morphs = posed.palette.morphs();
   const std::uint64_t displaced =
       morphs.any() ? morph_pool(posed.tree, index, morphs, positions) : 0;
   displaced > 0 ? pose_morphed_node(posed, node, positions) : pose_node(posed, node, positions);
-  opened->positions = positions;
-  work.refits += node.cluster_count + node.child_count;
   work.posed_vertices += node.vertex_count;
   work.displacements += displaced;
+  return positions;
+}
+
+/// Creates an unpublished node, poses its pool and counts the work.
+OpenedNode* begin_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
+  const Node& node = posed.tree.nodes[index];
+  OpenedNode* opened = posed.arena.allocate<OpenedNode>();
+  opened->positions =
+      posed.given ? posed.given.at(node.first_vertex) : pose_pool_of(posed, index, work);
+  work.refits += node.cluster_count + node.child_count;
   return opened;
 }
 
@@ -143,6 +150,13 @@ void box_slots(const Tree& tree, const Node& node, OpenedNode& opened, const Chi
   store_boxes(box, opened.low, opened.high, 0);
 }
 
+/// Returns the box of all vertices below a node.
+Box4 box_below(const PosedTree& posed, std::uint32_t node) {
+  if (!posed.given) return node_box(posed.bounds, node, posed.palette);
+  const GivenBox& box = posed.given.boxes[node];
+  return {load4(box.low), load4(box.high)};
+}
+
 Box4 triangle_box(const float* positions, const std::uint16_t* corners) {
   const Float4 a = load4(positions + corners[0]), b = load4(positions + corners[1]);
   const Float4 c = load4(positions + corners[2]);
@@ -176,7 +190,7 @@ const RootBox& root_box(const PosedTree& posed, QueryStats& work) {
   RootBox& root = posed.root_box;
   if (root.known) return root;
   ++work.refits;
-  return root = box_root(posed.bounds, posed.palette);
+  return root = box_root(posed.bounds, posed.palette, posed.given);
 }
 
 const OpenedNode& open_closed_node(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
@@ -184,7 +198,7 @@ const OpenedNode& open_closed_node(const PosedTree& posed, std::uint32_t index, 
   QueryStats done;
   OpenedNode* opened = begin_node(posed, index, done);
   box_slots(posed.tree, node, *opened,
-            [&](std::uint32_t child) { return node_box(posed.bounds, child, posed.palette); });
+            [&](std::uint32_t child) { return box_below(posed, child); });
   const OpenedNode* first = posed.opened.publish(index, opened);
   if (first == opened) work += done;
   return *first;

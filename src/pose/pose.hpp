@@ -6,6 +6,7 @@
 #include "pose/instance.hpp"
 
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace pelt::detail {
@@ -29,20 +30,19 @@ struct Pose : Instance {
     return set;
   }
 
-  /// Closes all nodes, because the palette has changed.
+  Result<void> set_vertices(std::span<const Vec3> vertices);
+
+  /// Closes all nodes, because the palette has changed. Also forgets given vertices.
   void close_all() {
     ++stamp;
+    given = {};
     arena.clear();
     opened = OpenedNodes();
     root_box.known = false;
   }
 
-  /// Allocates one block; several blocks would waste memory at their ends.
-  void reserve() {
-    close_all();
-    arena = Arena();
-    arena.reserve(bytes_to_open(model.detail().tree));
-  }
+  /// Allocates one block; several blocks would waste memory at their ends. Keeps given vertices.
+  void reserve();
 };
 
 }  // namespace pelt::detail

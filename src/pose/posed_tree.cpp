@@ -17,8 +17,11 @@ std::size_t bytes_to_open(const Tree& tree) {
   std::uint64_t bytes = piece(tree.nodes.size() * sizeof(std::atomic<OpenedNode*>));
   bytes += std::uint64_t{tree.nodes.size()} * piece(sizeof(OpenedNode));
   bytes += std::uint64_t{tree.clusters.size()} * piece(sizeof(TriangleBoxes));
+  std::uint64_t positions = 0;
   for (const Node& node : tree.nodes)
-    bytes += piece(std::size_t{node.vertex_count} * kFloatsPerVertex * sizeof(float));
+    positions += piece(std::size_t{node.vertex_count} * kFloatsPerVertex * sizeof(float));
+  bytes += std::max<std::uint64_t>(positions,
+                                   piece(bytes_of_positions(tree)) + piece(bytes_of_boxes(tree)));
   return static_cast<std::size_t>(std::min(bytes, kMax));
 }
 

@@ -3,10 +3,12 @@
 /// View of one instance for queries. Queries change an instance only by opening nodes, which poses
 /// the node's vertices, computes exact boxes of its clusters from them, and computes the boxes of
 /// its children from the joint palette. Doing this only when needed is the refit on demand of Kavan
-/// & Zara (2005, section 4.2).
+/// & Zara (2005, section 4.2). If the caller has given all vertices, opening copies nothing, and
+/// the boxes of children are known.
 
 #include "model/node_bounds.hpp"
 #include "model/tree.hpp"
+#include "pose/given_vertices.hpp"
 #include "pose/opened_node.hpp"
 #include "pose/root_box.hpp"
 #include "skin/palette.hpp"
@@ -19,7 +21,8 @@ struct PosedTree {
   const Tree& tree;
   const NodeBounds& bounds;
   const Palette& palette;
-  RootBox& root_box;  ///< unlike nodes, must not be used by two threads at once
+  const GivenVertices& given;  ///< if any, the palette has no meaning
+  RootBox& root_box;           ///< unlike nodes, must not be used by two threads at once
   OpenedNodes& opened;
   Arena& arena;  ///< memory for the nodes that this thread opens
 };

@@ -2,6 +2,7 @@
 
 #include "base/instruction_set.hpp"
 #include "model/node_bounds.hpp"
+#include "pose/given_vertices.hpp"
 #include "skin/palette.hpp"
 
 namespace pelt::detail {
@@ -19,8 +20,9 @@ inline bool contains(const RootBox& box, const Vec3& p) {
 
 inline namespace PELT_INSTRUCTION_SET {
 
-/// Computes the box from the joint palette and the morph weights, without posing vertices.
-RootBox box_root(const NodeBounds& bounds, const Palette& palette);
+/// Computes the box from the joint palette and the morph weights, without posing vertices. Copies
+/// it if the vertices are given.
+RootBox box_root(const NodeBounds& bounds, const Palette& palette, const GivenVertices& given);
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

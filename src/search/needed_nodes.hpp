@@ -24,6 +24,7 @@ inline std::uint64_t work_to_open(const PosedTree& posed, std::uint32_t index) {
   const Node& node = posed.tree.nodes[index];
   QueryStats work;
   work.refits = node.cluster_count + node.child_count;
+  if (posed.given) return kRefitWork * work.refits;
   work.posed_vertices = node.vertex_count;
   if (posed.palette.morphs().any())
     work.displacements = displacement_count(posed.tree, index, posed.palette.morphs());

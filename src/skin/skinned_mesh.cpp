@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pelt::detail {
 namespace {
@@ -16,13 +17,16 @@ constexpr double kExporterRounding = 0x1p-7;
 /// Sums of weights nearer to 1 are rounding of floats and are not reported.
 constexpr double kFloatRounding = 0x1p-16;
 
-Problem check_sizes(const SkinnedMeshView& view) {
-  if (view.rest_positions.size() > 0x7FFFFFFF || view.triangles.size() > 0x7FFFFFFF)
-    return problem("rest_positions or triangles have more than 2^31 - 1 elements");
-  if (view.triangles.empty()) return problem("triangles is empty");
+Problem check_no_joints(const SkinnedMeshView& view) {
+  if (view.joints.empty() && view.weights.empty()) return {};
+  return problem("joint_count is 0, but joints has %zu and weights has %zu elements",
+                 view.joints.size(), view.weights.size());
+}
+
+Problem check_influence_sizes(const SkinnedMeshView& view) {
   if (view.influences_per_vertex == 0) return problem("influences_per_vertex is 0");
-  if (view.joint_count == 0 || view.joint_count > kMaxJoints)
-    return problem("joint_count is %u, expected 1 to %u", view.joint_count, kMaxJoints);
+  if (view.joint_count > kMaxJoints)
+    return problem("joint_count is %u, expected 0 to %u", view.joint_count, kMaxJoints);
   const std::uint64_t expected =
       std::uint64_t{view.rest_positions.size()} * view.influences_per_vertex;
   if (expected > 0xFFFFFFFF)
@@ -33,6 +37,13 @@ Problem check_sizes(const SkinnedMeshView& view) {
         "(rest_positions x influences_per_vertex)",
         view.joints.size(), view.weights.size(), static_cast<std::size_t>(expected));
   return {};
+}
+
+Problem check_sizes(const SkinnedMeshView& view) {
+  if (view.rest_positions.size() > 0x7FFFFFFF || view.triangles.size() > 0x7FFFFFFF)
+    return problem("rest_positions or triangles have more than 2^31 - 1 elements");
+  if (view.triangles.empty()) return problem("triangles is empty");
+  return view.joint_count == 0 ? check_no_joints(view) : check_influence_sizes(view);
 }
 
 Problem check_rest_positions(std::span<const Vec3> rest_positions) {
@@ -125,6 +136,14 @@ Problem take_influences(const SkinnedMeshView& view, const ModelOptions& options
   return {};
 }
 
+/// Lets all vertices follow one joint.
+void add_one_joint(SkinnedMesh& mesh) {
+  mesh.joint_count = 1;
+  mesh.influences.assign(mesh.vertex_count(), Influence{0, 1});
+  mesh.influence_begin.resize(mesh.rest_positions.size() + 1);
+  std::iota(mesh.influence_begin.begin(), mesh.influence_begin.end(), 0u);
+}
+
 std::uint32_t count_degenerate(const SkinnedMesh& mesh) {
   std::uint32_t count = 0;
   for (const Triangle& triangle : mesh.triangles) {
@@ -149,8 +168,12 @@ Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOp
   mesh.rest_positions.assign(view.rest_positions.begin(), view.rest_positions.end());
   mesh.triangles.assign(view.triangles.begin(), view.triangles.end());
   mesh.joint_count = view.joint_count;
+  mesh.may_weld = options.weld && view.joint_count > 0;
   mesh.rest_extent = extent_of(mesh.rest_positions);
-  found = take_influences(view, options, mesh, report);
+  if (view.joint_count == 0)
+    add_one_joint(mesh);
+  else
+    found = take_influences(view, options, mesh, report);
   if (found.empty()) found = take_morph_targets(view.morph_targets, mesh);
   if (!found.empty()) return invalid_argument(found);
   report.degenerate_triangles = count_degenerate(mesh);

@@ -37,6 +37,7 @@ struct SkinnedMesh {
   std::vector<Influence> influences;
   std::uint32_t joint_count = 0;
   float rest_extent = 0;  // sum over the axes of the largest coordinate
+  bool may_weld = true;   // whether a tree may merge equal vertices
 
   // Displacements by vertex; the targets of each vertex ascend.
   std::vector<float> morph_extents;               // [M] like rest_extent, of the displacements

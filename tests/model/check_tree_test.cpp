@@ -155,16 +155,9 @@ const Breach kBreaches[] = {
 
     {"is twice in the pool of nodes[",
      [](Tree& t) {
-       t.morphs = {};
        const Node& node = *std::find_if(t.nodes.begin(), t.nodes.end(),
                                         [](const Node& n) { return n.vertex_count > 1; });
-       t.rest_positions[node.first_vertex + 1] = t.rest_positions[node.first_vertex];
-       const std::uint32_t* begin = &t.influence_begin[node.first_vertex];
-       ASSERT_EQ(begin[1] - begin[0], begin[2] - begin[1]);
-       for (std::uint32_t i = begin[0]; i < begin[1]; ++i) {
-         t.joints[i + begin[1] - begin[0]] = t.joints[i];
-         t.weights[i + begin[1] - begin[0]] = t.weights[i];
-       }
+       t.place_vertices[node.first_vertex + 1] = t.place_vertices[node.first_vertex];
      }},
     {"outside the pools is a duplicate",
      [](Tree& t) {
@@ -175,7 +168,11 @@ const Breach kBreaches[] = {
          t.weights.push_back(float{t.weights[i]});
        }
        t.influence_begin.push_back(2 * end - begin);
+       t.place_vertices.push_back(std::uint32_t{t.place_vertices.back()});
      }},
+    {"place_vertices has", [](Tree& t) { t.place_vertices.pop_back(); }},
+    {"place_vertices[3] is 4000000000", [](Tree& t) { t.place_vertices[3] = 4000000000; }},
+    {"is not that of vertex", [](Tree& t) { std::swap(t.place_vertices[0], t.place_vertices[1]); }},
     {"morphs.extents has 65536", [](Tree& t) { t.morphs.extents.resize(65536); }},
     {"node_begin has", [](Tree& t) { t.morphs.node_begin.pop_back(); }},
     {"but extents has none", [](Tree& t) { t.morphs.extents = {}, t.morphs.node_begin = {}; }},
@@ -200,8 +197,8 @@ const Breach kBreaches[] = {
     {"displacements[2] is zero", [](Tree& t) { t.morphs.displacements[2].by = {}; }},
     {"extents[1] is", [](Tree& t) { t.morphs.extents[1] *= 0.5f; }},
     {"extents[1] is nan", [](Tree& t) { t.morphs.extents[1] = kNan; }},
-    {"belongs to no vertex of the caller", [](Tree& t) { t.vertex_places.back() = 0; }},
-    {"belongs to no vertex of the caller", [](Tree& t) { t.vertex_places.clear(); }},
+    {"is not that of vertex", [](Tree& t) { t.vertex_places.back() = 0; }},
+    {"but there are 0 vertex_places", [](Tree& t) { t.vertex_places.clear(); }},
 };
 
 TEST(CheckTree, FindsNothingInASoundTree) {
@@ -234,7 +231,7 @@ void change_length(std::vector<T>& array, Random& random) {
 
 template <typename Change>
 void change_one_array(Tree& tree, Random& random, Change change) {
-  switch (random.index(10)) {
+  switch (random.index(11)) {
     case 0:
       return change(tree.rest_positions);
     case 1:
@@ -253,6 +250,8 @@ void change_one_array(Tree& tree, Random& random, Change change) {
       return change(tree.clusters);
     case 8:
       return change(tree.nodes);
+    case 9:
+      return change(tree.place_vertices);
     default:
       return change(tree.vertex_places);
   }

@@ -137,9 +137,10 @@ TEST(SkinnedMesh, NamesArrayIndexAndValueOfWhatItRefuses) {
   EXPECT_EQ(refuse([](Shape& s) { s.influences_per_vertex = 0; }), "influences_per_vertex is 0");
   EXPECT_EQ(refuse([](Shape& s) { s.influences_per_vertex = 0xFFFFFFFF; }),
             "rest_positions x influences_per_vertex is more than 2^32 - 1");
-  EXPECT_EQ(refuse([](Shape& s) { s.joint_count = 0; }), "joint_count is 0, expected 1 to 65535");
+  EXPECT_EQ(refuse([](Shape& s) { s.joint_count = 0; }),
+            "joint_count is 0, but joints has 6 and weights has 6 elements");
   EXPECT_EQ(refuse([](Shape& s) { s.joint_count = 65536; }),
-            "joint_count is 65536, expected 1 to 65535");
+            "joint_count is 65536, expected 0 to 65535");
   EXPECT_EQ(refuse([](Shape&) {}), "accepted");
 }
 
