@@ -186,11 +186,18 @@ class PELT_API Crowd {
   /// again in its first step.
   Result<void> set_vertices(std::uint32_t instance, std::span<const Vec3> vertices);
 
+  /// Borrows offsets of the vertices of an instance, or returns an error, like Pose::set_offsets.
+  /// Also computes the box of the instance. The offsets of the start of a step must live as long as
+  /// the step.
+  ///
+  /// Cost: O(J). Allocates nothing, unless a step begins.
+  Result<void> set_offsets(std::uint32_t instance, std::span<const Vec3> offsets);
+
   /// Begins a step for `collide_moving`: the current poses of all instances become the start of the
-  /// step. The first `set_palette`, `set_morph_weights` or `set_vertices` of an instance after this
-  /// call then begins its motion. Later calls change the end of the motion. An instance without
-  /// such a call stands still, and so does every instance of a crowd for which no step was ever
-  /// begun.
+  /// step. The first `set_palette`, `set_morph_weights`, `set_vertices` or `set_offsets` of an
+  /// instance after this call then begins its motion. Later calls change the end of the motion. An
+  /// instance without such a call stands still, and so does every instance of a crowd for which no
+  /// step was ever begun.
   ///
   /// Cost: O(1). However, the first of these calls for an instance in a step also copies its
   /// palette, and allocates if it is the first one of the instance.

@@ -39,11 +39,15 @@ struct SkinnedMeshView {
   std::uint32_t influences_per_vertex = 4;  ///< K >= 1; typical files have 1 to 9
 
   /// [V][K] indices < joint_count, even if the weight is 0.
-  std::span<const std::uint16_t> joints;
+  std::span<const std::uint16_t> joints = {};
 
-  std::span<const float> weights;       ///< [V][K] >= 0, each row sums to 1
+  std::span<const float> weights = {};  ///< [V][K] >= 0, each row sums to 1
   std::uint32_t joint_count = 0;        ///< J, the number of matrices in a palette; 0: no joints
   MorphTargetsView morph_targets = {};  ///< M morph targets
+
+  /// [V] or empty. The largest offset of each vertex along each axis, 0 to 2^60 units of the frame
+  /// of the joint palette. See `Pose::set_offsets`.
+  std::span<const float> offset_caps = {};
 };
 
 }  // namespace pelt

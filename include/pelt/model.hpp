@@ -34,9 +34,10 @@ struct ModelOptions {
   std::span<const Matrix4> sample_palettes = {};
 
   /// Whether to merge vertices that are equal in every bit of rest position, influences and
-  /// displacements. Files repeat such vertices at seams of textures, and queries are faster if they
-  /// pose each of them once. `Pose::set_vertices` then refuses different positions for merged
-  /// vertices. The vertices of a mesh without joints are never merged.
+  /// displacements, and have no offset cap above 0. Files repeat such vertices at seams of
+  /// textures, and queries are faster if they pose each of them once. `Pose::set_vertices` then
+  /// refuses different positions for merged vertices. If false, a surface is not closed along such
+  /// seams (see `Surface::is_closed`).
   bool weld = true;
 };
 
@@ -84,8 +85,8 @@ class PELT_API SkinnedModel {
 /// - an array or a count has an invalid size,
 /// - an index is out of range,
 /// - a number is NaN or infinite,
-/// - the magnitude of a coordinate is more than 2^60,
-/// - a weight is negative,
+/// - the magnitude of a coordinate or an offset cap is more than 2^60,
+/// - a weight or an offset cap is negative,
 /// - the weights of a vertex do not sum to 1 (see `OffWeights`), or
 /// - the vertices of a morph target are not in ascending order.
 /// The error names the array, the index and the value.

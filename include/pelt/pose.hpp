@@ -5,6 +5,7 @@
 #include <pelt/export.hpp>
 #include <pelt/model.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -84,13 +85,13 @@ class PELT_API Pose {
   /// vertices to these positions. Use this for cloth caches, simulated bodies, body models with
   /// correctives, and other surfaces that are not a linear blend of joints.
   ///
-  /// `set_palette` and `set_morph_weights` end this: the vertices are then posed by the joints
-  /// again, with the last palette and the last morph weights, each set before or after.
+  /// `set_palette`, `set_morph_weights` and `set_offsets` end this: the vertices are then posed by
+  /// the joints again, with the last palette, morph weights and offsets that were set.
   ///
   /// `vertices`: [V] in the order of `SkinnedMeshView::rest_positions`.
   ///
-  /// Cost: O(V), for example 60 us for 13,380 vertices. Queries then cost less than after
-  /// `set_palette`, because boxes are tighter and nothing is skinned. Allocates if the pose has
+  /// Cost: O(V). Queries then cost less than after `set_palette`, because boxes are tighter and
+  /// nothing is skinned. Allocates if the pose has
   /// less memory than `reserve` would allocate.
   ///
   /// Returns an error and leaves the pose unchanged if
@@ -99,6 +100,24 @@ class PELT_API Pose {
   /// - two vertices differ that the model has merged (see `ModelOptions::weld`).
   /// Except for a wrong number, the error names the vertex.
   Result<void> set_vertices(std::span<const Vec3> vertices);
+
+  /// Borrows an offset for each vertex, which is added to the vertex after the joints have posed
+  /// it, in the frame shared by all poses of a query. Use this for cloth near a body and for other
+  /// details with a known largest size. Each coordinate is clamped to the cap of the vertex (see
+  /// `SkinnedMeshView::offset_caps`), and NaN counts as 0, so a posed vertex is defined for every
+  /// offset, and boxes that are widened by the caps enclose it. `QueryStats::clamped_offsets` and
+  /// `check_offsets` count what was clamped, because a renderer would not clamp it.
+  ///
+  /// `offsets`: [V], or empty to remove the offsets.
+  ///
+  /// Precondition: the elements live, and do not change, until the next `set_offsets` of the pose,
+  /// or until the last query of the pose. To change them, call `set_offsets` again.
+  ///
+  /// Cost: O(1). Queries add the offsets of the nodes that they open. Allocates nothing.
+  ///
+  /// Returns an error and leaves the pose unchanged if the number of offsets is neither 0 nor
+  /// `model().vertex_count()`, or if the model has no caps.
+  Result<void> set_offsets(std::span<const Vec3> offsets);
 
   /// Allocates all memory that queries and `set_vertices` can need in this pose. They then never
   /// allocate in the pose. Discards all opened nodes, so call `reserve` once, before the first
@@ -118,13 +137,19 @@ class PELT_API Pose {
 
 /// Writes all posed vertices, bit for bit the float32 positions that queries use. A posed vertex is
 /// its rest position plus the weighted displacements of the morph targets, transformed by linear
-/// blend skinning (Kavan & Zara 2005, eq. 1), or the vertex given to `Pose::set_vertices`. Queries
-/// do not need this function.
+/// blend skinning (Kavan & Zara 2005, eq. 1), plus its clamped offset; or the vertex given to
+/// `Pose::set_vertices`. Queries do not need this function.
 ///
 /// Precondition: `out` has `pose.model().vertex_count()` elements.
 ///
 /// Cost: O(V * influences per vertex). Each morph target with a weight other than 0 adds O(log V)
 /// for each vertex that the target displaces. Allocates nothing.
 PELT_API void posed_vertices(const Pose& pose, std::span<Vec3> out);
+
+/// Returns the number of vertices whose offset is clamped: with a coordinate that is NaN or beyond
+/// the cap. 0 if the pose has no offsets.
+///
+/// Cost: O(V). Allocates nothing.
+PELT_API std::uint32_t check_offsets(const Pose& pose);
 
 }  // namespace pelt

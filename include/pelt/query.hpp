@@ -42,7 +42,12 @@ struct QueryStats {
 
   std::uint64_t triangle_pairs = 0;  ///< tests of a triangle against the other operand
   std::uint64_t displacements = 0;   ///< displacements that morph targets added to vertices
-  bool cut_short = false;            ///< a limit in the options ended the query early
+
+  /// Offsets that were clamped when nodes were opened: those beyond their cap, and NaN. Counted
+  /// like `posed_vertices`.
+  std::uint64_t clamped_offsets = 0;
+
+  bool cut_short = false;  ///< a limit in the options ended the query early
 
   PELT_API QueryStats& operator+=(const QueryStats& other);
 };

@@ -8,6 +8,10 @@
 /// sums, and one for the root, the error is at most 13 u of the radius, where u = 2^-24; the radius
 /// is increased by 16 u. A square that underflows has an error of at most 2^-149, far below 2^-100.
 /// A square that overflows makes the radius infinite, which is still a bound.
+///
+/// Offsets. A posed vertex is then a convex combination of its images, each moved by the same
+/// offset of at most c on each axis, so the boxes grow by c. The sum of vertex and offset has one
+/// more rounding, of at most u (M + c).
 
 #include "bounds/bounding_radius.hpp"
 
@@ -23,7 +27,10 @@ float bounding_radius(const NodeBounds& bounds, const Palette& palette, const fl
   if (root.is_affine()) return HUGE_VALF;
   const std::uint16_t* joint = bounds.joints.data() + root.first_joint;
   const JointBox* box = bounds.joint_boxes.data() + root.first_record;
-  const Float4 from = load4(centre), margin(root.margin * palette.extent() + 0x1p-120f);
+  const float cap = palette.offsets().empty() ? 0 : bounds.offset_caps[0];
+  const Float4 from = load4(centre);
+  const Float4 margin((root.margin + (cap > 0 ? 0x1p-23f : 0)) * palette.extent() +
+                      cap * (1 + 0x1p-21f) + 0x1p-120f);
   float farthest = 0;
   const bool morphed = palette.morphs().any();
   for (std::uint32_t i = 0; i < root.joint_count; ++i, ++joint, ++box) {

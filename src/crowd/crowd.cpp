@@ -61,6 +61,10 @@ Result<void> Crowd::set_vertices(std::uint32_t instance, std::span<const Vec3> v
   return crowd_->instances.set_vertices(instance, vertices);
 }
 
+Result<void> Crowd::set_offsets(std::uint32_t instance, std::span<const Vec3> offsets) {
+  return crowd_->instances.set_offsets(instance, offsets);
+}
+
 void Crowd::begin_step() { crowd_->instances.begin_step(); }
 
 Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const Matrix4> from,

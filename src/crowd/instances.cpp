@@ -99,9 +99,18 @@ Result<void> CrowdInstances::set_vertices(std::uint32_t number, std::span<const 
   save_start(instance);
   if (Problem found = check_vertices(tree, vertices); !found.empty())
     return invalid_argument(std::move(found));
-  instance.given = {};
   instance.given = refit_given(tree, vertices, instance.empty_memory());
   take_box(instance);
+  return {};
+}
+
+Result<void> CrowdInstances::set_offsets(std::uint32_t number, std::span<const Vec3> offsets) {
+  CrowdInstance& instance = (*this)[number];
+  save_start(instance);
+  if (Problem found = check_offsets(instance.model.detail().tree, offsets); !found.empty())
+    return invalid_argument(std::move(found));
+  instance.palette.set_offsets(offsets);
+  take_posed(instance);
   return {};
 }
 

@@ -82,6 +82,7 @@ class CrowdInstances {
   Result<void> set_palette(std::uint32_t number, std::span<const double> palette);
   Result<void> set_morph_weights(std::uint32_t number, std::span<const float> weights);
   Result<void> set_vertices(std::uint32_t number, std::span<const Vec3> vertices);
+  Result<void> set_offsets(std::uint32_t number, std::span<const Vec3> offsets);
 
   /// See Crowd.
   void begin_step() { ++step_; }

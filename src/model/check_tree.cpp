@@ -31,7 +31,7 @@ class StructureCheck {
           &StructureCheck::check_vertices, &StructureCheck::check_nodes,
           &StructureCheck::check_clusters, &StructureCheck::check_pools,
           &StructureCheck::check_triangle_ids, &StructureCheck::check_vertex_places,
-          &StructureCheck::check_place_vertices})
+          &StructureCheck::check_place_vertices, &StructureCheck::check_offset_caps})
       if (Problem found = (this->*check)(); !found.empty()) return found;
     return check_pool_morphs(tree_);
   }
@@ -48,6 +48,7 @@ class StructureCheck {
   Problem check_triangle_ids();
   Problem check_vertex_places();
   Problem check_place_vertices();
+  Problem check_offset_caps();
 
   std::uint32_t influence_count(std::uint32_t p) const {
     return tree_.influence_begin[p + 1] - tree_.influence_begin[p];
@@ -246,6 +247,17 @@ Problem StructureCheck::check_place_vertices() {
     if (tree_.place_vertices[p] >= tree_.vertex_places.size())
       return problem("place_vertices[%zu] is %u, but there are %zu vertex_places", p,
                      tree_.place_vertices[p], tree_.vertex_places.size());
+  return {};
+}
+
+Problem StructureCheck::check_offset_caps() {
+  const std::vector<float>& caps = tree_.offset_caps;
+  if (!caps.empty() && caps.size() != tree_.rest_positions.size())
+    return problem("offset_caps has %zu elements for %zu rest_positions", caps.size(),
+                   tree_.rest_positions.size());
+  for (std::size_t p = 0; p < caps.size(); ++p)
+    if (!(caps[p] >= 0 && caps[p] <= kMaxCoordinate))
+      return problem("offset_caps[%zu] is %g", p, static_cast<double>(caps[p]));
   return {};
 }
 

@@ -105,6 +105,7 @@ Result<SkinnedModel> load_model(std::span<const std::byte> file) {
   index_triangles(model->tree);
   index_triangles_below(model->tree);
   index_welded_vertices(model->tree);
+  find_offset_caps(model->tree, model->bounds);
   return SkinnedModel(std::move(model));
 }
 

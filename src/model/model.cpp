@@ -62,7 +62,8 @@ std::size_t SkinnedModel::memory_bytes() const {
   std::size_t bytes = sizeof(detail::Model) + detail::bytes_held(model_->tree.triangle_places) +
                       detail::bytes_held(model_->tree.triangles_below) +
                       detail::bytes_held(model_->tree.lowest_below) +
-                      detail::bytes_held(model_->tree.welded_vertices);
+                      detail::bytes_held(model_->tree.welded_vertices) +
+                      detail::bytes_held(model_->bounds.offset_caps);
   each_array(*model_, [&](const auto& array) { bytes += detail::bytes_held(array); });
   return bytes;
 }

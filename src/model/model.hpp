@@ -28,6 +28,7 @@ void each_array(AnyModel& model, Visit&& visit) {
   visit(model.tree.nodes);
   visit(model.tree.vertex_places);
   visit(model.tree.place_vertices);
+  visit(model.tree.offset_caps);
   visit(model.tree.morphs.extents);
   visit(model.tree.morphs.node_begin);
   visit(model.tree.morphs.targets);

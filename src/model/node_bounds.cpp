@@ -5,6 +5,8 @@
 #include "model/displacement_fit.hpp"
 #include "model/node_box.hpp"
 
+#include <algorithm>
+
 namespace pelt::detail {
 namespace {
 
@@ -67,7 +69,27 @@ NodeBound fit_node(const NodeVertices& vertices, const WeightRounding& rounding,
              : add_joint_boxes(boxes, vertices.joints(), bounds);
 }
 
+/// Precondition: the tree has offset caps.
+float largest_cap(const Tree& tree, std::span<const std::uint32_t> places) {
+  float largest = 0;
+  for (const std::uint32_t place : places) largest = std::max(largest, tree.offset_caps[place]);
+  return largest;
+}
+
 }  // namespace
+
+void find_offset_caps(const Tree& tree, NodeBounds& bounds) {
+  if (tree.offset_caps.empty()) return;
+  bounds.offset_caps.assign(tree.nodes.size(), 0);
+  for (std::size_t n = tree.nodes.size(); n-- > 0;) {
+    const Node& node = tree.nodes[n];
+    float& largest = bounds.offset_caps[n];
+    for (std::uint32_t v = 0; v < node.vertex_count; ++v)
+      largest = std::max(largest, tree.offset_caps[node.first_vertex + v]);
+    for (std::uint32_t c = 0; c < node.child_count; ++c)
+      largest = std::max(largest, bounds.offset_caps[node.first_child + c]);
+  }
+}
 
 NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uint32_t>> sets,
                           std::span<const Palette> samples) {
@@ -78,6 +100,7 @@ NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uin
     vertices.assign(places);
     bounds.nodes.push_back(places.empty() ? NodeBound{}
                                           : fit_node(vertices, rounding, samples, bounds));
+    if (!tree.offset_caps.empty()) bounds.offset_caps.push_back(largest_cap(tree, places));
   }
   if (tree.morphs.extents.empty()) return bounds;
   DisplacementFit displacements(tree);
@@ -96,6 +119,7 @@ NodeBounds fit_node_bounds(const Tree& tree, std::span<const Palette> samples) {
     vertices.assign(places);
     bounds.nodes[node] = fit_node(vertices, rounding, samples, bounds);
   });
+  find_offset_caps(tree, bounds);
   if (tree.morphs.extents.empty()) return bounds;
   DisplacementFit displacements(tree);
   each_subtree(tree, [&](std::uint32_t node, std::span<const std::uint32_t> places) {

@@ -78,6 +78,11 @@
 /// margin grows by
 ///     (2 p + 8) u.
 ///
+/// Offsets. Let a posed vertex without offset be in [low, high] on an axis, with both ends floats,
+/// and let c be the largest offset cap of the vertices below the node. Its offset is clamped to
+/// [-c, c], and rounding to nearest is monotone, so the float sum of vertex and offset lies in
+/// [fl(low - c), fl(high + c)]. The widened box needs no further margin.
+///
 /// Nothing overflows: M is at most kMaxExtent, joint boxes reach a few M, and an affine bound that
 /// could reach too far is rejected (stays_finite in check_node_bounds.hpp). M is at least 2^-100
 /// times the rest extent, so products of matrices that underflow (by 2^-150 each) are negligible
@@ -151,7 +156,12 @@ struct NodeBounds {
   // Displacement boxes by rest body: joint boxes first, then shapes. Targets of a body ascend.
   std::vector<std::uint32_t> displacement_begin;  // [bodies + 1]; empty if there are no targets
   std::vector<DisplacementBox> displacements;
+
+  std::vector<float> offset_caps;  // [N] largest below; empty if there are none; not in files
 };
+
+/// Computes NodeBounds::offset_caps for all nodes of the tree. O(P).
+void find_offset_caps(const Tree& tree, NodeBounds& bounds);
 
 /// Fits both kinds of bounds to every node and stores the kind that is smaller on the sample poses.
 /// The bounds hold in any pose. O(P log P) for P vertices in pools.

@@ -206,8 +206,14 @@ inline Box4 rest_box(const NodeBounds& bounds, const NodeBound& bound, const Pal
   return joint_boxes_box(bounds, bound, box_at, palette);
 }
 
-/// A box around every posed vertex below `node`.
-inline Box4 node_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
+/// Widens the box of a node by its largest offset cap.
+inline Box4 offset_box(const NodeBounds& bounds, std::uint32_t node, const Box4& box) {
+  const Float4 cap(bounds.offset_caps[node]);
+  return {box.low - cap, box.high + cap};
+}
+
+/// A box around every posed vertex below `node`, without its offset.
+inline Box4 skin_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
   const NodeBound& bound = bounds.nodes[node];
   const Float4 margin(bound.margin * palette.extent() + 0x1p-120f);
   if (palette.morphs().any() && has_displacements(bounds, bound)) {
@@ -217,6 +223,12 @@ inline Box4 node_box(const NodeBounds& bounds, std::uint32_t node, const Palette
   }
   const Box4 box = rest_box(bounds, bound, palette);
   return {box.low - margin, box.high + margin};
+}
+
+/// A box around every posed vertex below `node`.
+inline Box4 node_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
+  const Box4 box = skin_box(bounds, node, palette);
+  return palette.offsets().empty() ? box : offset_box(bounds, node, box);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

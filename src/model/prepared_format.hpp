@@ -26,7 +26,7 @@ inline constexpr std::array<unsigned char, 8> kPreparedMagic = {0x8B, 'P',  'E',
                                                                 'T',  '\r', '\n', 0x1A};
 inline constexpr std::uint32_t kPreparedVersion = 4;
 inline constexpr std::uint32_t kByteOrderMark = 0x01020304, kForeignMark = 0x04030201;
-inline constexpr std::size_t kPreparedArrays = 22;
+inline constexpr std::size_t kPreparedArrays = 23;
 
 struct PreparedHeader {
   std::array<unsigned char, 8> magic = kPreparedMagic;

@@ -3,7 +3,6 @@
 #include "base/disjoint_sets.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
-#include "model/weld.hpp"
 #include "skin/main_joint.hpp"
 
 #include <algorithm>
@@ -51,19 +50,11 @@ bool edges_pair_up(const std::vector<Triangle>& triangles) {
   return is_once && !forward.empty() && forward == backward;
 }
 
-/// Replaces vertices by equal ones, which the tree may have kept apart.
-void weld_corners(SkinnedMesh& mesh) {
-  const std::vector<std::uint32_t> welded = weld_vertices(mesh);
-  for (Triangle& triangle : mesh.triangles)
-    for (std::uint32_t& vertex : triangle) vertex = welded[vertex];
-}
-
 }  // namespace
 
 Surface::Surface(const SkinnedModel& m) : model(m) {
   SkinnedMesh mesh = unpack_mesh(model.detail().tree);
   joints = main_joints(mesh);
-  weld_corners(mesh);
   components = find_components(mesh.triangles, mesh.vertex_count());
   corners = std::move(mesh.triangles);
   is_closed = edges_pair_up(corners);

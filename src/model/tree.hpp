@@ -87,6 +87,7 @@ struct Tree {
 
   std::vector<std::uint32_t> vertex_places;  // [V] position in [P] of each of the caller's vertices
   std::vector<std::uint32_t> place_vertices;  // [P] the caller's vertex; the lowest of welded ones
+  std::vector<float> offset_caps;             // [P] or empty, as in SkinnedMesh
   std::vector<WeldedVertex> welded_vertices;  // ascending; not in prepared files
 
   PoolMorphs morphs;

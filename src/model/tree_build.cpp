@@ -25,10 +25,13 @@ std::uint32_t size32(std::size_t size) {
 
 /// Returns for each vertex [V] the vertex that the tree stores for it.
 std::vector<std::uint32_t> merged_vertices(const SkinnedMesh& mesh) {
-  if (mesh.may_weld) return weld_vertices(mesh);
-  std::vector<std::uint32_t> apart(mesh.vertex_count());
-  std::iota(apart.begin(), apart.end(), 0u);
-  return apart;
+  std::vector<std::uint32_t> merged(mesh.vertex_count());
+  std::iota(merged.begin(), merged.end(), 0u);
+  if (!mesh.may_weld) return merged;
+  const std::vector<std::uint32_t> welded = weld_vertices(mesh);
+  for (std::size_t v = 0; v < merged.size(); ++v)
+    if (mesh.offset_caps.empty() || mesh.offset_caps[v] == 0) merged[v] = welded[v];
+  return merged;
 }
 
 /// Writes the arrays of a tree, node by node.
@@ -94,6 +97,7 @@ class TreeWriter {
     places_[v] = size32(tree_.rest_positions.size());
     tree_.rest_positions.push_back(mesh_.rest_positions[v]);
     tree_.place_vertices.push_back(v);
+    if (!mesh_.offset_caps.empty()) tree_.offset_caps.push_back(mesh_.offset_caps[v]);
     for (const Influence& influence : mesh_.influences_of(v)) {
       tree_.joints.push_back(static_cast<std::uint16_t>(influence.joint));
       tree_.weights.push_back(influence.weight);
@@ -163,6 +167,7 @@ class TreeWriter {
   void shrink() {
     tree_.rest_positions.shrink_to_fit();
     tree_.place_vertices.shrink_to_fit();
+    tree_.offset_caps.shrink_to_fit();
     tree_.influence_begin.shrink_to_fit();
     tree_.joints.shrink_to_fit();
     tree_.weights.shrink_to_fit();

@@ -8,6 +8,7 @@ void append_vertex(const SkinnedMesh& from, std::uint32_t v, SkinnedMesh& to) {
   const auto influences = from.influences_of(v);
   to.influences.insert(to.influences.end(), influences.begin(), influences.end());
   to.influence_begin.push_back(static_cast<std::uint32_t>(to.influences.size()));
+  if (!from.offset_caps.empty()) to.offset_caps.push_back(from.offset_caps[v]);
   if (from.morph_extents.empty()) return;
   const auto displacements = from.displacements_of(v);
   to.displacements.insert(to.displacements.end(), displacements.begin(), displacements.end());
@@ -54,6 +55,7 @@ SkinnedMesh unpack_vertices(const Tree& tree) {
   mesh.joint_count = tree.joint_count;
   mesh.rest_extent = tree.rest_extent;
   unpack_displacements(tree.morphs, mesh);
+  mesh.offset_caps = tree.offset_caps;
   return mesh;
 }
 

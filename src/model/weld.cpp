@@ -36,7 +36,13 @@ int compare_displacements(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_
   return compare(mesh.displacements_of(a), mesh.displacements_of(b));
 }
 
+int compare_caps(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  if (mesh.offset_caps.empty() || mesh.offset_caps[a] == mesh.offset_caps[b]) return 0;
+  return mesh.offset_caps[a] < mesh.offset_caps[b] ? -1 : 1;
+}
+
 int compare_motion(const SkinnedMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  if (const int caps = compare_caps(mesh, a, b); caps != 0) return caps;
   const int influences = compare(mesh.influences_of(a), mesh.influences_of(b));
   return influences != 0 ? influences : compare_displacements(mesh, a, b);
 }

@@ -8,8 +8,8 @@
 namespace pelt::detail {
 
 /// Returns for each vertex [V] the lowest number of a vertex with bit-identical rest position,
-/// influences and displacements. Exporters split vertices at seams of textures and normals; such
-/// vertices are posed to the same bits in any pose. O(V log V) for any input.
+/// influences, displacements and offset cap. Exporters split vertices at seams of textures and
+/// normals; such vertices are posed to the same bits in any pose. O(V log V) for any input.
 std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh);
 
 /// The same, whatever the influences and the signs of zeros in rest positions. Exporters also split

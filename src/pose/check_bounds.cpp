@@ -37,12 +37,23 @@ struct Box {
   }
 };
 
+/// Returns the caller's offsets in the order of the pools, or none.
+std::vector<Vec3> offsets_by_place(const Tree& tree, const detail::Palette& palette) {
+  std::vector<Vec3> offsets;
+  if (!palette.offsets().empty())
+    for (const std::uint32_t v : tree.place_vertices) offsets.push_back(palette.offsets()[v]);
+  return offsets;
+}
+
 /// Poses all vertices by the definition, or copies the given ones.
 std::vector<Vec3> pose_all(const Tree& tree, const detail::Pose& pose) {
   const detail::SkinnedMesh mesh = detail::unpack_vertices(tree);
+  const std::vector<Vec3> offsets = offsets_by_place(tree, pose.palette);
+  detail::Palette palette = pose.palette;
+  palette.set_offsets(offsets);
   std::vector<Vec3> posed(tree.rest_positions.size());
   for (std::uint32_t v = 0; v < posed.size(); ++v)
-    posed[v] = pose.given ? pose.given.vertex(v) : scalar::posed_vertex(mesh, pose.palette, v);
+    posed[v] = pose.given ? pose.given.vertex(v) : scalar::posed_vertex(mesh, palette, v);
   return posed;
 }
 

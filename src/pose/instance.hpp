@@ -1,10 +1,14 @@
 #pragma once
 
+#include "base/problem.hpp"
 #include "model/node_bounds.hpp"
 #include "model/tree.hpp"
 #include "pose/posed_tree.hpp"
 
 namespace pelt::detail {
+
+/// Validates the number of offsets. Returns an empty Problem if they are valid.
+Problem check_offsets(const Tree& tree, std::span<const Vec3> offsets);
 
 /// What poses the vertices of an instance, and what queries have computed from it.
 struct Instance {

@@ -81,6 +81,21 @@ void pose_morphed_node(const PosedTree& posed, const Node& node, float* out) {
       posed.palette.joints().data(), node.first_vertex, node.first_vertex + node.vertex_count, out);
 }
 
+/// Adds offsets to a posed pool. Returns how many of them were clamped.
+[[gnu::noinline]] std::uint64_t offset_pool(const PosedTree& posed, const Node& node,
+                                            float* positions) {
+  const std::uint32_t* const vertices = posed.tree.place_vertices.data() + node.first_vertex;
+  const float* const caps = posed.tree.offset_caps.data() + node.first_vertex;
+  const Vec3* const offsets = posed.palette.offsets().data();
+  std::uint64_t clamped = 0;
+  for (std::uint32_t v = 0; v < node.vertex_count; ++v) {
+    float* const p = positions + std::size_t{kFloatsPerVertex} * v;
+    store4(p, offset_vertex4(load4(p), offsets[vertices[v]], caps[v]));
+    clamped += is_clamped(offsets[vertices[v]], caps[v]);
+  }
+  return clamped;
+}
+
 /// Poses a pool and counts the work.
 const float* pose_pool_of(const PosedTree& posed, std::uint32_t index, QueryStats& work) {
   const Node& node = posed.tree.nodes[index];
@@ -90,6 +105,7 @@ const float* pose_pool_of(const PosedTree& posed, std::uint32_t index, QueryStat
   const std::uint64_t displaced =
       morphs.any() ? morph_pool(posed.tree, index, morphs, positions) : 0;
   displaced > 0 ? pose_morphed_node(posed, node, positions) : pose_node(posed, node, positions);
+  if (!posed.palette.offsets().empty()) work.clamped_offsets += offset_pool(posed, node, positions);
   work.posed_vertices += node.vertex_count;
   work.displacements += displaced;
   return positions;
@@ -170,9 +186,14 @@ std::uint64_t each_posed(const Tree& tree, const Palette& palette,
                          std::span<const std::uint32_t> at, const Visit& visit) {
   const VertexArrays arrays(tree);
   const Matrix4* matrices = palette.joints().data();
+  const Vec3* offsets = palette.offsets().data();
   const auto each = [&](auto&& rest_at) {
-    for (const std::uint32_t place : at)
-      visit(arrays.pose(rest_at(place), place, arrays.influence_count(place), matrices));
+    for (const std::uint32_t place : at) {
+      const Float4 p = arrays.pose(rest_at(place), place, arrays.influence_count(place), matrices);
+      visit(offsets
+                ? offset_vertex4(p, offsets[tree.place_vertices[place]], tree.offset_caps[place])
+                : p);
+    }
   };
   if (palette.morphs().any()) {
     MorphedRest morphed(tree, palette.morphs());

@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "pose/open_node.hpp"
 #include "pose/refit_given.hpp"
+#include "skin/skin.hpp"
 
 #include <utility>
 
@@ -15,6 +16,23 @@ Result<void> Pose::set_vertices(std::span<const Vec3> vertices) {
     return invalid_argument(std::move(found));
   close_all();
   given = refit_given(tree, vertices, arena);
+  return {};
+}
+
+Problem check_offsets(const Tree& tree, std::span<const Vec3> offsets) {
+  if (offsets.empty()) return {};
+  if (tree.offset_caps.empty())
+    return problem("the model has no caps for offsets: set SkinnedMeshView::offset_caps");
+  if (offsets.size() == tree.vertex_count()) return {};
+  return problem("offsets has %zu elements, expected none or one for each of the %u vertices",
+                 offsets.size(), tree.vertex_count());
+}
+
+Result<void> Pose::set_offsets(std::span<const Vec3> offsets) {
+  if (Problem found = check_offsets(model.detail().tree, offsets); !found.empty())
+    return invalid_argument(std::move(found));
+  palette.set_offsets(offsets);
+  close_all();
   return {};
 }
 
@@ -62,6 +80,10 @@ Result<void> Pose::set_vertices(std::span<const Vec3> vertices) {
   return pose_->set_vertices(vertices);
 }
 
+Result<void> Pose::set_offsets(std::span<const Vec3> offsets) {
+  return pose_->set_offsets(offsets);
+}
+
 void Pose::reserve() { pose_->reserve(); }
 
 void posed_vertices(const Pose& pose, std::span<Vec3> out) {
@@ -70,6 +92,15 @@ void posed_vertices(const Pose& pose, std::span<Vec3> out) {
   PELT_ASSERT(out.size() == tree.vertex_count());
   if (!data.given) return pose_vertices(tree, data.palette, out);
   for (std::size_t v = 0; v < out.size(); ++v) out[v] = data.given.vertex(tree.vertex_places[v]);
+}
+
+std::uint32_t check_offsets(const Pose& pose) {
+  const detail::Tree& tree = pose.model().detail().tree;
+  const std::span<const Vec3> offsets = pose.detail().palette.offsets();
+  std::uint32_t clamped = 0;
+  for (std::size_t v = 0; v < offsets.size(); ++v)
+    clamped += detail::is_clamped(offsets[v], tree.offset_caps[tree.vertex_places[v]]);
+  return clamped;
 }
 
 }  // namespace pelt

@@ -31,6 +31,7 @@ struct Pose : Instance {
   }
 
   Result<void> set_vertices(std::span<const Vec3> vertices);
+  Result<void> set_offsets(std::span<const Vec3> offsets);
 
   /// Closes all nodes, because the palette has changed. Also forgets given vertices.
   void close_all() {

@@ -8,6 +8,7 @@ QueryStats& QueryStats::operator+=(const QueryStats& other) {
   posed_vertices += other.posed_vertices;
   triangle_pairs += other.triangle_pairs;
   displacements += other.displacements;
+  clamped_offsets += other.clamped_offsets;
   cut_short = cut_short || other.cut_short;
   return *this;
 }

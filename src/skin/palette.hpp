@@ -27,7 +27,8 @@ inline std::span<const float> floats_of(std::span<const Matrix4> matrices) {
   return {reinterpret_cast<const float*>(matrices.data()), 16 * matrices.size()};
 }
 
-/// A validated joint palette with its morph weights. Matrices are finite and affine, and move no
+/// A validated joint palette with its morph weights, and offsets that are valid whatever they are
+/// (see skin.hpp). Matrices are finite and affine, and move no
 /// displaced rest position beyond kMaxCoordinate, so queries never see NaN or infinity.
 class Palette {
  public:
@@ -52,14 +53,18 @@ class Palette {
 
   const MorphWeights& morphs() const { return morphs_; }
 
+  /// Offsets of the vertices [V], borrowed from the caller, or none.
+  std::span<const Vec3> offsets() const { return offsets_; }
+  void set_offsets(std::span<const Vec3> offsets) { offsets_ = offsets; }
+
   /// M of the rounding analyses: sum_b |A_ab| |v_b| + |t_a| <= M for every joint (A | t) and every
   /// point v of the mesh's rest box, where |v_b| includes the magnitudes of all weighted
-  /// displacements of a vertex. No coordinate of a posed vertex is larger than M, and float32
-  /// rounding of posed vertices and bounds is a small multiple of 2^-24 M. At most kMaxExtent, and
-  /// large enough that underflow is negligible beside this rounding.
+  /// displacements of a vertex. No coordinate of a posed vertex without offset is larger than M,
+  /// and float32 rounding of posed vertices and bounds is a small multiple of 2^-24 M. At most
+  /// kMaxExtent, and large enough that underflow is negligible beside this rounding.
   float extent() const { return extent_; }
 
-  /// Upper bound of the distance of any posed vertex from the origin.
+  /// Upper bound of the distance of any posed vertex without offset from the origin.
   float reach() const { return extent_ * 1.7320510f; }
 
   std::size_t memory_bytes() const { return joints().size_bytes() + morphs_.memory_bytes(); }
@@ -75,6 +80,7 @@ class Palette {
   std::vector<Matrix4> joints_;
   PaletteScan scan_ = {.linear = 1};  // of the joints
   MorphWeights morphs_;
+  std::span<const Vec3> offsets_;
   float rest_extent_;
   double reach_;  // rest extent plus the extent of the weighted displacements
   float extent_;

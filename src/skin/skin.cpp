@@ -2,6 +2,9 @@
 
 #include "base/assert.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace pelt::detail {
 
 void posed_vertices(const SkinnedMesh& mesh, const Palette& palette, std::span<Vec3> out) {
@@ -12,6 +15,19 @@ void posed_vertices(const SkinnedMesh& mesh, const Palette& palette, std::span<V
 }  // namespace pelt::detail
 
 namespace pelt::scalar {
+namespace {
+
+float offset_coordinate(float v, float offset, float cap) {
+  const bool moves = std::fabs(offset) > 0 && cap > 0;  // false for NaN
+  return moves ? v + std::clamp(offset, -cap, cap) : v;
+}
+
+Vec3 offset_vertex(const Vec3& v, const Vec3& offset, float cap) {
+  return {offset_coordinate(v.x, offset.x, cap), offset_coordinate(v.y, offset.y, cap),
+          offset_coordinate(v.z, offset.z, cap)};
+}
+
+}  // namespace
 
 Vec3 posed_vertex(const detail::SkinnedMesh& mesh, const detail::Palette& palette,
                   std::uint32_t vertex) {
@@ -35,7 +51,9 @@ Vec3 posed_vertex(const detail::SkinnedMesh& mesh, const detail::Palette& palett
   const auto coordinate = [&](int a) {
     return (blended[a] * v[0] + blended[8 + a] * v[2]) + (blended[4 + a] * v[1] + blended[12 + a]);
   };
-  return {coordinate(0), coordinate(1), coordinate(2)};
+  const Vec3 posed = {coordinate(0), coordinate(1), coordinate(2)};
+  if (palette.offsets().empty()) return posed;
+  return offset_vertex(posed, palette.offsets()[vertex], mesh.offset_caps[vertex]);
 }
 
 }  // namespace pelt::scalar

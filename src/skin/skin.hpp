@@ -12,6 +12,13 @@
 /// Morph targets come first: v = v0 + m_1 d_1 + m_2 d_2 ..., summed from the left, over the targets
 /// that displace the vertex and whose weight is not zero, in ascending order.
 ///
+/// Offsets come last. With the offset o and the cap c of the vertex,
+///
+///     v''_a = v'_a + min(max(o_a, -c), c)         for a = x, y, z
+///
+/// except that v''_a = v'_a if o_a is NaN or 0, or if c is 0. A posed vertex is therefore defined
+/// for every offset, and offsets of 0 leave its bits as they are.
+///
 /// A Float8 holds two columns of B, which is why x is paired with z and y with the translation. A
 /// vertex with a single influence has weight 1 exactly, so B = C_j, the special case of one joint.
 
@@ -41,6 +48,19 @@ inline Float4 posed_vertex4(const Vec3& rest, std::uint32_t count, const Influen
   return fold(pair8(rest.x, rest.y) * xy + pair8(rest.z, 1) * zt);
 }
 
+/// Adds an offset to the posed vertex `v`, clamped to the cap along each axis.
+inline Float4 offset_vertex4(const Float4& v, const Vec3& offset, float cap) {
+  const Float4 o(offset.x, offset.y, offset.z, 0), zero(0.0f), most(cap);
+  const Mask4 moves = (zero < abs(o)) & (zero < most);  // false for NaN
+  return select(moves, v + max(min(o, most), zero - most), v);
+}
+
+/// Whether a coordinate of the offset is NaN or beyond the cap.
+inline bool is_clamped(const Vec3& offset, float cap) {
+  const auto is_within = [=](float o) { return -cap <= o && o <= cap; };
+  return !(is_within(offset.x) && is_within(offset.y) && is_within(offset.z));
+}
+
 /// Returns `v`, displaced by one more target.
 inline Vec3 displaced(const Vec3& v, float weight, const Vec3& by) {
   return {v.x + weight * by.x, v.y + weight * by.y, v.z + weight * by.z};
@@ -60,9 +80,11 @@ inline Vec3 morphed_vertex(const SkinnedMesh& mesh, const MorphWeights& morphs,
 inline Float4 posed_vertex4(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {
   const Influence* influences = &mesh.influences[mesh.influence_begin[vertex]];
   const std::uint32_t count = mesh.influence_begin[vertex + 1] - mesh.influence_begin[vertex];
-  return posed_vertex4(
+  const Float4 posed = posed_vertex4(
       morphed_vertex(mesh, palette.morphs(), vertex), count,
       [=](std::uint32_t i) { return influences[i]; }, palette.joints().data());
+  if (palette.offsets().empty()) return posed;
+  return offset_vertex4(posed, palette.offsets()[vertex], mesh.offset_caps[vertex]);
 }
 
 inline Vec3 posed_vertex(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {

@@ -136,6 +136,18 @@ Problem take_influences(const SkinnedMeshView& view, const ModelOptions& options
   return {};
 }
 
+Problem take_offset_caps(std::span<const float> caps, SkinnedMesh& mesh) {
+  if (!caps.empty() && caps.size() != mesh.rest_positions.size())
+    return problem("offset_caps has %zu elements for %zu rest_positions", caps.size(),
+                   mesh.rest_positions.size());
+  for (std::size_t v = 0; v < caps.size(); ++v) {
+    if (!(caps[v] >= 0 && caps[v] <= kMaxCoordinate))
+      return problem("offset_caps[%zu] is %g, expected 0 to 2^60", v, static_cast<double>(caps[v]));
+    mesh.offset_caps.push_back(caps[v] + 0.0f);  // makes -0 positive
+  }
+  return {};
+}
+
 /// Lets all vertices follow one joint.
 void add_one_joint(SkinnedMesh& mesh) {
   mesh.joint_count = 1;
@@ -168,13 +180,14 @@ Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOp
   mesh.rest_positions.assign(view.rest_positions.begin(), view.rest_positions.end());
   mesh.triangles.assign(view.triangles.begin(), view.triangles.end());
   mesh.joint_count = view.joint_count;
-  mesh.may_weld = options.weld && view.joint_count > 0;
+  mesh.may_weld = options.weld;
   mesh.rest_extent = extent_of(mesh.rest_positions);
   if (view.joint_count == 0)
     add_one_joint(mesh);
   else
     found = take_influences(view, options, mesh, report);
   if (found.empty()) found = take_morph_targets(view.morph_targets, mesh);
+  if (found.empty()) found = take_offset_caps(view.offset_caps, mesh);
   if (!found.empty()) return invalid_argument(found);
   report.degenerate_triangles = count_degenerate(mesh);
   return mesh;

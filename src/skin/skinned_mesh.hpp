@@ -44,6 +44,8 @@ struct SkinnedMesh {
   std::vector<std::uint32_t> displacement_begin;  // [V + 1], into displacements; [] if M is 0
   std::vector<Displacement> displacements;
 
+  std::vector<float> offset_caps;  // [V] largest offset along each axis; empty: no offsets
+
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(rest_positions.size()); }
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size()); }
 

@@ -35,6 +35,11 @@ std::vector<pelt::RegionEntry> entered(pelt::Motion motion, const pelt::Sphere& 
                                        pelt::Scratch& scratch);
 bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
                std::span<const float> weights);
+pelt::Result<pelt::SkinnedModel> cloth(std::span<const pelt::Vec3> rest,
+                                       std::span<const pelt::Triangle> triangles);
+bool touches(pelt::Pose& cloth, std::span<const pelt::Vec3> vertices, pelt::Pose& body,
+             pelt::Scratch& scratch);
+bool add_wrinkles(pelt::Pose& body, std::span<const pelt::Vec3> offsets);
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
                                     pelt::Scratch& scratch);
 double from_pillar(pelt::Pose& pose, const pelt::Capsule& pillar, pelt::Scratch& scratch);
@@ -209,6 +214,22 @@ TEST_F(QueryExamples, Morphs) {
   const Box displaced = smallest_box(limb);
   EXPECT_NE(displaced.high.x - displaced.low.x, still.high.x - still.low.x);
   EXPECT_FALSE(pose_face(limb, moved(5), std::vector<float>{2, 2}));
+}
+
+TEST_F(QueryExamples, VerticesOfAnotherProgram) {
+  const Shape shape = make_limb(16, 12, 3);
+  Pose sheet(*cloth(shape.rest_positions, shape.triangles));
+  EXPECT_TRUE(touches(sheet, shape.rest_positions, pose_, scratch_));
+  std::vector<Vec3> above = shape.rest_positions;
+  for (Vec3& p : above) p.y += 5;
+  EXPECT_FALSE(touches(sheet, above, pose_, scratch_));
+
+  SkinnedMeshView view = shape.view();
+  const std::vector<float> caps(shape.rest_positions.size(), 0.1f);
+  view.offset_caps = caps;
+  Pose body(*build_model(view));
+  EXPECT_TRUE(add_wrinkles(body, std::vector<Vec3>(caps.size(), {0, 0.05f, 0})));
+  EXPECT_FALSE(add_wrinkles(body, std::vector<Vec3>(caps.size(), {0, 0.5f, 0})));
 }
 
 TEST_F(QueryExamples, Motion) {

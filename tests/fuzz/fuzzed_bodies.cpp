@@ -1,8 +1,11 @@
 #include "fuzz/fuzzed_bodies.hpp"
 
+#include "support/require.hpp"
+
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pelt::test {
@@ -100,6 +103,35 @@ std::vector<Matrix4> make_palette(FuzzBytes& bytes, const Shape& shape) {
   return palette;
 }
 
+/// Any caps up to 2^58; none unless the body has offsets.
+std::vector<float> make_caps(FuzzBytes& bytes, const Shape& shape, Posing posing) {
+  std::vector<float> caps(posing == Posing::offsets ? shape.rest_positions.size() : 0);
+  for (float& cap : caps) cap = bytes.size();
+  return caps;
+}
+
+/// Sets offsets, some of which are NaN, or nothing.
+void take_offsets(FuzzBytes& bytes, FuzzedBody& body) {
+  if (body.posing != Posing::offsets) return;
+  const auto coordinate = [&] {
+    return bytes.index(8) == 0 ? std::numeric_limits<float>::quiet_NaN() : bytes.coordinate();
+  };
+  body.offsets.resize(body.posed.size());
+  for (Vec3& offset : body.offsets) {
+    const float x = coordinate(), y = coordinate(), z = coordinate();
+    offset = {x, y, z};
+  }
+  require(static_cast<bool>(body.pose.set_offsets(body.offsets)), "offsets are refused");
+}
+
+/// Updates the posed vertices. A palette that has nothing to do with given ones must not matter.
+void take_posed(FuzzedBody& body) {
+  posed_vertices(body.pose, body.posed);
+  if (body.posing != Posing::given) return;
+  (void)body.pose.set_palette(std::vector<Matrix4>(body.shape.joint_count));
+  require(static_cast<bool>(body.pose.set_vertices(body.posed)), "posed vertices are refused");
+}
+
 }  // namespace
 
 std::vector<std::array<Vec3, 3>> FuzzedBody::all_corners() const {
@@ -108,10 +140,13 @@ std::vector<std::array<Vec3, 3>> FuzzedBody::all_corners() const {
   return all;
 }
 
-std::optional<FuzzedBody> make_body(FuzzBytes& bytes) {
+std::optional<FuzzedBody> make_body(FuzzBytes& bytes, Posing posing) {
   Shape shape = make_shape(bytes);
   add_morphs(bytes, shape);
-  const Result<SkinnedModel> model = build_model(shape.view());
+  const std::vector<float> caps = make_caps(bytes, shape, posing);
+  SkinnedMeshView view = shape.view();
+  view.offset_caps = caps;
+  const Result<SkinnedModel> model = build_model(view);
   if (!model) return std::nullopt;
   Pose pose(*model);
   std::vector<Matrix4> palette = make_palette(bytes, shape);
@@ -121,16 +156,25 @@ std::optional<FuzzedBody> make_body(FuzzBytes& bytes) {
     weights.push_back(bytes.coordinate());
   if (!pose.set_morph_weights(weights)) return std::nullopt;
   std::vector<Vec3> posed(shape.rest_positions.size());
-  posed_vertices(pose, posed);
-  return FuzzedBody{std::move(shape), std::move(palette), std::move(weights),
-                    std::move(pose),  Surface(*model),    std::move(posed)};
+  FuzzedBody body{std::move(shape),
+                  std::move(palette),
+                  std::move(weights),
+                  std::move(pose),
+                  Surface(*model),
+                  std::move(posed),
+                  posing,
+                  {}};
+  take_offsets(bytes, body);
+  take_posed(body);
+  return body;
 }
 
 void move_body(FuzzBytes& bytes, FuzzedBody& body) {
   std::vector<Matrix4> palette = make_palette(bytes, body.shape);
   if (!body.pose.set_palette(palette)) return;
   body.palette = std::move(palette);
-  posed_vertices(body.pose, body.posed);
+  take_offsets(bytes, body);
+  take_posed(body);
 }
 
 Vec3 point_near(FuzzBytes& bytes, const FuzzedBody& body) {

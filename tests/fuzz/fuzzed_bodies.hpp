@@ -39,6 +39,13 @@ class FuzzBytes {
   std::size_t next_ = 0;
 };
 
+/// What puts the vertices of a body where they are.
+enum class Posing : std::uint8_t {
+  joints,
+  offsets,  ///< joints, and offsets from the bytes
+  given,    ///< `Pose::set_vertices`, with what joints would do
+};
+
 /// A posed mesh, with its vertices by the definition of skinning.
 struct FuzzedBody {
   Shape shape;
@@ -47,6 +54,8 @@ struct FuzzedBody {
   Pose pose;
   Surface surface;
   std::vector<Vec3> posed;
+  Posing posing = Posing::joints;
+  std::vector<Vec3> offsets;  ///< the pose borrows them
 
   std::uint32_t triangle_count() const {
     return static_cast<std::uint32_t>(shape.triangles.size());
@@ -64,7 +73,7 @@ struct FuzzedBody {
 };
 
 /// Nullopt if Pelt refuses the mesh, the palette or the weights.
-std::optional<FuzzedBody> make_body(FuzzBytes& bytes);
+std::optional<FuzzedBody> make_body(FuzzBytes& bytes, Posing posing = Posing::joints);
 
 /// Sets another palette. Leaves the body unchanged if Pelt refuses the palette.
 void move_body(FuzzBytes& bytes, FuzzedBody& body);

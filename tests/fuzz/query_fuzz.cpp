@@ -1,8 +1,8 @@
 /// The fuzz target of the queries: bytes -> an instruction set, two bodies, and questions about
-/// them. Every answer is compared with all posed triangles, one by one. Whether two triangles
-/// intersect, which triangles a region contains, and which side a point is on is decided here by
-/// exact numbers. Distances and rays are compared with the library's definition for one triangle;
-/// that of the distance is compared with rational numbers.
+/// them, in each way of posing the bodies. Every answer is compared with all posed triangles, one
+/// by one. Whether two triangles intersect, which triangles a region contains, and which side a
+/// point is on is decided here by exact numbers. Distances and rays are compared with the library's
+/// definition for one triangle; that of the distance is compared with rational numbers.
 
 #include "fuzz/questions.hpp"
 
@@ -25,10 +25,10 @@ constexpr void (*kQuestions[])(Question&) = {
     ask_groups,     ask_farthest,       ask_field_contacts,    ask_field_distance,
     ask_field_cast, ask_crowd,          ask_self_contacts};
 
-void ask_all(FuzzBytes& bytes) {
+void ask_all(FuzzBytes bytes, Posing posing) {
   const auto sets = available_instruction_sets();
   set_active_instruction_set(sets[bytes.index(static_cast<std::uint32_t>(sets.size()))]);
-  std::optional<FuzzedBody> a = make_body(bytes), b = make_body(bytes);
+  std::optional<FuzzedBody> a = make_body(bytes, posing), b = make_body(bytes, posing);
   if (!a || !b) return;
   Scratch scratch;
   Question question = {bytes, *a, *b, scratch};
@@ -41,7 +41,9 @@ void ask_all(FuzzBytes& bytes) {
 }  // namespace pelt::test
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  pelt::test::FuzzBytes bytes(std::span(data, size));
-  pelt::test::ask_all(bytes);
+  using pelt::test::Posing;
+  const pelt::test::FuzzBytes bytes(std::span(data, size));
+  for (const Posing posing : {Posing::joints, Posing::offsets, Posing::given})
+    pelt::test::ask_all(bytes, posing);
   return 0;
 }

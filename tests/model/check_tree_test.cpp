@@ -172,6 +172,13 @@ const Breach kBreaches[] = {
      }},
     {"place_vertices has", [](Tree& t) { t.place_vertices.pop_back(); }},
     {"place_vertices[3] is 4000000000", [](Tree& t) { t.place_vertices[3] = 4000000000; }},
+    {"offset_caps has 1 elements", [](Tree& t) { t.offset_caps = {1}; }},
+    {"offset_caps[2] is nan",
+     [](Tree& t) {
+       t.offset_caps.resize(t.rest_positions.size());
+       t.offset_caps[2] = kNan;
+     }},
+    {"offset_caps[0] is -1", [](Tree& t) { t.offset_caps.assign(t.rest_positions.size(), -1.0f); }},
     {"is not that of vertex", [](Tree& t) { std::swap(t.place_vertices[0], t.place_vertices[1]); }},
     {"morphs.extents has 65536", [](Tree& t) { t.morphs.extents.resize(65536); }},
     {"node_begin has", [](Tree& t) { t.morphs.node_begin.pop_back(); }},

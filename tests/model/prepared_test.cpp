@@ -117,9 +117,9 @@ const Forgery kForgeries[] = {
     {"is not a prepared model", [](detail::PreparedHeader& h) { h.magic[0] = 'P'; }},
     {"is not a prepared model", [](detail::PreparedHeader& h) { h.magic[7] = 0; }},
     {"the prepared model was made by another version of Pelt (version 1 of the format, this one "
-     "reads version 3): run `pelt prepare` or save_model() again",
+     "reads version 4): run `pelt prepare` or save_model() again",
      [](detail::PreparedHeader& h) { h.version = 1; }},
-    {"another version of Pelt (version 4 of", [](detail::PreparedHeader& h) { h.version = 4; }},
+    {"another version of Pelt (version 5 of", [](detail::PreparedHeader& h) { h.version = 5; }},
     {"another version of Pelt (version 0 of", [](detail::PreparedHeader& h) { h.version = 0; }},
     {"the other byte order", [](detail::PreparedHeader& h) { h.byte_order = 0x04030201; }},
     {"byte order mark 01020305", [](detail::PreparedHeader& h) { ++h.byte_order; }},

@@ -135,9 +135,11 @@ class Asker {
     Containment contained = {};
     containment(a_, surface_a_, b_, surface_b_, scratch_, contained);
     add("containment", static_cast<int>(contained));
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 40; ++i) {
+      Vec3 point = random_.point(0.15);
+      point.y = random_.uniformf(0, 1);  // as the limbs
       PointSide side = PointSide::outside;
-      side_of(b_, surface_b_, random_.point(0.5), scratch_, side);
+      side_of(b_, surface_b_, point, scratch_, side);
       found("side", side == PointSide::inside);
       add("side", static_cast<int>(side));
     }
